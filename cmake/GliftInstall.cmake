@@ -1,0 +1,23 @@
+# cmake --install: the compiler, the runtime, the library in Glift, and find_package(glift).
+
+include(CMakePackageConfigHelpers)
+set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/glift)
+
+if(TARGET gliftc AND TARGET glift_runtime)
+    set_target_properties(glift_runtime PROPERTIES EXPORT_NAME runtime)
+    install(TARGETS gliftc glift_runtime EXPORT gliftTargets
+            RUNTIME DESTINATION bin
+            ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+            LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+    install(EXPORT gliftTargets NAMESPACE glift:: DESTINATION ${config_dir})
+    install(DIRECTORY ${PROJECT_SOURCE_DIR}/runtime/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+    install(DIRECTORY ${PROJECT_SOURCE_DIR}/stdlib/ DESTINATION share/glift/stdlib FILES_MATCHING PATTERN "*.glift")
+    if(TARGET glift_clang)
+        install(TARGETS glift_clang LIBRARY DESTINATION lib/glift)
+    endif()
+    configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/gliftConfig.cmake.in
+        ${PROJECT_BINARY_DIR}/gliftConfig.cmake INSTALL_DESTINATION ${config_dir})
+    write_basic_package_version_file(${PROJECT_BINARY_DIR}/gliftConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+    install(FILES ${PROJECT_BINARY_DIR}/gliftConfig.cmake ${PROJECT_BINARY_DIR}/gliftConfigVersion.cmake
+                  ${PROJECT_SOURCE_DIR}/cmake/GliftCompile.cmake DESTINATION ${config_dir})
+endif()

@@ -1,0 +1,49 @@
+# Language level, warnings, linker, compiler cache and sanitizers of this project's own targets.
+# Directory scope: a project that adds Glift as a subdirectory keeps its own settings.
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+# A test that defines something of its own may not match the shared precompiled header: then it is compiled without.
+set(CMAKE_PCH_WARN_INVALID OFF)
+
+if(PROJECT_IS_TOP_LEVEL AND NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+    set(CMAKE_BUILD_TYPE Release CACHE STRING "Debug or Release" FORCE)
+endif()
+if(PROJECT_IS_TOP_LEVEL)
+    # Line numbers for back traces; they cost no time.
+    set(CMAKE_CXX_FLAGS_RELEASE "-O2 -g1 -DNDEBUG")
+    set(CMAKE_CXX_FLAGS_DEBUG "-O1 -g1")
+endif()
+
+# A switch over an enum that misses a value is an error in every build: nodes have no `default:`.
+add_compile_options($<$<COMPILE_LANGUAGE:CXX>:-Wall> $<$<COMPILE_LANGUAGE:CXX>:-Wextra>
+                    $<$<COMPILE_LANGUAGE:CXX>:-Werror=switch>)
+if(GLIFT_WERROR)
+    add_compile_options($<$<COMPILE_LANGUAGE:CXX>:-Werror>)
+endif()
+
+find_program(GLIFT_LLD ld.lld)
+if(GLIFT_LLD)
+    add_link_options(-fuse-ld=lld)
+endif()
+
+find_program(GLIFT_CCACHE ccache)
+if(GLIFT_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+    # The sloppiness is what lets ccache store compilations that use a precompiled header.
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env
+        CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime ${GLIFT_CCACHE})
+    set(CMAKE_C_COMPILER_LAUNCHER ${GLIFT_CCACHE})
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+        add_compile_options($<$<COMPILE_LANGUAGE:CXX>:-fpch-preprocess>)
+    endif()
+endif()
+
+if(GLIFT_SANITIZE OR GLIFT_FUZZ)
+    # vptr needs typeinfo, which glslang and SPIRV-Tools (built -fno-rtti) have not.
+    set(GLIFT_SANITIZER_FLAGS -fsanitize=address,undefined -fno-sanitize=vptr -fno-sanitize-recover=all
+        -fno-omit-frame-pointer)
+    add_compile_options(${GLIFT_SANITIZER_FLAGS})
+    add_link_options(${GLIFT_SANITIZER_FLAGS})
+endif()
