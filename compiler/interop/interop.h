@@ -1,0 +1,64 @@
+// Clang tooling for gliftc: import of C++ structs and formatting of generated code to the user's own style.
+//
+// The work is done in libglift_clang.so (interop/clang/), opened at the first call of one of these functions: a process
+// that links libLLVM pays 15 ms at every start, and most runs need neither.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gliftc {
+
+/// The element type of an imported field. Struct: see ImportedType::record.
+enum class ImportedScalar : std::uint8_t { Bool, Int, Uint, Float, Half, Double, Int64, Uint64, Struct };
+
+struct ImportedType {
+    ImportedScalar scalar = ImportedScalar::Float;
+    std::uint32_t components = 1;              ///< 2 to 4 for float2 … uint4
+    std::uint32_t record = 0;                  ///< Struct: an index into ImportedHeader::structs
+    std::vector<std::uint64_t> array_extents;  ///< outermost first; empty when it is no array
+};
+
+struct ImportedField {
+    std::string name;
+    ImportedType type;
+    std::uint64_t offset = 0;  ///< bytes
+    std::uint32_t line = 0;    ///< in the header that declares it
+};
+
+struct ImportedStruct {
+    std::string name;  ///< as C++ writes it from the global namespace, "sim::Particle"
+    std::vector<ImportedField> fields;
+    std::uint64_t size = 0;   ///< bytes
+    std::uint64_t align = 0;  ///< bytes
+};
+
+struct ImportRequest {
+    std::string header;                     ///< path of the header
+    std::vector<std::string> include_dirs;  ///< where its own includes are looked for
+    std::string name;                       ///< "Particle" or "sim::Particle"
+};
+
+/// Either structs, or an error with the place in C++ where it lies.
+struct ImportResult {
+    std::vector<ImportedStruct> structs;  ///< each after those it contains: the one asked for is the last
+    std::vector<std::string> read_files;  ///< the headers read that are not the system's: for the depfile
+    std::string error;                    ///< empty: done
+    std::string error_file;               ///< may be empty
+    std::uint32_t error_line = 0;         ///< 0: no line
+};
+
+/// Parses the header with clang as C++20 and lays the struct out as the C++ compiler does on this machine.
+ImportResult import_struct(const ImportRequest& request);
+
+struct FormatResult {
+    std::string text;
+    std::string error;  ///< empty: done
+};
+
+/// Formats C++ or GLSL. `style` is the path of a .clang-format file, or a name clang-format knows (LLVM, Google, …).
+FormatResult format_code(std::string_view text, std::string_view style);
+
+}  // namespace gliftc

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "vectors.hpp"
+
+#include <array>
+#include <cstdint>
+
+namespace sim {
+
+enum class Kind : std::uint32_t { gas, dust };
+
+struct Spin {
+    float3 axis;
+    double rate;
+};
+
+struct Particle {
+    float3 position;
+    float mass;
+    std::array<std::array<float, 3>, 2> grid;
+    int neighbours[4];
+    Kind kind;
+    std::uint64_t id;
+    Spin spin;
+    Spin history[2];
+    vec<2, std::uint32_t> cell;
+};
+
+struct WithPointer {
+    float a;
+    float* values;
+};
+
+struct Base {
+    float a;
+};
+
+struct Derived : Base {
+    float b;
+};
+
+struct WithBits {
+    unsigned a : 3;
+};
+
+}  // namespace sim
+
+namespace other {
+struct Base {
+    float a;
+};
+}  // namespace other
