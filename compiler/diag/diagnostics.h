@@ -1,0 +1,64 @@
+// Diagnostics: a table of ids (diagnostics.def), and the sink that collects them.
+#pragma once
+
+#include "source/source.h"
+
+#include <cstddef>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gliftc {
+
+enum class Severity : std::uint8_t { note, warning, error };
+
+/// One enumerator a line of diagnostics.def: DIAGNOSTIC(name, severity, "text with {0} {1}"). The id shown to users is the
+/// enumerator with '-' for '_': [unknown-name].
+enum class Diag : std::uint16_t {
+#define DIAGNOSTIC(name, severity, text) name,
+#include "diag/diagnostics.def"
+#undef DIAGNOSTIC
+};
+
+Severity severity_of(Diag id);
+std::string_view id_of(Diag id);      ///< "unknown-name"
+std::string_view text_of(Diag id);    ///< with {0}, {1} … in it
+
+struct Note {
+    Span span;          ///< may be empty: a remark without a place
+    std::string text;
+};
+
+struct Diagnostic {
+    Diag id;
+    Severity severity;
+    Span span;
+    std::string text;
+    std::vector<Note> notes;
+};
+
+/// Collects diagnostics in the order reported. One mistake gives one error: a second error at the very same span is dropped.
+class Diagnostics {
+public:
+    /// Reports `id` at `span`; returns where notes can be added (valid until the next report).
+    Diagnostic& report(Diag id, Span span, std::initializer_list<std::string_view> arguments = {});
+
+    bool has_errors() const { return errors_ > 0; }
+    std::size_t error_count() const { return errors_; }
+    const std::vector<Diagnostic>& all() const { return all_; }
+
+    bool warnings_are_errors = false;
+    std::size_t error_limit = 50;                 ///< errors kept; 0 is no limit
+    bool at_limit() const { return error_limit != 0 && errors_ >= error_limit; }
+
+private:
+    std::vector<Diagnostic> all_;
+    std::size_t errors_ = 0;
+    Diagnostic dropped_{};
+};
+
+/// The candidate nearest to `name` by edit distance, if near enough to be meant; else empty.
+std::string_view did_you_mean(std::string_view name, const std::vector<std::string_view>& candidates);
+
+}  // namespace gliftc

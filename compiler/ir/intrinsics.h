@@ -1,0 +1,22 @@
+// The functions that every target has: one line each in intrinsics.def.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+namespace gliftc::ir {
+
+enum class Intrinsic : std::uint8_t {
+#define INTRINSIC(name, signature, exactness) name,
+#include "ir/intrinsics.def"
+#undef INTRINSIC
+};
+
+/// How far the devices may differ (docs/language.md, "Accuracy").
+enum class Exactness : std::uint8_t { exact, inexact };
+
+std::string_view name_of(Intrinsic intrinsic);
+std::string_view signature_of(Intrinsic intrinsic);
+Exactness exactness_of(Intrinsic intrinsic);
+
+}  // namespace gliftc::ir

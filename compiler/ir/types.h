@@ -1,0 +1,81 @@
+// Types, interned: two types are the same exactly when their ids are.
+#pragma once
+
+#include "base/arena.h"
+#include "base/name.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+namespace gliftc::ir {
+
+enum class TypeKind : std::uint8_t {
+    error,       // reported already; agrees with everything
+    void_,
+    bool_, int_, uint, float_, half, double_, int64, uint64,   // scalars
+    vector,      // element × count (2, 3, 4)
+    matrix,      // element × columns (count) × rows (rows)
+    array,       // element × count
+    struct_,     // Program::structs
+    enum_,       // Program::enums; its values are uints
+    optional,    // element?
+    range,       // lo..hi of element (int or uint): only in `for` and slices
+    structure,   // Program::structures: an instance of a structure, view or adaptor
+    slice,       // pipelines: a box of a structure (element is the structure type)
+    device,      // pipelines: a value of `element` that lives on the device until awaited
+};
+
+struct Type;
+using TypeId = Id<Type>;
+
+struct Type {
+    TypeKind kind = TypeKind::error;
+    TypeId element;
+    std::uint32_t count = 0;
+    std::uint32_t rows = 0;
+    std::uint32_t index = 0;     ///< struct_, enum_, structure: index in the Program's table
+    bool operator==(const Type&) const = default;
+};
+
+/// All types of one program. The scalar ids are fixed members.
+class Types {
+public:
+    Types();
+
+    const Type& operator[](TypeId id) const { return arena_[id]; }
+
+    TypeId error, void_, bool_, int_, uint, float_, half, double_, int64, uint64;
+
+    TypeId vector(TypeId element, std::uint32_t count);          ///< count 1 is the element itself
+    TypeId matrix(TypeId element, std::uint32_t columns, std::uint32_t rows);
+    TypeId array(TypeId element, std::uint32_t count);
+    TypeId optional(TypeId element);
+    TypeId range(TypeId element);
+    TypeId slice(TypeId structure);
+    TypeId device(TypeId element);
+    TypeId of_struct(std::uint32_t index);
+    TypeId of_enum(std::uint32_t index);
+    TypeId of_structure(std::uint32_t index);
+
+    TypeKind kind(TypeId id) const { return arena_[id].kind; }
+    bool is_scalar(TypeId id) const;                              ///< bool to uint64
+    bool is_number(TypeId id) const;                              ///< a scalar that is not bool
+    bool is_integer(TypeId id) const;                             ///< int uint int64 uint64
+    bool is_signed(TypeId id) const;                              ///< int int64
+    bool is_floating(TypeId id) const;                            ///< float half double
+    bool is_vector(TypeId id) const { return kind(id) == TypeKind::vector; }
+    bool is_matrix(TypeId id) const { return kind(id) == TypeKind::matrix; }
+    TypeId scalar_of(TypeId id) const;                            ///< the element of a vector or matrix, else itself
+    std::uint32_t components(TypeId id) const;                    ///< of a vector; 1 for a scalar
+    TypeId with_scalar(TypeId shape, TypeId scalar);              ///< bool4 from (float4, bool)
+
+private:
+    TypeId intern(Type type);
+    Arena<Type> arena_;
+    std::unordered_map<std::uint64_t, std::vector<TypeId>> index_;
+};
+
+}  // namespace gliftc::ir

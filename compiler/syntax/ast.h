@@ -1,0 +1,302 @@
+// The tree as written: what the parser makes and sema reads. Nothing here is resolved.
+//
+// Types are expressions: `Array<4, float>`, `float4`, `T[8]`, `vec<N, uint>?` use the same nodes as values, and sema reads
+// an expression as a type or as a value by where it stands.
+#pragma once
+
+#include "base/arena.h"
+#include "base/name.h"
+#include "source/source.h"
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace gliftc::ast {
+
+struct Expr;
+struct Stmt;
+struct Decl;
+using ExprId = Id<Expr>;
+using StmtId = Id<Stmt>;
+using DeclId = Id<Decl>;
+
+/// An identifier where it stands.
+struct Identifier {
+    Name name;
+    Span span;
+};
+
+// ---------------------------------------------------------------------------------------------------- expressions
+
+enum class ExprKind : std::uint8_t {
+    error,       // what the parser could not read; reported already
+    int_literal,     // value; suffix: u, l (int64), ul (uint64)
+    float_literal,   // number; suffix: f, h, d
+    bool_literal,    // value 0 or 1
+    string_literal,  // text (in `name`)
+    none_literal,    // none
+    name,        // name
+    generic,     // operands[0] < operands[1..] >, `Array<4, float>`
+    member,      // operands[0] . name
+    index,       // operands[0] [ operands[1..] ]; as a type: an array; an empty bracket: one operand
+    call,        // operands[0] ( operands[1..] ); named arguments in `labels`
+    unary,       // op operands[0]
+    binary,      // operands[0] op operands[1]; includes ?? and `then`
+    conditional, // operands[0] ? operands[1] : operands[2]
+    range,       // operands[0] .. operands[1]
+    optional,    // operands[0]?, as a type
+    await,       // await operands[0]
+    tuple,       // { operands… }, an array or struct literal; labels where written `x: 1`
+};
+
+enum class UnaryOp : std::uint8_t { plus, minus, logical_not, bit_not };
+
+enum class BinaryOp : std::uint8_t {
+    multiply, divide, remainder, add, subtract, shift_left, shift_right,
+    less, less_equal, greater, greater_equal, equal, not_equal,
+    bit_and, bit_xor, bit_or, logical_and, logical_or,
+    otherwise,   // a ?? b
+    then,        // translators: A then B
+};
+
+struct Expr {
+    ExprKind kind = ExprKind::error;
+    Span span;                          ///< the whole expression
+    Name name;                          ///< name, member, string_literal
+    Span name_span;                     ///< member: the member's name alone; binary, unary: the operator
+    UnaryOp unary = {};
+    BinaryOp binary = {};
+    char suffix[3] = {};                ///< literals: "u", "ul", "h", …
+    std::uint64_t value = 0;            ///< int_literal, bool_literal
+    double number = 0;                  ///< float_literal
+    std::vector<ExprId> operands;
+    std::vector<Identifier> labels;     ///< call, tuple: one an argument where any is named, else empty
+};
+
+// ----------------------------------------------------------------------------------------------------- statements
+
+enum class StmtKind : std::uint8_t {
+    error,
+    let,         // let/var/const name [: type] = value   (mutability in `binding`)
+    shared,      // shared name: type;                     kernels with a group
+    temp,        // temp name [: type] = value;            pipelines
+    assign,      // target op= value; op absent for plain `=`
+    expression,  // value;
+    if_,         // if (value | let name = value) body [else otherwise]
+    for_,        // for name in value body
+    while_,      // while value body
+    break_, continue_,
+    return_,     // return [value];
+    block,       // { body… }
+};
+
+enum class Binding : std::uint8_t { let, var, const_ };
+
+struct Stmt {
+    StmtKind kind = StmtKind::error;
+    Span span;
+    Binding binding = Binding::let;
+    Identifier name;                    ///< let, shared, temp, for_, `if let`
+    ExprId type;                        ///< let, shared, temp: as written, or absent
+    ExprId target;                      ///< assign
+    std::optional<BinaryOp> op;         ///< assign: the operator of `+=` and the like
+    Span op_span;
+    ExprId value;
+    std::vector<StmtId> body;           ///< if_, for_, while_, block
+    std::vector<StmtId> otherwise;      ///< if_: the else part (one if_ statement for `else if`)
+    bool has_else = false;
+};
+
+// --------------------------------------------------------------------------------------------------- declarations
+
+/// `<N: uint, T: type = float, S: Structure<uint3, float>>`
+struct GenericParam {
+    Identifier name;
+    ExprId constraint;                  ///< `uint`, `type`, `Texel`, `Structure<…>`, an enum; absent only after an error
+    ExprId default_value;               ///< or absent
+};
+
+/// How a kernel or pipeline parameter, or a function's, is passed.
+enum class Direction : std::uint8_t { none, in, out, inout };
+
+/// The access pattern of an iterator.
+enum class Pattern : std::uint8_t { none, each, near, any, at, scatter, range };
+
+/// `name: [in|out|inout] [each|near|any|at|scatter|range]<type, extra…> [= default]`, or `name: [in|out|inout] type [= default]`
+struct Param {
+    Identifier name;
+    Direction direction = Direction::none;
+    Span direction_span;
+    Pattern pattern = Pattern::none;
+    Span pattern_span;
+    ExprId type;
+    std::vector<ExprId> extra;          ///< near: the radius; scatter: the operation's name; range<N, T>: type is N, extra[0] is T
+    ExprId default_value;
+};
+
+/// `@name(arguments)` before a declaration.
+struct Attribute {
+    Identifier name;
+    std::vector<ExprId> arguments;
+    Span span;
+};
+
+/// `fn name<…>(…) -> type { … }`; methods without `fn` (translate, invert, ranges, domain, at) are functions too.
+struct Function {
+    std::vector<Param> params;
+    ExprId result;                      ///< or absent
+    std::vector<StmtId> body;
+    bool has_body = false;              ///< false in interfaces and `extern fn`
+};
+
+struct Field {
+    Identifier name;
+    ExprId type;
+    ExprId default_value;
+    std::string doc;
+};
+
+struct Struct {
+    std::vector<Field> fields;
+    std::string extern_header;          ///< `extern struct X from "file.hpp";`, else empty
+    Span extern_span;
+};
+
+struct Enumerator {
+    Identifier name;
+    ExprId value;                       ///< or absent
+};
+struct Enum {
+    std::vector<Enumerator> enumerators;
+};
+
+/// Members are functions without bodies.
+struct Interface {
+    std::vector<DeclId> members;
+};
+
+/// `const name [: type] = value;`
+struct Const {
+    ExprId type;
+    ExprId value;
+};
+
+/// `type Name<…> = expr;`, `structure Name<…> = expr;`, `translator Name<…> = A<…> then B<…>;`
+struct Alias {
+    ExprId target;
+};
+
+/// `translator Name<…> : virtual -> physical { fields; methods }`
+struct Translator {
+    ExprId virtual_type;
+    ExprId physical_type;
+    std::vector<Field> fields;
+    std::vector<DeclId> methods;        ///< translate, invert, ranges, domain, other fns
+};
+
+enum class ItemKind : std::uint8_t {
+    memory,      // memory name = buffer<T>[n] | image2d<F>(extent) [mips(n)] [filter linear] [compare less];
+    member,      // structure name = Type(arguments…);
+    via,         // via A<…>(…) then B<…>(…);
+    otherwise,   // otherwise value;         the value of an address that maps nowhere
+    host,        // host name: type = value;   adaptors
+    condition,   // if constant { items } [else { items }]
+    function,    // a fn, or a method without fn (domain, at): `decl`
+    pipeline,    // a pipeline: `decl`
+};
+
+/// One item in the body of a structure, view or adaptor.
+struct Item {
+    ItemKind kind;
+    Span span;
+    Identifier name;
+    ExprId type;                        ///< host
+    ExprId value;                       ///< memory, member, via, otherwise, host, condition
+    ExprId mips;                        ///< memory
+    Name filter, compare;               ///< memory: `linear`, `less`, or empty
+    Span filter_span, compare_span;
+    std::vector<Item> body, alternative;///< condition
+    DeclId decl;                        ///< function, pipeline
+    std::string doc;
+};
+
+/// `structure Name<…>(constructor parameters) { items }`
+struct Structure {
+    std::vector<Param> constructor;
+    std::vector<Item> items;
+};
+
+/// `view Name<…>(constructor parameters) : virtual -> element { at(p) { … } domain() { … } }`
+struct View {
+    std::vector<Param> constructor;
+    ExprId virtual_type;
+    ExprId element_type;
+    std::vector<Item> items;
+};
+
+/// `adaptor Name<…>(constructor parameters) { items }`
+struct Adaptor {
+    std::vector<Param> constructor;
+    std::vector<Item> items;
+};
+
+/// `kernel name<…>(params) [group(x[, y[, z]])] { … }`
+struct Kernel {
+    std::vector<Param> params;
+    std::vector<ExprId> group;          ///< empty: the compiler chooses
+    std::vector<StmtId> body;
+};
+
+/// `pipeline name<…>(params) [-> type] { … }`
+struct Pipeline {
+    std::vector<Param> params;
+    Pattern result_pattern = Pattern::none;  ///< `-> range<1, T>`: range, result is N, result_extra is T
+    ExprId result;
+    ExprId result_extra;
+    std::vector<StmtId> body;
+};
+
+/// `test "what is expected" { … }`
+struct Test {
+    std::string title;
+    std::vector<StmtId> body;
+};
+
+struct Decl {
+    Identifier name;                    ///< tests: empty
+    Span span;                          ///< the whole declaration
+    bool is_pub = false;
+    bool is_extern = false;
+    std::string doc;                    ///< the `///` lines before it, joined by '\n', without the slashes
+    std::vector<Attribute> attributes;
+    std::vector<GenericParam> generics;
+    std::variant<std::monostate, Function, Struct, Enum, Interface, Const, Alias, Translator, Structure, View, Adaptor, Kernel,
+                 Pipeline, Test>
+        body;
+};
+
+/// `use std.array;` (path by dots: import directories) or `use ./mesh;` (relative to this file)
+struct Use {
+    std::string path;                   ///< "std.array" or "./mesh"
+    Span span;
+};
+
+/// One file.
+struct Module {
+    Identifier name;                    ///< a dotted name is one Name: "std.array"
+    std::string doc;
+    std::vector<Use> uses;
+    std::vector<DeclId> decls;
+    std::uint32_t file = 0;
+};
+
+/// All files of one compilation share one tree, so that an id means one thing everywhere.
+struct Tree {
+    Arena<Expr> exprs;
+    Arena<Stmt> stmts;
+    Arena<Decl> decls;
+};
+
+}  // namespace gliftc::ast

@@ -1,0 +1,138 @@
+// What generated code hands to the runtime: a kernel as data, and one call of it.
+//
+// A kernel has up to three compiled forms. They compute the same thing and differ in what they may assume:
+//   direct    every range is a whole structure, structures of one type share their state (extents, strides),
+//             all sizes are known to the host; parameters are push constants where they fit;
+//   general   ranges with origins, a state for each structure, sizes that may live on the device;
+//             parameters in a storage buffer at binding 0;
+//   wide      like general, buffers reached by 64-bit address (for memories beyond maxStorageBufferRange).
+//
+// Who chooses. Generated code asks Commands::needs_wide(memories) before it packs the parameters. If that is true it
+// packs the general block even where it would have packed the direct one. The runtime then runs the wide form in place
+// of the general one. The wide block is the general block followed by the addresses: general.parameter_bytes bytes as
+// packed, then at Binding::address_offset (8-byte aligned, >= general.parameter_bytes) the address of each buffer, in
+// wide.parameter_bytes in all. Generated code packs only the general part; the runtime writes the addresses.
+// needs_wide is always false on the host device.
+#pragma once
+
+#include <glift/memory.h>
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+namespace glift {
+
+/// How a pass touches a memory. Combined writes (scatter, atomics) are read_write.
+enum class Access : std::uint8_t { read, write, read_write };
+
+/// How a sampled image is filtered between texels and beyond its edge (clamp_to_border: zeros).
+enum class Filter : std::uint8_t { nearest, linear };
+enum class AddressMode : std::uint8_t { clamp_to_edge, repeat, mirrored_repeat, clamp_to_border };
+
+struct Sampler {
+    Filter filter = Filter::nearest;
+    AddressMode address = AddressMode::clamp_to_edge;
+};
+
+/// One memory that a kernel touches. Memory k is descriptor binding k + 1 of set 0 (wide form: images only, buffers
+/// have no descriptor). One memory may be passed for two bindings of one call only if both read it or both are
+/// read_write; anything else is ErrorCode::aliased_memory.
+struct Binding {
+    const char* name;              ///< as in the source, `f.data`
+    MemoryKind kind;
+    Access access;
+    bool sampled = false;          ///< a combined image sampler over all mips, else a storage image of mip 0; buffers: false
+    Sampler sampler = {};
+    std::uint32_t address_offset = 0;  ///< wide form, buffers: byte offset of the 64-bit address in the parameters
+};
+
+/// Where a kernel reports what it could not do. The first invocation to change code from 0 (atomicCompSwap) fills in
+/// the rest. The runtime supplies the record, and throws an Error that names the kernel, the line and the address when
+/// the host next waits for the device (Commands::wait, Download::get).
+struct StatusRecord {
+    enum Code : std::uint32_t { fine = 0, loop_limit = 1, out_of_range = 2 };
+    std::uint32_t code = fine;
+    std::uint32_t line = 0;                  ///< of Kernel::file
+    std::uint32_t rank = 0;                  ///< out_of_range: axes of the virtual address
+    std::uint32_t binding = 0;               ///< out_of_range: index of the memory's binding
+    std::uint32_t address[4] = {0, 0, 0, 0}; ///< out_of_range: the virtual address
+};
+
+/// One call as the host device sees it.
+struct HostCall {
+    const void* parameters;                  ///< the parameter block, laid out as the form says, patches applied
+    std::span<const HostMemory> memories;    ///< in binding order
+    std::array<std::uint32_t, 4> size;       ///< elements to iterate over along each axis; unused axes are 1
+    StatusRecord* status = nullptr;          ///< kernels that report: never null
+};
+
+/// One compiled form of a kernel.
+struct Form {
+    std::span<const std::uint32_t> spirv;    ///< empty: this form does not exist on Vulkan devices
+    void (*host)(const HostCall&) = nullptr; ///< null: this form does not exist on the host device
+    std::uint32_t parameter_bytes = 0;
+    bool push_constants = false;             ///< parameters are push constants, else the storage buffer at binding 0
+    std::uint32_t size_offset = 0;           ///< byte offset in the parameters of the iteration size (`rank` uints)
+};
+
+/// A kernel is static data: the runtime keeps pipelines by its address. The entry point is `main`.
+///
+/// How the iteration size maps to workgroups:
+///   groups.x = ceil(size.x / (group.x * items)), groups.y = ceil(size.y / group.y),
+///   groups.z = ceil(size.z * size.w / group.z).
+/// No groups along an axis: nothing runs. A one-dimensional iteration of more groups than the device allows along x is
+/// folded: the runtime dispatches (x, y, 1) groups with x * y >= groups.x, and invocation number
+/// gl_GlobalInvocationID.y * gl_NumWorkGroups.x * group.x + gl_GlobalInvocationID.x (group.y and group.z are 1) takes
+/// the items; those beyond the size do nothing. In more dimensions the runtime splits an iteration beyond the device's
+/// limits into several dispatches with base workgroups: gl_WorkGroupID and gl_GlobalInvocationID stay right,
+/// gl_NumWorkGroups does not.
+struct Kernel {
+    const char* name;
+    const char* file;
+    std::uint32_t line;
+    std::uint32_t rank;                      ///< axes of the iteration, 1 to 4
+    std::array<std::uint32_t, 3> group;      ///< workgroup size
+    std::uint64_t loop_rounds;               ///< bound on loop back-edges of one invocation, UINT64_MAX if unknown.
+                                             ///< A bound beyond the device's loop_round_limit is refused
+                                             ///< (ErrorCode::loop_limit); an unknown one runs, and such a kernel
+                                             ///< should count its rounds and report (below)
+    std::span<const Binding> bindings;
+    Form direct, general, wide;
+    std::uint32_t items = 1;                 ///< elements along x that one invocation takes
+    bool reports = false;                    ///< has a StatusRecord: a storage buffer (scalar layout) at binding
+                                             ///< bindings.size() + 1 in every form
+};
+
+/// A 4-byte value that lives on the device: a count that a kernel wrote.
+struct DeviceValue {
+    Memory memory;                 ///< a buffer
+    std::uint64_t offset = 0;      ///< in bytes, a multiple of 4
+};
+
+/// Copies a device value over four bytes of the parameters before the pass runs. A patch within the iteration size
+/// makes the dispatch indirect: the size becomes min(value, Call::size) along that axis, in the parameters too.
+struct Patch {
+    DeviceValue value;
+    std::uint32_t offset;          ///< byte offset in the parameters, a multiple of 4
+};
+
+/// A 32-bit specialisation constant. Each set of values is a pipeline of its own.
+struct SpecialisationConstant {
+    std::uint32_t id;
+    std::uint32_t value;
+};
+
+enum class FormName : std::uint8_t { direct, general };   ///< wide is chosen by the runtime in place of general
+
+/// One call of a kernel. Spans need to live only until Commands::dispatch returns.
+struct Call {
+    FormName form;
+    std::span<const Memory> memories;        ///< in binding order
+    std::span<const std::byte> parameters;   ///< the block of the named form, size included
+    std::array<std::uint32_t, 4> size;       ///< host-known iteration size; where patches set it, an upper bound
+    std::span<const Patch> patches = {};     ///< non-empty: the general form
+    std::span<const SpecialisationConstant> constants = {};   ///< ignored on the host device
+};
+
+}  // namespace glift
