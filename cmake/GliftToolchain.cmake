@@ -31,8 +31,9 @@ endif()
 
 find_program(GLIFT_CCACHE ccache)
 if(GLIFT_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-    # The sloppiness is what lets ccache store compilations that use a precompiled header.
-    set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env
+    # The sloppiness is what lets ccache store compilations that use a precompiled header; NOHASHDIR lets build trees
+    # share what they compiled.
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_NOHASHDIR=1
         CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime ${GLIFT_CCACHE})
     set(CMAKE_C_COMPILER_LAUNCHER ${GLIFT_CCACHE})
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
@@ -40,6 +41,9 @@ if(GLIFT_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
     endif()
 endif()
 
+if(GLIFT_FUZZ)
+    add_compile_options(-fsanitize=fuzzer-no-link)
+endif()
 if(GLIFT_SANITIZE OR GLIFT_FUZZ)
     # vptr needs typeinfo, which glslang and SPIRV-Tools (built -fno-rtti) have not.
     set(GLIFT_SANITIZER_FLAGS -fsanitize=address,undefined -fno-sanitize=vptr -fno-sanitize-recover=all

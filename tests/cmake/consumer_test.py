@@ -1,0 +1,100 @@
+#!/usr/bin/env python3
+"""Builds tests/cmake/consumer outside the tree and checks that it rebuilds exactly what it must.
+
+    consumer_test.py subdirectory SOURCE_TREE          Glift by add_subdirectory
+    consumer_test.py package SOURCE_TREE BUILD_TREE    Glift by find_package, from an install tree made of BUILD_TREE
+"""
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+
+
+def run(*command, **options):
+    result = subprocess.run([str(c) for c in command], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                            **options)
+    if result.returncode != 0:
+        sys.exit(f"failed: {' '.join(map(str, command))}\n{result.stdout}")
+    return result.stdout
+
+
+def expect(condition, what):
+    if not condition:
+        sys.exit(f"not so: {what}")
+    print(f"so: {what}")
+
+
+class Consumer:
+    def __init__(self, folder, settings):
+        self.source = folder / "consumer"
+        self.build_dir = folder / "build"
+        shutil.copytree(pathlib.Path(__file__).parent / "consumer", self.source)
+        run("cmake", "-G", "Ninja", "-S", self.source, "-B", self.build_dir, "-DCMAKE_BUILD_TYPE=Release", *settings)
+
+    def build(self):
+        # Time stamps have a granularity; a change within it would go unseen.
+        time.sleep(0.05)
+        return run("cmake", "--build", self.build_dir, "--target", "consumer")
+
+    def output(self):
+        return run(self.build_dir / "consumer").split()
+
+    def stamp(self, name):
+        return (self.build_dir / "glift" / "consumer" / name).stat().st_mtime_ns
+
+    def object(self, name):
+        return next(self.build_dir.rglob(f"{name}.glift.cpp.o")).stat().st_mtime_ns
+
+    def times(self):
+        return {f"{kind} of {name}": function(name if kind == "object" else f"{name}.stamp")
+                for name in ("scale", "shift")
+                for kind, function in (("gliftc run", self.stamp), ("object", self.object))}
+
+    def changed_by(self, action):
+        before = self.times()
+        action()
+        self.build()
+        after = self.times()
+        return {name for name in before if before[name] != after[name]}
+
+
+def check(consumer):
+    consumer.build()
+    numbers = consumer.output()
+    expect(numbers == "0 2 4 6 8 10 12 14 1 1 1 1".split(), f"the program computes ({' '.join(numbers)})")
+    expect("no work to do" in consumer.build(), "a second build does nothing")
+
+    imported = consumer.source / "imports" / "factor.glift"
+    changed = consumer.changed_by(lambda: imported.touch())
+    expect(changed == {"gliftc run of scale"},
+           f"touching an import runs gliftc for what imports it and compiles no C++ ({sorted(changed)})")
+    expect("no work to do" in consumer.build(), "a build after a touch does nothing")
+
+    changed = consumer.changed_by(lambda: imported.write_text(imported.read_text().replace("2.0", "3.0")))
+    expect(changed == {"gliftc run of scale", "object of scale"},
+           f"changing an import rebuilds what depends on it, and only that ({sorted(changed)})")
+    expect(consumer.output()[:4] == "0 3 6 9".split(), "the program computes with the new import")
+    expect("no work to do" in consumer.build(), "a build after a change does nothing")
+
+    for output in sorted((consumer.build_dir / "glift" / "consumer").glob("*.glift.*")):
+        expect(str(consumer.source) not in output.read_text(errors="replace"), f"{output.name} holds no absolute path")
+
+
+def main():
+    mode, source = sys.argv[1], pathlib.Path(sys.argv[2])
+    with tempfile.TemporaryDirectory(prefix="glift-consumer-") as name:
+        folder = pathlib.Path(name)
+        if mode == "subdirectory":
+            settings = [f"-DGLIFT_SOURCE={source}"]
+        else:
+            prefix = folder / "installed"
+            run("cmake", "--install", sys.argv[3], "--prefix", prefix)
+            settings = [f"-DCMAKE_PREFIX_PATH={prefix}"]
+        check(Consumer(folder, settings))
+
+
+os.environ.pop("GLIFT_STDLIB", None)  # what an installed gliftc finds by itself is what is tested
+main()

@@ -1,0 +1,27 @@
+// A golden case: a .glift file and, beside it, what the compiler must make of it.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace glift::test {
+
+/// Every tests/golden/**/<name>.glift outside the folders named "support" (what cases import).
+std::vector<std::filesystem::path> golden_cases();
+
+/// What gliftc makes of a case.
+struct GoldenOutputs {
+    /// Name of the golden file (fold.expected.hpp, fold.expected.ir …) → contents.
+    std::map<std::string, std::string> files;
+    std::string error;  ///< empty: gliftc succeeded
+};
+
+/// Runs gliftc, writing into `folder`.
+GoldenOutputs compile_golden(const std::filesystem::path& source, const std::filesystem::path& folder);
+
+/// The golden files that stand beside a case.
+std::map<std::string, std::string> stored_goldens(const std::filesystem::path& source);
+
+}  // namespace glift::test

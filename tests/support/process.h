@@ -1,0 +1,39 @@
+// Runs a program the way a user does and keeps what it said.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace glift::test {
+
+struct ProcessResult {
+    int exit_code = 0;  ///< 128 + the signal's number when a signal ended it
+    std::string out;
+    std::string err;
+};
+
+/// Runs arguments[0] (looked up in PATH) and waits. `input` becomes its standard input.
+ProcessResult run_process(const std::vector<std::string>& arguments, const std::string& input = {});
+
+/// A folder of its own that goes with the object.
+class TemporaryFolder {
+public:
+    TemporaryFolder();
+    ~TemporaryFolder();
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    const std::filesystem::path& path() const { return path_; }
+
+private:
+    std::filesystem::path path_;
+};
+
+std::string read_file(const std::filesystem::path& path);
+void write_file(const std::filesystem::path& path, const std::string& text);
+
+/// Every file under `folder` whose name ends so, sorted; none when there is no folder. Skips folders named "support".
+std::vector<std::filesystem::path> files_under(const std::filesystem::path& folder, const std::string& ending);
+
+}  // namespace glift::test
