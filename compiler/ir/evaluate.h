@@ -1,0 +1,50 @@
+// Values known at compile time, and the interpreter that finds them: expressions and functions without structures.
+#pragma once
+
+#include "ir/ir.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace gliftc::ir {
+
+/// One scalar: `bits` for bool, integers (sign- or zero-extended to 64 bits) and enums, `number` for floating types.
+struct Lane {
+    std::uint64_t bits = 0;
+    double number = 0;
+    bool operator==(const Lane&) const = default;
+};
+
+/// A value of a scalar, vector, matrix, array, struct or optional type, its scalars in order. An optional has its
+/// flag first, then the value's lanes (zeros for none).
+struct Value {
+    TypeId type;
+    std::vector<Lane> lanes;
+    bool operator==(const Value&) const = default;
+
+    std::uint64_t bits() const { return lanes.empty() ? 0 : lanes[0].bits; }
+};
+
+/// How many scalars a value of the type has.
+std::size_t lane_count(const Program& program, TypeId type);
+
+/// The value of `expr`, or nothing where it needs what is not known at compile time, or takes over a million steps.
+std::optional<Value> evaluate(const Program& program, ExprId expr);
+
+/// Makes the expression that gives `value`.
+ExprId materialize(Program& program, const Value& value, Span span);
+
+/// As written in the language: 4, 1.5, uint2(8, 8).
+std::string to_text(const Program& program, const Value& value);
+
+/// The name of a type as written in the language: uint3, float?, Array<4, float>.
+std::string to_text(const Program& program, TypeId type);
+
+/// One scalar operation with the exact semantics of the language (wraparound, float rounding, defined division by zero).
+Lane apply(const Types& types, BinaryOp op, TypeId operand_type, Lane a, Lane b);
+/// The lane rounded or wrapped to what a scalar of the type can hold.
+Lane normalize(const Types& types, TypeId scalar, Lane lane);
+Lane convert(const Types& types, TypeId from, TypeId to, Lane lane);
+
+}  // namespace gliftc::ir

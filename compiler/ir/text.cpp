@@ -1,0 +1,113 @@
+// Values and types as the language writes them, and values turned back into expressions.
+#include "ir/evaluate.h"
+
+#include <charconv>
+#include <cmath>
+
+namespace gliftc::ir {
+
+namespace {
+
+std::string number_text(double number, bool is_float) {
+    char buffer[40];
+    auto end = is_float ? std::to_chars(buffer, buffer + sizeof buffer, static_cast<float>(number)).ptr
+                        : std::to_chars(buffer, buffer + sizeof buffer, number).ptr;
+    std::string text(buffer, end);
+    if (text.find_first_of(".einf") == std::string::npos) text += ".0";
+    return text;
+}
+
+std::string lane_text(const Types& types, TypeId scalar, const Lane& lane) {
+    if (types.kind(scalar) == TypeKind::bool_) return lane.bits ? "true" : "false";
+    if (types.is_floating(scalar)) return number_text(lane.number, types.kind(scalar) != TypeKind::double_);
+    if (types.is_signed(scalar)) return std::to_string(static_cast<std::int64_t>(lane.bits));
+    return std::to_string(lane.bits);
+}
+
+ExprId materialize_part(Program& program, TypeId type, const Lane*& lanes, Span span) {
+    Types& types = program.types;
+    Expr expr{.op = Op::construct, .type = type, .span = span};
+    switch (types.kind(type)) {
+        case TypeKind::vector:
+            for (std::uint32_t i = 0; i < types[type].count; ++i)
+                expr.operands.push_back(materialize_part(program, types[type].element, lanes, span));
+            break;
+        case TypeKind::matrix:
+            for (std::uint32_t i = 0; i < types[type].count; ++i)
+                expr.operands.push_back(materialize_part(program, types.vector(types[type].element, types[type].rows), lanes, span));
+            break;
+        case TypeKind::array:
+            for (std::uint32_t i = 0; i < types[type].count; ++i)
+                expr.operands.push_back(materialize_part(program, types[type].element, lanes, span));
+            break;
+        case TypeKind::struct_: {
+            std::vector<TypeId> fields;
+            for (const StructField& field : program.structs[types[type].index].fields) fields.push_back(field.type);
+            for (TypeId field : fields) expr.operands.push_back(materialize_part(program, field, lanes, span));
+            break;
+        }
+        case TypeKind::optional: {
+            bool has = (lanes++)->bits != 0;
+            ExprId value = materialize_part(program, types[type].element, lanes, span);
+            expr.op = has ? Op::some : Op::none;
+            if (has) expr.operands.push_back(value);
+            break;
+        }
+        default:
+            expr.op = Op::constant;
+            expr.bits = lanes->bits;
+            expr.number = lanes->number;
+            ++lanes;
+    }
+    return program.exprs.add(std::move(expr));
+}
+
+}  // namespace
+
+ExprId materialize(Program& program, const Value& value, Span span) {
+    const Lane* lanes = value.lanes.data();
+    return materialize_part(program, value.type, lanes, span);
+}
+
+std::string to_text(const Program& program, const Value& value) {
+    const Types& types = program.types;
+    if (types.kind(value.type) == TypeKind::enum_) {
+        const Enum& type = program.enums[types[value.type].index];
+        for (std::size_t i = 0; i < type.values.size(); ++i)
+            if (type.values[i] == value.bits()) return (*program.names)[type.enumerators[i]];
+    }
+    TypeId scalar = types.scalar_of(value.type);
+    if (value.lanes.size() == 1) return lane_text(types, scalar, value.lanes[0]);
+    std::string text = to_text(program, value.type) + "(";
+    for (std::size_t i = 0; i < value.lanes.size(); ++i) text += (i ? ", " : "") + lane_text(types, scalar, value.lanes[i]);
+    return text + ")";
+}
+
+std::string to_text(const Program& program, TypeId id) {
+    const Type& type = program.types[id];
+    switch (type.kind) {
+        case TypeKind::error: return "?";
+        case TypeKind::void_: return "nothing";
+        case TypeKind::bool_: return "bool";
+        case TypeKind::int_: return "int";
+        case TypeKind::uint: return "uint";
+        case TypeKind::float_: return "float";
+        case TypeKind::half: return "half";
+        case TypeKind::double_: return "double";
+        case TypeKind::int64: return "int64";
+        case TypeKind::uint64: return "uint64";
+        case TypeKind::vector: return to_text(program, type.element) + std::to_string(type.count);
+        case TypeKind::matrix: return to_text(program, type.element) + std::to_string(type.count) + "x" + std::to_string(type.rows);
+        case TypeKind::array: return to_text(program, type.element) + "[" + std::to_string(type.count) + "]";
+        case TypeKind::struct_: return program.structs[type.index].display;
+        case TypeKind::enum_: return (*program.names)[program.enums[type.index].name];
+        case TypeKind::optional: return to_text(program, type.element) + "?";
+        case TypeKind::range: return "range of " + to_text(program, type.element);
+        case TypeKind::structure: return program.structures[type.index].display;
+        case TypeKind::slice: return "slice of " + to_text(program, type.element);
+        case TypeKind::device: return to_text(program, type.element) + " on the device";
+    }
+    return "?";
+}
+
+}  // namespace gliftc::ir
