@@ -168,6 +168,10 @@ private:
             out.array_extents.push_back(arguments[1].getAsIntegral().getZExtValue());
             return import_type(arguments[0].getAsType(), field, out);
         }
+        if (record.getName() == "half" && context_.getTypeSize(context_.getRecordType(&record)) == 16) {
+            out.scalar = ImportedScalar::Half;
+            return true;
+        }
         if (const auto vector = vector_of(record, field)) {
             const QualType type = context_.getRecordType(&record);
             if (context_.getTypeSize(type) != scalar_bits(vector->scalar) * vector->components) {

@@ -89,6 +89,21 @@ TEST_F(Interop, says_where_a_struct_cannot_be_imported) {
     expect_error(import("Any", "absent.hpp"), "cannot read", 0);
 }
 
+TEST_F(Interop, knows_the_vectors_of_the_runtime) {
+    const ImportResult result = import_struct({.header = headers + "with_runtime.hpp",
+                                               .include_dirs = {GLIFT_SOURCE_DIR "/runtime/include"},
+                                               .name = "Body"});
+    ASSERT_EQ(result.error, "") << result.error_file << ':' << result.error_line;
+    ASSERT_EQ(result.structs.size(), 1u);
+    const ImportedStruct& body = result.structs.front();
+    EXPECT_EQ(field(body, "position").type.scalar, ImportedScalar::Float);
+    EXPECT_EQ(field(body, "position").type.components, 3u);
+    EXPECT_EQ(field(body, "cells").type.scalar, ImportedScalar::Uint);
+    EXPECT_EQ(field(body, "cells").type.components, 4u);
+    EXPECT_EQ(field(body, "cells").type.array_extents, (std::vector<std::uint64_t>{2}));
+    EXPECT_EQ(body.size, 48u);
+}
+
 TEST_F(Interop, formats_by_the_name_of_a_style) {
     const FormatResult result = format_code("int  f( int a ){return a;}\n", "LLVM");
     EXPECT_EQ(result.error, "");
