@@ -1,0 +1,74 @@
+// Integer and conversion rules of the language where C++ leaves them open: nothing here is undefined.
+#pragma once
+
+#include <glift/half.h>
+
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+
+namespace glift {
+
+template <class T>
+inline constexpr bool is_integer = std::is_integral_v<T> && !std::is_same_v<T, bool>;
+
+template <class T>
+inline constexpr bool is_floating = std::is_floating_point_v<T> || std::is_same_v<T, half>;
+
+/// a / b. Integers: by zero gives all bits set; the smallest value by -1 gives itself.
+template <class T>
+constexpr T divide(T a, T b) {
+    if constexpr (std::is_integral_v<T>) {
+        if (b == 0) return static_cast<T>(~T{0});
+        if constexpr (std::is_signed_v<T>) {
+            using U = std::make_unsigned_t<T>;
+            if (b == -1) return static_cast<T>(U{0} - static_cast<U>(a));
+        }
+    }
+    return a / b;
+}
+
+/// a % b, with the sign of a. By zero gives all bits set; by -1 gives zero.
+template <class T>
+constexpr T remainder(T a, T b) {
+    if (b == 0) return static_cast<T>(~T{0});
+    if constexpr (std::is_signed_v<T>) {
+        if (b == -1) return 0;
+    }
+    return a % b;
+}
+
+/// Shifts take their amount modulo the width of a.
+template <class T, class U>
+constexpr T shift_left(T a, U amount) {
+    using V = std::make_unsigned_t<T>;
+    return static_cast<T>(static_cast<V>(a) << (static_cast<V>(amount) & (sizeof(T) * 8 - 1)));
+}
+template <class T, class U>
+constexpr T shift_right(T a, U amount) {
+    return static_cast<T>(a >> (static_cast<std::make_unsigned_t<T>>(amount) & (sizeof(T) * 8 - 1)));
+}
+
+/// A value as another scalar type. Floating to integer truncates; what does not fit becomes the nearest value that does,
+/// and NaN becomes zero.
+template <class T, class U>
+constexpr T convert(U value) {
+    if constexpr (std::is_same_v<U, half> && !std::is_same_v<T, half>) {
+        return convert<T>(static_cast<float>(value));
+    } else if constexpr (std::is_same_v<T, half>) {
+        return half(static_cast<float>(value));
+    } else if constexpr (std::is_same_v<T, bool>) {
+        return value != U{0};
+    } else if constexpr (std::is_floating_point_v<U> && is_integer<T>) {
+        if (!(value == value)) return 0;
+        constexpr U low = static_cast<U>(std::numeric_limits<T>::min());
+        constexpr U high = static_cast<U>(T{1} << (std::numeric_limits<T>::digits - 1)) * U{2};  // one past the largest
+        if (value <= low) return std::numeric_limits<T>::min();
+        if (value >= high) return std::numeric_limits<T>::max();
+        return static_cast<T>(value);
+    } else {
+        return static_cast<T>(value);
+    }
+}
+
+}  // namespace glift
