@@ -16,7 +16,7 @@ using clang::format::FormatStyle;
 llvm::Expected<FormatStyle> find_style(std::string_view wanted) {
     const llvm::StringRef style(wanted.data(), wanted.size());
     if (!llvm::sys::fs::exists(style)) {
-        FormatStyle named;
+        FormatStyle named = clang::format::getLLVMStyle(FormatStyle::LK_Cpp);
         if (clang::format::getPredefinedStyle(style, FormatStyle::LK_Cpp, &named)) return named;
         return llvm::createStringError(std::errc::invalid_argument,
                                        "there is no file and no clang-format style named '%s'", style.str().c_str());
