@@ -1,0 +1,109 @@
+#include "diag/diagnostics.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace gliftc {
+
+namespace {
+
+struct Entry {
+    Severity severity;
+    std::string_view name;
+    std::string_view text;
+};
+
+using enum Severity;
+constexpr Entry entries[] = {
+#define DIAGNOSTIC(name, severity, text) {severity, #name, text},
+#include "diag/diagnostics.def"
+#undef DIAGNOSTIC
+};
+
+/// The ids as users see them: '-' for '_'. Made once; there are few.
+const std::vector<std::string>& shown_ids() {
+    static const std::vector<std::string> ids = [] {
+        std::vector<std::string> made;
+        for (const Entry& entry : entries) {
+            std::string id(entry.name);
+            std::replace(id.begin(), id.end(), '_', '-');
+            made.push_back(std::move(id));
+        }
+        return made;
+    }();
+    return ids;
+}
+
+const Entry& entry_of(Diag id) { return entries[static_cast<std::size_t>(id)]; }
+
+std::string fill(std::string_view text, std::initializer_list<std::string_view> arguments) {
+    std::string filled;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        bool place = text[i] == '{' && i + 2 < text.size() && text[i + 2] == '}' && text[i + 1] >= '0' && text[i + 1] <= '9';
+        if (!place) {
+            filled += text[i];
+            continue;
+        }
+        auto index = static_cast<std::size_t>(text[i + 1] - '0');
+        if (index < arguments.size()) filled += *(arguments.begin() + index);
+        i += 2;
+    }
+    return filled;
+}
+
+/// Insertions, deletions, replacements and swaps of neighbours that lead from one word to the other.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+    std::vector<std::size_t> before(b.size() + 1), row(b.size() + 1), next(b.size() + 1);
+    for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        next[0] = i;
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            std::size_t replaced = row[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+            next[j] = std::min({row[j] + 1, next[j - 1] + 1, replaced});
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) next[j] = std::min(next[j], before[j - 2] + 1);
+        }
+        std::swap(before, row);
+        std::swap(row, next);
+    }
+    return row[b.size()];
+}
+
+}  // namespace
+
+Severity severity_of(Diag id) { return entry_of(id).severity; }
+std::string_view id_of(Diag id) { return shown_ids()[static_cast<std::size_t>(id)]; }
+std::string_view text_of(Diag id) { return entry_of(id).text; }
+
+Diagnostic& Diagnostics::report(Diag id, Span span, std::initializer_list<std::string_view> arguments) {
+    Severity severity = severity_of(id);
+    if (severity == Severity::warning && warnings_are_errors) severity = Severity::error;
+    bool repeated = std::any_of(all_.begin(), all_.end(), [&](const Diagnostic& earlier) {
+        bool same_place = span && earlier.span == span;
+        return same_place && (earlier.id == id || (severity == Severity::error && earlier.severity == Severity::error));
+    });
+    if (repeated || (severity == Severity::error && at_limit())) {
+        dropped_ = {};
+        return dropped_;
+    }
+    if (severity == Severity::error) ++errors_;
+    all_.push_back({id, severity, span, fill(text_of(id), arguments), {}});
+    return all_.back();
+}
+
+std::string_view did_you_mean(std::string_view name, const std::vector<std::string_view>& candidates) {
+    std::size_t limit = std::max<std::size_t>(1, name.size() / 3);
+    std::string_view best;
+    for (std::string_view candidate : candidates) {
+        std::size_t difference = candidate.size() > name.size() ? candidate.size() - name.size() : name.size() - candidate.size();
+        if (difference > limit || candidate == name || candidate.empty()) continue;
+        std::size_t distance = edit_distance(name, candidate);
+        if (distance > limit || distance >= std::max(name.size(), candidate.size())) continue;
+        if (!best.empty() && distance == limit) continue;
+        best = candidate;
+        limit = distance;
+        if (limit == 0) break;
+    }
+    return best;
+}
+
+}  // namespace gliftc

@@ -1,0 +1,347 @@
+#include "syntax/lexer.h"
+
+#include <array>
+#include <cstring>
+#include <string>
+
+namespace gliftc {
+
+namespace {
+
+enum CharClass : std::uint8_t { other, space, newline, letter, digit };
+
+constexpr std::array<CharClass, 256> make_classes() {
+    std::array<CharClass, 256> classes{};
+    for (int c = 'a'; c <= 'z'; ++c) classes[static_cast<std::size_t>(c)] = letter;
+    for (int c = 'A'; c <= 'Z'; ++c) classes[static_cast<std::size_t>(c)] = letter;
+    for (int c = '0'; c <= '9'; ++c) classes[static_cast<std::size_t>(c)] = digit;
+    classes['_'] = letter;
+    classes[' '] = classes['\t'] = classes['\r'] = classes['\v'] = classes['\f'] = space;
+    classes['\n'] = newline;
+    return classes;
+}
+constexpr auto classes = make_classes();
+
+CharClass class_of(char c) { return classes[static_cast<unsigned char>(c)]; }
+bool continues_word(char c) { return class_of(c) >= letter; }
+
+/// Which names are keywords or words, by the name's number: these are interned first, so the table is short.
+class WordTable {
+public:
+    explicit WordTable(Names& names) {
+#define PUNCTUATION(name, text)
+#define KEYWORD(text) set(names.intern(#text), {TokenKind::kw_##text, Word::no_word});
+#define WORD(text) set(names.intern(#text), {TokenKind::identifier, Word::text});
+#include "syntax/tokens.def"
+#undef PUNCTUATION
+#undef KEYWORD
+#undef WORD
+    }
+    struct Entry {
+        TokenKind kind = TokenKind::identifier;
+        Word word = Word::no_word;
+    };
+    Entry operator[](Name name) const { return name.index < entries_.size() ? entries_[name.index] : Entry{}; }
+
+private:
+    void set(Name name, Entry entry) {
+        if (entries_.size() <= name.index) entries_.resize(name.index + 1);
+        entries_[name.index] = entry;
+    }
+    std::vector<Entry> entries_;
+};
+
+/// Goes over the text once. Reads past the end see '\0'.
+class Lexer {
+public:
+    Lexer(std::uint32_t file, const Sources& sources, Names& names, Diagnostics& diagnostics)
+        : file_(file), text_(sources[file].text), names_(names), words_(names), diagnostics_(diagnostics) {
+        list_.tokens.reserve(text_.size() / 4 + 16);
+    }
+
+    TokenList run() {
+        if (std::size_t bad = find_invalid_utf8(text_); bad < text_.size())
+            diagnostics_.report(Diag::not_utf8, {file_, offset(bad), offset(bad + 1)});
+        if (text_.starts_with("\xef\xbb\xbf")) at_ = 3;
+        while (at_ < text_.size()) next();
+        push(TokenKind::end, at_);
+        return std::move(list_);
+    }
+
+private:
+    static std::uint32_t offset(std::size_t at) { return static_cast<std::uint32_t>(at); }
+    char look(std::size_t ahead = 0) const { return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0'; }
+
+    void push(TokenKind kind, std::size_t begin, Name name = {}, Word word = Word::no_word) {
+        list_.tokens.push_back({kind, word, Role::none, first_on_line_, offset(begin), offset(at_), name});
+        first_on_line_ = false;
+    }
+
+    void next() {
+        char c = text_[at_];
+        switch (class_of(c)) {
+        case space: ++at_; return;
+        case newline:
+            ++at_;
+            first_on_line_ = true;
+            return;
+        case letter: return word();
+        case digit: return number();
+        case other: break;
+        }
+        if (c == '/' && look(1) == '/') return line_comment();
+        if (c == '/' && look(1) == '*') return block_comment();
+        if (c == '"') return string();
+        if (c == '.' && class_of(look(1)) == digit && !after_value()) return number_without_integer_part();
+        punctuation(c);
+    }
+
+    void word() {
+        std::size_t begin = at_;
+        while (at_ < text_.size() && continues_word(text_[at_])) ++at_;
+        Name name = names_.intern(text_.substr(begin, at_ - begin));
+        auto [kind, meaning] = words_[name];
+        push(kind, begin, name, meaning);
+    }
+
+    /// `x.0` is a mistake in the member, `= .5` one in the number.
+    bool after_value() const {
+        if (list_.tokens.empty() || list_.tokens.back().end != at_) return false;
+        TokenKind before = list_.tokens.back().kind;
+        return before == TokenKind::identifier || before == TokenKind::close_paren || before == TokenKind::close_bracket;
+    }
+
+    void digits() {
+        while (class_of(look()) == digit) ++at_;
+    }
+
+    /// integer: (digit+ | "0x" hex+) ["u" | "l" | "ul"];  floating: digit+ ["." digit+] [("e"|"E") ["+"|"-"] digit+] ["f" | "h" | "d"]
+    void number() {
+        std::size_t begin = at_;
+        bool floating = false;
+        if (look() == '0' && (look(1) == 'x' || look(1) == 'X')) {
+            at_ += 2;
+            return finish_integer(begin, hex_digits());
+        }
+        digits();
+        if (look() == '.' && class_of(look(1)) == digit) {
+            floating = true;
+            ++at_;
+            digits();
+        }
+        if (look() == 'e' || look() == 'E') {
+            std::size_t sign = look(1) == '+' || look(1) == '-' ? 2 : 1;
+            if (class_of(look(sign)) == digit) {
+                floating = true;
+                at_ += sign;
+                digits();
+            }
+        }
+        if (!floating) return finish_integer(begin, true);
+        std::string_view suffix = take_suffix();
+        bool good = suffix.empty() || suffix == "f" || suffix == "h" || suffix == "d";
+        push(good ? TokenKind::floating : TokenKind::bad_number, begin);
+    }
+
+    bool hex_digits() {
+        std::size_t begin = at_;
+        auto is_hex = [](char c) { return class_of(c) == digit || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F'); };
+        while (is_hex(look())) ++at_;
+        return at_ > begin;
+    }
+
+    std::string_view take_suffix() {
+        std::size_t begin = at_;
+        while (continues_word(look())) ++at_;
+        return text_.substr(begin, at_ - begin);
+    }
+
+    void finish_integer(std::size_t begin, bool good) {
+        std::string_view suffix = take_suffix();
+        good = good && (suffix.empty() || suffix == "u" || suffix == "l" || suffix == "ul");
+        push(good ? TokenKind::integer : TokenKind::bad_number, begin);
+    }
+
+    void number_without_integer_part() {
+        std::size_t begin = at_++;
+        digits();
+        take_suffix();
+        push(TokenKind::bad_number, begin);
+    }
+
+    void string() {
+        std::size_t begin = at_++;
+        while (at_ < text_.size() && text_[at_] != '"' && text_[at_] != '\n') at_ += text_[at_] == '\\' && look(1) != '\n' ? 2 : 1;
+        if (at_ > text_.size()) at_ = text_.size();
+        if (look() == '"') {
+            ++at_;
+        } else {
+            diagnostics_.report(Diag::unterminated_string, {file_, offset(begin), offset(begin + 1)});
+        }
+        push(TokenKind::string, begin);
+    }
+
+    void line_comment() {
+        std::size_t begin = at_;
+        std::size_t end = text_.find('\n', at_);
+        at_ = end == std::string_view::npos ? text_.size() : end;
+        std::size_t last = at_ > begin && text_[at_ - 1] == '\r' ? at_ - 1 : at_;
+        bool is_doc = text_.substr(begin, 3) == "///" && text_.substr(begin, 4) != "////";
+        list_.comments.push_back({offset(begin), offset(last), offset(list_.tokens.size()), is_doc, first_on_line_});
+    }
+
+    /// Does not nest, as in C.
+    void block_comment() {
+        std::size_t begin = at_;
+        bool first = first_on_line_;
+        std::size_t end = text_.find("*/", at_ + 2);
+        if (end == std::string_view::npos) {
+            diagnostics_.report(Diag::unterminated_comment, {file_, offset(begin), offset(begin + 2)});
+            at_ = text_.size();
+        } else {
+            at_ = end + 2;
+        }
+        if (text_.substr(begin, at_ - begin).find('\n') != std::string_view::npos) first_on_line_ = true;
+        list_.comments.push_back({offset(begin), offset(at_), offset(list_.tokens.size()), false, first});
+    }
+
+    void take(TokenKind kind, std::size_t length) {
+        std::size_t begin = at_;
+        at_ += length;
+        push(kind, begin);
+    }
+
+    /// The longest of `c`, `c=`, `cc`, `cc=` that is a token.
+    void family(char c, TokenKind one, TokenKind with_equal, TokenKind two, TokenKind two_with_equal) {
+        bool doubled = two != TokenKind::end && look(1) == c;
+        if (doubled && two_with_equal != TokenKind::end && look(2) == '=') return take(two_with_equal, 3);
+        if (doubled) return take(two, 2);
+        if (with_equal != TokenKind::end && look(1) == '=') return take(with_equal, 2);
+        take(one, 1);
+    }
+
+    void punctuation(char c) {
+        using enum TokenKind;
+        switch (c) {
+        case '(': return take(open_paren, 1);
+        case ')': return take(close_paren, 1);
+        case '[': return take(open_bracket, 1);
+        case ']': return take(close_bracket, 1);
+        case '{': return take(open_brace, 1);
+        case '}': return take(close_brace, 1);
+        case ',': return take(comma, 1);
+        case ';': return take(semicolon, 1);
+        case ':': return take(colon, 1);
+        case '@': return take(at_sign, 1);
+        case '~': return take(tilde, 1);
+        case '.': return family(c, dot, end, dot_dot, end);
+        case '?': return family(c, question, end, question_question, end);
+        case '=': return family(c, equal, equal_equal, end, end);
+        case '!': return family(c, exclaim, exclaim_equal, end, end);
+        case '<': return family(c, less, less_equal, less_less, less_less_equal);
+        case '>': return family(c, greater, greater_equal, greater_greater, greater_greater_equal);
+        case '+': return family(c, plus, plus_equal, end, end);
+        case '-': return look(1) == '>' ? take(arrow, 2) : family(c, minus, minus_equal, end, end);
+        case '*': return family(c, star, star_equal, end, end);
+        case '/': return family(c, slash, slash_equal, end, end);
+        case '%': return family(c, percent, percent_equal, end, end);
+        case '&': return family(c, ampersand, ampersand_equal, ampersand_ampersand, end);
+        case '|': return family(c, bar, bar_equal, bar_bar, end);
+        case '^': return family(c, caret, caret_equal, end, end);
+        }
+        bad_characters();
+    }
+
+    static bool is_bad(char c) {
+        if (class_of(c) != other) return false;
+        return !std::strchr("()[]{},;:@~.?=!<>+-*/%&|^\"", c) || c == '\0';
+    }
+
+    /// One error for a whole run of them.
+    void bad_characters() {
+        std::size_t begin = at_++;
+        while (at_ < text_.size() && (text_[at_] & 0xc0) == 0x80) ++at_;
+        std::string shown(text_.substr(begin, at_ - begin));
+        auto first = static_cast<unsigned char>(shown[0]);
+        bool printable = first >= 0x20 && first != 0x7f && find_invalid_utf8(shown) == shown.size();
+        shown = printable ? "'" + shown + "'" : "with code " + std::to_string(first);
+        while (at_ < text_.size() && is_bad(text_[at_])) ++at_;
+        diagnostics_.report(Diag::bad_character, {file_, offset(begin), offset(at_)}, {shown});
+    }
+
+    std::uint32_t file_;
+    std::string_view text_;
+    Names& names_;
+    WordTable words_;
+    Diagnostics& diagnostics_;
+    std::size_t at_ = 0;
+    bool first_on_line_ = true;
+    TokenList list_;
+};
+
+/// The length of the valid sequence at `at`, or 0.
+std::size_t sequence_length(std::string_view text, std::size_t at) {
+    auto byte = [&](std::size_t i) { return at + i < text.size() ? static_cast<unsigned char>(text[at + i]) : 0u; };
+    auto continues = [&](std::size_t i) { return (byte(i) & 0xc0) == 0x80; };
+    unsigned first = byte(0);
+    if (first < 0x80) return 1;
+    if (first >= 0xc2 && first <= 0xdf) return continues(1) ? 2 : 0;
+    if (first >= 0xe0 && first <= 0xef) {
+        if (first == 0xe0 && byte(1) < 0xa0) return 0;   // overlong
+        if (first == 0xed && byte(1) > 0x9f) return 0;   // surrogate
+        return continues(1) && continues(2) ? 3 : 0;
+    }
+    if (first >= 0xf0 && first <= 0xf4) {
+        if (first == 0xf0 && byte(1) < 0x90) return 0;
+        if (first == 0xf4 && byte(1) > 0x8f) return 0;
+        return continues(1) && continues(2) && continues(3) ? 4 : 0;
+    }
+    return 0;
+}
+
+}  // namespace
+
+TokenList lex(std::uint32_t file, const Sources& sources, Names& names, Diagnostics& diagnostics) {
+    return Lexer(file, sources, names, diagnostics).run();
+}
+
+std::size_t find_invalid_utf8(std::string_view text) {
+    std::size_t at = 0;
+    while (at < text.size()) {
+        std::uint64_t eight;
+        if (at + sizeof eight <= text.size()) {
+            std::memcpy(&eight, text.data() + at, sizeof eight);
+            if ((eight & 0x8080808080808080u) == 0) {
+                at += sizeof eight;
+                continue;
+            }
+        }
+        std::size_t length = sequence_length(text, at);
+        if (length == 0) return at;
+        at += length;
+    }
+    return at;
+}
+
+std::string_view describe(TokenKind kind) {
+    switch (kind) {
+    case TokenKind::end: return "the end of the file";
+    case TokenKind::identifier: return "a name";
+    case TokenKind::integer:
+    case TokenKind::floating:
+    case TokenKind::bad_number: return "a number";
+    case TokenKind::string: return "a string";
+#define PUNCTUATION(name, text) \
+    case TokenKind::name: return "'" text "'";
+#define KEYWORD(text) \
+    case TokenKind::kw_##text: return "'" #text "'";
+#define WORD(text)
+#include "syntax/tokens.def"
+#undef PUNCTUATION
+#undef KEYWORD
+#undef WORD
+    }
+    return "";
+}
+
+}  // namespace gliftc

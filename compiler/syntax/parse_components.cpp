@@ -1,0 +1,74 @@
+// Translators, structures, views, adaptors.
+#include "syntax/parser_state.h"
+
+namespace gliftc {
+
+/// translator = "translator" name [ generic-parameters ]
+///              ( ":" type "->" type "{" { field | method } "}" | "=" expression ";" ) ;
+void Parser::parse_translator(ast::Decl& decl) {
+    if (accept(TokenKind::equal)) {
+        ast::Alias alias{parse_expression()};
+        end_statement();
+        decl.body = alias;
+        return;
+    }
+    ast::Translator translator;
+    if (!at(TokenKind::colon)) fail_expected("':'", "a translator says what it maps: 'translator Name : uint3 -> uint'");
+    accept(TokenKind::colon);
+    translator.virtual_type = parse_type();
+    expect(TokenKind::arrow);
+    translator.physical_type = parse_type();
+    std::uint32_t open = cursor_;
+    expect(TokenKind::open_brace);
+    while (!lost_ && !list_ends()) {
+        std::uint32_t before = cursor_;
+        if (accept(TokenKind::semicolon)) continue;
+        bool is_field = at(TokenKind::identifier) && peek(1).kind == TokenKind::colon;
+        if (is_field) {
+            translator.fields.push_back(parse_field());
+        } else if (DeclId method = parse_method()) {
+            translator.methods.push_back(method);
+        }
+        if (lost_) recover_in_list();
+        if (cursor_ == before) advance();
+    }
+    if (!lost_) close_list(open);
+    decl.body = std::move(translator);
+}
+
+/// structure = "structure" name [ generic-parameters ] ( parameters "{" { item } "}" | "=" expression ";" ) ;
+void Parser::parse_structure(ast::Decl& decl) {
+    if (accept(TokenKind::equal)) {
+        ast::Alias alias{parse_expression()};
+        end_statement();
+        decl.body = alias;
+        return;
+    }
+    ast::Structure structure;
+    if (!at(TokenKind::open_paren)) fail_expected("'=' or '('");
+    structure.constructor = parse_params();
+    structure.items = parse_items();
+    decl.body = std::move(structure);
+}
+
+/// view = "view" name [ generic-parameters ] parameters ":" type "->" type "{" { item } "}" ;
+ast::View Parser::parse_view() {
+    ast::View view;
+    view.constructor = parse_params();
+    expect(TokenKind::colon);
+    view.virtual_type = parse_type();
+    expect(TokenKind::arrow);
+    view.element_type = parse_type();
+    view.items = parse_items();
+    return view;
+}
+
+/// adaptor = "adaptor" name [ generic-parameters ] parameters "{" { item } "}" ;
+ast::Adaptor Parser::parse_adaptor() {
+    ast::Adaptor adaptor;
+    adaptor.constructor = parse_params();
+    adaptor.items = parse_items();
+    return adaptor;
+}
+
+}  // namespace gliftc

@@ -1,0 +1,158 @@
+// Declarations that are no components: functions, structs, enums, interfaces, constants, kernels, pipelines.
+#include "syntax/parser_state.h"
+
+namespace gliftc {
+
+/// function = "fn" name [ generic-parameters ] parameters [ "->" type ] ( block | ";" ) ;
+ast::Function Parser::parse_function() {
+    ast::Function function;
+    function.params = parse_params();
+    if (accept(TokenKind::arrow)) function.result = parse_type();
+    if (at(TokenKind::open_brace)) {
+        function.has_body = true;
+        function.body = parse_block();
+    } else if (!lost_ && !accept(TokenKind::semicolon)) {
+        fail_expected("'{'");
+    }
+    return function;
+}
+
+/// struct = "struct" name [ generic-parameters ] "{" { field } "}" | "extern" "struct" name "from" string ";" ;
+ast::Struct Parser::parse_struct() {
+    ast::Struct structure;
+    if (accept_word(Word::from)) {
+        structure.extern_span = here();
+        if (at(TokenKind::string)) {
+            structure.extern_header = decode_string(advance());
+            end_statement();
+        } else {
+            fail_expected("the header's name in quotes");
+        }
+        return structure;
+    }
+    std::uint32_t open = cursor_;
+    if (!expect(TokenKind::open_brace)) return structure;
+    while (!list_ends()) {
+        std::uint32_t before = cursor_;
+        if (accept(TokenKind::semicolon)) continue;
+        structure.fields.push_back(parse_field());
+        if (lost_) recover_in_list();
+        if (cursor_ == before) advance();
+    }
+    close_list(open);
+    return structure;
+}
+
+/// field = name ":" type [ "=" expression ] ";" ;
+ast::Field Parser::parse_field() {
+    ast::Field field;
+    field.doc = doc_before(cursor_);
+    field.name = parse_name("a field");
+    expect(TokenKind::colon);
+    field.type = parse_type();
+    if (accept(TokenKind::equal)) field.default_value = parse_expression();
+    end_statement();
+    return field;
+}
+
+/// enum = "enum" name "{" [ enumerator { "," enumerator } [ "," ] ] "}" ;    enumerator = name [ "=" expression ] ;
+/// Keywords may be enumerators: `none` often is.
+ast::Enum Parser::parse_enum() {
+    ast::Enum enumeration;
+    std::uint32_t open = cursor_;
+    if (!expect(TokenKind::open_brace)) return enumeration;
+    while (!at(TokenKind::close_brace) && !at_end() && !lost_) {
+        if (!peek().name) {
+            fail_expected("an enumerator");
+            break;
+        }
+        ast::Enumerator enumerator;
+        enumerator.name = identifier_of(advance());
+        if (accept(TokenKind::equal)) enumerator.value = parse_expression();
+        enumeration.enumerators.push_back(enumerator);
+        if (!accept(TokenKind::comma)) break;
+    }
+    if (!lost_) expect_close(TokenKind::close_brace, open);
+    return enumeration;
+}
+
+/// interface = "interface" name [ generic-parameters ] "{" { [ "fn" ] name parameters [ "->" type ] ";" } "}" ;
+ast::Interface Parser::parse_interface() {
+    ast::Interface interface;
+    std::uint32_t open = cursor_;
+    if (!expect(TokenKind::open_brace)) return interface;
+    while (!list_ends()) {
+        std::uint32_t before = cursor_;
+        if (accept(TokenKind::semicolon)) continue;
+        if (DeclId method = parse_method()) interface.members.push_back(method);
+        if (lost_) recover_in_list();
+        if (cursor_ == before) advance();
+    }
+    close_list(open);
+    return interface;
+}
+
+/// method = attributes [ "pub" ] [ "fn" ] name [ generic-parameters ] parameters [ "->" type ] ( block | ";" ) ;
+ast::DeclId Parser::parse_method() {
+    std::uint32_t first = cursor_;
+    ast::Decl decl;
+    decl.doc = doc_before(cursor_);
+    decl.attributes = parse_attributes();
+    decl.is_pub = accept(TokenKind::kw_pub);
+    accept(TokenKind::kw_fn);
+    decl.name = parse_name("a function");
+    decl.generics = parse_generic_params();
+    if (lost_) return {};
+    decl.body = parse_function();
+    decl.span = since(first);
+    return tree_.decls.add(std::move(decl));
+}
+
+/// const = "const" name [ ":" type ] "=" expression ";" ;
+ast::Const Parser::parse_const() {
+    ast::Const constant;
+    if (accept(TokenKind::colon)) constant.type = parse_type();
+    expect(TokenKind::equal);
+    constant.value = lost_ ? error_expr() : parse_expression();
+    end_statement();
+    return constant;
+}
+
+/// type-alias = "type" name [ generic-parameters ] "=" type ";" ;
+ast::Alias Parser::parse_type_alias() {
+    ast::Alias alias;
+    expect(TokenKind::equal);
+    alias.target = parse_type();
+    end_statement();
+    return alias;
+}
+
+/// kernel = "kernel" name [ generic-parameters ] parameters [ "group" "(" expression [ "," expression [ "," expression ] ] ")" ] block ;
+ast::Kernel Parser::parse_kernel() {
+    ast::Kernel kernel;
+    kernel.params = parse_params();
+    if (!lost_ && accept_word(Word::group)) {
+        std::uint32_t open = cursor_;
+        expect(TokenKind::open_paren);
+        while (!at(TokenKind::close_paren) && !at_end() && !lost_) {
+            if (kernel.group.size() == 3) fail_expected("')'", "a group has at most three extents");
+            kernel.group.push_back(parse_expression());
+            if (!accept(TokenKind::comma)) break;
+        }
+        expect_close(TokenKind::close_paren, open);
+    }
+    if (at(TokenKind::arrow)) fail_expected("'{'", "a kernel returns nothing: it writes through its 'out' parameters");
+    kernel.body = parse_block();
+    return kernel;
+}
+
+/// pipeline = "pipeline" name [ generic-parameters ] parameters [ result ] block ;
+ast::Pipeline Parser::parse_pipeline() {
+    ast::Pipeline pipeline;
+    pipeline.params = parse_params();
+    parse_pipeline_result(pipeline);
+    pipeline.body = parse_block();
+    return pipeline;
+}
+
+}  // namespace gliftc

@@ -1,0 +1,104 @@
+// Parameters of functions, kernels, pipelines and constructors, with directions and access patterns.
+#include "syntax/parser_state.h"
+
+#include <array>
+#include <utility>
+
+namespace gliftc {
+
+using ast::Direction;
+using ast::Pattern;
+
+/// parameters = "(" [ parameter { "," parameter } [ "," ] ] ")" ;
+std::vector<ast::Param> Parser::parse_params() {
+    std::vector<ast::Param> params;
+    std::uint32_t open = cursor_;
+    if (!expect(TokenKind::open_paren)) return params;
+    while (!at(TokenKind::close_paren) && !at_end() && !lost_) {
+        params.push_back(parse_param());
+        if (!accept(TokenKind::comma)) break;
+    }
+    expect_close(TokenKind::close_paren, open);
+    return params;
+}
+
+/// parameter = name [ ":" [ direction ] ( pattern | type ) [ "=" expression ] ] ;
+/// Methods that a component's header types (translate, invert, ranges, at) may leave types out; sema asks for the others.
+ast::Param Parser::parse_param() {
+    ast::Param param;
+    param.name = parse_name("a parameter");
+    if (!accept(TokenKind::colon)) return param;
+    std::uint32_t first = cursor_;
+    param.direction = parse_direction();
+    if (param.direction != Direction::none) param.direction_span = since(first);
+    param.pattern = pattern_here();
+    if (param.pattern != Pattern::none) {
+        parse_pattern(param);
+    } else if (at_word(Word::activate) && peek(1).kind == TokenKind::less) {
+        fail_reserved("iterators that ask for residency come in a later version");
+    } else {
+        param.type = parse_type();
+    }
+    if (accept(TokenKind::equal)) param.default_value = parse_expression();
+    return param;
+}
+
+/// direction = "in" | "out" | "inout" ;
+ast::Direction Parser::parse_direction() {
+    if (accept(TokenKind::kw_in)) return Direction::in;
+    if (at_word_before_name(Word::out)) {
+        advance();
+        return Direction::out;
+    }
+    if (at_word_before_name(Word::inout)) {
+        advance();
+        return Direction::inout;
+    }
+    return Direction::none;
+}
+
+ast::Pattern Parser::pattern_here() const {
+    static constexpr std::array<std::pair<Word, Pattern>, 6> patterns{{
+        {Word::each, Pattern::each},
+        {Word::near, Pattern::near},
+        {Word::any, Pattern::any},
+        {Word::at, Pattern::at},
+        {Word::scatter, Pattern::scatter},
+        {Word::range, Pattern::range},
+    }};
+    if (peek(1).kind != TokenKind::less) return Pattern::none;
+    for (auto [word, pattern] : patterns)
+        if (at_word(word)) return pattern;
+    return Pattern::none;
+}
+
+/// pattern = ( "each" | "near" | "any" | "at" | "scatter" | "range" ) "<" generic-argument { "," generic-argument } ">" ;
+void Parser::parse_pattern(ast::Param& param) {
+    param.pattern_span = span_of(advance());
+    std::uint32_t open = cursor_;
+    set_role(Role::open_generic);
+    advance();
+    param.type = parse_generic_argument();
+    while (!lost_ && accept(TokenKind::comma)) param.extra.push_back(parse_generic_argument());
+    expect_close_angle(open);
+}
+
+/// result = "->" ( "range" "<" generic-argument "," generic-argument ">" | type ) ;
+void Parser::parse_pipeline_result(ast::Pipeline& pipeline) {
+    if (!accept(TokenKind::arrow)) return;
+    if (pattern_here() != Pattern::range) {
+        pipeline.result = parse_type();
+        return;
+    }
+    ast::Param result;
+    parse_pattern(result);
+    pipeline.result_pattern = Pattern::range;
+    pipeline.result = result.type;
+    if (!result.extra.empty()) {
+        pipeline.result_extra = result.extra.front();
+    } else {
+        fail_expected("'range<N, T>'");
+    }
+}
+
+}  // namespace gliftc

@@ -1,0 +1,68 @@
+// Types, and the generic parameters of declarations.
+#include "syntax/parser_state.h"
+
+namespace gliftc {
+
+using ast::Expr;
+using ast::ExprKind;
+
+/// type = type-name { "[" [ expression { "," expression } ] "]" | "?" } ;
+/// type-name = name [ generic-arguments ] { "." name [ generic-arguments ] } ;
+ast::ExprId Parser::parse_type() {
+    using enum TokenKind;
+    Nesting nesting(*this);
+    if (!nesting.ok) return error_expr();
+    std::uint32_t first = cursor_;
+    if (!at(identifier)) {
+        fail_expected("a type");
+        return error_expr();
+    }
+    ExprId type = parse_name_expression();
+    while (!lost_) {
+        if (at(less)) {
+            type = parse_generic_arguments(type, first);
+        } else if (at(dot)) {
+            type = parse_member(type, first);
+        } else if (at(open_bracket)) {
+            type = parse_index(type, first);
+        } else if (at(question)) {
+            set_role(Role::optional);
+            Expr expr;
+            expr.kind = ExprKind::optional;
+            expr.name_span = span_of(advance());
+            expr.operands = {type};
+            expr.span = since(first);
+            type = add(std::move(expr));
+        } else {
+            break;
+        }
+    }
+    return type;
+}
+
+/// generic-parameters = "<" generic-parameter { "," generic-parameter } ">" ;
+/// generic-parameter = name ":" type [ "=" generic-argument ] ;
+std::vector<ast::GenericParam> Parser::parse_generic_params() {
+    std::vector<ast::GenericParam> params;
+    if (!at(TokenKind::less)) return params;
+    std::uint32_t open = cursor_;
+    set_role(Role::open_generic);
+    advance();
+    while (!at_close_angle() && !at_end() && !lost_) {
+        ast::GenericParam param;
+        param.name = parse_name("a generic parameter");
+        if (at(TokenKind::colon)) {
+            advance();
+            param.constraint = parse_type();
+        } else {
+            fail_expected("':'", "a generic parameter says what it stands for: 'T: type', 'N: uint'");
+        }
+        if (accept(TokenKind::equal)) param.default_value = parse_generic_argument();
+        if (param.name.name) params.push_back(param);
+        if (!accept(TokenKind::comma)) break;
+    }
+    expect_close_angle(open);
+    return params;
+}
+
+}  // namespace gliftc

@@ -1,0 +1,184 @@
+// The recursive-descent parser: where it stands, how it reports, how it goes on after a mistake.
+//
+// After a mistake the parser is `lost_`: nothing more is reported and every loop ends, up to the nearest list of statements, items
+// or declarations, which skips to a place where it knows its way again.
+#pragma once
+
+#include "diag/diagnostics.h"
+#include "syntax/ast.h"
+#include "syntax/token.h"
+
+#include <string>
+#include <vector>
+
+namespace gliftc {
+
+class Parser {
+public:
+    Parser(TokenList& list, std::uint32_t file, const Sources& sources, Names& names, ast::Tree& tree, Diagnostics& diagnostics);
+
+    ast::Module parse_module();
+
+private:
+    using ExprId = ast::ExprId;
+    using StmtId = ast::StmtId;
+    using DeclId = ast::DeclId;
+
+    // ---- tokens (parser_state.cpp)
+    const Token& peek(std::uint32_t ahead = 0) const;
+    bool at(TokenKind kind) const { return tokens_[cursor_].kind == kind; }
+    bool at_word(Word word) const { return tokens_[cursor_].word == word; }
+    bool at_word_before_name(Word word) const { return at_word(word) && peek(1).kind == TokenKind::identifier; }
+    bool at_end() const { return at(TokenKind::end); }
+    const Token& advance();
+    bool accept(TokenKind kind);
+    bool accept_word(Word word);
+    bool expect(TokenKind kind);
+    bool expect_close(TokenKind kind, std::uint32_t open_token);
+    void set_role(Role role) { tokens_[cursor_].role = role; }
+    bool at_close_angle() const;
+    bool expect_close_angle(std::uint32_t open_token);
+    Span span_of(const Token& token) const { return {file_, token.begin, token.end}; }
+    Span here() const { return span_of(tokens_[cursor_]); }
+    Span since(std::uint32_t first_token) const;
+    Span after_previous() const;
+    std::string_view text_of(const Token& token) const { return sources_.text(span_of(token)); }
+    ast::Identifier parse_name(std::string_view what);
+    ast::Identifier identifier_of(const Token& token) const { return {token.name, span_of(token)}; }
+    std::string doc_before(std::uint32_t token) const;
+
+    // ---- mistakes (recovery.cpp)
+    std::string shown(const Token& token) const;
+    void fail(Diag id, Span span, std::initializer_list<std::string_view> arguments = {}, std::string note = {});
+    void fail_expected(std::string_view what, std::string note = {});
+    void fail_reserved(std::string_view reason);
+    void report_unclosed(std::uint32_t open_token);
+    void check_indentation(std::uint32_t open_token);
+    void skip_balanced();
+    void recover_in_list();
+    void recover_in_module();
+    bool at_statement_keyword() const;
+    bool at_declaration() const;
+    bool at_declaration_in_first_column() const;
+    bool close_list(std::uint32_t open_token);
+    bool list_ends() const;
+
+    /// Counts nesting; `ok` is false, with an error reported, beyond the deepest allowed.
+    struct Nesting {
+        explicit Nesting(Parser& outer);
+        ~Nesting() { --parser.depth_; }
+        Nesting(const Nesting&) = delete;
+        Nesting& operator=(const Nesting&) = delete;
+        Parser& parser;
+        bool ok;
+    };
+
+    // ---- expressions (parse_expressions.cpp, parse_primary.cpp)
+    ExprId add(ast::Expr expr);
+    ExprId error_expr();
+    ExprId parse_expression();
+    ExprId parse_range();
+    ExprId parse_conditional();
+    ExprId parse_binary(int least_precedence);
+    ExprId parse_unary();
+    ExprId parse_postfix();
+    ExprId parse_primary();
+    ExprId parse_name_expression();
+    ExprId parse_parenthesized();
+    ExprId parse_literal();
+    ExprId parse_bad_number();
+    ExprId parse_integer(ast::Expr expr);
+    ExprId parse_float(ast::Expr expr);
+    ExprId parse_string_literal(ast::Expr expr);
+    ExprId parse_tuple();
+    ExprId parse_call(ExprId callee, std::uint32_t first);
+    ExprId parse_index(ExprId base, std::uint32_t first);
+    ExprId parse_member(ExprId base, std::uint32_t first);
+    ExprId parse_generic_arguments(ExprId base, std::uint32_t first);
+    void parse_arguments(ast::Expr& expr, TokenKind close);
+    bool generic_arguments_follow() const;
+    std::string decode_string(const Token& token);
+
+    // ---- types (parse_types.cpp)
+    ExprId parse_type();
+    ExprId parse_generic_argument();
+    std::vector<ast::GenericParam> parse_generic_params();
+
+    // ---- statements (parse_statements.cpp)
+    StmtId parse_statement();
+    StmtId parse_let();
+    StmtId parse_shared();
+    StmtId parse_temp();
+    StmtId parse_if();
+    StmtId parse_for();
+    StmtId parse_while();
+    StmtId parse_jump(ast::StmtKind kind);
+    StmtId parse_return();
+    StmtId parse_block_statement();
+    StmtId parse_expression_statement();
+    StmtId finish(ast::Stmt statement, std::uint32_t first);
+    std::vector<StmtId> parse_block();
+    void end_statement();
+
+    // ---- declarations (parse_module.cpp, parse_declarations.cpp)
+    void parse_module_header(ast::Module& module);
+    bool parse_path(std::string& path);
+    ast::Use parse_use();
+    DeclId parse_declaration();
+    void parse_declaration_body(ast::Decl& decl);
+    void parse_body_after_name(ast::Decl& decl, const Token& keyword);
+    bool at_declaration_word() const;
+    ast::Alias parse_type_alias();
+    std::vector<ast::Attribute> parse_attributes();
+    ast::Function parse_function();
+    ast::Struct parse_struct();
+    ast::Field parse_field();
+    ast::Enum parse_enum();
+    ast::Interface parse_interface();
+    ast::Const parse_const();
+    ast::Kernel parse_kernel();
+    ast::Pipeline parse_pipeline();
+    DeclId parse_method();
+
+    // ---- parameters (parse_parameters.cpp)
+    std::vector<ast::Param> parse_params();
+    ast::Param parse_param();
+    ast::Direction parse_direction();
+    ast::Pattern pattern_here() const;
+    void parse_pattern(ast::Param& param);
+    void parse_pipeline_result(ast::Pipeline& pipeline);
+
+    // ---- components (parse_components.cpp, parse_items.cpp)
+    void parse_translator(ast::Decl& decl);
+    void parse_structure(ast::Decl& decl);
+    ast::View parse_view();
+    ast::Adaptor parse_adaptor();
+    std::vector<ast::Item> parse_items();
+    ast::Item parse_item();
+    ast::Item parse_memory();
+    ast::Item parse_member_item();
+    ast::Item parse_condition();
+    ast::Item parse_host();
+    ast::Item parse_value_item(ast::ItemKind kind);
+    ast::Item parse_nested_declaration();
+    ast::Item new_item(ast::ItemKind kind) const;
+
+    std::vector<Token>& tokens_;
+    const std::vector<Comment>& comments_;
+    std::uint32_t file_;
+    const Sources& sources_;
+    Names& names_;
+    ast::Tree& tree_;
+    Diagnostics& diagnostics_;
+
+    std::uint32_t cursor_ = 0;
+    std::uint32_t previous_end_ = 0;         // of the token, or the front of a split `>>`, that was taken last
+    bool lost_ = false;
+    int depth_ = 0;
+    std::uint32_t first_expr_;               // of this file, in the tree
+    std::vector<std::uint16_t> heights_;     // of its expressions
+    std::uint32_t unclosed_at_ = 0xffffffffu;    // the token where a missing `}` was reported: the outer braces lack theirs too
+    std::uint32_t badly_indented_ = 0xffffffffu; // the first `{` whose `}` stands in another column: a likely culprit
+};
+
+}  // namespace gliftc

@@ -1,0 +1,16 @@
+// The tree as S-expressions: `--dump=syntax`, and what the parser's tests compare.
+#pragma once
+
+#include "syntax/ast.h"
+
+#include <string>
+
+namespace gliftc {
+
+/// `(+ a (* b 2))`: parentheses show how it was read, types and values alike.
+std::string print(ast::ExprId expr, const ast::Tree& tree, const Names& names);
+
+/// One declaration or statement a line, indented by its depth.
+std::string print(const ast::Module& module, const ast::Tree& tree, const Names& names);
+
+}  // namespace gliftc

@@ -1,0 +1,74 @@
+// Tokens: what the lexer makes of a file, with its comments beside them.
+#pragma once
+
+#include "base/name.h"
+#include "source/source.h"
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+namespace gliftc {
+
+enum class TokenKind : std::uint8_t {
+    end,         // of the file; always the last token
+    identifier,
+    integer,
+    floating,
+    bad_number,  // looks like a number and is none
+    string,
+#define PUNCTUATION(name, text) name,
+#define KEYWORD(text) kw_##text,
+#define WORD(text)
+#include "syntax/tokens.def"
+#undef PUNCTUATION
+#undef KEYWORD
+#undef WORD
+};
+
+/// An identifier with a meaning in some places; `no_word` for all others.
+enum class Word : std::uint8_t {
+    no_word,
+#define PUNCTUATION(name, text)
+#define KEYWORD(text)
+#define WORD(text) text,
+#include "syntax/tokens.def"
+#undef PUNCTUATION
+#undef KEYWORD
+#undef WORD
+};
+
+/// What a token with several meanings turned out to be. The parser writes it, the formatter reads it.
+enum class Role : std::uint8_t {
+    none,
+    open_generic, close_generic,  // `<` and `>` around generic parameters or arguments
+    unary,                        // a prefix operator
+    optional,                     // the `?` of a type
+    open_tuple, close_tuple,      // the braces of `{ 1, 2 }`
+};
+
+struct Token {
+    TokenKind kind = TokenKind::end;
+    Word word = Word::no_word;
+    Role role = Role::none;
+    bool first_on_line = false;
+    std::uint32_t begin = 0, end = 0;
+    Name name;                         ///< identifiers and keywords
+};
+
+struct Comment {
+    std::uint32_t begin = 0, end = 0;  ///< with its slashes, without its end of line
+    std::uint32_t next_token = 0;      ///< the token that follows
+    bool is_doc = false;               ///< `///`
+    bool first_on_line = false;
+};
+
+struct TokenList {
+    std::vector<Token> tokens;
+    std::vector<Comment> comments;
+};
+
+/// "'{'", "'kernel'", "an identifier": for messages.
+std::string_view describe(TokenKind kind);
+
+}  // namespace gliftc
