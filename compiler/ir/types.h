@@ -33,7 +33,7 @@ using TypeId = Id<Type>;
 
 struct Type {
     TypeKind kind = TypeKind::error;
-    TypeId element;
+    TypeId element{};
     std::uint32_t count = 0;
     std::uint32_t rows = 0;
     std::uint32_t index = 0;     ///< struct_, enum_, structure: index in the Program's table
