@@ -78,8 +78,10 @@ void Parser::parse_pattern(ast::Param& param) {
     std::uint32_t open = cursor_;
     set_role(Role::open_generic);
     advance();
+    ++open_angles_;
     param.type = parse_generic_argument();
     while (!lost_ && accept(TokenKind::comma)) param.extra.push_back(parse_generic_argument());
+    --open_angles_;
     expect_close_angle(open);
 }
 

@@ -88,6 +88,7 @@ ast::ExprId Parser::parse_primary() {
 }
 
 ast::ExprId Parser::parse_parenthesized() {
+    Brackets brackets(*this);
     std::uint32_t open = cursor_;
     advance();
     ExprId inner = parse_expression();
@@ -228,6 +229,7 @@ ast::ExprId Parser::parse_call(ExprId callee, std::uint32_t first) {
 
 /// arguments = argument { "," argument } [ "," ] ;    argument = [ name ":" ] expression ;
 void Parser::parse_arguments(Expr& expr, TokenKind close) {
+    Brackets brackets(*this);
     std::vector<ast::Identifier> labels;
     bool any_label = false;
     while (!at(close) && !at_end() && !lost_) {
@@ -246,6 +248,7 @@ void Parser::parse_arguments(Expr& expr, TokenKind close) {
 
 /// index = "[" [ expression { "," expression } ] "]" ;
 ast::ExprId Parser::parse_index(ExprId base, std::uint32_t first) {
+    Brackets brackets(*this);
     std::uint32_t open = cursor_;
     Expr expr;
     expr.kind = ExprKind::index;
@@ -284,10 +287,12 @@ ast::ExprId Parser::parse_generic_arguments(ExprId base, std::uint32_t first) {
     expr.operands.push_back(base);
     set_role(Role::open_generic);
     advance();
+    ++open_angles_;
     while (!at_close_angle() && !at_end() && !lost_) {
         expr.operands.push_back(parse_generic_argument());
         if (!accept(TokenKind::comma)) break;
     }
+    --open_angles_;
     expect_close_angle(open);
     expr.span = since(first);
     return add(std::move(expr));
@@ -310,8 +315,10 @@ bool Parser::generic_arguments_follow() const {
             ++angles;
         } else if (kind == greater || kind == greater_greater) {
             angles -= kind == greater ? 1 : 2;
-            if (angles < 0) return false;
+            if (angles < 0) return open_angles_ > 0;  // `>>` closes the outer ones too
             if (angles == 0) return after_generic_arguments.has(peek(i + 1).kind);
+        } else if (kind == greater_greater_equal) {
+            return angles == 1 && open_angles_ > 0;
         } else if (kind == question) {
             if (!after_optional.has(peek(i + 1).kind)) return false;
         } else if (!in_generic_arguments.has(kind)) {

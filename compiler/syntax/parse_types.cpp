@@ -48,6 +48,7 @@ std::vector<ast::GenericParam> Parser::parse_generic_params() {
     std::uint32_t open = cursor_;
     set_role(Role::open_generic);
     advance();
+    ++open_angles_;
     while (!at_close_angle() && !at_end() && !lost_) {
         ast::GenericParam param;
         param.name = parse_name("a generic parameter");
@@ -61,6 +62,7 @@ std::vector<ast::GenericParam> Parser::parse_generic_params() {
         if (param.name.name) params.push_back(param);
         if (!accept(TokenKind::comma)) break;
     }
+    --open_angles_;
     expect_close_angle(open);
     return params;
 }

@@ -9,6 +9,7 @@
 #include "syntax/token.h"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace gliftc {
@@ -71,6 +72,16 @@ private:
         Nesting& operator=(const Nesting&) = delete;
         Parser& parser;
         bool ok;
+    };
+
+    /// Between brackets a `>` is a comparison again.
+    struct Brackets {
+        explicit Brackets(Parser& outer) : parser(outer), angles(std::exchange(outer.open_angles_, 0)) {}
+        ~Brackets() { parser.open_angles_ = angles; }
+        Brackets(const Brackets&) = delete;
+        Brackets& operator=(const Brackets&) = delete;
+        Parser& parser;
+        int angles;
     };
 
     // ---- expressions (parse_expressions.cpp, parse_primary.cpp)
@@ -175,6 +186,7 @@ private:
     std::uint32_t previous_end_ = 0;         // of the token, or the front of a split `>>`, that was taken last
     bool lost_ = false;
     int depth_ = 0;
+    int open_angles_ = 0;                    // generic arguments around this place
     std::uint32_t first_expr_;               // of this file, in the tree
     std::vector<std::uint16_t> heights_;     // of its expressions
     std::uint32_t unclosed_at_ = 0xffffffffu;    // the token where a missing `}` was reported: the outer braces lack theirs too
