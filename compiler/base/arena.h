@@ -2,9 +2,12 @@
 #pragma once
 
 #include <cassert>
+#include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <functional>
+#include <memory>
+#include <new>
+#include <utility>
 #include <vector>
 
 namespace gliftc {
@@ -20,30 +23,82 @@ struct Id {
     auto operator<=>(const Id&) const = default;
 };
 
-/// Owns values of one type; ids and references stay valid as it grows.
+/// Owns values of one type; ids and references stay valid as it grows. Values lie in blocks of equal size, so that finding one is a
+/// shift and a mask.
 template <class T>
 class Arena {
+    static constexpr std::uint32_t shift = 8, block_size = 1u << shift, mask = block_size - 1;
+
+    template <class A, class V>
+    class Iterator {
+    public:
+        using value_type = T;
+        using difference_type = std::ptrdiff_t;
+        Iterator() = default;
+        Iterator(A* arena, std::uint32_t at) : arena_(arena), at_(at) {}
+        V& operator*() const { return arena_->at(at_); }
+        V* operator->() const { return &arena_->at(at_); }
+        Iterator& operator++() {
+            ++at_;
+            return *this;
+        }
+        Iterator operator++(int) {
+            Iterator before = *this;
+            ++at_;
+            return before;
+        }
+        bool operator==(const Iterator&) const = default;
+
+    private:
+        A* arena_ = nullptr;
+        std::uint32_t at_ = 0;
+    };
+
 public:
+    Arena() = default;
+    Arena(Arena&& other) noexcept : blocks_(std::move(other.blocks_)), size_(std::exchange(other.size_, 0)) {}
+    Arena& operator=(Arena&& other) noexcept {
+        std::swap(blocks_, other.blocks_);
+        std::swap(size_, other.size_);
+        return *this;
+    }
+    Arena(const Arena& other) {
+        for (const T& value : other) add(value);
+    }
+    Arena& operator=(const Arena& other) { return *this = Arena(other); }
+    ~Arena() {
+        for (std::uint32_t i = 0; i < size_; ++i) at(i).~T();
+    }
+
     Id<T> add(T value) {
-        values_.push_back(std::move(value));
-        return {static_cast<std::uint32_t>(values_.size() - 1)};
+        if ((size_ & mask) == 0) blocks_.push_back(std::make_unique_for_overwrite<Block>());
+        new (place(size_)) T(std::move(value));
+        return {size_++};
     }
     T& operator[](Id<T> id) {
-        assert(id.index < values_.size());
-        return values_[id.index];
+        assert(id.index < size_);
+        return at(id.index);
     }
     const T& operator[](Id<T> id) const {
-        assert(id.index < values_.size());
-        return values_[id.index];
+        assert(id.index < size_);
+        return at(id.index);
     }
-    std::uint32_t size() const { return static_cast<std::uint32_t>(values_.size()); }
-    auto begin() { return values_.begin(); }
-    auto end() { return values_.end(); }
-    auto begin() const { return values_.begin(); }
-    auto end() const { return values_.end(); }
+    std::uint32_t size() const { return size_; }
+    auto begin() { return Iterator<Arena, T>(this, 0); }
+    auto end() { return Iterator<Arena, T>(this, size_); }
+    auto begin() const { return Iterator<const Arena, const T>(this, 0); }
+    auto end() const { return Iterator<const Arena, const T>(this, size_); }
 
 private:
-    std::deque<T> values_;
+    struct Block {
+        alignas(T) std::byte bytes[sizeof(T) * block_size];
+    };
+    std::byte* place(std::uint32_t i) { return blocks_[i >> shift]->bytes + sizeof(T) * (i & mask); }
+    T& at(std::uint32_t i) { return *std::launder(reinterpret_cast<T*>(place(i))); }
+    const T& at(std::uint32_t i) const { return const_cast<Arena*>(this)->at(i); }
+
+    std::vector<std::unique_ptr<Block>> blocks_;
+    std::uint32_t size_ = 0;
 };
 
 }  // namespace gliftc
