@@ -15,27 +15,26 @@ inline constexpr bool is_integer = std::is_integral_v<T> && !std::is_same_v<T, b
 template <class T>
 inline constexpr bool is_floating = std::is_floating_point_v<T> || std::is_same_v<T, half>;
 
-/// a / b. Integers: by zero gives all bits set; the smallest value by -1 gives itself.
+/// What an integer is divided by: one in place of zero, and of -1 under the smallest value.
 template <class T>
-constexpr T divide(T a, T b) {
-    if constexpr (std::is_integral_v<T>) {
-        if (b == 0) return static_cast<T>(~T{0});
-        if constexpr (std::is_signed_v<T>) {
-            using U = std::make_unsigned_t<T>;
-            if (b == -1) return static_cast<T>(U{0} - static_cast<U>(a));
-        }
-    }
-    return a / b;
+constexpr T divisor(T a, T b) {
+    if constexpr (std::is_signed_v<T>) return b == 0 || (b == -1 && a == std::numeric_limits<T>::min()) ? T{1} : b;
+    else return b > 0 ? b : T{1};
 }
 
-/// a % b, with the sign of a. By zero gives all bits set; by -1 gives zero.
+/// a / b. An integer by zero is a itself.
+template <class T>
+constexpr T divide(T a, T b) {
+    if constexpr (std::is_integral_v<T>) return static_cast<T>(a / divisor(a, b));
+    else return a / b;
+}
+
+/// a % b. Integers: with the sign of a, by zero zero. Floating: a - b * floor(a / b).
 template <class T>
 constexpr T remainder(T a, T b) {
-    if (b == 0) return static_cast<T>(~T{0});
-    if constexpr (std::is_signed_v<T>) {
-        if (b == -1) return 0;
-    }
-    return a % b;
+    if constexpr (std::is_integral_v<T>) return static_cast<T>(a % divisor(a, b));
+    else if constexpr (std::is_same_v<T, half>) return a - b * half(__builtin_floorf(a / b));
+    else return a - b * static_cast<T>(__builtin_floor(a / b));
 }
 
 /// Shifts take their amount modulo the width of a.

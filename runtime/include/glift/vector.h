@@ -24,8 +24,10 @@ struct vec<T, 2> {
     template <class U>
     explicit constexpr vec(const vec<U, 2>& v) : x(convert<T>(v.x)), y(convert<T>(v.y)) {}
 
-    constexpr T& operator[](unsigned i) { return i == 0 ? x : y; }
-    constexpr const T& operator[](unsigned i) const { return i == 0 ? x : y; }
+    template <class I>
+    constexpr T& operator[](I i) { return i <= 0 ? x : y; }
+    template <class I>
+    constexpr const T& operator[](I i) const { return i <= 0 ? x : y; }
     constexpr bool operator==(const vec&) const = default;
 };
 
@@ -41,8 +43,10 @@ struct vec<T, 3> {
     template <class U>
     explicit constexpr vec(const vec<U, 3>& v) : x(convert<T>(v.x)), y(convert<T>(v.y)), z(convert<T>(v.z)) {}
 
-    constexpr T& operator[](unsigned i) { return i == 0 ? x : i == 1 ? y : z; }
-    constexpr const T& operator[](unsigned i) const { return i == 0 ? x : i == 1 ? y : z; }
+    template <class I>
+    constexpr T& operator[](I i) { return i <= 0 ? x : i == 1 ? y : z; }
+    template <class I>
+    constexpr const T& operator[](I i) const { return i <= 0 ? x : i == 1 ? y : z; }
     constexpr bool operator==(const vec&) const = default;
 
     constexpr vec<T, 2> xy() const { return {x, y}; }
@@ -66,8 +70,10 @@ struct vec<T, 4> {
     explicit constexpr vec(const vec<U, 4>& v)
         : x(convert<T>(v.x)), y(convert<T>(v.y)), z(convert<T>(v.z)), w(convert<T>(v.w)) {}
 
-    constexpr T& operator[](unsigned i) { return i == 0 ? x : i == 1 ? y : i == 2 ? z : w; }
-    constexpr const T& operator[](unsigned i) const { return i == 0 ? x : i == 1 ? y : i == 2 ? z : w; }
+    template <class I>
+    constexpr T& operator[](I i) { return i <= 0 ? x : i == 1 ? y : i == 2 ? z : w; }
+    template <class I>
+    constexpr const T& operator[](I i) const { return i <= 0 ? x : i == 1 ? y : i == 2 ? z : w; }
     constexpr bool operator==(const vec&) const = default;
 
     constexpr vec<T, 2> xy() const { return {x, y}; }
@@ -238,17 +244,24 @@ using double2 = vec<double, 2>;
 using double3 = vec<double, 3>;
 using double4 = vec<double, 4>;
 
-/// T[n]. An index past the end means the last element, as in shaders.
+namespace detail {
+/// An index beyond either end means the nearest element.
+template <unsigned N, class I>
+constexpr unsigned within(I i) {
+    if constexpr (std::is_signed_v<I>) return i < 0 ? 0 : i < static_cast<I>(N) ? static_cast<unsigned>(i) : N - 1;
+    else return i < N ? static_cast<unsigned>(i) : N - 1;
+}
+}  // namespace detail
+
+/// T[n].
 template <class T, unsigned N>
 struct array {
     T values[N] = {};
 
     template <class I>
-    constexpr T& operator[](I i) { return values[static_cast<unsigned>(i) < N ? static_cast<unsigned>(i) : N - 1]; }
+    constexpr T& operator[](I i) { return values[detail::within<N>(i)]; }
     template <class I>
-    constexpr const T& operator[](I i) const {
-        return values[static_cast<unsigned>(i) < N ? static_cast<unsigned>(i) : N - 1];
-    }
+    constexpr const T& operator[](I i) const { return values[detail::within<N>(i)]; }
     constexpr bool operator==(const array&) const = default;
     static constexpr unsigned size() { return N; }
     constexpr T* begin() { return values; }
@@ -262,8 +275,10 @@ template <class T, unsigned C, unsigned R>
 struct mat {
     vec<T, R> columns[C] = {};
 
-    constexpr vec<T, R>& operator[](unsigned c) { return columns[c < C ? c : C - 1]; }
-    constexpr const vec<T, R>& operator[](unsigned c) const { return columns[c < C ? c : C - 1]; }
+    template <class I>
+    constexpr vec<T, R>& operator[](I c) { return columns[detail::within<C>(c)]; }
+    template <class I>
+    constexpr const vec<T, R>& operator[](I c) const { return columns[detail::within<C>(c)]; }
     constexpr bool operator==(const mat&) const = default;
 };
 
@@ -325,5 +340,15 @@ template <class T, unsigned C, unsigned R>
 constexpr mat<T, C, R> operator-(const mat<T, C, R>& a) {
     return a * T{-1};
 }
+
+/// The names of the language's own types, for `using namespace glift::types;`.
+namespace types {
+using glift::half, glift::uint;
+using glift::bool2, glift::bool3, glift::bool4, glift::int2, glift::int3, glift::int4;
+using glift::double2, glift::double3, glift::double4, glift::uint2, glift::uint3, glift::uint4;
+using glift::float2, glift::float3, glift::float4, glift::half2, glift::half3, glift::half4;
+using glift::float2x2, glift::float2x3, glift::float2x4, glift::float3x2, glift::float3x3, glift::float3x4;
+using glift::float4x2, glift::float4x3, glift::float4x4;
+}  // namespace types
 
 }  // namespace glift

@@ -224,13 +224,13 @@ constexpr T bitfieldReverse(T x) {
     for (unsigned i = 0; i < sizeof(T) * 8; ++i, from >>= 1) to = static_cast<U>(to << 1) | (from & 1u);
     return static_cast<T>(to);
 }
-/// Bits [offset, offset + bits), sign extended for signed types. No bits give zero; bits beyond the top read as none.
+/// Bits [offset, offset + bits), sign extended for signed types; cut at the top. Negative arguments count as large.
 template <class T>
     requires is_integer<T>
 constexpr T bitfieldExtract(T x, std::int32_t offset, std::int32_t bits) {
     constexpr std::int32_t width = sizeof(T) * 8;
-    if (bits <= 0 || offset < 0 || offset >= width) return 0;
-    if (bits > width - offset) bits = width - offset;
+    if (bits == 0 || offset < 0 || offset >= width) return 0;
+    if (bits < 0 || bits > width - offset) bits = width - offset;
     using U = std::make_unsigned_t<T>;
     const U at_top = static_cast<U>(static_cast<U>(x) << (width - offset - bits));
     return static_cast<T>(static_cast<T>(at_top) >> (width - bits));
@@ -239,8 +239,8 @@ template <class T>
     requires is_integer<T>
 constexpr T bitfieldInsert(T base, T insert, std::int32_t offset, std::int32_t bits) {
     constexpr std::int32_t width = sizeof(T) * 8;
-    if (bits <= 0 || offset < 0 || offset >= width) return base;
-    if (bits > width - offset) bits = width - offset;
+    if (bits == 0 || offset < 0 || offset >= width) return base;
+    if (bits < 0 || bits > width - offset) bits = width - offset;
     using U = std::make_unsigned_t<T>;
     const U mask = static_cast<U>(static_cast<U>(~U{0} >> (width - bits)) << offset);
     return static_cast<T>((static_cast<U>(base) & static_cast<U>(~mask)) | ((static_cast<U>(insert) << offset) & mask));

@@ -1,0 +1,244 @@
+// Expressions as C++, with parentheses only where C++ or a careful reader needs them.
+#include "emit/cpp/printer.h"
+
+namespace gliftc::cpp {
+
+namespace {
+
+using ir::BinaryOp;
+using ir::Expr;
+using ir::ExprId;
+using ir::Op;
+using ir::TypeId;
+using ir::TypeKind;
+
+struct Operator {
+    const char* text;
+    Level level;
+    Level operand;   ///< how loose an operand may be without parentheses
+};
+
+Operator operator_of(BinaryOp op) {
+    switch (op) {
+    case BinaryOp::multiply: return {" * ", Level::term, Level::term};
+    case BinaryOp::divide: return {" / ", Level::term, Level::term};
+    case BinaryOp::remainder: return {" % ", Level::term, Level::term};
+    case BinaryOp::add: return {" + ", Level::sum, Level::sum};
+    case BinaryOp::subtract: return {" - ", Level::sum, Level::sum};
+    case BinaryOp::shift_left: return {" << ", Level::shift, Level::unary};
+    case BinaryOp::shift_right: return {" >> ", Level::shift, Level::unary};
+    case BinaryOp::less: return {" < ", Level::relation, Level::shift};
+    case BinaryOp::less_equal: return {" <= ", Level::relation, Level::shift};
+    case BinaryOp::greater: return {" > ", Level::relation, Level::shift};
+    case BinaryOp::greater_equal: return {" >= ", Level::relation, Level::shift};
+    case BinaryOp::equal: return {" == ", Level::equality, Level::shift};
+    case BinaryOp::not_equal: return {" != ", Level::equality, Level::shift};
+    case BinaryOp::bit_and: return {" & ", Level::bit_and, Level::unary};
+    case BinaryOp::bit_xor: return {" ^ ", Level::bit_xor, Level::unary};
+    case BinaryOp::bit_or: return {" | ", Level::bit_or, Level::unary};
+    case BinaryOp::logical_and: return {" && ", Level::logical_and, Level::equality};
+    case BinaryOp::logical_or: return {" || ", Level::logical_or, Level::equality};
+    }
+    return {" ? ", Level::ternary, Level::postfix};
+}
+
+Text function_call(Printer& p, const std::string& name, const std::vector<ExprId>& operands) {
+    return {name + "(" + join_arguments(p, operands) + ")"};
+}
+
+bool is_scalar_integer(const Printer& p, TypeId type) { return p.program.types.is_integer(type); }
+
+/// True of a constant by which dividing can't go wrong.
+bool is_safe_divisor(const Printer& p, ExprId id) {
+    const Expr& expr = p.program.exprs[id];
+    if (expr.op != Op::constant || expr.bits == 0) return false;
+    return !(p.program.types.is_signed(expr.type) && static_cast<std::int64_t>(expr.bits) == -1) &&
+           !(p.program.types.kind(expr.type) == TypeKind::int_ && static_cast<std::int32_t>(expr.bits) == -1);
+}
+
+Text print_shift(Printer& p, const Expr& expr, Operator op) {
+    const Expr& amount = p.program.exprs[expr.operands[1]];
+    const TypeKind kind = p.program.types.kind(expr.type);
+    const unsigned width = kind == TypeKind::int64 || kind == TypeKind::uint64 ? 64 : 32;
+    const std::string left = print(p, expr.operands[0], Level::unary);
+    if (amount.op == Op::constant) return {left + op.text + std::to_string(amount.bits & (width - 1)), op.level};
+    return {left + op.text + "(" + print(p, expr.operands[1], Level::unary) + " & " + std::to_string(width - 1) + ")", op.level};
+}
+
+Text print_binary(Printer& p, const Expr& expr) {
+    const Operator op = operator_of(expr.binary);
+    const bool scalar = is_scalar_integer(p, expr.type);
+    switch (expr.binary) {
+    case BinaryOp::divide:
+        if (scalar && !is_safe_divisor(p, expr.operands[1])) return function_call(p, "glift::divide", expr.operands);
+        break;
+    case BinaryOp::remainder:
+        if (!p.program.types.is_vector(expr.type) && !(scalar && is_safe_divisor(p, expr.operands[1])))
+            return function_call(p, "glift::remainder", expr.operands);
+        break;
+    case BinaryOp::shift_left: case BinaryOp::shift_right:
+        if (scalar) return print_shift(p, expr, op);
+        break;
+    case BinaryOp::multiply: case BinaryOp::add: case BinaryOp::subtract: case BinaryOp::less: case BinaryOp::less_equal:
+    case BinaryOp::greater: case BinaryOp::greater_equal: case BinaryOp::equal: case BinaryOp::not_equal: case BinaryOp::bit_and:
+    case BinaryOp::bit_xor: case BinaryOp::bit_or: case BinaryOp::logical_and: case BinaryOp::logical_or: break;
+    }
+    // a && b && c, a + b + c: the left operand may be of the same operator without parentheses.
+    const Text left = print(p, expr.operands[0]);
+    const Expr& first = p.program.exprs[expr.operands[0]];
+    const bool chain = first.op == Op::binary && left.level == op.level && operator_of(first.binary).level == op.level &&
+                       (first.binary == expr.binary || op.level == Level::sum || op.level == Level::term) &&
+                       op.level != Level::shift && op.level != Level::relation && op.level != Level::equality;
+    const Level right = static_cast<Level>(static_cast<int>(op.operand) + (op.operand == op.level ? 1 : 0));
+    return {(chain ? left.text : wrap(left, op.operand)) + op.text + print(p, expr.operands[1], right), op.level};
+}
+
+Text print_convert(Printer& p, const Expr& expr) {
+    const ir::Types& types = p.program.types;
+    const TypeId from = p.program.exprs[expr.operands[0]].type;
+    const std::string to = type_text(p.globals, expr.type, p.use_namespaces);
+    const std::string operand = print_any(p, expr.operands[0]);
+    if (from == expr.type) return print(p, expr.operands[0]);
+    if (types.is_vector(expr.type) || types.is_matrix(expr.type)) return {to + "(" + operand + ")"};
+    const bool to_integer = types.is_integer(expr.type) || types.kind(expr.type) == TypeKind::enum_;
+    if (types.kind(expr.type) == TypeKind::bool_ || (to_integer && types.is_floating(from)))
+        return {"glift::convert<" + to + ">(" + operand + ")"};
+    return {to + "(" + operand + ")"};
+}
+
+Text print_construct(Printer& p, const Expr& expr) {
+    const ir::Type& type = p.program.types[expr.type];
+    const std::string name = type_text(p.globals, expr.type, p.use_namespaces);
+    switch (type.kind) {
+    case TypeKind::array: return {name + "{{" + join_arguments(p, expr.operands) + "}}"};
+    case TypeKind::struct_: return {name + "{" + join_arguments(p, expr.operands) + "}"};
+    case TypeKind::matrix: {
+        if (expr.operands.size() == type.count) return {name + "{{" + join_arguments(p, expr.operands) + "}}"};
+        std::string columns;
+        for (std::uint32_t c = 0; c < type.count; ++c) {
+            std::string column;
+            for (std::uint32_t r = 0; r < type.rows; ++r)
+                column += (r ? ", " : "") + print_any(p, expr.operands[std::size_t{c} * type.rows + r]);
+            columns += (c ? ", {" : "{") + column + "}";
+        }
+        return {name + "{{" + columns + "}}"};
+    }
+    case TypeKind::error: case TypeKind::void_: case TypeKind::bool_: case TypeKind::int_: case TypeKind::uint:
+    case TypeKind::float_: case TypeKind::half: case TypeKind::double_: case TypeKind::int64: case TypeKind::uint64:
+    case TypeKind::vector: case TypeKind::enum_: case TypeKind::optional: case TypeKind::range: case TypeKind::structure:
+    case TypeKind::slice: case TypeKind::device: break;
+    }
+    return {name + "(" + join_arguments(p, expr.operands) + ")"};
+}
+
+Text print_swizzle(Printer& p, const Expr& expr) {
+    const std::uint32_t count = p.program.types.components(expr.type);
+    const std::string vector = print(p, expr.operands[0], Level::postfix);
+    static constexpr char letters[] = "xyzw";
+    if (p.program.types.components(p.program.exprs[expr.operands[0]].type) == 1) {
+        if (count == 1) return {vector};
+        return {type_text(p.globals, expr.type, p.use_namespaces) + "(" + vector + ")"};
+    }
+    if (count == 1) return {vector + "." + letters[expr.lanes[0]]};
+    bool in_order = count < p.program.types.components(p.program.exprs[expr.operands[0]].type);
+    std::string lanes, name;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        in_order = in_order && expr.lanes[i] == expr.lanes[0] + i;
+        lanes += (i ? ", " : "") + std::to_string(expr.lanes[i]);
+        name += letters[expr.lanes[i]];
+    }
+    if (in_order) return {vector + "." + name + "()"};
+    return {"glift::swizzle<" + lanes + ">(" + vector + ")"};
+}
+
+Text print_index(Printer& p, const Expr& expr) {
+    const Expr& index = p.program.exprs[expr.operands[1]];
+    const std::string base = print(p, expr.operands[0], Level::postfix);
+    if (index.op == Op::constant && p.program.types.is_vector(p.program.exprs[expr.operands[0]].type) && index.bits < 4)
+        return {base + "." + "xyzw"[index.bits]};
+    return {base + "[" + print_any(p, expr.operands[1]) + "]"};
+}
+
+bool is_workgroup_atomic(ir::Intrinsic intrinsic) {
+    return ir::name_of(intrinsic).starts_with("atomic");
+}
+
+Text print_local(Printer& p, ir::LocalId local) {
+    if (p.used_locals) p.used_locals->insert(local);
+    if (p.outer_local) {
+        if (std::string text = p.outer_local(local); !text.empty()) return {text};
+    }
+    if (auto found = p.local_names.find(local); found != p.local_names.end()) return {found->second};
+    return {declare_local(p, local)};
+}
+
+}  // namespace
+
+std::string wrap(Text text, Level least) {
+    return text.level < least ? "(" + text.text + ")" : std::move(text.text);
+}
+
+std::string print(Printer& p, ExprId expr, Level least) {
+    return wrap(print(p, expr), least);
+}
+
+std::string print_any(Printer& p, ExprId expr) {
+    return print(p, expr).text;
+}
+
+std::string join_arguments(Printer& p, const std::vector<ExprId>& arguments) {
+    std::string text;
+    for (ExprId argument : arguments) text += (text.empty() ? "" : ", ") + print_any(p, argument);
+    return text;
+}
+
+Text print(Printer& p, ExprId id) {
+    const Expr& expr = p.program.exprs[id];
+    switch (expr.op) {
+    case Op::constant: {
+        std::string text = literal(p.program, expr.type, expr.bits, expr.number);
+        const Level level = text.starts_with('-') ? Level::unary : Level::postfix;
+        return {std::move(text), level};
+    }
+    case Op::local: return print_local(p, expr.local);
+    case Op::construct: return print_construct(p, expr);
+    case Op::convert: return print_convert(p, expr);
+    case Op::unary: {
+        const char* sign = expr.unary == ir::UnaryOp::minus ? "-" : expr.unary == ir::UnaryOp::logical_not ? "!" : "~";
+        std::string operand = print(p, expr.operands[0], Level::unary);
+        if (operand.starts_with(sign)) operand = "(" + operand + ")";
+        return {sign + operand, Level::unary};
+    }
+    case Op::binary: return print_binary(p, expr);
+    case Op::select:
+        return {print(p, expr.operands[0], Level::logical_or) + " ? " + print(p, expr.operands[1], Level::logical_or) + " : " +
+                    print(p, expr.operands[2], Level::ternary),
+                Level::ternary};
+    case Op::swizzle: return print_swizzle(p, expr);
+    case Op::index: return print_index(p, expr);
+    case Op::field: {
+        const ir::Type& type = p.program.types[p.program.exprs[expr.operands[0]].type];
+        const ir::Name name = p.program.structs[type.index].fields[expr.slot].name;
+        std::string text = print(p, expr.operands[0], Level::postfix) + "." + identifier((*p.program.names)[name]);
+        if (p.program.types.is_vector(expr.type) && holds_bool(p.program, expr.type))
+            text = type_text(p.globals, expr.type, p.use_namespaces) + "(" + text + ")";
+        return {text};
+    }
+    case Op::call: return function_call(p, p.globals.function_names.at(expr.function), expr.operands);
+    case Op::intrinsic: {
+        const std::string scope = is_workgroup_atomic(expr.intrinsic) ? "glift::host::" : "glift::";
+        return function_call(p, scope + std::string(ir::name_of(expr.intrinsic)), expr.operands);
+    }
+    case Op::none: return {type_text(p.globals, expr.type, p.use_namespaces) + "()"};
+    case Op::some: return function_call(p, type_text(p.globals, expr.type, p.use_namespaces), expr.operands);
+    case Op::has_value: return {print(p, expr.operands[0], Level::postfix) + ".has_value()"};
+    case Op::value: return {"*" + print(p, expr.operands[0], Level::unary), Level::unary};
+    case Op::element: case Op::address: case Op::near: case Op::read: case Op::sample: case Op::member: case Op::memory_extent:
+    case Op::domain: case Op::range_size: case Op::state: case Op::translate: case Op::invocation: case Op::host_read:
+    case Op::device_read: case Op::await_value: case Op::slice: case Op::structure_value: case Op::pipeline_call:
+    case Op::parameter: case Op::load: case Op::image_load: case Op::image_sample: case Op::builtin: break;
+    }
+    return p.outer_expression(expr);
+}
+
+}  // namespace gliftc::cpp

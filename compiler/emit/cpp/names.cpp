@@ -1,0 +1,72 @@
+#include "emit/cpp/names.h"
+
+#include <algorithm>
+#include <array>
+
+namespace gliftc::cpp {
+
+namespace {
+
+constexpr auto words = std::to_array<std::string_view>({
+    "alignas", "alignof", "and", "and_eq", "asm", "auto", "bitand", "bitor", "bool", "break", "call", "case", "catch",
+    "char", "char16_t", "char32_t", "char8_t", "class", "co_await", "co_return", "co_yield", "commands", "compl", "concept",
+    "const", "const_cast", "consteval", "constexpr", "constinit", "continue", "decltype", "default", "delete", "device", "do",
+    "double", "dynamic_cast", "else", "enum", "explicit", "export", "extern", "false", "float", "for", "friend", "glift",
+    "goto", "half", "host", "if", "inline", "int", "linux", "long", "mutable", "namespace", "new", "noexcept", "not", "not_eq",
+    "nullptr", "operator", "or", "or_eq", "parameters", "private", "protected", "public", "register", "reinterpret_cast",
+    "requires", "return", "row", "short", "signed", "sizeof", "static", "static_assert", "static_cast", "std", "struct",
+    "switch", "template", "this", "thread_local", "throw", "true", "try", "typedef", "typeid", "typename", "uint", "union",
+    "unix", "unsigned", "using", "virtual", "void", "volatile", "wchar_t", "while", "xor", "xor_eq",
+});
+
+bool is_letter(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+
+/// float4, uint3x3 and the like: types of the language.
+bool is_type_name(std::string_view name) {
+    for (std::string_view scalar : {"bool", "int", "uint", "float", "half", "double"}) {
+        if (!name.starts_with(scalar)) continue;
+        std::string_view rest = name.substr(scalar.size());
+        if (rest.size() == 1 && is_digit(rest[0])) return true;
+        if (rest.size() == 3 && is_digit(rest[0]) && rest[1] == 'x' && is_digit(rest[2])) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+bool is_reserved(std::string_view name) {
+    return std::binary_search(words.begin(), words.end(), name) || is_type_name(name);
+}
+
+std::string identifier(std::string_view text) {
+    std::string result;
+    for (char c : text) {
+        if (is_letter(c) || is_digit(c)) result += c;
+        else if (!result.ends_with('_')) result += '_';
+    }
+    while (result.size() > 1 && result.ends_with('_')) result.pop_back();
+    if (result.empty() || is_digit(result[0])) result.insert(0, "n");
+    if (result[0] == '_') result.insert(0, "n");
+    if (is_reserved(result)) result += '_';
+    return result;
+}
+
+void Scopes::leave() {
+    for (const std::string& name : scopes_.back()) used_.erase(name);
+    scopes_.pop_back();
+}
+
+std::string Scopes::declare(std::string_view wanted) {
+    const std::string base = identifier(wanted);
+    std::string name = base;
+    for (int i = 2; !used_.insert(name).second; ++i) name = base + (base.ends_with('_') ? "" : "_") + std::to_string(i);
+    scopes_.back().push_back(name);
+    return name;
+}
+
+}  // namespace gliftc::cpp

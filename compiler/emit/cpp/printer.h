@@ -1,0 +1,84 @@
+// Expressions, statements and functions of the IR as C++: what host kernels and bindings share.
+#pragma once
+
+#include "emit/cpp/names.h"
+#include "emit/cpp/writer.h"
+#include "ir/ir.h"
+#include "source/source.h"
+
+#include <functional>
+#include <set>
+#include <unordered_map>
+
+namespace gliftc::cpp {
+
+/// How tightly an expression holds together; the operators of C++ from loose to tight.
+enum class Level : std::uint8_t {
+    ternary, logical_or, logical_and, bit_or, bit_xor, bit_and, equality, relation, shift, sum, term, unary, postfix,
+};
+
+struct Text {
+    std::string text;
+    Level level = Level::postfix;
+};
+
+/// Names that a whole generated file shares.
+struct Globals {
+    const ir::Program& program;
+    const Sources& sources;
+    Scopes names;                                              ///< of the module's namespace
+    std::vector<std::string> struct_names;                     ///< of Program::structs
+    std::vector<std::string> structure_names;                  ///< of Program::structures
+    std::unordered_map<ir::FunctionId, std::string> function_names;
+    std::unordered_map<std::uint32_t, std::string> kernel_names;   ///< of Program::kernels
+    std::unordered_map<std::uint32_t, std::string> pipeline_names;
+};
+
+/// Names every struct and structure of the program.
+Globals make_globals(const ir::Program& program, const Sources& sources);
+
+/// Prints one function, kernel or method body.
+struct Printer {
+    Globals& globals;
+    const ir::Program& program;
+    Writer out;
+    Scopes names;
+    std::unordered_map<ir::LocalId, std::string> local_names;
+    /// Spells the operations that refer to the surroundings: parameters, loads, members, pipelines' host operations.
+    std::function<Text(const ir::Expr&)> outer_expression;
+    std::function<void(const ir::Stmt&)> outer_statement;
+    /// What `return value;` is here; empty: as in C++.
+    std::function<void(ir::ExprId)> print_return;
+    /// How a local that is not simply a name is spelled (an array over the workgroup): may be empty.
+    std::function<std::string(ir::LocalId)> outer_local;
+    /// Called with each printed dependence on a local: who needs to know what is used.
+    std::set<ir::LocalId>* used_locals = nullptr;
+    bool use_namespaces = false;   ///< headers: glift::uint4, else uint4
+    std::uint32_t marked_file = 0xffffffffu, marked_line = 0;
+
+    explicit Printer(Globals& globals) : globals(globals), program(globals.program) {}
+};
+
+// types.cpp
+std::string type_text(const Globals& globals, ir::TypeId type, bool qualified = false);
+/// As memory holds it: bool is four bytes.
+std::string storage_text(const Globals& globals, ir::TypeId type, bool qualified = false);
+std::string literal(const ir::Program& program, ir::TypeId type, std::uint64_t bits, double number);
+bool holds_bool(const ir::Program& program, ir::TypeId type);
+
+// expressions.cpp
+Text print(Printer& p, ir::ExprId expr);
+std::string print(Printer& p, ir::ExprId expr, Level least);   ///< in parentheses if looser than `least`
+std::string print_any(Printer& p, ir::ExprId expr);
+std::string join_arguments(Printer& p, const std::vector<ir::ExprId>& arguments);
+std::string wrap(Text text, Level least);
+
+// statements.cpp
+void print_statements(Printer& p, const std::vector<ir::StmtId>& body);
+void print_statement(Printer& p, ir::StmtId stmt);
+std::string declare_local(Printer& p, ir::LocalId local);
+void mark_line(Printer& p, Span span);                         ///< a comment with the source line where it changes
+std::string place_text(const Sources& sources, Span span);     ///< laplacian.glift:8
+std::string print_function(Globals& globals, ir::FunctionId function);   ///< a whole function without surroundings
+
+}  // namespace gliftc::cpp

@@ -1,0 +1,193 @@
+// Statements and whole functions as C++.
+#include "emit/cpp/printer.h"
+
+namespace gliftc::cpp {
+
+namespace {
+
+using ir::BinaryOp;
+using ir::Expr;
+using ir::ExprId;
+using ir::Op;
+using ir::Stmt;
+using ir::StmtOp;
+
+/// "+=" and the like where `a = a op b` may be written so; else empty.
+std::string_view compound_of(BinaryOp op) {
+    switch (op) {
+    case BinaryOp::multiply: return " *= ";
+    case BinaryOp::add: return " += ";
+    case BinaryOp::subtract: return " -= ";
+    case BinaryOp::bit_and: return " &= ";
+    case BinaryOp::bit_xor: return " ^= ";
+    case BinaryOp::bit_or: return " |= ";
+    case BinaryOp::divide: case BinaryOp::remainder: case BinaryOp::shift_left: case BinaryOp::shift_right: case BinaryOp::less:
+    case BinaryOp::less_equal: case BinaryOp::greater: case BinaryOp::greater_equal: case BinaryOp::equal:
+    case BinaryOp::not_equal: case BinaryOp::logical_and: case BinaryOp::logical_or: return "";
+    }
+    return "";
+}
+
+void print_assign(Printer& p, const Stmt& stmt) {
+    const Expr& target = p.program.exprs[stmt.target];
+    const std::uint32_t lanes = target.op == Op::swizzle ? p.program.types.components(target.type) : 1;
+    if (lanes > 1) {
+        std::string list;
+        for (std::uint32_t i = 0; i < lanes; ++i) list += (i ? ", " : "") + std::to_string(target.lanes[i]);
+        p.out.line("glift::assign_swizzle<" + list + ">(" + print_any(p, target.operands[0]) + ", " + print_any(p, stmt.value) + ");");
+        return;
+    }
+    const std::string left = print_any(p, stmt.target);
+    const Expr& value = p.program.exprs[stmt.value];
+    if (value.op == Op::binary && !compound_of(value.binary).empty() && print_any(p, value.operands[0]) == left) {
+        p.out.line(left + std::string(compound_of(value.binary)) + print_any(p, value.operands[1]) + ";");
+        return;
+    }
+    p.out.line(left + " = " + print_any(p, stmt.value) + ";");
+}
+
+void print_let(Printer& p, const Stmt& stmt) {
+    const ir::Local& local = p.program.locals[stmt.local];
+    const bool outer = p.outer_local && !p.outer_local(stmt.local).empty();
+    const std::string value = stmt.value ? print_any(p, stmt.value) : "";
+    if (outer) {
+        p.out.line(p.outer_local(stmt.local) + " = " + (stmt.value ? value : "{}") + ";");
+        return;
+    }
+    const std::string name = declare_local(p, stmt.local);
+    const std::string type = (local.is_mutable ? "" : "const ") + type_text(p.globals, local.type, p.use_namespaces);
+    p.out.line(type + " " + name + (stmt.value ? " = " + value : "{}") + ";");
+}
+
+void print_nested(Printer& p, const std::vector<ir::StmtId>& body) {
+    p.names.enter();
+    print_statements(p, body);
+    p.names.leave();
+}
+
+void print_if(Printer& p, const Stmt& stmt) {
+    p.out.open("if (" + print_any(p, stmt.value) + ")");
+    print_nested(p, stmt.body);
+    const Stmt* rest = &stmt;
+    while (!rest->otherwise.empty()) {
+        const Stmt& next = p.program.stmts[rest->otherwise[0]];
+        if (rest->otherwise.size() == 1 && next.op == StmtOp::if_ && next.comment.empty()) {
+            p.out.dedent();
+            p.out.open("} else if (" + print_any(p, next.value) + ")");
+            print_nested(p, next.body);
+            rest = &next;
+            continue;
+        }
+        p.out.dedent();
+        p.out.open("} else");
+        print_nested(p, rest->otherwise);
+        break;
+    }
+    p.out.close();
+}
+
+/// A loop limit that can be named again in each round.
+bool is_steady(const Printer& p, ExprId id) {
+    const Expr& expr = p.program.exprs[id];
+    return expr.op == Op::constant || expr.op == Op::parameter ||
+           (expr.op == Op::local && !p.program.locals[expr.local].is_mutable);
+}
+
+void print_for(Printer& p, const Stmt& stmt) {
+    p.names.enter();
+    const std::string first = print_any(p, stmt.value), limit = print(p, stmt.limit, Level::shift);
+    const std::string type = type_text(p.globals, p.program.locals[stmt.local].type, p.use_namespaces);
+    const std::string name = declare_local(p, stmt.local);
+    if (is_steady(p, stmt.limit)) {
+        p.out.open("for (" + type + " " + name + " = " + first + "; " + name + " < " + limit + "; ++" + name + ")");
+    } else {
+        const std::string end = p.names.declare(name + "_end");
+        p.out.open("for (" + type + " " + name + " = " + first + ", " + end + " = " + print_any(p, stmt.limit) + "; " + name +
+                   " < " + end + "; ++" + name + ")");
+    }
+    print_nested(p, stmt.body);
+    p.out.close();
+    p.names.leave();
+}
+
+void print_return(Printer& p, const Stmt& stmt) {
+    if (p.print_return) p.print_return(stmt.value);
+    else if (stmt.value) p.out.line("return " + print_any(p, stmt.value) + ";");
+    else p.out.line("return;");
+}
+
+}  // namespace
+
+std::string declare_local(Printer& p, ir::LocalId local) {
+    std::string name = p.names.declare((*p.program.names)[p.program.locals[local].name]);
+    p.local_names[local] = name;
+    return name;
+}
+
+std::string place_text(const Sources& sources, Span span) {
+    if (!span) return "";
+    const std::string& path = sources[span.file].path;
+    const std::size_t slash = path.rfind('/');
+    return path.substr(slash == std::string::npos ? 0 : slash + 1) + ":" + std::to_string(sources.position(span).line);
+}
+
+void mark_line(Printer& p, Span span) {
+    if (!span) return;
+    const std::uint32_t line = p.globals.sources.position(span).line;
+    if (span.file == p.marked_file && line == p.marked_line) return;
+    p.marked_file = span.file;
+    p.marked_line = line;
+    p.out.line("// " + place_text(p.globals.sources, span));
+}
+
+void print_statements(Printer& p, const std::vector<ir::StmtId>& body) {
+    for (ir::StmtId stmt : body) print_statement(p, stmt);
+}
+
+void print_statement(Printer& p, ir::StmtId id) {
+    const Stmt& stmt = p.program.stmts[id];
+    if (stmt.op != StmtOp::block) mark_line(p, stmt.span);
+    if (!stmt.comment.empty()) p.out.line("// " + stmt.comment);
+    switch (stmt.op) {
+    case StmtOp::let: return print_let(p, stmt);
+    case StmtOp::assign: return print_assign(p, stmt);
+    case StmtOp::if_: return print_if(p, stmt);
+    case StmtOp::for_: return print_for(p, stmt);
+    case StmtOp::while_:
+        p.out.open("while (" + print_any(p, stmt.value) + ")");
+        print_nested(p, stmt.body);
+        return p.out.close();
+    case StmtOp::break_: return p.out.line("break;");
+    case StmtOp::continue_: return p.out.line("continue;");
+    case StmtOp::return_: return print_return(p, stmt);
+    case StmtOp::block:
+        if (stmt.body.empty()) return;
+        p.out.open(std::string("{").substr(1));
+        print_nested(p, stmt.body);
+        return p.out.close();
+    case StmtOp::evaluate: return p.out.line(print_any(p, stmt.value) + ";");
+    case StmtOp::barrier: case StmtOp::set_element: case StmtOp::write: case StmtOp::temp: case StmtOp::release:
+    case StmtOp::dispatch: case StmtOp::expect: case StmtOp::expect_near: case StmtOp::expect_same: case StmtOp::host_assign:
+    case StmtOp::store: case StmtOp::image_store: case StmtOp::atomic: break;
+    }
+    p.outer_statement(stmt);
+}
+
+std::string print_function(Globals& globals, ir::FunctionId id) {
+    const ir::Function& function = globals.program.functions[id];
+    Printer p(globals);
+    std::string parameters;
+    for (ir::LocalId local : function.params) {
+        const std::string type = type_text(globals, globals.program.locals[local].type);
+        parameters += (parameters.empty() ? "" : ", ") + type + " " + declare_local(p, local);
+    }
+    if (function.span) p.out.line("// " + place_text(globals.sources, function.span) + ": " + function.display);
+    p.out.open("inline " + type_text(globals, function.result) + " " + globals.function_names.at(id) + "(" + parameters + ")");
+    p.marked_file = function.span.file;
+    p.marked_line = function.span ? globals.sources.position(function.span).line : 0;
+    print_statements(p, function.body);
+    p.out.close();
+    return p.out.take();
+}
+
+}  // namespace gliftc::cpp

@@ -1,0 +1,98 @@
+#include "emit/cpp/writer.h"
+
+#include <vector>
+
+namespace gliftc::cpp {
+
+namespace {
+
+/// Where a line may be broken: after commas and before `&&`, `||`, `?`, `:` and `<<`, with the bracket depth there.
+struct Break {
+    std::size_t at;
+    int depth;
+};
+
+std::vector<Break> breaks_of(std::string_view text) {
+    std::vector<Break> breaks;
+    int depth = 0;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (c == '"' || c == '\'') {
+            for (std::size_t end = i + 1; end < text.size(); ++end) {
+                if (text[end] == '\\') ++end;
+                else if (text[end] == c) {
+                    i = end;
+                    break;
+                }
+            }
+        } else if (c == '(' || c == '[' || c == '{') {
+            ++depth;
+        } else if (c == ')' || c == ']' || c == '}') {
+            --depth;
+        } else if (c == ',' && i + 1 < text.size() && text[i + 1] == ' ') {
+            breaks.push_back({i + 2, depth});
+        } else if (c == ' ' && i + 3 < text.size()) {
+            const std::string_view next = text.substr(i + 1, 3);
+            if (next == "&& " || next == "|| " || next.starts_with("? ") || next.starts_with(": ") || next.starts_with("+ "))
+                breaks.push_back({i + 1, depth});
+        }
+    }
+    return breaks;
+}
+
+}  // namespace
+
+void Writer::line(std::string_view text) {
+    std::string indent(static_cast<std::size_t>(depth_) * 4, ' ');
+    std::string_view comment = text.starts_with("//") ? text : std::string_view();
+    while (comment.empty() && indent.size() + text.size() > line_width) {
+        const std::size_t room = line_width - indent.size();
+        std::size_t best = 0;
+        int best_depth = 1 << 30;
+        for (const Break& candidate : breaks_of(text)) {
+            if (candidate.at > room + 1) break;
+            if (candidate.at < room / 3) continue;
+            if (candidate.depth <= best_depth) best = candidate.at, best_depth = candidate.depth;
+        }
+        if (best == 0) break;
+        std::string_view head = text.substr(0, best);
+        while (head.ends_with(' ')) head.remove_suffix(1);
+        out_ += indent;
+        out_ += head;
+        out_ += '\n';
+        text.remove_prefix(best);
+        indent.assign(static_cast<std::size_t>(depth_ + 1) * 4, ' ');
+    }
+    if (!text.empty()) out_ += indent;
+    out_ += text;
+    out_ += '\n';
+}
+
+void Writer::gap() {
+    if (out_.empty() || out_.ends_with("\n\n") || out_.ends_with("{\n") || out_.ends_with(":\n")) return;
+    out_ += '\n';
+}
+
+void Writer::open(std::string_view text) {
+    line(std::string(text) + " {");
+    ++depth_;
+}
+
+void Writer::close(std::string_view after) {
+    --depth_;
+    while (out_.ends_with("\n\n")) out_.pop_back();
+    line("}" + std::string(after));
+}
+
+void write_doc(Writer& writer, std::string_view doc) {
+    while (!doc.empty()) {
+        const std::size_t end = doc.find('\n');
+        std::string_view line = doc.substr(0, end);
+        while (line.ends_with(' ')) line.remove_suffix(1);
+        if (line.starts_with(' ')) line.remove_prefix(1);
+        writer.line(line.empty() ? "///" : "/// " + std::string(line));
+        doc = end == std::string_view::npos ? std::string_view() : doc.substr(end + 1);
+    }
+}
+
+}  // namespace gliftc::cpp

@@ -1,0 +1,37 @@
+// Text made line by line, indented by four spaces a block.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace gliftc::cpp {
+
+inline constexpr std::size_t line_width = 120;
+
+class Writer {
+public:
+    /// One line at the present depth. A line too long is broken after a comma of the outermost parentheses that allow it.
+    void line(std::string_view text);
+    /// Ends what is written so far with one empty line (never two).
+    void gap();
+    /// `text {` and one level deeper.
+    void open(std::string_view text);
+    /// One level less deep and `}` followed by `after`.
+    void close(std::string_view after = "");
+    void indent() { ++depth_; }
+    void dedent() { --depth_; }
+    /// As it is: preprocessor lines, finished pieces.
+    void raw(std::string_view text) { out_ += text; }
+
+    const std::string& text() const { return out_; }
+    std::string take() { return std::move(out_); }
+
+private:
+    std::string out_;
+    int depth_ = 0;
+};
+
+/// `/// ` lines for a documentation comment; nothing for an empty one.
+void write_doc(Writer& writer, std::string_view doc);
+
+}  // namespace gliftc::cpp
