@@ -40,7 +40,8 @@ function(glift_compile)
             OUTPUT ${stamp}
             BYPRODUCTS ${header} ${code}
             COMMAND glift::gliftc -o ${out} --depfile ${out}/${name}.d --target=cpp --target=host ${arguments} ${source}
-            COMMAND ${CMAKE_COMMAND} -E touch ${stamp}
+            COMMAND ${CMAKE_COMMAND} -D DEPFILE=${out}/${name}.d -D STAMP=${stamp}
+                    -P ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/GliftDepfile.cmake
             DEPENDS ${source} $<TARGET_FILE:glift::gliftc>
             DEPFILE ${out}/${name}.d
             COMMENT "Compiling ${name}.glift"

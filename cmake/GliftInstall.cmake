@@ -19,5 +19,6 @@ if(TARGET gliftc AND TARGET glift_runtime)
         ${PROJECT_BINARY_DIR}/gliftConfig.cmake INSTALL_DESTINATION ${config_dir})
     write_basic_package_version_file(${PROJECT_BINARY_DIR}/gliftConfigVersion.cmake COMPATIBILITY SameMinorVersion)
     install(FILES ${PROJECT_BINARY_DIR}/gliftConfig.cmake ${PROJECT_BINARY_DIR}/gliftConfigVersion.cmake
-                  ${PROJECT_SOURCE_DIR}/cmake/GliftCompile.cmake DESTINATION ${config_dir})
+                  ${PROJECT_SOURCE_DIR}/cmake/GliftCompile.cmake ${PROJECT_SOURCE_DIR}/cmake/GliftDepfile.cmake
+            DESTINATION ${config_dir})
 endif()
