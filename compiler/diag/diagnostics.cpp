@@ -76,8 +76,15 @@ std::string_view text_of(Diag id) { return entry_of(id).text; }
 
 Diagnostic& Diagnostics::report(Diag id, Span span, std::initializer_list<std::string_view> arguments) {
     Severity severity = severity_of(id);
-    if (severity == Severity::warning && warnings_are_errors) severity = Severity::error;
-    bool repeated = std::any_of(all_.begin(), all_.end(), [&](const Diagnostic& earlier) {
+    auto among = [id](const std::vector<Diag>& ids) { return std::find(ids.begin(), ids.end(), id) != ids.end(); };
+    if (severity == Severity::warning && among(silenced)) {
+        dropped_ = {};
+        return dropped_;
+    }
+    if (severity == Severity::warning && (warnings_are_errors || among(promoted))) severity = Severity::error;
+    // Only the latest are looked at: repetitions come soon after, and thousands of warnings must not cost their square.
+    auto latest = all_.size() > 100 ? all_.end() - 100 : all_.begin();
+    bool repeated = std::any_of(latest, all_.end(), [&](const Diagnostic& earlier) {
         bool same_place = span && earlier.span == span;
         return same_place && (earlier.id == id || (severity == Severity::error && earlier.severity == Severity::error));
     });
@@ -88,6 +95,13 @@ Diagnostic& Diagnostics::report(Diag id, Span span, std::initializer_list<std::s
     if (severity == Severity::error) ++errors_;
     all_.push_back({id, severity, span, fill(text_of(id), arguments), {}});
     return all_.back();
+}
+
+std::optional<Diag> find_diagnostic(std::string_view id) {
+    const auto& ids = shown_ids();
+    auto found = std::find(ids.begin(), ids.end(), id);
+    if (found == ids.end()) return std::nullopt;
+    return static_cast<Diag>(found - ids.begin());
 }
 
 std::string_view did_you_mean(std::string_view name, const std::vector<std::string_view>& candidates) {

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <initializer_list>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -49,6 +50,8 @@ public:
     const std::vector<Diagnostic>& all() const { return all_; }
 
     bool warnings_are_errors = false;
+    std::vector<Diag> silenced;                   ///< warnings left out (-Wno-…)
+    std::vector<Diag> promoted;                   ///< warnings that are errors (-Werror=…)
     std::size_t error_limit = 50;                 ///< errors kept; 0 is no limit
     bool at_limit() const { return error_limit != 0 && errors_ >= error_limit; }
 
@@ -57,6 +60,9 @@ private:
     std::size_t errors_ = 0;
     Diagnostic dropped_{};
 };
+
+/// The diagnostic of an id as users write it: "unknown-name".
+std::optional<Diag> find_diagnostic(std::string_view id);
 
 /// The candidate nearest to `name` by edit distance, if near enough to be meant; else empty.
 std::string_view did_you_mean(std::string_view name, const std::vector<std::string_view>& candidates);

@@ -1,0 +1,80 @@
+#include "driver/compile.h"
+
+#include "syntax/print.h"
+
+#include <chrono>
+
+namespace gliftc {
+
+namespace {
+
+/// Times the stages one after the other.
+class Stopwatch {
+public:
+    explicit Stopwatch(std::vector<StageTime>& times) : times_(times) {}
+    void lap(std::string_view stage) {
+        auto now = std::chrono::steady_clock::now();
+        times_.push_back({stage, std::chrono::duration<double, std::milli>(now - before_).count()});
+        before_ = now;
+    }
+
+private:
+    std::vector<StageTime>& times_;
+    std::chrono::steady_clock::time_point before_ = std::chrono::steady_clock::now();
+};
+
+std::string dump_syntax(const Compilation& c) {
+    std::string text;
+    for (const sema::LoadedModule& module : c.loaded.modules)
+        if (module.is_root) text += print(*module.tree, c.tree, c.names);
+    return text;
+}
+
+/// A space or a '#' ends a name in a Makefile, a '$' begins a variable.
+std::string escape_for_make(std::string_view path) {
+    std::string escaped;
+    for (char c : path) {
+        if (c == ' ' || c == '#') escaped += '\\';
+        if (c == '$') escaped += '$';
+        escaped += c;
+    }
+    return escaped;
+}
+
+}  // namespace
+
+Result compile(const Options& options, const FileSystem& files, Compilation& c) {
+    Result result;
+    Stopwatch clock(result.times);
+    auto stops_after = [&](Stage stage) { return c.diagnostics.has_errors() || options.stops_after(stage); };
+
+    c.loaded = load_modules(options, files, c.sources, c.names, c.tree, c.diagnostics);
+    clock.lap("syntax");
+    if (options.dump == Stage::syntax) result.dump = dump_syntax(c);
+    if (stops_after(Stage::syntax)) return result;
+
+    return result;
+}
+
+Diagnostics check_text(std::string_view text) {
+    Options options;
+    options.files = {"input.glift"};
+    Compilation compilation;
+    compile(options, only_text(std::string(text)), compilation);
+    return std::move(compilation.diagnostics);
+}
+
+std::string make_depfile(const Options& options, const Result& result, const Compilation& compilation) {
+    std::string rule;
+    for (const Output& output : result.outputs) {
+        std::string path = options.output_folder == "." ? output.name : options.output_folder + "/" + output.name;
+        rule += (rule.empty() ? "" : " ") + escape_for_make(path);
+    }
+    rule += ":";
+    for (std::uint32_t file = 0; file < compilation.sources.size(); ++file)
+        if (compilation.sources[file].path != "<stdin>") rule += " \\\n  " + escape_for_make(compilation.sources[file].path);
+    for (const std::string& path : compilation.read_files) rule += " \\\n  " + escape_for_make(path);
+    return rule + "\n";
+}
+
+}  // namespace gliftc

@@ -1,0 +1,54 @@
+#include "driver/command_line.h"
+#include "driver/commands.h"
+#include "driver/compile.h"
+
+#include <cstdio>
+
+namespace gliftc {
+
+namespace {
+
+void print_times(const Result& result) {
+    double all = 0;
+    for (const StageTime& time : result.times) all += time.milliseconds;
+    for (const StageTime& time : result.times)
+        std::fprintf(stderr, "%-10.*s %9.3f ms %5.1f %%\n", static_cast<int>(time.stage.size()), time.stage.data(), time.milliseconds,
+                     all > 0 ? 100 * time.milliseconds / all : 0.0);
+    std::fprintf(stderr, "%-10s %9.3f ms\n", "all", all);
+}
+
+/// False, with a message, where the file cannot be written.
+bool write_output(const std::string& path, const std::string& bytes) {
+    auto error = write_if_changed(path, bytes);
+    if (!error) return true;
+    std::fprintf(stderr, "error: cannot write '%s': %s\n", path.c_str(), error->c_str());
+    return false;
+}
+
+bool write_outputs(const Options& options, const Result& result, const Compilation& compilation) {
+    bool written = true;
+    for (const Output& output : result.outputs) written &= write_output(options.output_folder + "/" + output.name, output.bytes);
+    if (!options.depfile.empty()) written &= write_output(options.depfile, make_depfile(options, result, compilation));
+    return written;
+}
+
+}  // namespace
+
+int run_compile(const Options& options) {
+    // Never taken down: the process ends after this, and freeing a large tree takes longer than parsing it.
+    auto& compilation = *new Compilation;
+    configure(compilation.diagnostics, options);
+    Result result = compile(options, disk(), compilation);
+    int code = report(compilation, options);
+    std::fwrite(result.dump.data(), 1, result.dump.size(), stdout);
+    if (options.time_report) print_times(result);
+    if (code != 0 || options.check_only) return code;
+    if (options.list_outputs) {
+        for (const Output& output : result.outputs) std::printf("%s\n", output.name.c_str());
+        return code;
+    }
+    bool wanted = !options.stop_after && !options.dump;
+    return !wanted || write_outputs(options, result, compilation) ? code : static_cast<int>(ExitCode::source_errors);
+}
+
+}  // namespace gliftc

@@ -1,0 +1,100 @@
+#include "driver/file_system.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fcntl.h>
+#include <filesystem>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace gliftc {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t largest_file = std::size_t{1} << 30;
+
+/// A descriptor that closes itself.
+struct Descriptor {
+    int number;
+    ~Descriptor() {
+        if (number > 0) close(number);
+    }
+};
+
+ReadResult read_from_disk(const std::string& path) {
+    Descriptor file{path == "-" ? 0 : open(path.c_str(), O_RDONLY | O_CLOEXEC)};
+    if (file.number < 0) return {{}, std::strerror(errno)};
+    struct stat info {};
+    if (fstat(file.number, &info) != 0) return {{}, std::strerror(errno)};
+    if (S_ISDIR(info.st_mode)) return {{}, "it is a folder"};
+    std::string text;
+    std::size_t filled = 0;
+    text.resize(static_cast<std::size_t>(std::max<off_t>(info.st_size, 0)) + 1);
+    while (true) {
+        if (filled == text.size()) text.resize(text.size() * 2 + 4096);
+        ssize_t got = ::read(file.number, text.data() + filled, text.size() - filled);
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) return {{}, std::strerror(errno)};
+        if (got == 0) break;
+        filled += static_cast<std::size_t>(got);
+        if (filled > largest_file) return {{}, "it is larger than 1 GiB"};
+    }
+    text.resize(filled);
+    return {std::move(text), {}};
+}
+
+bool is_file(const std::string& path) {
+    struct stat info {};
+    return stat(path.c_str(), &info) == 0 && !S_ISDIR(info.st_mode);
+}
+
+std::vector<std::string> names_in(const std::string& folder) {
+    std::vector<std::string> names;
+    std::error_code error;
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+        names.push_back(entry->path().filename().string());
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+}  // namespace
+
+FileSystem disk() { return {read_from_disk, is_file, names_in}; }
+
+FileSystem only_text(std::string text) {
+    const std::string name = "input.glift";
+    return {[text = std::move(text), name](const std::string& path) {
+                return path == name ? ReadResult{text, {}} : ReadResult{{}, "there is no such file"};
+            },
+            [name](const std::string& path) { return path == name; },
+            [](const std::string&) { return std::vector<std::string>{}; }};
+}
+
+std::optional<std::string> write_if_changed(const std::string& path, const std::string& bytes) {
+    if (is_file(path)) {
+        ReadResult before = read_from_disk(path);
+        if (before.error.empty() && before.text == bytes) return std::nullopt;
+    }
+    std::error_code error;
+    if (fs::path parent = fs::path(path).parent_path(); !parent.empty()) fs::create_directories(parent, error);
+    std::FILE* file = std::fopen(path.c_str(), "wb");
+    if (!file) return std::strerror(errno);
+    bool written = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
+    written = std::fclose(file) == 0 && written;
+    if (!written) return std::strerror(errno);
+    return std::nullopt;
+}
+
+std::string library_beside_executable() {
+    char path[4096];
+    ssize_t length = readlink("/proc/self/exe", path, sizeof path);
+    if (length <= 0) return {};
+    fs::path executable(std::string(path, static_cast<std::size_t>(length)));
+    return (executable.parent_path().parent_path() / "share/glift/stdlib").string();
+}
+
+}  // namespace gliftc

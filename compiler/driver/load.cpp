@@ -1,0 +1,194 @@
+#include "driver/load.h"
+
+#include "syntax/parser.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <unordered_map>
+
+namespace gliftc {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::uint32_t not_found = ~0u;
+constexpr std::array<std::string_view, 5> library_folders{"math", "translators", "structures", "adaptors", "algorithms"};
+constexpr std::string_view library_prefix = "std.", extension = ".glift";
+
+class Loader {
+public:
+    Loader(const Options& options, const FileSystem& files, Sources& sources, Names& names, ast::Tree& tree, Diagnostics& diagnostics)
+        : options_(options), files_(files), sources_(sources), names_(names), tree_(tree), diagnostics_(diagnostics) {
+        library_ = options.library_folder.empty() ? library_beside_executable() : options.library_folder;
+    }
+
+    LoadedModules run() {
+        if (std::string path = find_in_library(sema::transfer_module); !path.empty()) load(path, {}, std::string(sema::transfer_module));
+        for (const std::string& file : options_.files) {
+            std::uint32_t index = load(file, {}, {});
+            if (index != not_found) loaded_.modules[index].is_root = true;
+        }
+        return std::move(loaded_);
+    }
+
+private:
+    struct File {
+        bool under_way = true;
+        std::uint32_t index = not_found;
+    };
+
+    /// The module's index, loading it if it is new. `use` is where it was asked for; `name` what it must be called, or empty.
+    std::uint32_t load(const std::string& path, Span use, const std::string& name) {
+        std::string key = path == "-" ? path : fs::path(path).lexically_normal().generic_string();
+        auto [entry, is_new] = known_.try_emplace(key);
+        if (!is_new) {
+            if (entry->second.under_way) report_cycle(use, name.empty() ? key : name);
+            return entry->second.index;
+        }
+        ReadResult read = files_.read(path);
+        if (!read.error.empty()) {
+            diagnostics_.report(Diag::cannot_read, use, {path, read.error});
+            entry->second.under_way = false;
+            return not_found;
+        }
+        std::uint32_t file = sources_.add(path == "-" ? "<stdin>" : key, std::move(read.text));
+        loaded_.trees.push_back(parse(file, sources_, names_, tree_, diagnostics_));
+        const ast::Module& module = loaded_.trees.back();
+        if (path != "-") check_name(module, key, name);
+        check_unique(module);
+        sema::LoadedModule loaded;
+        loaded.tree = &module;
+        under_way_.push_back(use);
+        for (const ast::Use& each : module.uses) loaded.uses.push_back(follow(each, key));
+        under_way_.pop_back();
+        loaded_.modules.push_back(std::move(loaded));
+        File& done = known_[key];
+        done = {false, static_cast<std::uint32_t>(loaded_.modules.size() - 1)};
+        return done.index;
+    }
+
+    std::uint32_t follow(const ast::Use& use, const std::string& from) {
+        bool relative = use.path.starts_with("./") || use.path.starts_with("../");
+        std::string path = relative ? find_beside(use.path, from) : find_by_name(use.path, from);
+        if (!path.empty()) return load(path, use.span, relative ? std::string() : use.path);
+        report_missing(use, from);
+        return not_found;
+    }
+
+    static fs::path folder_of(const std::string& file) { return file == "-" ? fs::path() : fs::path(file).parent_path(); }
+
+    static std::string as_path(std::string_view dotted) {
+        std::string path(dotted);
+        std::replace(path.begin(), path.end(), '.', '/');
+        return path + std::string(extension);
+    }
+
+    std::string if_there(const fs::path& path) const {
+        std::string name = path.lexically_normal().generic_string();
+        return files_.exists(name) ? name : std::string();
+    }
+
+    std::string find_beside(const std::string& path, const std::string& from) const {
+        return if_there(folder_of(from) / (path + std::string(extension)));
+    }
+
+    std::string find_by_name(const std::string& name, const std::string& from) const {
+        if (name.starts_with(library_prefix)) return find_in_library(name);
+        std::string path = as_path(name);
+        if (std::string found = if_there(folder_of(from) / path); !found.empty()) return found;
+        for (const std::string& folder : options_.import_folders)
+            if (std::string found = if_there(fs::path(folder) / path); !found.empty()) return found;
+        return {};
+    }
+
+    std::string find_in_library(std::string_view name) const {
+        if (library_.empty()) return {};
+        std::string path = as_path(name.substr(library_prefix.size()));
+        for (std::string_view folder : library_folders)
+            if (std::string found = if_there(fs::path(library_) / folder / path); !found.empty()) return found;
+        return if_there(fs::path(library_) / path);
+    }
+
+    /// The module's name is the one it was asked for by; a file named by path holds a module that ends in the file's name.
+    void check_name(const ast::Module& module, const std::string& path, const std::string& asked) {
+        const std::string& name = names_[module.name.name];
+        if (name.empty()) return;
+        std::string stem = fs::path(path).filename().string();
+        if (stem.ends_with(extension)) stem.resize(stem.size() - extension.size());
+        std::string_view last = std::string_view(name).substr(name.rfind('.') + 1);
+        bool fits = asked.empty() ? last == stem || last == stem.substr(0, stem.find('.')) || name == stem : name == asked;
+        if (!fits) diagnostics_.report(Diag::module_name, module.name.span, {name, asked.empty() ? stem : asked});
+    }
+
+    void check_unique(const ast::Module& module) {
+        if (!module.name.name) return;
+        auto [earlier, is_new] = by_name_.try_emplace(module.name.name, module.name.span);
+        if (is_new) return;
+        auto& error = diagnostics_.report(Diag::duplicate_name, module.name.span, {names_[module.name.name]});
+        error.notes.push_back({earlier->second, "another file holds this module"});
+    }
+
+    void report_cycle(Span use, const std::string& name) {
+        auto& error = diagnostics_.report(Diag::import_cycle, use, {name});
+        for (auto step = under_way_.rbegin(); step != under_way_.rend() && *step; ++step)
+            error.notes.push_back({*step, "by way of this"});
+    }
+
+    void report_missing(const ast::Use& use, const std::string& from) {
+        std::vector<std::string> candidates = modules_near(use, from);
+        auto& error = diagnostics_.report(Diag::unknown_module, use.span, {use.path});
+        std::vector<std::string_view> views(candidates.begin(), candidates.end());
+        if (auto meant = did_you_mean(use.path, views); !meant.empty()) {
+            error.notes.push_back({{}, "did you mean '" + std::string(meant) + "'?"});
+        } else if (use.path.starts_with(library_prefix)) {
+            error.notes.push_back({{}, "the standard library is looked for in '" + library_ + "'"});
+        } else if (!use.path.starts_with(".")) {
+            error.notes.push_back({{}, "it would be '" + as_path(use.path) + "' beside this file or in a folder given by -I"});
+        }
+    }
+
+    /// What could have been meant: modules in the folders that were searched, named as `use` names them.
+    std::vector<std::string> modules_near(const ast::Use& use, const std::string& from) const {
+        std::vector<std::string> names;
+        auto add_folder = [&](const fs::path& folder, const std::string& prefix) {
+            for (const std::string& name : files_.list(folder.empty() ? "." : folder.string()))
+                if (name.ends_with(extension)) names.push_back(prefix + name.substr(0, name.size() - extension.size()));
+        };
+        for (std::string_view folder : library_folders) add_folder(fs::path(library_) / folder, std::string(library_prefix));
+        if (use.path.starts_with("./") || use.path.starts_with("../")) {
+            std::string prefix = use.path.substr(0, use.path.rfind('/') + 1);
+            add_folder((folder_of(from) / prefix).lexically_normal(), prefix);
+            return names;
+        }
+        std::size_t dot = use.path.rfind('.');
+        std::string prefix = dot == std::string::npos ? "" : use.path.substr(0, dot + 1);
+        std::string below = prefix;
+        std::replace(below.begin(), below.end(), '.', '/');
+        add_folder(folder_of(from) / below, prefix);
+        for (const std::string& folder : options_.import_folders) add_folder(fs::path(folder) / below, prefix);
+        return names;
+    }
+
+    const Options& options_;
+    const FileSystem& files_;
+    Sources& sources_;
+    Names& names_;
+    ast::Tree& tree_;
+    Diagnostics& diagnostics_;
+    std::string library_;
+    LoadedModules loaded_;
+    std::unordered_map<std::string, File> known_;
+    std::unordered_map<Name, Span> by_name_;
+    std::vector<Span> under_way_;
+};
+
+}  // namespace
+
+LoadedModules load_modules(const Options& options, const FileSystem& files, Sources& sources, Names& names, ast::Tree& tree,
+                           Diagnostics& diagnostics) {
+    return Loader(options, files, sources, names, tree, diagnostics).run();
+}
+
+}  // namespace gliftc

@@ -1,0 +1,24 @@
+// Finds, reads and parses the files of a compilation and all that they import.
+//
+// `use std.a` is <library>/<folder>/a.glift in the first of its folders that has it; `use ./a` is beside the file; `use a.b` is
+// a/b.glift beside the file that names it, else in the first -I folder that has it.
+#pragma once
+
+#include "driver/file_system.h"
+#include "driver/options.h"
+#include "sema/check.h"
+
+#include <deque>
+#include <vector>
+
+namespace gliftc {
+
+struct LoadedModules {
+    std::deque<ast::Module> trees;
+    std::vector<sema::LoadedModule> modules;  ///< imports before importers, each once
+};
+
+LoadedModules load_modules(const Options& options, const FileSystem& files, Sources& sources, Names& names, ast::Tree& tree,
+                           Diagnostics& diagnostics);
+
+}  // namespace gliftc

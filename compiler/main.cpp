@@ -1,0 +1,58 @@
+// gliftc: reads the command line, runs the command.
+#include "driver/command_line.h"
+#include "driver/commands.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <stdexcept>
+
+namespace {
+
+int run(const gliftc::Options& options) {
+    switch (options.command) {
+    case gliftc::Command::compile: return gliftc::run_compile(options);
+#if __has_include("driver/test_command.cpp")
+    case gliftc::Command::test: return gliftc::run_tests(options);
+#else
+    case gliftc::Command::test: break;
+#endif
+#if __has_include("driver/explain_command.cpp")
+    case gliftc::Command::explain: return gliftc::run_explain(options);
+#else
+    case gliftc::Command::explain: break;
+#endif
+#if __has_include("driver/format_command.cpp")
+    case gliftc::Command::fmt: return gliftc::run_format(options);
+#else
+    case gliftc::Command::fmt: break;
+#endif
+    }
+    throw std::runtime_error("this command is not built in");
+}
+
+int internal_error(const char* what) {
+    std::fprintf(stderr,
+                 "gliftc: internal error: %s\n"
+                 "This is a bug in gliftc, not in your program. Please report it with the .glift file and this message.\n",
+                 what);
+    return static_cast<int>(gliftc::ExitCode::internal_error);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    int code = 0;
+    try {
+        auto read = gliftc::read_command_line(argc, argv);
+        const auto* options = std::get_if<gliftc::Options>(&read);
+        code = options ? run(*options) : static_cast<int>(std::get<gliftc::ExitCode>(read));
+    } catch (const std::exception& error) {
+        code = internal_error(error.what());
+    } catch (...) {
+        code = internal_error("an exception of unknown type");
+    }
+    // Without taking static objects down: nothing is left to do but to end.
+    std::fflush(nullptr);
+    std::_Exit(code);
+}
