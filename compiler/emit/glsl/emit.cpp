@@ -1,0 +1,166 @@
+// A whole compute shader.
+#include "emit/glsl/emit.h"
+
+#include "emit/glsl/printer.h"
+
+#include <cctype>
+
+namespace gliftc::glsl {
+
+namespace {
+
+std::string capitalised(std::string name) {
+    name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
+    return name;
+}
+
+void name_structs(Printer& p) {
+    for (const ir::Struct& s : p.program.structs) {
+        p.struct_names.push_back(p.names.declare(s.display.empty() ? (*p.program.names)[s.name] : s.display));
+        Scopes fields;
+        std::vector<std::string> names;
+        for (const ir::StructField& field : s.fields) names.push_back(fields.declare((*p.program.names)[field.name]));
+        p.field_names.push_back(std::move(names));
+    }
+}
+
+/// Everything outside functions is named first, so that no local hides it.
+void name_globals(Printer& p) {
+    for (const ir::PassParameter& parameter : p.pass.parameters)
+        p.parameter_names.push_back(parameter.source == ir::ParameterSource::address ? "" : p.names.declare(parameter.name));
+    for (const ir::PassBinding& binding : p.pass.bindings) p.binding_names.push_back(p.names.declare(binding.name));
+    for (const std::string& name : p.binding_names) p.block_names.push_back(p.names.declare(capitalised(name)));
+    for (std::size_t i = 0; i < p.pass.parameters.size(); ++i) {
+        const ir::PassParameter& parameter = p.pass.parameters[i];
+        if (parameter.source != ir::ParameterSource::address) continue;
+        p.parameter_names[i] = p.binding_names.at(parameter.param);
+        p.binding_names[parameter.param] += ".at";
+    }
+    name_structs(p);
+    for (ir::LocalId id : p.pass.shared) p.local_names[id] = p.names.declare((*p.program.names)[p.program.locals[id].name]);
+    for (ir::FunctionId id : p.pass.functions) {
+        const ir::Function& function = p.program.functions[id];
+        const std::string& name = (*p.program.names)[function.name];
+        p.function_names[id] = p.names.declare(p.names.is_free(name) || function.display.empty() ? name : function.display);
+    }
+}
+
+std::string take(Printer& p) {
+    std::string text = std::move(p.out);
+    p.out.clear();
+    return text;
+}
+
+std::string function_text(Printer& p, ir::FunctionId id) {
+    const ir::Function& function = p.program.functions[id];
+    p.names.enter();
+    std::string parameters;
+    for (ir::LocalId param : function.params) {
+        const ir::Local& local = p.program.locals[param];
+        p.local_names[param] = p.names.declare((*p.program.names)[local.name]);
+        parameters += (parameters.empty() ? "" : ", ") + declaration(p, local.type, p.local_names[param]);
+    }
+    if (p.options.lines == LineMarks::comments && !function.display.empty() && function.display != (*p.program.names)[function.name])
+        line(p, "// " + function.display);
+    mark_line(p, function.span);
+    line(p, type_text(p, function.result) + " " + p.function_names.at(id) + "(" + parameters + ") {");
+    p.indent = 1;
+    print_body(p, function.body);
+    p.indent = 0;
+    line(p, "}");
+    p.names.leave();
+    p.last_line = {};
+    return take(p) + "\n";
+}
+
+/// Declares what the prologue declares; kernels without a group return where the invocation is beyond the range.
+void print_prologue(Printer& p, bool grouped) {
+    for (ir::StmtId id : p.pass.prologue) {
+        const ir::Stmt& stmt = p.program.stmts[id];
+        bool is_range_test = stmt.op == ir::StmtOp::let && p.pass.in_range && stmt.local == p.pass.in_range && stmt.value;
+        if (grouped || !is_range_test) {
+            print_statement(p, id);
+            continue;
+        }
+        line(p, "if (" + print_negated(p, stmt.value) + ") return;");
+        p.in_range_is_known = true;
+    }
+}
+
+std::string main_text(Printer& p) {
+    bool grouped = p.program.kernels[p.pass.kernel].grouped();
+    line(p, "void main() {");
+    p.names.enter();
+    p.indent = 1;
+    print_prologue(p, grouped);
+    print_body(p, p.pass.body);
+    p.indent = 0;
+    p.names.leave();
+    line(p, "}");
+    return take(p);
+}
+
+std::string shared_text(Printer& p) {
+    std::string text;
+    for (ir::LocalId id : p.pass.shared) text += "shared " + declaration(p, p.program.locals[id].type, p.local_names[id]) + ";\n";
+    return text.empty() ? "" : text + "\n";
+}
+
+std::string group_text(const ir::Pass& pass) {
+    std::string text = "layout(local_size_x = " + std::to_string(pass.group[0]);
+    if (pass.group[1] > 1 || pass.group[2] > 1) text += ", local_size_y = " + std::to_string(pass.group[1]);
+    if (pass.group[2] > 1) text += ", local_size_z = " + std::to_string(pass.group[2]);
+    return text + ") in;\n\n";
+}
+
+const char* form_text(ir::Form form) {
+    switch (form) {
+    case ir::Form::direct: return "whole ranges, shared state";
+    case ir::Form::general: return "any ranges, a state for each structure";
+    case ir::Form::wide: return "any ranges, a state for each structure, buffers by address";
+    }
+    return "";
+}
+
+std::string heading(Printer& p) {
+    const ir::Kernel& kernel = p.program.kernels[p.pass.kernel];
+    std::string name = kernel.display.empty() ? (*p.program.names)[kernel.name] : kernel.display, where;
+    if (kernel.span) where = ", " + file_name(p.sources[kernel.span.file].path) + ":" + std::to_string(p.sources.position(kernel.span).line);
+    return "// " + name + where + ": " + form_text(p.pass.form) + ".\n";
+}
+
+std::string enumerators_text(const Printer& p) {
+    std::string text;
+    for (const auto& [key, name] : p.enumerators)
+        text += "const uint " + name + " = " + std::to_string(p.program.enums[key.first].values[key.second]) + "u;\n";
+    return text.empty() ? "" : text + "\n";
+}
+
+std::string extensions_text(Printer& p) {
+    p.extensions.insert("GL_EXT_scalar_block_layout");
+    if (p.pass.form == ir::Form::wide) p.extensions.insert("GL_EXT_buffer_reference");
+    if (p.options.lines == LineMarks::directives) p.extensions.insert("GL_GOOGLE_cpp_style_line_directive");
+    std::string text;
+    for (const std::string& extension : p.extensions) text += "#extension " + extension + " : require\n";
+    return text + "\n";
+}
+
+}  // namespace
+
+std::string glsl_of(const ir::Program& program, const Sources& sources, const ir::Pass& pass, const Options& options) {
+    Printer p(program, sources, pass, options);
+    name_globals(p);
+    // Bodies come first: they find out which types, helpers and extensions are needed.
+    std::string functions;
+    for (ir::FunctionId id : pass.functions) functions += function_text(p, id);
+    std::string main = main_text(p), shared = shared_text(p), bindings = bindings_text(p), parameters = parameters_text(p);
+    std::string atomics = atomic_definitions(p), helpers = helper_definitions(p), structs = struct_definitions(p);
+    if (!bindings.empty()) bindings += "\n";
+    if (!parameters.empty()) parameters += "\n";
+    // The addresses in the parameters of the wide form are of the buffers' types.
+    std::string interface = pass.form == ir::Form::wide ? bindings + parameters : parameters + bindings;
+    return "#version 460\n" + heading(p) + extensions_text(p) + group_text(pass) + enumerators_text(p) + structs + interface + shared +
+           helpers + atomics + functions + main;
+}
+
+}  // namespace gliftc::glsl

@@ -1,0 +1,25 @@
+// GLSL: a compute shader for one lowered kernel.
+#pragma once
+
+#include "ir/pass.h"
+#include "source/source.h"
+
+#include <string>
+
+namespace gliftc::glsl {
+
+/// How the shader says which source line a statement comes from.
+enum class LineMarks : std::uint8_t {
+    comments,    ///< `// laplacian.glift:9` where the line changes: for reading
+    directives,  ///< `#line 9 "laplacian.glift"` before each statement: for glslang's errors and debug information
+};
+
+struct Options {
+    LineMarks lines = LineMarks::comments;
+};
+
+/// The shader of `pass`: descriptor set 0, memory k at binding k + 1; parameters are push constants or, where
+/// !pass.push_constants, a storage buffer at binding 0; offsets are those of GL_EXT_scalar_block_layout.
+std::string glsl_of(const ir::Program& program, const Sources& sources, const ir::Pass& pass, const Options& options = {});
+
+}  // namespace gliftc::glsl

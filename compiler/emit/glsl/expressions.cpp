@@ -1,0 +1,311 @@
+// Expressions, with no more parentheses than a reader wants.
+#include "emit/glsl/printer.h"
+
+#include <stdexcept>
+
+namespace gliftc::glsl {
+
+using ir::BinaryOp;
+using ir::Expr;
+using ir::ExprId;
+using ir::Op;
+using ir::TypeId;
+using ir::TypeKind;
+
+namespace {
+
+struct Operator { const char* text; Level level; };
+
+Operator operator_of(BinaryOp op) {
+    switch (op) {
+    case BinaryOp::multiply: return {"*", Level::term};
+    case BinaryOp::divide: return {"/", Level::term};
+    case BinaryOp::remainder: return {"%", Level::term};
+    case BinaryOp::add: return {"+", Level::sum};
+    case BinaryOp::subtract: return {"-", Level::sum};
+    case BinaryOp::shift_left: return {"<<", Level::shift};
+    case BinaryOp::shift_right: return {">>", Level::shift};
+    case BinaryOp::less: return {"<", Level::relation};
+    case BinaryOp::less_equal: return {"<=", Level::relation};
+    case BinaryOp::greater: return {">", Level::relation};
+    case BinaryOp::greater_equal: return {">=", Level::relation};
+    case BinaryOp::equal: return {"==", Level::equality};
+    case BinaryOp::not_equal: return {"!=", Level::equality};
+    case BinaryOp::bit_and: return {"&", Level::bit_and};
+    case BinaryOp::bit_xor: return {"^", Level::bit_xor};
+    case BinaryOp::bit_or: return {"|", Level::bit_or};
+    case BinaryOp::logical_and: return {"&&", Level::logical_and};
+    case BinaryOp::logical_or: return {"||", Level::logical_or};
+    }
+    throw std::logic_error("emit/glsl: unknown operator");
+}
+
+/// Readers should not have to remember how shifts, bit operations and || bind: other operators in them get parentheses.
+bool is_easily_misread(Level outer) {
+    return outer == Level::shift || outer == Level::bit_and || outer == Level::bit_xor || outer == Level::bit_or || outer == Level::logical_or;
+}
+
+std::string operand_text(Printer& p, ExprId id, Level outer, bool is_right) {
+    Text text = print(p, id);
+    bool fits = is_right ? text.level > outer : text.level >= outer;
+    if (is_easily_misread(outer) && text.level != outer && text.level < Level::unary) fits = false;
+    return fits ? text.text : "(" + text.text + ")";
+}
+
+Text plain_binary(Printer& p, BinaryOp op, ExprId a, ExprId b) {
+    Operator o = operator_of(op);
+    return {operand_text(p, a, o.level, false) + " " + o.text + " " + operand_text(p, b, o.level, true), o.level};
+}
+
+Text helper_call(Printer& p, Helper helper, const Expr& expr, TypeId shape) {
+    ExprId a = expr.operands[0], b = expr.operands[1];
+    return {need(p, helper, shape) + "(" + print_as(p, a, shape) + ", " + print_as(p, b, shape) + ")"};
+}
+
+Text matrix_product(Printer& p, const Expr& expr) {
+    const ir::Types& types = p.program.types;
+    TypeId a = p.program.exprs[expr.operands[0]].type, b = p.program.exprs[expr.operands[1]].type;
+    Helper helper = types.is_matrix(a) ? (types.is_matrix(b) ? Helper::matrix_matrix : Helper::matrix_vector) : Helper::vector_matrix;
+    if (helper == Helper::matrix_vector) b = {};
+    return {need(p, helper, a, b) + "(" + print_any(p, expr.operands[0]) + ", " + print_any(p, expr.operands[1]) + ")"};
+}
+
+Text print_division(Printer& p, const Expr& expr) {
+    const ir::Types& types = p.program.types;
+    ExprId a = expr.operands[0], b = expr.operands[1];
+    TypeId scalar = types.scalar_of(expr.type);
+    bool remainder = expr.binary == BinaryOp::remainder;
+    if (types.is_floating(scalar)) {
+        if (remainder) return helper_call(p, Helper::modulo, expr, expr.type);
+        if (types.is_matrix(expr.type) && types.is_scalar(p.program.exprs[b].type))
+            return {need(p, Helper::matrix_scalar_quotient, expr.type) + "(" + print_any(p, a) + ", " + print_any(p, b) + ")"};
+        return plain_binary(p, expr.binary, a, b);
+    }
+    bool safe = divisor_is_safe(p, b);
+    if (types.is_signed(scalar)) {
+        if (safe && !remainder) return plain_binary(p, expr.binary, a, b);
+        return helper_call(p, remainder ? Helper::remainder : Helper::quotient, expr, expr.type);
+    }
+    if (safe) return plain_binary(p, expr.binary, a, b);
+    std::string one = types.kind(scalar) == TypeKind::uint64 ? "1ul" : "1u";
+    return {operand_text(p, a, Level::term, false) + (remainder ? " % " : " / ") + "max(" + print_any(p, b) + ", " + one + ")", Level::term};
+}
+
+Text print_shift(Printer& p, const Expr& expr) {
+    const ir::Types& types = p.program.types;
+    TypeKind kind = types.kind(types.scalar_of(expr.type));
+    std::uint32_t width = kind == TypeKind::int64 || kind == TypeKind::uint64 ? 64 : 32;
+    ExprId a = expr.operands[0], b = expr.operands[1];
+    std::string left = types.is_vector(expr.type) && !types.is_vector(p.program.exprs[a].type) ? print_as(p, a, expr.type)
+                                                                                               : operand_text(p, a, Level::shift, false);
+    const char* sign = expr.binary == BinaryOp::shift_left ? " << " : " >> ";
+    if (shift_is_safe(p, b, width)) return {left + sign + operand_text(p, b, Level::shift, true), Level::shift};
+    TypeKind amount = types.kind(types.scalar_of(p.program.exprs[b].type));
+    std::string mask = std::to_string(width - 1) + (amount == TypeKind::uint ? "u" : amount == TypeKind::uint64 ? "ul" : amount == TypeKind::int64 ? "l" : "");
+    return {left + sign + "(" + operand_text(p, b, Level::bit_and, false) + " & " + mask + ")", Level::shift};
+}
+
+Text print_binary(Printer& p, const Expr& expr) {
+    const ir::Types& types = p.program.types;
+    TypeId a = p.program.exprs[expr.operands[0]].type, b = p.program.exprs[expr.operands[1]].type;
+    switch (expr.binary) {
+    case BinaryOp::divide:
+    case BinaryOp::remainder: return print_division(p, expr);
+    case BinaryOp::shift_left:
+    case BinaryOp::shift_right: return print_shift(p, expr);
+    case BinaryOp::multiply:
+        if ((types.is_matrix(a) && !types.is_scalar(b)) || (types.is_matrix(b) && !types.is_scalar(a))) return matrix_product(p, expr);
+        return plain_binary(p, expr.binary, expr.operands[0], expr.operands[1]);
+    case BinaryOp::add:
+    case BinaryOp::subtract:
+    case BinaryOp::less:
+    case BinaryOp::less_equal:
+    case BinaryOp::greater:
+    case BinaryOp::greater_equal:
+    case BinaryOp::equal:
+    case BinaryOp::not_equal:
+    case BinaryOp::bit_and:
+    case BinaryOp::bit_xor:
+    case BinaryOp::bit_or:
+    case BinaryOp::logical_and:
+    case BinaryOp::logical_or: break;
+    }
+    return plain_binary(p, expr.binary, expr.operands[0], expr.operands[1]);
+}
+
+Text print_unary(Printer& p, const Expr& expr) {
+    const char* sign = expr.unary == ir::UnaryOp::minus ? "-" : expr.unary == ir::UnaryOp::logical_not ? "!" : "~";
+    if (expr.unary == ir::UnaryOp::logical_not && p.program.types.is_vector(expr.type))
+        return {"not(" + print_any(p, expr.operands[0]) + ")"};
+    std::string inside = print(p, expr.operands[0], Level::unary);
+    bool doubled = inside[0] == '-' && *sign == '-';
+    return {sign + (doubled ? "(" + inside + ")" : inside), Level::unary};
+}
+
+Text print_convert(Printer& p, const Expr& expr) {
+    const ir::Types& types = p.program.types;
+    ExprId operand = expr.operands[0];
+    TypeId from = types.scalar_of(p.program.exprs[operand].type), to = types.scalar_of(expr.type);
+    if (from == to) return print(p, operand);
+    if (types.is_floating(from) && types.is_integer(to)) {
+        Helper helper = to == types.int_ ? Helper::to_int : to == types.uint ? Helper::to_uint : to == types.int64 ? Helper::to_int64 : Helper::to_uint64;
+        return {need(p, helper, p.program.exprs[operand].type) + "(" + print_any(p, operand) + ")"};
+    }
+    return {type_text(p, expr.type) + "(" + print_any(p, operand) + ")"};
+}
+
+Text print_swizzle(Printer& p, const Expr& expr) {
+    const ir::Types& types = p.program.types;
+    std::uint32_t count = types.components(expr.type);
+    if (!types.is_vector(p.program.exprs[expr.operands[0]].type)) {
+        if (count == 1) return print(p, expr.operands[0]);
+        return {type_text(p, expr.type) + "(" + print_any(p, expr.operands[0]) + ")"};
+    }
+    std::string text = print(p, expr.operands[0], Level::postfix) + ".";
+    for (std::uint32_t i = 0; i < count; ++i) text += "xyzw"[expr.lanes[i]];
+    return {text};
+}
+
+Text print_builtin(Printer& p, const Expr& expr) {
+    auto subgroup = [&](const char* name) {
+        p.extensions.insert("GL_KHR_shader_subgroup_basic");
+        return Text{name};
+    };
+    switch (expr.builtin) {
+    case ir::Builtin::global_id: return {"gl_GlobalInvocationID"};
+    case ir::Builtin::local_id: return {"gl_LocalInvocationID"};
+    case ir::Builtin::group_id: return {"gl_WorkGroupID"};
+    case ir::Builtin::group_count: return {"gl_NumWorkGroups"};
+    case ir::Builtin::local_index: return {"gl_LocalInvocationIndex"};
+    case ir::Builtin::subgroup_size: return subgroup("gl_SubgroupSize");
+    case ir::Builtin::subgroup_lane: return subgroup("gl_SubgroupInvocationID");
+    case ir::Builtin::subgroup_index: return subgroup("gl_SubgroupID");
+    }
+    throw std::logic_error("emit/glsl: unknown builtin");
+}
+
+Text print_local(Printer& p, const Expr& expr) {
+    if (p.in_range_is_known && expr.local == p.pass.in_range) return {"true"};
+    auto found = p.local_names.find(expr.local);
+    if (found != p.local_names.end()) return {found->second};
+    throw std::logic_error("emit/glsl: a local is used before it is declared: " +
+                           (*p.program.names)[p.program.locals[expr.local].name]);
+}
+
+Text print_index(Printer& p, const Expr& expr) {
+    const ir::Type& of = p.program.types[p.program.exprs[expr.operands[0]].type];
+    return {print(p, expr.operands[0], Level::postfix) + "[" + guarded_index(p, expr.operands[1], of.count) + "]"};
+}
+
+}  // namespace
+
+Text print(Printer& p, ExprId id) {
+    const Expr& expr = p.program.exprs[id];
+    switch (expr.op) {
+    case Op::constant: {
+        std::string text = literal(p, expr.type, expr.bits, expr.number);
+        return {text, text[0] == '-' ? Level::unary : Level::postfix};
+    }
+    case Op::local: return print_local(p, expr);
+    case Op::construct: return {type_text(p, expr.type) + "(" + join_arguments(p, expr.operands) + ")"};
+    case Op::convert: return print_convert(p, expr);
+    case Op::unary: return print_unary(p, expr);
+    case Op::binary: return print_binary(p, expr);
+    case Op::select:
+        return {print(p, expr.operands[0], Level::logical_or) + " ? " + print(p, expr.operands[1], Level::logical_or) + " : " +
+                    print(p, expr.operands[2], Level::ternary),
+                Level::ternary};
+    case Op::swizzle: return print_swizzle(p, expr);
+    case Op::index: return print_index(p, expr);
+    case Op::field: {
+        const ir::Type& of = p.program.types[p.program.exprs[expr.operands[0]].type];
+        return {print(p, expr.operands[0], Level::postfix) + "." + p.field_names[of.index][expr.slot]};
+    }
+    case Op::call: return {p.function_names.at(expr.function) + "(" + join_arguments(p, expr.operands) + ")"};
+    case Op::intrinsic: return print_intrinsic(p, expr);
+    case Op::none: return {zero(p, expr.type)};
+    case Op::some: return {type_text(p, expr.type) + "(true, " + print_any(p, expr.operands[0]) + ")"};
+    case Op::has_value: return {print(p, expr.operands[0], Level::postfix) + ".has"};
+    case Op::value: return {print(p, expr.operands[0], Level::postfix) + ".value"};
+    case Op::parameter: return {p.parameter_names.at(expr.slot)};
+    case Op::load:
+    case Op::image_load:
+    case Op::image_sample: return print_load(p, expr);
+    case Op::builtin: return print_builtin(p, expr);
+    case Op::element:
+    case Op::address:
+    case Op::near:
+    case Op::read:
+    case Op::sample:
+    case Op::member:
+    case Op::memory_extent:
+    case Op::domain:
+    case Op::range_size:
+    case Op::state:
+    case Op::translate:
+    case Op::invocation:
+    case Op::host_read:
+    case Op::device_read:
+    case Op::await_value:
+    case Op::slice:
+    case Op::structure_value:
+    case Op::pipeline_call:
+    case Op::host_state:
+    case Op::element_count: break;
+    }
+    throw std::logic_error("emit/glsl: an expression that lowering should have replaced (Op " + std::to_string(static_cast<int>(expr.op)) + ")");
+}
+
+std::string print(Printer& p, ExprId id, Level least) {
+    Text text = print(p, id);
+    return text.level >= least ? text.text : "(" + text.text + ")";
+}
+
+std::string print_any(Printer& p, ExprId id) { return print(p, id).text; }
+
+std::string print_as(Printer& p, ExprId id, TypeId shape) {
+    const ir::Types& types = p.program.types;
+    bool splat = types.is_vector(shape) && !types.is_vector(p.program.exprs[id].type);
+    return splat ? type_text(p, shape) + "(" + print_any(p, id) + ")" : print_any(p, id);
+}
+
+std::string print_negated(Printer& p, ExprId id) {
+    const Expr& expr = p.program.exprs[id];
+    if (expr.op == Op::unary && expr.unary == ir::UnaryOp::logical_not) return print_any(p, expr.operands[0]);
+    if (expr.op == Op::binary) {
+        const ir::Types& types = p.program.types;
+        bool ordered = !types.is_floating(types.scalar_of(p.program.exprs[expr.operands[0]].type));
+        auto with = [&](BinaryOp op) { return plain_binary(p, op, expr.operands[0], expr.operands[1]).text; };
+        if (ordered && expr.binary == BinaryOp::less) return with(BinaryOp::greater_equal);
+        if (ordered && expr.binary == BinaryOp::greater_equal) return with(BinaryOp::less);
+        if (ordered && expr.binary == BinaryOp::greater) return with(BinaryOp::less_equal);
+        if (ordered && expr.binary == BinaryOp::less_equal) return with(BinaryOp::greater);
+        if (expr.binary == BinaryOp::equal) return with(BinaryOp::not_equal);
+        if (expr.binary == BinaryOp::not_equal) return with(BinaryOp::equal);
+        if (expr.binary == BinaryOp::logical_and) return print_negated(p, expr.operands[0]) + " || " + print_negated(p, expr.operands[1]);
+    }
+    if (expr.op == Op::intrinsic && expr.intrinsic == ir::Intrinsic::all && p.program.types.is_vector(p.program.exprs[expr.operands[0]].type)) {
+        const Expr& inner = p.program.exprs[expr.operands[0]];
+        if (inner.op == Op::intrinsic && inner.intrinsic == ir::Intrinsic::lessThan &&
+            p.program.types.is_integer(p.program.types.scalar_of(p.program.exprs[inner.operands[0]].type)))
+            return "any(greaterThanEqual(" + join_arguments(p, inner.operands) + "))";
+    }
+    return "!" + print(p, id, Level::unary);
+}
+
+std::string join_arguments(Printer& p, const std::vector<ExprId>& arguments) {
+    std::string text;
+    for (std::size_t i = 0; i < arguments.size(); ++i) text += (i ? ", " : "") + print_any(p, arguments[i]);
+    return text;
+}
+
+bool is_constant(const Printer& p, ExprId id) {
+    const Expr& expr = p.program.exprs[id];
+    if (expr.op == Op::constant) return true;
+    if (expr.op != Op::construct) return false;
+    for (ExprId operand : expr.operands)
+        if (!is_constant(p, operand)) return false;
+    return true;
+}
+
+}  // namespace gliftc::glsl

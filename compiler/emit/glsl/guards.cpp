@@ -1,0 +1,79 @@
+// Where a device's operation leaves open what the language defines: when a guard can be left out.
+//
+// The meaning is the same on every target: division by zero divides by one (and INT_MIN / -1 too), shift amounts count modulo
+// the width, indices are clamped to the ends, conversions to integers saturate.
+#include "emit/glsl/printer.h"
+
+namespace gliftc::glsl {
+
+using ir::Expr;
+using ir::ExprId;
+using ir::Op;
+
+namespace {
+
+bool depends_on_value_parameters(const ir::Program& program, ExprId id) {
+    const Expr& expr = program.exprs[id];
+    if (expr.op == Op::local) return true;
+    for (ExprId operand : expr.operands)
+        if (depends_on_value_parameters(program, operand)) return true;
+    return false;
+}
+
+/// True of parameters that the state of structures alone decides: a structure with an extent of zero has an empty domain,
+/// so nothing of it is addressed.
+bool is_state_of_structures(const Printer& p, std::uint32_t parameter) {
+    const ir::PassParameter& param = p.pass.parameters[parameter];
+    switch (param.source) {
+    case ir::ParameterSource::uniform: return param.value && !depends_on_value_parameters(p.program, param.value);
+    case ir::ParameterSource::size:
+    case ir::ParameterSource::range_size: return true;
+    case ir::ParameterSource::origin:
+    case ir::ParameterSource::address: return false;
+    }
+    return false;
+}
+
+}  // namespace
+
+bool divisor_is_safe(const Printer& p, ExprId id) {
+    const Expr& expr = p.program.exprs[id];
+    const ir::Types& types = p.program.types;
+    bool is_signed = types.is_signed(types.scalar_of(expr.type));
+    switch (expr.op) {
+    case Op::constant: return expr.bits != 0 && !(is_signed && static_cast<std::int64_t>(expr.bits) == -1) &&
+                              !(is_signed && static_cast<std::uint32_t>(expr.bits) == 0xffffffffu);
+    case Op::construct:
+        for (ExprId operand : expr.operands)
+            if (!divisor_is_safe(p, operand)) return false;
+        return true;
+    case Op::parameter: return !is_signed && is_state_of_structures(p, expr.slot);
+    case Op::swizzle:
+    case Op::field: return divisor_is_safe(p, expr.operands[0]);
+    default: return false;
+    }
+}
+
+bool shift_is_safe(const Printer& p, ExprId id, std::uint32_t width) {
+    const Expr& expr = p.program.exprs[id];
+    if (expr.op == Op::constant) return expr.bits < width;
+    if (expr.op != Op::construct) return false;
+    for (ExprId operand : expr.operands)
+        if (!shift_is_safe(p, operand, width)) return false;
+    return true;
+}
+
+std::string guarded_index(Printer& p, ExprId id, std::uint32_t count) {
+    const Expr& expr = p.program.exprs[id];
+    if (expr.op == Op::constant && expr.bits < count) return print_any(p, id);
+    if (expr.op == Op::local) {
+        auto found = p.bounds.find(expr.local);
+        if (found != p.bounds.end() && found->second.low >= 0 && found->second.high <= static_cast<std::int64_t>(count))
+            return print_any(p, id);
+    }
+    std::string last = std::to_string(count - 1);
+    if (!p.program.types.is_signed(expr.type)) return "min(" + print_any(p, id) + ", " + last + "u)";
+    return "clamp(" + print_any(p, id) + ", 0, " + last + ")";
+}
+
+}  // namespace gliftc::glsl

@@ -1,0 +1,181 @@
+// Intrinsics: the GLSL function of the same name, or a helper where GLSL leaves the result open.
+#include "emit/glsl/printer.h"
+
+#include <stdexcept>
+
+namespace gliftc::glsl {
+
+using ir::Expr;
+using ir::ExprId;
+using ir::Intrinsic;
+using ir::TypeId;
+
+namespace {
+
+TypeId type_of(const Printer& p, const Expr& expr, std::size_t operand) { return p.program.exprs[expr.operands[operand]].type; }
+
+Text call(Printer& p, const char* name, const Expr& expr) { return {std::string(name) + "(" + join_arguments(p, expr.operands) + ")"}; }
+
+Text subgroup(Printer& p, const char* kind, const char* name, const Expr& expr) {
+    p.extensions.insert("GL_KHR_shader_subgroup_basic");
+    p.extensions.insert(std::string("GL_KHR_shader_subgroup_") + kind);
+    return call(p, name, expr);
+}
+
+/// Calls a helper with every operand made the shape of the result.
+Text shaped(Printer& p, Helper helper, const Expr& expr) {
+    std::string text = need(p, helper, expr.type) + "(";
+    for (std::size_t i = 0; i < expr.operands.size(); ++i) text += (i ? ", " : "") + print_as(p, expr.operands[i], expr.type);
+    return {text + ")"};
+}
+
+/// lessThan and its kin are operators on scalars.
+Text compare(Printer& p, const char* name, const char* sign, Level level, const Expr& expr) {
+    if (p.program.types.is_vector(expr.type)) {
+        TypeId a = type_of(p, expr, 0), b = type_of(p, expr, 1);
+        TypeId shape = p.program.types.is_vector(a) ? a : b;
+        return {std::string(name) + "(" + print_as(p, expr.operands[0], shape) + ", " + print_as(p, expr.operands[1], shape) + ")"};
+    }
+    Level inner = static_cast<Level>(static_cast<int>(level) + 1);
+    return {print(p, expr.operands[0], inner) + " " + sign + " " + print(p, expr.operands[1], inner), level};
+}
+
+/// any and all of a scalar are the scalar.
+Text reduce_bools(Printer& p, const char* name, const Expr& expr) {
+    return p.program.types.is_vector(type_of(p, expr, 0)) ? call(p, name, expr) : print(p, expr.operands[0]);
+}
+
+Text minimum(Printer& p, const char* name, const Expr& expr) {
+    const ir::Types& types = p.program.types;
+    if (types.is_vector(expr.type) && !types.is_vector(type_of(p, expr, 0)))
+        return {std::string(name) + "(" + print_as(p, expr.operands[0], expr.type) + ", " + print_any(p, expr.operands[1]) + ")"};
+    return call(p, name, expr);
+}
+
+/// clamp where the bounds are constants in order; it is undefined in GLSL where they are not.
+Text clamp(Printer& p, const Expr& expr) {
+    const Expr& low = p.program.exprs[expr.operands[1]];
+    const Expr& high = p.program.exprs[expr.operands[2]];
+    bool both = low.op == ir::Op::constant && high.op == ir::Op::constant;
+    bool is_signed = p.program.types.is_signed(low.type);
+    bool in_order = p.program.types.is_floating(low.type) ? low.number <= high.number
+                    : is_signed ? static_cast<std::int64_t>(low.bits) <= static_cast<std::int64_t>(high.bits)
+                                : low.bits <= high.bits;
+    if (both && in_order) return call(p, "clamp", expr);
+    return {"min(max(" + print_any(p, expr.operands[0]) + ", " + print_any(p, expr.operands[1]) + "), " + print_any(p, expr.operands[2]) + ")"};
+}
+
+Text dot(Printer& p, const Expr& expr) {
+    TypeId type = type_of(p, expr, 0);
+    return {need(p, Helper::ordered_dot, type) + "(" + join_arguments(p, expr.operands) + ")"};
+}
+
+Text ballot(Printer& p, const char* count, const Expr& expr) {
+    p.extensions.insert("GL_KHR_shader_subgroup_basic");
+    p.extensions.insert("GL_KHR_shader_subgroup_ballot");
+    return {std::string(count) + "(subgroupBallot(" + print_any(p, expr.operands[0]) + "))"};
+}
+
+Text atomic(Printer& p, const char* name, const Expr& expr) {
+    ir::TypeKind kind = p.program.types.kind(expr.type);
+    if (kind == ir::TypeKind::int64 || kind == ir::TypeKind::uint64) p.extensions.insert("GL_EXT_shader_atomic_int64");
+    return call(p, name, expr);
+}
+
+}  // namespace
+
+Text print_intrinsic(Printer& p, const Expr& expr) {
+    switch (expr.intrinsic) {
+    case Intrinsic::abs: return call(p, "abs", expr);
+    case Intrinsic::sign: return p.program.types.is_floating(p.program.types.scalar_of(expr.type)) ? shaped(p, Helper::sign_of, expr) : call(p, "sign", expr);
+    case Intrinsic::floor: return call(p, "floor", expr);
+    case Intrinsic::ceil: return call(p, "ceil", expr);
+    case Intrinsic::round: return call(p, "roundEven", expr);
+    case Intrinsic::trunc: return call(p, "trunc", expr);
+    case Intrinsic::fract: return shaped(p, Helper::fraction, expr);
+    case Intrinsic::min: return minimum(p, "min", expr);
+    case Intrinsic::max: return minimum(p, "max", expr);
+    case Intrinsic::clamp: return clamp(p, expr);
+    case Intrinsic::sqrt: return call(p, "sqrt", expr);
+    case Intrinsic::isnan: return call(p, "isnan", expr);
+    case Intrinsic::isinf: return call(p, "isinf", expr);
+    case Intrinsic::any: return reduce_bools(p, "any", expr);
+    case Intrinsic::all: return reduce_bools(p, "all", expr);
+    case Intrinsic::lessThan: return compare(p, "lessThan", "<", Level::relation, expr);
+    case Intrinsic::lessThanEqual: return compare(p, "lessThanEqual", "<=", Level::relation, expr);
+    case Intrinsic::greaterThan: return compare(p, "greaterThan", ">", Level::relation, expr);
+    case Intrinsic::greaterThanEqual: return compare(p, "greaterThanEqual", ">=", Level::relation, expr);
+    case Intrinsic::equal: return compare(p, "equal", "==", Level::equality, expr);
+    case Intrinsic::notEqual: return compare(p, "notEqual", "!=", Level::equality, expr);
+    case Intrinsic::step: return call(p, "step", expr);
+    case Intrinsic::bitCount: return call(p, "bitCount", expr);
+    case Intrinsic::findLSB: return call(p, "findLSB", expr);
+    case Intrinsic::findMSB: return call(p, "findMSB", expr);
+    case Intrinsic::bitfieldReverse: return call(p, "bitfieldReverse", expr);
+    case Intrinsic::bitfieldExtract:
+        return {need(p, Helper::extract_bits, expr.type) + "(" + join_arguments(p, expr.operands) + ")"};
+    case Intrinsic::bitfieldInsert:
+        return {need(p, Helper::insert_bits, expr.type) + "(" + join_arguments(p, expr.operands) + ")"};
+    case Intrinsic::floatBitsToUint: return call(p, "floatBitsToUint", expr);
+    case Intrinsic::floatBitsToInt: return call(p, "floatBitsToInt", expr);
+    case Intrinsic::uintBitsToFloat: return call(p, "uintBitsToFloat", expr);
+    case Intrinsic::intBitsToFloat: return call(p, "intBitsToFloat", expr);
+    case Intrinsic::dot: return dot(p, expr);
+    case Intrinsic::cross: return shaped(p, Helper::cross_product, expr);
+    case Intrinsic::mix: return shaped(p, Helper::blend, expr);
+    case Intrinsic::smoothstep: return shaped(p, Helper::smooth_step, expr);
+    case Intrinsic::fma: return call(p, "fma", expr);
+    case Intrinsic::transpose: return call(p, "transpose", expr);
+    case Intrinsic::packHalf2x16: return call(p, "packHalf2x16", expr);
+    case Intrinsic::unpackHalf2x16: return call(p, "unpackHalf2x16", expr);
+    case Intrinsic::packUnorm4x8: return {need(p, Helper::pack_unorm, {}) + "(" + join_arguments(p, expr.operands) + ")"};
+    case Intrinsic::unpackUnorm4x8: return {need(p, Helper::unpack_unorm, {}) + "(" + join_arguments(p, expr.operands) + ")"};
+    case Intrinsic::exp: return call(p, "exp", expr);
+    case Intrinsic::exp2: return call(p, "exp2", expr);
+    case Intrinsic::log: return call(p, "log", expr);
+    case Intrinsic::log2: return call(p, "log2", expr);
+    case Intrinsic::pow: return call(p, "pow", expr);
+    case Intrinsic::sin: return call(p, "sin", expr);
+    case Intrinsic::cos: return call(p, "cos", expr);
+    case Intrinsic::tan: return call(p, "tan", expr);
+    case Intrinsic::asin: return call(p, "asin", expr);
+    case Intrinsic::acos: return call(p, "acos", expr);
+    case Intrinsic::atan: return call(p, "atan", expr);
+    case Intrinsic::atan2: return call(p, "atan", expr);
+    case Intrinsic::sinh: return call(p, "sinh", expr);
+    case Intrinsic::cosh: return call(p, "cosh", expr);
+    case Intrinsic::tanh: return call(p, "tanh", expr);
+    case Intrinsic::inversesqrt: return call(p, "inversesqrt", expr);
+    case Intrinsic::length: return call(p, "length", expr);
+    case Intrinsic::distance: return call(p, "distance", expr);
+    case Intrinsic::normalize: return call(p, "normalize", expr);
+    case Intrinsic::reflect: return shaped(p, Helper::reflection, expr);
+    case Intrinsic::determinant: return call(p, "determinant", expr);
+    case Intrinsic::inverse: return call(p, "inverse", expr);
+    case Intrinsic::subgroupAdd: return subgroup(p, "arithmetic", "subgroupAdd", expr);
+    case Intrinsic::subgroupMin: return subgroup(p, "arithmetic", "subgroupMin", expr);
+    case Intrinsic::subgroupMax: return subgroup(p, "arithmetic", "subgroupMax", expr);
+    case Intrinsic::subgroupExclusiveAdd: return subgroup(p, "arithmetic", "subgroupExclusiveAdd", expr);
+    case Intrinsic::subgroupInclusiveAdd: return subgroup(p, "arithmetic", "subgroupInclusiveAdd", expr);
+    case Intrinsic::subgroupAll: return subgroup(p, "vote", "subgroupAll", expr);
+    case Intrinsic::subgroupAny: return subgroup(p, "vote", "subgroupAny", expr);
+    case Intrinsic::subgroupElect: return subgroup(p, "basic", "subgroupElect", expr);
+    case Intrinsic::subgroupBroadcastFirst: return subgroup(p, "ballot", "subgroupBroadcastFirst", expr);
+    case Intrinsic::subgroupShuffle: return subgroup(p, "shuffle", "subgroupShuffle", expr);
+    case Intrinsic::subgroupShuffleXor: return subgroup(p, "shuffle", "subgroupShuffleXor", expr);
+    case Intrinsic::subgroupShuffleUp: return subgroup(p, "shuffle_relative", "subgroupShuffleUp", expr);
+    case Intrinsic::subgroupShuffleDown: return subgroup(p, "shuffle_relative", "subgroupShuffleDown", expr);
+    case Intrinsic::subgroupBallotCount: return ballot(p, "subgroupBallotBitCount", expr);
+    case Intrinsic::subgroupBallotExclusiveCount: return ballot(p, "subgroupBallotExclusiveBitCount", expr);
+    case Intrinsic::atomicAdd: return atomic(p, "atomicAdd", expr);
+    case Intrinsic::atomicMin: return atomic(p, "atomicMin", expr);
+    case Intrinsic::atomicMax: return atomic(p, "atomicMax", expr);
+    case Intrinsic::atomicAnd: return atomic(p, "atomicAnd", expr);
+    case Intrinsic::atomicOr: return atomic(p, "atomicOr", expr);
+    case Intrinsic::atomicXor: return atomic(p, "atomicXor", expr);
+    case Intrinsic::atomicExchange: return atomic(p, "atomicExchange", expr);
+    }
+    throw std::logic_error("emit/glsl: unknown intrinsic");
+}
+
+}  // namespace gliftc::glsl

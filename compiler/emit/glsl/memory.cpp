@@ -1,0 +1,265 @@
+// Buffers, images and parameters: how they are declared, read and written.
+#include "emit/glsl/printer.h"
+
+#include <algorithm>
+#include <cctype>
+#include <stdexcept>
+
+namespace gliftc::glsl {
+
+using ir::Combine;
+using ir::Format;
+using ir::MemoryShape;
+using ir::PassBinding;
+using ir::TypeId;
+using ir::TypeKind;
+
+namespace {
+
+const char* format_text(Format format) {
+    switch (format) {
+    case Format::none: return "";
+    case Format::r8: return "r8";
+    case Format::rg8: return "rg8";
+    case Format::rgba8: return "rgba8";
+    case Format::r16f: return "r16f";
+    case Format::rg16f: return "rg16f";
+    case Format::rgba16f: return "rgba16f";
+    case Format::r32f: return "r32f";
+    case Format::rg32f: return "rg32f";
+    case Format::rgba32f: return "rgba32f";
+    case Format::r8ui: return "r8ui";
+    case Format::r16ui: return "r16ui";
+    case Format::r32ui: return "r32ui";
+    case Format::rg32ui: return "rg32ui";
+    case Format::rgba32ui: return "rgba32ui";
+    case Format::r32i: return "r32i";
+    case Format::rg32i: return "rg32i";
+    case Format::rgba32i: return "rgba32i";
+    case Format::rgba8ui: return "rgba8ui";
+    case Format::d32: return "";
+    }
+    return "";
+}
+
+const char* shape_text(MemoryShape shape) {
+    switch (shape) {
+    case MemoryShape::buffer: break;
+    case MemoryShape::image1d: return "1D";
+    case MemoryShape::image2d: return "2D";
+    case MemoryShape::image3d: return "3D";
+    case MemoryShape::imagecube: return "Cube";
+    }
+    throw std::logic_error("emit/glsl: an image that is a buffer");
+}
+
+/// i, u or nothing: what images of this element begin with.
+std::string image_prefix(const Printer& p, TypeId element) {
+    TypeId scalar = p.program.types.scalar_of(element);
+    if (p.program.types.kind(scalar) == TypeKind::int_) return "i";
+    return p.program.types.kind(scalar) == TypeKind::uint ? "u" : "";
+}
+
+bool has_barrier(const Printer& p, const std::vector<ir::StmtId>& body) {
+    for (ir::StmtId id : body) {
+        const ir::Stmt& stmt = p.program.stmts[id];
+        if (stmt.op == ir::StmtOp::barrier || has_barrier(p, stmt.body) || has_barrier(p, stmt.otherwise)) return true;
+    }
+    return false;
+}
+
+/// What one invocation writes and another reads after a barrier must not stay in a cache.
+bool is_coherent(const Printer& p, const PassBinding& binding) {
+    return binding.access == ir::Access::read_write && has_barrier(p, p.pass.body);
+}
+
+const char* access_text(ir::Access access) {
+    switch (access) {
+    case ir::Access::read: return "readonly ";
+    case ir::Access::write: return "writeonly ";
+    case ir::Access::read_write: return "";
+    }
+    return "";
+}
+
+void note_storage(Printer& p, TypeId type) {
+    if (p.program.types.kind(p.program.types.scalar_of(type)) == TypeKind::half) p.extensions.insert("GL_EXT_shader_16bit_storage");
+}
+
+std::string buffer_text(Printer& p, std::size_t index) {
+    const PassBinding& binding = p.pass.bindings[index];
+    std::string qualifiers = (is_coherent(p, binding) ? "coherent " : "") + std::string(access_text(binding.access));
+    note_storage(p, binding.element);
+    std::string element = stored_as_bits(p, binding) ? "uint" : "";
+    std::string name = p.pass.form == ir::Form::wide ? "at" : p.binding_names[index];
+    const ir::Type& type = p.program.types[binding.element];
+    std::string member = !element.empty()                 ? element + " " + name + "[]"
+                         : type.kind == TypeKind::array   ? type_text(p, type.element) + " " + name + "[][" + std::to_string(type.count) + "]"
+                                                          : type_text(p, binding.element) + " " + name + "[]";
+    std::string layout = p.pass.form == ir::Form::wide ? "layout(buffer_reference, scalar) "
+                                                       : "layout(scalar, set = 0, binding = " + std::to_string(index + 1) + ") ";
+    return layout + qualifiers + "buffer " + p.block_names[index] + " { " + member + "; };\n";
+}
+
+std::string image_text(Printer& p, std::size_t index) {
+    const PassBinding& binding = p.pass.bindings[index];
+    std::string at = "layout(set = 0, binding = " + std::to_string(index + 1), kind = image_prefix(p, binding.element);
+    if (binding.sampled) return at + ") uniform " + kind + "sampler" + shape_text(binding.shape) + " " + p.binding_names[index] + ";\n";
+    std::string format = format_text(binding.format);
+    return at + (format.empty() ? "" : ", " + format) + ") " + (is_coherent(p, binding) ? "coherent " : "") + "uniform " +
+           access_text(binding.access) + kind + "image" + shape_text(binding.shape) + " " + p.binding_names[index] + ";\n";
+}
+
+/// Image coordinates are signed.
+std::string texel_text(Printer& p, ir::ExprId id) {
+    const ir::Types& types = p.program.types;
+    TypeId type = p.program.exprs[id].type;
+    if (types.scalar_of(type) == types.int_) return print_any(p, id);
+    std::uint32_t count = types.components(type);
+    return (count == 1 ? "int" : "ivec" + std::to_string(count)) + "(" + print_any(p, id) + ")";
+}
+
+/// Images give four components; the element takes the first ones.
+std::string first_components(Printer& p, TypeId element) {
+    std::uint32_t count = p.program.types.components(element);
+    return count == 4 ? "" : count == 1 ? ".x" : count == 2 ? ".xy" : ".xyz";
+}
+
+std::string four_components(Printer& p, ir::ExprId value) {
+    const ir::Types& types = p.program.types;
+    TypeId type = p.program.exprs[value].type;
+    std::string vec4 = image_prefix(p, type) + "vec4";
+    switch (types.components(type)) {
+    case 1: return vec4 + "(" + print_any(p, value) + ")";
+    case 2: return vec4 + "(" + print_any(p, value) + ", 0, 0)";
+    case 3: return vec4 + "(" + print_any(p, value) + ", 0)";
+    default: return print_any(p, value);
+    }
+}
+
+/// combine of integers is one atomic; of floats a loop of compare-and-swap.
+const char* atomic_name(Combine combine) {
+    switch (combine) {
+    case Combine::replace: return "Exchange";
+    case Combine::min: return "Min";
+    case Combine::max: return "Max";
+    case Combine::add: return "Add";
+    case Combine::bit_and: return "And";
+    case Combine::bit_or: return "Or";
+    case Combine::bit_xor: return "Xor";
+    }
+    return "";
+}
+
+std::string combined(Combine combine) {
+    switch (combine) {
+    case Combine::min: return "min(uintBitsToFloat(seen), value)";
+    case Combine::max: return "max(uintBitsToFloat(seen), value)";
+    case Combine::add: return "uintBitsToFloat(seen) + value";
+    case Combine::replace:
+    case Combine::bit_and:
+    case Combine::bit_or:
+    case Combine::bit_xor: break;
+    }
+    throw std::logic_error("emit/glsl: floats have no such atomic");
+}
+
+std::string lower_case(std::string text) {
+    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return text;
+}
+
+std::string float_atomic(Printer& p, std::uint32_t binding, Combine combine) {
+    AtomicUse use{binding, combine};
+    if (std::find(p.atomics.begin(), p.atomics.end(), use) == p.atomics.end()) p.atomics.push_back(use);
+    return p.pass.bindings[binding].name + "_" + lower_case(atomic_name(combine));
+}
+
+}  // namespace
+
+bool stored_as_bits(const Printer& p, const PassBinding& binding) {
+    return binding.atomic && binding.shape == MemoryShape::buffer && p.program.types.kind(binding.element) == TypeKind::float_;
+}
+
+std::string bindings_text(Printer& p) {
+    std::string text;
+    for (std::size_t i = 0; i < p.pass.bindings.size(); ++i)
+        text += p.pass.bindings[i].shape == MemoryShape::buffer ? buffer_text(p, i) : image_text(p, i);
+    return text;
+}
+
+std::string parameters_text(Printer& p) {
+    if (p.pass.parameters.empty()) return "";
+    std::string text = p.pass.push_constants ? "layout(push_constant, scalar) uniform Parameters {\n"
+                                             : "layout(scalar, set = 0, binding = 0) readonly buffer Parameters {\n";
+    for (std::size_t i = 0; i < p.pass.parameters.size(); ++i) {
+        const ir::PassParameter& param = p.pass.parameters[i];
+        std::string member = param.source == ir::ParameterSource::address ? p.block_names.at(param.param) + " " + p.parameter_names[i]
+                                                                          : declaration(p, param.type, p.parameter_names[i]);
+        note_storage(p, param.type);
+        text += "    " + member + ";\n";
+    }
+    return text + "};\n";
+}
+
+Text print_load(Printer& p, const ir::Expr& expr) {
+    const PassBinding& binding = p.pass.bindings.at(expr.slot);
+    const std::string& name = p.binding_names[expr.slot];
+    if (expr.op == ir::Op::load) {
+        std::string text = name + "[" + print_any(p, expr.operands[0]) + "]";
+        return {stored_as_bits(p, binding) ? "uintBitsToFloat(" + text + ")" : text};
+    }
+    std::string level = expr.operands.size() > 1 ? print_any(p, expr.operands[1]) : expr.op == ir::Op::image_sample ? "0.0" : "0";
+    std::string components = first_components(p, binding.element);
+    if (expr.op == ir::Op::image_sample) return {"textureLod(" + name + ", " + print_any(p, expr.operands[0]) + ", " + level + ")" + components};
+    std::string texel = texel_text(p, expr.operands[0]);
+    if (binding.sampled) return {"texelFetch(" + name + ", " + texel + ", " + level + ")" + components};
+    return {"imageLoad(" + name + ", " + texel + ")" + components};
+}
+
+std::string store_text(Printer& p, const ir::Stmt& stmt) {
+    const PassBinding& binding = p.pass.bindings.at(stmt.slot);
+    const std::string& name = p.binding_names[stmt.slot];
+    if (stmt.op == ir::StmtOp::image_store)
+        return "imageStore(" + name + ", " + texel_text(p, stmt.target) + ", " + four_components(p, stmt.value) + ");";
+    std::string value = print_any(p, stmt.value);
+    if (stored_as_bits(p, binding)) value = "floatBitsToUint(" + value + ")";
+    return name + "[" + print_any(p, stmt.target) + "] = " + value + ";";
+}
+
+std::string atomic_text(Printer& p, const ir::Stmt& stmt) {
+    const PassBinding& binding = p.pass.bindings.at(stmt.slot);
+    const std::string& name = p.binding_names[stmt.slot];
+    std::string value = print_any(p, stmt.value);
+    TypeKind kind = p.program.types.kind(p.program.types.scalar_of(binding.element));
+    if (binding.shape != MemoryShape::buffer) {
+        if (kind == TypeKind::float_) {
+            if (stmt.combine != Combine::add && stmt.combine != Combine::replace)
+                throw std::logic_error("emit/glsl: float images have atomic add only");
+            p.extensions.insert("GL_EXT_shader_atomic_float");
+        }
+        return std::string("imageAtomic") + atomic_name(stmt.combine) + "(" + name + ", " + texel_text(p, stmt.target) + ", " + value + ");";
+    }
+    std::string index = print_any(p, stmt.target);
+    if (stored_as_bits(p, binding)) {
+        if (stmt.combine == Combine::replace) return "atomicExchange(" + name + "[" + index + "], floatBitsToUint(" + value + "));";
+        return float_atomic(p, stmt.slot, stmt.combine) + "(" + index + ", " + value + ");";
+    }
+    if (kind == TypeKind::int64 || kind == TypeKind::uint64) p.extensions.insert("GL_EXT_shader_atomic_int64");
+    return std::string("atomic") + atomic_name(stmt.combine) + "(" + name + "[" + index + "], " + value + ");";
+}
+
+std::string atomic_definitions(Printer& p) {
+    std::string text;
+    for (const AtomicUse& use : p.atomics) {
+        const std::string& memory = p.binding_names[use.binding];
+        std::string function = p.pass.bindings[use.binding].name + "_" + lower_case(atomic_name(use.combine));
+        text += "void " + function + "(uint index, float value) {\n";
+        text += "    uint seen = " + memory + "[index], expected;\n    do {\n        expected = seen;\n";
+        text += "        uint wanted = floatBitsToUint(" + combined(use.combine) + ");\n        if (wanted == seen) return;\n";
+        text += "        seen = atomicCompSwap(" + memory + "[index], expected, wanted);\n    } while (seen != expected);\n}\n\n";
+    }
+    return text;
+}
+
+}  // namespace gliftc::glsl

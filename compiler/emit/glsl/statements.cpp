@@ -1,0 +1,220 @@
+// Statements, one a line, with the source line each came from.
+#include "emit/glsl/printer.h"
+
+#include <stdexcept>
+
+namespace gliftc::glsl {
+
+using ir::Expr;
+using ir::ExprId;
+using ir::Stmt;
+using ir::StmtId;
+using ir::StmtOp;
+
+namespace {
+
+constexpr std::size_t line_length = 110;
+
+/// The best place to break a line before `limit`: the outermost operator or comma, the last of these.
+std::size_t break_point(const std::string& text, std::size_t from, std::size_t limit) {
+    std::size_t best = std::string::npos;
+    int depth = 0, best_depth = 1000;
+    for (std::size_t i = from; i < limit && i < text.size(); ++i) {
+        char c = text[i];
+        if (c == '(' || c == '[' || c == '{') ++depth;
+        if (c == ')' || c == ']' || c == '}') --depth;
+        bool after_comma = c == ' ' && i > 0 && text[i - 1] == ',';
+        bool before_operator = c == ' ' && i + 2 < text.size() && std::string_view("+-*/&|?:<>").find(text[i + 1]) != std::string_view::npos &&
+                               (text[i + 2] == ' ' || (text[i + 3] == ' ' && (text[i + 2] == '&' || text[i + 2] == '|')));
+        if (i > from + 12 && (after_comma || before_operator) && depth <= best_depth) {
+            best_depth = depth;
+            best = i;
+        }
+    }
+    return best;
+}
+
+std::string statement_end(const std::string& text) { return text + ";"; }
+
+/// `x += y` for `x = x + y`.
+std::string assignment(Printer& p, const Stmt& stmt) {
+    std::string target = print(p, stmt.target, Level::postfix);
+    const Expr& value = p.program.exprs[stmt.value];
+    std::string text = print_any(p, stmt.value);
+    if (value.op != ir::Op::binary || p.program.exprs[value.operands[0]].type != value.type) return target + " = " + text;
+    for (const char* sign : {"+", "-", "*", "/", "%", "<<", ">>", "&", "|", "^"}) {
+        std::string head = target + " " + sign + " ";
+        if (text.compare(0, head.size(), head) != 0) continue;
+        std::string right = print_any(p, value.operands[1]);
+        if (text == head + right || text == head + "(" + right + ")") return target + " " + sign + "= " + right;
+        return target + " " + sign + "= " + text.substr(head.size());
+    }
+    return target + " = " + text;
+}
+
+/// The left operand of these must be the whole of what stands left of the sign.
+bool is_left_whole(Printer& p, const Stmt& stmt) {
+    const Expr& value = p.program.exprs[stmt.value];
+    if (value.op != ir::Op::binary) return false;
+    return print_any(p, value.operands[0]) == print(p, stmt.target, Level::postfix);
+}
+
+void print_let(Printer& p, const Stmt& stmt) {
+    const ir::Local& local = p.program.locals[stmt.local];
+    std::string value = stmt.value ? print_any(p, stmt.value) : zero(p, local.type);
+    std::string name = p.names.declare((*p.program.names)[local.name]);
+    p.local_names[stmt.local] = name;
+    bool is_table = !local.is_mutable && p.program.types.kind(local.type) == ir::TypeKind::array && stmt.value && is_constant(p, stmt.value);
+    line(p, (is_table ? "const " : "") + declaration(p, local.type, name) + " = " + value + ";");
+}
+
+void print_block(Printer& p, const std::vector<StmtId>& body) {
+    p.names.enter();
+    ++p.indent;
+    print_body(p, body);
+    --p.indent;
+    p.names.leave();
+}
+
+void print_if(Printer& p, const Stmt& stmt, const std::string& before) {
+    line(p, before + "if (" + print_any(p, stmt.value) + ") {");
+    print_block(p, stmt.body);
+    if (stmt.otherwise.empty()) return line(p, "}");
+    const Stmt& only = p.program.stmts[stmt.otherwise[0]];
+    if (stmt.otherwise.size() == 1 && only.op == StmtOp::if_ && only.comment.empty()) return print_if(p, only, "} else ");
+    line(p, "} else {");
+    print_block(p, stmt.otherwise);
+    line(p, "}");
+}
+
+/// True of what has the same value each time round a loop.
+bool is_steady(const Printer& p, ExprId id) {
+    const Expr& expr = p.program.exprs[id];
+    switch (expr.op) {
+    case ir::Op::constant:
+    case ir::Op::parameter: return true;
+    case ir::Op::local: return !p.program.locals[expr.local].is_mutable;
+    case ir::Op::swizzle:
+    case ir::Op::field: return is_steady(p, expr.operands[0]);
+    default: return false;
+    }
+}
+
+void note_bounds(Printer& p, const Stmt& stmt) {
+    const Expr& low = p.program.exprs[stmt.value];
+    const Expr& high = p.program.exprs[stmt.limit];
+    if (low.op != ir::Op::constant || high.op != ir::Op::constant) return;
+    p.bounds[stmt.local] = {static_cast<std::int64_t>(low.bits), static_cast<std::int64_t>(high.bits)};
+}
+
+void print_for(Printer& p, const Stmt& stmt) {
+    const ir::Local& local = p.program.locals[stmt.local];
+    const std::string& wanted = (*p.program.names)[local.name];
+    p.names.enter();
+    std::string low = print_any(p, stmt.value), high = print(p, stmt.limit, Level::shift);
+    std::string name = p.names.declare(wanted);
+    p.local_names[stmt.local] = name;
+    note_bounds(p, stmt);
+    std::string type = type_text(p, local.type), first = type + " " + name + " = " + low;
+    if (!is_steady(p, stmt.limit)) {
+        std::string end = p.names.declare(name + "_end");
+        first += ", " + end + " = " + print_any(p, stmt.limit);
+        high = end;
+    }
+    line(p, "for (" + first + "; " + name + " < " + high + "; ++" + name + ") {");
+    print_block(p, stmt.body);
+    line(p, "}");
+    p.names.leave();
+}
+
+bool writes_memory(const Printer& p) {
+    for (const ir::PassBinding& binding : p.pass.bindings)
+        if (binding.access == ir::Access::read_write) return true;
+    return false;
+}
+
+void print_comment(Printer& p, const Stmt& stmt) {
+    if (!stmt.comment.empty()) line(p, "// " + stmt.comment);
+}
+
+}  // namespace
+
+std::string file_name(std::string_view path) {
+    std::size_t slash = path.find_last_of('/');
+    return std::string(slash == std::string_view::npos ? path : path.substr(slash + 1));
+}
+
+void line(Printer& p, std::string text) {
+    std::string margin(static_cast<std::size_t>(p.indent) * 4, ' ');
+    std::size_t from = 0;
+    while (text.size() - from + margin.size() > line_length && text.compare(0, 2, "//") != 0) {
+        std::size_t at = break_point(text, from, from + line_length - margin.size());
+        if (at == std::string::npos) break;
+        p.out += margin + text.substr(from, at - from) + "\n";
+        if (from == 0) margin += "    ";
+        from = at + 1;
+    }
+    p.out += margin + text.substr(from) + "\n";
+}
+
+void mark_line(Printer& p, Span span) {
+    if (!span) return;
+    std::uint32_t number = p.sources.position(span).line;
+    std::string file = file_name(p.sources[span.file].path);
+    if (p.options.lines == LineMarks::directives) {
+        p.out += "#line " + std::to_string(number) + " \"" + file + "\"\n";
+        return;
+    }
+    if (p.last_line && p.last_line.file == span.file && p.last_line_number == number) return;
+    p.last_line = span;
+    p.last_line_number = number;
+    line(p, "// " + file + ":" + std::to_string(number));
+}
+
+void print_body(Printer& p, const std::vector<StmtId>& body) {
+    for (StmtId id : body) print_statement(p, id);
+}
+
+void print_statement(Printer& p, StmtId id) {
+    const Stmt& stmt = p.program.stmts[id];
+    if (stmt.op != StmtOp::block) mark_line(p, stmt.span);
+    print_comment(p, stmt);
+    switch (stmt.op) {
+    case StmtOp::let: return print_let(p, stmt);
+    case StmtOp::assign:
+        if (is_left_whole(p, stmt)) return line(p, statement_end(assignment(p, stmt)));
+        return line(p, print(p, stmt.target, Level::postfix) + " = " + print_any(p, stmt.value) + ";");
+    case StmtOp::if_: return print_if(p, stmt, "");
+    case StmtOp::for_: return print_for(p, stmt);
+    case StmtOp::while_:
+        line(p, "while (" + print_any(p, stmt.value) + ") {");
+        print_block(p, stmt.body);
+        return line(p, "}");
+    case StmtOp::break_: return line(p, "break;");
+    case StmtOp::continue_: return line(p, "continue;");
+    case StmtOp::return_: return line(p, stmt.value ? "return " + print_any(p, stmt.value) + ";" : "return;");
+    case StmtOp::block:
+        line(p, "{");
+        print_block(p, stmt.body);
+        return line(p, "}");
+    case StmtOp::evaluate: return line(p, print_any(p, stmt.value) + ";");
+    case StmtOp::barrier:
+        if (writes_memory(p)) line(p, "groupMemoryBarrier();");
+        return line(p, "barrier();");
+    case StmtOp::store:
+    case StmtOp::image_store: return line(p, store_text(p, stmt));
+    case StmtOp::atomic: return line(p, atomic_text(p, stmt));
+    case StmtOp::set_element:
+    case StmtOp::write:
+    case StmtOp::temp:
+    case StmtOp::release:
+    case StmtOp::dispatch:
+    case StmtOp::expect:
+    case StmtOp::expect_near:
+    case StmtOp::expect_same:
+    case StmtOp::host_assign: break;
+    }
+    throw std::logic_error("emit/glsl: a statement that lowering should have replaced (StmtOp " + std::to_string(static_cast<int>(stmt.op)) + ")");
+}
+
+}  // namespace gliftc::glsl

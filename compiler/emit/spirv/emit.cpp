@@ -1,0 +1,92 @@
+#include "emit/spirv/emit.h"
+
+#include "emit/spirv/exact.h"
+
+#include <glslang/Public/ResourceLimits.h>
+#include <glslang/Public/ShaderLang.h>
+#include <glslang/SPIRV/GlslangToSpv.h>
+#include <spirv-tools/libspirv.hpp>
+#include <spirv-tools/optimizer.hpp>
+
+namespace gliftc::spirv {
+
+namespace {
+
+/// glslang's tables of built-in functions, made at the first use and kept.
+void initialise_glslang() {
+    static const bool done = glslang::InitializeProcess();
+    (void)done;
+}
+
+/// The lines that say what is wrong, without glslang's closing summary.
+std::string errors_of(const std::string& log) {
+    std::string text;
+    for (std::size_t from = 0; from < log.size();) {
+        std::size_t end = log.find('\n', from);
+        if (end == std::string::npos) end = log.size();
+        std::string line = log.substr(from, end - from);
+        from = end + 1;
+        if (line.find("compilation errors") != std::string::npos || line.find("ERROR: Linking") != std::string::npos) continue;
+        if (line.rfind("ERROR: ", 0) == 0) line.erase(0, 7);
+        if (!line.empty()) text += (text.empty() ? "" : "\n") + line;
+    }
+    return text.empty() ? "glslang failed" : text;
+}
+
+Spirv compile(const std::string& glsl) {
+    initialise_glslang();
+    glslang::TShader shader(EShLangCompute);
+    const char* text = glsl.c_str();
+    shader.setStrings(&text, 1);
+    shader.setEnvInput(glslang::EShSourceGlsl, EShLangCompute, glslang::EShClientVulkan, 100);
+    shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_3);
+    shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_6);
+    const auto messages = static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules | EShMsgDebugInfo);
+    if (!shader.parse(GetDefaultResources(), 460, false, messages)) return {{}, errors_of(shader.getInfoLog())};
+    glslang::TProgram program;
+    program.addShader(&shader);
+    if (!program.link(messages)) return {{}, errors_of(program.getInfoLog())};
+    glslang::SpvOptions options;
+    options.generateDebugInfo = glsl.find("\n#line ") != std::string::npos;
+    options.disableOptimizer = true;
+    Spirv result;
+    spv::SpvBuildLogger logger;
+    glslang::GlslangToSpv(*program.getIntermediate(EShLangCompute), result.words, &logger, &options);
+    if (result.words.empty()) result.error = "glslang made no SPIR-V: " + logger.getAllMessages();
+    return result;
+}
+
+std::string validated(const std::vector<std::uint32_t>& words) {
+    std::string error;
+    spvtools::SpirvTools tools(SPV_ENV_VULKAN_1_3);
+    tools.SetMessageConsumer([&](spv_message_level_t, const char*, const spv_position_t& position, const char* message) {
+        error += (error.empty() ? "" : "\n") + std::string("SPIR-V word ") + std::to_string(position.index) + ": " + message;
+    });
+    spvtools::ValidatorOptions options;
+    options.SetScalarBlockLayout(true);
+    if (tools.Validate(words.data(), words.size(), options)) return "";
+    return error.empty() ? "the SPIR-V is not valid" : error;
+}
+
+std::vector<std::uint32_t> optimised(const std::vector<std::uint32_t>& words) {
+    spvtools::Optimizer optimizer(SPV_ENV_VULKAN_1_3);
+    optimizer.RegisterPerformancePasses();
+    spvtools::OptimizerOptions options;
+    options.set_run_validator(false);
+    std::vector<std::uint32_t> result;
+    return optimizer.Run(words.data(), words.size(), &result, options) ? result : words;
+}
+
+}  // namespace
+
+Spirv spirv_of(const std::string& glsl, Optimise optimise) {
+    Spirv result = compile(glsl);
+    if (!result.error.empty()) return result;
+    result.words = made_exact(result.words);
+    if (optimise == Optimise::performance) result.words = optimised(result.words);
+    result.error = validated(result.words);
+    if (!result.error.empty()) result.words.clear();
+    return result;
+}
+
+}  // namespace gliftc::spirv

@@ -1,0 +1,242 @@
+// What the language defines and GLSL does not: guards where they are needed and only there.
+#include "builder.h"
+
+#include "emit/glsl/emit.h"
+#include "emit/spirv/emit.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace gliftc::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+std::string proved(Builder& b) {
+    std::string text = glsl::glsl_of(b.program, b.sources, b.pass);
+    auto spirv = spirv::spirv_of(text);
+    EXPECT_EQ(spirv.error, "") << text;
+    return text;
+}
+
+/// A kernel that stores `value(address)` of any type.
+template <class Make>
+std::string stored(Make make) {
+    Builder b;
+    ExprId address = b.one_axis();
+    ExprId value = make(b, address);
+    auto out = b.buffer("g_data", b.type_of(value), Access::write);
+    b.pass.body = {b.store(out, address, value)};
+    return proved(b);
+}
+
+ExprId as_int(Builder& b, ExprId value) { return b.make(Op::convert, b.types().int_, {value}); }
+ExprId as_float(Builder& b, ExprId value) { return b.make(Op::convert, b.types().float_, {value}); }
+
+TEST(Division, ByAConstantOrAnExtentHasNoGuard) {
+    EXPECT_THAT(stored([](Builder& b, ExprId a) { return b.binary(BinaryOp::divide, a, b.u(3)); }), HasSubstr("= address / 3u;"));
+    EXPECT_THAT(stored([](Builder& b, ExprId a) { return b.binary(BinaryOp::remainder, a, b.extent_parameter("width", b.types().uint)); }),
+                HasSubstr("= address % width;"));
+}
+
+TEST(Division, ByAnythingElseIsGuarded) {
+    EXPECT_THAT(stored([](Builder& b, ExprId a) { return b.binary(BinaryOp::divide, a, a); }), HasSubstr("= address / max(address, 1u);"));
+    auto by_value = [](Builder& b, ExprId a) {
+        ExprId n = b.parameter("n", b.types().uint);
+        b.pass.parameters.back().value = b.use(b.local("n", b.types().uint, false));
+        return b.binary(BinaryOp::remainder, a, n);
+    };
+    EXPECT_THAT(stored(by_value), HasSubstr("= address % max(n, 1u);"));
+}
+
+TEST(Division, OfIntsGoesThroughAFunction) {
+    std::string text = stored([](Builder& b, ExprId a) { return b.binary(BinaryOp::remainder, as_int(b, a), b.i(-3)); });
+    EXPECT_THAT(text, HasSubstr("int quotient(int a, int b)"));
+    EXPECT_THAT(text, HasSubstr("= remainder(int(address), -3);"));
+    EXPECT_THAT(stored([](Builder& b, ExprId a) { return b.binary(BinaryOp::divide, as_int(b, a), b.i(3)); }), HasSubstr("= int(address) / 3;"));
+    auto vectors = [](Builder& b, ExprId a) {
+        TypeId int3 = b.types().vector(b.types().int_, 3);
+        return b.binary(BinaryOp::divide, b.make(Op::construct, int3, {as_int(b, a)}), as_int(b, a));
+    };
+    EXPECT_THAT(stored(vectors), HasSubstr("ivec3(quotient(a.x, b.x), quotient(a.y, b.y), quotient(a.z, b.z))"));
+}
+
+TEST(Shift, IsMaskedWhereTheAmountIsNotKnown) {
+    EXPECT_THAT(stored([](Builder& b, ExprId a) { return b.binary(BinaryOp::shift_left, a, b.u(31)); }), HasSubstr("= address << 31u;"));
+    EXPECT_THAT(stored([](Builder& b, ExprId a) { return b.binary(BinaryOp::shift_right, a, b.plus(a, b.u(1))); }),
+                HasSubstr("= address >> ((address + 1u) & 31u);"));
+}
+
+TEST(Conversion, OfFloatsToIntegersSaturates) {
+    std::string text = stored([](Builder& b, ExprId a) { return b.make(Op::convert, b.types().int_, {as_float(b, a)}); });
+    EXPECT_THAT(text, HasSubstr("int to_int(float x)"));
+    EXPECT_THAT(stored([](Builder& b, ExprId a) { return b.make(Op::convert, b.types().uint, {as_float(b, a)}); }), HasSubstr("uint to_uint(float x)"));
+    auto doubles = [](Builder& b, ExprId a) { return b.make(Op::convert, b.types().int64, {b.make(Op::convert, b.types().double_, {a})}); };
+    EXPECT_THAT(stored(doubles), HasSubstr("int64_t to_int64(double x)"));
+    auto vectors = [](Builder& b, ExprId a) {
+        TypeId float2 = b.types().vector(b.types().float_, 2);
+        return b.make(Op::convert, b.types().vector(b.types().uint, 2), {b.make(Op::construct, float2, {as_float(b, a)})});
+    };
+    EXPECT_THAT(stored(vectors), HasSubstr("uvec2 to_uint(vec2 a)"));
+}
+
+TEST(Index, IsClampedUnlessKnownToBeInside) {
+    Builder b;
+    ExprId address = b.one_axis();
+    auto out = b.buffer("g_data", b.types().float_, Access::write);
+    LocalId table = b.local("table", b.types().array(b.types().float_, 4)), n = b.local("n", b.types().uint, false);
+    auto at = [&](ExprId where) { return b.make(Op::index, b.types().float_, {b.use(table), where}); };
+    b.pass.body = {b.let(table), b.loop(n, b.u(0), b.u(4), {b.assign(at(b.use(n)), b.f(0.5))}), b.store(out, address, b.plus(at(address), at(b.u(2))))};
+    std::string text = proved(b);
+    EXPECT_THAT(text, HasSubstr("float table[4] = float[4](0.0, 0.0, 0.0, 0.0);"));
+    EXPECT_THAT(text, HasSubstr("for (uint n = 0u; n < 4u; ++n) {\n        table[n] = 0.5;"));
+    EXPECT_THAT(text, HasSubstr("table[min(address, 3u)] + table[2u]"));
+}
+
+TEST(Loop, EvaluatesItsLimitOnce) {
+    Builder b;
+    ExprId address = b.one_axis();
+    auto out = b.buffer("g_data", b.types().uint, Access::read_write);
+    LocalId n = b.local("n", b.types().uint, false);
+    b.pass.body = {b.loop(n, b.u(0), b.load(out, address), {b.store(out, b.use(n), b.u(1))})};
+    EXPECT_THAT(proved(b), HasSubstr("for (uint n = 0u, n_end = g_data[address]; n < n_end; ++n) {"));
+}
+
+TEST(Parentheses, AreAsFewAsAReaderWants) {
+    auto text = [](auto make) { return stored(make); };
+    EXPECT_THAT(text([](Builder& b, ExprId a) { return b.times(b.plus(a, b.u(1)), b.u(2)); }), HasSubstr("= (address + 1u) * 2u;"));
+    EXPECT_THAT(text([](Builder& b, ExprId a) { return b.minus(a, b.minus(a, b.u(1))); }), HasSubstr("= address - (address - 1u);"));
+    EXPECT_THAT(text([](Builder& b, ExprId a) { return b.minus(b.minus(a, a), b.u(1)); }), HasSubstr("= address - address - 1u;"));
+    EXPECT_THAT(text([](Builder& b, ExprId a) { return b.binary(BinaryOp::bit_or, b.binary(BinaryOp::shift_left, a, b.u(8)), a); }),
+                HasSubstr("= (address << 8u) | address;"));
+    EXPECT_THAT(text([](Builder& b, ExprId a) { return b.unary(UnaryOp::minus, b.unary(UnaryOp::minus, as_int(b, a))); }), HasSubstr("= -(-int(address));"));
+    EXPECT_THAT(text([](Builder& b, ExprId a) { return b.make(Op::select, b.types().uint, {b.less(a, b.u(4)), a, b.u(0)}); }),
+                HasSubstr("= address < 4u ? address : 0u;"));
+}
+
+TEST(Literals, KeepTheirValues) {
+    EXPECT_THAT(stored([](Builder& b, ExprId) { return b.f(1e-30); }), HasSubstr("= 1e-30;"));
+    EXPECT_THAT(stored([](Builder& b, ExprId) { return b.f(1.0 / 0.0); }), HasSubstr("= uintBitsToFloat(0x7f800000u);"));
+    EXPECT_THAT(stored([](Builder& b, ExprId) { return b.i(INT32_MIN); }), HasSubstr("= int(0x80000000u);"));
+    EXPECT_THAT(stored([](Builder& b, ExprId) { return b.constant(b.types().uint64, ~0ull); }), HasSubstr("= 18446744073709551615ul;"));
+}
+
+TEST(Atomics, OfFloatsAreLoopsOfCompareAndSwap) {
+    Builder b;
+    ExprId address = b.one_axis();
+    auto out = b.buffer("g_data", b.types().float_, Access::read_write);
+    auto counts = b.buffer("counts", b.types().uint, Access::read_write);
+    b.pass.bindings[out].atomic = b.pass.bindings[counts].atomic = true;
+    Stmt stmt = b.statement(StmtOp::atomic);
+    stmt.slot = out;
+    stmt.target = address;
+    stmt.value = b.f(2);
+    stmt.combine = Combine::max;
+    StmtId most = b.add(stmt);
+    stmt.slot = counts;
+    stmt.value = b.u(1);
+    stmt.combine = Combine::add;
+    b.pass.body = {most, b.add(stmt), b.store(out, b.u(0), b.load(out, b.u(1)))};
+    std::string text = proved(b);
+    EXPECT_THAT(text, HasSubstr("buffer G_data { uint g_data[]; };"));
+    EXPECT_THAT(text, HasSubstr("g_data_max(address, 2.0);"));
+    EXPECT_THAT(text, HasSubstr("atomicAdd(counts[address], 1u);"));
+    EXPECT_THAT(text, HasSubstr("g_data[0u] = floatBitsToUint(uintBitsToFloat(g_data[1u]));"));
+}
+
+/// One expression a line of intrinsics.def, with operands that its signature takes.
+TEST(Intrinsics, AllCompile) {
+    const std::vector<Intrinsic> floats = {Intrinsic::abs, Intrinsic::sign, Intrinsic::floor, Intrinsic::ceil, Intrinsic::round, Intrinsic::trunc,
+        Intrinsic::fract, Intrinsic::sqrt, Intrinsic::exp, Intrinsic::exp2, Intrinsic::log, Intrinsic::log2, Intrinsic::sin, Intrinsic::cos,
+        Intrinsic::tan, Intrinsic::asin, Intrinsic::acos, Intrinsic::atan, Intrinsic::sinh, Intrinsic::cosh, Intrinsic::tanh, Intrinsic::inversesqrt};
+    const std::vector<std::pair<Intrinsic, std::size_t>> more = {{Intrinsic::min, 2}, {Intrinsic::max, 2}, {Intrinsic::clamp, 3}, {Intrinsic::step, 2},
+        {Intrinsic::mix, 3}, {Intrinsic::smoothstep, 3}, {Intrinsic::fma, 3}, {Intrinsic::pow, 2}, {Intrinsic::atan2, 2}};
+    for (std::uint32_t count : {1u, 3u}) {
+        auto value = [&](Builder& b, ExprId a) {
+            TypeId type = b.types().vector(b.types().float_, count);
+            ExprId x = b.make(Op::construct, type, {as_float(b, a)});
+            ExprId sum = x;
+            for (Intrinsic which : floats) sum = b.plus(sum, b.intrinsic(which, type, {x}));
+            for (auto [which, operands] : more) sum = b.plus(sum, b.intrinsic(which, type, std::vector<ExprId>(operands, x)));
+            if (count == 3) {
+                sum = b.plus(sum, b.intrinsic(Intrinsic::cross, type, {x, x}));
+                sum = b.plus(sum, b.intrinsic(Intrinsic::reflect, type, {x, x}));
+                sum = b.plus(sum, b.intrinsic(Intrinsic::normalize, type, {x}));
+                sum = b.plus(sum, b.intrinsic(Intrinsic::dot, b.types().float_, {x, x}));
+                sum = b.plus(sum, b.intrinsic(Intrinsic::length, b.types().float_, {x}));
+                sum = b.plus(sum, b.intrinsic(Intrinsic::mix, type, {x, x, as_float(b, a)}));
+            }
+            return sum;
+        };
+        std::string text = stored(value);
+        EXPECT_THAT(text, HasSubstr("roundEven("));
+        EXPECT_THAT(text, Not(HasSubstr(" mix(")));
+    }
+}
+
+TEST(Intrinsics, OfBitsCompile) {
+    auto value = [](Builder& b, ExprId a) {
+        TypeId uint = b.types().uint, int_ = b.types().int_, float4 = b.types().vector(b.types().float_, 4), float2 = b.types().vector(b.types().float_, 2);
+        ExprId one = b.i(1), n = as_int(b, a), sum = a;
+        auto add = [&](ExprId what) { sum = b.plus(sum, b.make(Op::convert, uint, {what})); };
+        for (Intrinsic which : {Intrinsic::bitCount, Intrinsic::findLSB, Intrinsic::findMSB}) add(b.intrinsic(which, int_, {a}));
+        add(b.intrinsic(Intrinsic::bitfieldReverse, uint, {a}));
+        add(b.intrinsic(Intrinsic::bitfieldExtract, uint, {a, one, n}));
+        add(b.intrinsic(Intrinsic::bitfieldInsert, int_, {n, n, one, n}));
+        add(b.intrinsic(Intrinsic::packUnorm4x8, uint, {b.intrinsic(Intrinsic::unpackUnorm4x8, float4, {a})}));
+        add(b.intrinsic(Intrinsic::packHalf2x16, uint, {b.intrinsic(Intrinsic::unpackHalf2x16, float2, {a})}));
+        add(b.intrinsic(Intrinsic::floatBitsToUint, uint, {b.intrinsic(Intrinsic::uintBitsToFloat, b.types().float_, {a})}));
+        add(b.intrinsic(Intrinsic::floatBitsToInt, int_, {b.intrinsic(Intrinsic::intBitsToFloat, b.types().float_, {n})}));
+        ExprId less = b.intrinsic(Intrinsic::lessThan, b.types().bool_, {a, b.u(4)});
+        add(b.intrinsic(Intrinsic::any, b.types().bool_, {less}));
+        return sum;
+    };
+    EXPECT_THAT(stored(value), HasSubstr("uint(address < 4u)"));
+}
+
+TEST(Intrinsics, OfMatricesCompile) {
+    auto value = [](Builder& b, ExprId a) {
+        TypeId mat = b.types().matrix(b.types().float_, 3, 2), square = b.types().matrix(b.types().float_, 2, 2);
+        TypeId float3 = b.types().vector(b.types().float_, 3), float2 = b.types().vector(b.types().float_, 2);
+        ExprId x = as_float(b, a), m = b.make(Op::construct, mat, {x, x, x, x, x, x}), s = b.make(Op::construct, square, {x, x, x, x});
+        auto product = [&](ExprId left, ExprId right, TypeId type) {
+            ExprId id = b.times(left, right);
+            b.program.exprs[id].type = type;
+            return id;
+        };
+        ExprId column = product(m, b.make(Op::construct, float3, {x}), float2), row = product(column, m, float3);
+        ExprId both = product(s, m, mat);
+        ExprId quotient = b.binary(BinaryOp::divide, both, x);
+        ExprId picked = b.make(Op::index, float2, {quotient, a});
+        ExprId det = b.intrinsic(Intrinsic::determinant, b.types().float_, {b.intrinsic(Intrinsic::inverse, square, {s})});
+        return b.plus(b.plus(b.plus(column, picked), b.lanes(row, {0, 1})), det);
+    };
+    std::string text = stored(value);
+    EXPECT_THAT(text, HasSubstr("vec2 product(mat3x2 m, vec3 v)"));
+}
+
+TEST(Subgroups, AskForTheirExtensionsOnly) {
+    Builder b;
+    b.program.kernels[0].group = {64, 1, 1};
+    ExprId address = b.one_axis();
+    auto out = b.buffer("g_data", b.types().uint, Access::read_write);
+    LocalId tile = b.local("tile", b.types().array(b.types().uint, 64)), total = b.local("total", b.types().uint);
+    b.program.locals[tile].storage = Storage::shared;
+    b.pass.shared = {tile};
+    ExprId element = b.make(Op::index, b.types().uint, {b.use(tile), address});
+    ExprId sum = b.intrinsic(Intrinsic::subgroupExclusiveAdd, b.types().uint, {address});
+    ExprId counted = b.intrinsic(Intrinsic::subgroupBallotExclusiveCount, b.types().uint, {b.less(address, b.u(5))});
+    ExprId before = b.intrinsic(Intrinsic::atomicAdd, b.types().uint, {element, b.u(1)});
+    b.pass.body = {b.let(total, b.plus(sum, counted)), b.assign(b.use(total), b.plus(b.use(total), before)), b.add(b.statement(StmtOp::barrier)),
+                   b.branch(b.use(b.pass.in_range), {b.store(out, address, b.use(total))})};
+    std::string text = proved(b);
+    EXPECT_THAT(text, HasSubstr("shared uint tile[64];"));
+    EXPECT_THAT(text, HasSubstr("bool in_range = address < size;"));
+    EXPECT_THAT(text, HasSubstr("coherent buffer G_data"));
+    EXPECT_THAT(text, HasSubstr("    groupMemoryBarrier();\n    barrier();\n"));
+    EXPECT_THAT(text, Not(HasSubstr("GL_KHR_shader_subgroup_shuffle")));
+}
+
+}  // namespace
+}  // namespace gliftc::test

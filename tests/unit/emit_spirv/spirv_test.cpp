@@ -1,0 +1,80 @@
+#include "emit/spirv/emit.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <spirv-tools/libspirv.hpp>
+
+#include <thread>
+
+namespace gliftc::spirv {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+std::string disassembled(const std::vector<std::uint32_t>& words) {
+    std::string text;
+    spvtools::SpirvTools(SPV_ENV_VULKAN_1_3).Disassemble(words, &text);
+    return text;
+}
+
+std::size_t count(const std::string& text, const std::string& what) {
+    std::size_t found = 0;
+    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++found;
+    return found;
+}
+
+const std::string head = "#version 460\n#extension GL_EXT_scalar_block_layout : require\n"
+                         "#extension GL_GOOGLE_cpp_style_line_directive : require\nlayout(local_size_x = 64) in;\n"
+                         "layout(scalar, set = 0, binding = 1) buffer F { vec3 f[]; };\n";
+
+TEST(Spirv, NeverContractsFloatArithmetic) {
+    Spirv made = spirv_of(head + "void main() { uint i = gl_GlobalInvocationID.x; f[i] = f[i] * f[i] + f[i] / 3.0 - (-f[i]); }\n");
+    ASSERT_EQ(made.error, "");
+    // *, +, /, -, unary -
+    EXPECT_EQ(count(disassembled(made.words), " NoContraction"), 5u);
+}
+
+TEST(Spirv, DefinesMinAndMaxForNotANumber) {
+    Spirv made = spirv_of(head + "void main() { f[0] = clamp(min(f[1], f[2]), max(f[3], f[4]), f[5]); }\n");
+    ASSERT_EQ(made.error, "");
+    std::string text = disassembled(made.words);
+    for (const char* word : {"NMin", "NMax", "NClamp"}) EXPECT_THAT(text, HasSubstr(word));
+    for (const char* word : {" FMin", " FMax", " FClamp"}) EXPECT_THAT(text, Not(HasSubstr(word)));
+}
+
+TEST(Spirv, KeepsExactnessThroughTheOptimiser) {
+    Spirv made = spirv_of(head + "void main() { uint i = gl_GlobalInvocationID.x; f[i] = f[i] * f[i] + f[i]; }\n", Optimise::performance);
+    ASSERT_EQ(made.error, "");
+    EXPECT_EQ(count(disassembled(made.words), " NoContraction"), 2u);
+}
+
+TEST(Spirv, NamesTheSourceLineInErrors) {
+    Spirv made = spirv_of(head + "void main() {\n#line 9 \"laplacian.glift\"\n    f[0] = undeclared;\n}\n");
+    EXPECT_TRUE(made.words.empty());
+    EXPECT_THAT(made.error, HasSubstr("laplacian.glift:9: "));
+    EXPECT_THAT(made.error, HasSubstr("undeclared"));
+}
+
+TEST(Spirv, KeepsNamesAndLines) {
+    Spirv made = spirv_of(head + "void main() {\n#line 9 \"laplacian.glift\"\n    float sum = f[0].x;\n    f[1].x = sum;\n}\n");
+    ASSERT_EQ(made.error, "");
+    std::string text = disassembled(made.words);
+    EXPECT_THAT(text, HasSubstr("\"sum\""));
+    EXPECT_THAT(text, HasSubstr("OpString \"laplacian.glift\""));
+    EXPECT_THAT(text, HasSubstr(" 9 0"));
+}
+
+TEST(Spirv, IsTheSameEachTimeAndFromSeveralThreads) {
+    const std::string glsl = head + "void main() { f[0] = f[1] * 2.0; }\n";
+    const Spirv first = spirv_of(glsl);
+    std::vector<Spirv> made(4);
+    std::vector<std::thread> threads;
+    for (Spirv& one : made) threads.emplace_back([&] { one = spirv_of(glsl); });
+    for (std::thread& thread : threads) thread.join();
+    for (const Spirv& one : made) EXPECT_EQ(one.words, first.words);
+}
+
+}  // namespace
+}  // namespace gliftc::spirv
