@@ -7,6 +7,14 @@ namespace gliftc {
 
 using ast::Decl;
 
+namespace {
+
+const std::vector<std::string_view> declaration_spellings{"fn",        "struct",     "enum", "interface", "const",  "type",
+                                                          "structure", "translator", "view", "adaptor",   "kernel", "pipeline",
+                                                          "test",      "pub",        "use",  "extern"};
+
+}  // namespace
+
 /// file = "module" path ";" { use } { declaration } ;
 ast::Module Parser::parse_module() {
     ast::Module module;
@@ -130,7 +138,8 @@ void Parser::parse_declaration_body(Decl& decl) {
     }
     bool known = at(kw_fn) || at(kw_struct) || at(kw_enum) || at(kw_interface) || at(kw_const) || at_declaration_word();
     if (!known) {
-        fail(Diag::expected_declaration, here(), {shown(peek())});
+        std::string_view meant = did_you_mean(text_of(peek()), declaration_spellings);
+        fail(Diag::expected_declaration, here(), {shown(peek())}, meant.empty() ? "" : "did you mean '" + std::string(meant) + "'?");
         return;
     }
     advance();
