@@ -1,7 +1,7 @@
 # glift_compile(TARGET target SOURCES file.glift… [IMPORT_DIRS dir…] [DEFINES name=value…] [OPTIONS option…])
 #
 # Compiles each file with gliftc and adds what comes out (<name>.glift.hpp, <name>.glift.cpp) to the target, with its
-# include directory and the runtime it calls. Works the same beside add_subdirectory and after find_package(glift).
+# include directory, the runtime it calls and the threads (oneTBB) of its host kernels. Works the same beside add_subdirectory and after find_package(glift).
 #
 # gliftc rewrites an output only when its bytes change. The stamp is what says that it ran; the outputs are byproducts,
 # so an import that was only touched compiles no C++, and a second build does nothing.
@@ -54,5 +54,5 @@ function(glift_compile)
     endforeach()
 
     target_include_directories(${arg_TARGET} PUBLIC $<BUILD_INTERFACE:${out}>)
-    target_link_libraries(${arg_TARGET} PUBLIC glift::runtime)
+    target_link_libraries(${arg_TARGET} PUBLIC glift::runtime TBB::tbb)
 endfunction()
