@@ -218,7 +218,7 @@ Text print(Printer& p, ExprId id) {
     case Op::index: return print_index(p, expr);
     case Op::field: {
         const ir::Type& type = p.program.types[p.program.exprs[expr.operands[0]].type];
-        const ir::Name name = p.program.structs[type.index].fields[expr.slot].name;
+        const Name name = p.program.structs[type.index].fields[expr.slot].name;
         std::string text = print(p, expr.operands[0], Level::postfix) + "." + identifier((*p.program.names)[name]);
         if (p.program.types.is_vector(expr.type) && holds_bool(p.program, expr.type))
             text = type_text(p.globals, expr.type, p.use_namespaces) + "(" + text + ")";
@@ -235,7 +235,7 @@ Text print(Printer& p, ExprId id) {
     case Op::value: return {"*" + print(p, expr.operands[0], Level::unary), Level::unary};
     case Op::element: case Op::address: case Op::near: case Op::read: case Op::sample: case Op::member: case Op::memory_extent:
     case Op::domain: case Op::range_size: case Op::state: case Op::translate: case Op::invocation: case Op::host_read:
-    case Op::device_read: case Op::await_value: case Op::slice: case Op::structure_value: case Op::pipeline_call:
+    case Op::device_read: case Op::await_value: case Op::slice: case Op::structure_value: case Op::pipeline_call: case Op::host_state: case Op::element_count:
     case Op::parameter: case Op::load: case Op::image_load: case Op::image_sample: case Op::builtin: break;
     }
     return p.outer_expression(expr);

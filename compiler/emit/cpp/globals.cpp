@@ -6,7 +6,7 @@
 namespace gliftc::cpp {
 
 Globals make_globals(const ir::Program& program, const Sources& sources) {
-    Globals globals{.program = program, .sources = sources};
+    Globals globals(program, sources);
     const Names& names = *program.names;
     std::unordered_map<std::uint32_t, int> uses;
     for (const ir::Struct& each : program.structs) ++uses[each.name.index];

@@ -32,6 +32,8 @@ struct Globals {
     std::unordered_map<ir::FunctionId, std::string> function_names;
     std::unordered_map<std::uint32_t, std::string> kernel_names;   ///< of Program::kernels
     std::unordered_map<std::uint32_t, std::string> pipeline_names;
+
+    Globals(const ir::Program& program, const Sources& sources) : program(program), sources(sources) {}
 };
 
 /// Names every struct and structure of the program.

@@ -92,15 +92,15 @@ T* elements(const HostMemory& memory) {
     return reinterpret_cast<T*>(memory.data);
 }
 
-/// An exclusive upper bound for the row parts whose neighbours within `radius` all exist.
-struct Interior {
+/// Elements [begin, end) of a row along x.
+struct Part {
     uint begin, end;
 };
 
 /// The part of a row's [begin, end) that is at least `radius` away from every side of `domain`. `first` is the address
 /// of the range's first element; axes that the range does not have are 1 long in `domain` and not looked at.
 template <unsigned N>
-Interior interior_of(const Row& row, const vec<uint, N>& first, const vec<uint, N>& domain, uint radius) {
+Part interior_of(const Row& row, const vec<uint, N>& first, const vec<uint, N>& domain, uint radius) {
     const auto inside = [radius](uint a, uint n) { return a >= radius && n > radius && a < n - radius; };
     bool rest = inside(first.y + row.y, domain.y);
     if constexpr (N > 2) rest = rest && inside(first.z + row.z, domain.z);
@@ -112,8 +112,14 @@ Interior interior_of(const Row& row, const vec<uint, N>& first, const vec<uint, 
     const uint begin = std::clamp(low, row.begin, row.end);
     return {begin, std::clamp(high, begin, row.end)};
 }
-inline Interior interior_of(const Row& row, uint first, uint domain, uint radius) {
-    return interior_of(row, uint2{first, radius}, uint2{domain, 2 * radius + 1}, radius);
+inline Part interior_of(const Row& row, uint first, uint domain, uint radius) {
+    const Row flat{row.begin, row.end, 0, 0, 0};
+    return interior_of(flat, uint2{first, radius}, uint2{domain, 2 * radius + 1}, radius);
+}
+
+/// What of a row lies before and after its interior.
+inline std::array<Part, 2> around(const Row& row, const Part& interior) {
+    return {Part{row.begin, interior.begin}, Part{interior.end, row.end}};
 }
 
 // ---------------------------------------------------------------------------------- scatter: combine with what is there

@@ -1,0 +1,212 @@
+#include "emit/host/body.h"
+
+#include "emit/cpp/visit.h"
+#include "emit/host/emit.h"
+
+namespace gliftc::host {
+
+namespace {
+
+using cpp::Level;
+using cpp::Text;
+using ir::Expr;
+using ir::Op;
+using ir::Stmt;
+using ir::StmtOp;
+
+/// The type that an image access names: what a load gives.
+std::string image_call(Body& body, const char* name, std::uint32_t binding, bool typed) {
+    body.used_bindings.insert(binding);
+    const ir::PassBinding& b = body.pass.bindings[binding];
+    return std::string("glift::host::") + name + (typed ? "<" + cpp::type_text(body.p.globals, b.element) + ">" : "") + "(" +
+           body.binding_names[binding];
+}
+
+Text print_outer(Body& body, const Expr& expr) {
+    cpp::Printer& p = body.p;
+    switch (expr.op) {
+    case Op::parameter:
+        body.used_parameters.insert(expr.slot);
+        return {body.parameter_names[expr.slot]};
+    case Op::load: {
+        std::string text = element_text(body, expr.slot, expr.operands[0]);
+        if (p.program.types.is_vector(expr.type) && cpp::holds_bool(p.program, expr.type))
+            text = cpp::type_text(p.globals, expr.type) + "(" + text + ")";
+        return {text};
+    }
+    case Op::image_load: return {image_call(body, "load_texel", expr.slot, true) + ", " + cpp::join_arguments(p, expr.operands) + ")"};
+    case Op::image_sample: {
+        const char* function = body.pass.bindings[expr.slot].linear ? "sample_linear" : "sample_nearest";
+        return {image_call(body, function, expr.slot, true) + ", " + cpp::join_arguments(p, expr.operands) + ")"};
+    }
+    case Op::builtin:
+        switch (expr.builtin) {
+        case ir::Builtin::global_id: return {"global_id"};
+        case ir::Builtin::local_id: return {"local_id"};
+        case ir::Builtin::group_id: return {"group_id"};
+        case ir::Builtin::group_count: return {"group_count"};
+        case ir::Builtin::local_index: return {"local_index"};
+        case ir::Builtin::subgroup_size: return {"1u"};
+        case ir::Builtin::subgroup_lane: return {"0u"};
+        case ir::Builtin::subgroup_index: return {"local_index"};
+        }
+        break;
+    case Op::invocation:
+        switch (expr.invocation) {
+        case ir::Invocation::local_index: return {"local_index"};
+        case ir::Invocation::group_index: return {"group_index"};
+        case ir::Invocation::group_count: return {"group_total"};
+        case ir::Invocation::group_size: return {"group_size"};
+        case ir::Invocation::subgroup_size: return {"1u"};
+        case ir::Invocation::subgroup_lane: return {"0u"};
+        case ir::Invocation::subgroup_index: return {"local_index"};
+        }
+        break;
+    case Op::constant: case Op::local: case Op::construct: case Op::convert: case Op::unary: case Op::binary: case Op::select:
+    case Op::swizzle: case Op::index: case Op::field: case Op::call: case Op::intrinsic: case Op::none: case Op::some:
+    case Op::has_value: case Op::value: case Op::element: case Op::address: case Op::near: case Op::read: case Op::sample:
+    case Op::member: case Op::memory_extent: case Op::domain: case Op::range_size: case Op::state: case Op::translate:
+    case Op::host_read: case Op::device_read: case Op::await_value: case Op::slice: case Op::structure_value:
+    case Op::pipeline_call: case Op::host_state: case Op::element_count: break;
+    }
+    return {"/* not lowered */"};
+}
+
+std::string_view combine_name(ir::Combine combine) {
+    switch (combine) {
+    case ir::Combine::replace: return "atomic_replace";
+    case ir::Combine::min: return "atomic_min";
+    case ir::Combine::max: return "atomic_max";
+    case ir::Combine::add: return "atomic_add";
+    case ir::Combine::bit_and: return "atomic_bit_and";
+    case ir::Combine::bit_or: return "atomic_bit_or";
+    case ir::Combine::bit_xor: return "atomic_bit_xor";
+    }
+    return "";
+}
+
+void print_outer(Body& body, const Stmt& stmt) {
+    cpp::Printer& p = body.p;
+    switch (stmt.op) {
+    case StmtOp::store: {
+        const ir::TypeId element = body.pass.bindings[stmt.slot].element;
+        std::string value = cpp::print_any(p, stmt.value);
+        if (p.program.types.is_vector(element) && cpp::holds_bool(p.program, element))
+            value = cpp::storage_text(p.globals, element) + "(" + value + ")";
+        p.out.line(element_text(body, stmt.slot, stmt.target) + " = " + value + ";");
+        return;
+    }
+    case StmtOp::image_store:
+        p.out.line(image_call(body, "store_texel", stmt.slot, false) + ", " + cpp::print_any(p, stmt.target) + ", " +
+                   cpp::print_any(p, stmt.value) + ");");
+        return;
+    case StmtOp::atomic: {
+        const ir::PassBinding& binding = body.pass.bindings[stmt.slot];
+        const std::string value = cpp::print_any(p, stmt.value);
+        if (binding.shape == ir::MemoryShape::buffer) {
+            const std::string element = element_text(body, stmt.slot, stmt.target);
+            p.out.line("glift::host::" + std::string(combine_name(stmt.combine)) + "(" + element + ", " + value + ");");
+        } else {
+            p.out.line("glift::host::" + std::string(combine_name(stmt.combine)) + "(" +
+                       image_call(body, "texel", stmt.slot, true) + ", " + cpp::print_any(p, stmt.target) + "), " + value + ");");
+        }
+        return;
+    }
+    case StmtOp::let: case StmtOp::assign: case StmtOp::if_: case StmtOp::for_: case StmtOp::while_: case StmtOp::break_:
+    case StmtOp::continue_: case StmtOp::return_: case StmtOp::block: case StmtOp::evaluate: case StmtOp::barrier:
+    case StmtOp::set_element: case StmtOp::write: case StmtOp::temp: case StmtOp::release: case StmtOp::dispatch:
+    case StmtOp::expect: case StmtOp::expect_near: case StmtOp::expect_same: case StmtOp::host_assign: break;
+    }
+    p.out.line("/* not lowered */");
+}
+
+void print_local_function(Body& body, ir::FunctionId id) {
+    cpp::Printer& p = body.p;
+    const ir::Function& function = p.program.functions[id];
+    p.globals.function_names[id] = p.names.declare((*p.program.names)[function.name]);
+    p.names.enter();
+    std::string parameters;
+    for (ir::LocalId local : function.params) {
+        const std::string type = cpp::type_text(p.globals, p.program.locals[local].type);
+        parameters += (parameters.empty() ? "" : ", ") + type + " " + cpp::declare_local(p, local);
+    }
+    cpp::mark_line(p, function.span);
+    p.out.open("const auto " + p.globals.function_names[id] + " = [&](" + parameters + ") -> " +
+               cpp::type_text(p.globals, function.result));
+    auto print_return = std::exchange(p.print_return, nullptr);
+    cpp::print_statements(p, function.body);
+    p.print_return = print_return;
+    p.out.close(";");
+    p.names.leave();
+}
+
+}  // namespace
+
+Body::Body(cpp::Globals& globals, const ir::Pass& pass) : pass(pass), p(globals) {
+    for (const char* name : {"call", "row", "parameters", "x", "i", "address", "count", "interior", "part"}) p.names.declare(name);
+    for (const ir::PassBinding& binding : pass.bindings) binding_names.push_back(p.names.declare(binding.name));
+    for (const ir::PassParameter& parameter : pass.parameters) parameter_names.push_back(p.names.declare(parameter.name));
+    p.outer_expression = [this](const Expr& expr) { return print_outer(*this, expr); };
+    p.outer_statement = [this](const Stmt& stmt) { print_outer(*this, stmt); };
+}
+
+std::string element_text(Body& body, std::uint32_t binding, ir::ExprId index) {
+    if (const auto row = body.row_pointers.find(index); row != body.row_pointers.end()) return row->second + "[i]";
+    body.used_bindings.insert(binding);
+    return body.binding_names[binding] + "[" + cpp::print_any(body.p, index) + "]";
+}
+
+void print_local_functions(Body& body) {
+    for (ir::FunctionId id : body.pass.functions) {
+        if (!is_pure(body.p.program, id)) print_local_function(body, id);
+    }
+}
+
+void declare_used(Body& body, cpp::Writer& out, const std::string& name) {
+    if (!body.used_parameters.empty())
+        out.line("const auto& parameters = *static_cast<const " + name + "_parameters*>(call.parameters);");
+    for (std::uint32_t i = 0; i < body.pass.parameters.size(); ++i) {
+        if (!body.used_parameters.contains(i)) continue;
+        const ir::PassParameter& parameter = body.pass.parameters[i];
+        std::string value = "parameters." + cpp::identifier(parameter.name);
+        const std::string type = cpp::type_text(body.p.globals, parameter.type);
+        if (cpp::holds_bool(body.p.program, parameter.type) && body.p.program.types.is_vector(parameter.type)) value = type + "(" + value + ")";
+        out.line("const " + type + " " + body.parameter_names[i] + " = " + value + ";");
+    }
+    for (std::uint32_t i = 0; i < body.pass.bindings.size(); ++i) {
+        if (!body.used_bindings.contains(i)) continue;
+        const ir::PassBinding& binding = body.pass.bindings[i];
+        const std::string memory = "call.memories[" + std::to_string(i) + "]";
+        if (binding.shape != ir::MemoryShape::buffer) {
+            out.line("const glift::HostMemory& " + body.binding_names[i] + " = " + memory + ";");
+            continue;
+        }
+        const std::string type = cpp::storage_text(body.p.globals, binding.element);
+        const std::string element = binding.access == ir::Access::read ? "const " + type : type;
+        out.line(element + "* " + body.binding_names[i] + " = glift::host::elements<" + element + ">(" + memory + ");");
+    }
+}
+
+bool returns_early(const ir::Program& program, const std::vector<ir::StmtId>& body) {
+    bool found = false;
+    cpp::for_each_statement(program, body, [&](const Stmt& stmt) { found = found || stmt.op == StmtOp::return_; });
+    return found;
+}
+
+bool is_pure(const ir::Program& program, ir::FunctionId id) {
+    bool pure = true;
+    const ir::Function& function = program.functions[id];
+    cpp::for_each_statement(program, function.body, [&](const Stmt& stmt) {
+        if (stmt.op == StmtOp::store || stmt.op == StmtOp::image_store || stmt.op == StmtOp::atomic) pure = false;
+    });
+    cpp::for_each_expression(program, function.body, [&](const Expr& expr) {
+        if (expr.op == Op::load || expr.op == Op::image_load || expr.op == Op::image_sample || expr.op == Op::parameter ||
+            expr.op == Op::builtin || expr.op == Op::invocation)
+            pure = false;
+        if (expr.op == Op::local && program.locals[expr.local].storage == ir::Storage::shared) pure = false;
+        if (expr.op == Op::call && !is_pure(program, expr.function)) pure = false;
+    });
+    return pure;
+}
+
+}  // namespace gliftc::host

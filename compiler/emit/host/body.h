@@ -1,0 +1,36 @@
+// What the printers of rows and of workgroups share: names of bindings and parameters, memory operations.
+#pragma once
+
+#include "emit/cpp/printer.h"
+#include "ir/pass.h"
+
+#include <set>
+
+namespace gliftc::host {
+
+struct Body {
+    const ir::Pass& pass;
+    cpp::Printer p;
+    std::vector<std::string> binding_names;
+    std::vector<std::string> parameter_names;
+    std::set<std::uint32_t> used_bindings, used_parameters;
+    /// Index operands of accesses that go through a pointer to the row, and its name.
+    std::unordered_map<ir::ExprId, std::string> row_pointers;
+
+    Body(cpp::Globals& globals, const ir::Pass& pass);
+    Body(const Body&) = delete;
+};
+
+/// `f_data[index]`, or through its row pointer.
+std::string element_text(Body& body, std::uint32_t binding, ir::ExprId index);
+/// Functions of the pass that touch memory or parameters, as lambdas.
+void print_local_functions(Body& body);
+/// Declarations of the bindings and parameters that were used, to stand before `text`.
+void declare_used(Body& body, cpp::Writer& out, const std::string& name);
+bool returns_early(const ir::Program& program, const std::vector<ir::StmtId>& body);
+
+// rows.cpp, groups.cpp
+std::string row_kernel(cpp::Globals& globals, const ir::Pass& pass, const std::string& name);
+std::string group_kernel(cpp::Globals& globals, const ir::Pass& pass, const std::string& name);
+
+}  // namespace gliftc::host

@@ -1,0 +1,265 @@
+// Kernels without a group: a loop along x for each row of elements.
+#include "emit/cpp/visit.h"
+#include "emit/host/affine.h"
+#include "emit/host/body.h"
+
+#include <map>
+
+namespace gliftc::host {
+
+namespace {
+
+using ir::ExprId;
+using ir::Op;
+using ir::Stmt;
+using ir::StmtId;
+using ir::StmtOp;
+
+bool is_unconditional(ir::BinaryOp op) {
+    return op != ir::BinaryOp::logical_and && op != ir::BinaryOp::logical_or;
+}
+
+struct RowAccess {
+    std::uint32_t binding;
+    ExprId index;
+};
+
+/// Loads that every element of the row executes.
+void collect_loads(const ir::Program& program, ExprId id, Affine& affine, std::vector<RowAccess>& found) {
+    if (!id) return;
+    const ir::Expr& expr = program.exprs[id];
+    if (expr.op == Op::load && affine.is_row(expr.operands[0])) {
+        found.push_back({expr.slot, expr.operands[0]});
+        return;
+    }
+    const bool whole = expr.op != Op::select && (expr.op != Op::binary || is_unconditional(expr.binary));
+    for (std::size_t i = 0; i < expr.operands.size() && (whole || i == 0); ++i)
+        collect_loads(program, expr.operands[i], affine, found);
+}
+
+/// All accesses of a straight-line body that go through their memory in order. Ends at the first early return: what
+/// follows is not executed by every element.
+std::vector<RowAccess> row_accesses(const ir::Program& program, const ir::Pass& pass, const std::vector<StmtId>& body) {
+    Affine affine(program, pass.address);
+    std::vector<RowAccess> found;
+    const auto scan = [&](const auto& self, const std::vector<StmtId>& statements) -> bool {
+        for (StmtId id : statements) {
+            const Stmt& stmt = program.stmts[id];
+            if (stmt.op == StmtOp::return_) return false;
+            if (stmt.op == StmtOp::block) {
+                if (!self(self, stmt.body)) return false;
+                continue;
+            }
+            collect_loads(program, stmt.value, affine, found);
+            if (stmt.op == StmtOp::store && affine.is_row(stmt.target)) found.push_back({stmt.slot, stmt.target});
+            if ((stmt.op == StmtOp::if_ || stmt.op == StmtOp::for_ || stmt.op == StmtOp::while_) &&
+                (returns_early(program, stmt.body) || returns_early(program, stmt.otherwise)))
+                return false;
+            affine.learn(stmt);
+        }
+        return true;
+    };
+    scan(scan, body);
+    return found;
+}
+
+/// The `let`s that an expression needs, in order.
+void needed_lets(const ir::Program& program, const std::map<ir::LocalId, StmtId>& lets, ExprId id, std::set<StmtId>& needed) {
+    cpp::for_each_expression(program, id, [&](const ir::Expr& expr) {
+        if (expr.op != Op::local) return;
+        const auto let = lets.find(expr.local);
+        if (let != lets.end() && needed.insert(let->second).second) needed_lets(program, lets, program.stmts[let->second].value, needed);
+    });
+}
+
+/// True of a `let` whose value nobody misses if nobody reads it.
+bool is_let(const Stmt& stmt) { return stmt.op == StmtOp::let && stmt.value; }
+
+struct Rows {
+    Body body;
+    const ir::Program& program;
+    const ir::Pass& pass;
+    cpp::Printer& p;
+
+    Rows(cpp::Globals& globals, const ir::Pass& pass) : body(globals, pass), program(globals.program), pass(pass), p(body.p) {}
+
+    void print_address(const std::string& x);
+    void print_row_pointers(const std::vector<StmtId>& statements, const std::vector<RowAccess>& accesses, const std::string& begin);
+    std::vector<StmtId> without_unused(std::vector<StmtId> statements, std::set<ir::LocalId>& read) const;
+    void print_element(const std::vector<StmtId>& statements);
+    void print_loop(const std::vector<StmtId>& statements, const std::string& begin, const std::string& end);
+    bool is_independent(const std::vector<StmtId>& statements) const;
+};
+
+void Rows::print_address(const std::string& x) {
+    static constexpr const char* others[] = {"", ", row.y", ", row.y, row.z", ", row.y, row.z, row.w"};
+    if (pass.rank == 1) p.out.line("const uint address = " + x + ";");
+    else p.out.line("const uint" + std::to_string(pass.rank) + " address{" + x + others[pass.rank - 1] + "};");
+}
+
+/// Pointers to the first element in the row of all memory that is run through in order, with the values they need.
+void Rows::print_row_pointers(const std::vector<StmtId>& statements, const std::vector<RowAccess>& accesses,
+                              const std::string& begin) {
+    std::map<ir::LocalId, StmtId> lets;
+    std::vector<StmtId> in_order;
+    const auto find_lets = [&](const auto& self, const std::vector<StmtId>& list) -> void {
+        for (StmtId id : list) {
+            const Stmt& stmt = program.stmts[id];
+            if (is_let(stmt)) lets[stmt.local] = id, in_order.push_back(id);
+            if (stmt.op == StmtOp::block) self(self, stmt.body);
+        }
+    };
+    find_lets(find_lets, statements);
+    std::set<StmtId> needed;
+    for (const RowAccess& access : accesses) needed_lets(program, lets, access.index, needed);
+
+    print_address(begin);
+    for (StmtId id : in_order) {
+        if (needed.contains(id)) cpp::print_statement(p, id);
+    }
+    std::map<std::pair<std::uint32_t, std::string>, std::string> pointers;
+    for (const RowAccess& access : accesses) {
+        const std::string index = cpp::print(p, access.index, cpp::Level::postfix);
+        std::string& name = pointers[{access.binding, index}];
+        if (name.empty()) {
+            const ir::PassBinding& binding = pass.bindings[access.binding];
+            name = p.names.declare(body.binding_names[access.binding] + "_row");
+            body.used_bindings.insert(access.binding);
+            p.out.line((binding.access == ir::Access::read ? "const " : "") + cpp::storage_text(p.globals, binding.element) + "* " +
+                       name + " = " + body.binding_names[access.binding] + " + " + index + ";");
+        }
+        body.row_pointers[access.index] = name;
+    }
+}
+
+/// Without the `let`s that nothing reads, now that row pointers stand for what was computed with them.
+std::vector<StmtId> Rows::without_unused(std::vector<StmtId> statements, std::set<ir::LocalId>& read) const {
+    const auto note = [&](const auto& self, ExprId id) -> void {
+        if (!id) return;
+        const ir::Expr& expr = program.exprs[id];
+        if (expr.op == Op::local) read.insert(expr.local);
+        if (expr.op == Op::load && body.row_pointers.contains(expr.operands[0])) return;
+        for (ExprId operand : expr.operands) self(self, operand);
+    };
+    for (bool changed = true; changed;) {
+        read.clear();
+        cpp::for_each_statement(program, statements, [&](const Stmt& stmt) {
+            if (stmt.op != StmtOp::store || !body.row_pointers.contains(stmt.target)) note(note, stmt.target);
+            note(note, stmt.value);
+            note(note, stmt.limit);
+        });
+        const std::size_t removed = std::erase_if(statements, [&](StmtId id) {
+            const Stmt& stmt = program.stmts[id];
+            return is_let(stmt) && !read.contains(stmt.local);
+        });
+        changed = removed != 0;
+    }
+    return statements;
+}
+
+bool Rows::is_independent(const std::vector<StmtId>& statements) const {
+    bool independent = true;
+    cpp::for_each_statement(program, statements, [&](const Stmt& stmt) { independent = independent && stmt.op != StmtOp::atomic; });
+    for (const ir::PassBinding& binding : pass.bindings) independent = independent && !binding.atomic;
+    return independent;
+}
+
+/// What one element does; `return` goes on with the next.
+void Rows::print_element(const std::vector<StmtId>& statements) {
+    bool in_loop = false;
+    cpp::for_each_statement(program, statements, [&](const Stmt& stmt) {
+        if (stmt.op == StmtOp::for_ || stmt.op == StmtOp::while_) in_loop = in_loop || returns_early(program, stmt.body);
+    });
+    p.names.enter();
+    if (in_loop) {
+        p.print_return = nullptr;
+        p.out.open("[&]");
+        cpp::print_statements(p, statements);
+        p.out.close("();");
+    } else {
+        p.print_return = [this](ExprId) { p.out.line("continue;"); };
+        cpp::print_statements(p, statements);
+    }
+    p.names.leave();
+}
+
+/// One loop over the elements with x in [begin, end).
+void Rows::print_loop(const std::vector<StmtId>& statements, const std::string& begin, const std::string& end) {
+    const std::vector<RowAccess> accesses = row_accesses(program, pass, statements);
+    body.row_pointers.clear();
+    p.marked_line = 0;
+    p.names.enter();
+    p.local_names[pass.address] = "address";
+    if (!accesses.empty()) {
+        p.out.open("if (" + begin + " < " + end + ")");
+        print_row_pointers(statements, accesses, begin);
+    }
+    std::set<ir::LocalId> read;
+    const std::vector<StmtId> kept = without_unused(statements, read);
+    if (is_independent(kept)) p.out.line("GLIFT_INDEPENDENT");
+    if (accesses.empty()) {
+        p.out.open("for (uint x = " + begin + "; x < " + end + "; ++x)");
+        if (read.contains(pass.address)) print_address("x");
+    } else {
+        p.out.open("for (std::size_t i = 0, count = " + end + " - " + begin + "; i < count; ++i)");
+        if (read.contains(pass.address)) print_address(begin + " + static_cast<uint>(i)");
+    }
+    p.marked_line = 0;
+    print_element(kept);
+    p.out.close();
+    if (!accesses.empty()) p.out.close();
+    p.names.leave();
+}
+
+void print_parts(Rows& rows) {
+    const ir::Pass& pass = rows.pass;
+    cpp::Writer& out = rows.p.out;
+    if (pass.interior_body.empty() || pass.interior_domain >= pass.parameters.size()) {
+        rows.print_loop(pass.body, "row.begin", "row.end");
+        return;
+    }
+    const auto parameter = [&](std::uint32_t index) {
+        rows.body.used_parameters.insert(index);
+        return rows.body.parameter_names[index];
+    };
+    const std::string domain = parameter(pass.interior_domain);
+    const std::string origin = pass.interior_origin < pass.parameters.size() ? parameter(pass.interior_origin)
+                               : pass.rank == 1                              ? "0u"
+                                                                             : "uint" + std::to_string(pass.rank) + "()";
+    out.line("const glift::host::Part interior = glift::host::interior_of(row, " + origin + ", " + domain + ", " +
+             std::to_string(pass.interior_radius) + ");");
+    out.gap();
+    out.line("// Near the sides of the domain.");
+    out.open("for (const glift::host::Part part : glift::host::around(row, interior))");
+    rows.print_loop(pass.body, "part.begin", "part.end");
+    out.close();
+    out.gap();
+    out.line("// Where all neighbours exist.");
+    rows.print_loop(pass.interior_body, "interior.begin", "interior.end");
+}
+
+}  // namespace
+
+std::string row_kernel(cpp::Globals& globals, const ir::Pass& pass, const std::string& name) {
+    Rows rows(globals, pass);
+    rows.p.out.indent();
+    print_local_functions(rows.body);
+    print_parts(rows);
+    const std::string text = rows.p.out.take();
+
+    const ir::Kernel& kernel = globals.program.kernels[pass.kernel];
+    cpp::Writer out;
+    out.line("// " + cpp::place_text(globals.sources, kernel.span) + ": " + kernel.display + ", one row.");
+    out.line("GLIFT_HOST_KERNEL");
+    out.open("static void " + name + "_row(const glift::HostCall& call, const glift::host::Row& row)");
+    declare_used(rows.body, out, name);
+    out.raw(text);
+    out.close();
+    out.gap();
+    out.open("static void " + name + "(const glift::HostCall& call)");
+    out.line("glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { " + name + "_row(call, row); });");
+    out.close();
+    return out.take();
+}
+
+}  // namespace gliftc::host
