@@ -7,12 +7,12 @@
 //             parameters in a storage buffer at binding 0;
 //   wide      like general, buffers reached by 64-bit address (for memories beyond maxStorageBufferRange).
 //
-// Who chooses. Generated code asks Commands::needs_wide(memories) before it packs the parameters. If that is true it
-// packs the general block even where it would have packed the direct one. The runtime then runs the wide form in place
-// of the general one. The wide block is the general block followed by the addresses: general.parameter_bytes bytes as
-// packed, then at Binding::address_offset (8-byte aligned, >= general.parameter_bytes) the address of each buffer, in
-// wide.parameter_bytes in all. Generated code packs only the general part; the runtime writes the addresses.
-// needs_wide is always false on the host device.
+// Who chooses. Generated code asks Commands::needs_general(kernel, memories, size) before it packs the parameters, and
+// packs the general block where the answer is true, even if it would have packed the direct one. The runtime runs the
+// wide form in place of the general one if a buffer is too large for a descriptor. The wide block is the general block
+// followed by the addresses: general.parameter_bytes bytes as packed, then at Binding::address_offset (8-byte aligned,
+// >= general.parameter_bytes) the address of each buffer, in wide.parameter_bytes in all. Generated code packs only the
+// general part; the runtime writes the addresses. needs_general is always false on the host device.
 #pragma once
 
 #include <glift/memory.h>
@@ -74,6 +74,9 @@ struct Form {
     std::uint32_t parameter_bytes = 0;
     bool push_constants = false;             ///< parameters are push constants, else the storage buffer at binding 0
     std::uint32_t size_offset = 0;           ///< byte offset in the parameters of the iteration size (`rank` uints)
+    std::uint32_t base_offset = UINT32_MAX;  ///< general and wide, rank 2 to 4: byte offset in the parameters of three
+                                             ///< uints, packed as zeros, that the shader adds to gl_WorkGroupID.
+                                             ///< UINT32_MAX: none, iterations beyond the device's limits are refused
 };
 
 /// A kernel is static data: the runtime keeps pipelines by its address. The entry point is `main`.
@@ -84,9 +87,9 @@ struct Form {
 /// No groups along an axis: nothing runs. A one-dimensional iteration of more groups than the device allows along x is
 /// folded: the runtime dispatches (x, y, 1) groups with x * y >= groups.x, and invocation number
 /// gl_GlobalInvocationID.y * gl_NumWorkGroups.x * group.x + gl_GlobalInvocationID.x (group.y and group.z are 1) takes
-/// the items; those beyond the size do nothing. In more dimensions the runtime splits an iteration beyond the device's
-/// limits into several dispatches with base workgroups: gl_WorkGroupID and gl_GlobalInvocationID stay right,
-/// gl_NumWorkGroups does not.
+/// the items; those beyond the size do nothing. In more dimensions an iteration beyond the device's limits (65535
+/// groups along y and z on most) takes the general form, split by the runtime into several dispatches through
+/// Form::base_offset; indirect ones are refused (ErrorCode::too_large).
 struct Kernel {
     const char* name;
     const char* file;

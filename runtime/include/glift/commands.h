@@ -1,0 +1,125 @@
+// An ordered stream of passes and copies.
+//
+// What is put into a stream happens as if one after the other, in that order. The runtime knows what each pass and copy
+// reads and writes, so it places the barriers; independent passes get none and may overlap. Nothing waits for the
+// device but wait(), Download::get() and Timestamp. Work is submitted when it is waited for, by flush(), after a
+// download, and whenever much has been recorded.
+#pragma once
+
+#include <glift/api.h>
+#include <glift/device.h>
+#include <glift/memory.h>
+#include <glift/pass.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+namespace glift {
+
+namespace detail {
+class Stream;
+class DownloadObject;
+class TimestampObject;
+}  // namespace detail
+
+/// Bytes `from` .. `from + bytes` of the source go to `to` .. of the target.
+struct CopyRegion {
+    std::uint64_t from = 0, to = 0, bytes = 0;
+};
+
+/// A box of texels of an image, which lies packed and row-major at `offset` of a buffer or of host bytes.
+struct ImageRegion {
+    std::uint64_t offset = 0;
+    std::array<std::uint32_t, 3> origin = {0, 0, 0};
+    std::array<std::uint32_t, 3> extent = {1, 1, 1};
+    std::uint32_t mip = 0;
+    std::uint32_t face = 0;            ///< cubes
+};
+
+/// A box of texels from one image to another of the same format.
+struct ImageCopyRegion {
+    std::array<std::uint32_t, 3> from = {0, 0, 0}, to = {0, 0, 0}, extent = {1, 1, 1};
+    std::uint32_t from_mip = 0, to_mip = 0, from_face = 0, to_face = 0;
+};
+
+/// Bytes on their way from the device.
+class GLIFT_API Download {
+public:
+    Download() = default;
+    explicit Download(std::shared_ptr<detail::DownloadObject> object) : object_(std::move(object)) {}
+
+    bool ready() const;                          ///< never waits
+    std::span<const std::byte> get() const;      ///< waits for what the bytes depend on; valid while this handle lives
+
+private:
+    std::shared_ptr<detail::DownloadObject> object_;
+};
+
+/// A moment on the device's clock: when everything before it in the stream was done.
+class GLIFT_API Timestamp {
+public:
+    Timestamp() = default;
+    explicit Timestamp(std::shared_ptr<detail::TimestampObject> object) : object_(std::move(object)) {}
+
+    double seconds() const;                      ///< waits until it is reached; the zero is arbitrary
+
+private:
+    std::shared_ptr<detail::TimestampObject> object_;
+};
+
+/// `later - earlier`, in seconds.
+inline double operator-(const Timestamp& later, const Timestamp& earlier) {
+    return later.seconds() - earlier.seconds();
+}
+
+/// A cheap handle to a stream: a device's own, a recording in progress, or the user's VkCommandBuffer (vulkan.h).
+/// Generated functions take `const Commands&`, so that they can be called with a Device too.
+class GLIFT_API Commands {
+public:
+    Commands(const Device& device);              ///< the device's own stream
+    explicit Commands(std::shared_ptr<detail::Stream> stream) : stream_(std::move(stream)) {}
+
+    Device device() const;
+
+    /// True if a call over these memories and this iteration size cannot take the direct form on this device: pack the
+    /// general parameters then (pass.h).
+    bool needs_general(const Kernel& kernel, std::span<const Memory> memories,
+                       const std::array<std::uint32_t, 4>& size) const;
+
+    void dispatch(const Kernel& kernel, const Call& call) const;
+
+    void fill(const Memory& memory, std::uint64_t offset, std::uint64_t bytes, std::uint32_t value = 0) const;   ///< multiples of 4
+
+    /// Between buffers. Source and target may be one memory if no region's source overlaps any region's target.
+    void copy(const Memory& from, const Memory& to, std::span<const CopyRegion> regions) const;
+    void copy(const Memory& from, std::uint64_t from_offset, const Memory& to, std::uint64_t to_offset,
+              std::uint64_t bytes) const;
+
+    void copy_to_image(const Memory& buffer, const Memory& image, std::span<const ImageRegion> regions) const;
+    void copy_from_image(const Memory& image, const Memory& buffer, std::span<const ImageRegion> regions) const;
+    void copy_images(const Memory& from, const Memory& to, std::span<const ImageCopyRegion> regions) const;
+
+    /// From host bytes, which are copied before the call returns. Regions: `from` is an offset in `bytes`.
+    void upload(const Memory& to, std::uint64_t offset, std::span<const std::byte> bytes) const;
+    void upload(const Memory& to, std::span<const CopyRegion> regions, std::span<const std::byte> bytes) const;
+    void upload_image(const Memory& image, std::span<const ImageRegion> regions, std::span<const std::byte> bytes) const;
+
+    /// To host bytes: `bytes` of them, which the regions fill (`to` is an offset in them). Not in a recording.
+    Download download(const Memory& from, std::uint64_t offset, std::uint64_t bytes) const;
+    Download download(const Memory& from, std::span<const CopyRegion> regions, std::uint64_t bytes) const;
+    Download download_image(const Memory& image, std::span<const ImageRegion> regions, std::uint64_t bytes) const;
+
+    Timestamp timestamp() const;                 ///< not in a recording
+
+    void flush() const;                          ///< submits what is recorded
+    void wait() const;                           ///< submits and waits; throws what kernels reported (StatusRecord)
+
+    const std::shared_ptr<detail::Stream>& share() const { return stream_; }
+
+private:
+    std::shared_ptr<detail::Stream> stream_;
+};
+
+}  // namespace glift

@@ -1,0 +1,100 @@
+// A device: a GPU, a CPU that runs Vulkan (lavapipe), or the host, which runs the kernels as compiled C++.
+#pragma once
+
+#include <glift/api.h>
+#include <glift/memory.h>
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace glift {
+
+class Commands;
+class Recording;
+namespace detail { class DeviceObject; }
+
+enum class DeviceKind : std::uint8_t { gpu, cpu, host };   ///< cpu: Vulkan on the CPU
+
+/// No limit.
+inline constexpr std::uint64_t unlimited = UINT64_MAX;
+
+struct DeviceProperties {
+    std::string name;                 ///< `NVIDIA H200`, `llvmpipe (LLVM 15.0.6, 256 bits)`, `host`
+    std::string driver;               ///< name and version of the driver
+    DeviceKind kind = DeviceKind::host;
+    std::uint32_t subgroup_size = 1;
+    std::uint64_t memory_bytes = 0;                 ///< of the heap that memories come from
+    std::uint64_t max_allocation_bytes = unlimited; ///< of one memory
+    std::uint64_t max_storage_buffer_range = unlimited;   ///< beyond it kernels use their wide form
+    std::uint32_t shared_memory_bytes = 0;          ///< of a workgroup
+    std::uint32_t max_push_constant_bytes = 128;
+    std::array<std::uint32_t, 3> max_workgroups = {UINT32_MAX, UINT32_MAX, UINT32_MAX};
+    std::array<std::uint32_t, 3> max_workgroup_size = {1024, 1024, 64};
+    std::uint32_t max_workgroup_invocations = 1024;
+    std::uint64_t loop_round_limit = unlimited;     ///< loop rounds of one invocation before the device cuts it off
+    double timestamp_seconds = 1e-9;                ///< one tick
+    bool int8 = false, int16 = false, int64 = false, float16 = false, float64 = false;
+    bool int64_atomics = false;
+    bool float32_atomic_add = false;                ///< on buffers
+    bool float32_atomic_min_max = false;
+    bool image_float32_atomic_add = false;
+    bool subgroup_arithmetic = false;
+    bool descriptor_indexing = false;
+    bool push_descriptors = false;
+};
+
+/// Counted since the device was opened; the bytes are those of the moment.
+struct Statistics {
+    std::uint64_t submissions = 0;
+    std::uint64_t passes = 0;          ///< dispatches of kernels (a replayed pass counts at each replay)
+    std::uint64_t barriers = 0;        ///< recorded between passes and copies (a replay counts none)
+    std::uint64_t pipelines = 0;       ///< created
+    std::uint64_t waits = 0;           ///< times the host waited for the device
+    std::uint64_t memories = 0;        ///< alive
+    std::uint64_t bytes_used = 0;      ///< by memories and staging
+    std::uint64_t bytes_reserved = 0;  ///< taken from the device, in blocks
+};
+
+/// A cheap handle: copies mean the same device. Safe to use from several threads, one call at a time each.
+class GLIFT_API Device {
+public:
+    /// `gpu`, `lavapipe`, `host`, or part of a device's name. Without an argument the environment variable GLIFT_DEVICE
+    /// decides in the same words; without that, the best GPU, else a CPU that runs Vulkan. Never the host unless asked.
+    ///
+    /// Other environment variables: GLIFT_VALIDATE=1 turns on the validation layer; GLIFT_CACHE_DIR says where
+    /// compiled pipelines are kept (default: $XDG_CACHE_HOME/glift or ~/.cache/glift; empty: nowhere);
+    /// GLIFT_MEMORY_LIMIT caps the bytes taken from the device; GLIFT_VULKAN_LOADER names the loader library.
+    static Device open(std::string_view which = {});
+
+    explicit Device(std::shared_ptr<detail::DeviceObject> object) : object_(std::move(object)) {}
+
+    const DeviceProperties& properties() const;
+    bool is_host() const { return properties().kind == DeviceKind::host; }
+
+    /// Throws out_of_memory or too_large, with the sizes.
+    Memory allocate(const MemoryDescription& description) const;
+
+    /// The device's own stream: everything put there happens in order. See commands.h.
+    Commands commands() const;
+
+    /// Captures what body(Commands&) does, to be submitted any number of times. See recording.h.
+    template <class Body> Recording record(Body&& body) const;
+
+    void wait() const;                 ///< submits what is recorded and waits for all of it
+    Statistics statistics() const;
+
+    /// What the validation layer said (errors and warnings about correctness, none about speed), since the last call.
+    std::vector<std::string> validation_messages() const;
+
+    bool operator==(const Device&) const = default;
+    const std::shared_ptr<detail::DeviceObject>& share() const { return object_; }
+
+private:
+    std::shared_ptr<detail::DeviceObject> object_;
+};
+
+}  // namespace glift

@@ -1,0 +1,78 @@
+// Glift inside a program that has its own Vulkan device. The only public header that includes Vulkan's.
+#pragma once
+
+#include <glift/commands.h>
+#include <glift/device.h>
+#include <glift/memory.h>
+
+#include <vulkan/vulkan.h>
+
+#include <memory>
+#include <span>
+
+namespace glift::vulkan {
+
+/// The features to make a device with: everything that Glift needs and everything it can use on this physical device.
+/// Chain `features` (a VkPhysicalDeviceFeatures2 with all the rest behind it) into VkDeviceCreateInfo::pNext, add
+/// your own, and enable the extensions.
+class GLIFT_API DeviceFeatures {
+public:
+    /// Throws unsupported_version or missing_feature. get_instance_proc_addr: null for the system's loader.
+    DeviceFeatures(VkInstance instance, VkPhysicalDevice physical,
+                   PFN_vkGetInstanceProcAddr get_instance_proc_addr = nullptr);
+    ~DeviceFeatures();
+    DeviceFeatures(const DeviceFeatures&) = delete;
+    DeviceFeatures& operator=(const DeviceFeatures&) = delete;
+
+    VkPhysicalDeviceFeatures2& features();
+    std::span<const char* const> extensions() const;
+
+private:
+    struct Chain;
+    std::unique_ptr<Chain> chain_;
+};
+
+/// The user's objects, which must outlive the Device and everything made from it. The queue is one that can compute; it
+/// is used only inside calls of Glift, which must not run beside other uses of it. Needed on the device: Vulkan 1.3,
+/// scalarBlockLayout, timelineSemaphore, bufferDeviceAddress, synchronization2, hostQueryReset.
+struct Objects {
+    VkInstance instance = VK_NULL_HANDLE;
+    VkPhysicalDevice physical = VK_NULL_HANDLE;
+    VkDevice device = VK_NULL_HANDLE;
+    VkQueue queue = VK_NULL_HANDLE;
+    std::uint32_t queue_family = 0;
+    std::span<const char* const> extensions = {};                  ///< that the device was made with
+    PFN_vkGetInstanceProcAddr get_instance_proc_addr = nullptr;    ///< null: the system's loader
+};
+
+/// A device over the user's own. Throws unsupported_version, missing_feature, no_loader.
+GLIFT_API Device adopt(const Objects& objects);
+
+/// Records into the user's command buffer, which is in the recording state. Before its first command everything
+/// earlier on the queue is waited for by a barrier; `finish` ends with a barrier that makes the results visible to
+/// whatever follows. What Glift was asked before is submitted first. The returned Commands holds memories and
+/// parameters: keep it until the command buffer has run. No download, timestamp, flush or wait there.
+GLIFT_API Commands record_into(const Device& device, VkCommandBuffer commands);
+GLIFT_API void finish(const Commands& commands);
+
+struct BufferHandle {
+    VkBuffer buffer;
+    VkDeviceSize offset, bytes;
+    VkDeviceAddress address;
+};
+
+struct ImageHandle {
+    VkImage image;
+    VkImageView view;              ///< all mips
+    VkFormat format;
+    VkImageLayout layout;          ///< always VK_IMAGE_LAYOUT_GENERAL
+};
+
+/// What is behind a memory, for descriptors of the user's own. Before the user's own commands touch it, flush().
+GLIFT_API BufferHandle buffer(const Memory& memory);
+GLIFT_API ImageHandle image(const Memory& memory);
+
+/// The Vulkan objects of a device, opened or adopted.
+GLIFT_API Objects objects(const Device& device);
+
+}  // namespace glift::vulkan

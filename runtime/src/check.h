@@ -1,0 +1,19 @@
+// Checks of arguments, the same for every device. Each throws wrong_argument (or aliased_memory).
+#pragma once
+
+#include <glift/commands.h>
+
+namespace glift::detail {
+
+void check_call(const DeviceObject* device, const Kernel& kernel, const Call& call);
+void check_description(const MemoryDescription& description);
+void check_range(const DeviceObject* device, const Memory& buffer, std::uint64_t offset, std::uint64_t bytes,
+                 const char* call);
+void check_image_regions(const DeviceObject* device, const Memory& image, std::span<const ImageRegion> regions,
+                         std::uint64_t bytes, const char* call);
+void check_image_copies(const DeviceObject* device, const Memory& from, const Memory& to,
+                        std::span<const ImageCopyRegion> regions);
+void check_host_regions(std::span<const CopyRegion> regions, std::uint64_t bytes, bool host_is_source,
+                        const char* call);
+
+}  // namespace glift::detail

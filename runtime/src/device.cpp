@@ -1,0 +1,47 @@
+#include "check.h"
+#include "host/host_device.h"
+#include "image_layout.h"
+#include "objects.h"
+#include "vulkan/vulkan_device.h"
+
+#include <glift/commands.h>
+
+#include <cstdlib>
+
+namespace glift {
+
+namespace detail {
+
+MemoryObject::MemoryObject(std::shared_ptr<DeviceObject> device, const MemoryDescription& description)
+    : device_(std::move(device)), name_(description.name ? description.name : ""), description_(description) {
+    description_.name = name_.c_str();
+}
+
+}  // namespace detail
+
+const MemoryDescription& Memory::description() const { return object_->description(); }
+
+Device Device::open(std::string_view which) {
+    if (which.empty()) {
+        if (const char* wanted = std::getenv("GLIFT_DEVICE")) which = wanted;
+    }
+    if (which == "host") return Device(detail::open_host_device());
+    return Device(detail::open_vulkan_device(which));
+}
+
+const DeviceProperties& Device::properties() const { return object_->properties(); }
+
+Memory Device::allocate(const MemoryDescription& description) const {
+    MemoryDescription whole = description;
+    if (!whole.name) whole.name = "";
+    detail::check_description(whole);
+    if (whole.kind != MemoryKind::buffer) whole.bytes = detail::image_bytes(whole);
+    return Memory(object_->allocate(whole));
+}
+
+Commands Device::commands() const { return Commands(*this); }
+void Device::wait() const { object_->stream().wait(); }
+Statistics Device::statistics() const { return object_->statistics(); }
+std::vector<std::string> Device::validation_messages() const { return object_->validation_messages(); }
+
+}  // namespace glift

@@ -1,0 +1,60 @@
+#include "host_device.h"
+
+#include "host_memory.h"
+#include "host_stream.h"
+
+#include <unistd.h>
+
+namespace glift::detail {
+
+namespace {
+
+class HostDevice final : public DeviceObject {
+public:
+    HostDevice() {
+        properties_.name = "host";
+        properties_.driver = "compiled C++";
+        properties_.kind = DeviceKind::host;
+        properties_.memory_bytes =
+            std::uint64_t(sysconf(_SC_PHYS_PAGES)) * static_cast<std::uint64_t>(sysconf(_SC_PAGE_SIZE));
+        properties_.max_push_constant_bytes = UINT32_MAX;
+        properties_.int8 = properties_.int16 = properties_.int64 = properties_.float64 = true;
+        properties_.int64_atomics = properties_.float32_atomic_add = properties_.float32_atomic_min_max = true;
+        properties_.image_float32_atomic_add = true;
+    }
+
+    const DeviceProperties& properties() const override { return properties_; }
+
+    std::shared_ptr<MemoryObject> allocate(const MemoryDescription& description) override {
+        return std::make_shared<HostMemoryObject>(shared_from_this(), description, counters_);
+    }
+
+    Stream& stream() override { return stream_; }
+    std::shared_ptr<Stream> begin_recording() override {
+        return std::make_shared<HostRecordingStream>(*this, counters_);
+    }
+    std::shared_ptr<RecordingObject> end_recording(Stream& stream) override {
+        return static_cast<HostRecordingStream&>(stream).finish();
+    }
+
+    Statistics statistics() override {
+        Statistics result;
+        result.passes = counters_.passes;
+        result.memories = counters_.memories;
+        result.bytes_used = result.bytes_reserved = counters_.bytes;
+        return result;
+    }
+
+    std::vector<std::string> validation_messages() override { return {}; }
+
+private:
+    DeviceProperties properties_;
+    HostCounters counters_;
+    HostStream stream_{*this, counters_};
+};
+
+}  // namespace
+
+std::shared_ptr<DeviceObject> open_host_device() { return std::make_shared<HostDevice>(); }
+
+}  // namespace glift::detail

@@ -1,0 +1,47 @@
+#include "host_memory.h"
+
+#include "../text.h"
+
+#include <glift/error.h>
+
+#include <cstdlib>
+
+namespace glift::detail {
+
+namespace {
+
+constexpr std::uint64_t alignment = 64;
+
+// A cap for tests and for those who share a machine; the same variable caps Vulkan devices.
+std::uint64_t memory_limit() {
+    const char* text = std::getenv("GLIFT_MEMORY_LIMIT");
+    return text ? std::strtoull(text, nullptr, 10) : unlimited;
+}
+
+}  // namespace
+
+HostMemoryObject::HostMemoryObject(std::shared_ptr<DeviceObject> device, const MemoryDescription& description,
+                                   HostCounters& counters)
+    : MemoryObject(std::move(device), description), counters_(counters) {
+    const std::uint64_t bytes = description.bytes;
+    // calloc gives large blocks as untouched zero pages, which aligned allocation followed by memset would touch.
+    const bool fits = bytes < UINT64_MAX - 2 * alignment && counters_.bytes.load() + bytes <= memory_limit();
+    if (fits) storage_ = std::calloc(1, bytes + 2 * alignment);
+    if (!storage_) {
+        throw Error(ErrorCode::out_of_memory, "the host has no memory left for a structure", memory_text(description),
+                    size_text(bytes) + " asked for, " + size_text(counters_.bytes.load()) + " in use by Glift",
+                    "free structures that are no longer used, or make them smaller");
+    }
+    const auto address = reinterpret_cast<std::uintptr_t>(storage_);
+    data_ = reinterpret_cast<std::byte*>((address + alignment - 1) / alignment * alignment);
+    counters_.bytes += bytes;
+    ++counters_.memories;
+}
+
+HostMemoryObject::~HostMemoryObject() {
+    std::free(storage_);
+    counters_.bytes -= description().bytes;
+    --counters_.memories;
+}
+
+}  // namespace glift::detail

@@ -1,0 +1,88 @@
+#include "../check.h"
+#include "../report.h"
+#include "host_stream.h"
+
+namespace glift::detail {
+
+namespace {
+
+template <class T> std::vector<T> copied(std::span<const T> values) { return {values.begin(), values.end()}; }
+
+class HostRecording final : public RecordingObject {
+public:
+    HostRecording(std::shared_ptr<DeviceObject> device, std::vector<std::function<void(HostStream&)>> steps)
+        : device_(std::move(device)), steps_(std::move(steps)) {}
+
+    void submit() override {
+        auto& stream = static_cast<HostStream&>(device_->stream());
+        for (const auto& step : steps_) step(stream);
+    }
+
+private:
+    std::shared_ptr<DeviceObject> device_;
+    std::vector<std::function<void(HostStream&)>> steps_;
+};
+
+}  // namespace
+
+void HostRecordingStream::dispatch(const Kernel& kernel, const Call& call) {
+    check_call(&device_, kernel, call);
+    steps_.push_back([&kernel, form = call.form, memories = copied(call.memories), parameters = copied(call.parameters),
+                      size = call.size, patches = copied(call.patches)](HostStream& stream) {
+        stream.dispatch(kernel, {form, memories, parameters, size, patches});
+    });
+}
+
+void HostRecordingStream::fill(const Memory& memory, std::uint64_t offset, std::uint64_t bytes, std::uint32_t value) {
+    steps_.push_back([=](HostStream& stream) { stream.fill(memory, offset, bytes, value); });
+}
+
+void HostRecordingStream::copy(const Memory& from, const Memory& to, std::span<const CopyRegion> regions) {
+    steps_.push_back([from, to, r = copied(regions)](HostStream& stream) { stream.copy(from, to, r); });
+}
+
+void HostRecordingStream::copy_to_image(const Memory& buffer, const Memory& image,
+                                        std::span<const ImageRegion> regions) {
+    steps_.push_back([=, r = copied(regions)](HostStream& stream) { stream.copy_to_image(buffer, image, r); });
+}
+
+void HostRecordingStream::copy_from_image(const Memory& image, const Memory& buffer,
+                                          std::span<const ImageRegion> regions) {
+    steps_.push_back([=, r = copied(regions)](HostStream& stream) { stream.copy_from_image(image, buffer, r); });
+}
+
+void HostRecordingStream::copy_images(const Memory& from, const Memory& to, std::span<const ImageCopyRegion> regions) {
+    steps_.push_back([=, r = copied(regions)](HostStream& stream) { stream.copy_images(from, to, r); });
+}
+
+void HostRecordingStream::upload(const Memory& to, std::span<const CopyRegion> regions,
+                                 std::span<const std::byte> bytes) {
+    steps_.push_back(
+        [=, r = copied(regions), b = copied(bytes)](HostStream& stream) { stream.upload(to, r, b); });
+}
+
+void HostRecordingStream::upload_image(const Memory& image, std::span<const ImageRegion> regions,
+                                       std::span<const std::byte> bytes) {
+    steps_.push_back(
+        [=, r = copied(regions), b = copied(bytes)](HostStream& stream) { stream.upload_image(image, r, b); });
+}
+
+std::shared_ptr<DownloadObject> HostRecordingStream::download(const Memory&, std::span<const CopyRegion>,
+                                                              std::uint64_t) {
+    throw_not_in_recording("Commands::download");
+}
+
+std::shared_ptr<DownloadObject> HostRecordingStream::download_image(const Memory&, std::span<const ImageRegion>,
+                                                                    std::uint64_t) {
+    throw_not_in_recording("Commands::download_image");
+}
+
+std::shared_ptr<TimestampObject> HostRecordingStream::timestamp() { throw_not_in_recording("Commands::timestamp"); }
+void HostRecordingStream::flush() { throw_not_in_recording("Commands::flush"); }
+void HostRecordingStream::wait() { throw_not_in_recording("Commands::wait"); }
+
+std::shared_ptr<RecordingObject> HostRecordingStream::finish() {
+    return std::make_shared<HostRecording>(keep_, std::move(steps_));
+}
+
+}  // namespace glift::detail

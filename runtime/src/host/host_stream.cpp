@@ -1,0 +1,171 @@
+#include "host_stream.h"
+
+#include "../check.h"
+#include "../image_layout.h"
+#include "../report.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstring>
+
+namespace glift::detail {
+
+namespace {
+
+class HostDownload final : public DownloadObject {
+public:
+    explicit HostDownload(std::vector<std::byte> bytes) : bytes_(std::move(bytes)) {}
+    bool ready() override { return true; }
+    std::span<const std::byte> get() override { return bytes_; }
+
+private:
+    std::vector<std::byte> bytes_;
+};
+
+class HostTimestamp final : public TimestampObject {
+public:
+    double seconds() override { return std::chrono::duration<double>(moment_.time_since_epoch()).count(); }
+
+private:
+    std::chrono::steady_clock::time_point moment_ = std::chrono::steady_clock::now();
+};
+
+std::byte* texel_address(const Memory& image, std::array<std::uint32_t, 3> at, std::uint32_t mip, std::uint32_t face) {
+    const MemoryDescription& d = image.description();
+    const auto extent = mip_extent(d, mip);
+    const std::uint64_t texel = (std::uint64_t(at[2]) * extent[1] + at[1]) * extent[0] + at[0];
+    return host_memory(image).data() + mip_offset(d, mip) + face * face_bytes(d, mip) + texel * texel_bytes(d.format);
+}
+
+// Calls row(image bytes, offset in the packed bytes, length) for each row of each box.
+template <class Row>
+void each_row(const Memory& image, std::span<const ImageRegion> regions, Row row) {
+    const std::uint64_t texel = texel_bytes(image.description().format);
+    for (const ImageRegion& r : regions) {
+        const std::uint64_t length = r.extent[0] * texel;
+        std::uint64_t packed = r.offset;
+        for (std::uint32_t z = 0; z < r.extent[2]; ++z) {
+            for (std::uint32_t y = 0; y < r.extent[1]; ++y, packed += length) {
+                row(texel_address(image, {r.origin[0], r.origin[1] + y, r.origin[2] + z}, r.mip, r.face), packed,
+                    length);
+            }
+        }
+    }
+}
+
+// Applies device values to a copy of the parameters and to the size.
+std::vector<std::byte> patched(const Kernel& kernel, const Call& call, std::array<std::uint32_t, 4>& size) {
+    std::vector<std::byte> parameters(call.parameters.begin(), call.parameters.end());
+    for (const Patch& patch : call.patches) {
+        std::uint32_t value;
+        std::memcpy(&value, host_memory(patch.value.memory).data() + patch.value.offset, 4);
+        const std::uint32_t first = kernel.general.size_offset;
+        if (patch.offset >= first && patch.offset < first + 4 * kernel.rank) {
+            const std::uint32_t axis = (patch.offset - first) / 4;
+            value = size[axis] = std::min(value, call.size[axis]);
+        }
+        std::memcpy(parameters.data() + patch.offset, &value, 4);
+    }
+    return parameters;
+}
+
+constexpr std::size_t small_count = 16;
+
+}  // namespace
+
+void HostStream::dispatch(const Kernel& kernel, const Call& call) {
+    check_call(&device_, kernel, call);
+    const bool direct = call.form == FormName::direct;
+    const Form& form = direct ? kernel.direct : kernel.general;
+    if (!form.host) throw_missing_form(kernel, direct ? "direct" : "general", "the host device");
+    std::array<HostMemory, small_count> few;
+    std::vector<HostMemory> many;
+    HostMemory* views = few.data();
+    if (call.memories.size() > small_count) {
+        many.resize(call.memories.size());
+        views = many.data();
+    }
+    for (std::size_t k = 0; k < call.memories.size(); ++k) views[k] = host_memory(call.memories[k]).view();
+    HostCall host = {call.parameters.data(), {views, call.memories.size()}, call.size, nullptr};
+    std::vector<std::byte> parameters;
+    if (!call.patches.empty()) {
+        parameters = patched(kernel, call, host.size);
+        host.parameters = parameters.data();
+    }
+    StatusRecord record;
+    host.status = &record;
+    ++counters_.passes;
+    if (host.size[0] && host.size[1] && host.size[2] && host.size[3]) form.host(host);
+    if (kernel.reports) throw_report(kernel, record);
+}
+
+void HostStream::fill(const Memory& memory, std::uint64_t offset, std::uint64_t bytes, std::uint32_t value) {
+    auto* words = reinterpret_cast<std::uint32_t*>(host_memory(memory).data() + offset);
+    std::fill(words, words + bytes / 4, value);
+}
+
+void HostStream::copy(const Memory& from, const Memory& to, std::span<const CopyRegion> regions) {
+    for (const CopyRegion& r : regions) {
+        std::memcpy(host_memory(to).data() + r.to, host_memory(from).data() + r.from, r.bytes);
+    }
+}
+
+void HostStream::copy_to_image(const Memory& buffer, const Memory& image, std::span<const ImageRegion> regions) {
+    const std::byte* packed = host_memory(buffer).data();
+    each_row(image, regions, [&](std::byte* texels, std::uint64_t offset, std::uint64_t length) {
+        std::memcpy(texels, packed + offset, length);
+    });
+}
+
+void HostStream::copy_from_image(const Memory& image, const Memory& buffer, std::span<const ImageRegion> regions) {
+    std::byte* packed = host_memory(buffer).data();
+    each_row(image, regions, [&](std::byte* texels, std::uint64_t offset, std::uint64_t length) {
+        std::memcpy(packed + offset, texels, length);
+    });
+}
+
+void HostStream::copy_images(const Memory& from, const Memory& to, std::span<const ImageCopyRegion> regions) {
+    const std::uint64_t texel = texel_bytes(from.description().format);
+    for (const ImageCopyRegion& r : regions) {
+        for (std::uint32_t z = 0; z < r.extent[2]; ++z) {
+            for (std::uint32_t y = 0; y < r.extent[1]; ++y) {
+                std::memcpy(
+                    texel_address(to, {r.to[0], r.to[1] + y, r.to[2] + z}, r.to_mip, r.to_face),
+                    texel_address(from, {r.from[0], r.from[1] + y, r.from[2] + z}, r.from_mip, r.from_face),
+                    r.extent[0] * texel);
+            }
+        }
+    }
+}
+
+void HostStream::upload(const Memory& to, std::span<const CopyRegion> regions, std::span<const std::byte> bytes) {
+    for (const CopyRegion& r : regions) std::memcpy(host_memory(to).data() + r.to, bytes.data() + r.from, r.bytes);
+}
+
+void HostStream::upload_image(const Memory& image, std::span<const ImageRegion> regions,
+                              std::span<const std::byte> bytes) {
+    each_row(image, regions, [&](std::byte* texels, std::uint64_t offset, std::uint64_t length) {
+        std::memcpy(texels, bytes.data() + offset, length);
+    });
+}
+
+std::shared_ptr<DownloadObject> HostStream::download(const Memory& from, std::span<const CopyRegion> regions,
+                                                     std::uint64_t count) {
+    std::vector<std::byte> bytes(count);
+    for (const CopyRegion& r : regions) std::memcpy(bytes.data() + r.to, host_memory(from).data() + r.from, r.bytes);
+    return std::make_shared<HostDownload>(std::move(bytes));
+}
+
+std::shared_ptr<DownloadObject> HostStream::download_image(const Memory& image, std::span<const ImageRegion> regions,
+                                                           std::uint64_t count) {
+    std::vector<std::byte> bytes(count);
+    each_row(image, regions, [&](std::byte* texels, std::uint64_t offset, std::uint64_t length) {
+        std::memcpy(bytes.data() + offset, texels, length);
+    });
+    return std::make_shared<HostDownload>(std::move(bytes));
+}
+
+std::shared_ptr<TimestampObject> HostStream::timestamp() { return std::make_shared<HostTimestamp>(); }
+
+}  // namespace glift::detail

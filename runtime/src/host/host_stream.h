@@ -1,0 +1,69 @@
+// Streams of the host device: one that does everything at once, one that notes it for later.
+#pragma once
+
+#include "host_memory.h"
+
+#include <functional>
+#include <vector>
+
+namespace glift::detail {
+
+class HostStream : public Stream {
+public:
+    HostStream(DeviceObject& device, HostCounters& counters) : device_(device), counters_(counters) {}
+
+    std::shared_ptr<DeviceObject> device() override { return device_.shared_from_this(); }
+    bool needs_general(const Kernel&, std::span<const Memory>, const std::array<std::uint32_t, 4>&) override {
+        return false;
+    }
+    void dispatch(const Kernel& kernel, const Call& call) override;
+    void fill(const Memory& memory, std::uint64_t offset, std::uint64_t bytes, std::uint32_t value) override;
+    void copy(const Memory& from, const Memory& to, std::span<const CopyRegion> regions) override;
+    void copy_to_image(const Memory& buffer, const Memory& image, std::span<const ImageRegion> regions) override;
+    void copy_from_image(const Memory& image, const Memory& buffer, std::span<const ImageRegion> regions) override;
+    void copy_images(const Memory& from, const Memory& to, std::span<const ImageCopyRegion> regions) override;
+    void upload(const Memory& to, std::span<const CopyRegion> regions, std::span<const std::byte> bytes) override;
+    void upload_image(const Memory& image, std::span<const ImageRegion> regions,
+                      std::span<const std::byte> bytes) override;
+    std::shared_ptr<DownloadObject> download(const Memory& from, std::span<const CopyRegion> regions,
+                                             std::uint64_t bytes) override;
+    std::shared_ptr<DownloadObject> download_image(const Memory& image, std::span<const ImageRegion> regions,
+                                                   std::uint64_t bytes) override;
+    std::shared_ptr<TimestampObject> timestamp() override;
+    void flush() override {}
+    void wait() override {}
+
+protected:
+    DeviceObject& device_;
+    HostCounters& counters_;
+};
+
+/// Notes what it is asked to do, with copies of the arguments.
+class HostRecordingStream final : public HostStream {
+public:
+    HostRecordingStream(DeviceObject& device, HostCounters& counters)
+        : HostStream(device, counters), keep_(device.shared_from_this()) {}
+
+    void dispatch(const Kernel& kernel, const Call& call) override;
+    void fill(const Memory& memory, std::uint64_t offset, std::uint64_t bytes, std::uint32_t value) override;
+    void copy(const Memory& from, const Memory& to, std::span<const CopyRegion> regions) override;
+    void copy_to_image(const Memory& buffer, const Memory& image, std::span<const ImageRegion> regions) override;
+    void copy_from_image(const Memory& image, const Memory& buffer, std::span<const ImageRegion> regions) override;
+    void copy_images(const Memory& from, const Memory& to, std::span<const ImageCopyRegion> regions) override;
+    void upload(const Memory& to, std::span<const CopyRegion> regions, std::span<const std::byte> bytes) override;
+    void upload_image(const Memory& image, std::span<const ImageRegion> regions,
+                      std::span<const std::byte> bytes) override;
+    std::shared_ptr<DownloadObject> download(const Memory&, std::span<const CopyRegion>, std::uint64_t) override;
+    std::shared_ptr<DownloadObject> download_image(const Memory&, std::span<const ImageRegion>, std::uint64_t) override;
+    std::shared_ptr<TimestampObject> timestamp() override;
+    void flush() override;
+    void wait() override;
+
+    std::shared_ptr<RecordingObject> finish();
+
+private:
+    std::shared_ptr<DeviceObject> keep_;
+    std::vector<std::function<void(HostStream&)>> steps_;
+};
+
+}  // namespace glift::detail

@@ -1,0 +1,14 @@
+// Where the texels of an image lie when they are packed: level after level, in each level face after face, row-major.
+#pragma once
+
+#include <glift/memory.h>
+
+namespace glift::detail {
+
+std::array<std::uint32_t, 3> mip_extent(const MemoryDescription& image, std::uint32_t mip);
+std::uint32_t face_count(const MemoryDescription& image);
+std::uint64_t face_bytes(const MemoryDescription& image, std::uint32_t mip);
+std::uint64_t mip_offset(const MemoryDescription& image, std::uint32_t mip);
+inline std::uint64_t image_bytes(const MemoryDescription& image) { return mip_offset(image, image.mips); }
+
+}  // namespace glift::detail

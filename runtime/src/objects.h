@@ -1,0 +1,84 @@
+// What stands behind the public handles. Two families implement it: vulkan/ and host/.
+#pragma once
+
+#include <glift/commands.h>
+#include <glift/device.h>
+#include <glift/memory.h>
+#include <glift/recording.h>
+
+#include <string>
+
+namespace glift::detail {
+
+class MemoryObject {
+public:
+    MemoryObject(std::shared_ptr<DeviceObject> device, const MemoryDescription& description);
+    virtual ~MemoryObject() = default;
+    MemoryObject(const MemoryObject&) = delete;
+
+    const MemoryDescription& description() const { return description_; }
+    const std::shared_ptr<DeviceObject>& device() const { return device_; }
+
+private:
+    std::shared_ptr<DeviceObject> device_;
+    std::string name_;
+    MemoryDescription description_;
+};
+
+class DownloadObject {
+public:
+    virtual ~DownloadObject() = default;
+    virtual bool ready() = 0;
+    virtual std::span<const std::byte> get() = 0;
+};
+
+class TimestampObject {
+public:
+    virtual ~TimestampObject() = default;
+    virtual double seconds() = 0;
+};
+
+class RecordingObject {
+public:
+    virtual ~RecordingObject() = default;
+    virtual void submit() = 0;
+};
+
+/// Arguments are checked before they get here (check.h).
+class Stream {
+public:
+    virtual ~Stream() = default;
+    virtual std::shared_ptr<DeviceObject> device() = 0;
+    virtual bool needs_general(const Kernel& kernel, std::span<const Memory> memories,
+                               const std::array<std::uint32_t, 4>& size) = 0;
+    virtual void dispatch(const Kernel& kernel, const Call& call) = 0;
+    virtual void fill(const Memory& memory, std::uint64_t offset, std::uint64_t bytes, std::uint32_t value) = 0;
+    virtual void copy(const Memory& from, const Memory& to, std::span<const CopyRegion> regions) = 0;
+    virtual void copy_to_image(const Memory& buffer, const Memory& image, std::span<const ImageRegion> regions) = 0;
+    virtual void copy_from_image(const Memory& image, const Memory& buffer, std::span<const ImageRegion> regions) = 0;
+    virtual void copy_images(const Memory& from, const Memory& to, std::span<const ImageCopyRegion> regions) = 0;
+    virtual void upload(const Memory& to, std::span<const CopyRegion> regions, std::span<const std::byte> bytes) = 0;
+    virtual void upload_image(const Memory& image, std::span<const ImageRegion> regions,
+                              std::span<const std::byte> bytes) = 0;
+    virtual std::shared_ptr<DownloadObject> download(const Memory& from, std::span<const CopyRegion> regions,
+                                                     std::uint64_t bytes) = 0;
+    virtual std::shared_ptr<DownloadObject> download_image(const Memory& image, std::span<const ImageRegion> regions,
+                                                           std::uint64_t bytes) = 0;
+    virtual std::shared_ptr<TimestampObject> timestamp() = 0;
+    virtual void flush() = 0;
+    virtual void wait() = 0;
+};
+
+class DeviceObject : public std::enable_shared_from_this<DeviceObject> {
+public:
+    virtual ~DeviceObject() = default;
+    virtual const DeviceProperties& properties() const = 0;
+    virtual std::shared_ptr<MemoryObject> allocate(const MemoryDescription& description) = 0;
+    virtual Stream& stream() = 0;
+    virtual std::shared_ptr<Stream> begin_recording() = 0;
+    virtual std::shared_ptr<RecordingObject> end_recording(Stream& stream) = 0;
+    virtual Statistics statistics() = 0;
+    virtual std::vector<std::string> validation_messages() = 0;
+};
+
+}  // namespace glift::detail

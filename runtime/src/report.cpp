@@ -1,0 +1,38 @@
+#include "report.h"
+
+#include "text.h"
+
+#include <glift/error.h>
+
+#include <algorithm>
+
+namespace glift::detail {
+
+void throw_report(const Kernel& kernel, const StatusRecord& record) {
+    if (record.code == StatusRecord::fine) return;
+    const std::string where = std::string(kernel.file) + ":" + std::to_string(record.line) + ", " + kernel_text(kernel);
+    if (record.code == StatusRecord::loop_limit) {
+        throw Error(ErrorCode::loop_limit, "a loop ran longer than this device allows; the results are not complete",
+                    where, "the device cuts an invocation off after a number of rounds, over all its loops together",
+                    "split the work over more invocations or dispatches, or run on another device");
+    }
+    std::string address = "(";
+    for (std::uint32_t axis = 0; axis < std::min(record.rank, 4u); ++axis) {
+        address += (axis ? ", " : "") + std::to_string(static_cast<std::int32_t>(record.address[axis]));
+    }
+    const char* name = record.binding < kernel.bindings.size() ? kernel.bindings[record.binding].name : "a structure";
+    throw Error(ErrorCode::out_of_range, "an access outside a structure", where,
+                std::string(name) + " at virtual address " + address + ")");
+}
+
+void throw_not_in_recording(const char* call) {
+    throw Error(ErrorCode::wrong_argument, "this call needs the device's own stream", call,
+                "a recording or a command buffer of the program has not run yet", "call it on the device instead");
+}
+
+void throw_missing_form(const Kernel& kernel, const char* form, const char* device) {
+    throw Error(ErrorCode::missing_form, std::string("the kernel has no ") + form + " form for " + device,
+                kernel_text(kernel), {}, "compile it with gliftc for this kind of device");
+}
+
+}  // namespace glift::detail

@@ -1,0 +1,44 @@
+#include "text.h"
+
+#include <array>
+#include <cstdio>
+
+namespace glift::detail {
+
+std::string size_text(std::uint64_t bytes) {
+    if (bytes < 1024) return std::to_string(bytes) + " bytes";
+    constexpr std::array units = {"KiB", "MiB", "GiB", "TiB"};
+    double value = static_cast<double>(bytes) / 1024;
+    std::size_t unit = 0;
+    for (; value >= 1024 && unit + 1 < units.size(); ++unit) value /= 1024;
+    char text[64];
+    std::snprintf(text, sizeof text, "%.1f %s (%llu bytes)", value, units[unit], static_cast<unsigned long long>(bytes));
+    return text;
+}
+
+std::string kernel_text(const Kernel& kernel) {
+    return std::string("kernel ") + kernel.name + " (" + kernel.file + ":" + std::to_string(kernel.line) + ")";
+}
+
+const char* kind_text(MemoryKind kind) {
+    switch (kind) {
+        case MemoryKind::buffer: return "buffer";
+        case MemoryKind::image1d: return "image1d";
+        case MemoryKind::image2d: return "image2d";
+        case MemoryKind::image3d: return "image3d";
+        case MemoryKind::imagecube: return "imagecube";
+    }
+    return "memory";
+}
+
+std::string memory_text(const MemoryDescription& description) {
+    std::string text = std::string("memory ") + (*description.name ? description.name : "without a name") + " (" +
+                       kind_text(description.kind);
+    if (description.kind != MemoryKind::buffer) {
+        text += " " + std::to_string(description.extent[0]) + " x " + std::to_string(description.extent[1]) + " x " +
+                std::to_string(description.extent[2]);
+    }
+    return text + ", " + size_text(description.bytes) + ")";
+}
+
+}  // namespace glift::detail

@@ -1,0 +1,95 @@
+// glift/vulkan.h
+#include "../text.h"
+#include "vulkan_device.h"
+
+#include <glift/error.h>
+
+// The public header wants the prototypes' types only; volk has included vulkan.h before.
+#include <glift/vulkan.h>
+
+namespace glift::vulkan {
+
+namespace {
+
+std::shared_ptr<detail::VulkanDevice> vulkan_device(const std::shared_ptr<detail::DeviceObject>& object,
+                                                    const char* call) {
+    auto device = std::dynamic_pointer_cast<detail::VulkanDevice>(object);
+    if (!device) {
+        throw Error(ErrorCode::wrong_argument, "the host device has no Vulkan objects", call, {},
+                    "open a Vulkan device, or adopt your own with glift::vulkan::adopt");
+    }
+    return device;
+}
+
+detail::VulkanMemory& memory_of(const Memory& memory, MemoryKind kind, const char* call) {
+    if (!memory) throw Error(ErrorCode::wrong_argument, "an empty memory handle was passed", call);
+    vulkan_device(memory.object()->device(), call);
+    const bool wants_buffer = kind == MemoryKind::buffer;
+    if (wants_buffer != (memory.description().kind == MemoryKind::buffer)) {
+        throw Error(ErrorCode::wrong_argument, "a memory of the wrong kind was passed", call,
+                    detail::memory_text(memory.description()));
+    }
+    return detail::vulkan_memory(memory);
+}
+
+}  // namespace
+
+struct DeviceFeatures::Chain {
+    Chain(VkInstance handle, VkPhysicalDevice physical, PFN_vkGetInstanceProcAddr get)
+        : instance(detail::Instance::adopt(handle, get)), features(*instance, physical) {
+        features.require();
+    }
+    std::unique_ptr<detail::Instance> instance;
+    detail::FeatureChain features;
+};
+
+DeviceFeatures::DeviceFeatures(VkInstance instance, VkPhysicalDevice physical,
+                               PFN_vkGetInstanceProcAddr get_instance_proc_addr)
+    : chain_(std::make_unique<Chain>(instance, physical, get_instance_proc_addr)) {}
+DeviceFeatures::~DeviceFeatures() = default;
+
+VkPhysicalDeviceFeatures2& DeviceFeatures::features() { return chain_->features.core; }
+std::span<const char* const> DeviceFeatures::extensions() const { return chain_->features.extensions; }
+
+Device adopt(const Objects& objects) {
+    auto context = detail::Context::adopt({objects.instance,
+                                           objects.physical,
+                                           objects.device,
+                                           objects.queue,
+                                           objects.queue_family,
+                                           {objects.extensions.begin(), objects.extensions.end()},
+                                           objects.get_instance_proc_addr});
+    return Device(std::make_shared<detail::VulkanDevice>(std::move(context)));
+}
+
+Commands record_into(const Device& device, VkCommandBuffer commands) {
+    return Commands(std::make_shared<detail::ExternalStream>(
+        vulkan_device(device.share(), "glift::vulkan::record_into"), commands));
+}
+
+void finish(const Commands& commands) {
+    auto* stream = dynamic_cast<detail::ExternalStream*>(commands.share().get());
+    if (!stream) {
+        throw Error(ErrorCode::wrong_argument, "these commands are not from record_into", "glift::vulkan::finish");
+    }
+    stream->finish();
+}
+
+BufferHandle buffer(const Memory& memory) {
+    const detail::VulkanMemory& object = memory_of(memory, MemoryKind::buffer, "glift::vulkan::buffer");
+    return {object.parts.buffer, 0, object.range, object.address};
+}
+
+ImageHandle image(const Memory& memory) {
+    const detail::VulkanMemory& object = memory_of(memory, MemoryKind::image2d, "glift::vulkan::image");
+    return {object.parts.image, object.parts.sampled_view, detail::vulkan_format(memory.description().format),
+            VK_IMAGE_LAYOUT_GENERAL};
+}
+
+Objects objects(const Device& device) {
+    detail::Context& context = vulkan_device(device.share(), "glift::vulkan::objects")->context();
+    return {context.instance->handle(), context.physical,   context.device,           context.queue,
+            context.queue_family,       context.extensions, context.instance->entry()};
+}
+
+}  // namespace glift::vulkan

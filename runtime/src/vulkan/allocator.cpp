@@ -1,0 +1,180 @@
+#include "allocator.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace glift::detail {
+
+struct Block {
+    VkDeviceMemory memory = VK_NULL_HANDLE;
+    VkDeviceSize bytes = 0, used = 0;
+    std::byte* mapped = nullptr;
+    std::map<VkDeviceSize, VkDeviceSize> free;   // offset -> bytes
+    std::size_t pool = 0;
+};
+
+namespace {
+
+constexpr VkDeviceSize first_block = VkDeviceSize(16) << 20;
+constexpr VkDeviceSize largest_block = VkDeviceSize(256) << 20;
+
+VkDeviceSize align_up(VkDeviceSize value, VkDeviceSize alignment) {
+    return (value + alignment - 1) / alignment * alignment;
+}
+
+// First fit. Splits what is left before and after.
+bool take(Block& block, VkDeviceSize bytes, VkDeviceSize alignment, VkDeviceSize& offset) {
+    for (auto it = block.free.begin(); it != block.free.end(); ++it) {
+        const auto [begin, size] = *it;
+        offset = align_up(begin, alignment);
+        if (offset + bytes > begin + size) continue;
+        block.free.erase(it);
+        if (offset > begin) block.free[begin] = offset - begin;
+        if (begin + size > offset + bytes) block.free[offset + bytes] = begin + size - offset - bytes;
+        block.used += bytes;
+        return true;
+    }
+    return false;
+}
+
+void give_back(Block& block, VkDeviceSize offset, VkDeviceSize bytes) {
+    auto [it, inserted] = block.free.emplace(offset, bytes);
+    const auto next = std::next(it);
+    if (next != block.free.end() && it->first + it->second == next->first) {
+        it->second += next->second;
+        block.free.erase(next);
+    }
+    if (it != block.free.begin()) {
+        const auto before = std::prev(it);
+        if (before->first + before->second == it->first) {
+            before->second += it->second;
+            block.free.erase(it);
+        }
+    }
+    block.used -= bytes;
+}
+
+}  // namespace
+
+Allocator::Allocator(Context& context) : context_(context) {
+    if (const char* text = std::getenv("GLIFT_MEMORY_LIMIT")) limit_ = std::strtoull(text, nullptr, 10);
+}
+
+Allocator::~Allocator() {
+    for (auto& pool : pools_) {
+        while (!pool->blocks.empty()) release_block(*pool, pool->blocks.size() - 1);
+    }
+}
+
+bool Allocator::choose_type(std::uint32_t allowed, MemoryUse use, std::uint32_t& type) const {
+    constexpr VkMemoryPropertyFlags device = VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT;
+    constexpr VkMemoryPropertyFlags visible =
+        VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
+    VkMemoryPropertyFlags needed = 0, liked = 0, disliked = 0;
+    switch (use) {
+        case MemoryUse::device: liked = device; break;
+        case MemoryUse::upload: needed = visible; disliked = device; break;
+        case MemoryUse::readback: needed = visible; liked = VK_MEMORY_PROPERTY_HOST_CACHED_BIT; disliked = device; break;
+    }
+    int best = -1;
+    for (std::uint32_t k = 0; k < context_.memory.memoryTypeCount; ++k) {
+        const VkMemoryPropertyFlags flags = context_.memory.memoryTypes[k].propertyFlags;
+        constexpr VkMemoryPropertyFlags odd = VK_MEMORY_PROPERTY_LAZILY_ALLOCATED_BIT |
+                                              VK_MEMORY_PROPERTY_PROTECTED_BIT |
+                                              VK_MEMORY_PROPERTY_DEVICE_COHERENT_BIT_AMD;
+        if (!(allowed >> k & 1) || (flags & needed) != needed || (flags & odd)) continue;
+        const int score = 1 + ((flags & liked) == liked ? 2 : 0) + (flags & disliked ? 0 : 1);
+        if (score > best) {
+            best = score;
+            type = k;
+        }
+    }
+    return best > 0;
+}
+
+Allocator::Pool& Allocator::pool(std::uint32_t type, bool linear) {
+    for (auto& pool : pools_) {
+        if (pool->type == type && pool->linear == linear) return *pool;
+    }
+    pools_.push_back(std::make_unique<Pool>(Pool{type, linear, first_block, {}}));
+    return *pools_.back();
+}
+
+Block* Allocator::add_block(Pool& pool, VkDeviceSize bytes) {
+    if (reserved_ + bytes > limit_) return nullptr;
+    const VkMemoryAllocateFlagsInfo flags = {.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_FLAGS_INFO,
+                                             .flags = VK_MEMORY_ALLOCATE_DEVICE_ADDRESS_BIT};
+    const VkMemoryAllocateInfo info = {.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO,
+                                       .pNext = pool.linear ? &flags : nullptr,
+                                       .allocationSize = bytes,
+                                       .memoryTypeIndex = pool.type};
+    auto block = std::make_unique<Block>();
+    const VkResult result = context_.vk.vkAllocateMemory(context_.device, &info, nullptr, &block->memory);
+    if (result == VK_ERROR_DEVICE_LOST) context_.fail(result, "vkAllocateMemory");
+    if (result != VK_SUCCESS) return nullptr;
+    if (context_.memory.memoryTypes[pool.type].propertyFlags & VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT && pool.linear) {
+        void* mapped = nullptr;
+        context_.vk.vkMapMemory(context_.device, block->memory, 0, VK_WHOLE_SIZE, 0, &mapped);
+        block->mapped = static_cast<std::byte*>(mapped);
+    }
+    block->bytes = bytes;
+    block->free[0] = bytes;
+    reserved_ += bytes;
+    for (std::size_t k = 0; k < pools_.size(); ++k) {
+        if (pools_[k].get() == &pool) block->pool = k;
+    }
+    pool.blocks.push_back(std::move(block));
+    return pool.blocks.back().get();
+}
+
+void Allocator::release_block(Pool& pool, std::size_t index) {
+    Block& block = *pool.blocks[index];
+    reserved_ -= block.bytes;
+    context_.vk.vkFreeMemory(context_.device, block.memory, nullptr);
+    pool.blocks.erase(pool.blocks.begin() + static_cast<std::ptrdiff_t>(index));
+}
+
+bool Allocator::allocate(const VkMemoryRequirements& needs, MemoryUse use, bool linear, Allocation& result) {
+    std::uint32_t type = 0;
+    if (!choose_type(needs.memoryTypeBits, use, type)) return false;
+    Pool& from = pool(type, linear);
+    const VkDeviceSize alignment = std::max<VkDeviceSize>(needs.alignment, 256);
+    Block* block = nullptr;
+    VkDeviceSize offset = 0;
+    for (auto& candidate : from.blocks) {
+        if (take(*candidate, needs.size, alignment, offset)) {
+            block = candidate.get();
+            break;
+        }
+    }
+    if (!block) {
+        // Large memories get a block of their own; small ones open a block, twice as large each time.
+        if (needs.size * 2 <= from.next_block) block = add_block(from, from.next_block);
+        if (block) from.next_block = std::min(from.next_block * 2, largest_block);
+        if (!block) block = add_block(from, needs.size);
+        if (!block || !take(*block, needs.size, alignment, offset)) return false;
+    }
+    used_ += needs.size;
+    result = {block->memory, offset, needs.size, block->mapped ? block->mapped + offset : nullptr, block};
+    return true;
+}
+
+void Allocator::free(const Allocation& allocation) {
+    if (!allocation.block) return;
+    give_back(*allocation.block, allocation.offset, allocation.bytes);
+    used_ -= allocation.bytes;
+    if (allocation.block->used) return;
+    // One empty block of ordinary size stays for the next memory.
+    Pool& pool = *pools_[allocation.block->pool];
+    const auto spare = [&](const auto& block) {
+        return block.get() != allocation.block && !block->used && block->bytes <= largest_block;
+    };
+    const bool keep = allocation.block->bytes <= largest_block &&
+                      std::none_of(pool.blocks.begin(), pool.blocks.end(), spare);
+    if (keep) return;
+    for (std::size_t k = 0; k < pool.blocks.size(); ++k) {
+        if (pool.blocks[k].get() == allocation.block) return release_block(pool, k);
+    }
+}
+
+}  // namespace glift::detail

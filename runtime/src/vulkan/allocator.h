@@ -1,0 +1,56 @@
+// Device memory from few large blocks.
+#pragma once
+
+#include "context.h"
+
+#include <map>
+#include <memory>
+#include <vector>
+
+namespace glift::detail {
+
+/// What the memory is for: the device alone, bytes on their way to it, or bytes on their way back.
+enum class MemoryUse : std::uint8_t { device, upload, readback };
+
+struct Block;
+
+struct Allocation {
+    VkDeviceMemory memory = VK_NULL_HANDLE;
+    VkDeviceSize offset = 0, bytes = 0;
+    std::byte* mapped = nullptr;     ///< upload and readback
+    Block* block = nullptr;
+};
+
+/// Not safe for several threads: the device's lock is held around it.
+class Allocator {
+public:
+    explicit Allocator(Context& context);
+    ~Allocator();
+
+    /// False if there is no memory left (or GLIFT_MEMORY_LIMIT is reached). Linear: buffers, else images.
+    bool allocate(const VkMemoryRequirements& needs, MemoryUse use, bool linear, Allocation& result);
+    void free(const Allocation& allocation);
+
+    std::uint64_t used() const { return used_; }
+    std::uint64_t reserved() const { return reserved_; }
+    std::uint64_t limit() const { return limit_; }
+
+private:
+    struct Pool {
+        std::uint32_t type;
+        bool linear;
+        VkDeviceSize next_block;
+        std::vector<std::unique_ptr<Block>> blocks;
+    };
+
+    Pool& pool(std::uint32_t type, bool linear);
+    Block* add_block(Pool& pool, VkDeviceSize bytes);
+    void release_block(Pool& pool, std::size_t index);
+    bool choose_type(std::uint32_t allowed, MemoryUse use, std::uint32_t& type) const;
+
+    Context& context_;
+    std::vector<std::unique_ptr<Pool>> pools_;
+    std::uint64_t used_ = 0, reserved_ = 0, limit_ = UINT64_MAX;
+};
+
+}  // namespace glift::detail

@@ -1,0 +1,76 @@
+#include "command_batch.h"
+
+namespace glift::detail {
+
+DescriptorSets::~DescriptorSets() {
+    for (VkDescriptorPool pool : pools_) context_.vk.vkDestroyDescriptorPool(context_.device, pool, nullptr);
+}
+
+void DescriptorSets::add_pool(const Pipeline& pipeline) {
+    constexpr std::uint32_t sets = 256;
+    const VkDescriptorPoolSize sizes[] = {
+        {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 4 * sets + pipeline.storage_buffers},
+        {VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, 2 * sets + pipeline.storage_images},
+        {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 2 * sets + pipeline.sampled_images}};
+    const VkDescriptorPoolCreateInfo info = {.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO,
+                                             .maxSets = sets,
+                                             .poolSizeCount = 3,
+                                             .pPoolSizes = sizes};
+    VkDescriptorPool pool = VK_NULL_HANDLE;
+    context_.check(context_.vk.vkCreateDescriptorPool(context_.device, &info, nullptr, &pool), "vkCreateDescriptorPool");
+    pools_.push_back(pool);
+}
+
+VkDescriptorSet DescriptorSets::take(const Pipeline& pipeline) {
+    if (pools_.empty()) add_pool(pipeline);
+    for (bool grown = false;; grown = true) {
+        const VkDescriptorSetAllocateInfo info = {.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO,
+                                                  .descriptorPool = pools_.back(),
+                                                  .descriptorSetCount = 1,
+                                                  .pSetLayouts = &pipeline.set_layout};
+        VkDescriptorSet set = VK_NULL_HANDLE;
+        const VkResult result = context_.vk.vkAllocateDescriptorSets(context_.device, &info, &set);
+        if (result == VK_SUCCESS) return set;
+        const bool full = result == VK_ERROR_OUT_OF_POOL_MEMORY || result == VK_ERROR_FRAGMENTED_POOL;
+        if (grown || !full) context_.fail(result, "vkAllocateDescriptorSets");
+        add_pool(pipeline);
+    }
+}
+
+void DescriptorSets::reset() {
+    // One pool stays; a batch that needed several is rare.
+    while (pools_.size() > 1) {
+        context_.vk.vkDestroyDescriptorPool(context_.device, pools_.back(), nullptr);
+        pools_.pop_back();
+    }
+    if (!pools_.empty()) context_.vk.vkResetDescriptorPool(context_.device, pools_.back(), 0);
+}
+
+CommandBatch::CommandBatch(Context& context_, ChunkPool& chunks)
+    : context(context_), upload(chunks, MemoryUse::upload), readback(chunks, MemoryUse::readback), sets(context_) {
+    const VkCommandPoolCreateInfo pool_info = {.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
+                                               .queueFamilyIndex = context.queue_family};
+    context.check(context.vk.vkCreateCommandPool(context.device, &pool_info, nullptr, &pool), "vkCreateCommandPool");
+    const VkCommandBufferAllocateInfo info = {.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
+                                              .commandPool = pool,
+                                              .level = VK_COMMAND_BUFFER_LEVEL_PRIMARY,
+                                              .commandBufferCount = 1};
+    context.check(context.vk.vkAllocateCommandBuffers(context.device, &info, &commands), "vkAllocateCommandBuffers");
+}
+
+CommandBatch::~CommandBatch() { context.vk.vkDestroyCommandPool(context.device, pool, nullptr); }
+
+void CommandBatch::begin(VkCommandBufferUsageFlags usage) {
+    const VkCommandBufferBeginInfo info = {.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO, .flags = usage};
+    context.check(context.vk.vkBeginCommandBuffer(commands, &info), "vkBeginCommandBuffer");
+}
+
+void CommandBatch::reset() {
+    context.vk.vkResetCommandPool(context.device, pool, 0);
+    upload.clear();
+    readback.clear();
+    sets.reset();
+    operations = passes = 0;
+}
+
+}  // namespace glift::detail

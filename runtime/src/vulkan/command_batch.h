@@ -1,0 +1,42 @@
+// A command buffer with everything that must live as long as it: parameters, staging, descriptor sets.
+#pragma once
+
+#include "chunks.h"
+#include "pipelines.h"
+
+namespace glift::detail {
+
+/// Descriptor sets where push descriptors are absent or too few.
+class DescriptorSets {
+public:
+    explicit DescriptorSets(Context& context) : context_(context) {}
+    ~DescriptorSets();
+    VkDescriptorSet take(const Pipeline& pipeline);
+    void reset();
+
+private:
+    void add_pool(const Pipeline& pipeline);
+
+    Context& context_;
+    std::vector<VkDescriptorPool> pools_;   // the last one is being filled
+};
+
+struct CommandBatch {
+    CommandBatch(Context& context, ChunkPool& chunks);
+    ~CommandBatch();
+    CommandBatch(const CommandBatch&) = delete;
+
+    void begin(VkCommandBufferUsageFlags usage);
+    void reset();
+
+    Context& context;
+    VkCommandPool pool = VK_NULL_HANDLE;
+    VkCommandBuffer commands = VK_NULL_HANDLE;
+    Arena upload, readback;
+    DescriptorSets sets;
+    std::uint64_t value = 0;        ///< of the timeline, when the device is done with it
+    std::uint64_t operations = 0;   ///< recorded
+    std::uint64_t passes = 0;
+};
+
+}  // namespace glift::detail

@@ -1,0 +1,114 @@
+#include "context.h"
+
+#include "select.h"
+
+#include <glift/error.h>
+
+namespace glift::detail {
+
+namespace {
+
+std::uint32_t choose_queue_family(const Instance& instance, VkPhysicalDevice physical) {
+    const auto families = queue_families(instance, physical);
+    for (const VkQueueFlags wanted : {VkQueueFlags(VK_QUEUE_COMPUTE_BIT | VK_QUEUE_GRAPHICS_BIT),
+                                      VkQueueFlags(VK_QUEUE_COMPUTE_BIT)}) {
+        for (std::uint32_t k = 0; k < families.size(); ++k) {
+            if ((families[k].queueFlags & wanted) == wanted) return k;
+        }
+    }
+    throw Error(ErrorCode::missing_feature, "the device has no queue that can compute", "Device::open", {},
+                "choose another device with GLIFT_DEVICE=lavapipe or GLIFT_DEVICE=host");
+}
+
+}  // namespace
+
+std::unique_ptr<Context> Context::open(std::string_view which) {
+    std::unique_ptr<Context> context(new Context);
+    context->instance = Instance::create();
+    context->owned = true;
+    context->physical = select_physical_device(*context->instance, which);
+    context->queue_family = choose_queue_family(*context->instance, context->physical);
+    const FeatureChain features(*context->instance, context->physical);
+    features.require();
+    context->extensions = features.extensions;
+    context->make_device(features);
+    context->read_limits(features);
+    return context;
+}
+
+std::unique_ptr<Context> Context::adopt(const Adopted& objects) {
+    std::unique_ptr<Context> context(new Context);
+    context->instance = Instance::adopt(objects.instance, objects.entry);
+    context->physical = objects.physical;
+    context->device = objects.device;
+    context->queue = objects.queue;
+    context->queue_family = objects.queue_family;
+    context->extensions = objects.extensions;
+    const FeatureChain features(*context->instance, context->physical);
+    features.require();
+    context->vk = load_device_table(context->instance->vk(), context->device);
+    context->read_limits(features);
+    return context;
+}
+
+void Context::make_device(const FeatureChain& features) {
+    const float priority = 1;
+    const VkDeviceQueueCreateInfo queue_info = {.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO,
+                                                .queueFamilyIndex = queue_family,
+                                                .queueCount = 1,
+                                                .pQueuePriorities = &priority};
+    const VkDeviceCreateInfo info = {.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO,
+                                     .pNext = &features.core,
+                                     .queueCreateInfoCount = 1,
+                                     .pQueueCreateInfos = &queue_info,
+                                     .enabledExtensionCount = static_cast<std::uint32_t>(extensions.size()),
+                                     .ppEnabledExtensionNames = extensions.data()};
+    check(instance->vk().vkCreateDevice(physical, &info, nullptr, &device), "vkCreateDevice");
+    vk = load_device_table(instance->vk(), device);
+    vk.vkGetDeviceQueue(device, queue_family, 0, &queue);
+}
+
+void Context::read_limits(const FeatureChain& features) {
+    properties = read_properties(*instance, physical, features, extensions);
+    core = features.properties;
+    instance->vk().vkGetPhysicalDeviceMemoryProperties(physical, &memory);
+    timestamp_bits = queue_families(*instance, physical)[queue_family].timestampValidBits;
+    if (!properties.push_descriptors) return;
+    VkPhysicalDevicePushDescriptorPropertiesKHR push = {
+        .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PUSH_DESCRIPTOR_PROPERTIES_KHR};
+    VkPhysicalDeviceProperties2 all = {.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, .pNext = &push};
+    instance->vk().vkGetPhysicalDeviceProperties2(physical, &all);
+    max_push_descriptors = push.maxPushDescriptors;
+}
+
+Context::~Context() {
+    if (owned && device) vk.vkDestroyDevice(device, nullptr);
+}
+
+void Context::fail(VkResult result, const char* call) {
+    if (result == VK_ERROR_DEVICE_LOST) {
+        lost = true;
+        throw Error(ErrorCode::device_lost, "the device was lost", std::string(call) + ", " + properties.name,
+                    "the driver stopped it: a kernel ran too long or touched memory that is not its own, or the "
+                    "machine took the device away",
+                    "open the device anew and make the structures again; run with GLIFT_VALIDATE=1 or a checked build "
+                    "(gliftc --checked) to find an access out of range");
+    }
+    if (result == VK_ERROR_OUT_OF_DEVICE_MEMORY || result == VK_ERROR_OUT_OF_HOST_MEMORY) {
+        throw Error(ErrorCode::out_of_memory, "the device has no memory left", std::string(call) + ", " + properties.name,
+                    result_text(result), "free structures that are no longer used, or make them smaller");
+    }
+    throw Error(ErrorCode::vulkan, "a Vulkan call failed", std::string(call) + ", " + properties.name,
+                result_text(result), "run with GLIFT_VALIDATE=1 to see what was wrong with it");
+}
+
+void Context::set_name(VkObjectType type, std::uint64_t handle, const char* name) const {
+    if (!instance->vk().vkSetDebugUtilsObjectNameEXT || !*name) return;
+    const VkDebugUtilsObjectNameInfoEXT info = {.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_OBJECT_NAME_INFO_EXT,
+                                                .objectType = type,
+                                                .objectHandle = handle,
+                                                .pObjectName = name};
+    instance->vk().vkSetDebugUtilsObjectNameEXT(device, &info);
+}
+
+}  // namespace glift::detail

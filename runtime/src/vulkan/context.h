@@ -1,0 +1,62 @@
+// A logical device, made here or adopted: functions, queue, limits, and what a failed call means.
+#pragma once
+
+#include "features.h"
+
+#include <atomic>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace glift::detail {
+
+class Context {
+public:
+    static std::unique_ptr<Context> open(std::string_view which);
+    struct Adopted {
+        VkInstance instance;
+        VkPhysicalDevice physical;
+        VkDevice device;
+        VkQueue queue;
+        std::uint32_t queue_family;
+        std::vector<const char*> extensions;
+        PFN_vkGetInstanceProcAddr entry;
+    };
+    static std::unique_ptr<Context> adopt(const Adopted& objects);
+    ~Context();
+    Context(const Context&) = delete;
+
+    /// Throws if the call failed. `call` names the Vulkan function.
+    void check(VkResult result, const char* call) {
+        if (result < 0) fail(result, call);
+    }
+    void require_not_lost() {
+        if (lost) fail(VK_ERROR_DEVICE_LOST, "an earlier call");
+    }
+    [[noreturn]] void fail(VkResult result, const char* call);
+
+    /// Shown by debuggers and in validation messages.
+    void set_name(VkObjectType type, std::uint64_t handle, const char* name) const;
+
+    std::unique_ptr<Instance> instance;
+    VkPhysicalDevice physical = VK_NULL_HANDLE;
+    VkDevice device = VK_NULL_HANDLE;
+    VkQueue queue = VK_NULL_HANDLE;
+    std::uint32_t queue_family = 0;
+    std::uint32_t timestamp_bits = 0;
+    bool owned = false;
+    VolkDeviceTable vk = {};
+    DeviceProperties properties;
+    VkPhysicalDeviceProperties core = {};
+    VkPhysicalDeviceMemoryProperties memory = {};
+    std::uint32_t max_push_descriptors = 0;
+    std::vector<const char*> extensions;
+    std::atomic<bool> lost{false};
+
+private:
+    Context() = default;
+    void make_device(const FeatureChain& features);
+    void read_limits(const FeatureChain& features);
+};
+
+}  // namespace glift::detail

@@ -1,0 +1,268 @@
+#include "encoder.h"
+
+#include "../check.h"
+#include "../text.h"
+#include "vulkan_device.h"
+
+#include <glift/error.h>
+
+#include <algorithm>
+#include <cstring>
+
+namespace glift::detail {
+
+namespace {
+
+constexpr VkPipelineStageFlags2 work_stages =
+    VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT;
+
+constexpr VkMemoryBarrier2 between_work = {
+    .sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,
+    .srcStageMask = work_stages,
+    .srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT,
+    .dstStageMask = work_stages | VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT,
+    .dstAccessMask = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT};
+
+constexpr VkMemoryBarrier2 between_everything = {
+    .sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,
+    .srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
+    .srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT,
+    .dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT | VK_PIPELINE_STAGE_2_HOST_BIT,
+    .dstAccessMask = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT};
+
+// As prepare_indirect.comp reads it.
+struct PrepareArguments {
+    VkDeviceAddress block, command;
+    std::array<std::uint32_t, 4> size;
+    std::array<std::uint32_t, 3> per_group;
+    std::uint32_t limit_x, rank, size_word, patch_count, unused;
+};
+struct PatchSource {
+    VkDeviceAddress value;
+    std::uint32_t word, unused;
+};
+static_assert(sizeof(PrepareArguments) == 64 && sizeof(PatchSource) == 16);
+
+[[noreturn]] void throw_too_many_groups(const Kernel& kernel, const Context& context) {
+    const auto& limit = context.properties.max_workgroups;
+    throw Error(ErrorCode::too_large, "an iteration has more workgroups than the device allows", kernel_text(kernel),
+                context.properties.name + " allows " + std::to_string(limit[0]) + " x " + std::to_string(limit[1]) +
+                    " x " + std::to_string(limit[2]),
+                "run the kernel over parts of the range, or with larger workgroups");
+}
+
+}  // namespace
+
+Encoder::Encoder(VulkanDevice& device) : device_(device), context_(device.context()) {}
+
+void Encoder::barrier() {
+    const VkDependencyInfo info = {
+        .sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO, .memoryBarrierCount = 1, .pMemoryBarriers = &between_work};
+    context_.vk.vkCmdPipelineBarrier2(commands_, &info);
+    hazards_.barrier();
+    ++device_.counters().barriers;
+}
+
+void Encoder::full_barrier() {
+    const VkDependencyInfo info = {
+        .sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO, .memoryBarrierCount = 1, .pMemoryBarriers = &between_everything};
+    context_.vk.vkCmdPipelineBarrier2(commands_, &info);
+    hazards_.barrier();
+}
+
+bool Encoder::is_wide(std::span<const Memory> memories) const {
+    for (const Memory& memory : memories) {
+        if (vulkan_memory(memory).range > context_.properties.max_storage_buffer_range) return true;
+    }
+    return false;
+}
+
+bool Encoder::needs_general(const Kernel& kernel, std::span<const Memory> memories,
+                            const std::array<std::uint32_t, 4>& size) const {
+    if (is_wide(memories)) return true;
+    return kernel.rank > 1 && !count_groups(kernel, size).within(context_.properties.max_workgroups);
+}
+
+CompiledForm Encoder::choose(const Kernel& kernel, const Call& call) const {
+    if (!is_wide(call.memories)) {
+        return call.form == FormName::direct ? CompiledForm::direct : CompiledForm::general;
+    }
+    if (call.form == FormName::general) return CompiledForm::wide;
+    const auto largest = std::max_element(
+        call.memories.begin(), call.memories.end(),
+        [](const Memory& a, const Memory& b) { return vulkan_memory(a).range < vulkan_memory(b).range; });
+    throw Error(ErrorCode::too_large, "a memory is too large for the direct form of a kernel",
+                kernel_text(kernel) + ", " + memory_text(largest->description()),
+                "a descriptor covers " + size_text(context_.properties.max_storage_buffer_range),
+                "ask Commands::needs_general before packing the parameters");
+}
+
+// The barrier before a pass, if one of its memories needs it.
+void Encoder::order(const Kernel& kernel, const Call& call) {
+    const std::size_t count = call.memories.size();
+    for (std::size_t k = 0; k < count; ++k) {
+        if (!hazards_.conflicts(vulkan_memory(call.memories[k]).id, kernel.bindings[k].access)) continue;
+        barrier();
+        break;
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+        hazards_.note(vulkan_memory(call.memories[k]).id, kernel.bindings[k].access);
+    }
+}
+
+Slice Encoder::write_parameters(const Pipeline& pipeline, const Call& call) {
+    const Form& form = *pipeline.form;
+    if (form.push_constants || !form.parameter_bytes) return {};
+    const Slice block = batch_->upload.take(form.parameter_bytes);
+    std::memcpy(block.data, call.parameters.data(), call.parameters.size());
+    if (pipeline.name == CompiledForm::wide) {
+        for (std::size_t k = 0; k < call.memories.size(); ++k) {
+            const Binding& binding = pipeline.kernel->bindings[k];
+            if (binding.kind != MemoryKind::buffer) continue;
+            std::memcpy(block.data + binding.address_offset, &vulkan_memory(call.memories[k]).address,
+                        sizeof(VkDeviceAddress));
+        }
+    }
+    return block;
+}
+
+void Encoder::push_descriptors(const Pipeline& pipeline, const Call& call, const Slice& block) {
+    if (!pipeline.update) return;
+    const std::uint32_t count = pipeline.descriptor_count();
+    DescriptorInfo few[40];
+    std::vector<DescriptorInfo> many(count > std::size(few) ? count : 0);
+    DescriptorInfo* const infos = many.empty() ? few : many.data();
+    DescriptorInfo* next = infos;
+    if (block.chunk) (next++)->buffer = {block.buffer(), block.offset, pipeline.form->parameter_bytes};
+    for (std::size_t k = 0; k < call.memories.size(); ++k) {
+        const Binding& binding = pipeline.kernel->bindings[k];
+        const VulkanMemory& memory = vulkan_memory(call.memories[k]);
+        if (binding.kind == MemoryKind::buffer) {
+            if (pipeline.name != CompiledForm::wide) (next++)->buffer = {memory.parts.buffer, 0, memory.range};
+        } else if (binding.sampled) {
+            (next++)->image = {device_.pipelines().sampler(binding.sampler), memory.parts.sampled_view,
+                               VK_IMAGE_LAYOUT_GENERAL};
+        } else {
+            (next++)->image = {VK_NULL_HANDLE, memory.parts.storage_view, VK_IMAGE_LAYOUT_GENERAL};
+        }
+    }
+    if (pipeline.kernel->reports) {
+        next->buffer = {device_.status_buffer(), pipeline.status_slot * status_stride, sizeof(StatusRecord)};
+    }
+    if (pipeline.push) {
+        context_.vk.vkCmdPushDescriptorSetWithTemplateKHR(commands_, pipeline.update, pipeline.layout, 0, infos);
+        return;
+    }
+    const VkDescriptorSet set = batch_->sets.take(pipeline);
+    context_.vk.vkUpdateDescriptorSetWithTemplate(context_.device, set, pipeline.update, infos);
+    context_.vk.vkCmdBindDescriptorSets(commands_, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.layout, 0, 1, &set, 0,
+                                        nullptr);
+}
+
+void Encoder::bind(const Pipeline& pipeline, const Call& call, const Slice& block) {
+    if (bound_ != pipeline.handle) {
+        context_.vk.vkCmdBindPipeline(commands_, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.handle);
+        bound_ = pipeline.handle;
+    }
+    if (pipeline.form->push_constants && pipeline.form->parameter_bytes) {
+        context_.vk.vkCmdPushConstants(commands_, pipeline.layout, VK_SHADER_STAGE_COMPUTE_BIT, 0,
+                                       static_cast<std::uint32_t>(call.parameters.size()), call.parameters.data());
+    }
+    push_descriptors(pipeline, call, block);
+}
+
+bool Encoder::patches_size(const Pipeline& pipeline, const Call& call) const {
+    const std::uint32_t first = pipeline.form->size_offset;
+    return std::any_of(call.patches.begin(), call.patches.end(), [&](const Patch& patch) {
+        return patch.offset >= first && patch.offset < first + 4 * pipeline.kernel->rank;
+    });
+}
+
+// Copies the device values into the block, and writes the indirect command, which comes back.
+Slice Encoder::prepare(const Pipeline& pipeline, const Call& call, const Slice& block) {
+    const Kernel& kernel = *pipeline.kernel;
+    const std::size_t bytes = sizeof(PrepareArguments) + call.patches.size() * sizeof(PatchSource);
+    const Slice command = batch_->upload.take(sizeof(VkDispatchIndirectCommand));
+    const Slice list = batch_->upload.take(bytes);
+    const PrepareArguments arguments = {block.address(),
+                                        command.address(),
+                                        call.size,
+                                        {kernel.group[0] * kernel.items, kernel.group[1], kernel.group[2]},
+                                        context_.properties.max_workgroups[0],
+                                        kernel.rank,
+                                        pipeline.form->size_offset / 4,
+                                        static_cast<std::uint32_t>(call.patches.size()),
+                                        0};
+    std::memcpy(list.data, &arguments, sizeof arguments);
+    bool conflict = false;
+    for (std::size_t k = 0; k < call.patches.size(); ++k) {
+        const Patch& patch = call.patches[k];
+        const VulkanMemory& memory = vulkan_memory(patch.value.memory);
+        const PatchSource source = {memory.address + patch.value.offset, patch.offset / 4, 0};
+        std::memcpy(list.data + sizeof arguments + k * sizeof source, &source, sizeof source);
+        conflict = conflict || hazards_.conflicts(memory.id, Access::read);
+    }
+    if (conflict) barrier();
+    for (const Patch& patch : call.patches) hazards_.note(vulkan_memory(patch.value.memory).id, Access::read);
+    const VkDeviceAddress address = list.address();
+    device_.bind_prepare(commands_, address);
+    bound_ = VK_NULL_HANDLE;
+    context_.vk.vkCmdDispatch(commands_, 1, 1, 1);
+    barrier();
+    return command;
+}
+
+void Encoder::dispatch(const Kernel& kernel, const Call& call) {
+    check_call(&device_, kernel, call);
+    const CompiledForm form = choose(kernel, call);
+    const Pipeline& pipeline = device_.pipelines().get(kernel, form, call.constants);
+    Groups groups = count_groups(kernel, call.size);
+    if (groups.none()) return;
+    ++batch_->operations;
+    ++batch_->passes;
+    const auto& limit = context_.properties.max_workgroups;
+    if (kernel.rank == 1) fold(groups, limit[0]);
+    const bool fits = groups.within(limit);
+    const bool indirect = !call.patches.empty() && patches_size(pipeline, call);
+    if (!fits && (indirect || pipeline.form->base_offset == UINT32_MAX)) throw_too_many_groups(kernel, context_);
+
+    const Slice block = write_parameters(pipeline, call);
+    if (!call.patches.empty()) {
+        const Slice command = prepare(pipeline, call, block);
+        if (indirect) {
+            order(kernel, call);
+            bind(pipeline, call, block);
+            context_.vk.vkCmdDispatchIndirect(commands_, command.buffer(), command.offset);
+            return;
+        }
+    }
+    order(kernel, call);
+    if (!fits) return dispatch_split(pipeline, call, groups);
+    bind(pipeline, call, block);
+    context_.vk.vkCmdDispatch(commands_, static_cast<std::uint32_t>(groups.count[0]),
+                              static_cast<std::uint32_t>(groups.count[1]), static_cast<std::uint32_t>(groups.count[2]));
+}
+
+// Pieces within the device's limits, each with parameters of its own that say where it starts. They write different
+// elements, so no barriers stand between them.
+void Encoder::dispatch_split(const Pipeline& pipeline, const Call& call, const Groups& groups) {
+    const auto& limit = context_.properties.max_workgroups;
+    std::array<std::uint64_t, 3> base = {};
+    const auto part = [&](int axis) {
+        return static_cast<std::uint32_t>(std::min<std::uint64_t>(limit[axis], groups.count[axis] - base[axis]));
+    };
+    for (base[2] = 0; base[2] < groups.count[2]; base[2] += limit[2]) {
+        for (base[1] = 0; base[1] < groups.count[1]; base[1] += limit[1]) {
+            for (base[0] = 0; base[0] < groups.count[0]; base[0] += limit[0]) {
+                const Slice block = write_parameters(pipeline, call);
+                const std::uint32_t start[3] = {static_cast<std::uint32_t>(base[0]), static_cast<std::uint32_t>(base[1]),
+                                                static_cast<std::uint32_t>(base[2])};
+                std::memcpy(block.data + pipeline.form->base_offset, start, sizeof start);
+                bind(pipeline, call, block);
+                context_.vk.vkCmdDispatch(commands_, part(0), part(1), part(2));
+            }
+        }
+    }
+}
+
+}  // namespace glift::detail

@@ -1,0 +1,65 @@
+// Turns passes and copies into Vulkan commands, with the barriers that they need.
+#pragma once
+
+#include "../objects.h"
+#include "command_batch.h"
+#include "groups.h"
+#include "hazards.h"
+#include "vulkan_memory.h"
+
+namespace glift::detail {
+
+class Encoder {
+public:
+    explicit Encoder(VulkanDevice& device);
+
+    /// Where commands go from now on. Nothing is bound there yet.
+    void target(VkCommandBuffer commands, CommandBatch& batch) {
+        commands_ = commands;
+        batch_ = &batch;
+        bound_ = VK_NULL_HANDLE;
+    }
+    CommandBatch& batch() { return *batch_; }
+
+    bool needs_general(const Kernel& kernel, std::span<const Memory> memories,
+                       const std::array<std::uint32_t, 4>& size) const;
+    void dispatch(const Kernel& kernel, const Call& call);
+
+    void fill(const VulkanMemory& memory, std::uint64_t offset, std::uint64_t bytes, std::uint32_t value);
+    void clear_new(const VulkanMemory& memory);         ///< the first commands on a memory: layout, zeros
+    void copy(const VulkanMemory& from, const VulkanMemory& to, std::span<const CopyRegion> regions);
+    void copy_to_image(const VulkanMemory& buffer, const VulkanMemory& image, std::span<const ImageRegion> regions);
+    void copy_from_image(const VulkanMemory& image, const VulkanMemory& buffer, std::span<const ImageRegion> regions);
+    void copy_images(const VulkanMemory& from, const VulkanMemory& to, std::span<const ImageCopyRegion> regions);
+    void upload(const VulkanMemory& to, std::span<const CopyRegion> regions, const std::byte* bytes);
+    void upload_image(const VulkanMemory& image, std::span<const ImageRegion> regions, const std::byte* bytes);
+    Slice download(const VulkanMemory& from, std::span<const CopyRegion> regions, std::uint64_t bytes);
+    Slice download_image(const VulkanMemory& image, std::span<const ImageRegion> regions, std::uint64_t bytes);
+    void timestamp(VkQueryPool pool, std::uint32_t query);
+
+    /// Orders everything before, on the whole queue and the host, against everything after.
+    void full_barrier();
+
+private:
+    void barrier();
+    void touch(const VulkanMemory& memory, Access access);
+    void touch(const VulkanMemory& from, const VulkanMemory& to);
+    CompiledForm choose(const Kernel& kernel, const Call& call) const;
+    bool is_wide(std::span<const Memory> memories) const;
+    void order(const Kernel& kernel, const Call& call);
+    Slice write_parameters(const Pipeline& pipeline, const Call& call);
+    Slice prepare(const Pipeline& pipeline, const Call& call, const Slice& block);
+    bool patches_size(const Pipeline& pipeline, const Call& call) const;
+    void bind(const Pipeline& pipeline, const Call& call, const Slice& block);
+    void push_descriptors(const Pipeline& pipeline, const Call& call, const Slice& block);
+    void dispatch_split(const Pipeline& pipeline, const Call& call, const Groups& groups);
+
+    VulkanDevice& device_;
+    Context& context_;
+    VkCommandBuffer commands_ = VK_NULL_HANDLE;
+    CommandBatch* batch_ = nullptr;
+    VkPipeline bound_ = VK_NULL_HANDLE;
+    Hazards hazards_;
+};
+
+}  // namespace glift::detail

@@ -1,0 +1,204 @@
+// Fills and copies.
+#include "../image_layout.h"
+#include "encoder.h"
+#include "vulkan_device.h"
+
+#include <cstring>
+
+namespace glift::detail {
+
+namespace {
+
+VkBufferImageCopy image_copy(const MemoryDescription& d, const ImageRegion& region, VkDeviceSize buffer_offset) {
+    return {.bufferOffset = buffer_offset,
+            .imageSubresource = {vulkan_aspect(d.format), region.mip, region.face, 1},
+            .imageOffset = {static_cast<std::int32_t>(region.origin[0]), static_cast<std::int32_t>(region.origin[1]),
+                            static_cast<std::int32_t>(region.origin[2])},
+            .imageExtent = {region.extent[0], region.extent[1], region.extent[2]}};
+}
+
+bool empty(const ImageRegion& region) { return !region.extent[0] || !region.extent[1] || !region.extent[2]; }
+
+std::vector<VkBufferImageCopy> image_copies(const MemoryDescription& d, std::span<const ImageRegion> regions,
+                                            VkDeviceSize base) {
+    std::vector<VkBufferImageCopy> result;
+    for (const ImageRegion& region : regions) {
+        if (!empty(region)) result.push_back(image_copy(d, region, base + region.offset));
+    }
+    return result;
+}
+
+std::vector<VkBufferCopy> buffer_copies(std::span<const CopyRegion> regions, VkDeviceSize from, VkDeviceSize to) {
+    std::vector<VkBufferCopy> result;
+    result.reserve(regions.size());
+    for (const CopyRegion& region : regions) {
+        if (region.bytes) result.push_back({region.from + from, region.to + to, region.bytes});
+    }
+    return result;
+}
+
+std::uint32_t count(const auto& list) { return static_cast<std::uint32_t>(list.size()); }
+
+VkOffset3D offset3d(const std::array<std::uint32_t, 3>& at) {
+    return {static_cast<std::int32_t>(at[0]), static_cast<std::int32_t>(at[1]), static_cast<std::int32_t>(at[2])};
+}
+
+}  // namespace
+
+void Encoder::touch(const VulkanMemory& memory, Access access) {
+    if (hazards_.conflicts(memory.id, access)) barrier();
+    hazards_.note(memory.id, access);
+    ++batch_->operations;
+}
+
+void Encoder::touch(const VulkanMemory& from, const VulkanMemory& to) {
+    if (hazards_.conflicts(from.id, Access::read) || hazards_.conflicts(to.id, Access::write)) barrier();
+    hazards_.note(from.id, Access::read);
+    hazards_.note(to.id, Access::write);
+    ++batch_->operations;
+}
+
+void Encoder::fill(const VulkanMemory& memory, std::uint64_t offset, std::uint64_t bytes, std::uint32_t value) {
+    touch(memory, Access::write);
+    context_.vk.vkCmdFillBuffer(commands_, memory.parts.buffer, offset, bytes, value);
+}
+
+void Encoder::clear_new(const VulkanMemory& memory) {
+    const MemoryDescription& d = memory.description();
+    if (memory.is_buffer()) {
+        if (d.zeroed) fill(memory, 0, VK_WHOLE_SIZE, 0);
+        return;
+    }
+    ++batch_->operations;
+    const VkImageSubresourceRange all = {vulkan_aspect(d.format), 0, d.mips, 0, face_count(d)};
+    const VkImageMemoryBarrier2 first = {
+        .sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2,
+        .srcStageMask = VK_PIPELINE_STAGE_2_NONE,
+        .dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
+        .dstAccessMask = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT,
+        .oldLayout = VK_IMAGE_LAYOUT_UNDEFINED,
+        .newLayout = VK_IMAGE_LAYOUT_GENERAL,
+        .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
+        .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
+        .image = memory.parts.image,
+        .subresourceRange = all};
+    const VkDependencyInfo info = {
+        .sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO, .imageMemoryBarrierCount = 1, .pImageMemoryBarriers = &first};
+    context_.vk.vkCmdPipelineBarrier2(commands_, &info);
+    if (!d.zeroed) return;
+    hazards_.note(memory.id, Access::write);
+    if (d.format == Format::d32) {
+        const VkClearDepthStencilValue zero = {};
+        context_.vk.vkCmdClearDepthStencilImage(commands_, memory.parts.image, VK_IMAGE_LAYOUT_GENERAL, &zero, 1, &all);
+    } else {
+        const VkClearColorValue zero = {};
+        context_.vk.vkCmdClearColorImage(commands_, memory.parts.image, VK_IMAGE_LAYOUT_GENERAL, &zero, 1, &all);
+    }
+}
+
+void Encoder::copy(const VulkanMemory& from, const VulkanMemory& to, std::span<const CopyRegion> regions) {
+    const auto copies = buffer_copies(regions, 0, 0);
+    if (copies.empty()) return;
+    touch(from, to);
+    context_.vk.vkCmdCopyBuffer(commands_, from.parts.buffer, to.parts.buffer, count(copies), copies.data());
+}
+
+void Encoder::copy_to_image(const VulkanMemory& buffer, const VulkanMemory& image,
+                            std::span<const ImageRegion> regions) {
+    const auto copies = image_copies(image.description(), regions, 0);
+    if (copies.empty()) return;
+    touch(buffer, image);
+    context_.vk.vkCmdCopyBufferToImage(commands_, buffer.parts.buffer, image.parts.image, VK_IMAGE_LAYOUT_GENERAL,
+                                       count(copies), copies.data());
+}
+
+void Encoder::copy_from_image(const VulkanMemory& image, const VulkanMemory& buffer,
+                              std::span<const ImageRegion> regions) {
+    const auto copies = image_copies(image.description(), regions, 0);
+    if (copies.empty()) return;
+    touch(image, buffer);
+    context_.vk.vkCmdCopyImageToBuffer(commands_, image.parts.image, VK_IMAGE_LAYOUT_GENERAL, buffer.parts.buffer,
+                                       count(copies), copies.data());
+}
+
+void Encoder::copy_images(const VulkanMemory& from, const VulkanMemory& to, std::span<const ImageCopyRegion> regions) {
+    std::vector<VkImageCopy> copies;
+    const VkImageAspectFlags aspect = vulkan_aspect(from.description().format);
+    for (const ImageCopyRegion& r : regions) {
+        if (!r.extent[0] || !r.extent[1] || !r.extent[2]) continue;
+        copies.push_back({{aspect, r.from_mip, r.from_face, 1}, offset3d(r.from), {aspect, r.to_mip, r.to_face, 1},
+                          offset3d(r.to), {r.extent[0], r.extent[1], r.extent[2]}});
+    }
+    if (copies.empty()) return;
+    touch(from, to);
+    context_.vk.vkCmdCopyImage(commands_, from.parts.image, VK_IMAGE_LAYOUT_GENERAL, to.parts.image,
+                               VK_IMAGE_LAYOUT_GENERAL, count(copies), copies.data());
+}
+
+// Region by region into one slice of staging, packed.
+void Encoder::upload(const VulkanMemory& to, std::span<const CopyRegion> regions, const std::byte* bytes) {
+    std::uint64_t total = 0;
+    for (const CopyRegion& region : regions) total += region.bytes;
+    if (!total) return;
+    const Slice staging = batch_->upload.take(total);
+    std::vector<VkBufferCopy> copies;
+    copies.reserve(regions.size());
+    std::uint64_t at = 0;
+    for (const CopyRegion& region : regions) {
+        if (!region.bytes) continue;
+        std::memcpy(staging.data + at, bytes + region.from, region.bytes);
+        copies.push_back({staging.offset + at, region.to, region.bytes});
+        at += region.bytes;
+    }
+    touch(to, Access::write);
+    context_.vk.vkCmdCopyBuffer(commands_, staging.buffer(), to.parts.buffer, count(copies), copies.data());
+}
+
+void Encoder::upload_image(const VulkanMemory& image, std::span<const ImageRegion> regions, const std::byte* bytes) {
+    const MemoryDescription& d = image.description();
+    const auto packed = [&](const ImageRegion& r) {
+        return std::uint64_t(r.extent[0]) * r.extent[1] * r.extent[2] * texel_bytes(d.format);
+    };
+    constexpr std::uint64_t alignment = 16;   // a multiple of every texel, and of 4
+    std::uint64_t total = 0;
+    for (const ImageRegion& region : regions) total += (packed(region) + alignment - 1) / alignment * alignment;
+    if (!total) return;
+    const Slice staging = batch_->upload.take(total);
+    std::vector<VkBufferImageCopy> copies;
+    std::uint64_t at = 0;
+    for (const ImageRegion& region : regions) {
+        if (empty(region)) continue;
+        std::memcpy(staging.data + at, bytes + region.offset, packed(region));
+        copies.push_back(image_copy(d, region, staging.offset + at));
+        at += (packed(region) + alignment - 1) / alignment * alignment;
+    }
+    touch(image, Access::write);
+    context_.vk.vkCmdCopyBufferToImage(commands_, staging.buffer(), image.parts.image, VK_IMAGE_LAYOUT_GENERAL,
+                                       count(copies), copies.data());
+}
+
+Slice Encoder::download(const VulkanMemory& from, std::span<const CopyRegion> regions, std::uint64_t bytes) {
+    const Slice staging = batch_->readback.take(std::max<std::uint64_t>(bytes, 4));
+    const auto copies = buffer_copies(regions, 0, staging.offset);
+    if (copies.empty()) return staging;
+    touch(from, Access::read);
+    context_.vk.vkCmdCopyBuffer(commands_, from.parts.buffer, staging.buffer(), count(copies), copies.data());
+    return staging;
+}
+
+Slice Encoder::download_image(const VulkanMemory& image, std::span<const ImageRegion> regions, std::uint64_t bytes) {
+    const Slice staging = batch_->readback.take(std::max<std::uint64_t>(bytes, 4));
+    const auto copies = image_copies(image.description(), regions, staging.offset);
+    if (copies.empty()) return staging;
+    touch(image, Access::read);
+    context_.vk.vkCmdCopyImageToBuffer(commands_, image.parts.image, VK_IMAGE_LAYOUT_GENERAL, staging.buffer(),
+                                       count(copies), copies.data());
+    return staging;
+}
+
+void Encoder::timestamp(VkQueryPool pool, std::uint32_t query) {
+    ++batch_->operations;
+    context_.vk.vkCmdWriteTimestamp2(commands_, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, pool, query);
+}
+
+}  // namespace glift::detail

@@ -1,0 +1,36 @@
+// Which features and extensions Glift needs and uses.
+#pragma once
+
+#include "instance.h"
+
+#include <glift/device.h>
+
+#include <string>
+#include <vector>
+
+namespace glift::detail {
+
+/// Everything that the physical device offers and Glift may use, chained and ready for VkDeviceCreateInfo.
+struct FeatureChain {
+    FeatureChain(const Instance& instance, VkPhysicalDevice physical);
+    FeatureChain(const FeatureChain&) = delete;
+
+    VkPhysicalDeviceProperties properties;
+    std::vector<const char*> extensions;
+    VkPhysicalDeviceFeatures2 core = {};
+    VkPhysicalDeviceVulkan11Features v11 = {};
+    VkPhysicalDeviceVulkan12Features v12 = {};
+    VkPhysicalDeviceVulkan13Features v13 = {};
+    VkPhysicalDeviceShaderAtomicFloatFeaturesEXT atomic_float = {};
+    VkPhysicalDeviceShaderAtomicFloat2FeaturesEXT atomic_float2 = {};
+
+    bool old() const { return properties.apiVersion < VK_API_VERSION_1_3; }
+    std::string missing() const;   ///< names of required features that are absent, empty if none
+    void require() const;          ///< throws unsupported_version or missing_feature
+};
+
+/// Properties of a physical device; `extensions` are those that the device is made with.
+DeviceProperties read_properties(const Instance& instance, VkPhysicalDevice physical, const FeatureChain& features,
+                                 const std::vector<const char*>& extensions);
+
+}  // namespace glift::detail

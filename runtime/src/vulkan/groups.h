@@ -1,0 +1,34 @@
+// How an iteration size becomes workgroups (pass.h says it in words; prepare_indirect.comp does the same).
+#pragma once
+
+#include <glift/pass.h>
+
+#include <array>
+
+namespace glift::detail {
+
+struct Groups {
+    std::array<std::uint64_t, 3> count;
+
+    bool none() const { return !count[0] || !count[1] || !count[2]; }
+    bool within(const std::array<std::uint32_t, 3>& limit) const {
+        return count[0] <= limit[0] && count[1] <= limit[1] && count[2] <= limit[2];
+    }
+};
+
+inline std::uint64_t div_ceil(std::uint64_t a, std::uint64_t b) { return (a + b - 1) / b; }
+
+/// Before folding.
+inline Groups count_groups(const Kernel& kernel, const std::array<std::uint32_t, 4>& size) {
+    return {{div_ceil(size[0], std::uint64_t(kernel.group[0]) * kernel.items), div_ceil(size[1], kernel.group[1]),
+             div_ceil(std::uint64_t(size[2]) * size[3], kernel.group[2])}};
+}
+
+/// One-dimensional iterations: what is too much along x goes along y.
+inline void fold(Groups& groups, std::uint32_t limit) {
+    if (groups.count[0] <= limit) return;
+    groups.count[1] = div_ceil(groups.count[0], limit);
+    groups.count[0] = div_ceil(groups.count[0], groups.count[1]);
+}
+
+}  // namespace glift::detail

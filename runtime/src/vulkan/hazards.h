@@ -1,0 +1,50 @@
+// Which memories were touched since the last barrier, and whether one more touch needs a barrier.
+//
+// A barrier here is a global one: it orders everything before it against everything after it. So the question is only
+// whether any memory of the next pass was written since the last barrier, or read and is now written. Write after write
+// counts too (validation does not find it between dispatches).
+#pragma once
+
+#include <glift/pass.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace glift::detail {
+
+/// A memory as hazards know it: a small number, used again after the memory is gone, and one that is never used again.
+struct MemoryId {
+    std::uint32_t slot = 0;
+    std::uint64_t serial = 0;
+};
+
+class Hazards {
+public:
+    bool conflicts(MemoryId id, Access access) const {
+        if (id.slot >= states_.size()) return false;
+        const State& state = states_[id.slot];
+        if (state.epoch != epoch_ || state.serial != id.serial) return false;
+        return state.written || access != Access::read;
+    }
+
+    void note(MemoryId id, Access access) {
+        if (id.slot >= states_.size()) states_.resize(id.slot + 16);
+        State& state = states_[id.slot];
+        if (state.epoch != epoch_ || state.serial != id.serial) state = {id.serial, epoch_, false};
+        if (access != Access::read) state.written = true;
+    }
+
+    /// After a barrier nothing is pending.
+    void barrier() { ++epoch_; }
+
+private:
+    struct State {
+        std::uint64_t serial = 0;
+        std::uint64_t epoch = 0;
+        bool written = false;
+    };
+    std::vector<State> states_;
+    std::uint64_t epoch_ = 1;
+};
+
+}  // namespace glift::detail

@@ -1,0 +1,115 @@
+// Recordings, and commands for the user's own command buffer.
+#include "../report.h"
+#include "vulkan_device.h"
+#include "vulkan_stream.h"
+
+#include <glift/error.h>
+
+namespace glift::detail {
+
+namespace {
+
+class VulkanRecording final : public RecordingObject {
+public:
+    VulkanRecording(std::shared_ptr<VulkanDevice> device, std::unique_ptr<CommandBatch> batch, std::vector<Memory> held)
+        : device_(std::move(device)), batch_(std::move(batch)), held_(std::move(held)) {}
+
+    ~VulkanRecording() override { device_->retire(std::move(batch_)); }
+
+    void submit() override {
+        const std::lock_guard lock(device_->mutex());
+        device_->stream_of_device().submit();
+        batch_->value = device_->submit(batch_->commands);
+        device_->counters().passes += batch_->passes;
+        device_->collect();
+    }
+
+private:
+    std::shared_ptr<VulkanDevice> device_;
+    std::unique_ptr<CommandBatch> batch_;
+    std::vector<Memory> held_;
+};
+
+}  // namespace
+
+HoldingStream::HoldingStream(std::shared_ptr<VulkanDevice> device) : VulkanStream(*device), keep_(std::move(device)) {
+    const std::lock_guard lock(device_.mutex());
+    batch_ = std::make_unique<CommandBatch>(device_.context(), device_.chunks());
+}
+
+std::shared_ptr<DeviceObject> HoldingStream::device() { return keep_; }
+
+void HoldingStream::open() {
+    device_.context().require_not_lost();
+    if (!finished_) return;
+    throw Error(ErrorCode::wrong_argument, "commands were put into a recording that is finished", "Commands");
+}
+
+void HoldingStream::hold(const Memory& memory) {
+    const std::uint32_t slot = vulkan_memory(memory).id.slot;
+    if (slot >= held_slots_.size()) held_slots_.resize(slot + 64);
+    if (held_slots_[slot]) return;
+    held_slots_[slot] = true;
+    held_.push_back(memory);
+}
+
+std::shared_ptr<DownloadObject> HoldingStream::download(const Memory&, std::span<const CopyRegion>, std::uint64_t) {
+    throw_not_in_recording("Commands::download");
+}
+
+std::shared_ptr<DownloadObject> HoldingStream::download_image(const Memory&, std::span<const ImageRegion>,
+                                                              std::uint64_t) {
+    throw_not_in_recording("Commands::download_image");
+}
+
+std::shared_ptr<TimestampObject> HoldingStream::timestamp() { throw_not_in_recording("Commands::timestamp"); }
+void HoldingStream::flush() { throw_not_in_recording("Commands::flush"); }
+void HoldingStream::wait() { throw_not_in_recording("Commands::wait"); }
+
+RecordingStream::RecordingStream(std::shared_ptr<VulkanDevice> device) : HoldingStream(std::move(device)) {
+    const std::lock_guard lock(device_.mutex());
+    // A replay may start before the one before it is done; the barriers at both ends keep them apart.
+    batch_->begin(VK_COMMAND_BUFFER_USAGE_SIMULTANEOUS_USE_BIT);
+    encoder_.target(batch_->commands, *batch_);
+    encoder_.full_barrier();
+}
+
+// What was recorded and never finished was never submitted either.
+RecordingStream::~RecordingStream() {
+    const std::lock_guard lock(device_.mutex());
+    batch_.reset();
+}
+
+std::shared_ptr<RecordingObject> RecordingStream::finish() {
+    const std::lock_guard lock(device_.mutex());
+    open();
+    finished_ = true;
+    encoder_.full_barrier();
+    Context& context = device_.context();
+    context.check(context.vk.vkEndCommandBuffer(batch_->commands), "vkEndCommandBuffer");
+    return std::make_shared<VulkanRecording>(keep_, std::move(batch_), std::move(held_));
+}
+
+ExternalStream::ExternalStream(std::shared_ptr<VulkanDevice> device, VkCommandBuffer commands)
+    : HoldingStream(std::move(device)) {
+    const std::lock_guard lock(device_.mutex());
+    device_.stream_of_device().submit();
+    encoder_.target(commands, *batch_);
+    encoder_.full_barrier();
+}
+
+ExternalStream::~ExternalStream() {
+    const std::lock_guard lock(device_.mutex());
+    batch_.reset();
+}
+
+void ExternalStream::finish() {
+    const std::lock_guard lock(device_.mutex());
+    open();
+    finished_ = true;
+    encoder_.full_barrier();
+    // Memories made while this was recorded have their first contents in the device's own stream.
+    device_.stream_of_device().submit();
+}
+
+}  // namespace glift::detail

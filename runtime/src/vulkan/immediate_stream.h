@@ -1,0 +1,45 @@
+// A device's own stream: batches of commands, submitted when they are needed or large.
+#pragma once
+
+#include "vulkan_stream.h"
+
+#include <deque>
+
+namespace glift::detail {
+
+class ImmediateStream final : public VulkanStream {
+public:
+    using VulkanStream::VulkanStream;
+    ~ImmediateStream() override;
+
+    std::shared_ptr<DeviceObject> device() override;
+    std::shared_ptr<DownloadObject> download(const Memory& from, std::span<const CopyRegion> regions,
+                                             std::uint64_t bytes) override;
+    std::shared_ptr<DownloadObject> download_image(const Memory& image, std::span<const ImageRegion> regions,
+                                                   std::uint64_t bytes) override;
+    std::shared_ptr<TimestampObject> timestamp() override;
+    void flush() override;
+    void wait() override;
+
+    /// The device's lock is held in these.
+    void submit();
+    void clear_new(const VulkanMemory& memory);
+    bool is_open() const { return batch_ != nullptr; }
+    void collect(std::uint64_t completed);      ///< takes back batches that the device is done with
+    std::uint64_t open_value() const;           ///< what the open batch will be on the timeline
+
+private:
+    void open() override;
+    void recorded() override;
+    void staged(std::uint64_t bytes) override;
+    void open_batch();
+    std::shared_ptr<DownloadObject> ticket(const Slice& slice, std::uint64_t bytes);
+
+    std::unique_ptr<CommandBatch> batch_;
+    std::deque<std::unique_ptr<CommandBatch>> in_flight_;
+    std::vector<std::unique_ptr<CommandBatch>> idle_;
+    bool ends_in_download_ = false;             ///< the next other command goes into a batch of its own
+    std::uint64_t staged_bytes_ = 0;            ///< by large uploads, in the open batch
+};
+
+}  // namespace glift::detail

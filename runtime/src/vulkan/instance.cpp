@@ -1,0 +1,179 @@
+#include "instance.h"
+
+#include <glift/error.h>
+
+#include <cstdlib>
+#include <cstring>
+#include <utility>
+
+namespace glift::detail {
+
+namespace {
+
+constexpr const char* validation_layer = "VK_LAYER_KHRONOS_validation";
+
+// Hazards between submissions are checked only if this is in the environment: the layer of 1.3.239 has no other way.
+constexpr const char* queue_submit_checks =
+    "VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT:"
+    "VALIDATION_CHECK_ENABLE_SYNCHRONIZATION_VALIDATION_QUEUE_SUBMIT";
+
+bool wants_validation() {
+    const char* text = std::getenv("GLIFT_VALIDATE");
+    return text && *text && std::strcmp(text, "0") != 0;
+}
+
+template <class Function> Function global(PFN_vkGetInstanceProcAddr entry, const char* name) {
+    return reinterpret_cast<Function>(entry(VK_NULL_HANDLE, name));
+}
+
+void require_version(PFN_vkGetInstanceProcAddr entry) {
+    std::uint32_t version = VK_API_VERSION_1_0;
+    const auto enumerate = global<PFN_vkEnumerateInstanceVersion>(entry, "vkEnumerateInstanceVersion");
+    if (enumerate) enumerate(&version);
+    if (version >= VK_API_VERSION_1_3) return;
+    throw Error(ErrorCode::unsupported_version, "the Vulkan loader is too old", "Device::open",
+                "it speaks Vulkan " + std::to_string(VK_API_VERSION_MAJOR(version)) + "." +
+                    std::to_string(VK_API_VERSION_MINOR(version)) + ", Glift needs 1.3",
+                "update the loader (Debian 12: apt install libvulkan1)");
+}
+
+void require_layer(PFN_vkGetInstanceProcAddr entry) {
+    const auto enumerate =
+        global<PFN_vkEnumerateInstanceLayerProperties>(entry, "vkEnumerateInstanceLayerProperties");
+    std::uint32_t count = 0;
+    enumerate(&count, nullptr);
+    std::vector<VkLayerProperties> layers(count);
+    enumerate(&count, layers.data());
+    for (const VkLayerProperties& layer : layers) {
+        if (std::strcmp(layer.layerName, validation_layer) == 0) return;
+    }
+    throw Error(ErrorCode::missing_layer, "the Vulkan validation layer is not installed", "Device::open",
+                "GLIFT_VALIDATE is set", "install it (Debian: apt install vulkan-validationlayers), or unset GLIFT_VALIDATE");
+}
+
+bool has_debug_utils(PFN_vkGetInstanceProcAddr entry) {
+    const auto enumerate =
+        global<PFN_vkEnumerateInstanceExtensionProperties>(entry, "vkEnumerateInstanceExtensionProperties");
+    std::uint32_t count = 0;
+    enumerate(nullptr, &count, nullptr);
+    std::vector<VkExtensionProperties> extensions(count);
+    enumerate(nullptr, &count, extensions.data());
+    for (const VkExtensionProperties& extension : extensions) {
+        if (std::strcmp(extension.extensionName, VK_EXT_DEBUG_UTILS_EXTENSION_NAME) == 0) return true;
+    }
+    return false;
+}
+
+VKAPI_ATTR VkBool32 VKAPI_CALL on_message(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
+                                          const VkDebugUtilsMessengerCallbackDataEXT* data, void* instance) {
+    static_cast<Instance*>(instance)->note(data->pMessage);
+    return VK_FALSE;
+}
+
+// By type, not by severity: that images stay in layout GENERAL is a performance warning, which is no news.
+VkDebugUtilsMessengerCreateInfoEXT messenger_info(Instance* instance) {
+    return {.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT,
+            .messageSeverity = VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT |
+                               VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT,
+            .messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT,
+            .pfnUserCallback = on_message,
+            .pUserData = instance};
+}
+
+class ScopedLayerEnables {
+public:
+    explicit ScopedLayerEnables(bool wanted) : set_(wanted && !std::getenv("VK_LAYER_ENABLES")) {
+        if (set_) setenv("VK_LAYER_ENABLES", queue_submit_checks, 1);
+    }
+    ~ScopedLayerEnables() {
+        if (set_) unsetenv("VK_LAYER_ENABLES");
+    }
+
+private:
+    bool set_;
+};
+
+[[noreturn]] void throw_no_instance(VkResult result) {
+    throw Error(ErrorCode::no_device, "there is no Vulkan driver on this machine", "Device::open, vkCreateInstance",
+                result_text(result),
+                "install a driver (Debian, on the CPU: apt install mesa-vulkan-drivers), look at VK_DRIVER_FILES and "
+                "VK_ICD_FILENAMES, or run on the host device: Device::open(\"host\") or GLIFT_DEVICE=host");
+}
+
+}  // namespace
+
+std::unique_ptr<Instance> Instance::create() {
+    std::unique_ptr<Instance> instance(new Instance);
+    instance->entry_ = load_vulkan();
+    instance->owned_ = true;
+    require_version(instance->entry_);
+    const bool validate = wants_validation();
+    if (validate) require_layer(instance->entry_);
+    const bool debug_utils = has_debug_utils(instance->entry_);
+
+    const VkApplicationInfo application = {
+        .sType = VK_STRUCTURE_TYPE_APPLICATION_INFO, .pEngineName = "glift", .apiVersion = VK_API_VERSION_1_3};
+    const VkValidationFeatureEnableEXT checks[] = {VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT};
+    VkValidationFeaturesEXT validation = {.sType = VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT,
+                                          .enabledValidationFeatureCount = 1,
+                                          .pEnabledValidationFeatures = checks};
+    const char* extension = VK_EXT_DEBUG_UTILS_EXTENSION_NAME;
+    const VkInstanceCreateInfo info = {.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO,
+                                       .pNext = validate ? &validation : nullptr,
+                                       .pApplicationInfo = &application,
+                                       .enabledLayerCount = validate ? 1u : 0u,
+                                       .ppEnabledLayerNames = &validation_layer,
+                                       .enabledExtensionCount = debug_utils ? 1u : 0u,
+                                       .ppEnabledExtensionNames = &extension};
+    const ScopedLayerEnables enables(validate);
+    const auto create = global<PFN_vkCreateInstance>(instance->entry_, "vkCreateInstance");
+    const VkResult result = create(&info, nullptr, &instance->handle_);
+    if (result != VK_SUCCESS) throw_no_instance(result);
+    instance->table_ = load_instance_table(instance->entry_, instance->handle_);
+    if (validate) instance->create_messenger();
+    return instance;
+}
+
+std::unique_ptr<Instance> Instance::adopt(VkInstance handle, PFN_vkGetInstanceProcAddr get) {
+    std::unique_ptr<Instance> instance(new Instance);
+    instance->entry_ = get ? get : load_vulkan();
+    instance->handle_ = handle;
+    instance->table_ = load_instance_table(instance->entry_, handle);
+    if (wants_validation()) instance->create_messenger();
+    return instance;
+}
+
+void Instance::create_messenger() {
+    if (!table_.vkCreateDebugUtilsMessengerEXT) return;
+    const auto info = messenger_info(this);
+    if (table_.vkCreateDebugUtilsMessengerEXT(handle_, &info, nullptr, &messenger_) != VK_SUCCESS) {
+        messenger_ = VK_NULL_HANDLE;
+    }
+}
+
+Instance::~Instance() {
+    if (messenger_) table_.vkDestroyDebugUtilsMessengerEXT(handle_, messenger_, nullptr);
+    if (owned_ && handle_) table_.vkDestroyInstance(handle_, nullptr);
+}
+
+std::vector<VkPhysicalDevice> Instance::physical_devices() const {
+    std::uint32_t count = 0;
+    VkResult result = table_.vkEnumeratePhysicalDevices(handle_, &count, nullptr);
+    std::vector<VkPhysicalDevice> devices(count);
+    if (result == VK_SUCCESS && count) result = table_.vkEnumeratePhysicalDevices(handle_, &count, devices.data());
+    if (result != VK_SUCCESS && result != VK_INCOMPLETE) throw_no_instance(result);
+    devices.resize(count);
+    return devices;
+}
+
+void Instance::note(std::string message) {
+    const std::lock_guard lock(mutex_);
+    messages_.push_back(std::move(message));
+}
+
+std::vector<std::string> Instance::take_messages() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(messages_, {});
+}
+
+}  // namespace glift::detail

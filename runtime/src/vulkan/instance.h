@@ -1,0 +1,41 @@
+// A Vulkan instance, made here or adopted, and what the validation layer says about its use.
+#pragma once
+
+#include "loader.h"
+
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace glift::detail {
+
+class Instance {
+public:
+    /// With the validation layer if GLIFT_VALIDATE=1. Throws no_loader, unsupported_version, missing_layer, no_device.
+    static std::unique_ptr<Instance> create();
+    static std::unique_ptr<Instance> adopt(VkInstance instance, PFN_vkGetInstanceProcAddr get);
+    ~Instance();
+    Instance(const Instance&) = delete;
+
+    VkInstance handle() const { return handle_; }
+    const InstanceTable& vk() const { return table_; }
+    PFN_vkGetInstanceProcAddr entry() const { return entry_; }
+    std::vector<VkPhysicalDevice> physical_devices() const;
+    std::vector<std::string> take_messages();
+    void note(std::string message);
+
+private:
+    Instance() = default;
+    void create_messenger();
+
+    PFN_vkGetInstanceProcAddr entry_ = nullptr;
+    VkInstance handle_ = VK_NULL_HANDLE;
+    InstanceTable table_;
+    bool owned_ = false;
+    VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
+    std::mutex mutex_;
+    std::vector<std::string> messages_;
+};
+
+}  // namespace glift::detail

@@ -1,0 +1,263 @@
+#include "pipelines.h"
+
+#include "../report.h"
+#include "../text.h"
+#include "disk_cache.h"
+
+#include <glift/error.h>
+
+#include <algorithm>
+
+namespace glift::detail {
+
+namespace {
+
+const Form& form_of(const Kernel& kernel, CompiledForm form) {
+    switch (form) {
+        case CompiledForm::direct: return kernel.direct;
+        case CompiledForm::general: return kernel.general;
+        case CompiledForm::wide: return kernel.wide;
+    }
+    return kernel.direct;
+}
+
+const char* form_text(CompiledForm form) {
+    switch (form) {
+        case CompiledForm::direct: return "direct";
+        case CompiledForm::general: return "general";
+        case CompiledForm::wide: return "wide (for memories beyond maxStorageBufferRange)";
+    }
+    return "";
+}
+
+void check_limits(const Context& context, const Kernel& kernel, const Form& form) {
+    const DeviceProperties& p = context.properties;
+    const auto refuse = [&](const std::string& what, const std::string& why) {
+        throw Error(ErrorCode::too_large, what, kernel_text(kernel), p.name + " " + why);
+    };
+    if (kernel.loop_rounds != UINT64_MAX && kernel.loop_rounds > p.loop_round_limit) {
+        throw Error(ErrorCode::loop_limit, "the kernel's loops run longer than this device allows", kernel_text(kernel),
+                    "up to " + std::to_string(kernel.loop_rounds) + " rounds an invocation, over all its loops; " +
+                        p.name + " cuts off at " + std::to_string(p.loop_round_limit),
+                    "split the work over more invocations or dispatches, or run on another device "
+                    "(GLIFT_DEVICE=gpu or GLIFT_DEVICE=host)");
+    }
+    const auto& g = kernel.group;
+    if (std::uint64_t(g[0]) * g[1] * g[2] > p.max_workgroup_invocations || g[0] > p.max_workgroup_size[0] ||
+        g[1] > p.max_workgroup_size[1] || g[2] > p.max_workgroup_size[2]) {
+        refuse("the kernel's workgroup is larger than the device allows",
+               "allows " + std::to_string(p.max_workgroup_invocations) + " invocations");
+    }
+    if (form.push_constants && form.parameter_bytes > p.max_push_constant_bytes) {
+        refuse("the kernel's parameters do not fit in push constants",
+               "has " + std::to_string(p.max_push_constant_bytes) + " bytes");
+    }
+}
+
+VkFilter vulkan_filter(Filter filter) { return filter == Filter::linear ? VK_FILTER_LINEAR : VK_FILTER_NEAREST; }
+
+VkSamplerAddressMode vulkan_address_mode(AddressMode mode) {
+    switch (mode) {
+        case AddressMode::clamp_to_edge: return VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+        case AddressMode::repeat: return VK_SAMPLER_ADDRESS_MODE_REPEAT;
+        case AddressMode::mirrored_repeat: return VK_SAMPLER_ADDRESS_MODE_MIRRORED_REPEAT;
+        case AddressMode::clamp_to_border: return VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_BORDER;
+    }
+    return VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+}
+
+}  // namespace
+
+Pipelines::Pipelines(Context& context) : context_(context), disk_(std::make_unique<DiskCache>(context)), table_(256) {}
+
+Pipelines::~Pipelines() {
+    if (created_ && !context_.lost) disk_->save();
+    for (auto& pipeline : all_) destroy(*pipeline);
+    for (VkSampler sampler : samplers_) context_.vk.vkDestroySampler(context_.device, sampler, nullptr);
+}
+
+void Pipelines::destroy(Pipeline& pipeline) {
+    context_.vk.vkDestroyPipeline(context_.device, pipeline.handle, nullptr);
+    if (pipeline.update) context_.vk.vkDestroyDescriptorUpdateTemplate(context_.device, pipeline.update, nullptr);
+    context_.vk.vkDestroyPipelineLayout(context_.device, pipeline.layout, nullptr);
+    context_.vk.vkDestroyDescriptorSetLayout(context_.device, pipeline.set_layout, nullptr);
+}
+
+Pipeline& Pipelines::find(const Kernel& kernel, CompiledForm form, std::span<const SpecialisationConstant> constants) {
+    const auto same = [](const SpecialisationConstant& a, const SpecialisationConstant& b) {
+        return a.id == b.id && a.value == b.value;
+    };
+    for (std::size_t at = hash(&kernel, form);; ++at) {
+        const Entry& entry = table_[at & (table_.size() - 1)];
+        if (!entry.kernel) break;
+        if (entry.kernel == &kernel && entry.form == form && entry.plain == constants.empty() &&
+            std::equal(constants.begin(), constants.end(), entry.pipeline->constants.begin(),
+                       entry.pipeline->constants.end(), same)) {
+            return *entry.pipeline;
+        }
+    }
+    std::unique_ptr<Pipeline> made = make(kernel, form, constants);
+    all_.push_back(std::move(made));
+    if (all_.size() * 2 > table_.size()) {
+        table_.assign(table_.size() * 2, {});
+        for (auto& pipeline : all_) insert(pipeline.get());
+    } else {
+        insert(all_.back().get());
+    }
+    return *all_.back();
+}
+
+void Pipelines::insert(Pipeline* pipeline) {
+    std::size_t at = hash(pipeline->kernel, pipeline->name);
+    while (table_[at & (table_.size() - 1)].kernel) ++at;
+    table_[at & (table_.size() - 1)] = {pipeline->kernel, pipeline, pipeline->name, pipeline->constants.empty()};
+}
+
+std::unique_ptr<Pipeline> Pipelines::make(const Kernel& kernel, CompiledForm form,
+                                          std::span<const SpecialisationConstant> constants) {
+    const Form& compiled = form_of(kernel, form);
+    if (compiled.spirv.empty()) throw_missing_form(kernel, form_text(form), context_.properties.name.c_str());
+    check_limits(context_, kernel, compiled);
+    auto pipeline = std::make_unique<Pipeline>();
+    pipeline->kernel = &kernel;
+    pipeline->form = &compiled;
+    pipeline->name = form;
+    pipeline->constants.assign(constants.begin(), constants.end());
+    if (kernel.reports) {
+        const auto known = std::find(reporting_.begin(), reporting_.end(), &kernel);
+        pipeline->status_slot = static_cast<std::uint32_t>(known - reporting_.begin());
+        if (known == reporting_.end()) {
+            if (reporting_.size() == status_slots) {
+                throw Error(ErrorCode::too_large, "too many kernels report to one device", kernel_text(kernel));
+            }
+            reporting_.push_back(&kernel);
+        }
+    }
+    try {
+        make_layout(*pipeline);
+        pipeline->handle = make_handle(*pipeline);
+    } catch (...) {
+        destroy(*pipeline);
+        throw;
+    }
+    return pipeline;
+}
+
+void Pipelines::make_layout(Pipeline& pipeline) {
+    const Kernel& kernel = *pipeline.kernel;
+    const Form& form = *pipeline.form;
+    std::vector<VkDescriptorSetLayoutBinding> bindings;
+    std::vector<VkDescriptorUpdateTemplateEntry> entries;
+    const auto add = [&](std::size_t binding, VkDescriptorType type, std::uint32_t& count) {
+        const auto number = static_cast<std::uint32_t>(binding);
+        bindings.push_back({number, type, 1, VK_SHADER_STAGE_COMPUTE_BIT, nullptr});
+        entries.push_back({number, 0, 1, type, entries.size() * sizeof(DescriptorInfo), sizeof(DescriptorInfo)});
+        ++count;
+    };
+    if (!form.push_constants && form.parameter_bytes) {
+        add(0, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, pipeline.storage_buffers);
+    }
+    for (std::size_t k = 0; k < kernel.bindings.size(); ++k) {
+        const Binding& binding = kernel.bindings[k];
+        if (binding.kind == MemoryKind::buffer) {
+            if (pipeline.name != CompiledForm::wide) {
+                add(k + 1, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, pipeline.storage_buffers);
+            }
+        } else if (binding.sampled) {
+            add(k + 1, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, pipeline.sampled_images);
+        } else {
+            add(k + 1, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, pipeline.storage_images);
+        }
+    }
+    if (kernel.reports) {
+        add(kernel.bindings.size() + 1, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, pipeline.storage_buffers);
+    }
+    pipeline.push = context_.properties.push_descriptors && bindings.size() <= context_.max_push_descriptors;
+
+    const VkDescriptorSetLayoutCreateInfo set_info = {
+        .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO,
+        .flags = pipeline.push ? VkDescriptorSetLayoutCreateFlags(VK_DESCRIPTOR_SET_LAYOUT_CREATE_PUSH_DESCRIPTOR_BIT_KHR) : 0,
+        .bindingCount = static_cast<std::uint32_t>(bindings.size()),
+        .pBindings = bindings.data()};
+    context_.check(context_.vk.vkCreateDescriptorSetLayout(context_.device, &set_info, nullptr, &pipeline.set_layout),
+                   "vkCreateDescriptorSetLayout");
+    const VkPushConstantRange range = {VK_SHADER_STAGE_COMPUTE_BIT, 0, (form.parameter_bytes + 3) / 4 * 4};
+    const VkPipelineLayoutCreateInfo layout_info = {
+        .sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
+        .setLayoutCount = 1,
+        .pSetLayouts = &pipeline.set_layout,
+        .pushConstantRangeCount = form.push_constants && form.parameter_bytes ? 1u : 0u,
+        .pPushConstantRanges = &range};
+    context_.check(context_.vk.vkCreatePipelineLayout(context_.device, &layout_info, nullptr, &pipeline.layout),
+                   "vkCreatePipelineLayout");
+    if (entries.empty()) return;
+    const VkDescriptorUpdateTemplateCreateInfo update_info = {
+        .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_UPDATE_TEMPLATE_CREATE_INFO,
+        .descriptorUpdateEntryCount = static_cast<std::uint32_t>(entries.size()),
+        .pDescriptorUpdateEntries = entries.data(),
+        .templateType = pipeline.push ? VK_DESCRIPTOR_UPDATE_TEMPLATE_TYPE_PUSH_DESCRIPTORS_KHR
+                                      : VK_DESCRIPTOR_UPDATE_TEMPLATE_TYPE_DESCRIPTOR_SET,
+        .descriptorSetLayout = pipeline.set_layout,
+        .pipelineBindPoint = VK_PIPELINE_BIND_POINT_COMPUTE,
+        .pipelineLayout = pipeline.layout,
+        .set = 0};
+    context_.check(
+        context_.vk.vkCreateDescriptorUpdateTemplate(context_.device, &update_info, nullptr, &pipeline.update),
+        "vkCreateDescriptorUpdateTemplate");
+}
+
+VkPipeline Pipelines::make_handle(const Pipeline& pipeline) {
+    const VkShaderModuleCreateInfo module_info = {.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
+                                                  .codeSize = pipeline.form->spirv.size_bytes(),
+                                                  .pCode = pipeline.form->spirv.data()};
+    VkShaderModule module = VK_NULL_HANDLE;
+    context_.check(context_.vk.vkCreateShaderModule(context_.device, &module_info, nullptr, &module),
+                   "vkCreateShaderModule");
+    std::vector<VkSpecializationMapEntry> entries;
+    for (std::size_t k = 0; k < pipeline.constants.size(); ++k) {
+        entries.push_back({pipeline.constants[k].id,
+                           static_cast<std::uint32_t>(k * sizeof(SpecialisationConstant) +
+                                                      offsetof(SpecialisationConstant, value)),
+                           sizeof(std::uint32_t)});
+    }
+    const VkSpecializationInfo special = {static_cast<std::uint32_t>(entries.size()), entries.data(),
+                                          pipeline.constants.size() * sizeof(SpecialisationConstant),
+                                          pipeline.constants.data()};
+    const VkComputePipelineCreateInfo info = {
+        .sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO,
+        .stage = {.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
+                  .stage = VK_SHADER_STAGE_COMPUTE_BIT,
+                  .module = module,
+                  .pName = "main",
+                  .pSpecializationInfo = entries.empty() ? nullptr : &special},
+        .layout = pipeline.layout};
+    VkPipeline handle = VK_NULL_HANDLE;
+    const VkResult result =
+        context_.vk.vkCreateComputePipelines(context_.device, disk_->handle(), 1, &info, nullptr, &handle);
+    context_.vk.vkDestroyShaderModule(context_.device, module, nullptr);
+    context_.check(result, ("vkCreateComputePipelines for " + kernel_text(*pipeline.kernel)).c_str());
+    context_.set_name(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<std::uint64_t>(handle), pipeline.kernel->name);
+    ++created_;
+    return handle;
+}
+
+VkSampler Pipelines::sampler(Sampler sampler) {
+    VkSampler& handle =
+        samplers_[static_cast<std::size_t>(sampler.filter) * 4 + static_cast<std::size_t>(sampler.address)];
+    if (handle) return handle;
+    const VkSamplerAddressMode mode = vulkan_address_mode(sampler.address);
+    const VkSamplerCreateInfo info = {
+        .sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO,
+        .magFilter = vulkan_filter(sampler.filter),
+        .minFilter = vulkan_filter(sampler.filter),
+        .mipmapMode = sampler.filter == Filter::linear ? VK_SAMPLER_MIPMAP_MODE_LINEAR : VK_SAMPLER_MIPMAP_MODE_NEAREST,
+        .addressModeU = mode,
+        .addressModeV = mode,
+        .addressModeW = mode,
+        .maxLod = VK_LOD_CLAMP_NONE,
+        .borderColor = VK_BORDER_COLOR_FLOAT_TRANSPARENT_BLACK};
+    context_.check(context_.vk.vkCreateSampler(context_.device, &info, nullptr, &handle), "vkCreateSampler");
+    return handle;
+}
+
+}  // namespace glift::detail

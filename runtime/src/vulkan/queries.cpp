@@ -1,0 +1,51 @@
+#include "queries.h"
+
+#include <glift/error.h>
+
+namespace glift::detail {
+
+namespace {
+
+constexpr std::uint32_t pool_size = 256;
+
+}  // namespace
+
+Queries::~Queries() {
+    for (VkQueryPool pool : pools_) context_.vk.vkDestroyQueryPool(context_.device, pool, nullptr);
+}
+
+Query Queries::take() {
+    if (!context_.timestamp_bits) {
+        throw Error(ErrorCode::missing_feature, "the device's queue keeps no time", context_.properties.name);
+    }
+    const std::lock_guard lock(mutex_);
+    if (idle_.empty()) {
+        const VkQueryPoolCreateInfo info = {.sType = VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO,
+                                            .queryType = VK_QUERY_TYPE_TIMESTAMP,
+                                            .queryCount = pool_size};
+        VkQueryPool pool = VK_NULL_HANDLE;
+        context_.check(context_.vk.vkCreateQueryPool(context_.device, &info, nullptr, &pool), "vkCreateQueryPool");
+        pools_.push_back(pool);
+        for (std::uint32_t k = 0; k < pool_size; ++k) idle_.push_back({pool, k});
+    }
+    const Query query = idle_.back();
+    idle_.pop_back();
+    context_.vk.vkResetQueryPool(context_.device, query.pool, query.index, 1);
+    return query;
+}
+
+void Queries::give_back(Query query) {
+    const std::lock_guard lock(mutex_);
+    idle_.push_back(query);
+}
+
+double Queries::seconds(Query query) {
+    std::uint64_t ticks = 0;
+    context_.check(context_.vk.vkGetQueryPoolResults(context_.device, query.pool, query.index, 1, sizeof ticks, &ticks,
+                                                     sizeof ticks, VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
+                   "vkGetQueryPoolResults");
+    if (context_.timestamp_bits < 64) ticks &= (std::uint64_t(1) << context_.timestamp_bits) - 1;
+    return static_cast<double>(ticks) * context_.properties.timestamp_seconds;
+}
+
+}  // namespace glift::detail

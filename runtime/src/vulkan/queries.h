@@ -1,0 +1,32 @@
+// Timestamp queries, from pools, each used by one Timestamp at a time.
+#pragma once
+
+#include "context.h"
+
+#include <mutex>
+#include <vector>
+
+namespace glift::detail {
+
+struct Query {
+    VkQueryPool pool = VK_NULL_HANDLE;
+    std::uint32_t index = 0;
+};
+
+class Queries {
+public:
+    explicit Queries(Context& context) : context_(context) {}
+    ~Queries();
+
+    Query take();                    ///< the device's lock is held; the query is reset
+    void give_back(Query query);     ///< from any thread, after the device is done with it
+    double seconds(Query query);     ///< of a query that the device has written
+
+private:
+    Context& context_;
+    std::mutex mutex_;
+    std::vector<VkQueryPool> pools_;
+    std::vector<Query> idle_;
+};
+
+}  // namespace glift::detail

@@ -1,0 +1,90 @@
+#include "select.h"
+
+#include "features.h"
+
+#include <glift/error.h>
+
+#include <algorithm>
+#include <cctype>
+
+namespace glift::detail {
+
+namespace {
+
+struct Candidate {
+    VkPhysicalDevice physical;
+    VkPhysicalDeviceProperties properties;
+    bool usable;
+};
+
+// GPUs before CPUs; among GPUs those with memory of their own.
+int rank(VkPhysicalDeviceType type) {
+    switch (type) {
+        case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU: return 4;
+        case VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU: return 3;
+        case VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU: return 2;
+        case VK_PHYSICAL_DEVICE_TYPE_CPU: return 1;
+        case VK_PHYSICAL_DEVICE_TYPE_OTHER:
+        case VK_PHYSICAL_DEVICE_TYPE_MAX_ENUM: return 0;
+    }
+    return 0;
+}
+
+std::string lower(std::string_view text) {
+    std::string result(text);
+    std::transform(result.begin(), result.end(), result.begin(), [](unsigned char c) { return std::tolower(c); });
+    return result;
+}
+
+bool matches(const Candidate& candidate, const std::string& which) {
+    const bool cpu = candidate.properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
+    if (which.empty()) return true;
+    if (which == "gpu") return !cpu;
+    const std::string name = lower(candidate.properties.deviceName);
+    if (which == "lavapipe") return name.find("llvmpipe") != std::string::npos;
+    return name.find(which) != std::string::npos;
+}
+
+[[noreturn]] void throw_none(const std::vector<Candidate>& all, std::string_view which) {
+    std::string present;
+    for (const Candidate& c : all) present += (present.empty() ? "" : ", ") + std::string(c.properties.deviceName);
+    const std::string asked = which.empty() ? "any Vulkan device" : "`" + std::string(which) + "`";
+    throw Error(ErrorCode::no_device, "there is no device that fits " + asked, "Device::open (GLIFT_DEVICE)",
+                present.empty() ? "no Vulkan device was found" : "there is: " + present + ", host",
+                present.empty()
+                    ? "install a driver (Debian, on the CPU: apt install mesa-vulkan-drivers), look at VK_DRIVER_FILES "
+                      "and VK_ICD_FILENAMES, or run on the host device: GLIFT_DEVICE=host"
+                    : "ask for gpu, lavapipe, host or part of one of those names");
+}
+
+}  // namespace
+
+std::vector<VkQueueFamilyProperties> queue_families(const Instance& instance, VkPhysicalDevice physical) {
+    std::uint32_t count = 0;
+    instance.vk().vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, nullptr);
+    std::vector<VkQueueFamilyProperties> families(count);
+    instance.vk().vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, families.data());
+    return families;
+}
+
+VkPhysicalDevice select_physical_device(const Instance& instance, std::string_view which) {
+    std::vector<Candidate> all;
+    for (VkPhysicalDevice physical : instance.physical_devices()) {
+        const FeatureChain features(instance, physical);
+        all.push_back({physical, features.properties, !features.old() && features.missing().empty()});
+    }
+    const std::string wanted = lower(which);
+    const Candidate* best = nullptr;
+    for (const Candidate& candidate : all) {
+        if (!matches(candidate, wanted)) continue;
+        const auto order = [](const Candidate& c) {
+            return (c.usable ? 8 : 0) + rank(c.properties.deviceType);
+        };
+        if (!best || order(candidate) > order(*best)) best = &candidate;
+    }
+    if (!best) throw_none(all, which);
+    if (!best->usable) FeatureChain(instance, best->physical).require();
+    return best->physical;
+}
+
+}  // namespace glift::detail

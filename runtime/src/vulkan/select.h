@@ -1,0 +1,17 @@
+// Which physical device a word like `gpu`, `lavapipe` or part of a name means.
+#pragma once
+
+#include "instance.h"
+
+#include <string_view>
+#include <vector>
+
+namespace glift::detail {
+
+/// Throws no_device with a list of what is there, or unsupported_version / missing_feature if the one asked for is
+/// there but cannot be used.
+VkPhysicalDevice select_physical_device(const Instance& instance, std::string_view which);
+
+std::vector<VkQueueFamilyProperties> queue_families(const Instance& instance, VkPhysicalDevice physical);
+
+}  // namespace glift::detail

@@ -1,0 +1,225 @@
+#include "vulkan_device.h"
+
+#include "../report.h"
+#include "../text.h"
+#include "prepare_indirect.h"
+
+#include <glift/error.h>
+
+#include <algorithm>
+#include <cstring>
+
+namespace glift::detail {
+
+std::shared_ptr<DeviceObject> open_vulkan_device(std::string_view which) {
+    return std::make_shared<VulkanDevice>(Context::open(which));
+}
+
+VulkanDevice::VulkanDevice(std::unique_ptr<Context> context)
+    : context_(std::move(context)), timeline_(std::make_unique<Timeline>(*context_)),
+      allocator_(std::make_unique<Allocator>(*context_)), chunks_(std::make_unique<ChunkPool>(*context_, *allocator_)),
+      pipelines_(std::make_unique<Pipelines>(*context_)), queries_(std::make_unique<Queries>(*context_)),
+      stream_(std::make_unique<ImmediateStream>(*this)) {
+    status_ = chunks_->take(MemoryUse::readback, status_slots * status_stride);
+    std::memset(status_->allocation.mapped, 0, status_slots * status_stride);
+}
+
+VulkanDevice::~VulkanDevice() {
+    // No memory, recording or download is left; what is recorded and not submitted has nobody to see it.
+    try {
+        if (!context_->lost) timeline_->wait(timeline_->submitted());
+    } catch (const Error&) {
+        // Lost meanwhile: there is nothing to wait for.
+    }
+    stream_.reset();
+    destroy_retired(UINT64_MAX);
+    status_.reset();
+    context_->vk.vkDestroyPipeline(context_->device, prepare_, nullptr);
+    context_->vk.vkDestroyPipelineLayout(context_->device, prepare_layout_, nullptr);
+    queries_.reset();
+    pipelines_.reset();
+    chunks_->clear();
+}
+
+MemoryId VulkanDevice::new_id() {
+    MemoryId id = {slots_, ++serial_};
+    if (free_slots_.empty()) {
+        ++slots_;
+    } else {
+        id.slot = free_slots_.back();
+        free_slots_.pop_back();
+    }
+    return id;
+}
+
+std::shared_ptr<MemoryObject> VulkanDevice::allocate(const MemoryDescription& description) {
+    const std::lock_guard lock(mutex_);
+    context_->require_not_lost();
+    collect();
+    auto memory = std::make_shared<VulkanMemory>(shared_from_this(), description);
+    memory->id = new_id();
+    ++memories_;
+    memory->create();
+    stream_->clear_new(*memory);
+    return memory;
+}
+
+void VulkanDevice::throw_too_large(const MemoryDescription& description) const {
+    throw Error(ErrorCode::too_large, "a memory is larger than the device can allocate at once", memory_text(description),
+                context_->properties.name + " allows " + size_text(context_->properties.max_allocation_bytes),
+                "split the structure into several, or use a device with a larger limit (GLIFT_DEVICE=host has none)");
+}
+
+void VulkanDevice::allocate_parts(const VkMemoryRequirements& needs, bool linear, const MemoryDescription& description,
+                                  Allocation& result) {
+    if (allocator_->allocate(needs, MemoryUse::device, linear, result)) return;
+    // Memories that are gone may only be waiting for the device.
+    stream_->submit();
+    timeline_->wait(timeline_->submitted());
+    collect();
+    chunks_->clear();
+    if (allocator_->allocate(needs, MemoryUse::device, linear, result)) return;
+    std::string why = size_text(needs.size) + " asked for; " + context_->properties.name + " has " +
+                      size_text(context_->properties.memory_bytes) + ", of which Glift holds " +
+                      size_text(allocator_->reserved()) + " (" + size_text(allocator_->used()) + " in use)";
+    if (allocator_->limit() != UINT64_MAX) why += "; GLIFT_MEMORY_LIMIT is " + size_text(allocator_->limit());
+    throw Error(ErrorCode::out_of_memory, "the device has no memory left for a structure", memory_text(description), why,
+                "free structures that are no longer used, make them smaller, or run on the host device "
+                "(GLIFT_DEVICE=host)");
+}
+
+std::shared_ptr<Stream> VulkanDevice::begin_recording() {
+    return std::make_shared<RecordingStream>(std::static_pointer_cast<VulkanDevice>(shared_from_this()));
+}
+
+std::shared_ptr<RecordingObject> VulkanDevice::end_recording(Stream& stream) {
+    return static_cast<RecordingStream&>(stream).finish();
+}
+
+Statistics VulkanDevice::statistics() {
+    const std::lock_guard lock(mutex_);
+    Statistics result;
+    result.submissions = counters_.submissions;
+    result.passes = counters_.passes;
+    result.barriers = counters_.barriers;
+    result.pipelines = pipelines_->created();
+    result.waits = waits_;
+    result.memories = memories_;
+    result.bytes_used = allocator_->used();
+    result.bytes_reserved = allocator_->reserved();
+    return result;
+}
+
+std::uint64_t VulkanDevice::submit(VkCommandBuffer commands) {
+    context_->require_not_lost();
+    const std::uint64_t value = timeline_->submit(commands);
+    retire_value_ = value;
+    ++counters_.submissions;
+    return value;
+}
+
+void VulkanDevice::finish(std::uint64_t value) {
+    {
+        const std::lock_guard lock(mutex_);
+        if (value > timeline_->submitted()) stream_->submit();
+        value = std::min(value, timeline_->submitted());
+    }
+    ++waits_;
+    timeline_->wait(value);
+    const std::lock_guard lock(mutex_);
+    check_reports();
+}
+
+void VulkanDevice::check_reports() {
+    const auto& kernels = pipelines_->reporting();
+    for (std::size_t k = 0; k < kernels.size(); ++k) {
+        std::byte* slot = status_->allocation.mapped + k * status_stride;
+        StatusRecord record;
+        std::memcpy(&record, slot, sizeof record);
+        if (record.code == StatusRecord::fine) continue;
+        std::memset(slot, 0, sizeof record);
+        throw_report(*kernels[k], record);
+    }
+}
+
+void VulkanDevice::bind_prepare(VkCommandBuffer commands, VkDeviceAddress arguments) {
+    const VolkDeviceTable& vk = context_->vk;
+    if (!prepare_) {
+        const VkPushConstantRange range = {VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof arguments};
+        const VkPipelineLayoutCreateInfo layout_info = {.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
+                                                        .pushConstantRangeCount = 1,
+                                                        .pPushConstantRanges = &range};
+        const VkShaderModuleCreateInfo module_info = {.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
+                                                      .codeSize = sizeof prepare_indirect,
+                                                      .pCode = prepare_indirect};
+        VkShaderModule module = VK_NULL_HANDLE;
+        context_->check(vk.vkCreatePipelineLayout(context_->device, &layout_info, nullptr, &prepare_layout_),
+                        "vkCreatePipelineLayout");
+        context_->check(vk.vkCreateShaderModule(context_->device, &module_info, nullptr, &module),
+                        "vkCreateShaderModule");
+        const VkComputePipelineCreateInfo info = {
+            .sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO,
+            .stage = {.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
+                      .stage = VK_SHADER_STAGE_COMPUTE_BIT,
+                      .module = module,
+                      .pName = "main"},
+            .layout = prepare_layout_};
+        const VkResult result =
+            vk.vkCreateComputePipelines(context_->device, VK_NULL_HANDLE, 1, &info, nullptr, &prepare_);
+        vk.vkDestroyShaderModule(context_->device, module, nullptr);
+        context_->check(result, "vkCreateComputePipelines");
+        context_->set_name(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<std::uint64_t>(prepare_), "glift prepare indirect");
+    }
+    vk.vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, prepare_);
+    vk.vkCmdPushConstants(commands, prepare_layout_, VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof arguments, &arguments);
+}
+
+void VulkanDevice::retire(const MemoryParts& parts, MemoryId id) {
+    const std::lock_guard lock(retire_mutex_);
+    retired_.push_back({retire_value_, parts, id, {}, nullptr});
+}
+
+void VulkanDevice::retire(Query query) {
+    const std::lock_guard lock(retire_mutex_);
+    retired_.push_back({retire_value_, {}, {}, query, nullptr});
+}
+
+void VulkanDevice::retire(std::unique_ptr<CommandBatch> batch) {
+    const std::lock_guard lock(retire_mutex_);
+    retired_.push_back({retire_value_, {}, {}, {}, std::move(batch)});
+}
+
+void VulkanDevice::destroy(Retired& retired) {
+    const VolkDeviceTable& vk = context_->vk;
+    if (retired.query.pool) queries_->give_back(retired.query);
+    if (!retired.id.serial) return;
+    const MemoryParts& parts = retired.parts;
+    vk.vkDestroyImageView(context_->device, parts.sampled_view, nullptr);
+    vk.vkDestroyImageView(context_->device, parts.storage_view, nullptr);
+    vk.vkDestroyImage(context_->device, parts.image, nullptr);
+    vk.vkDestroyBuffer(context_->device, parts.buffer, nullptr);
+    allocator_->free(parts.allocation);
+    free_slots_.push_back(retired.id.slot);
+    --memories_;
+}
+
+void VulkanDevice::destroy_retired(std::uint64_t completed) {
+    std::vector<Retired> done;
+    {
+        const std::lock_guard lock(retire_mutex_);
+        const auto first = std::stable_partition(retired_.begin(), retired_.end(),
+                                                 [&](const Retired& r) { return r.value > completed; });
+        done.assign(std::make_move_iterator(first), std::make_move_iterator(retired_.end()));
+        retired_.erase(first, retired_.end());
+    }
+    for (Retired& retired : done) destroy(retired);
+}
+
+void VulkanDevice::collect() {
+    const std::uint64_t completed = timeline_->completed();
+    stream_->collect(completed);
+    destroy_retired(completed);
+    chunks_->trim();
+}
+
+}  // namespace glift::detail

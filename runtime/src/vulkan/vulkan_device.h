@@ -1,0 +1,98 @@
+// A Vulkan device: what its streams, memories and recordings share.
+#pragma once
+
+#include "command_batch.h"
+#include "immediate_stream.h"
+#include "queries.h"
+#include "timeline.h"
+#include "vulkan_memory.h"
+
+#include <mutex>
+
+namespace glift::detail {
+
+std::shared_ptr<DeviceObject> open_vulkan_device(std::string_view which);
+
+struct VulkanCounters {
+    std::uint64_t submissions = 0, passes = 0, barriers = 0;
+};
+
+class VulkanDevice final : public DeviceObject {
+public:
+    explicit VulkanDevice(std::unique_ptr<Context> context);
+    ~VulkanDevice() override;
+
+    const DeviceProperties& properties() const override { return context_->properties; }
+    std::shared_ptr<MemoryObject> allocate(const MemoryDescription& description) override;
+    Stream& stream() override { return *stream_; }
+    std::shared_ptr<Stream> begin_recording() override;
+    std::shared_ptr<RecordingObject> end_recording(Stream& stream) override;
+    Statistics statistics() override;
+    std::vector<std::string> validation_messages() override { return context_->instance->take_messages(); }
+
+    /// Held around everything that records, submits or allocates.
+    std::mutex& mutex() { return mutex_; }
+
+    Context& context() { return *context_; }
+    Timeline& timeline() { return *timeline_; }
+    ImmediateStream& stream_of_device() { return *stream_; }
+    VulkanCounters& counters() { return counters_; }
+
+    /// The lock is held in these.
+    ChunkPool& chunks() { return *chunks_; }
+    Pipelines& pipelines() { return *pipelines_; }
+    Queries& queries() { return *queries_; }
+    VkBuffer status_buffer() const { return status_->buffer; }
+    void bind_prepare(VkCommandBuffer commands, VkDeviceAddress arguments);
+    std::uint64_t submit(VkCommandBuffer commands);
+    void collect();                              ///< destroys and takes back what the device is done with
+    void allocate_parts(const VkMemoryRequirements& needs, bool linear, const MemoryDescription& description,
+                        Allocation& result);
+    void set_retire_value(std::uint64_t value) { retire_value_ = value; }
+    [[noreturn]] void throw_too_large(const MemoryDescription& description) const;
+
+    /// The lock is not held in these: submits if need be, waits, throws what kernels reported.
+    void finish(std::uint64_t value);            ///< UINT64_MAX: everything recorded so far
+
+    /// From any thread, with or without the lock: destroyed when what is recorded by now is done.
+    void retire(const MemoryParts& parts, MemoryId id);
+    void retire(Query query);
+    void retire(std::unique_ptr<CommandBatch> batch);
+
+private:
+    struct Retired {
+        std::uint64_t value;
+        MemoryParts parts;
+        MemoryId id;
+        Query query;
+        std::unique_ptr<CommandBatch> batch;
+    };
+
+    void destroy(Retired& retired);
+    void destroy_retired(std::uint64_t completed);
+    void check_reports();
+    MemoryId new_id();
+
+    std::unique_ptr<Context> context_;
+    std::mutex mutex_;
+    std::unique_ptr<Timeline> timeline_;
+    std::unique_ptr<Allocator> allocator_;
+    std::unique_ptr<ChunkPool> chunks_;
+    std::unique_ptr<Pipelines> pipelines_;
+    std::unique_ptr<Queries> queries_;
+    std::shared_ptr<Chunk> status_;
+    VkPipelineLayout prepare_layout_ = VK_NULL_HANDLE;
+    VkPipeline prepare_ = VK_NULL_HANDLE;
+    std::unique_ptr<ImmediateStream> stream_;
+    VulkanCounters counters_;
+    std::vector<std::uint32_t> free_slots_;
+    std::uint32_t slots_ = 0;
+    std::uint64_t serial_ = 0;
+    std::atomic<std::uint64_t> waits_{0}, memories_{0};
+
+    std::mutex retire_mutex_;
+    std::vector<Retired> retired_;
+    std::atomic<std::uint64_t> retire_value_{0};   ///< of the timeline, when everything recorded by now is done
+};
+
+}  // namespace glift::detail

@@ -1,0 +1,185 @@
+#include "vulkan_memory.h"
+
+#include "../image_layout.h"
+#include "../text.h"
+#include "vulkan_device.h"
+
+#include <glift/error.h>
+
+#include <algorithm>
+
+namespace glift::detail {
+
+namespace {
+
+constexpr VkBufferUsageFlags buffer_usage =
+    VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT |
+    VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT |
+    VK_BUFFER_USAGE_VERTEX_BUFFER_BIT | VK_BUFFER_USAGE_INDEX_BUFFER_BIT;
+
+VkImageType image_type(MemoryKind kind) {
+    switch (kind) {
+        case MemoryKind::image1d: return VK_IMAGE_TYPE_1D;
+        case MemoryKind::image3d: return VK_IMAGE_TYPE_3D;
+        case MemoryKind::buffer:
+        case MemoryKind::image2d:
+        case MemoryKind::imagecube: return VK_IMAGE_TYPE_2D;
+    }
+    return VK_IMAGE_TYPE_2D;
+}
+
+VkImageViewType view_type(MemoryKind kind) {
+    switch (kind) {
+        case MemoryKind::image1d: return VK_IMAGE_VIEW_TYPE_1D;
+        case MemoryKind::image3d: return VK_IMAGE_VIEW_TYPE_3D;
+        case MemoryKind::imagecube: return VK_IMAGE_VIEW_TYPE_CUBE;
+        case MemoryKind::buffer:
+        case MemoryKind::image2d: return VK_IMAGE_VIEW_TYPE_2D;
+    }
+    return VK_IMAGE_VIEW_TYPE_2D;
+}
+
+VkImageView make_view(Context& context, VkImage image, const MemoryDescription& d, std::uint32_t mips,
+                      VkImageUsageFlags usage) {
+    const VkImageViewUsageCreateInfo usage_info = {.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_USAGE_CREATE_INFO,
+                                                   .usage = usage};
+    const VkImageViewCreateInfo info = {
+        .sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
+        .pNext = &usage_info,
+        .image = image,
+        .viewType = view_type(d.kind),
+        .format = vulkan_format(d.format),
+        .subresourceRange = {vulkan_aspect(d.format), 0, mips, 0, face_count(d)}};
+    VkImageView view = VK_NULL_HANDLE;
+    context.check(context.vk.vkCreateImageView(context.device, &info, nullptr, &view), "vkCreateImageView");
+    context.set_name(VK_OBJECT_TYPE_IMAGE_VIEW, reinterpret_cast<std::uint64_t>(view), d.name);
+    return view;
+}
+
+// What the format can do on this device, of what memories are used for.
+VkImageUsageFlags image_usage(Context& context, const MemoryDescription& d) {
+    VkFormatProperties format;
+    context.instance->vk().vkGetPhysicalDeviceFormatProperties(context.physical, vulkan_format(d.format), &format);
+    VkImageUsageFlags usage = VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+    const VkFormatFeatureFlags features = format.optimalTilingFeatures;
+    if (features & VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT) usage |= VK_IMAGE_USAGE_SAMPLED_BIT;
+    if (features & VK_FORMAT_FEATURE_STORAGE_IMAGE_BIT) usage |= VK_IMAGE_USAGE_STORAGE_BIT;
+    const bool flat = d.kind == MemoryKind::image2d || d.kind == MemoryKind::imagecube;
+    if (flat && features & VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BIT) usage |= VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
+    if (flat && features & VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT) {
+        usage |= VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
+    }
+    if (!(usage & VK_IMAGE_USAGE_SAMPLED_BIT)) {
+        throw Error(ErrorCode::missing_feature, "the device cannot read images of this format", memory_text(d),
+                    context.properties.name, "use another texel format");
+    }
+    return usage;
+}
+
+void check_image_limits(Context& context, const MemoryDescription& d, const VkImageCreateInfo& info) {
+    VkImageFormatProperties limits = {};
+    const VkResult result = context.instance->vk().vkGetPhysicalDeviceImageFormatProperties(
+        context.physical, info.format, info.imageType, info.tiling, info.usage, info.flags, &limits);
+    if (result == VK_ERROR_FORMAT_NOT_SUPPORTED) {
+        throw Error(ErrorCode::missing_feature, "the device has no images of this kind and format", memory_text(d),
+                    context.properties.name, "use another texel format, or a buffer");
+    }
+    context.check(result, "vkGetPhysicalDeviceImageFormatProperties");
+    const VkExtent3D most = limits.maxExtent;
+    if (d.extent[0] > most.width || d.extent[1] > most.height || d.extent[2] > most.depth || d.mips > limits.maxMipLevels) {
+        throw Error(ErrorCode::too_large, "an image is larger than the device allows", memory_text(d),
+                    context.properties.name + " allows " + std::to_string(most.width) + " x " +
+                        std::to_string(most.height) + " x " + std::to_string(most.depth) + " texels",
+                    "use a smaller one, or a buffer");
+    }
+}
+
+}  // namespace
+
+VkFormat vulkan_format(Format format) {
+    switch (format) {
+        case Format::none: return VK_FORMAT_UNDEFINED;
+        case Format::r8: return VK_FORMAT_R8_UNORM;
+        case Format::rg8: return VK_FORMAT_R8G8_UNORM;
+        case Format::rgba8: return VK_FORMAT_R8G8B8A8_UNORM;
+        case Format::r16f: return VK_FORMAT_R16_SFLOAT;
+        case Format::rg16f: return VK_FORMAT_R16G16_SFLOAT;
+        case Format::rgba16f: return VK_FORMAT_R16G16B16A16_SFLOAT;
+        case Format::r32f: return VK_FORMAT_R32_SFLOAT;
+        case Format::rg32f: return VK_FORMAT_R32G32_SFLOAT;
+        case Format::rgba32f: return VK_FORMAT_R32G32B32A32_SFLOAT;
+        case Format::r8ui: return VK_FORMAT_R8_UINT;
+        case Format::r16ui: return VK_FORMAT_R16_UINT;
+        case Format::r32ui: return VK_FORMAT_R32_UINT;
+        case Format::rg32ui: return VK_FORMAT_R32G32_UINT;
+        case Format::rgba32ui: return VK_FORMAT_R32G32B32A32_UINT;
+        case Format::r32i: return VK_FORMAT_R32_SINT;
+        case Format::rg32i: return VK_FORMAT_R32G32_SINT;
+        case Format::rgba32i: return VK_FORMAT_R32G32B32A32_SINT;
+        case Format::rgba8ui: return VK_FORMAT_R8G8B8A8_UINT;
+        case Format::d32: return VK_FORMAT_D32_SFLOAT;
+    }
+    return VK_FORMAT_UNDEFINED;
+}
+
+VkImageAspectFlags vulkan_aspect(Format format) {
+    return format == Format::d32 ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
+}
+
+VulkanMemory::VulkanMemory(std::shared_ptr<DeviceObject> device, const MemoryDescription& description)
+    : MemoryObject(std::move(device), description) {}
+
+VulkanDevice& VulkanMemory::owner() const { return static_cast<VulkanDevice&>(*device()); }
+
+VulkanMemory::~VulkanMemory() { owner().retire(parts, id); }
+
+void VulkanMemory::create() {
+    Context& context = owner().context();
+    const MemoryDescription& d = description();
+    VkMemoryRequirements needs;
+    if (d.kind == MemoryKind::buffer) {
+        range = (std::max<VkDeviceSize>(d.bytes, 4) + 3) / 4 * 4;
+        const VkDeviceSize size = (range + 15) / 16 * 16;
+        if (size > context.properties.max_allocation_bytes) owner().throw_too_large(d);
+        const VkBufferCreateInfo info = {
+            .sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO, .size = size, .usage = buffer_usage};
+        context.check(context.vk.vkCreateBuffer(context.device, &info, nullptr, &parts.buffer), "vkCreateBuffer");
+        context.set_name(VK_OBJECT_TYPE_BUFFER, reinterpret_cast<std::uint64_t>(parts.buffer), d.name);
+        context.vk.vkGetBufferMemoryRequirements(context.device, parts.buffer, &needs);
+        owner().allocate_parts(needs, true, d, parts.allocation);
+        context.check(context.vk.vkBindBufferMemory(context.device, parts.buffer, parts.allocation.memory,
+                                                    parts.allocation.offset),
+                      "vkBindBufferMemory");
+        const VkBufferDeviceAddressInfo info_address = {.sType = VK_STRUCTURE_TYPE_BUFFER_DEVICE_ADDRESS_INFO,
+                                                        .buffer = parts.buffer};
+        address = context.vk.vkGetBufferDeviceAddress(context.device, &info_address);
+        return;
+    }
+    if (d.bytes > context.properties.max_allocation_bytes) owner().throw_too_large(d);
+    const VkImageUsageFlags usage = image_usage(context, d);
+    const VkImageCreateInfo info = {
+        .sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
+        .flags = d.kind == MemoryKind::imagecube ? VkImageCreateFlags(VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT) : 0,
+        .imageType = image_type(d.kind),
+        .format = vulkan_format(d.format),
+        .extent = {d.extent[0], d.extent[1], d.extent[2]},
+        .mipLevels = d.mips,
+        .arrayLayers = face_count(d),
+        .samples = VK_SAMPLE_COUNT_1_BIT,
+        .tiling = VK_IMAGE_TILING_OPTIMAL,
+        .usage = usage};
+    check_image_limits(context, d, info);
+    context.check(context.vk.vkCreateImage(context.device, &info, nullptr, &parts.image), "vkCreateImage");
+    context.set_name(VK_OBJECT_TYPE_IMAGE, reinterpret_cast<std::uint64_t>(parts.image), d.name);
+    context.vk.vkGetImageMemoryRequirements(context.device, parts.image, &needs);
+    owner().allocate_parts(needs, false, d, parts.allocation);
+    context.check(
+        context.vk.vkBindImageMemory(context.device, parts.image, parts.allocation.memory, parts.allocation.offset),
+        "vkBindImageMemory");
+    parts.sampled_view = make_view(context, parts.image, d, d.mips, VK_IMAGE_USAGE_SAMPLED_BIT);
+    if (usage & VK_IMAGE_USAGE_STORAGE_BIT) {
+        parts.storage_view = make_view(context, parts.image, d, 1, VK_IMAGE_USAGE_STORAGE_BIT);
+    }
+}
+
+}  // namespace glift::detail

@@ -1,0 +1,43 @@
+// A memory of a Vulkan device.
+#pragma once
+
+#include "../objects.h"
+#include "allocator.h"
+#include "hazards.h"
+
+namespace glift::detail {
+
+class VulkanDevice;
+
+/// What a memory leaves behind, destroyed when the device no longer uses it.
+struct MemoryParts {
+    VkBuffer buffer = VK_NULL_HANDLE;
+    VkImage image = VK_NULL_HANDLE;
+    VkImageView sampled_view = VK_NULL_HANDLE;   ///< all mips
+    VkImageView storage_view = VK_NULL_HANDLE;   ///< mip 0; null for formats that cannot be stored to
+    Allocation allocation;
+};
+
+class VulkanMemory final : public MemoryObject {
+public:
+    VulkanMemory(std::shared_ptr<DeviceObject> device, const MemoryDescription& description);
+    ~VulkanMemory() override;
+
+    /// Makes buffer or image; throws out_of_memory, too_large, missing_feature.
+    void create();
+
+    VulkanDevice& owner() const;
+    bool is_buffer() const { return parts.buffer != VK_NULL_HANDLE; }
+
+    MemoryParts parts;
+    MemoryId id;
+    VkDeviceSize range = 0;          ///< buffers: bytes that descriptors cover, a multiple of 4, at least 4
+    VkDeviceAddress address = 0;     ///< buffers
+};
+
+inline VulkanMemory& vulkan_memory(const Memory& memory) { return static_cast<VulkanMemory&>(*memory.object()); }
+
+VkFormat vulkan_format(Format format);
+VkImageAspectFlags vulkan_aspect(Format format);
+
+}  // namespace glift::detail

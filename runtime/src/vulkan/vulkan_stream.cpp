@@ -1,0 +1,112 @@
+#include "vulkan_stream.h"
+
+#include "vulkan_device.h"
+
+#include <algorithm>
+
+namespace glift::detail {
+
+namespace {
+
+// Large uploads go in parts, so that staging stays small.
+constexpr std::uint64_t part_bytes = std::uint64_t(32) << 20;
+
+}  // namespace
+
+VulkanStream::VulkanStream(VulkanDevice& device) : device_(device), encoder_(device) {}
+
+bool VulkanStream::needs_general(const Kernel& kernel, std::span<const Memory> memories,
+                                 const std::array<std::uint32_t, 4>& size) {
+    return encoder_.needs_general(kernel, memories, size);
+}
+
+void VulkanStream::dispatch(const Kernel& kernel, const Call& call) {
+    const std::lock_guard lock(device_.mutex());
+    open();
+    encoder_.dispatch(kernel, call);
+    for (const Memory& memory : call.memories) hold(memory);
+    for (const Patch& patch : call.patches) hold(patch.value.memory);
+    ++device_.counters().passes;
+    recorded();
+}
+
+void VulkanStream::fill(const Memory& memory, std::uint64_t offset, std::uint64_t bytes, std::uint32_t value) {
+    const std::lock_guard lock(device_.mutex());
+    open();
+    encoder_.fill(vulkan_memory(memory), offset, bytes, value);
+    hold(memory);
+    recorded();
+}
+
+void VulkanStream::copy(const Memory& from, const Memory& to, std::span<const CopyRegion> regions) {
+    const std::lock_guard lock(device_.mutex());
+    open();
+    encoder_.copy(vulkan_memory(from), vulkan_memory(to), regions);
+    hold(from);
+    hold(to);
+    recorded();
+}
+
+void VulkanStream::copy_to_image(const Memory& buffer, const Memory& image, std::span<const ImageRegion> regions) {
+    const std::lock_guard lock(device_.mutex());
+    open();
+    encoder_.copy_to_image(vulkan_memory(buffer), vulkan_memory(image), regions);
+    hold(buffer);
+    hold(image);
+    recorded();
+}
+
+void VulkanStream::copy_from_image(const Memory& image, const Memory& buffer, std::span<const ImageRegion> regions) {
+    const std::lock_guard lock(device_.mutex());
+    open();
+    encoder_.copy_from_image(vulkan_memory(image), vulkan_memory(buffer), regions);
+    hold(image);
+    hold(buffer);
+    recorded();
+}
+
+void VulkanStream::copy_images(const Memory& from, const Memory& to, std::span<const ImageCopyRegion> regions) {
+    const std::lock_guard lock(device_.mutex());
+    open();
+    encoder_.copy_images(vulkan_memory(from), vulkan_memory(to), regions);
+    hold(from);
+    hold(to);
+    recorded();
+}
+
+void VulkanStream::upload(const Memory& to, std::span<const CopyRegion> regions, std::span<const std::byte> bytes) {
+    const std::lock_guard lock(device_.mutex());
+    std::vector<CopyRegion> part;
+    std::uint64_t filled = 0;
+    const auto send = [&] {
+        open();
+        encoder_.upload(vulkan_memory(to), part, bytes.data());
+        recorded();
+        staged(filled);
+        part.clear();
+        filled = 0;
+    };
+    for (CopyRegion region : regions) {
+        while (region.bytes) {
+            const std::uint64_t taken = std::min(region.bytes, part_bytes - filled);
+            part.push_back({region.from, region.to, taken});
+            region = {region.from + taken, region.to + taken, region.bytes - taken};
+            filled += taken;
+            if (filled == part_bytes) send();
+        }
+    }
+    if (filled) send();
+    hold(to);
+}
+
+void VulkanStream::upload_image(const Memory& image, std::span<const ImageRegion> regions,
+                                std::span<const std::byte> bytes) {
+    const std::lock_guard lock(device_.mutex());
+    open();
+    encoder_.upload_image(vulkan_memory(image), regions, bytes.data());
+    hold(image);
+    recorded();
+    staged(bytes.size());
+}
+
+}  // namespace glift::detail

@@ -1,0 +1,72 @@
+// What the streams of a Vulkan device share: lock, make sure there is somewhere to record to, record, keep what is used.
+#pragma once
+
+#include "encoder.h"
+
+namespace glift::detail {
+
+class VulkanStream : public Stream {
+public:
+    explicit VulkanStream(VulkanDevice& device);
+
+    bool needs_general(const Kernel& kernel, std::span<const Memory> memories,
+                       const std::array<std::uint32_t, 4>& size) override;
+    void dispatch(const Kernel& kernel, const Call& call) override;
+    void fill(const Memory& memory, std::uint64_t offset, std::uint64_t bytes, std::uint32_t value) override;
+    void copy(const Memory& from, const Memory& to, std::span<const CopyRegion> regions) override;
+    void copy_to_image(const Memory& buffer, const Memory& image, std::span<const ImageRegion> regions) override;
+    void copy_from_image(const Memory& image, const Memory& buffer, std::span<const ImageRegion> regions) override;
+    void copy_images(const Memory& from, const Memory& to, std::span<const ImageCopyRegion> regions) override;
+    void upload(const Memory& to, std::span<const CopyRegion> regions, std::span<const std::byte> bytes) override;
+    void upload_image(const Memory& image, std::span<const ImageRegion> regions,
+                      std::span<const std::byte> bytes) override;
+
+protected:
+    /// The device's lock is held.
+    virtual void open() = 0;                         ///< before something is recorded
+    virtual void recorded() {}                       ///< after
+    virtual void hold(const Memory&) {}              ///< what was recorded uses this
+    virtual void staged(std::uint64_t) {}            ///< bytes of staging, between two parts of a large upload
+
+    VulkanDevice& device_;
+    Encoder encoder_;
+};
+
+/// Records once for many submissions, or into the user's command buffer. Holds every memory that it uses.
+class HoldingStream : public VulkanStream {
+public:
+    explicit HoldingStream(std::shared_ptr<VulkanDevice> device);
+
+    std::shared_ptr<DeviceObject> device() override;
+    std::shared_ptr<DownloadObject> download(const Memory&, std::span<const CopyRegion>, std::uint64_t) override;
+    std::shared_ptr<DownloadObject> download_image(const Memory&, std::span<const ImageRegion>, std::uint64_t) override;
+    std::shared_ptr<TimestampObject> timestamp() override;
+    void flush() override;
+    void wait() override;
+
+protected:
+    void open() override;
+    void hold(const Memory& memory) override;
+
+    std::shared_ptr<VulkanDevice> keep_;
+    std::unique_ptr<CommandBatch> batch_;
+    std::vector<Memory> held_;
+    std::vector<bool> held_slots_;
+    bool finished_ = false;
+};
+
+class RecordingStream final : public HoldingStream {
+public:
+    explicit RecordingStream(std::shared_ptr<VulkanDevice> device);
+    ~RecordingStream() override;
+    std::shared_ptr<RecordingObject> finish();
+};
+
+class ExternalStream final : public HoldingStream {
+public:
+    ExternalStream(std::shared_ptr<VulkanDevice> device, VkCommandBuffer commands);
+    ~ExternalStream() override;
+    void finish();
+};
+
+}  // namespace glift::detail

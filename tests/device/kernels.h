@@ -1,0 +1,50 @@
+// Kernels as gliftc would emit them, written by hand: GLSL in shaders/, C++ in kernels.cpp.
+#pragma once
+
+#include <glift/glift.h>
+
+#include <cstring>
+#include <vector>
+
+namespace kernels {
+
+extern const glift::Kernel scale;          ///< direct, general and wide; f, g; {size, factor}
+extern const glift::Kernel add_in_place;   ///< g = 2 g + amount; {size, amount}
+extern const glift::Kernel store_value;    ///< g = value + constant 7; {size, value}
+extern const glift::Kernel mark_grid;      ///< three-dimensional, general; {size[3], base[3]}
+extern const glift::Kernel image_step;     ///< sampled and stored images; {size[2]}
+extern const glift::Kernel report;         ///< reports element 10; {size}
+
+struct ScaleParameters {
+    std::uint32_t size;
+    float factor;
+};
+struct AddParameters {
+    std::uint32_t size, amount;
+};
+
+template <class T> std::span<const std::byte> bytes_of(const T& value) { return std::as_bytes(std::span(&value, 1)); }
+
+template <class T> std::span<const std::byte> bytes_of(const std::vector<T>& values) {
+    return std::as_bytes(std::span(values));
+}
+
+template <class T> std::vector<T> values_of(std::span<const std::byte> bytes) {
+    std::vector<T> values(bytes.size() / sizeof(T));
+    if (!values.empty()) std::memcpy(values.data(), bytes.data(), values.size() * sizeof(T));
+    return values;
+}
+
+glift::Memory buffer(const glift::Device& device, const char* name, std::uint64_t bytes);
+
+/// Picks the form as generated code does.
+void run_scale(const glift::Commands& commands, const glift::Memory& f, const glift::Memory& g, std::uint32_t size,
+               float factor);
+void run_add(const glift::Commands& commands, const glift::Memory& g, std::uint32_t size, std::uint32_t amount);
+void run_store(const glift::Commands& commands, const glift::Memory& g, std::uint32_t size, std::uint32_t value);
+
+template <class T> std::vector<T> read(const glift::Device& device, const glift::Memory& memory, std::size_t count) {
+    return values_of<T>(device.commands().download(memory, 0, count * sizeof(T)).get());
+}
+
+}  // namespace kernels
