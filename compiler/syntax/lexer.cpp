@@ -23,6 +23,7 @@ constexpr std::array<CharClass, 256> make_classes() {
 constexpr auto classes = make_classes();
 
 CharClass class_of(char c) { return classes[static_cast<unsigned char>(c)]; }
+bool is_beyond_ascii(char c) { return (c & 0x80) != 0; }
 bool continues_word(char c) { return class_of(c) >= letter; }
 
 /// Which names are keywords or words, by the name's number: these are interned first, so the table is short.
@@ -60,7 +61,9 @@ public:
     }
 
     TokenList run() {
-        if (std::size_t bad = find_invalid_utf8(text_); bad < text_.size())
+        std::size_t bad = find_invalid_utf8(text_);
+        valid_ = bad == text_.size();
+        if (!valid_)
             diagnostics_.report(Diag::not_utf8, {file_, offset(bad), offset(bad + 1)});
         if (text_.starts_with("\xef\xbb\xbf")) at_ = 3;
         while (at_ < text_.size()) next();
@@ -92,6 +95,7 @@ private:
         if (c == '/' && look(1) == '/') return line_comment();
         if (c == '/' && look(1) == '*') return block_comment();
         if (c == '"') return string();
+        if (is_beyond_ascii(c)) return foreign_word(at_);
         if (c == '.' && class_of(look(1)) == digit && !after_value()) return number_without_integer_part();
         punctuation(c);
     }
@@ -99,9 +103,29 @@ private:
     void word() {
         std::size_t begin = at_;
         while (at_ < text_.size() && continues_word(text_[at_])) ++at_;
+        if (at_ < text_.size() && is_beyond_ascii(text_[at_])) return foreign_word(begin);
         Name name = names_.intern(text_.substr(begin, at_ - begin));
         auto [kind, meaning] = words_[name];
         push(kind, begin, name, meaning);
+    }
+
+    /// A word with letters beyond ASCII is one mistake, and still a name. Such characters alone are none.
+    void foreign_word(std::size_t begin) {
+        std::size_t first = begin;
+        while (first < text_.size() && !is_beyond_ascii(text_[first])) ++first;
+        bool any_ascii = false;
+        while (at_ < text_.size() && (continues_word(text_[at_]) || is_beyond_ascii(text_[at_])))
+            any_ascii |= continues_word(text_[at_++]);
+        any_ascii |= first > begin;
+        std::size_t end = first + 1;
+        while (end < at_ && (text_[end] & 0xc0) == 0x80) ++end;
+        std::string shown = "'" + std::string(text_.substr(first, end - first)) + "'";
+        if (valid_) {
+            auto& error = diagnostics_.report(Diag::bad_character, {file_, offset(first), offset(end)}, {shown});
+            if (any_ascii) error.notes.push_back({{}, "names are made of the letters a to z and A to Z, digits and '_'"});
+        }
+        if (any_ascii) return push(TokenKind::identifier, begin, names_.intern(text_.substr(begin, at_ - begin)));
+        push(TokenKind::bad_character, begin);
     }
 
     /// `x.0` is a mistake in the member, `= .5` one in the number.
@@ -253,20 +277,19 @@ private:
     }
 
     static bool is_bad(char c) {
-        if (class_of(c) != other) return false;
+        if (class_of(c) != other || is_beyond_ascii(c)) return false;
         return !std::strchr("()[]{},;:@~.?=!<>+-*/%&|^\"", c) || c == '\0';
     }
 
     /// One error for a whole run of them.
     void bad_characters() {
         std::size_t begin = at_++;
-        while (at_ < text_.size() && (text_[at_] & 0xc0) == 0x80) ++at_;
-        std::string shown(text_.substr(begin, at_ - begin));
-        auto first = static_cast<unsigned char>(shown[0]);
-        bool printable = first >= 0x20 && first != 0x7f && find_invalid_utf8(shown) == shown.size();
-        shown = printable ? "'" + shown + "'" : "with code " + std::to_string(first);
+        auto code = static_cast<unsigned char>(text_[begin]);
+        bool printable = code > 0x20 && code < 0x7f;
+        std::string shown = printable ? std::string("'") + text_[begin] + "'" : "with code " + std::to_string(code);
         while (at_ < text_.size() && is_bad(text_[at_])) ++at_;
         diagnostics_.report(Diag::bad_character, {file_, offset(begin), offset(at_)}, {shown});
+        push(TokenKind::bad_character, begin);
     }
 
     std::uint32_t file_;
@@ -276,6 +299,7 @@ private:
     Diagnostics& diagnostics_;
     std::size_t at_ = 0;
     bool first_on_line_ = true;
+    bool valid_ = true;                // UTF-8; else bytes beyond ASCII are not reported one by one
     TokenList list_;
 };
 
@@ -331,6 +355,7 @@ std::string_view describe(TokenKind kind) {
     case TokenKind::floating:
     case TokenKind::bad_number: return "a number";
     case TokenKind::string: return "a string";
+    case TokenKind::bad_character: return "an unexpected character";
 #define PUNCTUATION(name, text) \
     case TokenKind::name: return "'" text "'";
 #define KEYWORD(text) \

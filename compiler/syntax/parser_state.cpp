@@ -62,6 +62,7 @@ bool Parser::expect_close(TokenKind kind, std::uint32_t open_token) {
     if (accept(kind)) return true;
     if (lost_) return false;
     lost_ = true;
+    if (at(TokenKind::bad_character)) return false;  // reported by the lexer
     Span place = cursor_ > 0 && peek().first_on_line ? after_previous() : here();
     Diagnostic& error = diagnostics_.report(Diag::expected, place, {describe(kind), shown(peek())});
     error.notes.push_back({span_of(tokens_[open_token]), "to close this"});

@@ -21,7 +21,11 @@ constexpr TokenSet close_brackets{close_brace, close_paren, close_bracket};
 }
 
 Parser::Nesting::Nesting(Parser& outer) : parser(outer), ok(++outer.depth_ <= deepest) {
-    if (!ok) parser.fail(Diag::too_deep, parser.here());
+    if (ok) return;
+    parser.fail(Diag::too_deep, parser.here());
+    // The rest of the file is not read: nothing that closes so many brackets is worth a second error.
+    parser.cursor_ = static_cast<std::uint32_t>(parser.tokens_.size() - 1);
+    parser.unclosed_at_ = parser.cursor_;
 }
 
 std::string Parser::shown(const Token& token) const {
@@ -37,6 +41,7 @@ std::string Parser::shown(const Token& token) const {
 void Parser::fail(Diag id, Span span, std::initializer_list<std::string_view> arguments, std::string note) {
     if (lost_) return;
     lost_ = true;
+    if (at(bad_character)) return;  // reported by the lexer
     Diagnostic& error = diagnostics_.report(id, span, arguments);
     if (!note.empty()) error.notes.push_back({{}, std::move(note)});
 }
@@ -85,10 +90,9 @@ void Parser::skip_balanced() {
 /// To behind the next `;` or `{ … }`, or to a `}`, or to what begins a statement or an item on its own line.
 void Parser::recover_in_list() {
     lost_ = false;
-    std::uint32_t start = cursor_;
     while (!at_end() && !at(close_brace) && !at_declaration_in_first_column()) {
         if (accept(semicolon)) return;
-        if (cursor_ > start && peek().first_on_line && at_statement_keyword()) return;
+        if (peek().first_on_line && at_statement_keyword()) return;
         if (at(open_brace)) {
             skip_balanced();
             if (!at(kw_else)) return;
@@ -105,9 +109,8 @@ void Parser::recover_in_list() {
 /// To what begins a declaration on its own line.
 void Parser::recover_in_module() {
     lost_ = false;
-    std::uint32_t start = cursor_;
     while (!at_end()) {
-        if (cursor_ > start && peek().first_on_line && at_declaration()) return;
+        if (peek().first_on_line && at_declaration()) return;
         if (open_brackets.has(peek().kind)) {
             skip_balanced();
         } else {

@@ -17,6 +17,7 @@ enum class TokenKind : std::uint8_t {
     floating,
     bad_number,  // looks like a number and is none
     string,
+    bad_character,  // or several; reported already
 #define PUNCTUATION(name, text) name,
 #define KEYWORD(text) kw_##text,
 #define WORD(text)
