@@ -81,6 +81,8 @@ float quick_divide(float a, float b) {
     uint x = (floatBitsToUint(a) >> 23) & 0xffu, y = (floatBitsToUint(b) >> 23) & 0xffu;
     if (x - 64u >= 126u || y - 64u >= 126u) return exact_divide(a, b);
     float q = a / b, r = 1.0 / b;
+    r = fma(fma(-b, r, 1.0), r, r);
+    q = fma(fma(-b, q, a), r, q);
     return fma(fma(-b, q, a), r, q);
 }
 
