@@ -1,0 +1,136 @@
+// Checking what stands in bodies: the state of one body, and what an expression turned out to be.
+#pragma once
+
+#include "sema/build.h"
+#include "sema/context.h"
+#include "sema/meta.h"
+
+#include <unordered_map>
+
+namespace gliftc::sema {
+
+enum class BodyKind : std::uint8_t {
+    constant,    // compile-time values
+    function,    // functions and methods
+    structure,   // sizes, arguments and defaults in a structure's declaration: evaluated on the host when one is made
+    kernel,
+    pipeline,    // tests too
+};
+
+enum class SymbolKind : std::uint8_t { local, structure, state, member, memory, iterator, host_state };
+
+/// What a name in scope stands for.
+struct Symbol {
+    SymbolKind kind = SymbolKind::local;
+    Span span;
+    ir::TypeId type;
+    ir::LocalId local;
+    ir::Place place;
+    std::uint32_t structure = 0;
+    std::uint32_t slot = 0;
+    bool used = false;
+    bool warn_unused = false;
+};
+
+enum class OperandKind : std::uint8_t { error, value, meta, structure, memory, iterator };
+
+/// What an expression turned out to be.
+struct Operand {
+    OperandKind kind = OperandKind::error;
+    Span span;
+    ir::ExprId expr;                 ///< value
+    ir::TypeId type;                 ///< value
+    Meta meta;                       ///< meta
+    ir::Place place;                 ///< structure, memory
+    ir::LocalId local;               ///< structure, in pipelines: where `place` starts
+    std::uint32_t structure = 0;     ///< structure: its instance
+    std::uint32_t slot = 0;          ///< memory: which; iterator: which kernel parameter
+    bool is_slice = false;           ///< structure: `local` is a slice
+};
+
+struct Body {
+    Context& context;
+    const Env& env;
+    BodyKind kind = BodyKind::function;
+    std::vector<std::unordered_map<Name, Symbol>> scopes = {{}};
+    std::vector<ir::StmtId>* block = nullptr;   ///< where statements go; null: expressions only
+    ir::TypeId result;                          ///< of return
+    unsigned loops = 0;
+    unsigned depth = 0;
+    ir::Kernel* kernel = nullptr;
+    std::vector<std::uint32_t> structures;      ///< functions: structure parameters so far (Place roots)
+    bool in_test = false;
+    bool allow_await = false;
+
+    ir::Program& program() { return context.program; }
+    ir::Types& types() { return context.program.types; }
+};
+
+// scopes
+void open_scope(Body&);
+void close_scope(Body&);                        ///< warns of what was never used
+void declare(Body&, ast::Identifier, Symbol);   ///< reports duplicates in the same scope
+Symbol* find_symbol(Body&, Name);
+ir::LocalId declare_local(Body&, ast::Identifier, ir::TypeId, bool is_mutable, bool warn_unused = true);
+/// A local that the user did not write, holding `value`.
+ir::LocalId emit_temporary(Body&, std::string_view name, ir::ExprId value, Span);
+void emit(Body&, ir::StmtId);
+
+// expressions
+Operand check(Body&, ast::ExprId, ir::TypeId wanted = {});
+/// The expression as a value, of exactly the wanted type where one is given; reports and gives an error node otherwise.
+ir::ExprId check_value(Body&, ast::ExprId, ir::TypeId wanted = {});
+ir::ExprId to_value(Body&, const Operand&);
+/// `expr` as the wanted type: itself, or wrapped into an optional; reports a mismatch.
+ir::ExprId coerce(Body&, ir::ExprId expr, ir::TypeId wanted, Span);
+bool is_flexible(const Context&, ast::ExprId);  ///< a literal whose type its context chooses
+Operand value_operand(Body&, ir::ExprId, Span);
+Operand error_operand(Span);
+ir::ExprId error_value(Body&, Span);
+bool is_error(const Body&, ir::ExprId);
+
+// parts of expressions, a file each
+Operand check_member(Body&, ast::ExprId);
+Operand check_index(Body&, ast::ExprId, ir::TypeId wanted);
+Operand check_call(Body&, ast::ExprId, ir::TypeId wanted);
+Operand check_unary(Body&, ast::ExprId, ir::TypeId wanted);
+Operand check_binary(Body&, ast::ExprId, ir::TypeId wanted);
+/// The type with its vector shape that components `x`, `yz` … give, or an error.
+Operand make_swizzle_of(Body&, ir::ExprId, ast::Identifier);
+
+// calls
+Operand call_function(Body&, const std::vector<ast::DeclId>& overloads, const Env* owner, const std::vector<ast::ExprId>& explicit_generics,
+                      const std::vector<ast::ExprId>& arguments, const ast::Expr& call, ir::TypeId wanted,
+                      const Operand* self = nullptr);
+Operand call_intrinsic(Body&, ir::Intrinsic, const std::vector<ast::ExprId>& arguments, const ast::Expr& call, ir::TypeId wanted);
+Operand construct_value(Body&, ir::TypeId, const ast::Expr& call);
+Operand call_method(Body&, const Operand& self, ast::Identifier method, const ast::Expr& call, ir::TypeId wanted);
+std::optional<ir::Intrinsic> find_intrinsic(std::string_view name);
+
+// structures as seen by code
+Operand structure_member(Body&, const Operand& structure, ast::Identifier member);
+ir::ExprId make_read(Body&, const Operand& structure, ir::ExprId address, Span);
+ir::ExprId structure_operation(Body&, ir::Op, ir::TypeId, const Operand& structure, Span, std::vector<ir::ExprId> operands = {});
+ir::TypeId signed_address(ir::Types&, ir::TypeId domain);   ///< int, int2 … for uint, uint2 …
+
+// statements
+void check_block(Body&, const std::vector<ast::StmtId>&);
+void check_statement(Body&, ast::StmtId);
+/// Checks `statements` into a fresh list, in a scope of their own.
+std::vector<ir::StmtId> check_nested(Body&, const std::vector<ast::StmtId>&);
+/// Does every path through the list end in return?
+bool always_returns(const ir::Program&, const std::vector<ir::StmtId>&);
+
+// kernels
+bool check_iterator_assignment(Body&, const ast::Stmt&);
+Operand iterator_value(Body&, const Operand&);
+
+// pipelines
+bool check_pipeline_statement(Body&, const ast::Stmt&);       ///< false: not one of theirs
+std::optional<Operand> check_pipeline_call(Body&, const std::vector<ast::DeclId>&, const std::vector<ast::ExprId>& generics,
+                                           const ast::Expr& call, const Operand* owner = nullptr);
+std::optional<Operand> check_pipeline_builtin(Body&, std::string_view name, const ast::Expr& call);
+Operand check_pipeline_index(Body&, const Operand& structure, const ast::Expr& index);
+Operand construct_structure(Body&, ir::TypeId, const ast::Expr& call);
+
+}  // namespace gliftc::sema

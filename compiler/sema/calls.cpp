@@ -1,0 +1,413 @@
+// Calls: which function is meant, its generic arguments, its arguments.
+#include "sema/body.h"
+#include "sema/generics.h"
+#include "sema/instances.h"
+
+namespace gliftc::sema {
+
+namespace {
+
+/// An argument that can only be checked once its parameter's type is known.
+bool needs_context(const Context& c, ast::ExprId id) {
+    ast::ExprKind kind = c[id].kind;
+    return is_flexible(c, id) || kind == ast::ExprKind::tuple || kind == ast::ExprKind::none_literal;
+}
+
+/// One overload being tried.
+struct Candidate {
+    ast::DeclId decl;
+    std::unique_ptr<Env> env;
+};
+
+struct CheckedArguments {
+    std::vector<Operand> operands;          ///< kind error and no span for those that wait for their parameter's type
+    std::vector<bool> waits;
+    bool failed = false;
+};
+
+ir::TypeId operand_type(Body& body, const Operand& operand) {
+    if (operand.kind == OperandKind::value) return operand.type;
+    if (operand.kind == OperandKind::structure) return body.types().of_structure(operand.structure);
+    return {};
+}
+
+CheckedArguments check_arguments(Body& body, const std::vector<ast::ExprId>& arguments) {
+    CheckedArguments result;
+    for (ast::ExprId argument : arguments) {
+        bool waits = needs_context(body.context, argument);
+        Operand operand;
+        if (!waits) {
+            operand = check(body, argument);
+            if (operand.kind == OperandKind::iterator) {
+                const ir::KernelParam& param = body.kernel->params[operand.slot];
+                if (param.pattern != ir::Pattern::near && param.pattern != ir::Pattern::scatter)
+                    operand = value_operand(body, to_value(body, operand), operand.span);
+                else operand.kind = OperandKind::structure, operand.place.root = operand.slot;
+            }
+            if (operand.kind == OperandKind::error) result.failed = true;
+        }
+        result.operands.push_back(std::move(operand));
+        result.waits.push_back(waits);
+    }
+    return result;
+}
+
+/// Binds the generics of an overload; null if it does not fit. With `report`, says why.
+std::unique_ptr<Env> match(Body& body, ast::DeclId id, const Env* owner, const std::vector<ast::ExprId>& explicit_generics,
+                           const CheckedArguments& arguments, const ast::Expr& call, ir::TypeId wanted, bool report) {
+    Context& c = body.context;
+    const ast::Decl& decl = c[id];
+    const auto& function = std::get<ast::Function>(decl.body);
+    auto env = std::make_unique<Env>();
+    if (owner) *env = *owner;
+    env->module = c.module_of.at(id);
+    if (function.params.size() != arguments.operands.size()) {
+        if (report)
+            note(c.error(Diag::argument_count, call.span, {c.text(decl.name.name), std::to_string(function.params.size()),
+                                                           std::to_string(arguments.operands.size())}),
+                 decl.name.span, "declared here");
+        return nullptr;
+    }
+    Arguments generics(c, decl, *env, call.span);
+    if (!explicit_generics.empty() && !generics.give(body.env, explicit_generics)) return nullptr;
+    for (std::size_t i = 0; i < function.params.size(); ++i) {
+        if (arguments.waits[i]) continue;
+        if (arguments.operands[i].kind == OperandKind::structure)
+            generics.infer_structure(function.params[i].type, arguments.operands[i].structure);
+        else if (ir::TypeId type = operand_type(body, arguments.operands[i])) generics.infer(function.params[i].type, type);
+    }
+    if (wanted && function.result) generics.infer(function.result, wanted);
+    if (!generics.finish(!report)) return nullptr;
+    for (std::size_t i = 0; i < function.params.size(); ++i) {
+        if (arguments.waits[i] || arguments.operands[i].kind == OperandKind::error) continue;
+        ir::TypeId parameter = type_of(c, *env, function.params[i].type);
+        ir::TypeId actual = operand_type(body, arguments.operands[i]);
+        if (parameter == actual || parameter == body.types().error) continue;
+        if (body.types().kind(parameter) == ir::TypeKind::optional && body.types()[parameter].element == actual) continue;
+        if (!report) return nullptr;
+        if (!actual) to_value(body, arguments.operands[i]);   // reports that it is no value
+        else {
+            Diagnostic& diagnostic = c.error(Diag::type_mismatch, arguments.operands[i].span, {c.text(parameter), c.text(actual)});
+            note(diagnostic, function.params[i].name.span, "parameter '" + c.text(function.params[i].name.name) + "' is declared here");
+        }
+        return nullptr;
+    }
+    return env;
+}
+
+/// Finishes a call of a matched function: the waiting arguments, then the call node.
+Operand finish_call(Body& body, ast::DeclId id, const Env& env, CheckedArguments& arguments, const std::vector<ast::ExprId>& written,
+                    const ast::Expr& call, const Operand* self) {
+    Context& c = body.context;
+    const auto& function = std::get<ast::Function>(c[id].body);
+    std::vector<ir::ExprId> values;
+    std::vector<std::uint32_t> structures;
+    std::vector<ir::Place> places;
+    if (self) {
+        structures.push_back(self->structure);
+        places.push_back(self->place);
+    }
+    for (std::size_t i = 0; i < written.size(); ++i) {
+        Operand& operand = arguments.operands[i];
+        if (operand.kind == OperandKind::structure) {
+            structures.push_back(operand.structure);
+            places.push_back(operand.place);
+            continue;
+        }
+        ir::TypeId parameter = type_of(c, env, function.params[i].type);
+        values.push_back(arguments.waits[i] ? check_value(body, written[i], parameter)
+                                            : coerce(body, to_value(body, operand), parameter, operand.span));
+        if (is_error(body, values.back())) return error_operand(call.span);
+    }
+    auto instance = instantiate_function(c, id, env, structures, call.span);
+    if (!instance) return error_operand(call.span);
+    ir::ExprId result = add(body.program(), ir::Op::call, body.program().functions[*instance].result, call.span, std::move(values));
+    body.program().exprs[result].function = *instance;
+    body.program().exprs[result].places = std::move(places);
+    return value_operand(body, result, call.span);
+}
+
+Operand call_type(Body& body, ir::TypeId type, const ast::Expr& call) {
+    if (body.types().kind(type) == ir::TypeKind::structure) return construct_structure(body, type, call);
+    return construct_value(body, type, call);
+}
+
+/// Ids within a grouped kernel.
+std::optional<ir::Invocation> find_invocation(std::string_view name) {
+    if (name == "local_index") return ir::Invocation::local_index;
+    if (name == "group_index") return ir::Invocation::group_index;
+    if (name == "group_count") return ir::Invocation::group_count;
+    if (name == "group_size") return ir::Invocation::group_size;
+    if (name == "subgroup_size") return ir::Invocation::subgroup_size;
+    if (name == "subgroup_lane") return ir::Invocation::subgroup_lane;
+    if (name == "subgroup_index") return ir::Invocation::subgroup_index;
+    return std::nullopt;
+}
+
+std::vector<ast::ExprId> arguments_of(const ast::Expr& call) { return {call.operands.begin() + 1, call.operands.end()}; }
+
+Operand call_select(Body& body, const ast::Expr& call, ir::TypeId wanted) {
+    if (call.operands.size() != 4) {
+        body.context.error(Diag::argument_count, call.span, {"select", "3", std::to_string(call.operands.size() - 1)});
+        return error_operand(call.span);
+    }
+    ir::ExprId condition = check_value(body, call.operands[1], body.types().bool_);
+    bool flexible = is_flexible(body.context, call.operands[2]) && !is_flexible(body.context, call.operands[3]);
+    ir::ExprId first = check_value(body, call.operands[flexible ? 3 : 2], wanted);
+    ir::TypeId type = body.program().exprs[first].type;
+    ir::ExprId second = check_value(body, call.operands[flexible ? 2 : 3], type);
+    return value_operand(body, add(body.program(), ir::Op::select, type, call.span,
+                                   {condition, flexible ? second : first, flexible ? first : second}), call.span);
+}
+
+/// Functions that the language has and no module declares.
+std::optional<Operand> call_builtin(Body& body, const std::string& name, const ast::Expr& call, ir::TypeId wanted) {
+    if (name == "select") return call_select(body, call, wanted);
+    if (auto invocation = find_invocation(name)) {
+        if (!body.kernel || !body.kernel->grouped()) {
+            note(body.context.error(Diag::needs_group, call.span, {name}), call.span, "write 'group(size)' after the kernel's parameters");
+            return error_operand(call.span);
+        }
+        ir::ExprId id = add(body.program(), ir::Op::invocation, body.types().uint, call.span);
+        body.program().exprs[id].invocation = *invocation;
+        return value_operand(body, id, call.span);
+    }
+    if (auto intrinsic = find_intrinsic(name)) return call_intrinsic(body, *intrinsic, arguments_of(call), call, wanted);
+    if (body.kind == BodyKind::pipeline || body.kind == BodyKind::structure) return check_pipeline_builtin(body, name, call);
+    return std::nullopt;
+}
+
+Operand call_declarations(Body& body, const Meta& meta, const std::vector<ast::ExprId>& generics, const ast::Expr& call,
+                          ir::TypeId wanted) {
+    Context& c = body.context;
+    const auto& first = c[meta.declarations[0]].body;
+    if (std::holds_alternative<ast::Function>(first))
+        return call_function(body, meta.declarations, nullptr, generics, arguments_of(call), call, wanted);
+    if (std::holds_alternative<ast::Kernel>(first) || std::holds_alternative<ast::Pipeline>(first)) {
+        if (auto result = check_pipeline_call(body, meta.declarations, generics, call)) return *result;
+        return error_operand(call.span);
+    }
+    Meta type = meta_of(c, body.env, call.operands[0]);
+    if (type.kind == MetaKind::type) return call_type(body, type.type, call);
+    if (type.kind != MetaKind::none)
+        c.error(Diag::not_callable, c[call.operands[0]].span, {"'" + c.text(c[meta.declarations[0]].name.name) + "'"});
+    return error_operand(call.span);
+}
+
+}  // namespace
+
+Operand call_function(Body& body, const std::vector<ast::DeclId>& overloads, const Env* owner,
+                      const std::vector<ast::ExprId>& explicit_generics, const std::vector<ast::ExprId>& arguments,
+                      const ast::Expr& call, ir::TypeId wanted, const Operand* self) {
+    Context& c = body.context;
+    CheckedArguments checked = check_arguments(body, arguments);
+    if (checked.failed) return error_operand(call.span);
+    std::unique_ptr<Env> chosen;
+    ast::DeclId decl;
+    for (ast::DeclId overload : overloads) {
+        if (overloads.size() == 1) break;
+        auto env = match(body, overload, owner, explicit_generics, checked, call, wanted, false);
+        if (!env) env = match(body, overload, owner, explicit_generics, checked, call, {}, false);
+        bool better = env && (!chosen || (c[overload].generics.empty() && !c[decl].generics.empty()));
+        if (better) chosen = std::move(env), decl = overload;
+    }
+    if (overloads.size() == 1) {
+        decl = overloads[0];
+        chosen = match(body, decl, owner, explicit_generics, checked, call, wanted, false);
+        if (!chosen) chosen = match(body, decl, owner, explicit_generics, checked, call, {}, true);
+        if (!chosen) return error_operand(call.span);
+    }
+    if (!chosen) {
+        Diagnostic& diagnostic = c.error(Diag::no_overload, call.span, {c.text(c[overloads[0]].name.name)});
+        for (ast::DeclId overload : overloads) note(diagnostic, c[overload].name.span, "does not fit");
+        return error_operand(call.span);
+    }
+    return finish_call(body, decl, *chosen, checked, arguments, call, self);
+}
+
+Operand construct_value(Body& body, ir::TypeId id, const ast::Expr& call) {
+    Context& c = body.context;
+    ir::Types& types = body.types();
+    const ir::Type type = types[id];
+    bool is_tuple = call.kind == ast::ExprKind::tuple;
+    std::vector<ast::ExprId> written = is_tuple ? call.operands : arguments_of(call);
+    std::vector<ir::ExprId> operands;
+    if (type.kind == ir::TypeKind::struct_ || type.kind == ir::TypeKind::array) {
+        std::vector<ir::TypeId> parts;
+        if (type.kind == ir::TypeKind::array) parts.assign(type.count, type.element);
+        else for (const auto& field : body.program().structs[type.index].fields) parts.push_back(field.type);
+        if (parts.size() != written.size()) {
+            c.error(Diag::argument_count, call.span, {c.text(id), std::to_string(parts.size()), std::to_string(written.size())});
+            return error_operand(call.span);
+        }
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            std::size_t at = i;
+            if (!call.labels.empty() && type.kind == ir::TypeKind::struct_) {
+                const auto& fields = body.program().structs[type.index].fields;
+                for (at = 0; at < call.labels.size() && call.labels[at].name != fields[i].name; ++at) {}
+                if (at == call.labels.size()) {
+                    c.error(Diag::missing_field, call.span, {c.text(fields[i].name), c.text(id)});
+                    return error_operand(call.span);
+                }
+            }
+            operands.push_back(check_value(body, written[at], parts[i]));
+            if (is_error(body, operands.back())) return error_operand(call.span);
+        }
+        return value_operand(body, add(body.program(), ir::Op::construct, id, call.span, std::move(operands)), call.span);
+    }
+    if (!types.is_scalar(id) && !types.is_vector(id) && !types.is_matrix(id)) {
+        if (id != types.error) c.error(Diag::not_callable, call.span, {"the type " + c.text(id)});
+        return error_operand(call.span);
+    }
+    ir::TypeId scalar = types.scalar_of(id);
+    std::size_t wanted = ir::lane_count(body.program(), id), have = 0;
+    for (ast::ExprId argument : written) {
+        bool flexible = is_flexible(c, argument);
+        // A float literal is converted like any other value: uint(1.5) is 1.
+        ir::TypeId hint = flexible ? scalar : ir::TypeId{};
+        ir::ExprId value = check_value(body, argument, hint == types.bool_ ? ir::TypeId{} : hint);
+        if (is_error(body, value)) return error_operand(call.span);
+        ir::TypeId from = body.program().exprs[value].type;
+        if (types.kind(from) == ir::TypeKind::enum_ && types.is_integer(scalar)) {
+            value = add(body.program(), ir::Op::convert, types.uint, call.span, {value});
+            from = types.uint;
+        }
+        if (!types.is_scalar(types.scalar_of(from))) {
+            c.error(Diag::construct_from, c[argument].span, {c.text(id), c.text(from)});
+            return error_operand(call.span);
+        }
+        have += ir::lane_count(body.program(), from);
+        if (types.scalar_of(from) != scalar)
+            value = add(body.program(), ir::Op::convert, types.is_matrix(from) ? id : types.with_scalar(from, scalar), c[argument].span, {value});
+        operands.push_back(value);
+    }
+    bool splat = operands.size() == 1 && have == 1;
+    if (operands.size() == 1 && body.program().exprs[operands[0]].type == id) {
+        ir::ExprId value = operands[0];
+        return value_operand(body, value, call.span);
+    }
+    if (have != wanted && !(splat && types.is_vector(id))) {
+        c.error(Diag::component_count, call.span, {c.text(id), std::to_string(wanted), std::to_string(have)});
+        return error_operand(call.span);
+    }
+    return value_operand(body, add(body.program(), ir::Op::construct, id, call.span, std::move(operands)), call.span);
+}
+
+Operand call_method(Body& body, const Operand& self, ast::Identifier method, const ast::Expr& call, ir::TypeId wanted) {
+    Context& c = body.context;
+    std::vector<ast::ExprId> arguments = arguments_of(call);
+    const std::string& name = c.text(method.name);
+    ir::TypeId domain = body.program().structures[self.structure].domain_type;
+    ir::TypeId element = body.program().structures[self.structure].element;
+    auto address = [&](ir::TypeId type) -> ir::ExprId {
+        if (arguments.size() == 1) return check_value(body, arguments[0], type);
+        c.error(Diag::argument_count, call.span, {name, "1", std::to_string(arguments.size())});
+        return error_value(body, call.span);
+    };
+    // What the declaration itself offers comes first: a structure may define its own `find`.
+    ast::DeclId owner = c.structure_decl.at(self.structure);
+    std::vector<ast::DeclId> overloads, pipelines;
+    const std::vector<ast::Item>* items = nullptr;
+    if (auto* structure = std::get_if<ast::Structure>(&c[owner].body)) items = &structure->items;
+    if (auto* view = std::get_if<ast::View>(&c[owner].body)) items = &view->items;
+    if (auto* adaptor = std::get_if<ast::Adaptor>(&c[owner].body)) items = &adaptor->items;
+    for (const ast::Item& item : *items) {
+        if (!item.decl || c[item.decl].name.name != method.name) continue;
+        (item.kind == ast::ItemKind::pipeline ? pipelines : overloads).push_back(item.decl);
+    }
+    if (!pipelines.empty()) {
+        if (auto result = check_pipeline_call(body, pipelines, {}, call, &self)) return *result;
+        return error_operand(call.span);
+    }
+    bool is_override = name == "domain" || name == "at";
+    if (!overloads.empty() && !is_override)
+        return call_function(body, overloads, c.structure_env.at(self.structure), {}, arguments, call, wanted, &self);
+    bool addressed = body.program().structures[self.structure].kind != ir::StructureKind::adaptor;
+    if (name == "domain" && addressed && arguments.empty())
+        return value_operand(body, structure_operation(body, ir::Op::domain, domain, self, call.span), call.span);
+    if (name == "sample" && addressed) {
+        ir::ExprId at = address(body.types().with_scalar(domain, body.types().float_));
+        if (is_error(body, at)) return error_operand(call.span);
+        if (!body.types().is_floating(body.types().scalar_of(element))) {
+            c.error(Diag::sample_element, call.span, {body.program().structures[self.structure].display, c.text(element)});
+            return error_operand(call.span);
+        }
+        return value_operand(body, structure_operation(body, ir::Op::sample, element, self, call.span, {at}), call.span);
+    }
+    bool stored = body.program().structures[self.structure].kind == ir::StructureKind::stored;
+    if ((name == "find" || name == "translate" || name == "contains") && stored) {
+        ir::ExprId at = address(domain);
+        if (is_error(body, at)) return error_operand(call.span);
+        const ir::Stage& last = body.program().structures[self.structure].via.back();
+        ir::TypeId physical = body.program().translators[last.translator].physical_type;
+        ir::ExprId translated =
+            structure_operation(body, ir::Op::translate, body.types().optional(physical), self, call.span, {at});
+        if (name == "translate") return value_operand(body, translated, call.span);
+        ir::ExprId has = add(body.program(), ir::Op::has_value, body.types().bool_, call.span, {translated});
+        if (name == "contains") return value_operand(body, has, call.span);
+        ir::TypeId optional = body.types().optional(element);
+        ir::ExprId some = add(body.program(), ir::Op::some, optional, call.span, {make_read(body, self, at, call.span)});
+        ir::ExprId none = add(body.program(), ir::Op::none, optional, call.span);
+        return value_operand(body, add(body.program(), ir::Op::select, optional, call.span, {has, some, none}), call.span);
+    }
+    std::vector<std::string_view> known = {"domain", "sample", "find", "translate", "contains"};
+    for (const ast::Item& item : *items)
+        if (item.decl) known.push_back(c.text(c[item.decl].name.name));
+    Diagnostic& diagnostic = c.error(Diag::unknown_member, method.span, {body.program().structures[self.structure].display, name});
+    std::string_view meant = did_you_mean(name, known);
+    if (!meant.empty()) note(diagnostic, method.span, "did you mean '" + std::string(meant) + "'?");
+    return error_operand(call.span);
+}
+
+Operand check_call(Body& body, ast::ExprId id, ir::TypeId wanted) {
+    Context& c = body.context;
+    const ast::Expr& call = c[id];
+    const ast::Expr& callee = c[call.operands[0]];
+    if (callee.kind == ast::ExprKind::member) {
+        Operand left = check(body, callee.operands[0]);
+        if (left.kind == OperandKind::error) return error_operand(call.span);
+        if (left.kind == OperandKind::iterator) {
+            ir::Pattern pattern = body.kernel->params[left.slot].pattern;
+            if (pattern == ir::Pattern::near || pattern == ir::Pattern::scatter) left.kind = OperandKind::structure;
+        }
+        if (left.kind == OperandKind::structure) return call_method(body, left, {callee.name, callee.name_span}, call, wanted);
+        if (left.kind != OperandKind::meta || left.meta.kind != MetaKind::module) {
+            c.error(Diag::not_callable, callee.span, {"this"});
+            return error_operand(call.span);
+        }
+        Env inside;
+        inside.module = left.meta.module;
+        Meta meta = find_meta(c, inside, {callee.name, callee.name_span});
+        if (meta.kind == MetaKind::declarations) return call_declarations(body, meta, {}, call, wanted);
+        report_unknown(c, inside, {callee.name, callee.name_span});
+        return error_operand(call.span);
+    }
+    bool generic = callee.kind == ast::ExprKind::generic;
+    const ast::Expr& name = generic ? c[callee.operands[0]] : callee;
+    if (name.kind != ast::ExprKind::name) {
+        Operand operand = check(body, call.operands[0]);
+        if (operand.kind == OperandKind::meta && operand.meta.kind == MetaKind::type) return call_type(body, operand.meta.type, call);
+        if (operand.kind != OperandKind::error) c.error(Diag::not_callable, callee.span, {"this"});
+        return error_operand(call.span);
+    }
+    if (Symbol* symbol = find_symbol(body, name.name)) {
+        symbol->used = true;
+        note(c.error(Diag::not_callable, name.span, {"'" + c.text(name.name) + "'"}), symbol->span, "declared here");
+        return error_operand(call.span);
+    }
+    Meta meta = find_meta(c, body.env, {name.name, name.span});
+    std::vector<ast::ExprId> generics;
+    if (generic) generics.assign(callee.operands.begin() + 1, callee.operands.end());
+    if (meta.kind == MetaKind::declarations) return call_declarations(body, meta, generics, call, wanted);
+    if (generic && meta.kind != MetaKind::none) meta = meta_of(c, body.env, call.operands[0]);
+    if (meta.kind == MetaKind::type) return call_type(body, meta.type, call);
+    if (meta.kind == MetaKind::none) {
+        if (auto result = call_builtin(body, c.text(name.name), call, wanted)) return *result;
+        report_unknown(c, body.env, {name.name, name.span});
+        return error_operand(call.span);
+    }
+    c.error(Diag::not_callable, name.span, {"'" + c.text(name.name) + "'"});
+    return error_operand(call.span);
+}
+
+}  // namespace gliftc::sema

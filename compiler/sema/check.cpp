@@ -1,0 +1,135 @@
+#include "sema/check.h"
+
+#include "sema/components.h"
+#include "sema/context.h"
+#include "sema/generics.h"
+#include "sema/instances.h"
+#include "sema/modules.h"
+
+namespace gliftc::sema {
+
+namespace {
+
+void check_function(Context& c, ast::DeclId id, const Env& env) {
+    // A function over structures is checked when it is called with one.
+    for (const ast::Param& param : std::get<ast::Function>(c[id].body).params)
+        if (c.types().kind(type_of(c, env, param.type)) == ir::TypeKind::structure) return;
+    instantiate_function(c, id, env, {}, c[id].name.span);
+}
+
+void check_constant(Context& c, ast::DeclId id) {
+    const ast::Decl& decl = c[id];
+    ir::ExprId value = constant_declaration(c, id);
+    if (!value) return;
+    c.program.constants.push_back({decl.name.name, c.program.exprs[value].type, value, c.module_of.at(id), decl.is_pub, decl.doc});
+}
+
+/// A pipeline over ranges is made for every public structure of the module that fits each of its ranges.
+void check_pipeline(Context& c, ast::DeclId id, const Env& env, std::optional<std::uint32_t> owner) {
+    const ast::Decl& decl = c[id];
+    const auto& written = std::get<ast::Pipeline>(decl.body);
+    std::vector<std::vector<std::uint32_t>> choices = {{}};
+    for (const ast::Param& param : written.params) {
+        std::vector<std::uint32_t> fitting = {0};
+        if (param.pattern == ast::Pattern::range && param.extra.size() == 1) {
+            fitting.clear();
+            auto n = count_of(c, env, param.type);
+            ir::TypeId element = type_of(c, env, param.extra[0]);
+            if (!n || element == c.types().error) return;
+            ir::TypeId domain = c.types().vector(c.types().uint, *n);
+            for (std::uint32_t i = 0; i < c.program.structures.size(); ++i) {
+                const ir::Structure& structure = c.program.structures[i];
+                if (structure.is_pub && structure.kind == ir::StructureKind::stored && structure.domain_type == domain && structure.element == element)
+                    fitting.push_back(i);
+            }
+        }
+        std::vector<std::vector<std::uint32_t>> more;
+        for (const auto& choice : choices)
+            for (std::uint32_t structure : fitting) {
+                more.push_back(choice);
+                more.back().push_back(structure);
+            }
+        choices = std::move(more);
+    }
+    for (const auto& choice : choices) instantiate_pipeline(c, id, env, choice, owner, decl.name.span);
+}
+
+void check_adaptor_pipelines(Context& c, std::uint32_t index) {
+    const auto& adaptor = std::get<ast::Adaptor>(c[c.structure_decl.at(index)].body);
+    for_each_item(c, *c.structure_env.at(index), adaptor.items, [&](const ast::Item& item) {
+        if (item.kind == ast::ItemKind::pipeline) check_pipeline(c, item.decl, *c.structure_env.at(index), index);
+    });
+}
+
+/// Types first, so that pipelines over ranges find the public structures.
+void check_types(Context& c, std::uint32_t module, const std::vector<ast::DeclId>& decls) {
+    for (ast::DeclId id : decls) {
+        const ast::Decl& decl = c[id];
+        if (!decl.generics.empty() || !decl.name.name || c.diagnostics.at_limit()) continue;
+        Env& env = c.new_env(module);
+        bool type = std::holds_alternative<ast::Struct>(decl.body) || std::holds_alternative<ast::Enum>(decl.body) ||
+                    std::holds_alternative<ast::Structure>(decl.body) || std::holds_alternative<ast::View>(decl.body) ||
+                    std::holds_alternative<ast::Adaptor>(decl.body);
+        if (type) instantiate_type(c, id, env, decl.name.span);
+        else if (std::holds_alternative<ast::Translator>(decl.body)) instantiate_translator(c, id, env, decl.name.span);
+        else if (std::holds_alternative<ast::Const>(decl.body)) check_constant(c, id);
+        else if (std::holds_alternative<ast::Alias>(decl.body)) {
+            // A plain use of the name follows the alias, marks what it names as public, and reports what is wrong with it.
+            const auto& alias = std::get<ast::Alias>(decl.body);
+            Meta meta = meta_of(c, env, alias.target);
+            if (meta.kind != MetaKind::type || c.types().kind(meta.type) != ir::TypeKind::structure) continue;
+            ir::Structure& structure = c.program.structures[c.types()[meta.type].index];
+            if (!structure.is_pub) structure.alias = decl.name.name;
+            structure.is_pub |= decl.is_pub;
+        }
+    }
+}
+
+void check_code(Context& c, std::uint32_t module, const std::vector<ast::DeclId>& decls) {
+    for (ast::DeclId id : decls) {
+        const ast::Decl& decl = c[id];
+        if (c.diagnostics.at_limit()) return;
+        if (std::holds_alternative<ast::Test>(decl.body)) instantiate_test(c, id);
+        if (!decl.generics.empty() || !decl.name.name) continue;
+        Env& env = c.new_env(module);
+        if (std::holds_alternative<ast::Function>(decl.body)) check_function(c, id, env);
+        else if (std::holds_alternative<ast::Kernel>(decl.body)) instantiate_kernel(c, id, env, decl.name.span);
+        else if (std::holds_alternative<ast::Pipeline>(decl.body)) check_pipeline(c, id, env, std::nullopt);
+    }
+}
+
+}  // namespace
+
+Env& Context::new_env(std::uint32_t module) {
+    environments.push_back(std::make_unique<Env>());
+    environments.back()->module = module;
+    return *environments.back();
+}
+
+Diagnostic& Context::error(Diag id, Span span, std::initializer_list<std::string_view> arguments) {
+    Diagnostic& diagnostic = diagnostics.report(id, span, arguments);
+    for (auto request = requests.rbegin(); request != requests.rend(); ++request)
+        if (request->span && request->span != span && request->display.find('<') != std::string::npos)
+            note(diagnostic, request->span, "in " + request->display + ", asked for here");
+    return diagnostic;
+}
+
+ir::Program check(const std::vector<LoadedModule>& modules, const ast::Tree& tree, Names& names, Diagnostics& diagnostics,
+                  const Settings& settings) {
+    ir::Program program;
+    program.names = &names;
+    Context c{.modules = modules, .tree = tree, .names = names, .diagnostics = diagnostics, .settings = settings, .program = program};
+    collect_modules(c);
+    for (std::uint32_t i = 0; i < modules.size(); ++i)
+        if (modules[i].is_root) check_types(c, i, modules[i].tree->decls);
+    for (std::uint32_t i = 0; i < modules.size(); ++i)
+        if (modules[i].is_root) check_code(c, i, modules[i].tree->decls);
+    for (std::uint32_t i = 0; i < program.structures.size(); ++i) {
+        if (!program.structures[i].is_pub) continue;
+        if (program.structures[i].kind == ir::StructureKind::adaptor) check_adaptor_pipelines(c, i);
+        if (!diagnostics.has_errors()) require_transfers(c, i, program.structures[i].span);
+    }
+    return program;
+}
+
+}  // namespace gliftc::sema

@@ -1,0 +1,117 @@
+// What all of sema shares: the trees it reads, the program it makes, and the tables of what is known so far.
+#pragma once
+
+#include "ir/evaluate.h"
+#include "sema/check.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+namespace gliftc::sema {
+
+struct Env;
+
+enum class MetaKind : std::uint8_t {
+    none,
+    type,          // a concrete type; structures too
+    value,         // a value known at compile time
+    translator,    // one or more translator instances, composed in order
+    declarations,  // something declared: a function's overloads, or one generic declaration still without arguments
+    module,        // a module's name
+    format,        // a texel format
+    memory_shape,  // buffer, image2d, …
+    constraint,    // a built-in constraint
+};
+
+enum class Constraint : std::uint8_t { type, texel, number, integer, floating, structure, translator };
+
+/// What a name or a type expression means at compile time.
+struct Meta {
+    MetaKind kind = MetaKind::none;
+    ir::TypeId type;
+    ir::Value value;
+    std::vector<std::uint32_t> translators;
+    std::vector<ast::DeclId> declarations;
+    std::uint32_t module = 0;
+    ir::Format format = ir::Format::none;
+    ir::MemoryShape shape = ir::MemoryShape::buffer;
+    Constraint constraint = Constraint::type;
+};
+
+/// The generic arguments of one instance.
+struct Env {
+    std::uint32_t module = 0;
+    std::vector<std::pair<Name, Meta>> bindings;
+    ir::TypeId self;                       ///< inside interfaces and their checks: what `Self` means
+
+    const Meta* find(Name name) const {
+        for (const auto& [bound, meta] : bindings)
+            if (bound == name) return &meta;
+        return nullptr;
+    }
+};
+
+struct ModuleScope {
+    std::unordered_map<Name, std::vector<ast::DeclId>> names;
+    std::vector<std::uint32_t> imports;
+};
+
+/// An instance under way or made: index in the Program's table of its kind.
+struct Instance {
+    enum class State : std::uint8_t { in_progress, done, failed } state = State::in_progress;
+    std::uint32_t index = 0;
+    std::vector<std::uint32_t> stages;     ///< translator aliases that compose several
+    ir::TypeId type;
+};
+
+/// Where an instantiation was asked for, for notes.
+struct Request {
+    std::string display;
+    Span span;
+};
+
+struct Context {
+    const std::vector<LoadedModule>& modules;
+    const ast::Tree& tree;
+    Names& names;
+    Diagnostics& diagnostics;
+    const Settings& settings;
+    ir::Program& program;
+
+    std::vector<ModuleScope> scopes;
+    std::unordered_map<ast::DeclId, std::uint32_t> module_of;          ///< of every declaration, members too
+    std::unordered_map<std::string, Instance> instances;
+    std::unordered_map<ast::DeclId, ir::ExprId> constants;             ///< checked `const`s
+    std::vector<ast::DeclId> constants_under_way;
+    std::vector<Request> requests;                                     ///< the instantiations under way, outermost first
+    std::vector<std::unique_ptr<Env>> environments;
+    std::unordered_map<std::uint32_t, const Env*> structure_env;       ///< of structure instances
+    std::unordered_map<std::uint32_t, ast::DeclId> structure_decl;
+    std::unordered_map<std::uint32_t, const Env*> translator_env;
+    std::unordered_map<std::uint32_t, ast::DeclId> translator_decl;
+    std::unordered_map<std::uint32_t, std::vector<Meta>> arguments_of; ///< generic arguments of structure instances
+    std::unordered_map<std::uint32_t, std::vector<Meta>> struct_arguments;
+    std::unordered_map<std::uint32_t, std::vector<Meta>> translator_arguments;
+    std::unordered_map<std::uint32_t, ast::DeclId> struct_decl;
+    std::vector<ast::DeclId> used_imports;
+
+    ir::Types& types() { return program.types; }
+    const std::string& text(Name name) const { return names[name]; }
+    std::string text(ir::TypeId type) const { return ir::to_text(program, type); }
+    const ast::Expr& operator[](ast::ExprId id) const { return tree.exprs[id]; }
+    const ast::Stmt& operator[](ast::StmtId id) const { return tree.stmts[id]; }
+    const ast::Decl& operator[](ast::DeclId id) const { return tree.decls[id]; }
+
+    /// Reports an error, with a note for each instantiation under way.
+    Diagnostic& error(Diag id, Span span, std::initializer_list<std::string_view> arguments = {});
+    /// Adds an instance's environment.
+    Env& new_env(std::uint32_t module);
+};
+
+/// Adds a note to a diagnostic.
+inline void note(Diagnostic& diagnostic, Span span, std::string text) { diagnostic.notes.push_back({span, std::move(text)}); }
+
+}  // namespace gliftc::sema

@@ -1,0 +1,439 @@
+// Statements and expressions that only pipelines and tests have: temporaries, passes, slices, device values, checks.
+#include "sema/body.h"
+#include "sema/components.h"
+#include "sema/generics.h"
+#include "sema/instances.h"
+
+namespace gliftc::sema {
+
+namespace {
+
+std::vector<ast::ExprId> arguments_of(const ast::Expr& call) { return {call.operands.begin() + 1, call.operands.end()}; }
+
+/// The structure instance of an operand: a structure, a slice of one, or a value of slice type.
+std::optional<std::uint32_t> structure_of(Body& body, const Operand& operand) {
+    if (operand.kind == OperandKind::structure) return operand.structure;
+    if (operand.kind == OperandKind::value && body.types().kind(operand.type) == ir::TypeKind::slice)
+        return body.types()[body.types()[operand.type].element].index;
+    return std::nullopt;
+}
+
+struct Argument {
+    ast::ExprId written;
+    Operand operand;
+    bool waits = false;       // a literal: checked once its type is known
+    std::optional<std::uint32_t> structure;
+};
+
+std::vector<Argument> check_arguments(Body& body, const ast::Expr& call, bool& failed) {
+    std::vector<Argument> result;
+    for (ast::ExprId id : arguments_of(call)) {
+        Argument argument;
+        argument.written = id;
+        ast::ExprKind kind = body.context[id].kind;
+        argument.waits = is_flexible(body.context, id) || kind == ast::ExprKind::tuple || kind == ast::ExprKind::none_literal;
+        if (!argument.waits) {
+            argument.operand = check(body, id);
+            failed |= argument.operand.kind == OperandKind::error;
+            argument.structure = structure_of(body, argument.operand);
+        }
+        result.push_back(std::move(argument));
+    }
+    return result;
+}
+
+void infer_arguments(Arguments& generics, const std::vector<ast::Param>& params, const std::vector<Argument>& arguments, Body& body) {
+    for (std::size_t i = 0; i < params.size() && i < arguments.size(); ++i) {
+        if (arguments[i].waits) continue;
+        if (params[i].pattern == ast::Pattern::range && arguments[i].structure) {
+            const ir::Structure structure = body.program().structures[*arguments[i].structure];
+            generics.infer_value(params[i].type, {body.types().uint, {ir::Lane{.bits = body.types().components(structure.domain_type)}}});
+            if (!params[i].extra.empty()) generics.infer(params[i].extra[0], structure.element);
+        } else if (arguments[i].structure) {
+            generics.infer_structure(params[i].type, *arguments[i].structure);
+        } else if (arguments[i].operand.kind == OperandKind::value) {
+            ir::TypeId type = arguments[i].operand.type;
+            if (body.types().kind(type) == ir::TypeKind::device) type = body.types()[type].element;
+            generics.infer(params[i].type, type);
+        }
+    }
+}
+
+/// A value for a kernel or pipeline parameter: of the type itself, or of that type on the device.
+ir::ExprId value_argument(Body& body, const Argument& argument, ir::TypeId wanted, bool device_allowed) {
+    Span span = body.context[argument.written].span;
+    if (argument.waits) return check_value(body, argument.written, wanted);
+    ir::ExprId value = to_value(body, argument.operand);
+    ir::TypeId type = body.program().exprs[value].type;
+    bool on_device = body.types().kind(type) == ir::TypeKind::device && body.types()[type].element == wanted;
+    if (on_device && device_allowed) return value;
+    return coerce(body, value, wanted, span);
+}
+
+bool is_iteration(const ir::KernelParam& param) { return param.pattern == ir::Pattern::each || param.pattern == ir::Pattern::at; }
+
+std::optional<std::vector<ir::ExprId>> kernel_arguments(Body& body, std::uint32_t kernel_index, std::vector<Argument>& arguments) {
+    Context& c = body.context;
+    std::vector<ir::ExprId> values;
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        const ir::KernelParam param = body.program().kernels[kernel_index].params[i];
+        Span span = c[arguments[i].written].span;
+        if (param.pattern == ir::Pattern::value) {
+            values.push_back(value_argument(body, arguments[i], body.program().locals[param.local].type, true));
+        } else {
+            if (!arguments[i].structure || *arguments[i].structure != param.structure) {
+                std::string have = arguments[i].structure ? body.program().structures[*arguments[i].structure].display
+                                   : arguments[i].waits  ? "a number" : c.text(arguments[i].operand.type);
+                note(c.error(Diag::type_mismatch, span, {body.program().structures[param.structure].display, have}), param.span,
+                     "parameter '" + c.text(param.name) + "' is declared here");
+                return std::nullopt;
+            }
+            values.push_back(to_value(body, arguments[i].operand));
+            bool slice = body.types().kind(body.program().exprs[values.back()].type) == ir::TypeKind::slice;
+            if (slice && !is_iteration(param) && param.pattern != ir::Pattern::near) {
+                note(c.error(Diag::slice_not_iterated, span, {c.text(param.name)}), param.span, "'any' and 'scatter' take the whole structure: addresses are its own");
+                return std::nullopt;
+            }
+        }
+        if (is_error(body, values.back())) return std::nullopt;
+    }
+    return values;
+}
+
+std::optional<Operand> call_kernel(Body& body, ast::DeclId id, const std::vector<ast::ExprId>& explicit_generics, const ast::Expr& call) {
+    Context& c = body.context;
+    if (body.kind != BodyKind::pipeline) {
+        c.error(Diag::pass_outside_pipeline, call.span, {c.text(c[id].name.name)});
+        return std::nullopt;
+    }
+    const auto& written = std::get<ast::Kernel>(c[id].body);
+    bool failed = false;
+    std::vector<Argument> arguments = check_arguments(body, call, failed);
+    if (failed) return std::nullopt;
+    Env& env = c.new_env(c.module_of.at(id));
+    Arguments generics(c, c[id], env, call.span);
+    if (!generics.give(body.env, explicit_generics)) return std::nullopt;
+    infer_arguments(generics, written.params, arguments, body);
+    if (!generics.finish()) return std::nullopt;
+    auto kernel = instantiate_kernel(c, id, env, call.span);
+    if (!kernel) return std::nullopt;
+    // `at` alone may be left out where an each-parameter of the same structure gives the range.
+    const std::vector<ir::KernelParam> params = body.program().kernels[*kernel].params;
+    if (arguments.size() + 1 == params.size() && params[0].pattern == ir::Pattern::at) {
+        for (std::size_t i = 1; i < params.size(); ++i) {
+            if (params[i].pattern != ir::Pattern::each || params[i].structure != params[0].structure) continue;
+            arguments.insert(arguments.begin(), arguments[i - 1]);
+            break;
+        }
+    }
+    if (arguments.size() != params.size()) {
+        note(c.error(Diag::argument_count, call.span, {c.text(c[id].name.name), std::to_string(params.size()), std::to_string(arguments.size())}),
+             c[id].name.span, "declared here");
+        return std::nullopt;
+    }
+    auto values = kernel_arguments(body, *kernel, arguments);
+    if (!values) return std::nullopt;
+    ir::StmtId stmt = add(body.program(), ir::StmtOp::dispatch, call.span);
+    body.program().stmts[stmt].slot = *kernel;
+    body.program().stmts[stmt].arguments = std::move(*values);
+    emit(body, stmt);
+    return error_operand(call.span);   // a pass gives no value
+}
+
+std::optional<Operand> call_pipeline(Body& body, ast::DeclId id, const std::vector<ast::ExprId>& explicit_generics, const ast::Expr& call,
+                                     const Operand* owner) {
+    Context& c = body.context;
+    if (body.kind != BodyKind::pipeline) {
+        c.error(Diag::pass_outside_pipeline, call.span, {c.text(c[id].name.name)});
+        return std::nullopt;
+    }
+    const auto& written = std::get<ast::Pipeline>(c[id].body);
+    bool failed = false;
+    std::vector<Argument> arguments = check_arguments(body, call, failed);
+    if (failed) return std::nullopt;
+    if (arguments.size() != written.params.size()) {
+        note(c.error(Diag::argument_count, call.span, {c.text(c[id].name.name), std::to_string(written.params.size()), std::to_string(arguments.size())}),
+             c[id].name.span, "declared here");
+        return std::nullopt;
+    }
+    Env& env = c.new_env(c.module_of.at(id));
+    if (owner) env.bindings = c.structure_env.at(owner->structure)->bindings;
+    Arguments generics(c, c[id], env, call.span);
+    if (!generics.give(body.env, explicit_generics)) return std::nullopt;
+    infer_arguments(generics, written.params, arguments, body);
+    if (!generics.finish()) return std::nullopt;
+    std::vector<std::uint32_t> structures;
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        bool range = written.params[i].pattern == ast::Pattern::range;
+        if (range && !arguments[i].structure) {
+            c.error(Diag::range_wanted, c[arguments[i].written].span, {c.text(written.params[i].name.name)});
+            return std::nullopt;
+        }
+        structures.push_back(range ? *arguments[i].structure : 0);
+    }
+    auto pipeline = instantiate_pipeline(c, id, env, structures, owner ? std::optional(owner->structure) : std::nullopt, call.span);
+    if (!pipeline) return std::nullopt;
+    std::vector<ir::ExprId> values;
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        const ir::PipelineParam param = body.program().pipelines[*pipeline].params[i];
+        ir::TypeId wanted = body.program().locals[param.local].type;
+        if (param.pattern == ir::HostPattern::value) values.push_back(value_argument(body, arguments[i], wanted, false));
+        else {
+            values.push_back(to_value(body, arguments[i].operand));
+            ir::TypeId have = body.program().exprs[values.back()].type;
+            bool whole_for_range = param.pattern == ir::HostPattern::range && have == body.types()[wanted].element;
+            if (have != wanted && !whole_for_range) coerce(body, values.back(), wanted, c[arguments[i].written].span);
+        }
+        if (is_error(body, values.back())) return std::nullopt;
+    }
+    ir::ExprId result = add(body.program(), ir::Op::pipeline_call, body.program().pipelines[*pipeline].result, call.span, std::move(values));
+    body.program().exprs[result].slot = *pipeline;
+    if (owner) body.program().exprs[result].place = owner->place, body.program().exprs[result].local = owner->local;
+    return value_operand(body, result, call.span);
+}
+
+ir::ExprId slice_of(Body& body, const Operand& structure, ir::ExprId low, ir::ExprId high, Span span) {
+    ir::TypeId domain = body.program().structures[structure.structure].domain_type;
+    ir::ExprId size = high;
+    auto known = ir::evaluate(body.program(), low);
+    bool from_zero = known.has_value();
+    if (known) for (const ir::Lane& lane : known->lanes) from_zero &= lane.bits == 0;
+    if (!from_zero) size = make_binary(body.program(), ir::BinaryOp::subtract, domain, high, low, span);
+    ir::TypeId type = body.types().slice(body.types().of_structure(structure.structure));
+    return structure_operation(body, ir::Op::slice, type, structure, span, {low, size});
+}
+
+Operand check_slice(Body& body, const Operand& structure, const ast::Expr& range, Span span) {
+    Context& c = body.context;
+    ir::TypeId domain = body.program().structures[structure.structure].domain_type;
+    ir::ExprId low = check_value(body, range.operands[0], domain);
+    ir::ExprId high = to_value(body, check(body, range.operands[1], domain));
+    if (is_error(body, low) || is_error(body, high)) return error_operand(span);
+    ir::TypeId high_type = body.program().exprs[high].type;
+    bool on_device = body.types().kind(high_type) == ir::TypeKind::device;
+    if (on_device && body.types()[high_type].element == domain) {
+        auto known = ir::evaluate(body.program(), low);
+        if (!known || known->bits() != 0) {
+            note(c.error(Diag::device_slice_origin, span), span, "a slice with a length on the device begins at 0: a[0 .. n]");
+            return error_operand(span);
+        }
+    } else {
+        high = coerce(body, high, domain, c[range.operands[1]].span);
+        if (is_error(body, high)) return error_operand(span);
+    }
+    return value_operand(body, slice_of(body, structure, low, high, span), span);
+}
+
+ir::ExprId make_count(Body& body, const Operand& structure, Span span) {
+    return structure_operation(body, ir::Op::element_count, body.types().uint, structure, span);
+}
+
+/// A slice value as something that `place`-based operations can start at.
+Operand as_structure(Body& body, const Operand& operand, Span span) {
+    if (operand.kind == OperandKind::structure || operand.kind == OperandKind::error) return operand;
+    ir::LocalId local = emit_temporary(body, "part", operand.expr, span);
+    Operand structure;
+    structure.kind = OperandKind::structure;
+    structure.span = span;
+    structure.local = local;
+    structure.is_slice = true;
+    structure.structure = body.types()[body.types()[operand.type].element].index;
+    structure.type = operand.type;
+    return structure;
+}
+
+void emit_expect(Body& body, ir::StmtOp op, std::vector<ir::ExprId> arguments, Span span) {
+    ir::StmtId stmt = add(body.program(), op, span);
+    if (op == ir::StmtOp::expect) body.program().stmts[stmt].value = arguments[0];
+    else body.program().stmts[stmt].arguments = std::move(arguments);
+    emit(body, stmt);
+}
+
+std::optional<Operand> check_expect(Body& body, std::string_view name, const ast::Expr& call) {
+    Context& c = body.context;
+    std::vector<ast::ExprId> arguments = arguments_of(call);
+    bool same = name == "expect_same", near = name == "expect_near";
+    std::size_t least = same ? 2 : near ? 3 : 1, most = same ? 3 : least;
+    if (!body.in_test) {
+        c.error(Diag::expect_outside_test, call.span, {name});
+        return error_operand(call.span);
+    }
+    if (arguments.size() < least || arguments.size() > most) {
+        c.error(Diag::argument_count, call.span, {name, std::to_string(least), std::to_string(arguments.size())});
+        return error_operand(call.span);
+    }
+    if (!same && !near) {
+        ir::ExprId value = check_value(body, arguments[0], body.types().bool_);
+        if (!is_error(body, value)) emit_expect(body, ir::StmtOp::expect, {value}, call.span);
+        return error_operand(call.span);
+    }
+    if (near) {
+        bool flexible = is_flexible(c, arguments[0]);
+        ir::ExprId a = check_value(body, arguments[flexible ? 1 : 0]);
+        ir::TypeId type = body.program().exprs[a].type;
+        ir::ExprId b = check_value(body, arguments[flexible ? 0 : 1], type);
+        if (is_error(body, a) || is_error(body, b)) return error_operand(call.span);
+        ir::ExprId tolerance = check_value(body, arguments[2], body.types().scalar_of(type));
+        if (!is_error(body, tolerance)) emit_expect(body, ir::StmtOp::expect_near, {a, b, tolerance}, call.span);
+        return error_operand(call.span);
+    }
+    std::vector<ir::ExprId> values;
+    std::vector<std::uint32_t> structures;
+    for (std::size_t i = 0; i < 2; ++i) {
+        Operand operand = check(body, arguments[i]);
+        auto structure = structure_of(body, operand);
+        if (operand.kind == OperandKind::error) return operand;
+        if (!structure || body.program().structures[*structure].kind == ir::StructureKind::adaptor) {
+            c.error(Diag::structure_wanted, c[arguments[i]].span, {name});
+            return error_operand(call.span);
+        }
+        require_transfers(c, *structure, call.span);
+        structures.push_back(*structure);
+        values.push_back(to_value(body, operand));
+    }
+    bool comparable = body.program().structures[structures[0]].element == body.program().structures[structures[1]].element &&
+                      body.program().structures[structures[0]].domain_type == body.program().structures[structures[1]].domain_type;
+    if (!comparable) {
+        c.error(Diag::type_mismatch, c[arguments[1]].span, {body.program().structures[structures[0]].display, body.program().structures[structures[1]].display});
+        return error_operand(call.span);
+    }
+    if (arguments.size() == 3) values.push_back(check_value(body, arguments[2], body.types().float_));
+    emit_expect(body, ir::StmtOp::expect_same, std::move(values), call.span);
+    return error_operand(call.span);
+}
+
+/// `temp name = Structure(arguments);` and `let name = View(arguments);`
+bool check_structure_declaration(Body& body, const ast::Stmt& stmt) {
+    Context& c = body.context;
+    bool is_temp = stmt.kind == ast::StmtKind::temp;
+    Operand operand = check(body, stmt.value);
+    if (operand.kind == OperandKind::error) {
+        Symbol broken;
+        broken.kind = SymbolKind::local;
+        broken.type = body.types().error;
+        broken.local = add_local(body.program(), stmt.name.name, body.types().error, stmt.name.span);
+        declare(body, stmt.name, broken);
+        return true;
+    }
+    ir::ExprId value = to_value(body, operand);
+    if (is_error(body, value)) return true;
+    const ir::Expr node = body.program().exprs[value];
+    bool made = node.op == ir::Op::construct && body.types().kind(node.type) == ir::TypeKind::structure;
+    if (is_temp && !made) {
+        note(c.error(Diag::temp_value, c[stmt.value].span), c[stmt.value].span, "'temp' makes a structure: temp name = Structure(arguments); for values write 'let'");
+        return true;
+    }
+    ir::LocalId local = declare_local(body, stmt.name, node.type, stmt.binding == ast::Binding::var);
+    ir::StmtId id = add(body.program(), made ? ir::StmtOp::temp : ir::StmtOp::let, stmt.span);
+    body.program().stmts[id].local = local;
+    if (made) body.program().stmts[id].arguments = node.operands;
+    else body.program().stmts[id].value = value;
+    emit(body, id);
+    if (made) require_transfers(c, body.types()[node.type].index, stmt.span);
+    return true;
+}
+
+bool is_structure_value(Body& body, ast::ExprId id) {
+    const Context& c = body.context;
+    const ast::Expr& expr = c[id];
+    return expr.kind == ast::ExprKind::call || (expr.kind == ast::ExprKind::index && expr.operands.size() == 2 && c[expr.operands[1]].kind == ast::ExprKind::range);
+}
+
+}  // namespace
+
+Operand construct_structure(Body& body, ir::TypeId type, const ast::Expr& call) {
+    Context& c = body.context;
+    if (body.kind != BodyKind::pipeline) {
+        note(c.error(Diag::structure_made_here, call.span, {c.text(type)}), call.span, "structures are made by 'temp' in a pipeline, by 'structure' in another structure, or in C++");
+        return error_operand(call.span);
+    }
+    std::uint32_t index = body.types()[type].index;
+    ast::DeclId decl = c.structure_decl.at(index);
+    const std::vector<ast::Param>* params = nullptr;
+    if (auto* structure = std::get_if<ast::Structure>(&c[decl].body)) params = &structure->constructor;
+    if (auto* view = std::get_if<ast::View>(&c[decl].body)) params = &view->constructor;
+    if (auto* adaptor = std::get_if<ast::Adaptor>(&c[decl].body)) params = &adaptor->constructor;
+    std::vector<ast::ExprId> written = arguments_of(call);
+    if (params->size() != written.size()) {
+        note(c.error(Diag::argument_count, call.span, {c.text(type), std::to_string(params->size()), std::to_string(written.size())}), c[decl].name.span, "declared here");
+        return error_operand(call.span);
+    }
+    std::vector<ir::ExprId> values;
+    for (std::size_t i = 0; i < written.size(); ++i) {
+        ir::TypeId wanted = type_of(c, *c.structure_env.at(index), (*params)[i].type);
+        values.push_back(check_value(body, written[i], wanted));
+        if (is_error(body, values.back())) return error_operand(call.span);
+    }
+    return value_operand(body, add(body.program(), ir::Op::construct, type, call.span, std::move(values)), call.span);
+}
+
+Operand check_pipeline_index(Body& body, const Operand& structure, const ast::Expr& expr) {
+    Context& c = body.context;
+    const ir::Structure instance = body.program().structures[structure.structure];
+    if (instance.kind == ir::StructureKind::adaptor) {
+        c.error(Diag::not_indexable, expr.span, {instance.display});
+        return error_operand(expr.span);
+    }
+    const ast::Expr& index = c[expr.operands[1]];
+    if (index.kind == ast::ExprKind::range) return check_slice(body, structure, index, expr.span);
+    ir::ExprId address = check_value(body, expr.operands[1], instance.domain_type);
+    if (is_error(body, address)) return error_operand(expr.span);
+    if (instance.kind == ir::StructureKind::view) {
+        c.error(Diag::view_read_on_host, expr.span, {instance.display});
+        return error_operand(expr.span);
+    }
+    require_transfers(c, structure.structure, expr.span);
+    return value_operand(body, structure_operation(body, ir::Op::device_read, body.types().device(instance.element), structure, expr.span, {address}), expr.span);
+}
+
+std::optional<Operand> check_pipeline_call(Body& body, const std::vector<ast::DeclId>& decls, const std::vector<ast::ExprId>& generics,
+                                           const ast::Expr& call, const Operand* owner) {
+    if (std::holds_alternative<ast::Kernel>(body.context[decls[0]].body)) return call_kernel(body, decls[0], generics, call);
+    return call_pipeline(body, decls[0], generics, call, owner);
+}
+
+std::optional<Operand> check_pipeline_builtin(Body& body, std::string_view name, const ast::Expr& call) {
+    Context& c = body.context;
+    if (name == "expect" || name == "expect_near" || name == "expect_same") return check_expect(body, name, call);
+    if (name != "count") return std::nullopt;
+    std::vector<ast::ExprId> arguments = arguments_of(call);
+    if (arguments.size() != 1) {
+        c.error(Diag::argument_count, call.span, {name, "1", std::to_string(arguments.size())});
+        return error_operand(call.span);
+    }
+    Operand operand = check(body, arguments[0]);
+    if (operand.kind == OperandKind::error) return operand;
+    if (!structure_of(body, operand)) {
+        c.error(Diag::structure_wanted, c[arguments[0]].span, {name});
+        return error_operand(call.span);
+    }
+    Operand structure = as_structure(body, operand, call.span);
+    return value_operand(body, make_count(body, structure, call.span), call.span);
+}
+
+bool check_pipeline_statement(Body& body, const ast::Stmt& stmt) {
+    Context& c = body.context;
+    switch (stmt.kind) {
+        case ast::StmtKind::temp: return check_structure_declaration(body, stmt);
+        case ast::StmtKind::let:
+            // Views and slices have no type that a user could write; values go the ordinary way.
+            if (stmt.type || !stmt.value || stmt.binding == ast::Binding::const_ || !is_structure_value(body, stmt.value)) return false;
+            return check_structure_declaration(body, stmt);
+        case ast::StmtKind::expression: {
+            const ast::Expr& call = c[stmt.value];
+            if (call.kind != ast::ExprKind::call) return false;
+            Operand operand = check(body, stmt.value);
+            if (operand.kind == OperandKind::value) {
+                const ir::Expr& node = body.program().exprs[operand.expr];
+                if (node.op != ir::Op::call && node.op != ir::Op::pipeline_call) c.error(Diag::no_effect, call.span);
+                ir::StmtId id = add(body.program(), ir::StmtOp::evaluate, stmt.span);
+                body.program().stmts[id].value = operand.expr;
+                emit(body, id);
+            }
+            return true;
+        }
+        default: return false;
+    }
+}
+
+}  // namespace gliftc::sema

@@ -1,0 +1,177 @@
+// Instances of structs, enums and functions, and what all instantiation shares.
+#include "sema/instances.h"
+
+#include "sema/body.h"
+#include "sema/components.h"
+#include "sema/generics.h"
+
+namespace gliftc::sema {
+
+namespace {
+
+constexpr std::size_t instantiation_limit = 64;
+
+ir::TypeId make_struct(Context& c, ast::DeclId id, const Env& env, const std::string& key) {
+    const ast::Decl& decl = c[id];
+    const auto& written = std::get<ast::Struct>(decl.body);
+    auto index = static_cast<std::uint32_t>(c.program.structs.size());
+    ir::Struct record;
+    record.name = decl.name.name;
+    record.display = display_of(c, decl, env);
+    record.module = c.module_of.at(id);
+    record.is_pub = decl.is_pub;
+    record.doc = decl.doc;
+    record.span = decl.name.span;
+    record.extern_header = written.extern_header;
+    c.program.structs.push_back(record);
+    c.instances[key].index = index;
+    c.struct_decl[index] = id;
+    for (const auto& [name, meta] : env.bindings) c.struct_arguments[index].push_back(meta);
+    std::vector<ir::StructField> fields;
+    for (const ast::Field& field : written.fields) {
+        ir::TypeId type = type_of(c, env, field.type);
+        bool storable = c.types().kind(type) != ir::TypeKind::structure && c.types().kind(type) != ir::TypeKind::void_;
+        if (!storable) {
+            c.error(Diag::field_type, c[field.type].span, {c.text(type)});
+            type = c.types().error;
+        }
+        for (const ir::StructField& other : fields)
+            if (other.name == field.name.name) c.error(Diag::duplicate_name, field.name.span, {c.text(field.name.name)});
+        fields.push_back({field.name.name, type, {}, field.doc});
+    }
+    if (fields.empty() && written.extern_header.empty()) c.error(Diag::empty_struct, decl.name.span, {c.text(decl.name.name)});
+    c.program.structs[index].fields = std::move(fields);
+    return c.types().of_struct(index);
+}
+
+ir::TypeId make_enum(Context& c, ast::DeclId id) {
+    const ast::Decl& decl = c[id];
+    ir::Enum made;
+    made.name = decl.name.name;
+    made.module = c.module_of.at(id);
+    made.is_pub = decl.is_pub;
+    made.doc = decl.doc;
+    made.span = decl.name.span;
+    Env env;
+    env.module = made.module;
+    std::uint32_t next = 0;
+    for (const ast::Enumerator& enumerator : std::get<ast::Enum>(decl.body).enumerators) {
+        if (enumerator.value)
+            if (auto value = constant_of(c, env, enumerator.value, c.types().uint)) next = static_cast<std::uint32_t>(value->bits());
+        for (Name other : made.enumerators)
+            if (other == enumerator.name.name) c.error(Diag::duplicate_name, enumerator.name.span, {c.text(other)});
+        made.enumerators.push_back(enumerator.name.name);
+        made.values.push_back(next++);
+    }
+    c.program.enums.push_back(std::move(made));
+    return c.types().of_enum(static_cast<std::uint32_t>(c.program.enums.size() - 1));
+}
+
+}  // namespace
+
+InstantiationScope::InstantiationScope(Context& context, std::string display, Span use) : context_(context) {
+    if (context.requests.size() >= instantiation_limit) {
+        too_deep_ = true;
+        context.error(Diag::endless_instantiation, use, {display});
+    }
+    context_.requests.push_back({std::move(display), use});
+}
+
+InstantiationScope::~InstantiationScope() { context_.requests.pop_back(); }
+
+ir::TypeId instantiate_type(Context& c, ast::DeclId id, const Env& env, Span use) {
+    const ast::Decl& decl = c[id];
+    std::string key = key_of(c, id, env);
+    if (auto found = c.instances.find(key); found != c.instances.end()) {
+        if (found->second.state == Instance::State::in_progress) {
+            c.error(Diag::recursive_type, use, {display_of(c, decl, env)});
+            return c.types().error;
+        }
+        return found->second.state == Instance::State::failed ? c.types().error : found->second.type;
+    }
+    InstantiationScope scope(c, display_of(c, decl, env), use);
+    if (scope.too_deep()) return c.types().error;
+    c.instances[key] = {};
+    ir::TypeId type = c.types().error;
+    if (std::holds_alternative<ast::Struct>(decl.body)) type = make_struct(c, id, env, key);
+    else if (std::holds_alternative<ast::Enum>(decl.body)) type = make_enum(c, id);
+    else if (std::holds_alternative<ast::Structure>(decl.body)) type = make_structure(c, id, env);
+    else if (std::holds_alternative<ast::View>(decl.body)) type = make_view(c, id, env);
+    else if (std::holds_alternative<ast::Adaptor>(decl.body)) type = make_adaptor(c, id, env);
+    else c.error(Diag::not_a_type, use);
+    Instance& instance = c.instances[key];
+    instance.type = type;
+    instance.state = type == c.types().error ? Instance::State::failed : Instance::State::done;
+    return type;
+}
+
+static void declare_params(Body& body, const std::vector<ast::Param>& params, ir::Function& function, std::size_t first_structure,
+                          const std::vector<std::uint32_t>& structures) {
+    Context& c = body.context;
+    for (const ast::Param& param : params) {
+        ir::TypeId type = param.type ? type_of(c, body.env, param.type) : c.types().error;
+        if (!param.type) c.error(Diag::param_type, param.name.span, {c.text(param.name.name)});
+        if (param.direction == ast::Direction::out || param.direction == ast::Direction::inout)
+            c.error(Diag::function_out, param.direction_span);
+        if (c.types().kind(type) != ir::TypeKind::structure) {
+            function.params.push_back(declare_local(body, param.name, type, false, false));
+            continue;
+        }
+        Symbol symbol;
+        symbol.kind = SymbolKind::structure;
+        symbol.place.root = static_cast<std::uint32_t>(first_structure);
+        symbol.structure = structures[first_structure++];
+        declare(body, param.name, symbol);
+    }
+}
+
+std::optional<ir::FunctionId> instantiate_function(Context& c, ast::DeclId id, const Env& env, const std::vector<std::uint32_t>& structures,
+                                                   Span use) {
+    const ast::Decl& decl = c[id];
+    const auto& written = std::get<ast::Function>(decl.body);
+    std::string key = key_of(c, id, env);
+    for (std::uint32_t structure : structures) key += "@" + std::to_string(structure);
+    if (auto found = c.instances.find(key); found != c.instances.end()) {
+        if (found->second.state == Instance::State::failed) return std::nullopt;
+        if (found->second.state == Instance::State::in_progress) {
+            note(c.error(Diag::recursion, use, {c.text(decl.name.name)}), decl.name.span, "shaders have no call stack: use a loop");
+            return std::nullopt;
+        }
+        return ir::FunctionId{found->second.index};
+    }
+    InstantiationScope scope(c, display_of(c, decl, env), use);
+    if (scope.too_deep()) return std::nullopt;
+    c.instances[key] = {};
+    std::size_t errors = c.diagnostics.error_count();
+    ir::Function function;
+    function.name = decl.name.name;
+    function.display = display_of(c, decl, env);
+    function.span = decl.name.span;
+    function.module = c.module_of.at(id);
+    function.is_pub = decl.is_pub;
+    function.doc = decl.doc;
+    function.structures = structures;
+    function.result = written.result ? type_of(c, env, written.result) : c.types().void_;
+    if (decl.is_extern) function.extern_name = c.text(decl.name.name);
+    Body body{.context = c, .env = env, .kind = BodyKind::function, .block = &function.body, .result = function.result};
+    std::size_t parameters = 0;
+    for (const ast::Param& param : written.params)
+        parameters += c.types().kind(type_of(c, env, param.type)) == ir::TypeKind::structure;
+    if (structures.size() > parameters) bring_members_into_scope(body, structures[0]);
+    open_scope(body);
+    declare_params(body, written.params, function, structures.size() - parameters, structures);
+    check_block(body, written.body);
+    close_scope(body);
+    bool returns = function.result == c.types().void_ || function.result == c.types().error || decl.is_extern ||
+                   always_returns(c.program, function.body);
+    if (!returns && c.diagnostics.error_count() == errors)
+        c.error(Diag::missing_return, decl.name.span, {c.text(decl.name.name), c.text(function.result)});
+    Instance& instance = c.instances[key];
+    instance.state = c.diagnostics.error_count() == errors ? Instance::State::done : Instance::State::failed;
+    if (instance.state == Instance::State::failed) return std::nullopt;
+    ir::FunctionId made = c.program.functions.add(std::move(function));
+    c.instances[key].index = made.index;
+    return made;
+}
+
+}  // namespace gliftc::sema

@@ -1,0 +1,41 @@
+// From a declaration and generic arguments to an instance in the Program, made once.
+#pragma once
+
+#include "sema/context.h"
+
+namespace gliftc::sema {
+
+/// A struct, enum, structure, view, adaptor, or an alias of one, as a type. Arguments are already checked, in `env`.
+ir::TypeId instantiate_type(Context&, ast::DeclId, const Env&, Span use);
+
+/// The translator instances that a translator declaration or alias means.
+std::optional<std::vector<std::uint32_t>> instantiate_translator(Context&, ast::DeclId, const Env&, Span use);
+
+/// A function with its argument places' structure instances, in `structures`.
+std::optional<ir::FunctionId> instantiate_function(Context&, ast::DeclId, const Env&, const std::vector<std::uint32_t>& structures,
+                                                   Span use);
+
+std::optional<std::uint32_t> instantiate_kernel(Context&, ast::DeclId, const Env&, Span use);
+
+/// `ranges`: for each parameter of pattern range, the structure instance passed (others 0). `owner`: an adaptor's instance.
+std::optional<std::uint32_t> instantiate_pipeline(Context&, ast::DeclId, const Env&, const std::vector<std::uint32_t>& structures,
+                                                  std::optional<std::uint32_t> owner, Span use);
+
+/// Makes sure that boxes of the structure can be moved between host and device: Program::transfers.
+void require_transfers(Context&, std::uint32_t structure, Span use);
+
+void instantiate_test(Context&, ast::DeclId);
+
+/// Guards one instantiation: adds a Request, refuses endless ones.
+class InstantiationScope {
+public:
+    InstantiationScope(Context& context, std::string display, Span use);
+    ~InstantiationScope();
+    bool too_deep() const { return too_deep_; }
+
+private:
+    Context& context_;
+    bool too_deep_ = false;
+};
+
+}  // namespace gliftc::sema

@@ -1,0 +1,180 @@
+// Calls of the functions that every target has: their signatures are one string each, read here.
+#include "sema/body.h"
+
+#include <unordered_map>
+
+namespace gliftc::sema {
+
+namespace {
+
+/// One parameter of a signature.
+struct Shape {
+    char letter;
+    bool or_scalar;    // "Nn": a scalar of the element type is taken too
+};
+
+struct Signature {
+    std::vector<Shape> params;
+    char result;
+    bool subgroup = false;
+    bool atomic = false;      // the first parameter is a place in workgroup memory
+};
+
+Signature read(std::string_view text) {
+    Signature signature{};
+    std::size_t i = 0;
+    if (text.starts_with('@')) signature.atomic = true, i = 1;
+    for (; text[i] != ':'; ++i) {
+        bool follows_capital = !signature.params.empty() && text[i] == 'n' && std::string_view("NF").find(signature.params.back().letter) != std::string_view::npos;
+        if (follows_capital && !signature.params.back().or_scalar) signature.params.back().or_scalar = true;
+        else signature.params.push_back({text[i], false});
+    }
+    signature.result = text[i + 1];
+    signature.subgroup = text.ends_with('*');
+    return signature;
+}
+
+bool accepts(const ir::Types& types, char letter, ir::TypeId type) {
+    ir::TypeId scalar = types.scalar_of(type);
+    bool shaped = types.is_scalar(type) || types.is_vector(type);
+    switch (letter) {
+        case 'F': return shaped && types.is_floating(scalar);
+        case 'V': return (types.is_vector(type) || types.is_scalar(type)) && types.is_floating(scalar);
+        case 'N': return shaped && types.is_number(scalar);
+        case 'I': return shaped && types.is_integer(scalar);
+        case 'U': return shaped && types.kind(scalar) == ir::TypeKind::uint;
+        case 'S': return shaped && types.kind(scalar) == ir::TypeKind::int_;
+        case 'B': return shaped && types.kind(scalar) == ir::TypeKind::bool_;
+        case 'M': return types.is_matrix(type);
+        case 'f': return type == types.float_;
+        case 'u': return type == types.uint;
+        case 'i': return type == types.int_;
+        case 'b': return type == types.bool_;
+        case '2': return types.is_vector(type) && types.components(type) == 2 && scalar == types.float_;
+        case '4': return types.is_vector(type) && types.components(type) == 4 && scalar == types.float_;
+        default: return false;
+    }
+}
+
+ir::TypeId result_of(ir::Types& types, char letter, ir::TypeId argument) {
+    switch (letter) {
+        case 'b': return types.bool_;
+        case 'u': return types.uint;
+        case '2': return types.vector(types.float_, 2);
+        case '4': return types.vector(types.float_, 4);
+        case '=': return types.scalar_of(argument);
+        case 'B': return types.with_scalar(argument, types.bool_);
+        case 'S': return types.with_scalar(argument, types.int_);
+        case 'U': return types.with_scalar(argument, types.uint);
+        default: return argument;
+    }
+}
+
+/// Where the result is the bits of another type, its letter differs from the first parameter's.
+ir::TypeId result_type(ir::Types& types, const Signature& signature, ir::TypeId argument) {
+    if (signature.result == 'F' && !signature.params.empty() && (signature.params[0].letter == 'U' || signature.params[0].letter == 'S'))
+        return types.with_scalar(argument, types.float_);
+    return result_of(types, signature.result, argument);
+}
+
+bool is_generic_letter(char letter) { return std::string_view("FVNIUSBM").find(letter) != std::string_view::npos; }
+
+ir::TypeId fixed_type(ir::Types& types, char letter) {
+    switch (letter) {
+        case 'f': return types.float_;
+        case 'u': return types.uint;
+        case 'i': return types.int_;
+        case 'b': return types.bool_;
+        case '2': return types.vector(types.float_, 2);
+        case '4': return types.vector(types.float_, 4);
+        default: return {};
+    }
+}
+
+/// The literals' type: that of the other arguments, else what is wanted, else float where floats are needed.
+ir::TypeId literal_hint(ir::Types& types, char letter, ir::TypeId common, ir::TypeId wanted) {
+    if (common) return types.scalar_of(common);
+    if (wanted && accepts(types, letter, wanted)) return types.scalar_of(wanted);
+    if (letter == 'F' || letter == 'V') return types.float_;
+    return {};
+}
+
+Operand wrong_argument(Body& body, ir::Intrinsic intrinsic, Span span, ir::TypeId type) {
+    body.context.error(Diag::intrinsic_argument, span, {ir::name_of(intrinsic), body.context.text(type)});
+    return error_operand(span);
+}
+
+}  // namespace
+
+std::optional<ir::Intrinsic> find_intrinsic(std::string_view name) {
+    static const auto table = [] {
+        std::unordered_map<std::string_view, ir::Intrinsic> names;
+#define INTRINSIC(name, signature, exactness) names.emplace(#name, ir::Intrinsic::name);
+#include "ir/intrinsics.def"
+#undef INTRINSIC
+        return names;
+    }();
+    auto found = table.find(name);
+    return found == table.end() ? std::nullopt : std::optional(found->second);
+}
+
+Operand call_intrinsic(Body& body, ir::Intrinsic intrinsic, const std::vector<ast::ExprId>& arguments, const ast::Expr& call,
+                       ir::TypeId wanted) {
+    Context& c = body.context;
+    ir::Types& types = body.types();
+    Signature signature = read(ir::signature_of(intrinsic));
+    std::string name(ir::name_of(intrinsic));
+    if (signature.params.size() != arguments.size()) {
+        c.error(Diag::argument_count, call.span, {name, std::to_string(signature.params.size()), std::to_string(arguments.size())});
+        return error_operand(call.span);
+    }
+    if ((signature.subgroup || signature.atomic) && !(body.kernel && body.kernel->grouped())) {
+        note(c.error(Diag::needs_group, call.span, {name}), call.span, "write 'group(size)' after the kernel's parameters");
+        return error_operand(call.span);
+    }
+    std::vector<ir::ExprId> operands(arguments.size());
+    ir::TypeId common;
+    for (int round = 0; round < 2; ++round) {
+        for (std::size_t i = 0; i < arguments.size(); ++i) {
+            bool flexible = is_flexible(c, arguments[i]);
+            if (flexible != (round == 1)) continue;
+            const Shape& shape = signature.params[i];
+            ir::TypeId hint = fixed_type(types, shape.letter);
+            if (!hint && flexible) hint = literal_hint(types, shape.letter, common, wanted);
+            if (!hint && !flexible) hint = common ? common : wanted;
+            operands[i] = hint == fixed_type(types, shape.letter) && hint ? check_value(body, arguments[i], hint)
+                                                                         : to_value(body, check(body, arguments[i], hint));
+            if (is_error(body, operands[i])) return error_operand(call.span);
+            ir::TypeId type = body.program().exprs[operands[i]].type;
+            if (!accepts(types, shape.letter, type)) return wrong_argument(body, intrinsic, c[arguments[i]].span, type);
+            if (is_generic_letter(shape.letter) && (!common || types.components(type) > types.components(common))) common = type;
+        }
+    }
+    ir::TypeId first = operands.empty() ? types.bool_ : body.program().exprs[operands[0]].type;
+    if (signature.params.size() && signature.params[0].or_scalar && common) first = common;
+    for (std::size_t i = 0; i < operands.size(); ++i) {
+        const Shape& shape = signature.params[i];
+        if (!is_generic_letter(shape.letter)) continue;
+        ir::TypeId type = body.program().exprs[operands[i]].type;
+        if (type == common) continue;
+        bool scalar = types.is_scalar(type) && type == types.scalar_of(common);
+        // A literal among vectors stands for all components; so does a scalar where GLSL takes one.
+        if (!scalar || !(shape.or_scalar || is_flexible(c, arguments[i]))) return wrong_argument(body, intrinsic, c[arguments[i]].span, type);
+        operands[i] = add(body.program(), ir::Op::construct, common, call.span, {operands[i]});
+    }
+    if (signature.atomic) {
+        const ir::Expr* root = &body.program().exprs[operands[0]];
+        while (root->op == ir::Op::index || root->op == ir::Op::field) root = &body.program().exprs[root->operands[0]];
+        bool shared = root->op == ir::Op::local && body.program().locals[root->local].storage == ir::Storage::shared;
+        if (!shared) {
+            c.error(Diag::atomic_target, c[arguments[0]].span, {name});
+            return error_operand(call.span);
+        }
+    }
+    ir::TypeId type = result_type(types, signature, common && !operands.empty() && is_generic_letter(signature.params[0].letter) ? common : first);
+    ir::ExprId result = add(body.program(), ir::Op::intrinsic, type, call.span, std::move(operands));
+    body.program().exprs[result].intrinsic = intrinsic;
+    return value_operand(body, result, call.span);
+}
+
+}  // namespace gliftc::sema

@@ -1,0 +1,164 @@
+// Iterator parameters in kernel bodies: what reading and assigning them means.
+#include "sema/body.h"
+
+namespace gliftc::sema {
+
+namespace {
+
+ir::ExprId element_of(Body& body, std::uint32_t param, Span span) {
+    ir::ExprId id = add(body.program(), ir::Op::element, body.program().structures[body.kernel->params[param].structure].element, span);
+    body.program().exprs[id].place.root = param;
+    return id;
+}
+
+void emit_set_element(Body& body, std::uint32_t param, ir::ExprId value, Span span) {
+    ir::StmtId id = add(body.program(), ir::StmtOp::set_element, span);
+    body.program().stmts[id].place.root = param;
+    body.program().stmts[id].value = value;
+    emit(body, id);
+}
+
+ir::ExprId combined(Body& body, const ast::Stmt& stmt, ir::ExprId before) {
+    ir::TypeId type = body.program().exprs[before].type;
+    if (!stmt.op) return check_value(body, stmt.value, type);
+    bool flexible = is_flexible(body.context, stmt.value);
+    ir::ExprId value = to_value(body, check(body, stmt.value, flexible ? body.types().scalar_of(type) : type));
+    if (is_error(body, value)) return value;
+    ir::TypeId other = body.program().exprs[value].type;
+    bool arithmetic = body.types().is_number(body.types().scalar_of(type));
+    if (!arithmetic || (other != type && other != body.types().scalar_of(type))) return coerce(body, value, type, body.context[stmt.value].span);
+    return make_binary(body.program(), static_cast<ir::BinaryOp>(*stmt.op), type, before, value, stmt.span);
+}
+
+void assign_element(Body& body, const ast::Stmt& stmt, const Symbol& symbol) {
+    const ir::KernelParam& param = body.kernel->params[symbol.slot];
+    if (stmt.op && param.direction == ir::Direction::out) {
+        note(body.context.error(Diag::out_read, stmt.span, {body.context.text(param.name)}), param.span, "'inout' reads and writes");
+        return;
+    }
+    ir::ExprId value = combined(body, stmt, element_of(body, symbol.slot, stmt.span));
+    if (!is_error(body, value)) emit_set_element(body, symbol.slot, value, stmt.span);
+}
+
+/// `g.x = v` and `g[i] = v` on the current element: a copy is changed and set back.
+void assign_part(Body& body, const ast::Stmt& stmt, Symbol& symbol, ast::ExprId root) {
+    const ir::KernelParam& param = body.kernel->params[symbol.slot];
+    if (param.direction != ir::Direction::inout) {
+        note(body.context.error(Diag::out_read, stmt.span, {body.context.text(param.name)}), param.span,
+             "changing a part keeps the rest, which must be read: 'inout' reads and writes");
+        return;
+    }
+    ir::LocalId copy = emit_temporary(body, body.context.text(param.name), element_of(body, symbol.slot, stmt.span), stmt.span);
+    body.program().locals[copy].is_mutable = true;
+    open_scope(body);
+    Symbol local;
+    local.kind = SymbolKind::local;
+    local.local = copy;
+    local.type = body.program().locals[copy].type;
+    declare(body, {body.context[root].name, stmt.span}, local);
+    ir::ExprId target = check_value(body, stmt.target);
+    ir::ExprId value = is_error(body, target) ? target : combined(body, stmt, target);
+    close_scope(body);
+    if (is_error(body, value)) return;
+    ir::StmtId assign = add(body.program(), ir::StmtOp::assign, stmt.span);
+    body.program().stmts[assign].target = target;
+    body.program().stmts[assign].value = value;
+    emit(body, assign);
+    emit_set_element(body, symbol.slot, make_local(body.program(), copy, stmt.span), stmt.span);
+}
+
+bool combines(const ir::Types& types, ir::Combine combine, ir::TypeId element) {
+    switch (combine) {
+        case ir::Combine::replace: return true;
+        case ir::Combine::min: case ir::Combine::max: case ir::Combine::add:
+            return element == types.int_ || element == types.uint || element == types.float_;
+        case ir::Combine::bit_and: case ir::Combine::bit_or: case ir::Combine::bit_xor:
+            return element == types.int_ || element == types.uint;
+    }
+    return false;
+}
+
+void write_scatter(Body& body, const ast::Stmt& stmt, const Symbol& symbol) {
+    Context& c = body.context;
+    const ir::KernelParam& param = body.kernel->params[symbol.slot];
+    const ir::Structure& structure = body.program().structures[param.structure];
+    const ast::Expr& target = c[stmt.target];
+    if (target.operands.size() != 2) {
+        c.error(Diag::index_count, target.span, {std::to_string(target.operands.size() - 1)});
+        return;
+    }
+    if (stmt.op) {
+        note(c.error(Diag::scatter_read, stmt.span, {c.text(param.name)}), param.span, "the parameter's own operation combines: write '='");
+        return;
+    }
+    ir::TypeId element = structure.element;
+    ir::ExprId address = check_value(body, target.operands[1], structure.domain_type);
+    ir::ExprId value = check_value(body, stmt.value, element);
+    if (is_error(body, address) || is_error(body, value)) return;
+    if (!combines(body.types(), param.combine, element)) return;   // reported at the parameter
+    ir::StmtId id = add(body.program(), ir::StmtOp::write, stmt.span);
+    ir::Stmt& write = body.program().stmts[id];
+    write.place.root = symbol.slot;
+    write.target = address;
+    write.value = value;
+    write.combine = param.combine;
+    emit(body, id);
+}
+
+}  // namespace
+
+Operand iterator_value(Body& body, const Operand& iterator) {
+    Context& c = body.context;
+    const ir::KernelParam& param = body.kernel->params[iterator.slot];
+    const std::string& name = c.text(param.name);
+    switch (param.pattern) {
+        case ir::Pattern::each:
+            if (param.direction == ir::Direction::out) {
+                note(c.error(Diag::out_read, iterator.span, {name}), param.span, "'inout' reads and writes");
+                return error_operand(iterator.span);
+            }
+            return value_operand(body, element_of(body, iterator.slot, iterator.span), iterator.span);
+        case ir::Pattern::at: {
+            ir::ExprId id = add(body.program(), ir::Op::address, body.program().structures[param.structure].domain_type, iterator.span);
+            body.program().exprs[id].place.root = iterator.slot;
+            return value_operand(body, id, iterator.span);
+        }
+        case ir::Pattern::near:
+            note(c.error(Diag::not_a_value, iterator.span, {"the iterator '" + name + "'"}), iterator.span,
+                 "the current element is " + name + "[0]");
+            return error_operand(iterator.span);
+        case ir::Pattern::scatter:
+        case ir::Pattern::any:
+        case ir::Pattern::value: c.error(Diag::not_a_value, iterator.span, {"the iterator '" + name + "'"}); break;
+    }
+    return error_operand(iterator.span);
+}
+
+bool check_iterator_assignment(Body& body, const ast::Stmt& stmt) {
+    Context& c = body.context;
+    ast::ExprId root = stmt.target;
+    while (c[root].kind == ast::ExprKind::member || c[root].kind == ast::ExprKind::index) root = c[root].operands[0];
+    if (c[root].kind != ast::ExprKind::name) return false;
+    Symbol* symbol = find_symbol(body, c[root].name);
+    if (!symbol) return false;
+    bool is_read_place = symbol->kind == SymbolKind::structure;
+    if (symbol->kind != SymbolKind::iterator && !is_read_place) return false;
+    symbol->used = true;
+    const ir::KernelParam* param = symbol->kind == SymbolKind::iterator ? &body.kernel->params[symbol->slot] : nullptr;
+    bool writable = param && param->direction != ir::Direction::in && param->pattern != ir::Pattern::near && param->pattern != ir::Pattern::at;
+    if (!writable) {
+        Diagnostic& diagnostic = c.error(Diag::in_written, c[stmt.target].span, {c.text(c[root].name)});
+        if (param) note(diagnostic, param->span, "declared 'in' here");
+        return true;
+    }
+    if (param->pattern == ir::Pattern::scatter) {
+        if (c[stmt.target].kind == ast::ExprKind::index && c[stmt.target].operands[0] == root) write_scatter(body, stmt, *symbol);
+        else note(c.error(Diag::not_assignable, c[stmt.target].span), param->span, "a scatter parameter is written as name[address] = value");
+        return true;
+    }
+    if (root == stmt.target) assign_element(body, stmt, *symbol);
+    else assign_part(body, stmt, *symbol, root);
+    return true;
+}
+
+}  // namespace gliftc::sema

@@ -1,0 +1,199 @@
+#include "sema/components.h"
+#include "sema/generics.h"
+#include "sema/instances.h"
+
+namespace gliftc::sema {
+
+namespace {
+
+ir::Pattern lowered(ast::Pattern pattern) {
+    switch (pattern) {
+        case ast::Pattern::none:
+        case ast::Pattern::range: return ir::Pattern::value;
+        case ast::Pattern::each: return ir::Pattern::each;
+        case ast::Pattern::near: return ir::Pattern::near;
+        case ast::Pattern::any: return ir::Pattern::any;
+        case ast::Pattern::at: return ir::Pattern::at;
+        case ast::Pattern::scatter: return ir::Pattern::scatter;
+    }
+    return ir::Pattern::value;
+}
+
+std::optional<ir::Combine> combine_of(std::string_view name) {
+    if (name == "min") return ir::Combine::min;
+    if (name == "max") return ir::Combine::max;
+    if (name == "add") return ir::Combine::add;
+    if (name == "and") return ir::Combine::bit_and;
+    if (name == "or") return ir::Combine::bit_or;
+    if (name == "xor") return ir::Combine::bit_xor;
+    return std::nullopt;
+}
+
+/// Is the direction one that the pattern allows?
+void check_direction(Context& c, const ast::Param& param, ir::KernelParam& made) {
+    bool reads_only = made.pattern == ir::Pattern::near || made.pattern == ir::Pattern::any || made.pattern == ir::Pattern::at;
+    bool writes_only = made.pattern == ir::Pattern::scatter;
+    switch (param.direction) {
+        case ast::Direction::none:
+            made.direction = writes_only ? ir::Direction::out : ir::Direction::in;
+            if (made.pattern == ir::Pattern::each || writes_only)
+                note(c.error(Diag::direction_missing, param.name.span, {c.text(param.name.name)}), param.name.span, "write 'in', 'out' or 'inout' before the pattern");
+            break;
+        case ast::Direction::in: made.direction = ir::Direction::in; break;
+        case ast::Direction::out: made.direction = ir::Direction::out; break;
+        case ast::Direction::inout: made.direction = ir::Direction::inout; break;
+    }
+    bool wrong = (reads_only && made.direction != ir::Direction::in) || (writes_only && made.direction != ir::Direction::out);
+    if (wrong) {
+        Diagnostic& diagnostic = c.error(Diag::direction, param.direction_span, {c.text(param.name.name)});
+        note(diagnostic, param.pattern_span, reads_only ? "near, any and at only read: 'in'; scatter<S> writes anywhere" : "scatter only writes: 'out'");
+    }
+}
+
+void check_extra(Context& c, const Env& env, const ast::Param& param, ir::KernelParam& made) {
+    if (made.pattern == ir::Pattern::near) {
+        auto radius = param.extra.empty() ? std::optional<std::uint32_t>{} : count_of(c, env, param.extra[0]);
+        if (param.extra.empty()) note(c.error(Diag::near_without_radius, param.pattern_span), param.pattern_span, "write near<S, 1> for a window of radius 1");
+        if (radius && (*radius == 0 || *radius > 32)) c.error(Diag::radius_range, c[param.extra[0]].span, {std::to_string(*radius)});
+        made.radius = radius.value_or(1);
+        return;
+    }
+    if (made.pattern != ir::Pattern::scatter) {
+        if (!param.extra.empty()) c.error(Diag::pattern_arguments, c[param.extra[0]].span);
+        return;
+    }
+    if (param.extra.empty()) return;
+    const ast::Expr& op = c[param.extra[0]];
+    auto combine = op.kind == ast::ExprKind::name ? combine_of(c.text(op.name)) : std::nullopt;
+    if (!combine) {
+        note(c.error(Diag::scatter_operation, op.span), op.span, "one of min, max, add, and, or, xor; none: the writes must not meet");
+        return;
+    }
+    made.combine = *combine;
+    ir::TypeId element = c.program.structures[made.structure].element;
+    bool bits = made.combine >= ir::Combine::bit_and;
+    bool fits = element == c.types().int_ || element == c.types().uint || (element == c.types().float_ && !bits);
+    if (!fits)
+        c.error(Diag::scatter_element, op.span, {c.text(op.name), c.text(element)});
+}
+
+void add_param(Body& body, const ast::Param& param, ir::Kernel& kernel) {
+    Context& c = body.context;
+    ir::KernelParam made;
+    made.name = param.name.name;
+    made.span = param.name.span;
+    made.pattern = lowered(param.pattern);
+    auto index = static_cast<std::uint32_t>(kernel.params.size());
+    if (param.pattern == ast::Pattern::range) c.error(Diag::range_in_kernel, param.pattern_span);
+    ir::TypeId type = type_of(c, body.env, param.type);
+    if (made.pattern == ir::Pattern::value) {
+        bool is_structure = c.types().kind(type) == ir::TypeKind::structure;
+        if (is_structure)
+            note(c.error(Diag::structure_needs_pattern, c[param.type].span, {c.text(param.name.name)}), c[param.type].span,
+                 "say how the kernel touches it: each<…>, near<…, r>, any<…>, at<…> or scatter<…>");
+        made.local = declare_local(body, param.name, is_structure ? c.types().error : type, false, false);
+        kernel.params.push_back(std::move(made));
+        return;
+    }
+    if (c.types().kind(type) != ir::TypeKind::structure) {
+        if (type != c.types().error) c.error(Diag::pattern_needs_structure, c[param.type].span, {c.text(type)});
+        Symbol broken;
+        broken.kind = SymbolKind::local;
+        broken.type = c.types().error;
+        broken.local = add_local(c.program, param.name.name, c.types().error, param.name.span);
+        declare(body, param.name, broken);
+        kernel.params.push_back(std::move(made));
+        return;
+    }
+    made.structure = c.types()[type].index;
+    const ir::Structure structure = c.program.structures[made.structure];
+    if (structure.kind == ir::StructureKind::adaptor) c.error(Diag::adaptor_in_kernel, c[param.type].span, {structure.display});
+    check_direction(c, param, made);
+    check_extra(c, body.env, param, made);
+    if (structure.kind == ir::StructureKind::view && made.direction != ir::Direction::in) c.error(Diag::view_written, param.name.span, {structure.display});
+    bool iterates = made.pattern == ir::Pattern::each || made.pattern == ir::Pattern::at;
+    if (iterates && !structure.domain && structure.kind != ir::StructureKind::adaptor) c.error(Diag::no_domain, param.name.span, {structure.display});
+    Symbol symbol;
+    symbol.kind = made.pattern == ir::Pattern::any ? SymbolKind::structure : SymbolKind::iterator;
+    symbol.place.root = index;
+    symbol.slot = index;
+    symbol.structure = made.structure;
+    declare(body, param.name, symbol);
+    kernel.params.push_back(std::move(made));
+}
+
+/// The virtual domain that the kernel runs over: all its each and at parameters share it.
+void find_domain(Context& c, ir::Kernel& kernel) {
+    const ir::KernelParam* first = nullptr;
+    for (const ir::KernelParam& param : kernel.params) {
+        if (param.pattern != ir::Pattern::each && param.pattern != ir::Pattern::at) continue;
+        ir::TypeId domain = c.program.structures[param.structure].domain_type;
+        if (!first) first = &param, kernel.domain_type = domain;
+        else if (domain != kernel.domain_type) {
+            note(c.error(Diag::domain_mismatch, param.span, {c.text(param.name), c.text(domain), c.text(first->name), c.text(kernel.domain_type)}),
+                 first->span, "the iteration follows this one");
+        }
+    }
+    if (!first) {
+        note(c.error(Diag::no_iteration, kernel.span, {kernel.display}), kernel.span,
+             "a kernel runs once for each element of an 'each' or 'at' parameter: give it one");
+        return;
+    }
+    for (const ir::KernelParam& param : kernel.params) {
+        if (param.pattern != ir::Pattern::near) continue;
+        ir::TypeId domain = c.program.structures[param.structure].domain_type;
+        if (domain != kernel.domain_type)
+            note(c.error(Diag::domain_mismatch, param.span, {c.text(param.name), c.text(domain), c.text(first->name), c.text(kernel.domain_type)}),
+                 first->span, "the iteration follows this one");
+    }
+}
+
+void read_group(Context& c, const Env& env, const ast::Kernel& written, ir::Kernel& kernel) {
+    if (written.group.empty()) return;
+    std::uint64_t product = 1;
+    kernel.group = {1, 1, 1};
+    for (std::size_t i = 0; i < written.group.size() && i < 3; ++i) {
+        auto count = count_of(c, env, written.group[i]);
+        if (!count) return;
+        kernel.group[i] = *count;
+        product *= *count;
+    }
+    Span span = c[written.group[0]].span;
+    if (written.group.size() > 3 || product == 0 || product > 1024) c.error(Diag::group_range, span, {std::to_string(product)});
+}
+
+}  // namespace
+
+std::optional<std::uint32_t> instantiate_kernel(Context& c, ast::DeclId id, const Env& env, Span use) {
+    const ast::Decl& decl = c[id];
+    const auto& written = std::get<ast::Kernel>(decl.body);
+    std::string key = key_of(c, id, env);
+    if (auto found = c.instances.find(key); found != c.instances.end())
+        return found->second.state == Instance::State::done ? std::optional(found->second.index) : std::nullopt;
+    InstantiationScope scope(c, display_of(c, decl, env), use);
+    if (scope.too_deep()) return std::nullopt;
+    c.instances[key] = {};
+    std::size_t errors = c.diagnostics.error_count();
+    ir::Kernel kernel;
+    kernel.name = decl.name.name;
+    kernel.display = display_of(c, decl, env);
+    kernel.span = decl.name.span;
+    kernel.module = c.module_of.at(id);
+    kernel.is_pub = decl.is_pub && decl.generics.empty();
+    kernel.doc = decl.doc;
+    read_group(c, env, written, kernel);
+    Body body{.context = c, .env = env, .kind = BodyKind::kernel, .block = &kernel.body, .result = c.types().void_, .kernel = &kernel};
+    for (const ast::Param& param : written.params) add_param(body, param, kernel);
+    find_domain(c, kernel);
+    open_scope(body);
+    check_block(body, written.body);
+    close_scope(body);
+    Instance& instance = c.instances[key];
+    instance.state = c.diagnostics.error_count() == errors ? Instance::State::done : Instance::State::failed;
+    if (instance.state == Instance::State::failed) return std::nullopt;
+    instance.index = static_cast<std::uint32_t>(c.program.kernels.size());
+    c.program.kernels.push_back(std::move(kernel));
+    return instance.index;
+}
+
+}  // namespace gliftc::sema

@@ -1,0 +1,407 @@
+#include "sema/meta.h"
+
+#include "sema/body.h"
+#include "sema/generics.h"
+#include "sema/instances.h"
+
+#include <algorithm>
+#include <array>
+
+namespace gliftc::sema {
+
+namespace {
+
+struct FormatName { std::string_view name; ir::Format format; };
+constexpr std::array formats = {
+    FormatName{"r8", ir::Format::r8}, FormatName{"rg8", ir::Format::rg8}, FormatName{"rgba8", ir::Format::rgba8},
+    FormatName{"r16f", ir::Format::r16f}, FormatName{"rg16f", ir::Format::rg16f}, FormatName{"rgba16f", ir::Format::rgba16f},
+    FormatName{"r32f", ir::Format::r32f}, FormatName{"rg32f", ir::Format::rg32f}, FormatName{"rgba32f", ir::Format::rgba32f},
+    FormatName{"r8ui", ir::Format::r8ui}, FormatName{"r16ui", ir::Format::r16ui}, FormatName{"r32ui", ir::Format::r32ui},
+    FormatName{"rg32ui", ir::Format::rg32ui}, FormatName{"rgba32ui", ir::Format::rgba32ui}, FormatName{"r32i", ir::Format::r32i},
+    FormatName{"rg32i", ir::Format::rg32i}, FormatName{"rgba32i", ir::Format::rgba32i}, FormatName{"rgba8ui", ir::Format::rgba8ui},
+    FormatName{"d32", ir::Format::d32},
+};
+
+struct ShapeName { std::string_view name; ir::MemoryShape shape; };
+constexpr std::array shapes = {
+    ShapeName{"buffer", ir::MemoryShape::buffer}, ShapeName{"image1d", ir::MemoryShape::image1d},
+    ShapeName{"image2d", ir::MemoryShape::image2d}, ShapeName{"image3d", ir::MemoryShape::image3d},
+    ShapeName{"imagecube", ir::MemoryShape::imagecube},
+};
+
+struct ConstraintName { std::string_view name; Constraint constraint; };
+constexpr std::array constraints = {
+    ConstraintName{"type", Constraint::type}, ConstraintName{"Texel", Constraint::texel}, ConstraintName{"Number", Constraint::number},
+    ConstraintName{"Integer", Constraint::integer}, ConstraintName{"Floating", Constraint::floating},
+    ConstraintName{"Structure", Constraint::structure}, ConstraintName{"Translator", Constraint::translator},
+};
+
+/// Scalars, `float3`, `float4x4`; the error id (absent) if the text names none.
+ir::TypeId builtin_type(ir::Types& types, std::string_view text) {
+    struct ScalarName { std::string_view name; ir::TypeId type; };
+    const std::array scalars = {ScalarName{"bool", types.bool_},   ScalarName{"int64", types.int64}, ScalarName{"uint64", types.uint64},
+                                ScalarName{"int", types.int_},     ScalarName{"uint", types.uint},   ScalarName{"float", types.float_},
+                                ScalarName{"half", types.half},    ScalarName{"double", types.double_}};
+    for (const ScalarName& scalar : scalars) {
+        if (!text.starts_with(scalar.name)) continue;
+        std::string_view rest = text.substr(scalar.name.size());
+        if (rest.empty()) return scalar.type;
+        auto digit = [](char c) { return c >= '2' && c <= '4' ? static_cast<std::uint32_t>(c - '0') : 0u; };
+        if (rest.size() == 1 && digit(rest[0])) return types.vector(scalar.type, digit(rest[0]));
+        bool matrix = rest.size() == 3 && rest[1] == 'x' && digit(rest[0]) && digit(rest[2]) && types.is_floating(scalar.type);
+        if (matrix) return types.matrix(scalar.type, digit(rest[0]), digit(rest[2]));
+    }
+    return {};
+}
+
+Meta of_type(ir::TypeId type) {
+    Meta meta;
+    meta.kind = MetaKind::type;
+    meta.type = type;
+    return meta;
+}
+
+Meta builtin(Context& c, std::string_view text) {
+    if (ir::TypeId type = builtin_type(c.types(), text)) return of_type(type);
+    Meta meta;
+    for (const auto& [name, format] : formats)
+        if (name == text) meta.kind = MetaKind::format, meta.format = format;
+    for (const auto& [name, shape] : shapes)
+        if (name == text) meta.kind = MetaKind::memory_shape, meta.shape = shape;
+    for (const auto& [name, constraint] : constraints)
+        if (name == text) meta.kind = MetaKind::constraint, meta.constraint = constraint;
+    return meta;
+}
+
+/// What a declaration means once its generic arguments are bound in `env`.
+Meta meta_of_declaration(Context& c, ast::DeclId id, const Env& env, Span use) {
+    const ast::Decl& decl = c[id];
+    Meta meta;
+    bool is_translator = std::holds_alternative<ast::Translator>(decl.body);
+    if (auto* alias = std::get_if<ast::Alias>(&decl.body)) {
+        InstantiationScope scope(c, c.text(decl.name.name), use);
+        if (scope.too_deep()) return {};
+        meta = meta_of(c, env, alias->target);
+        if (meta.kind == MetaKind::type && c.types().kind(meta.type) == ir::TypeKind::structure) {
+            ir::Structure& structure = c.program.structures[c.types()[meta.type].index];
+            // The first name that a user gives is the one that generated code uses.
+            if (!structure.alias && decl.generics.empty()) structure.alias = decl.name.name;
+            if (decl.is_pub && decl.generics.empty() && c.modules[c.module_of.at(id)].is_root) {
+                structure.alias = decl.name.name;
+                structure.is_pub = true;
+            }
+        }
+        return meta;
+    }
+    if (is_translator) {
+        auto stages = instantiate_translator(c, id, env, use);
+        if (!stages) return {};
+        meta.kind = MetaKind::translator;
+        meta.translators = *stages;
+        return meta;
+    }
+    ir::TypeId type = instantiate_type(c, id, env, use);
+    if (type == c.types().error) return {};
+    return of_type(type);
+}
+
+bool is_type_declaration(const ast::Decl& decl) {
+    return std::holds_alternative<ast::Struct>(decl.body) || std::holds_alternative<ast::Enum>(decl.body) ||
+           std::holds_alternative<ast::Alias>(decl.body) || std::holds_alternative<ast::Translator>(decl.body) ||
+           std::holds_alternative<ast::Structure>(decl.body) || std::holds_alternative<ast::View>(decl.body) ||
+           std::holds_alternative<ast::Adaptor>(decl.body);
+}
+
+/// `vec<N, T>`, `mat<C, R, T>`.
+Meta builtin_generic(Context& c, const Env& env, const ast::Expr& expr, std::string_view name) {
+    bool vec = name == "vec";
+    if (expr.operands.size() != (vec ? 3u : 4u)) {
+        c.error(Diag::argument_count, expr.span, {name, vec ? "2" : "3", std::to_string(expr.operands.size() - 1)});
+        return {};
+    }
+    auto n = count_of(c, env, expr.operands[1]);
+    auto rows = vec ? n : count_of(c, env, expr.operands[2]);
+    ir::TypeId element = type_of(c, env, expr.operands.back());
+    if (!n || !rows || element == c.types().error) return {};
+    if (*n < 1 || *n > 4 || *rows < 1 || *rows > 4) {
+        c.error(Diag::vector_size, c[expr.operands[1]].span, {std::to_string(*n)});
+        return {};
+    }
+    if (!c.types().is_scalar(element)) {
+        c.error(Diag::vector_element, c[expr.operands.back()].span, {c.text(element)});
+        return {};
+    }
+    return of_type(vec ? c.types().vector(element, *n) : c.types().matrix(element, *n, *rows));
+}
+
+Meta meta_of_name(Context& c, const Env& env, const ast::Expr& expr) {
+    Meta meta = find_meta(c, env, {expr.name, expr.span});
+    if (meta.kind == MetaKind::none) {
+        report_unknown(c, env, {expr.name, expr.span});
+        return meta;
+    }
+    if (meta.kind != MetaKind::declarations) return meta;
+    ast::DeclId id = meta.declarations[0];
+    const ast::Decl& decl = c[id];
+    if (!is_type_declaration(decl)) return meta;
+    Env& inner = c.new_env(c.module_of.at(id));
+    if (!decl.generics.empty()) {
+        Arguments arguments(c, decl, inner, expr.span);
+        if (!arguments.finish()) return {};
+    }
+    return meta_of_declaration(c, id, inner, expr.span);
+}
+
+Meta meta_of_generic(Context& c, const Env& env, const ast::Expr& expr) {
+    const ast::Expr& name = c[expr.operands[0]];
+    if (name.kind != ast::ExprKind::name && name.kind != ast::ExprKind::member) {
+        c.error(Diag::not_a_type, name.span);
+        return {};
+    }
+    if (name.kind == ast::ExprKind::name && (c.text(name.name) == "vec" || c.text(name.name) == "mat"))
+        return builtin_generic(c, env, expr, c.text(name.name));
+    Meta meta;
+    if (name.kind == ast::ExprKind::name) {
+        meta = find_meta(c, env, {name.name, name.span});
+        if (meta.kind == MetaKind::none) report_unknown(c, env, {name.name, name.span});
+    } else {
+        meta = meta_of(c, env, expr.operands[0]);
+    }
+    if (meta.kind == MetaKind::none) return meta;
+    bool generic = meta.kind == MetaKind::declarations && !c[meta.declarations[0]].generics.empty();
+    if (!generic) {
+        c.error(Diag::not_generic, expr.span, {"'" + c.text(name.name) + "'"});
+        return {};
+    }
+    ast::DeclId id = meta.declarations[0];
+    if (!is_type_declaration(c[id])) {
+        c.error(Diag::not_a_type, expr.span);
+        return {};
+    }
+    Env& inner = c.new_env(c.module_of.at(id));
+    Arguments arguments(c, c[id], inner, expr.span);
+    if (!arguments.give(env, expr.operands, 1) || !arguments.finish()) return {};
+    return meta_of_declaration(c, id, inner, expr.span);
+}
+
+Meta meta_of_array(Context& c, const Env& env, const ast::Expr& expr) {
+    ir::TypeId element = type_of(c, env, expr.operands[0]);
+    if (element == c.types().error) return {};
+    if (expr.operands.size() != 2) {
+        c.error(Diag::array_size, expr.span);
+        return {};
+    }
+    auto count = count_of(c, env, expr.operands[1]);
+    if (!count) return {};
+    if (*count == 0 || *count > 65536) {
+        c.error(Diag::array_size, c[expr.operands[1]].span);
+        return {};
+    }
+    return of_type(c.types().array(element, *count));
+}
+
+}  // namespace
+
+std::vector<ast::DeclId> find_declarations(Context& c, std::uint32_t module, ast::Identifier name) {
+    const ModuleScope& scope = c.scopes[module];
+    if (auto own = scope.names.find(name.name); own != scope.names.end()) return own->second;
+    std::vector<ast::DeclId> found, hidden;
+    std::uint32_t from = 0xffffffffu;
+    for (std::uint32_t import : scope.imports) {
+        auto names = c.scopes[import].names.find(name.name);
+        if (names == c.scopes[import].names.end()) continue;
+        for (ast::DeclId decl : names->second) {
+            if (!c[decl].is_pub) {
+                hidden.push_back(decl);
+                continue;
+            }
+            bool functions = std::holds_alternative<ast::Function>(c[decl].body);
+            if (!found.empty() && from != import && !functions) {
+                Diagnostic& diagnostic = c.error(Diag::ambiguous_name, name.span, {c.text(name.name)});
+                note(diagnostic, c[found[0]].name.span, "one is declared here");
+                note(diagnostic, c[decl].name.span, "another here");
+                return found;
+            }
+            found.push_back(decl);
+            from = import;
+        }
+    }
+    if (found.empty() && !hidden.empty()) {
+        std::string_view owner = c.text(c.modules[c.module_of.at(hidden[0])].tree->name.name);
+        note(c.error(Diag::not_public, name.span, {c.text(name.name), owner}), c[hidden[0]].name.span, "write 'pub' before it to export it");
+        return hidden;
+    }
+    return found;
+}
+
+Meta find_meta(Context& c, const Env& env, ast::Identifier name) {
+    if (const Meta* bound = env.find(name.name)) return *bound;
+    const std::string& text = c.text(name.name);
+    if (env.self && text == "Self") return of_type(env.self);
+    Meta meta;
+    meta.declarations = find_declarations(c, env.module, name);
+    if (!meta.declarations.empty()) {
+        meta.kind = MetaKind::declarations;
+        return meta;
+    }
+    meta = builtin(c, text);
+    if (meta.kind != MetaKind::none) return meta;
+    for (std::uint32_t import : c.scopes[env.module].imports) {
+        const std::string& full = c.text(c.modules[import].tree->name.name);
+        if (full != text && !full.ends_with("." + text)) continue;
+        meta.kind = MetaKind::module;
+        meta.module = import;
+    }
+    return meta;
+}
+
+Meta meta_of(Context& c, const Env& env, ast::ExprId id) {
+    const ast::Expr& expr = c[id];
+    switch (expr.kind) {
+        case ast::ExprKind::error: return {};
+        case ast::ExprKind::name: return meta_of_name(c, env, expr);
+        case ast::ExprKind::generic: return meta_of_generic(c, env, expr);
+        case ast::ExprKind::index: return meta_of_array(c, env, expr);
+        case ast::ExprKind::optional: {
+            ir::TypeId element = type_of(c, env, expr.operands[0]);
+            return element == c.types().error ? Meta{} : of_type(c.types().optional(element));
+        }
+        case ast::ExprKind::member: {
+            const ast::Expr& left = c[expr.operands[0]];
+            if (left.kind == ast::ExprKind::name) {
+                Meta module = find_meta(c, env, {left.name, left.span});
+                if (module.kind == MetaKind::module) {
+                    Env inside;
+                    inside.module = module.module;
+                    ast::Expr inner = expr;
+                    inner.kind = ast::ExprKind::name;
+                    return meta_of_name(c, inside, inner);
+                }
+            }
+            break;
+        }
+        case ast::ExprKind::binary:
+            if (expr.binary == ast::BinaryOp::then) {
+                Meta left = meta_of(c, env, expr.operands[0]), right = meta_of(c, env, expr.operands[1]);
+                if (left.kind == MetaKind::none || right.kind == MetaKind::none) return {};
+                if (left.kind != MetaKind::translator || right.kind != MetaKind::translator) {
+                    c.error(Diag::not_a_translator, expr.span);
+                    return {};
+                }
+                left.translators.insert(left.translators.end(), right.translators.begin(), right.translators.end());
+                return left;
+            }
+            break;
+        default: break;
+    }
+    auto value = constant_of(c, env, id);
+    Meta meta;
+    if (value) meta.kind = MetaKind::value, meta.value = *value;
+    return meta;
+}
+
+ir::TypeId type_of(Context& c, const Env& env, ast::ExprId id) {
+    if (!id) return c.types().error;
+    Meta meta = meta_of(c, env, id);
+    if (meta.kind == MetaKind::type) return meta.type;
+    if (meta.kind != MetaKind::none) c.error(Diag::not_a_type, c[id].span);
+    return c.types().error;
+}
+
+std::optional<ir::Value> constant_of(Context& c, const Env& env, ast::ExprId id, ir::TypeId wanted) {
+    if (!id) return std::nullopt;
+    Body body{.context = c, .env = env, .kind = BodyKind::constant};
+    ir::ExprId expr = check_value(body, id, wanted ? wanted : is_flexible(c, id) ? c.types().uint : ir::TypeId{});
+    if (is_error(body, expr)) return std::nullopt;
+    auto value = ir::evaluate(c.program, expr);
+    if (!value) c.error(Diag::not_constant, c[id].span);
+    return value;
+}
+
+ir::ExprId constant_declaration(Context& c, ast::DeclId id) {
+    if (auto found = c.constants.find(id); found != c.constants.end()) return found->second;
+    const ast::Decl& decl = c[id];
+    if (std::find(c.constants_under_way.begin(), c.constants_under_way.end(), id) != c.constants_under_way.end()) {
+        c.error(Diag::recursion, decl.name.span, {c.text(decl.name.name)});
+        return c.constants[id] = {};
+    }
+    c.constants_under_way.push_back(id);
+    const auto& constant = std::get<ast::Const>(decl.body);
+    Env env;
+    env.module = c.module_of.at(id);
+    Body body{.context = c, .env = env, .kind = BodyKind::constant};
+    ir::TypeId wanted = constant.type ? type_of(c, env, constant.type) : ir::TypeId{};
+    ir::ExprId value = check_value(body, constant.value, wanted);
+    ir::ExprId result;
+    if (!is_error(body, value)) {
+        if (auto known = ir::evaluate(c.program, value)) result = ir::materialize(c.program, *known, decl.span);
+        else c.error(Diag::not_constant, c[constant.value].span);
+    }
+    c.constants_under_way.pop_back();
+    return c.constants[id] = result;
+}
+
+std::optional<std::uint32_t> count_of(Context& c, const Env& env, ast::ExprId id) {
+    auto value = constant_of(c, env, id);
+    if (!value) return std::nullopt;
+    bool whole = value->lanes.size() == 1 && (value->type == c.types().uint || value->type == c.types().int_);
+    if (whole && value->bits() <= 0xffffffffu) return static_cast<std::uint32_t>(value->bits());
+    c.error(Diag::count_type, c[id].span, {ir::to_text(c.program, *value)});
+    return std::nullopt;
+}
+
+std::string suggestion_for(Context& c, const Env& env, std::string_view name, const std::vector<std::string_view>& more) {
+    std::vector<std::string_view> candidates = more;
+    for (const auto& [bound, meta] : env.bindings) candidates.push_back(c.text(bound));
+    for (const auto& [declared, decls] : c.scopes[env.module].names) candidates.push_back(c.text(declared));
+    for (std::uint32_t import : c.scopes[env.module].imports)
+        for (const auto& [declared, decls] : c.scopes[import].names)
+            if (c[decls[0]].is_pub) candidates.push_back(c.text(declared));
+#define INTRINSIC(name, signature, exactness) candidates.push_back(#name);
+#include "ir/intrinsics.def"
+#undef INTRINSIC
+    for (std::string_view type : {"bool", "int", "uint", "float", "float2", "float3", "float4", "uint2", "uint3", "uint4", "int2", "int3", "int4"})
+        candidates.push_back(type);
+    std::sort(candidates.begin(), candidates.end());
+    return std::string(did_you_mean(name, candidates));
+}
+
+void report_unknown(Context& c, const Env& env, ast::Identifier name, const std::vector<std::string_view>& more) {
+    Diagnostic& diagnostic = c.error(Diag::unknown_name, name.span, {c.text(name.name)});
+    std::string meant = suggestion_for(c, env, c.text(name.name), more);
+    if (!meant.empty()) {
+        note(diagnostic, name.span, "did you mean '" + meant + "'?");
+        return;
+    }
+    for (std::uint32_t i = 0; i < c.scopes.size(); ++i) {
+        auto found = c.scopes[i].names.find(name.name);
+        if (found == c.scopes[i].names.end() || !c[found->second[0]].is_pub) continue;
+        note(diagnostic, name.span, "module " + c.text(c.modules[i].tree->name.name) + " has it: 'use " + c.text(c.modules[i].tree->name.name) + ";'");
+        return;
+    }
+}
+
+std::string to_text(const Context& c, const Meta& meta) {
+    switch (meta.kind) {
+        case MetaKind::type: return c.text(meta.type);
+        case MetaKind::value: return ir::to_text(c.program, meta.value);
+        case MetaKind::translator: {
+            std::string text;
+            for (std::uint32_t i : meta.translators) text += (text.empty() ? "" : " then ") + c.program.translators[i].display;
+            return text;
+        }
+        case MetaKind::format:
+            for (const auto& [name, format] : formats)
+                if (format == meta.format) return std::string(name);
+            return "?";
+        case MetaKind::none: case MetaKind::declarations: case MetaKind::module: case MetaKind::memory_shape:
+        case MetaKind::constraint: return "?";
+    }
+    return "?";
+}
+
+bool same(const Meta& a, const Meta& b) {
+    return a.kind == b.kind && a.type == b.type && a.value == b.value && a.translators == b.translators && a.format == b.format;
+}
+
+}  // namespace gliftc::sema

@@ -1,0 +1,63 @@
+// What each module declares and imports.
+#include "sema/modules.h"
+
+namespace gliftc::sema {
+
+namespace {
+
+void own_members(Context& c, ast::DeclId id, std::uint32_t module);
+
+void own_items(Context& c, const std::vector<ast::Item>& items, std::uint32_t module) {
+    for (const ast::Item& item : items) {
+        if (item.decl) own_members(c, item.decl, module);
+        own_items(c, item.body, module);
+        own_items(c, item.alternative, module);
+    }
+}
+
+void own_members(Context& c, ast::DeclId id, std::uint32_t module) {
+    c.module_of[id] = module;
+    const auto& body = c[id].body;
+    if (auto* translator = std::get_if<ast::Translator>(&body))
+        for (ast::DeclId method : translator->methods) own_members(c, method, module);
+    if (auto* interface = std::get_if<ast::Interface>(&body))
+        for (ast::DeclId member : interface->members) own_members(c, member, module);
+    if (auto* structure = std::get_if<ast::Structure>(&body)) own_items(c, structure->items, module);
+    if (auto* view = std::get_if<ast::View>(&body)) own_items(c, view->items, module);
+    if (auto* adaptor = std::get_if<ast::Adaptor>(&body)) own_items(c, adaptor->items, module);
+}
+
+void declare(Context& c, ModuleScope& scope, ast::DeclId id) {
+    const ast::Decl& decl = c[id];
+    if (!decl.name.name) return;   // tests
+    auto& same = scope.names[decl.name.name];
+    bool is_function = std::holds_alternative<ast::Function>(decl.body);
+    if (!same.empty() && !(is_function && std::holds_alternative<ast::Function>(c[same[0]].body))) {
+        note(c.error(Diag::duplicate_name, decl.name.span, {c.text(decl.name.name)}), c[same[0]].name.span, "first declared here");
+        return;
+    }
+    same.push_back(id);
+}
+
+}  // namespace
+
+void collect_modules(Context& c) {
+    c.scopes.resize(c.modules.size());
+    for (std::uint32_t i = 0; i < c.modules.size(); ++i) {
+        const LoadedModule& loaded = c.modules[i];
+        ir::Module module;
+        module.name = loaded.tree->name.name;
+        module.file = loaded.tree->file;
+        module.is_root = loaded.is_root;
+        module.doc = loaded.tree->doc;
+        c.program.modules.push_back(std::move(module));
+        for (std::uint32_t use : loaded.uses)
+            if (use != ~0u) c.scopes[i].imports.push_back(use);
+        for (ast::DeclId decl : loaded.tree->decls) {
+            own_members(c, decl, i);
+            declare(c, c.scopes[i], decl);
+        }
+    }
+}
+
+}  // namespace gliftc::sema

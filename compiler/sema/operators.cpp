@@ -1,0 +1,193 @@
+// Binary operators: operand types, vector with scalar, matrices, `??`.
+#include "sema/body.h"
+
+namespace gliftc::sema {
+
+namespace {
+
+std::string_view text_of(ast::BinaryOp op) {
+    switch (op) {
+        case ast::BinaryOp::multiply: return "*";
+        case ast::BinaryOp::divide: return "/";
+        case ast::BinaryOp::remainder: return "%";
+        case ast::BinaryOp::add: return "+";
+        case ast::BinaryOp::subtract: return "-";
+        case ast::BinaryOp::shift_left: return "<<";
+        case ast::BinaryOp::shift_right: return ">>";
+        case ast::BinaryOp::less: return "<";
+        case ast::BinaryOp::less_equal: return "<=";
+        case ast::BinaryOp::greater: return ">";
+        case ast::BinaryOp::greater_equal: return ">=";
+        case ast::BinaryOp::equal: return "==";
+        case ast::BinaryOp::not_equal: return "!=";
+        case ast::BinaryOp::bit_and: return "&";
+        case ast::BinaryOp::bit_xor: return "^";
+        case ast::BinaryOp::bit_or: return "|";
+        case ast::BinaryOp::logical_and: return "&&";
+        case ast::BinaryOp::logical_or: return "||";
+        case ast::BinaryOp::otherwise: return "??";
+        case ast::BinaryOp::then: return "then";
+    }
+    return "";
+}
+
+enum class Family : std::uint8_t { arithmetic, shift, ordering, equality, bits, logic };
+
+Family family_of(ast::BinaryOp op) {
+    switch (op) {
+        case ast::BinaryOp::multiply: case ast::BinaryOp::divide: case ast::BinaryOp::remainder: case ast::BinaryOp::add:
+        case ast::BinaryOp::subtract: return Family::arithmetic;
+        case ast::BinaryOp::shift_left: case ast::BinaryOp::shift_right: return Family::shift;
+        case ast::BinaryOp::less: case ast::BinaryOp::less_equal: case ast::BinaryOp::greater:
+        case ast::BinaryOp::greater_equal: return Family::ordering;
+        case ast::BinaryOp::equal: case ast::BinaryOp::not_equal: return Family::equality;
+        case ast::BinaryOp::bit_and: case ast::BinaryOp::bit_xor: case ast::BinaryOp::bit_or: return Family::bits;
+        case ast::BinaryOp::logical_and: case ast::BinaryOp::logical_or: case ast::BinaryOp::otherwise:
+        case ast::BinaryOp::then: return Family::logic;
+    }
+    return Family::logic;
+}
+
+ir::BinaryOp lowered(ast::BinaryOp op) {
+    static_assert(static_cast<int>(ast::BinaryOp::logical_or) == static_cast<int>(ir::BinaryOp::logical_or));
+    return static_cast<ir::BinaryOp>(op);
+}
+
+struct Pair {
+    ir::ExprId left, right;
+};
+
+/// Checks both sides so that each gives the other the type that its literals and inferred calls take.
+Pair check_sides(Body& body, const ast::Expr& expr, ir::TypeId wanted) {
+    ast::ExprId l = expr.operands[0], r = expr.operands[1];
+    bool left_flexible = is_flexible(body.context, l), right_flexible = is_flexible(body.context, r);
+    auto type = [&](ir::ExprId id) { return body.program().exprs[id].type; };
+    auto hint = [&](ir::TypeId other) {
+        if (body.types().kind(other) == ir::TypeKind::matrix) return body.types()[other].element;
+        return other;
+    };
+    Pair pair;
+    if (left_flexible && !right_flexible) {
+        pair.right = check_value(body, r, wanted ? wanted : ir::TypeId{});
+        pair.left = check_value(body, l, body.types().scalar_of(hint(type(pair.right))));
+    } else {
+        // What is wanted is a wish here, not yet a demand: `scale * normal` where a vector is wanted.
+        pair.left = to_value(body, check(body, l, wanted));
+        ir::TypeId other = hint(type(pair.left));
+        pair.right = to_value(body, check(body, r, right_flexible ? body.types().scalar_of(other) : other));
+    }
+    return pair;
+}
+
+Operand mismatch(Body& body, const ast::Expr& expr, Pair sides) {
+    Context& c = body.context;
+    ir::TypeId left = body.program().exprs[sides.left].type, right = body.program().exprs[sides.right].type;
+    Diagnostic& diagnostic = c.error(Diag::binary_operands, expr.name_span ? expr.name_span : expr.span,
+                                     {text_of(expr.binary), c.text(left), c.text(right)});
+    if (body.types().kind(left) == ir::TypeKind::device || body.types().kind(right) == ir::TypeKind::device)
+        note(diagnostic, expr.span, "a value that lives on the device can be passed on or awaited: 'await' brings it to the host");
+    else if (body.types().scalar_of(left) != body.types().scalar_of(right))
+        note(diagnostic, expr.span, "values are never converted silently: convert one side, as in " +
+                                        c.text(body.types().scalar_of(left)) + "(…)");
+    else if (family_of(expr.binary) == Family::ordering && body.types().is_vector(left))
+        note(diagnostic, expr.span, "vectors are compared by lessThan, greaterThan …, all and any");
+    return error_operand(expr.span);
+}
+
+/// The type of matrix products; none if these do not multiply.
+ir::TypeId matrix_product(ir::Types& types, ir::TypeId left, ir::TypeId right) {
+    const ir::Type l = types[left], r = types[right];
+    bool lm = l.kind == ir::TypeKind::matrix, rm = r.kind == ir::TypeKind::matrix;
+    if (lm && rm && l.count == r.rows) return types.matrix(l.element, r.count, l.rows);
+    if (lm && r.kind == ir::TypeKind::vector && l.count == r.count) return types.vector(l.element, l.rows);
+    if (rm && l.kind == ir::TypeKind::vector && l.count == r.rows) return types.vector(r.element, r.count);
+    if (lm && right == l.element) return left;
+    if (rm && left == r.element) return right;
+    return {};
+}
+
+/// The type of an arithmetic or bitwise operation; none if the operands do not go together.
+ir::TypeId result_type(ir::Types& types, ast::BinaryOp op, ir::TypeId left, ir::TypeId right) {
+    if (types.is_matrix(left) || types.is_matrix(right)) {
+        if (op == ast::BinaryOp::multiply) {
+            if (ir::TypeId product = matrix_product(types, left, right)) return product;
+        }
+        return left == right && (op == ast::BinaryOp::add || op == ast::BinaryOp::subtract) ? left : ir::TypeId{};
+    }
+    ir::TypeId scalar = types.scalar_of(left);
+    bool shift = family_of(op) == Family::shift;
+    if (shift) {
+        if (!types.is_integer(scalar) || !types.is_integer(types.scalar_of(right))) return {};
+        if (types.components(right) != 1 && types.components(right) != types.components(left)) return {};
+        return left;
+    }
+    if (scalar != types.scalar_of(right)) return {};
+    bool bits = family_of(op) == Family::bits || op == ast::BinaryOp::remainder;
+    if (bits ? !types.is_integer(scalar) : !types.is_number(scalar)) return {};
+    if (left == right || types.components(right) == 1) return left;
+    return types.components(left) == 1 ? right : ir::TypeId{};
+}
+
+Operand check_otherwise(Body& body, const ast::Expr& expr, ir::TypeId wanted) {
+    ir::TypeId hint = wanted ? body.types().optional(wanted) : ir::TypeId{};
+    ir::ExprId optional = to_value(body, check(body, expr.operands[0], hint));
+    if (is_error(body, optional)) return error_operand(expr.span);
+    ir::TypeId type = body.program().exprs[optional].type;
+    if (body.types().kind(type) != ir::TypeKind::optional) {
+        body.context.error(Diag::not_optional, body.context[expr.operands[0]].span, {body.context.text(type)});
+        return error_operand(expr.span);
+    }
+    if (body.block) {
+        ir::LocalId local = emit_temporary(body, "found", optional, expr.span);
+        optional = make_local(body.program(), local, expr.span);
+    }
+    ir::TypeId element = body.types()[type].element;
+    ir::ExprId fallback = check_value(body, expr.operands[1], element);
+    ir::ExprId has = add(body.program(), ir::Op::has_value, body.types().bool_, expr.span, {optional});
+    ir::ExprId value = add(body.program(), ir::Op::value, element, expr.span, {optional});
+    return value_operand(body, add(body.program(), ir::Op::select, element, expr.span, {has, value, fallback}), expr.span);
+}
+
+}  // namespace
+
+Operand check_binary(Body& body, ast::ExprId id, ir::TypeId wanted) {
+    Context& c = body.context;
+    ir::Types& types = body.types();
+    const ast::Expr& expr = c[id];
+    if (expr.binary == ast::BinaryOp::otherwise) return check_otherwise(body, expr, wanted);
+    if (expr.binary == ast::BinaryOp::then) {
+        c.error(Diag::not_a_value, expr.span, {"a composition of translators"});
+        return error_operand(expr.span);
+    }
+    Family family = family_of(expr.binary);
+    if (family == Family::logic) {
+        ir::ExprId left = check_value(body, expr.operands[0], types.bool_);
+        ir::ExprId right = check_value(body, expr.operands[1], types.bool_);
+        return value_operand(body, make_binary(body.program(), lowered(expr.binary), types.bool_, left, right, expr.span), expr.span);
+    }
+    bool compares = family == Family::ordering || family == Family::equality;
+    Pair sides = check_sides(body, expr, compares ? ir::TypeId{} : wanted);
+    if (is_error(body, sides.left) || is_error(body, sides.right)) return error_operand(expr.span);
+    ir::TypeId left = body.program().exprs[sides.left].type, right = body.program().exprs[sides.right].type;
+    ir::TypeId result;
+    if (family == Family::equality) {
+        bool comparable = types.is_scalar(left) || types.is_vector(left) || types.kind(left) == ir::TypeKind::enum_;
+        result = left == right && comparable ? types.bool_ : ir::TypeId{};
+    } else if (family == Family::ordering) {
+        result = left == right && types.is_number(left) ? types.bool_ : ir::TypeId{};
+    } else {
+        result = result_type(types, expr.binary, left, right);
+    }
+    if (!result) return mismatch(body, expr, sides);
+    if (body.types().is_integer(types.scalar_of(left)) &&
+        (expr.binary == ast::BinaryOp::divide || expr.binary == ast::BinaryOp::remainder)) {
+        auto divisor = ir::evaluate(body.program(), sides.right);
+        if (divisor && divisor->lanes[0].bits == 0) {
+            c.error(Diag::division_by_zero, expr.span);
+            return error_operand(expr.span);
+        }
+    }
+    return value_operand(body, make_binary(body.program(), lowered(expr.binary), result, sides.left, sides.right, expr.span), expr.span);
+}
+
+}  // namespace gliftc::sema

@@ -1,0 +1,156 @@
+// Pipelines: what runs on the host and strings passes together.
+#include "sema/components.h"
+#include "sema/generics.h"
+#include "sema/instances.h"
+
+namespace gliftc::sema {
+
+namespace {
+
+/// `-> range<1, T>` and `range<N, T>` parameters stand for a slice of any structure with that domain and element.
+ir::TypeId range_domain(Context& c, const Env& env, ast::ExprId dimensions) {
+    auto n = count_of(c, env, dimensions);
+    if (!n || *n < 1 || *n > 4) {
+        if (n) c.error(Diag::vector_size, c[dimensions].span, {std::to_string(*n)});
+        return c.types().error;
+    }
+    return c.types().vector(c.types().uint, *n);
+}
+
+void add_param(Body& body, const ast::Param& param, std::uint32_t structure, ir::Pipeline& pipeline) {
+    Context& c = body.context;
+    ir::PipelineParam made;
+    made.name = param.name.name;
+    made.span = param.name.span;
+    made.direction = param.direction == ast::Direction::out     ? ir::Direction::out
+                     : param.direction == ast::Direction::inout ? ir::Direction::inout
+                                                                : ir::Direction::in;
+    ir::TypeId type = c.types().error;
+    if (param.pattern == ast::Pattern::range) {
+        made.pattern = ir::HostPattern::range;
+        made.structure = structure;
+        type = c.types().slice(c.types().of_structure(structure));
+        if (param.extra.size() != 1) c.error(Diag::range_form, param.pattern_span);
+        else {
+            ir::TypeId domain = range_domain(c, body.env, param.type), element = type_of(c, body.env, param.extra[0]);
+            const ir::Structure& instance = c.program.structures[structure];
+            bool fits = instance.domain_type == domain && instance.element == element;
+            if (!fits && domain != c.types().error && element != c.types().error)
+                c.error(Diag::range_argument, c.requests.empty() ? param.name.span : c.requests.back().span,
+                        {instance.display, c.text(domain), c.text(element)});
+        }
+    } else if (param.pattern != ast::Pattern::none) {
+        c.error(Diag::pattern_in_pipeline, param.pattern_span);
+    } else {
+        type = type_of(c, body.env, param.type);
+        if (c.types().kind(type) == ir::TypeKind::structure) {
+            made.pattern = ir::HostPattern::structure;
+            made.structure = c.types()[type].index;
+        } else if (param.direction == ast::Direction::out || param.direction == ast::Direction::inout) {
+            c.error(Diag::function_out, param.direction_span);
+        }
+    }
+    made.local = declare_local(body, param.name, type, false, false);
+    pipeline.params.push_back(std::move(made));
+}
+
+ir::TypeId result_type(Context& c, const Env& env, const ast::Pipeline& written, std::optional<std::uint32_t>, bool& deferred) {
+    deferred = written.result_pattern == ast::Pattern::range;
+    if (deferred || !written.result) return c.types().void_;
+    return type_of(c, env, written.result);
+}
+
+/// A range result is a slice of whatever structure the returned slice is of.
+void check_return(Body& body, const ast::Stmt& stmt, ir::TypeId& slice) {
+    Context& c = body.context;
+    ir::StmtId id = add(body.program(), ir::StmtOp::return_, stmt.span);
+    if (!stmt.value) {
+        c.error(Diag::return_nothing, stmt.span, {"a range"});
+        return;
+    }
+    ir::ExprId value = check_value(body, stmt.value);
+    ir::TypeId type = body.program().exprs[value].type;
+    if (is_error(body, value)) return;
+    if (body.types().kind(type) != ir::TypeKind::slice || (slice && slice != type)) {
+        c.error(Diag::type_mismatch, c[stmt.value].span, {"a range", c.text(type)});
+        return;
+    }
+    slice = type;
+    body.program().stmts[id].value = value;
+    emit(body, id);
+}
+
+}  // namespace
+
+// A value of type T may be returned where the pipeline's result is T on the device or T: the caller sees what it is.
+std::optional<std::uint32_t> instantiate_pipeline(Context& c, ast::DeclId id, const Env& env, const std::vector<std::uint32_t>& structures,
+                                                  std::optional<std::uint32_t> owner, Span use) {
+    const ast::Decl& decl = c[id];
+    const auto& written = std::get<ast::Pipeline>(decl.body);
+    std::string key = key_of(c, id, env) + (owner ? "!" + std::to_string(*owner) : "");
+    for (std::uint32_t structure : structures) key += "@" + std::to_string(structure);
+    if (auto found = c.instances.find(key); found != c.instances.end()) {
+        if (found->second.state == Instance::State::in_progress) c.error(Diag::recursion, use, {c.text(decl.name.name)});
+        return found->second.state == Instance::State::done ? std::optional(found->second.index) : std::nullopt;
+    }
+    InstantiationScope scope(c, display_of(c, decl, env), use);
+    if (scope.too_deep()) return std::nullopt;
+    c.instances[key] = {};
+    std::size_t errors = c.diagnostics.error_count();
+    ir::Pipeline pipeline;
+    pipeline.name = decl.name.name;
+    pipeline.display = display_of(c, decl, env);
+    pipeline.span = decl.name.span;
+    pipeline.module = c.module_of.at(id);
+    pipeline.is_pub = decl.is_pub;
+    pipeline.owner = owner;
+    pipeline.doc = decl.doc;
+    Body body{.context = c, .env = env, .kind = BodyKind::pipeline, .block = &pipeline.body};
+    if (owner) bring_members_into_scope(body, *owner);
+    open_scope(body);
+    for (std::size_t i = 0; i < written.params.size(); ++i) add_param(body, written.params[i], i < structures.size() ? structures[i] : 0, pipeline);
+    bool deferred = false;
+    pipeline.result = result_type(c, env, written, owner, deferred);
+    body.result = pipeline.result;
+    open_scope(body);
+    ir::TypeId slice;
+    for (ast::StmtId stmt : written.body) {
+        if (deferred && c[stmt].kind == ast::StmtKind::return_) check_return(body, c[stmt], slice);
+        else check_statement(body, stmt);
+    }
+    close_scope(body);
+    close_scope(body);
+    if (deferred) pipeline.result = slice ? slice : c.types().error;
+    bool returns = pipeline.result == c.types().void_ || always_returns(c.program, pipeline.body);
+    if (!returns && c.diagnostics.error_count() == errors)
+        c.error(Diag::missing_return, decl.name.span, {c.text(decl.name.name), deferred ? "a range" : c.text(pipeline.result)});
+    Instance& instance = c.instances[key];
+    instance.state = c.diagnostics.error_count() == errors ? Instance::State::done : Instance::State::failed;
+    if (instance.state == Instance::State::failed) return std::nullopt;
+    instance.index = static_cast<std::uint32_t>(c.program.pipelines.size());
+    c.program.pipelines.push_back(std::move(pipeline));
+    if (owner) c.program.structures[*owner].pipelines.push_back(c.instances[key].index);
+    return c.instances[key].index;
+}
+
+void instantiate_test(Context& c, ast::DeclId id) {
+    const ast::Decl& decl = c[id];
+    const auto& written = std::get<ast::Test>(decl.body);
+    std::size_t errors = c.diagnostics.error_count();
+    ir::Pipeline pipeline;
+    pipeline.name = c.names.intern("test_" + std::to_string(c.program.tests.size()));
+    pipeline.display = written.title;
+    pipeline.span = decl.span;
+    pipeline.module = c.module_of.at(id);
+    pipeline.result = c.types().void_;
+    Env& env = c.new_env(pipeline.module);
+    Body body{.context = c, .env = env, .kind = BodyKind::pipeline, .block = &pipeline.body, .result = pipeline.result, .in_test = true};
+    open_scope(body);
+    check_block(body, written.body);
+    close_scope(body);
+    if (c.diagnostics.error_count() != errors) return;
+    c.program.pipelines.push_back(std::move(pipeline));
+    c.program.tests.push_back({written.title, decl.span, c.module_of.at(id), static_cast<std::uint32_t>(c.program.pipelines.size() - 1)});
+}
+
+}  // namespace gliftc::sema

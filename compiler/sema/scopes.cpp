@@ -1,0 +1,52 @@
+#include "sema/body.h"
+
+namespace gliftc::sema {
+
+void open_scope(Body& body) { body.scopes.emplace_back(); }
+
+void close_scope(Body& body) {
+    for (const auto& [name, symbol] : body.scopes.back())
+        if (symbol.warn_unused && !symbol.used && !body.context.text(name).starts_with('_'))
+            note(body.context.diagnostics.report(Diag::unused_variable, symbol.span, {body.context.text(name)}), symbol.span,
+                 "a name that begins with '_' may stay unused");
+    body.scopes.pop_back();
+}
+
+void declare(Body& body, ast::Identifier name, Symbol symbol) {
+    symbol.span = name.span;
+    auto [found, added] = body.scopes.back().emplace(name.name, symbol);
+    if (added || !name.name) return;
+    note(body.context.error(Diag::duplicate_name, name.span, {body.context.text(name.name)}), found->second.span, "first declared here");
+}
+
+Symbol* find_symbol(Body& body, Name name) {
+    for (auto scope = body.scopes.rbegin(); scope != body.scopes.rend(); ++scope)
+        if (auto found = scope->find(name); found != scope->end()) return &found->second;
+    return nullptr;
+}
+
+ir::LocalId declare_local(Body& body, ast::Identifier name, ir::TypeId type, bool is_mutable, bool warn_unused) {
+    ir::LocalId local = add_local(body.program(), name.name, type, name.span, is_mutable);
+    Symbol symbol;
+    symbol.kind = SymbolKind::local;
+    symbol.type = type;
+    symbol.local = local;
+    symbol.warn_unused = warn_unused;
+    declare(body, name, symbol);
+    return local;
+}
+
+void emit(Body& body, ir::StmtId stmt) {
+    if (body.block) body.block->push_back(stmt);
+}
+
+ir::LocalId emit_temporary(Body& body, std::string_view name, ir::ExprId value, Span span) {
+    ir::LocalId local = add_local(body.program(), body.context.names.intern(name), body.program().exprs[value].type, span);
+    ir::StmtId let = add(body.program(), ir::StmtOp::let, span);
+    body.program().stmts[let].local = local;
+    body.program().stmts[let].value = value;
+    emit(body, let);
+    return local;
+}
+
+}  // namespace gliftc::sema

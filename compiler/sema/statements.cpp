@@ -1,0 +1,356 @@
+#include "sema/body.h"
+
+namespace gliftc::sema {
+
+namespace {
+
+constexpr unsigned nesting_limit = 200;
+
+void check_let(Body& body, const ast::Stmt& stmt) {
+    Context& c = body.context;
+    ir::TypeId wanted = stmt.type ? type_of(c, body.env, stmt.type) : ir::TypeId{};
+    ir::ExprId value;
+    if (stmt.value) {
+        Operand operand = check(body, stmt.value, wanted);
+        value = wanted ? coerce(body, to_value(body, operand), wanted, c[stmt.value].span) : to_value(body, operand);
+    } else if (!wanted) {
+        c.error(Diag::let_without_type, stmt.name.span, {c.text(stmt.name.name)});
+    }
+    ir::TypeId type = wanted ? wanted : value ? body.program().exprs[value].type : body.types().error;
+    if (type == body.types().void_) {
+        c.error(Diag::void_value, c[stmt.value].span);
+        type = body.types().error;
+    }
+    if (stmt.binding == ast::Binding::const_ && value && !is_error(body, value)) {
+        auto known = ir::evaluate(body.program(), value);
+        if (!known) c.error(Diag::not_constant, c[stmt.value].span);
+        else value = ir::materialize(body.program(), *known, c[stmt.value].span);
+    }
+    bool is_mutable = stmt.binding == ast::Binding::var;
+    ir::LocalId local = declare_local(body, stmt.name, type, is_mutable);
+    ir::StmtId let = add(body.program(), ir::StmtOp::let, stmt.span);
+    body.program().stmts[let].local = local;
+    body.program().stmts[let].value = value;
+    emit(body, let);
+}
+
+void check_shared(Body& body, const ast::Stmt& stmt) {
+    Context& c = body.context;
+    ir::TypeId type = type_of(c, body.env, stmt.type);
+    ir::LocalId local = declare_local(body, stmt.name, type, true);
+    body.program().locals[local].storage = ir::Storage::shared;
+    if (!body.kernel || !body.kernel->grouped()) {
+        note(c.error(Diag::needs_group, stmt.span, {"shared"}), stmt.span, "write 'group(size)' after the kernel's parameters");
+        return;
+    }
+    body.kernel->shared.push_back(local);
+}
+
+/// The local that an assignment changes, if the target is one or a part of one.
+const ir::Expr* root_of(const Body& body, ir::ExprId target) {
+    const ir::Expr* expr = &body.context.program.exprs[target];
+    while (expr->op == ir::Op::index || expr->op == ir::Op::field || expr->op == ir::Op::swizzle)
+        expr = &body.context.program.exprs[expr->operands[0]];
+    return expr;
+}
+
+bool repeats_lane(const ir::Expr& swizzle, std::uint32_t count) {
+    for (std::uint32_t i = 0; i < count; ++i)
+        for (std::uint32_t k = i + 1; k < count; ++k)
+            if (swizzle.lanes[i] == swizzle.lanes[k]) return true;
+    return false;
+}
+
+void check_assign(Body& body, const ast::Stmt& stmt) {
+    Context& c = body.context;
+    if (body.kernel && check_iterator_assignment(body, stmt)) return;
+    ir::ExprId target = check_value(body, stmt.target);
+    if (is_error(body, target)) {
+        check_value(body, stmt.value);
+        return;
+    }
+    const ir::Expr* root = root_of(body, target);
+    if (root->op == ir::Op::host_state && root->place.members.empty() && !root->local) {
+        ir::ExprId value = check_value(body, stmt.value, body.program().exprs[target].type);
+        if (stmt.op) value = make_binary(body.program(), static_cast<ir::BinaryOp>(*stmt.op), body.program().exprs[target].type, target, value, stmt.span);
+        ir::StmtId assign = add(body.program(), ir::StmtOp::host_assign, stmt.span);
+        body.program().stmts[assign].slot = root->slot;
+        body.program().stmts[assign].value = value;
+        emit(body, assign);
+        return;
+    }
+    bool is_local = root->op == ir::Op::local;
+    if (!is_local || !body.program().locals[root->local].is_mutable) {
+        Diagnostic& diagnostic = c.error(Diag::not_assignable, c[stmt.target].span);
+        if (is_local) note(diagnostic, body.program().locals[root->local].span, "declare it with 'var' to change it");
+        return;
+    }
+    const ir::Expr& node = body.program().exprs[target];
+    if (node.op == ir::Op::swizzle && repeats_lane(node, body.types().components(node.type))) {
+        c.error(Diag::repeated_component, c[stmt.target].span);
+        return;
+    }
+    ir::TypeId type = node.type;
+    ir::ExprId value;
+    if (stmt.op) {
+        // `v *= 2.0`: a scalar of the element type is taken for a vector.
+        bool flexible = is_flexible(c, stmt.value);
+        value = to_value(body, check(body, stmt.value, flexible ? body.types().scalar_of(type) : type));
+        if (is_error(body, value)) return;
+        ir::TypeId other = body.program().exprs[value].type;
+        bool shift = *stmt.op == ast::BinaryOp::shift_left || *stmt.op == ast::BinaryOp::shift_right;
+        bool matches = other == type || other == body.types().scalar_of(type) || (shift && body.types().is_integer(other));
+        if (!matches) {
+            coerce(body, value, type, c[stmt.value].span);
+            return;
+        }
+        value = make_binary(body.program(), static_cast<ir::BinaryOp>(*stmt.op), type, target, value, stmt.span);
+    } else {
+        value = check_value(body, stmt.value, type);
+    }
+    ir::StmtId assign = add(body.program(), ir::StmtOp::assign, stmt.span);
+    body.program().stmts[assign].target = target;
+    body.program().stmts[assign].value = value;
+    emit(body, assign);
+}
+
+void check_if_let(Body& body, const ast::Stmt& stmt) {
+    ir::ExprId optional = check_value(body, stmt.value);
+    ir::TypeId type = body.program().exprs[optional].type;
+    if (!is_error(body, optional) && body.types().kind(type) != ir::TypeKind::optional) {
+        body.context.error(Diag::not_optional, body.context[stmt.value].span, {body.context.text(type)});
+        optional = error_value(body, stmt.span);
+        type = body.types().error;
+    }
+    ir::TypeId element = type == body.types().error ? type : body.types()[type].element;
+    ir::LocalId found = emit_temporary(body, "found", optional, body.context[stmt.value].span);
+    ir::StmtId id = add(body.program(), ir::StmtOp::if_, stmt.span);
+    ir::ExprId holder = make_local(body.program(), found, stmt.span);
+    body.program().stmts[id].value = add(body.program(), ir::Op::has_value, body.types().bool_, stmt.span, {holder});
+
+    std::vector<ir::StmtId> then_body;
+    auto* outer = std::exchange(body.block, &then_body);
+    open_scope(body);
+    ir::LocalId local = declare_local(body, stmt.name, element, false);
+    ir::StmtId let = add(body.program(), ir::StmtOp::let, stmt.name.span);
+    body.program().stmts[let].local = local;
+    body.program().stmts[let].value = add(body.program(), ir::Op::value, element, stmt.span, {make_local(body.program(), found, stmt.span)});
+    emit(body, let);
+    check_block(body, stmt.body);
+    close_scope(body);
+    body.block = outer;
+    body.program().stmts[id].body = std::move(then_body);
+    auto otherwise = check_nested(body, stmt.otherwise);
+    body.program().stmts[id].otherwise = std::move(otherwise);
+    emit(body, id);
+}
+
+void check_if(Body& body, const ast::Stmt& stmt) {
+    if (stmt.name.name) return check_if_let(body, stmt);
+    ir::ExprId condition = check_value(body, stmt.value, body.types().bool_);
+    ir::StmtId id = add(body.program(), ir::StmtOp::if_, stmt.span);
+    auto then_body = check_nested(body, stmt.body);
+    auto otherwise = check_nested(body, stmt.otherwise);
+    ir::Stmt& node = body.program().stmts[id];
+    node.value = condition;
+    node.body = std::move(then_body);
+    node.otherwise = std::move(otherwise);
+    emit(body, id);
+}
+
+/// Both ends of `a..b`; literals take the other end's type, uint if both are literals and neither is negative.
+std::pair<ir::ExprId, ir::ExprId> check_range(Body& body, const ast::Expr& range) {
+    Context& c = body.context;
+    bool low_flexible = is_flexible(c, range.operands[0]), high_flexible = is_flexible(c, range.operands[1]);
+    bool negative = c[range.operands[0]].kind == ast::ExprKind::unary || c[range.operands[1]].kind == ast::ExprKind::unary;
+    ir::ExprId low, high;
+    if (low_flexible && high_flexible) {
+        ir::TypeId type = negative ? body.types().int_ : body.types().uint;
+        low = check_value(body, range.operands[0], type);
+        high = check_value(body, range.operands[1], type);
+    } else if (low_flexible) {
+        high = check_value(body, range.operands[1]);
+        low = check_value(body, range.operands[0], body.program().exprs[high].type);
+    } else {
+        low = check_value(body, range.operands[0]);
+        high = check_value(body, range.operands[1], body.program().exprs[low].type);
+    }
+    return {low, high};
+}
+
+void check_for(Body& body, const ast::Stmt& stmt) {
+    Context& c = body.context;
+    const ast::Expr& range = c[stmt.value];
+    if (range.kind != ast::ExprKind::range) {
+        if (range.kind != ast::ExprKind::error) c.error(Diag::for_range, range.span);
+        return;
+    }
+    auto [low, high] = check_range(body, range);
+    ir::TypeId type = body.program().exprs[low].type;
+    bool wrong = !is_error(body, low) && !is_error(body, high) && type != body.types().int_ && type != body.types().uint;
+    if (wrong) c.error(Diag::index_type, range.span, {c.text(type)});
+    ir::StmtId id = add(body.program(), ir::StmtOp::for_, stmt.span);
+    std::vector<ir::StmtId> inner;
+    auto* outer = std::exchange(body.block, &inner);
+    open_scope(body);
+    ir::LocalId local = declare_local(body, stmt.name, type, false, false);
+    ++body.loops;
+    check_block(body, stmt.body);
+    --body.loops;
+    close_scope(body);
+    body.block = outer;
+    ir::Stmt& node = body.program().stmts[id];
+    node.local = local;
+    node.value = low;
+    node.limit = high;
+    node.body = std::move(inner);
+    emit(body, id);
+}
+
+/// The condition of a while is evaluated again each round: what it emits must be inside the loop.
+void check_while(Body& body, const ast::Stmt& stmt) {
+    std::vector<ir::StmtId> inner;
+    auto* outer = std::exchange(body.block, &inner);
+    ir::ExprId condition = check_value(body, stmt.value, body.types().bool_);
+    bool simple = inner.empty();
+    if (!simple) {
+        ir::StmtId leave = add(body.program(), ir::StmtOp::if_, stmt.span);
+        ir::ExprId negated = add(body.program(), ir::Op::unary, body.types().bool_, stmt.span, {condition});
+        body.program().exprs[negated].unary = ir::UnaryOp::logical_not;
+        body.program().stmts[leave].value = negated;
+        body.program().stmts[leave].body = {add(body.program(), ir::StmtOp::break_, stmt.span)};
+        emit(body, leave);
+    }
+    open_scope(body);
+    ++body.loops;
+    check_block(body, stmt.body);
+    --body.loops;
+    close_scope(body);
+    body.block = outer;
+    ir::StmtId id = add(body.program(), ir::StmtOp::while_, stmt.span);
+    ir::ExprId value = simple ? condition : make_bool(body.program(), true, stmt.span);
+    body.program().stmts[id].value = value;
+    body.program().stmts[id].body = std::move(inner);
+    emit(body, id);
+}
+
+void check_return(Body& body, const ast::Stmt& stmt) {
+    Context& c = body.context;
+    if (body.kernel && body.kernel->grouped()) {
+        note(c.error(Diag::return_in_group, stmt.span), stmt.span, "invocations of a workgroup reach every barrier together: use 'if'");
+        return;
+    }
+    ir::StmtId id = add(body.program(), ir::StmtOp::return_, stmt.span);
+    if (stmt.value) {
+        if (body.result == body.types().void_) {
+            c.error(Diag::return_value, c[stmt.value].span);
+            check_value(body, stmt.value);
+            return;
+        }
+        ir::ExprId value = check_value(body, stmt.value, body.result);
+        body.program().stmts[id].value = value;
+    } else if (body.result && body.result != body.types().void_ && body.result != body.types().error) {
+        c.error(Diag::return_nothing, stmt.span, {c.text(body.result)});
+    }
+    emit(body, id);
+}
+
+void check_expression_statement(Body& body, const ast::Stmt& stmt) {
+    Context& c = body.context;
+    const ast::Expr& expr = c[stmt.value];
+    if (expr.kind == ast::ExprKind::call && c[expr.operands[0]].kind == ast::ExprKind::name &&
+        c.text(c[expr.operands[0]].name) == "barrier" && !find_symbol(body, c[expr.operands[0]].name)) {
+        if (!body.kernel || !body.kernel->grouped())
+            note(c.error(Diag::needs_group, stmt.span, {"barrier"}), stmt.span, "write 'group(size)' after the kernel's parameters");
+        else emit(body, add(body.program(), ir::StmtOp::barrier, stmt.span));
+        return;
+    }
+    Operand operand = check(body, stmt.value);
+    if (operand.kind == OperandKind::error || !operand.expr) return;
+    const ir::Expr& node = body.program().exprs[operand.expr];
+    bool atomic = node.op == ir::Op::intrinsic && node.intrinsic >= ir::Intrinsic::atomicAdd;
+    if (node.op != ir::Op::call && node.op != ir::Op::pipeline_call && !atomic) {
+        c.error(Diag::no_effect, expr.span);
+        return;
+    }
+    ir::StmtId id = add(body.program(), ir::StmtOp::evaluate, stmt.span);
+    body.program().stmts[id].value = operand.expr;
+    emit(body, id);
+}
+
+void check_jump(Body& body, const ast::Stmt& stmt) {
+    bool is_break = stmt.kind == ast::StmtKind::break_;
+    if (body.loops == 0) body.context.error(Diag::outside_loop, stmt.span, {is_break ? "break" : "continue"});
+    emit(body, add(body.program(), is_break ? ir::StmtOp::break_ : ir::StmtOp::continue_, stmt.span));
+}
+
+}  // namespace
+
+std::vector<ir::StmtId> check_nested(Body& body, const std::vector<ast::StmtId>& statements) {
+    std::vector<ir::StmtId> inner;
+    auto* outer = std::exchange(body.block, &inner);
+    open_scope(body);
+    check_block(body, statements);
+    close_scope(body);
+    body.block = outer;
+    return inner;
+}
+
+void check_block(Body& body, const std::vector<ast::StmtId>& statements) {
+    for (ast::StmtId id : statements) {
+        if (body.context.diagnostics.at_limit()) return;
+        check_statement(body, id);
+    }
+}
+
+void check_statement(Body& body, ast::StmtId id) {
+    const ast::Stmt& stmt = body.context[id];
+    if (body.depth > nesting_limit) {
+        body.context.error(Diag::too_deep, stmt.span);
+        return;
+    }
+    ++body.depth;
+    switch (stmt.kind) {
+        case ast::StmtKind::error: break;
+        case ast::StmtKind::let:
+            if (body.kind != BodyKind::pipeline || !check_pipeline_statement(body, stmt)) check_let(body, stmt);
+            break;
+        case ast::StmtKind::shared: check_shared(body, stmt); break;
+        case ast::StmtKind::temp:
+            if (body.kind != BodyKind::pipeline) body.context.error(Diag::temp_outside_pipeline, stmt.span);
+            else check_pipeline_statement(body, stmt);
+            break;
+        case ast::StmtKind::assign: check_assign(body, stmt); break;
+        case ast::StmtKind::expression:
+            if (body.kind != BodyKind::pipeline || !check_pipeline_statement(body, stmt)) check_expression_statement(body, stmt);
+            break;
+        case ast::StmtKind::if_: check_if(body, stmt); break;
+        case ast::StmtKind::for_: check_for(body, stmt); break;
+        case ast::StmtKind::while_: check_while(body, stmt); break;
+        case ast::StmtKind::break_:
+        case ast::StmtKind::continue_: check_jump(body, stmt); break;
+        case ast::StmtKind::return_: check_return(body, stmt); break;
+        case ast::StmtKind::block: {
+            auto inner = check_nested(body, stmt.body);
+            ir::StmtId block = add(body.program(), ir::StmtOp::block, stmt.span);
+            body.program().stmts[block].body = std::move(inner);
+            emit(body, block);
+            break;
+        }
+    }
+    --body.depth;
+}
+
+bool always_returns(const ir::Program& program, const std::vector<ir::StmtId>& statements) {
+    for (ir::StmtId id : statements) {
+        const ir::Stmt& stmt = program.stmts[id];
+        if (stmt.op == ir::StmtOp::return_) return true;
+        if (stmt.op == ir::StmtOp::block && always_returns(program, stmt.body)) return true;
+        if (stmt.op == ir::StmtOp::if_ && !stmt.otherwise.empty() && always_returns(program, stmt.body) &&
+            always_returns(program, stmt.otherwise))
+            return true;
+    }
+    return false;
+}
+
+}  // namespace gliftc::sema

@@ -1,0 +1,512 @@
+// Structures, views and adaptors: constructor, memories, nested structures, `via`, domain.
+#include "sema/components.h"
+#include "sema/generics.h"
+#include "sema/instances.h"
+
+namespace gliftc::sema {
+
+namespace {
+
+ir::Format format_of(const ir::Types& types, ir::TypeId type) {
+    ir::TypeId scalar = types.scalar_of(type);
+    std::uint32_t n = types.components(type);
+    if (scalar == types.float_) return n == 1 ? ir::Format::r32f : n == 2 ? ir::Format::rg32f : n == 4 ? ir::Format::rgba32f : ir::Format::none;
+    if (scalar == types.uint) return n == 1 ? ir::Format::r32ui : n == 2 ? ir::Format::rg32ui : n == 4 ? ir::Format::rgba32ui : ir::Format::none;
+    if (scalar == types.int_) return n == 1 ? ir::Format::r32i : n == 2 ? ir::Format::rg32i : n == 4 ? ir::Format::rgba32i : ir::Format::none;
+    return ir::Format::none;
+}
+
+ir::TypeId element_of(ir::Types& types, ir::Format format) {
+    switch (format) {
+        case ir::Format::none: return types.error;
+        case ir::Format::r8: case ir::Format::r16f: case ir::Format::r32f: case ir::Format::d32: return types.float_;
+        case ir::Format::rg8: case ir::Format::rg16f: case ir::Format::rg32f: return types.vector(types.float_, 2);
+        case ir::Format::rgba8: case ir::Format::rgba16f: case ir::Format::rgba32f: return types.vector(types.float_, 4);
+        case ir::Format::r8ui: case ir::Format::r16ui: case ir::Format::r32ui: return types.uint;
+        case ir::Format::rg32ui: return types.vector(types.uint, 2);
+        case ir::Format::rgba32ui: case ir::Format::rgba8ui: return types.vector(types.uint, 4);
+        case ir::Format::r32i: return types.int_;
+        case ir::Format::rg32i: return types.vector(types.int_, 2);
+        case ir::Format::rgba32i: return types.vector(types.int_, 4);
+    }
+    return types.error;
+}
+
+ir::TypeId address_type(ir::Types& types, ir::MemoryShape shape) {
+    switch (shape) {
+        case ir::MemoryShape::buffer:
+        case ir::MemoryShape::image1d: return types.uint;
+        case ir::MemoryShape::image2d: return types.vector(types.uint, 2);
+        case ir::MemoryShape::image3d:
+        case ir::MemoryShape::imagecube: return types.vector(types.uint, 3);
+    }
+    return types.uint;
+}
+
+/// `buffer<T>[n]` or `image2d<F>(extent)`: which shape, of what, how large.
+struct MemoryText {
+    Name shape;
+    Span shape_span;
+    ast::ExprId element, extent;
+};
+
+std::optional<MemoryText> read_memory(Context& c, ast::ExprId id) {
+    const ast::Expr& expr = c[id];
+    bool form = (expr.kind == ast::ExprKind::index || expr.kind == ast::ExprKind::call) && expr.operands.size() == 2;
+    if (form && c[expr.operands[0]].kind == ast::ExprKind::generic) {
+        const ast::Expr& generic = c[expr.operands[0]];
+        if (generic.operands.size() == 2 && c[generic.operands[0]].kind == ast::ExprKind::name)
+            return MemoryText{c[generic.operands[0]].name, c[generic.operands[0]].span, generic.operands[1], expr.operands[1]};
+    }
+    if (expr.kind != ast::ExprKind::error)
+        note(c.error(Diag::memory_form, expr.span), expr.span, "write buffer<T>[n], image1d<F>(n), image2d<F>(extent) or image3d<F>(extent)");
+    return std::nullopt;
+}
+
+void add_memory(Body& body, std::uint32_t index, const ast::Item& item) {
+    Context& c = body.context;
+    auto text = read_memory(c, item.value);
+    if (!text) return;
+    Meta shape = find_meta(c, body.env, {text->shape, text->shape_span});
+    if (shape.kind != MetaKind::memory_shape) {
+        note(c.error(Diag::memory_form, text->shape_span), text->shape_span, "write buffer<T>[n], image1d<F>(n), image2d<F>(extent) or image3d<F>(extent)");
+        return;
+    }
+    ir::Memory memory;
+    memory.name = item.name.name;
+    memory.shape = shape.shape;
+    memory.span = item.name.span;
+    memory.linear = item.filter && c.text(item.filter) == "linear";
+    if (item.filter && !memory.linear && c.text(item.filter) != "nearest")
+        c.error(Diag::memory_option, item.filter_span, {c.text(item.filter)});
+    memory.compare = item.compare;
+    Meta element = meta_of(c, body.env, text->element);
+    if (element.kind == MetaKind::none) return;
+    if (memory.shape == ir::MemoryShape::buffer) {
+        bool storable = element.kind == MetaKind::type && c.types().kind(element.type) != ir::TypeKind::structure;
+        if (!storable) {
+            c.error(Diag::memory_element, c[text->element].span);
+            return;
+        }
+        memory.element = element.type;
+    } else {
+        memory.format = element.kind == MetaKind::format ? element.format
+                        : element.kind == MetaKind::type ? format_of(c.types(), element.type) : ir::Format::none;
+        if (memory.format == ir::Format::none) {
+            note(c.error(Diag::memory_element, c[text->element].span), c[text->element].span,
+                 "images hold a texel format (r8, rgba8, r16f, r32f …) or one, two or four floats, ints or uints");
+            return;
+        }
+        memory.element = element_of(c.types(), memory.format);
+    }
+    ir::TypeId extent = memory.shape == ir::MemoryShape::imagecube ? c.types().vector(c.types().uint, 2) : address_type(c.types(), memory.shape);
+    memory.extent = check_value(body, text->extent, extent);
+    if (item.mips) memory.mips = check_value(body, item.mips, c.types().uint);
+    c.program.structures[index].memories.push_back(memory);
+    Symbol symbol;
+    symbol.kind = SymbolKind::memory;
+    symbol.structure = index;
+    symbol.slot = static_cast<std::uint32_t>(c.program.structures[index].memories.size() - 1);
+    declare(body, item.name, symbol);
+}
+
+void declare_member(Body& body, std::uint32_t index, std::uint32_t member, ast::Identifier name) {
+    Symbol symbol;
+    symbol.kind = SymbolKind::structure;
+    symbol.structure = body.context.program.structures[index].members[member].structure;
+    symbol.place.members = {member};
+    declare(body, name, symbol);
+}
+
+void add_member(Body& body, std::uint32_t index, const ast::Item& item) {
+    Context& c = body.context;
+    const ast::Expr& call = c[item.value];
+    if (call.kind != ast::ExprKind::call) {
+        if (call.kind != ast::ExprKind::error) c.error(Diag::member_form, call.span);
+        return;
+    }
+    ir::TypeId type = type_of(c, body.env, call.operands[0]);
+    if (type == c.types().error) return;
+    if (c.types().kind(type) != ir::TypeKind::structure) {
+        c.error(Diag::member_form, call.span);
+        return;
+    }
+    ir::MemberStructure member;
+    member.name = item.name.name;
+    member.span = item.name.span;
+    member.structure = c.types()[type].index;
+    std::vector<ir::TypeId> wanted;
+    for (ir::LocalId local : c.program.structures[member.structure].constructor) wanted.push_back(c.program.locals[local].type);
+    if (wanted.size() != call.operands.size() - 1) {
+        c.error(Diag::argument_count, call.span, {c.text(type), std::to_string(wanted.size()), std::to_string(call.operands.size() - 1)});
+        return;
+    }
+    for (std::size_t i = 0; i < wanted.size(); ++i) member.arguments.push_back(check_value(body, call.operands[i + 1], wanted[i]));
+    c.program.structures[index].members.push_back(std::move(member));
+    declare_member(body, index, static_cast<std::uint32_t>(c.program.structures[index].members.size() - 1), item.name);
+}
+
+// ------------------------------------------------------------------------------------------------------------- via
+
+/// `Name<…>(arguments)`: the translators meant, with generic arguments inferred from the arguments and the incoming address.
+std::vector<std::uint32_t> stage_translators(Body& body, const ast::Expr& call, const std::vector<Operand>& arguments, ir::TypeId incoming) {
+    Context& c = body.context;
+    const ast::Expr& callee = c[call.operands[0]];
+    const ast::Expr& name = callee.kind == ast::ExprKind::generic ? c[callee.operands[0]] : callee;
+    Meta meta = name.kind == ast::ExprKind::name ? find_meta(c, body.env, {name.name, name.span}) : Meta{};
+    bool declared = meta.kind == MetaKind::declarations && std::holds_alternative<ast::Translator>(c[meta.declarations[0]].body);
+    if (!declared) {
+        Meta whole = meta_of(c, body.env, call.operands[0]);
+        if (whole.kind == MetaKind::translator) return whole.translators;
+        if (whole.kind != MetaKind::none) c.error(Diag::not_a_translator, callee.span);
+        return {};
+    }
+    ast::DeclId id = meta.declarations[0];
+    const auto& written = std::get<ast::Translator>(c[id].body);
+    Env& env = c.new_env(c.module_of.at(id));
+    Arguments generics(c, c[id], env, callee.span);
+    std::vector<ast::ExprId> explicit_generics;
+    if (callee.kind == ast::ExprKind::generic) explicit_generics.assign(callee.operands.begin() + 1, callee.operands.end());
+    if (!generics.give(body.env, explicit_generics)) return {};
+    for (std::size_t i = 0; i < arguments.size() && i < written.fields.size(); ++i) {
+        if (arguments[i].kind == OperandKind::structure) generics.infer_structure(written.fields[i].type, arguments[i].structure);
+        if (arguments[i].kind == OperandKind::value) generics.infer(written.fields[i].type, arguments[i].type);
+    }
+    if (incoming) generics.infer(written.virtual_type, incoming);
+    if (!generics.finish()) return {};
+    auto made = instantiate_translator(c, id, env, callee.span);
+    return made ? *made : std::vector<std::uint32_t>{};
+}
+
+/// Gives the fields of the translators their arguments, in the order declared.
+bool fill_stages(Body& body, const ast::Expr& call, const std::vector<Operand>& arguments, const std::vector<std::uint32_t>& translators,
+                 std::vector<ir::Stage>& stages) {
+    Context& c = body.context;
+    std::size_t next = 0, wanted = 0;
+    for (std::uint32_t t : translators) wanted += c.program.translators[t].scalars.size() + c.program.translators[t].structures.size();
+    if (wanted != arguments.size()) {
+        c.error(Diag::argument_count, call.span, {c.program.translators[translators[0]].display, std::to_string(wanted), std::to_string(arguments.size())});
+        return false;
+    }
+    for (std::uint32_t t : translators) {
+        ir::Stage stage;
+        stage.translator = t;
+        const auto& fields = std::get<ast::Translator>(c[c.translator_decl.at(t)].body).fields;
+        const Env& env = *c.translator_env.at(t);
+        for (const ast::Field& field : fields) {
+            const Operand& argument = arguments[next];
+            ast::ExprId written = call.operands[1 + next++];
+            ir::TypeId type = type_of(c, env, field.type);
+            if (c.types().kind(type) == ir::TypeKind::structure) {
+                if (argument.kind != OperandKind::structure || argument.structure != c.types()[type].index) {
+                    c.error(Diag::type_mismatch, c[written].span, {c.text(type), "something else"});
+                    return false;
+                }
+                stage.structures.push_back(argument.place);
+                continue;
+            }
+            ir::ExprId value = argument.kind == OperandKind::error ? check_value(body, written, type)
+                                                                  : coerce(body, to_value(body, argument), type, c[written].span);
+            if (is_error(body, value)) return false;
+            stage.scalars.push_back(value);
+        }
+        stages.push_back(std::move(stage));
+    }
+    return true;
+}
+
+void flatten_then(Context& c, ast::ExprId id, std::vector<ast::ExprId>& stages) {
+    const ast::Expr& expr = c[id];
+    if (expr.kind == ast::ExprKind::binary && expr.binary == ast::BinaryOp::then) {
+        flatten_then(c, expr.operands[0], stages);
+        flatten_then(c, expr.operands[1], stages);
+    } else {
+        stages.push_back(id);
+    }
+}
+
+void add_via(Body& body, std::uint32_t index, const ast::Item& item) {
+    Context& c = body.context;
+    if (!c.program.structures[index].via.empty()) {
+        c.error(Diag::duplicate_via, item.span);
+        return;
+    }
+    std::vector<ast::ExprId> written;
+    flatten_then(c, item.value, written);
+    std::vector<ir::Stage> stages;
+    ir::TypeId incoming;
+    for (ast::ExprId id : written) {
+        const ast::Expr& call = c[id];
+        if (call.kind != ast::ExprKind::call) {
+            if (call.kind != ast::ExprKind::error) c.error(Diag::via_form, call.span);
+            return;
+        }
+        std::vector<Operand> arguments;
+        for (std::size_t i = 1; i < call.operands.size(); ++i)
+            arguments.push_back(is_flexible(c, call.operands[i]) ? error_operand(c[call.operands[i]].span) : check(body, call.operands[i]));
+        for (std::size_t i = 0; i < arguments.size(); ++i)
+            if (arguments[i].kind == OperandKind::error && !is_flexible(c, call.operands[i + 1])) return;
+        auto translators = stage_translators(body, call, arguments, incoming);
+        if (translators.empty() || !fill_stages(body, call, arguments, translators, stages)) return;
+        ir::TypeId takes = c.program.translators[translators.front()].virtual_type;
+        if (incoming && incoming != takes) {
+            c.error(Diag::via_mismatch, call.span, {c.text(incoming), c.text(takes)});
+            return;
+        }
+        for (std::size_t i = 1; i < translators.size(); ++i) {
+            ir::TypeId gives = c.program.translators[translators[i - 1]].physical_type, next = c.program.translators[translators[i]].virtual_type;
+            if (gives != next) {
+                c.error(Diag::via_mismatch, call.span, {c.text(gives), c.text(next)});
+                return;
+            }
+        }
+        incoming = c.program.translators[translators.back()].physical_type;
+    }
+    c.program.structures[index].via = std::move(stages);
+}
+
+// ---------------------------------------------------------------------------------------------------------- finish
+
+ir::ExprId domain_from_item(Body& body, const ast::Item& item, ir::TypeId wanted) {
+    Context& c = body.context;
+    const auto& function = std::get<ast::Function>(c[item.decl].body);
+    bool single = function.body.size() == 1 && c[function.body[0]].kind == ast::StmtKind::return_ && c[function.body[0]].value;
+    if (!single) {
+        c.error(Diag::domain_form, c[item.decl].name.span);
+        return {};
+    }
+    return check_value(body, c[function.body[0]].value, wanted);
+}
+
+/// The domain that the first translator gives, in terms of the structure.
+ir::ExprId domain_from_translator(Context& c, const ir::Structure& structure) {
+    const ir::Translator& translator = c.program.translators[structure.via[0].translator];
+    if (!translator.domain) return {};
+    ir::ExprId value = single_return(c.program, translator.domain);
+    if (!value) {
+        c.error(Diag::domain_form, c.program.functions[translator.domain].span);
+        return {};
+    }
+    return substitute_state(c, value, structure.via[0]);
+}
+
+void finish_structure(Body& body, std::uint32_t index, const ast::Item* domain, const ast::Item* otherwise) {
+    Context& c = body.context;
+    Span at = c.program.structures[index].span;
+    const std::string display = c.program.structures[index].display;
+    if (c.program.structures[index].memories.empty()) {
+        c.error(Diag::no_memory, at, {display});
+        return;
+    }
+    if (c.program.structures[index].via.empty()) {
+        note(c.error(Diag::no_via, at, {display}), at, "write 'via Translator(…);'");
+        return;
+    }
+    ir::Structure& structure = c.program.structures[index];
+    const ir::Memory memory = structure.memories[0];
+    ir::TypeId gives = c.program.translators[structure.via.back().translator].physical_type;
+    ir::TypeId takes = address_type(c.types(), memory.shape);
+    if (gives != takes) {
+        note(c.error(Diag::via_mismatch, at, {c.text(gives), c.text(takes)}), memory.span, "this memory is addressed by " + c.text(takes));
+        return;
+    }
+    structure.domain_type = c.program.translators[structure.via.front().translator].virtual_type;
+    structure.element = memory.element;
+    ir::TypeId domain_type = structure.domain_type;
+    ir::ExprId extent = domain ? domain_from_item(body, *domain, domain_type) : domain_from_translator(c, structure);
+    if (!extent && !c.diagnostics.has_errors())
+        note(c.error(Diag::no_domain, at, {display}), at, "write 'domain() { return …; }' in its first translator or in the structure");
+    c.program.structures[index].domain = extent;
+    if (otherwise) {
+        ir::ExprId value = check_value(body, otherwise->value, memory.element);
+        c.program.structures[index].otherwise = value;
+    }
+}
+
+std::uint32_t begin_structure(Context& c, ast::DeclId id, const Env& env, ir::StructureKind kind) {
+    const ast::Decl& decl = c[id];
+    auto index = static_cast<std::uint32_t>(c.program.structures.size());
+    ir::Structure structure;
+    structure.kind = kind;
+    structure.name = decl.name.name;
+    structure.display = display_of(c, decl, env);
+    structure.span = decl.name.span;
+    structure.module = c.module_of.at(id);
+    structure.doc = decl.doc;
+    structure.domain_type = structure.element = c.types().void_;
+    if (decl.is_pub && decl.generics.empty() && c.modules[structure.module].is_root) structure.is_pub = true, structure.alias = decl.name.name;
+    c.program.structures.push_back(std::move(structure));
+    c.structure_env[index] = &env;
+    c.structure_decl[index] = id;
+    for (const auto& [name, meta] : env.bindings) c.arguments_of[index].push_back(meta);
+    return index;
+}
+
+ir::FunctionId make_at(Context& c, ast::DeclId id, const Env& env, std::uint32_t index) {
+    const ast::Decl& decl = c[id];
+    const auto& written = std::get<ast::Function>(decl.body);
+    const ir::Structure view = c.program.structures[index];
+    if (written.params.size() != 1) {
+        c.error(Diag::method_params, decl.name.span, {"at", "1"});
+        return {};
+    }
+    std::size_t errors = c.diagnostics.error_count();
+    ir::Function function;
+    function.name = decl.name.name;
+    function.display = view.display + ".at";
+    function.span = decl.name.span;
+    function.module = c.module_of.at(id);
+    function.structures = {index};
+    function.result = view.element;
+    Body body{.context = c, .env = env, .kind = BodyKind::function, .block = &function.body, .result = view.element};
+    bring_members_into_scope(body, index);
+    open_scope(body);
+    function.params.push_back(declare_local(body, written.params[0].name, view.domain_type, false, false));
+    check_block(body, written.body);
+    close_scope(body);
+    if (c.diagnostics.error_count() == errors && !always_returns(c.program, function.body))
+        c.error(Diag::missing_return, decl.name.span, {"at", c.text(view.element)});
+    return c.program.functions.add(std::move(function));
+}
+
+}  // namespace
+
+void add_constructor(Context& c, const Env& env, const std::vector<ast::Param>& params, ir::Structure& structure, bool by_reference) {
+    for (const ast::Param& param : params) {
+        ir::TypeId type = type_of(c, env, param.type);
+        if (c.types().kind(type) == ir::TypeKind::structure) {
+            if (!by_reference) c.error(Diag::structure_argument, c[param.type].span);
+            ir::MemberStructure member;
+            member.name = param.name.name;
+            member.structure = c.types()[type].index;
+            member.by_reference = true;
+            member.span = param.name.span;
+            structure.members.push_back(std::move(member));
+        } else {
+            structure.constructor.push_back(add_local(c.program, param.name.name, type, param.name.span));
+        }
+    }
+}
+
+void bring_members_into_scope(Body& body, std::uint32_t index) {
+    Context& c = body.context;
+    const ir::Structure structure = c.program.structures[index];
+    for (std::uint32_t i = 0; i < structure.constructor.size(); ++i) {
+        const ir::Local& local = c.program.locals[structure.constructor[i]];
+        Symbol symbol;
+        symbol.kind = SymbolKind::member;
+        symbol.slot = i;
+        symbol.type = local.type;
+        declare(body, {local.name, local.span}, symbol);
+    }
+    for (std::uint32_t i = 0; i < structure.members.size(); ++i)
+        declare_member(body, index, i, {structure.members[i].name, structure.members[i].span});
+    for (std::uint32_t i = 0; i < structure.memories.size(); ++i) {
+        Symbol symbol;
+        symbol.kind = SymbolKind::memory;
+        symbol.structure = index;
+        symbol.slot = i;
+        declare(body, {structure.memories[i].name, structure.memories[i].span}, symbol);
+    }
+    for (std::uint32_t i = 0; i < structure.host.size(); ++i) {
+        Symbol symbol;
+        symbol.kind = SymbolKind::host_state;
+        symbol.slot = i;
+        symbol.type = structure.host[i].type;
+        declare(body, {structure.host[i].name, structure.span}, symbol);
+    }
+}
+
+ir::TypeId make_structure(Context& c, ast::DeclId id, const Env& env) {
+    const auto& written = std::get<ast::Structure>(c[id].body);
+    std::size_t errors = c.diagnostics.error_count();
+    std::uint32_t index = begin_structure(c, id, env, ir::StructureKind::stored);
+    {
+        ir::Structure started = c.program.structures[index];
+        add_constructor(c, env, written.constructor, started, false);
+        c.program.structures[index] = std::move(started);
+    }
+    Body body{.context = c, .env = env, .kind = BodyKind::structure};
+    bring_members_into_scope(body, index);
+    const ast::Item *domain = nullptr, *otherwise = nullptr;
+    for_each_item(c, env, written.items, [&](const ast::Item& item) {
+        switch (item.kind) {
+            case ast::ItemKind::memory: add_memory(body, index, item); break;
+            case ast::ItemKind::member: add_member(body, index, item); break;
+            case ast::ItemKind::via: add_via(body, index, item); break;
+            case ast::ItemKind::otherwise: otherwise = &item; break;
+            case ast::ItemKind::function:
+                if (c.text(c[item.decl].name.name) == "domain") domain = &item;
+                break;
+            case ast::ItemKind::host:
+            case ast::ItemKind::pipeline: c.error(Diag::item_not_here, item.span, {"a structure"}); break;
+            case ast::ItemKind::condition: break;
+        }
+    });
+    if (c.diagnostics.error_count() == errors) finish_structure(body, index, domain, otherwise);
+    return c.diagnostics.error_count() == errors ? c.types().of_structure(index) : c.types().error;
+}
+
+ir::TypeId make_view(Context& c, ast::DeclId id, const Env& env) {
+    const auto& written = std::get<ast::View>(c[id].body);
+    std::size_t errors = c.diagnostics.error_count();
+    std::uint32_t index = begin_structure(c, id, env, ir::StructureKind::view);
+    ir::Structure started = c.program.structures[index];
+    started.copyable = false;
+    add_constructor(c, env, written.constructor, started, true);
+    started.domain_type = type_of(c, env, written.virtual_type);
+    started.element = type_of(c, env, written.element_type);
+    bool address = started.domain_type == c.types().error || is_address(c.types(), started.domain_type);
+    if (!address) c.error(Diag::address_type, c[written.virtual_type].span, {c.text(started.domain_type)});
+    c.program.structures[index] = std::move(started);
+    Body body{.context = c, .env = env, .kind = BodyKind::structure};
+    bring_members_into_scope(body, index);
+    ast::DeclId at;
+    for_each_item(c, env, written.items, [&](const ast::Item& item) {
+        bool function = item.kind == ast::ItemKind::function;
+        if (!function) c.error(Diag::item_not_here, item.span, {"a view"});
+        else if (c.text(c[item.decl].name.name) == "at") at = item.decl;
+        else if (c.text(c[item.decl].name.name) == "domain") {
+            ir::ExprId extent = domain_from_item(body, item, c.program.structures[index].domain_type);
+            c.program.structures[index].domain = extent;
+        }
+    });
+    if (!at) c.error(Diag::view_without_at, c[id].name.span, {c.text(c[id].name.name)});
+    else if (c.diagnostics.error_count() == errors) {
+        ir::FunctionId function = make_at(c, at, env, index);
+        c.program.structures[index].at = function;
+    }
+    return c.diagnostics.error_count() == errors ? c.types().of_structure(index) : c.types().error;
+}
+
+ir::TypeId make_adaptor(Context& c, ast::DeclId id, const Env& env) {
+    const auto& written = std::get<ast::Adaptor>(c[id].body);
+    std::size_t errors = c.diagnostics.error_count();
+    std::uint32_t index = begin_structure(c, id, env, ir::StructureKind::adaptor);
+    ir::Structure started = c.program.structures[index];
+    started.copyable = false;
+    add_constructor(c, env, written.constructor, started, true);
+    c.program.structures[index] = std::move(started);
+    Body body{.context = c, .env = env, .kind = BodyKind::structure};
+    bring_members_into_scope(body, index);
+    for_each_item(c, env, written.items, [&](const ast::Item& item) {
+        switch (item.kind) {
+            case ast::ItemKind::member: add_member(body, index, item); break;
+            case ast::ItemKind::host: {
+                ir::TypeId type = type_of(c, env, item.type);
+                ir::ExprId initial = item.value ? check_value(body, item.value, type) : ir::ExprId{};
+                c.program.structures[index].host.push_back({item.name.name, type, initial});
+                break;
+            }
+            case ast::ItemKind::function:
+            case ast::ItemKind::pipeline: break;   // when called
+            case ast::ItemKind::memory:
+            case ast::ItemKind::via:
+            case ast::ItemKind::otherwise: c.error(Diag::item_not_here, item.span, {"an adaptor"}); break;
+            case ast::ItemKind::condition: break;
+        }
+    });
+    return c.diagnostics.error_count() == errors ? c.types().of_structure(index) : c.types().error;
+}
+
+}  // namespace gliftc::sema

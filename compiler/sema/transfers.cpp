@@ -1,0 +1,86 @@
+// How elements of a structure reach the host: kernels of std.transfer, instantiated for it.
+#include "sema/components.h"
+#include "sema/generics.h"
+#include "sema/instances.h"
+
+namespace gliftc::sema {
+
+namespace {
+
+std::optional<ast::DeclId> find_transfer(Context& c, std::string_view name) {
+    for (std::uint32_t i = 0; i < c.modules.size(); ++i) {
+        if (c.text(c.modules[i].tree->name.name) != transfer_module) continue;
+        auto found = c.scopes[i].names.find(c.names.intern(name));
+        if (found != c.scopes[i].names.end()) return found->second[0];
+    }
+    return std::nullopt;
+}
+
+Meta of_structure(Context& c, std::uint32_t index) {
+    Meta meta;
+    meta.kind = MetaKind::type;
+    meta.type = c.types().of_structure(index);
+    return meta;
+}
+
+std::optional<std::uint32_t> transfer_kernel(Context& c, std::string_view name, std::vector<Meta> metas, Span use) {
+    auto decl = find_transfer(c, name);
+    if (!decl) return std::nullopt;
+    Env& env = c.new_env(c.module_of.at(*decl));
+    Arguments arguments(c, c[*decl], env, use);
+    arguments.give(std::move(metas));
+    if (!arguments.finish()) return std::nullopt;
+    return instantiate_kernel(c, *decl, env, use);
+}
+
+std::optional<std::uint32_t> box_of(Context& c, const ir::Structure& structure, Span use) {
+    auto decl = find_transfer(c, "Box");
+    if (!decl) return std::nullopt;
+    Env& env = c.new_env(c.module_of.at(*decl));
+    Arguments arguments(c, c[*decl], env, use);
+    Meta dimensions, element;
+    dimensions.kind = MetaKind::value;
+    dimensions.value = {c.types().uint, {ir::Lane{.bits = c.types().components(structure.domain_type)}}};
+    element.kind = MetaKind::type;
+    element.type = structure.element;
+    arguments.give({dimensions, element});
+    if (!arguments.finish()) return std::nullopt;
+    ir::TypeId type = instantiate_type(c, *decl, env, use);
+    if (type == c.types().error) return std::nullopt;
+    return c.types()[type].index;
+}
+
+}  // namespace
+
+void require_transfers(Context& c, std::uint32_t index, Span use) {
+    for (const auto& transfer : c.program.transfers)
+        if (transfer.structure == index) return;
+    const ir::Structure structure = c.program.structures[index];
+    bool addressed = structure.kind == ir::StructureKind::stored || (structure.kind == ir::StructureKind::view && structure.domain);
+    if (structure.kind == ir::StructureKind::adaptor) {
+        for (const ir::MemberStructure& member : structure.members) require_transfers(c, member.structure, use);
+        return;
+    }
+    if (!addressed) return;
+    if (!find_transfer(c, "Box")) {
+        c.error(Diag::unknown_module, use, {transfer_module});
+        return;
+    }
+    auto box = box_of(c, structure, use);
+    if (!box) return;
+    Meta self = of_structure(c, index), linear = of_structure(c, *box);
+    auto read = transfer_kernel(c, "read_box", {self, linear}, use);
+    if (!read) return;
+    constexpr std::uint32_t none = 0xffffffffu;
+    std::uint32_t write = none, fill = none;
+    if (structure.kind == ir::StructureKind::stored) {
+        Meta element;
+        element.kind = MetaKind::type;
+        element.type = structure.element;
+        if (auto kernel = transfer_kernel(c, "write_box", {linear, self}, use)) write = *kernel;
+        if (auto kernel = transfer_kernel(c, "fill_box", {self, element}, use)) fill = *kernel;
+    }
+    c.program.transfers.push_back({index, *read, write, fill, *box});
+}
+
+}  // namespace gliftc::sema
