@@ -1,0 +1,55 @@
+// Walks over statements and expressions.
+#pragma once
+
+#include "ir/ir.h"
+
+#include <unordered_set>
+
+namespace gliftc::ir {
+
+/// Calls visit(const Stmt&) for every statement, outer before inner.
+template <class Visit>
+void for_each_statement(const Program& program, const std::vector<StmtId>& body, Visit&& visit) {
+    for (StmtId id : body) {
+        const Stmt& stmt = program.stmts[id];
+        visit(stmt);
+        for_each_statement(program, stmt.body, visit);
+        for_each_statement(program, stmt.otherwise, visit);
+    }
+}
+
+namespace detail {
+template <class Visit>
+void walk_nodes(const Program& program, ExprId id, std::unordered_set<ExprId>& seen, Visit& visit) {
+    if (!id || !seen.insert(id).second) return;
+    visit(id);
+    for (ExprId operand : program.exprs[id].operands) walk_nodes(program, operand, seen, visit);
+}
+}  // namespace detail
+
+/// Calls visit(ExprId) once for every node of an expression.
+template <class Visit>
+void for_each_node(const Program& program, ExprId id, Visit&& visit) {
+    std::unordered_set<ExprId> seen;
+    detail::walk_nodes(program, id, seen, visit);
+}
+
+/// Calls visit(ExprId) for the root of every expression of one statement, without the statements inside it.
+template <class Visit>
+void for_each_root(const Stmt& stmt, Visit&& visit) {
+    if (stmt.value) visit(stmt.value);
+    if (stmt.target) visit(stmt.target);
+    if (stmt.limit) visit(stmt.limit);
+    for (ExprId argument : stmt.arguments) visit(argument);
+}
+
+/// Calls visit(ExprId) once for every node of every expression of the statements.
+template <class Visit>
+void for_each_expression(const Program& program, const std::vector<StmtId>& body, Visit&& visit) {
+    std::unordered_set<ExprId> seen;
+    for_each_statement(program, body, [&](const Stmt& stmt) {
+        for_each_root(stmt, [&](ExprId id) { detail::walk_nodes(program, id, seen, visit); });
+    });
+}
+
+}  // namespace gliftc::ir

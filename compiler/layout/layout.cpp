@@ -1,0 +1,104 @@
+#include "layout/layout.h"
+
+#include <algorithm>
+
+namespace gliftc::layout {
+
+using namespace ir;
+
+namespace {
+
+std::uint32_t rounded_up(std::uint32_t value, std::uint32_t align) { return (value + align - 1) / align * align; }
+
+}  // namespace
+
+std::vector<std::uint32_t> offsets_of(const Program& program, const Struct& type) {
+    if (!type.offsets.empty()) return type.offsets;
+    std::vector<std::uint32_t> offsets;
+    std::uint32_t end = 0;
+    for (const StructField& field : type.fields) {
+        Size part = size_of(program, field.type);
+        offsets.push_back(rounded_up(end, part.align));
+        end = offsets.back() + part.size;
+    }
+    return offsets;
+}
+
+namespace {
+
+Size size_of_struct(const Program& program, const Struct& type) {
+    Size result{0, 1};
+    std::vector<std::uint32_t> offsets = offsets_of(program, type);
+    for (std::size_t i = 0; i < type.fields.size(); ++i) {
+        Size part = size_of(program, type.fields[i].type);
+        result.align = std::max(result.align, part.align);
+        result.size = std::max(result.size, offsets[i] + part.size);
+    }
+    result.size = type.size ? type.size : rounded_up(result.size, result.align);
+    return result;
+}
+
+}  // namespace
+
+Size size_of(const Program& program, TypeId id) {
+    const Type& type = program.types[id];
+    switch (type.kind) {
+    case TypeKind::half: return {2, 2};
+    case TypeKind::bool_:
+    case TypeKind::int_:
+    case TypeKind::uint:
+    case TypeKind::float_:
+    case TypeKind::enum_: return {4, 4};
+    case TypeKind::double_:
+    case TypeKind::int64:
+    case TypeKind::uint64: return {8, 8};
+    case TypeKind::vector: {
+        Size part = size_of(program, type.element);
+        return {part.size * type.count, part.align};
+    }
+    case TypeKind::matrix: {
+        Size part = size_of(program, type.element);
+        return {part.size * type.count * type.rows, part.align};
+    }
+    case TypeKind::array: {
+        Size part = size_of(program, type.element);
+        return {part.size * type.count, part.align};
+    }
+    case TypeKind::struct_: return size_of_struct(program, program.structs[type.index]);
+    case TypeKind::optional: {
+        Size part = size_of(program, type.element);
+        std::uint32_t align = std::max(part.align, 4u);
+        return {rounded_up(rounded_up(4, part.align) + part.size, align), align};
+    }
+    case TypeKind::error:
+    case TypeKind::void_:
+    case TypeKind::range:
+    case TypeKind::structure:
+    case TypeKind::slice:
+    case TypeKind::device: return {0, 1};
+    }
+    return {0, 1};
+}
+
+namespace {
+
+void lay_out(const Program& program, Pass& pass) {
+    std::uint32_t end = 0, align = 4;
+    for (PassParameter& parameter : pass.parameters) {
+        Size part = size_of(program, parameter.type);
+        parameter.offset = rounded_up(end, part.align);
+        end = parameter.offset + part.size;
+        align = std::max(align, part.align);
+    }
+    pass.parameter_bytes = rounded_up(end, align);
+    pass.push_constants = pass.form == Form::direct && pass.parameter_bytes <= push_constant_limit;
+}
+
+}  // namespace
+
+void lay_out(Program& program, Lowered& lowered) {
+    for (Lowered::Forms& forms : lowered.passes)
+        for (Pass* pass : {&forms.direct, &forms.general, &forms.wide}) lay_out(program, *pass);
+}
+
+}  // namespace gliftc::layout

@@ -1,0 +1,223 @@
+// Reads and writes of elements: the address, the guard, the load or store.
+#include "lower/expand.h"
+
+#include <cstdlib>
+
+namespace gliftc::lower {
+
+using namespace ir;
+
+std::uint32_t Expander::binding(const Place& place, std::uint32_t memory, Access access) {
+    auto& bindings = cx.pass.bindings;
+    for (std::uint32_t i = 0; i < bindings.size(); ++i) {
+        if (bindings[i].place != place || bindings[i].memory != memory) continue;
+        if (bindings[i].access != access) bindings[i].access = Access::read_write;
+        return i;
+    }
+    const Memory& of = cx.structure_at(place).memories[memory];
+    PassBinding made;
+    made.name = cx.name_of(place) + "_" + (*p.names)[of.name];
+    made.place = place;
+    made.memory = memory;
+    made.shape = of.shape;
+    made.element = of.element;
+    made.format = of.format;
+    made.access = access;
+    made.linear = of.linear;
+    bindings.push_back(std::move(made));
+    return static_cast<std::uint32_t>(bindings.size() - 1);
+}
+
+/// Texels are addressed by signed numbers.
+ExprId Expander::texel(ExprId physical) {
+    return make.convert(p.types.with_scalar(make.type(physical), p.types.int_), physical);
+}
+
+ExprId Expander::load(const Place& place, ExprId physical) {
+    const Structure& structure = cx.structure_at(place);
+    const Memory& memory = structure.memories[structure.via_memory];
+    Expr node;
+    node.op = memory.shape == MemoryShape::buffer ? Op::load : Op::image_load;
+    node.type = memory.element;
+    node.slot = binding(place, structure.via_memory, Access::read);
+    node.operands = {memory.shape == MemoryShape::buffer ? physical : texel(physical)};
+    return p.exprs.add(std::move(node));
+}
+
+ExprId Expander::otherwise_of(const Place& place) {
+    const Structure& structure = cx.structure_at(place);
+    if (!structure.otherwise) return make.zero(structure.element);
+    Frame frame;
+    frame.places = {canonical(place)};
+    return inside(std::move(frame), [&] { return value_of(structure.otherwise); });
+}
+
+/// The element where `guard` and the translation's own condition hold, else the structure's otherwise. Numbers and vectors are
+/// loaded without a branch, from `other_address` where the guard fails; it must lie in the memory.
+ExprId Expander::guarded_load(const Place& place, const Pair& physical, ExprId guard, ExprId other_address, const std::string& name) {
+    ExprId condition = make.both(guard, physical.has);
+    if (!condition || make.is_true(condition)) return load(place, physical.value);
+    ExprId otherwise = otherwise_of(place);
+    if (make.is_false(condition)) return otherwise;
+    TypeId element = cx.structure_at(place).element;
+    if (p.types.is_scalar(element) || p.types.is_vector(element)) {
+        condition = named(name + "_inside", condition);
+        ExprId other = other_address ? other_address : make.zero(make.type(physical.value));
+        ExprId value = make.local(let(name, load(place, make.select(condition, physical.value, other)), span_));
+        return make.select(condition, value, otherwise);
+    }
+    LocalId value = variable(name, element, otherwise);
+    append_if(condition, collect([&] { assign(value, load(place, physical.value)); }), {});
+    return make.local(value);
+}
+
+ExprId Expander::view(const Place& place, ExprId address) {
+    const Structure& structure = cx.structure_at(place);
+    Frame frame;
+    frame.places = {place};
+    frame.prefix = cx.name_of(place);
+    std::vector<Pair> arguments{{address, {}}};
+    if (is_inlinable(structure.at)) return inlined(structure.at, std::move(arguments), std::move(frame)).value;
+    return call_instance(structure.at, std::move(arguments), std::move(frame)).value;
+}
+
+ExprId Expander::element(std::uint32_t root, Span) {
+    Place place{root, {}};
+    if (cx.structure_at(place).kind == StructureKind::view) return view(place, centre_address(root));
+    ExprId guard = cx.kernel.grouped() ? make.local(cx.pass.in_range) : ExprId{};
+    ExprId value = guarded_load(place, centre(root), guard, {}, cx.name_of(place) + "_value");
+    if (cx.kernel.params[root].direction == Direction::in) return value;
+    // Written too: what was read must not move past a write.
+    return make.local(let(cx.name_of(place) + "_value", value, span_));
+}
+
+ExprId Expander::read(const Place& place, ExprId address, const std::string& name) {
+    const Structure& structure = cx.structure_at(place);
+    address = named(name + "_address", address);
+    if (structure.kind == StructureKind::view) return view(place, address);
+    Pair physical = translated(place, address, name);
+    ExprId guard = is_total(structure) ? inside_domain(place, address) : ExprId{};
+    ExprId value = guarded_load(place, physical, guard, {}, name + "_value");
+    if (cx.kernel.params[place.root].direction == Direction::in) return value;
+    return make.local(let(name + "_value", value, span_));
+}
+
+std::optional<std::vector<std::int64_t>> Expander::offset_of(const Expr& node) {
+    ExprId offset = value_of(node.operands[0]);
+    if (!make.is_constant(offset)) {
+        auto& report = cx.diagnostics.report(Diag::near_offset, node.span, {(*p.names)[cx.kernel.params[resolved(node.place).root].name]});
+        report.notes.push_back({{}, "make the offset a constant, or loop over constant bounds without break or continue; "
+                                    "for offsets known only when the kernel runs, take the structure as any<…>"});
+        return std::nullopt;
+    }
+    auto value = evaluate(p, offset);
+    if (!value) return std::nullopt;
+    std::vector<std::int64_t> result;
+    std::uint32_t radius = cx.kernel.params[resolved(node.place).root].radius;
+    for (const Lane& lane : value->lanes) {
+        auto part = static_cast<std::int64_t>(lane.bits);
+        result.push_back(part);
+        if (std::abs(part) <= static_cast<std::int64_t>(radius)) continue;
+        const auto& param = cx.kernel.params[resolved(node.place).root];
+        auto& report = cx.diagnostics.report(Diag::near_radius, node.span,
+                                             {std::to_string(part), (*p.names)[param.name], std::to_string(radius)});
+        report.notes.push_back({param.span, "declare the radius that the kernel reaches: near<…, " + std::to_string(std::abs(part)) + ">"});
+        return std::nullopt;
+    }
+    return result;
+}
+
+/// The centre lies in the domain: only the sides that the offset moves towards are asked.
+ExprId Expander::near_guard(std::uint32_t root, const std::vector<std::int64_t>& offset) {
+    ExprId address = centre_address(root), domain = domain_of({root, {}}), guard;
+    for (std::uint32_t axis = 0; axis < offset.size(); ++axis) {
+        if (offset[axis] == 0) continue;
+        ExprId at = make.component(address, axis);
+        ExprId inside = offset[axis] < 0
+                            ? make.binary(BinaryOp::greater_equal, at, make.uint(static_cast<std::uint64_t>(-offset[axis])))
+                            : make.binary(BinaryOp::less, make.add(at, make.uint(static_cast<std::uint64_t>(offset[axis]))),
+                                          make.component(domain, axis));
+        guard = make.both(guard, inside);
+    }
+    return guard;
+}
+
+namespace {
+
+std::string offset_name(const std::vector<std::int64_t>& offset) {
+    std::string name;
+    for (std::size_t axis = 0; axis < offset.size(); ++axis) {
+        if (offset[axis] == 0) continue;
+        name += std::string("_") + "xyzw"[axis] + (offset[axis] < 0 ? "m" : "p") + std::to_string(std::abs(offset[axis]));
+    }
+    return name;
+}
+
+}  // namespace
+
+ExprId Expander::near(const Expr& node) {
+    Place place = resolved(node.place);
+    auto offset = offset_of(node);
+    if (!offset) return make.zero(node.type);
+    bool is_centre = true;
+    for (std::int64_t part : *offset) is_centre = is_centre && part == 0;
+    if (is_centre) return element(place.root, node.span);
+    TypeId address_type = make.type(centre_address(place.root));
+    std::vector<ExprId> parts;
+    for (std::int64_t part : *offset) parts.push_back(make.uint(static_cast<std::uint32_t>(part)));
+    ExprId step = parts.size() == 1 ? parts[0] : make.construct(address_type, std::move(parts));
+    ExprId address = make.add(centre_address(place.root), step);
+    const Structure& structure = cx.structure_at(place);
+    if (structure.kind == StructureKind::view) return view(place, address);
+    std::string name = cx.name_of(place) + offset_name(*offset);
+    Pair middle = centre(place.root);
+    ExprId guard;
+    if (is_total(structure)) {
+        if (near_root) near_domains_agree = near_domains_agree && canonical_root(*near_root) == canonical_root(place.root);
+        else near_domain = domain_of(place);
+        near_root = near_root.value_or(place.root);
+        has_near_guards = true;
+        if (guards_ == Guards::checked) guard = near_guard(place.root, *offset);
+    }
+    if (cx.kernel.grouped()) guard = make.both(make.local(cx.pass.in_range), guard);
+    Pair physical = translated(place, address, name);
+    ExprId other = middle.has || cx.kernel.grouped() ? ExprId{} : middle.value;
+    return guarded_load(place, physical, guard, other, name);
+}
+
+void Expander::store(const Place& place, const Pair& physical, ExprId guard, const Stmt& stmt, ExprId value) {
+    const Structure& structure = cx.structure_at(place);
+    const Memory& memory = structure.memories[structure.via_memory];
+    bool is_buffer = memory.shape == MemoryShape::buffer, is_atomic = stmt.combine != Combine::replace;
+    Stmt made = statement(is_atomic ? StmtOp::atomic : is_buffer ? StmtOp::store : StmtOp::image_store, stmt.span);
+    made.slot = binding(place, structure.via_memory, is_atomic ? Access::read_write : Access::write);
+    if (is_atomic) cx.pass.bindings[made.slot].atomic = true;
+    made.target = is_buffer ? physical.value : texel(physical.value);
+    made.value = value;
+    made.combine = stmt.combine;
+    ExprId condition = make.both(guard, physical.has);
+    if (condition && make.is_false(condition)) return;
+    if (!condition || make.is_true(condition)) return append(std::move(made));
+    append_if(condition, collect([&] { append(std::move(made)); }), {});
+}
+
+void Expander::set_element(const Stmt& stmt) {
+    Place place = resolved(stmt.place);
+    TypeId type = cx.structure_at(place).element;
+    ExprId value = stored(expand(stmt.value), type);
+    ExprId guard = cx.kernel.grouped() ? make.local(cx.pass.in_range) : ExprId{};
+    store(place, centre(place.root), guard, stmt, value);
+}
+
+void Expander::write(const Stmt& stmt) {
+    Place place = resolved(stmt.place);
+    const Structure& structure = cx.structure_at(place);
+    std::string name = cx.name_of(place);
+    ExprId address = named(name + "_address", value_of(stmt.target));
+    ExprId value = stored(expand(stmt.value), structure.element);
+    Pair physical = translated(place, address, name);
+    ExprId guard = is_total(structure) ? inside_domain(place, address) : ExprId{};
+    store(place, physical, guard, stmt, value);
+}
+
+}  // namespace gliftc::lower

@@ -1,0 +1,142 @@
+#include "lower/context.h"
+
+namespace gliftc::lower {
+
+using namespace ir;
+
+std::uint32_t Context::parameter(ParameterSource source, const std::string& name, TypeId type, std::uint32_t param) {
+    for (std::uint32_t i = 0; i < pass.parameters.size(); ++i)
+        if (pass.parameters[i].source == source && pass.parameters[i].param == param) return i;
+    PassParameter parameter;
+    parameter.name = name;
+    parameter.type = type;
+    parameter.source = source;
+    parameter.param = param;
+    pass.parameters.push_back(std::move(parameter));
+    return static_cast<std::uint32_t>(pass.parameters.size() - 1);
+}
+
+ExprId Context::parameter_expr(std::uint32_t slot) {
+    Expr node;
+    node.op = Op::parameter;
+    node.type = pass.parameters[slot].type;
+    node.slot = slot;
+    return p.exprs.add(std::move(node));
+}
+
+LocalId Context::new_local(std::string_view name, TypeId type, Span span, bool is_mutable) {
+    Local local;
+    local.name = p.names->intern(name);
+    local.type = type;
+    local.span = span;
+    local.is_mutable = is_mutable;
+    return p.locals.add(local);
+}
+
+const Structure& Context::structure_at(const Place& place) const {
+    const Structure* structure = &p.structures[kernel.params[place.root].structure];
+    for (std::uint32_t member : place.members) structure = &p.structures[structure->members[member].structure];
+    return *structure;
+}
+
+std::string Context::name_of(const Place& place) const {
+    const KernelParam& param = kernel.params[place.root];
+    std::string name = (*p.names)[param.name];
+    const Structure* structure = &p.structures[param.structure];
+    for (std::uint32_t member : place.members) {
+        name += "_" + (*p.names)[structure->members[member].name];
+        structure = &p.structures[structure->members[member].structure];
+    }
+    return name;
+}
+
+namespace {
+
+bool find_uniform(Context& cx, const Expr& node) {
+    switch (node.op) {
+    case Op::constant:
+    case Op::none:
+    case Op::member:
+    case Op::memory_extent:
+    case Op::domain: return true;
+    case Op::local: {
+        for (const KernelParam& param : cx.kernel.params)
+            if (param.pattern == Pattern::value && param.local == node.local) return true;
+        auto found = cx.definitions.find(node.local);
+        return found != cx.definitions.end() && is_uniform(cx, found->second);
+    }
+    case Op::construct:
+    case Op::convert:
+    case Op::unary:
+    case Op::binary:
+    case Op::select:
+    case Op::swizzle:
+    case Op::index:
+    case Op::field:
+    case Op::intrinsic:
+    case Op::some:
+    case Op::has_value:
+    case Op::value:
+    case Op::call:
+        if (!node.places.empty()) return false;
+        if (node.op == Op::intrinsic && (signature_of(node.intrinsic).back() == '*' || signature_of(node.intrinsic)[0] == '@'))
+            return false;
+        for (ExprId operand : node.operands)
+            if (!is_uniform(cx, operand)) return false;
+        return true;
+    case Op::element:
+    case Op::address:
+    case Op::near:
+    case Op::read:
+    case Op::sample:
+    case Op::range_size:
+    case Op::state:
+    case Op::translate:
+    case Op::invocation:
+    case Op::host_read:
+    case Op::device_read:
+    case Op::await_value:
+    case Op::host_state:
+    case Op::slice:
+    case Op::structure_value:
+    case Op::pipeline_call:
+    case Op::element_count:
+    case Op::parameter:
+    case Op::load:
+    case Op::image_load:
+    case Op::image_sample:
+    case Op::builtin: return false;
+    }
+    return false;
+}
+
+}  // namespace
+
+bool is_uniform(Context& cx, ExprId id) {
+    if (auto found = cx.uniform.find(id); found != cx.uniform.end()) return found->second;
+    bool result = find_uniform(cx, cx.p.exprs[id]);
+    cx.uniform.emplace(id, result);
+    return result;
+}
+
+bool is_trivial(const Context& cx, ExprId id) {
+    const Expr& node = cx.p.exprs[id];
+    switch (node.op) {
+    case Op::constant:
+    case Op::none:
+    case Op::parameter:
+    case Op::member:
+    case Op::memory_extent:
+    case Op::domain:
+    case Op::builtin: return true;
+    case Op::local: return !cx.p.locals[node.local].is_mutable;
+    case Op::swizzle:
+    case Op::has_value:
+    case Op::value:
+    case Op::field: return is_trivial(cx, node.operands[0]);
+    case Op::construct: return cx.make.is_constant(id);
+    default: return false;
+    }
+}
+
+}  // namespace gliftc::lower

@@ -1,0 +1,57 @@
+// What the passes over one kernel in one form share.
+#pragma once
+
+#include "diag/diagnostics.h"
+#include "ir/pass.h"
+#include "lower/make.h"
+
+#include <map>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace gliftc::lower {
+
+/// A function made for this pass: a function or a stage's translate, with its structures and state at these places.
+struct FunctionKey {
+    ir::FunctionId function;
+    std::vector<std::vector<std::uint32_t>> places;   ///< of each structure: root, then members
+    std::vector<std::uint32_t> state;                 ///< translators: place of the structure, then the stage
+    auto operator<=>(const FunctionKey&) const = default;
+};
+
+struct Context {
+    Context(ir::Program& program, const ir::Kernel& kernel, ir::Pass& pass, Diagnostics& diagnostics)
+        : p(program), kernel(kernel), pass(pass), diagnostics(diagnostics), make(program) {}
+
+    ir::Program& p;
+    const ir::Kernel& kernel;
+    ir::Pass& pass;
+    Diagnostics& diagnostics;
+    Make make;
+
+    /// The value of each immutable local that a `let` of this pass declares.
+    std::unordered_map<LocalId, ExprId> definitions;
+    /// What a value was called in the source; used where it gets a name of its own.
+    std::unordered_map<ExprId, std::string> names;
+    std::map<FunctionKey, ir::FunctionId> instances;
+    ExprId size;                                      ///< the iteration's size
+    std::unordered_map<ExprId, bool> uniform;
+
+    bool is_direct() const { return pass.form == ir::Form::direct; }
+    std::uint32_t parameter(ir::ParameterSource source, const std::string& name, TypeId type, std::uint32_t param);
+    ExprId parameter_expr(std::uint32_t slot);
+    StmtId add(ir::Stmt stmt) { return p.stmts.add(std::move(stmt)); }
+    LocalId new_local(std::string_view name, TypeId type, Span span, bool is_mutable = false);
+    const ir::Structure& structure_at(const ir::Place& place) const;
+    std::string name_of(const ir::Place& place) const;    ///< f, f_table
+};
+
+/// Whether the value is the same for all invocations and the host can compute it before the pass runs.
+bool is_uniform(Context& cx, ExprId id);
+
+/// Whether it is a name or a number: worth no local of its own.
+bool is_trivial(const Context& cx, ExprId id);
+
+}  // namespace gliftc::lower

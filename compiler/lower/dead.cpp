@@ -1,0 +1,67 @@
+#include "ir/walk.h"
+#include "lower/share.h"
+
+#include <unordered_set>
+
+namespace gliftc::lower {
+
+using namespace ir;
+
+namespace {
+
+bool has_effect(const Program& p, ExprId id) {
+    bool effect = false;
+    for_each_node(p, id, [&](ExprId part) {
+        const Expr& node = p.exprs[part];
+        if (node.op != Op::intrinsic) return;
+        std::string_view signature = signature_of(node.intrinsic);
+        effect = effect || signature[0] == '@' || signature.back() == '*';
+    });
+    return effect;
+}
+
+/// Backwards, so that what only a dropped let used is dropped too.
+std::vector<StmtId> kept(Context& cx, const std::vector<StmtId>& body, std::unordered_set<LocalId>& used) {
+    std::vector<StmtId> result;
+    auto use = [&](ExprId root) {
+        for_each_node(cx.p, root, [&](ExprId part) {
+            if (cx.p.exprs[part].op == Op::local) used.insert(cx.p.exprs[part].local);
+        });
+    };
+    for (std::size_t i = body.size(); i-- > 0;) {
+        const Stmt stmt = cx.p.stmts[body[i]];
+        if (stmt.op == StmtOp::let && !used.contains(stmt.local) && !(stmt.value && has_effect(cx.p, stmt.value))) continue;
+        Stmt copy = stmt;
+        copy.body = kept(cx, stmt.body, used);
+        copy.otherwise = kept(cx, stmt.otherwise, used);
+        bool is_empty = copy.body.empty() && copy.otherwise.empty();
+        if ((stmt.op == StmtOp::if_ || stmt.op == StmtOp::block) && is_empty && !(stmt.value && has_effect(cx.p, stmt.value))) continue;
+        for_each_root(stmt, use);
+        bool same = copy.body == stmt.body && copy.otherwise == stmt.otherwise;
+        result.push_back(same ? body[i] : cx.add(std::move(copy)));
+    }
+    return {result.rbegin(), result.rend()};
+}
+
+/// Locals that an earlier round of a loop may leave for a later one are used wherever the loop names them.
+void use_in_loops(const Program& p, const std::vector<StmtId>& body, std::unordered_set<LocalId>& used) {
+    for_each_statement(p, body, [&](const Stmt& stmt) {
+        if (stmt.op != StmtOp::for_ && stmt.op != StmtOp::while_) return;
+        for_each_statement(p, stmt.body, [&](const Stmt& inner) {
+            if (inner.op != StmtOp::assign) return;
+            for_each_node(p, inner.target, [&](ExprId part) {
+                if (p.exprs[part].op == Op::local) used.insert(p.exprs[part].local);
+            });
+        });
+    });
+}
+
+}  // namespace
+
+std::vector<StmtId> drop_dead(Context& cx, const std::vector<StmtId>& body) {
+    std::unordered_set<LocalId> used;
+    use_in_loops(cx.p, body, used);
+    return kept(cx, body, used);
+}
+
+}  // namespace gliftc::lower

@@ -1,0 +1,165 @@
+// From structures to memory: makes the body of a kernel that speaks of loads and stores only.
+//
+// Needs: a checked kernel. Guarantees: no high-level operation is left; near offsets are constants inside the radius; every
+// access that could leave a structure is guarded; optionals are pairs (has, value) wherever they need no storage; functions are
+// inlined where that is straight-line code. Values are shared by node, so a body is a graph until share.h has named what is
+// used twice.
+#pragma once
+
+#include "lower/context.h"
+
+#include <optional>
+
+namespace gliftc::lower {
+
+/// What an expression became. `has` only of an optional type: whether there is a value.
+struct Pair {
+    ExprId value;
+    ExprId has;
+};
+
+/// Whether near accesses check that they stay in the domain: interior bodies know it.
+enum class Guards { checked, interior };
+
+/// One function (or the kernel) being expanded.
+struct Frame {
+    std::vector<ir::Place> places;                    ///< of each Place root, as seen from the kernel
+    std::unordered_map<LocalId, Pair> locals;
+    const ir::Stage* stage = nullptr;                 ///< in a translator's functions: whose state
+    ir::Place structure;                              ///< … and the structure that the stage belongs to
+    std::string prefix;                               ///< of names made here
+    TypeId result;                                    ///< of a function expanded as statements
+};
+
+class Expander {
+public:
+    Expander(Context& context, Guards guards) : cx(context), p(context.p), make(context.make), guards_(guards) {}
+
+    /// The kernel's body; reports offsets that are not constant or too large.
+    std::vector<StmtId> kernel_body();
+
+    /// The size of the iteration: that of the first range, or a parameter.
+    ExprId iteration_size();
+
+    /// Whether a near access had a guard: the interior body is different.
+    bool has_near_guards = false;
+    /// A near parameter whose guards were made; the interior is inside its domain.
+    std::optional<std::uint32_t> near_root;
+    bool near_domains_agree = true;
+    ExprId near_domain;
+
+private:
+    using Block = std::vector<StmtId>;
+
+    // expand_expressions.cpp
+    Pair expand(ExprId id);
+    ExprId value_of(ExprId id) { return expand(id).value; }
+    Pair expand_local(const ir::Expr& node);
+    Pair expand_select(const ir::Expr& node);
+    Pair expand_logical(const ir::Expr& node);
+    Pair expand_again(ExprId id, const ir::Expr& node);
+    Pair of_optional(ExprId whole);                   ///< the pair of an optional that has storage
+    ExprId stored(const Pair& pair, TypeId type);     ///< the value as its type stores it
+    ExprId expand_member(const ir::Expr& node);
+    ExprId expand_invocation(const ir::Expr& node);
+
+    // expand_statements.cpp
+    void expand_body(const std::vector<StmtId>& body);
+    void expand_statement(StmtId id);
+    void expand_let(const ir::Stmt& stmt);
+    void expand_assign(const ir::Stmt& stmt);
+    void expand_if(const ir::Stmt& stmt);
+    void expand_for(const ir::Stmt& stmt);
+    void expand_while(const ir::Stmt& stmt);
+    void expand_return(const ir::Stmt& stmt);
+    ExprId expand_target(ExprId id);
+    Block nested(const std::vector<StmtId>& body);
+
+    // inline.cpp
+    Pair expand_call(const ir::Expr& node);
+    Pair inlined(ir::FunctionId function, std::vector<Pair> arguments, Frame frame);
+    Pair run(const std::vector<StmtId>& body);
+    Pair run_returning_if(const ir::Stmt& stmt, const std::vector<StmtId>& rest);
+    void run_if(const ir::Stmt& stmt);
+    void run_assign(const ir::Stmt& stmt);
+    ExprId replaced(ExprId target, ExprId value);
+    bool is_inlinable(ir::FunctionId function);
+    Pair merged(ExprId condition, Block yes, Pair a, Block no, Pair b, TypeId type);
+    bool is_speculatable(const Block& block);
+
+    // instances.cpp
+    Pair call_instance(ir::FunctionId function, std::vector<Pair> arguments, Frame frame);
+    ir::FunctionId instance(ir::FunctionId function, Frame frame);
+
+    // translate.cpp
+    Pair translated(const ir::Place& place, ExprId address, const std::string& name);
+    Pair centre(std::uint32_t root);                  ///< physical address of the current element
+    ExprId centre_address(std::uint32_t root);        ///< its virtual address
+    ExprId domain_of(const ir::Place& place);
+    ExprId inside_domain(const ir::Place& place, ExprId address);
+    bool is_total(const ir::Structure& structure);    ///< the first translator maps every address of the domain
+
+    // access.cpp
+    ExprId element(std::uint32_t root, Span span);
+    ExprId near(const ir::Expr& node);
+    ExprId read(const ir::Place& place, ExprId address, const std::string& name);
+    ExprId view(const ir::Place& place, ExprId address);
+    ExprId guarded_load(const ir::Place& place, const Pair& physical, ExprId guard, ExprId other_address, const std::string& name);
+    ExprId load(const ir::Place& place, ExprId physical);
+    ExprId otherwise_of(const ir::Place& place);
+    void set_element(const ir::Stmt& stmt);
+    void write(const ir::Stmt& stmt);
+    void store(const ir::Place& place, const Pair& physical, ExprId guard, const ir::Stmt& stmt, ExprId value);
+    std::uint32_t binding(const ir::Place& place, std::uint32_t memory, ir::Access access);
+    ExprId texel(ExprId physical);
+    std::optional<std::vector<std::int64_t>> offset_of(const ir::Expr& node);
+    ExprId near_guard(std::uint32_t root, const std::vector<std::int64_t>& offset);
+
+    // sample.cpp
+    ExprId sample(const ir::Expr& node);
+    ExprId filtered(const ir::Place& place, ExprId at);
+    bool is_texel_address(const ir::Place& place);
+
+    // shared
+    ir::Place resolved(const ir::Place& place) const;
+    ir::Place canonical(const ir::Place& place) const;   ///< of what parameters of one structure share
+    std::uint32_t canonical_root(std::uint32_t root) const;
+    ExprId named(const std::string& name, ExprId value); ///< a let, unless trivial
+    LocalId let(const std::string& name, ExprId value, Span span);
+    LocalId variable(const std::string& name, TypeId type, ExprId value);
+    void assign(LocalId local, ExprId value);
+    void append_if(ExprId condition, Block yes, Block no);
+    std::string prefixed(std::string_view name) const;
+    void append(ir::Stmt stmt) { out_->push_back(cx.add(std::move(stmt))); }
+    template <class F> Block collect(F&& make_statements) {
+        Block block;
+        Block* outer = out_;
+        out_ = &block;
+        make_statements();
+        out_ = outer;
+        return block;
+    }
+    template <class F> auto inside(Frame frame, F&& work) {
+        Frame* outer = frame_;
+        frame_ = &frame;
+        auto result = work();
+        frame_ = outer;
+        return result;
+    }
+
+    Context& cx;
+    ir::Program& p;
+    Make& make;
+    Guards guards_;
+    Frame* frame_ = nullptr;
+    Block* out_ = nullptr;
+    Block prelude_;                                   ///< comes before the body: the centre's addresses
+    Span span_;                                       ///< of the statement being expanded
+    std::unordered_map<std::uint32_t, Pair> centres_;
+    std::unordered_map<std::uint32_t, ExprId> addresses_;
+    std::unordered_map<ir::FunctionId, bool> inlinable_;
+    std::unordered_map<StmtId, bool> returning_;
+    unsigned depth_ = 0;
+};
+
+}  // namespace gliftc::lower

@@ -1,0 +1,264 @@
+#include "lower/expand.h"
+
+namespace gliftc::lower {
+
+using namespace ir;
+
+Place Expander::resolved(const Place& place) const {
+    Place result = frame_->places[place.root];
+    result.members.insert(result.members.end(), place.members.begin(), place.members.end());
+    return result;
+}
+
+/// In the direct form parameters of one structure have one state: the first of them stands for all.
+std::uint32_t Expander::canonical_root(std::uint32_t root) const {
+    if (!cx.is_direct()) return root;
+    const auto& params = cx.kernel.params;
+    for (std::uint32_t i = 0; i < root; ++i)
+        if (params[i].pattern != Pattern::value && params[i].structure == params[root].structure) return i;
+    return root;
+}
+
+Place Expander::canonical(const Place& place) const { return {canonical_root(place.root), place.members}; }
+
+std::string Expander::prefixed(std::string_view name) const {
+    return frame_->prefix.empty() ? std::string(name) : frame_->prefix + "_" + std::string(name);
+}
+
+LocalId Expander::let(const std::string& name, ExprId value, Span span) {
+    LocalId local = cx.new_local(name, make.type(value), span);
+    cx.definitions[local] = value;
+    Stmt stmt = statement(StmtOp::let, span_);
+    stmt.local = local;
+    stmt.value = value;
+    append(std::move(stmt));
+    return local;
+}
+
+ExprId Expander::named(const std::string& name, ExprId value) {
+    if (is_trivial(cx, value)) return value;
+    if (is_uniform(cx, value)) {
+        cx.names.emplace(value, name);
+        return value;
+    }
+    return make.local(let(name, value, span_));
+}
+
+LocalId Expander::variable(const std::string& name, TypeId type, ExprId value) {
+    LocalId local = cx.new_local(name, type, span_, true);
+    Stmt stmt = statement(StmtOp::let, span_);
+    stmt.local = local;
+    stmt.value = value;
+    append(std::move(stmt));
+    return local;
+}
+
+void Expander::assign(LocalId local, ExprId value) {
+    Stmt stmt = statement(StmtOp::assign, span_);
+    stmt.target = make.local(local);
+    stmt.value = value;
+    append(std::move(stmt));
+}
+
+void Expander::append_if(ExprId condition, Block yes, Block no) {
+    Stmt stmt = statement(StmtOp::if_, span_);
+    stmt.value = condition;
+    stmt.body = std::move(yes);
+    stmt.otherwise = std::move(no);
+    append(std::move(stmt));
+}
+
+Pair Expander::of_optional(ExprId whole) {
+    if (p.exprs[whole].op == Op::none) return {make.zero(p.types[make.type(whole)].element), make.truth(false)};
+    if (p.exprs[whole].op == Op::some) return {p.exprs[whole].operands[0], make.truth(true)};
+    if (!is_trivial(cx, whole)) whole = make.local(let(prefixed("found"), whole, span_));
+    Expr has;
+    has.op = Op::has_value;
+    has.type = p.types.bool_;
+    has.operands = {whole};
+    Expr value;
+    value.op = Op::value;
+    value.type = p.types[make.type(whole)].element;
+    value.operands = {whole};
+    return {p.exprs.add(std::move(value)), p.exprs.add(std::move(has))};
+}
+
+ExprId Expander::stored(const Pair& pair, TypeId type) {
+    if (p.types.kind(type) != TypeKind::optional || !pair.has) return pair.value;
+    const Expr& has = p.exprs[pair.has];
+    const Expr& value = p.exprs[pair.value];
+    if (has.op == Op::has_value && value.op == Op::value && has.operands[0] == value.operands[0]) return has.operands[0];
+    Expr some;
+    some.op = Op::some;
+    some.type = type;
+    some.operands = {pair.value};
+    return make.select(pair.has, p.exprs.add(std::move(some)), make.zero(type));
+}
+
+Pair Expander::expand(ExprId id) {
+    const Expr& node = p.exprs[id];
+    switch (node.op) {
+    case Op::constant: return {id, {}};
+    case Op::local: return expand_local(node);
+    case Op::select: return expand_select(node);
+    case Op::binary:
+        if (node.binary == BinaryOp::logical_and || node.binary == BinaryOp::logical_or) return expand_logical(node);
+        return expand_again(id, node);
+    case Op::none: return {make.zero(p.types[node.type].element), make.truth(false)};
+    case Op::some: return {value_of(node.operands[0]), make.truth(true)};
+    case Op::has_value: return {expand(node.operands[0]).has, {}};
+    case Op::value: return {expand(node.operands[0]).value, {}};
+    case Op::call: return expand_call(node);
+    case Op::element: return {element(resolved(node.place).root, node.span), {}};
+    case Op::address: return {centre_address(resolved(node.place).root), {}};
+    case Op::near: return {near(node), {}};
+    case Op::read: {
+        Place place = resolved(node.place);
+        ExprId address = value_of(node.operands[0]);
+        return {read(place, address, cx.name_of(place)), {}};
+    }
+    case Op::sample: return {sample(node), {}};
+    case Op::member: return {expand_member(node), {}};
+    case Op::memory_extent: {
+        Expr extent = node;
+        extent.place = canonical(resolved(node.place));
+        return {p.exprs.add(std::move(extent)), {}};
+    }
+    case Op::domain: return {domain_of(resolved(node.place)), {}};
+    case Op::range_size: {
+        Place place = resolved(node.place);
+        if (cx.is_direct()) return {domain_of(place), {}};
+        return {cx.parameter_expr(cx.parameter(ParameterSource::range_size, cx.name_of(place) + "_size", node.type, place.root)), {}};
+    }
+    case Op::state: {
+        Frame frame;
+        frame.places = {frame_->structure};
+        ExprId state = frame_->stage->scalars[node.slot];
+        return inside(std::move(frame), [&] { return expand(state); });
+    }
+    case Op::translate: {
+        Place place = resolved(node.place);
+        ExprId address = named(cx.name_of(place) + "_address", value_of(node.operands[0]));
+        Pair physical = translated(place, address, cx.name_of(place));
+        ExprId guard = is_total(cx.structure_at(place)) ? inside_domain(place, address) : ExprId{};
+        ExprId has = make.both(guard, physical.has);
+        return {physical.value, has ? has : make.truth(true)};
+    }
+    case Op::invocation: return {expand_invocation(node), {}};
+    case Op::construct:
+    case Op::convert:
+    case Op::unary:
+    case Op::swizzle:
+    case Op::index:
+    case Op::field:
+    case Op::intrinsic: return expand_again(id, node);
+    case Op::parameter:
+    case Op::load:
+    case Op::image_load:
+    case Op::image_sample:
+    case Op::builtin: return {id, {}};
+    case Op::host_read:
+    case Op::device_read:
+    case Op::await_value:
+    case Op::host_state:
+    case Op::slice:
+    case Op::structure_value:
+    case Op::pipeline_call:
+    case Op::element_count: break;  // only in pipelines, which are not lowered
+    }
+    return {make.zero(node.type), {}};
+}
+
+Pair Expander::expand_local(const Expr& node) {
+    if (auto found = frame_->locals.find(node.local); found != frame_->locals.end()) return found->second;
+    return {make.local(node.local), {}};   // a value parameter or workgroup memory of the kernel
+}
+
+Pair Expander::expand_again(ExprId id, const Expr& node) {
+    std::vector<ExprId> operands;
+    bool same = true;
+    for (ExprId operand : node.operands) {
+        TypeId type = make.type(operand);
+        ExprId value = stored(expand(operand), type);
+        same = same && value == operand;
+        operands.push_back(value);
+    }
+    ExprId result = same && !node.operands.empty() && make.is_constant(id) ? id : make.again(node, std::move(operands));
+    if (p.types.kind(node.type) == TypeKind::optional) return of_optional(result);
+    return {result, {}};
+}
+
+Pair Expander::expand_select(const Expr& node) {
+    ExprId condition = value_of(node.operands[0]);
+    if (make.is_true(condition)) return expand(node.operands[1]);
+    if (make.is_false(condition)) return expand(node.operands[2]);
+    Pair a, b;
+    Block yes = collect([&] { a = expand(node.operands[1]); });
+    Block no = collect([&] { b = expand(node.operands[2]); });
+    return merged(condition, std::move(yes), a, std::move(no), b, node.type);
+}
+
+Pair Expander::expand_logical(const Expr& node) {
+    bool is_and = node.binary == BinaryOp::logical_and;
+    ExprId left = value_of(node.operands[0]);
+    if (is_and ? make.is_false(left) : make.is_true(left)) return {left, {}};
+    ExprId right;
+    Block block = collect([&] { right = value_of(node.operands[1]); });
+    if (is_speculatable(block)) {
+        out_->insert(out_->end(), block.begin(), block.end());
+        return {make.binary(node.binary, left, right), {}};
+    }
+    LocalId result = variable(prefixed(is_and ? "both" : "either"), p.types.bool_, left);
+    Block inner = std::move(block);
+    Block last = collect([&] { assign(result, right); });
+    inner.insert(inner.end(), last.begin(), last.end());
+    ExprId known = make.local(result);
+    append_if(is_and ? known : make.negate(known), std::move(inner), {});
+    return {make.local(result), {}};
+}
+
+/// A constructor argument. Where the owner passes a constant it is one.
+ExprId Expander::expand_member(const Expr& node) {
+    Place place = canonical(resolved(node.place));
+    if (!place.members.empty()) {
+        Place owner{place.root, {place.members.begin(), place.members.end() - 1}};
+        const MemberStructure& member = cx.structure_at(owner).members[place.members.back()];
+        if (!member.by_reference && node.slot < member.arguments.size())
+            if (auto value = evaluate(p, member.arguments[node.slot])) return materialize(p, *value, node.span);
+    }
+    Expr leaf = node;
+    leaf.place = place;
+    return p.exprs.add(std::move(leaf));
+}
+
+ExprId Expander::expand_invocation(const Expr& node) {
+    const auto& group = cx.pass.group;
+    TypeId uint = p.types.uint, uint3 = p.types.vector(uint, 3);
+    ExprId id = make.builtin(Builtin::group_id, uint3), count = make.builtin(Builtin::group_count, uint3);
+    auto part = [&](ExprId vector, std::uint32_t lane) { return make.component(vector, lane); };
+    switch (node.invocation) {
+    case Invocation::local_index: return make.builtin(Builtin::local_index, uint);
+    case Invocation::group_index: {
+        // Linear over the grid; a folded one-dimensional iteration counts on in the next row.
+        ExprId row = make.add(make.multiply(part(id, 1), part(count, 0)), part(id, 0));
+        if (cx.pass.rank < 3) return row;
+        return make.add(make.multiply(part(id, 2), make.multiply(part(count, 0), part(count, 1))), row);
+    }
+    case Invocation::group_count: {
+        ExprId total = make.uint(1);
+        for (std::uint32_t axis = 0; axis < cx.pass.rank; ++axis) {
+            std::uint32_t width = axis < 3 ? group[axis] : 1;
+            ExprId up = make.add(make.component(cx.size, axis), make.uint(width - 1));
+            total = make.multiply(total, make.binary(BinaryOp::divide, up, make.uint(width)));
+        }
+        return total;
+    }
+    case Invocation::group_size: return make.uint(std::uint64_t{group[0]} * group[1] * group[2]);
+    case Invocation::subgroup_size: return make.builtin(Builtin::subgroup_size, uint);
+    case Invocation::subgroup_lane: return make.builtin(Builtin::subgroup_lane, uint);
+    case Invocation::subgroup_index: return make.builtin(Builtin::subgroup_index, uint);
+    }
+    return make.uint(0);
+}
+
+}  // namespace gliftc::lower

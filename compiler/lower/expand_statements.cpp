@@ -1,0 +1,194 @@
+#include "lower/expand.h"
+#include "lower/unroll.h"
+
+namespace gliftc::lower {
+
+using namespace ir;
+
+std::vector<StmtId> Expander::kernel_body() {
+    Frame frame;
+    for (std::uint32_t i = 0; i < cx.kernel.params.size(); ++i) frame.places.push_back({i, {}});
+    frame_ = &frame;
+    Block body;
+    out_ = &body;
+    expand_body(cx.kernel.body);
+    out_ = nullptr;
+    frame_ = nullptr;
+    prelude_.insert(prelude_.end(), body.begin(), body.end());
+    return std::move(prelude_);
+}
+
+ExprId Expander::iteration_size() {
+    Frame frame;
+    for (std::uint32_t i = 0; i < cx.kernel.params.size(); ++i) frame.places.push_back({i, {}});
+    return inside(std::move(frame), [&]() -> ExprId {
+        for (std::uint32_t i = 0; cx.is_direct() && i < cx.kernel.params.size(); ++i) {
+            Pattern pattern = cx.kernel.params[i].pattern;
+            if (pattern == Pattern::each || pattern == Pattern::near || pattern == Pattern::at) return domain_of({i, {}});
+        }
+        return cx.parameter_expr(cx.parameter(ParameterSource::size, "size", cx.kernel.domain_type, 0));
+    });
+}
+
+Expander::Block Expander::nested(const std::vector<StmtId>& body) {
+    return collect([&] { expand_body(body); });
+}
+
+void Expander::expand_body(const std::vector<StmtId>& body) {
+    for (StmtId id : body) expand_statement(id);
+}
+
+void Expander::expand_statement(StmtId id) {
+    const Stmt& stmt = p.stmts[id];
+    Span outer = span_;
+    if (stmt.span) span_ = stmt.span;
+    switch (stmt.op) {
+    case StmtOp::let: expand_let(stmt); break;
+    case StmtOp::assign: expand_assign(stmt); break;
+    case StmtOp::if_: expand_if(stmt); break;
+    case StmtOp::for_: expand_for(stmt); break;
+    case StmtOp::while_: expand_while(stmt); break;
+    case StmtOp::return_: expand_return(stmt); break;
+    case StmtOp::block: {
+        Stmt copy = statement(StmtOp::block, stmt.span);
+        copy.body = nested(stmt.body);
+        append(std::move(copy));
+        break;
+    }
+    case StmtOp::evaluate: {
+        Stmt copy = statement(StmtOp::evaluate, stmt.span);
+        copy.value = value_of(stmt.value);
+        append(std::move(copy));
+        break;
+    }
+    case StmtOp::break_:
+    case StmtOp::continue_:
+    case StmtOp::barrier:
+    case StmtOp::store:
+    case StmtOp::image_store:
+    case StmtOp::atomic: append(stmt); break;
+    case StmtOp::set_element: set_element(stmt); break;
+    case StmtOp::write: write(stmt); break;
+    case StmtOp::temp:
+    case StmtOp::release:
+    case StmtOp::dispatch:
+    case StmtOp::expect:
+    case StmtOp::expect_near:
+    case StmtOp::expect_same:
+    case StmtOp::host_assign: break;  // only in pipelines, which are not lowered
+    }
+    span_ = outer;
+}
+
+void Expander::expand_let(const Stmt& stmt) {
+    const Local local = p.locals[stmt.local];
+    const std::string name = prefixed((*p.names)[local.name]);
+    if (p.types.kind(local.type) == TypeKind::optional) {
+        Pair value = stmt.value ? expand(stmt.value) : Pair{make.zero(p.types[local.type].element), make.truth(false)};
+        if (local.is_mutable) {
+            TypeId inner = p.types[local.type].element;
+            LocalId has = variable(name + "_found", p.types.bool_, value.has);
+            frame_->locals[stmt.local] = {make.local(variable(name, inner, value.value)), make.local(has)};
+        } else {
+            frame_->locals[stmt.local] = {named(name, value.value), named(name + "_found", value.has)};
+        }
+        return;
+    }
+    ExprId value = stmt.value ? value_of(stmt.value) : ExprId{};
+    if (!local.is_mutable && value && make.is_constant(value)) {
+        frame_->locals[stmt.local] = {value, {}};
+        return;
+    }
+    if (!local.is_mutable && value) {
+        frame_->locals[stmt.local] = {make.local(let(name, value, local.span)), {}};
+        return;
+    }
+    frame_->locals[stmt.local] = {make.local(variable(name, local.type, value)), {}};
+}
+
+/// The target over this pass's locals; its indices are evaluated here.
+ExprId Expander::expand_target(ExprId id) {
+    const Expr& node = p.exprs[id];
+    if (node.op == Op::local) return expand_local(node).value;
+    Expr copy = node;
+    copy.operands[0] = expand_target(node.operands[0]);
+    if (node.op == Op::index) copy.operands[1] = value_of(node.operands[1]);
+    return p.exprs.add(std::move(copy));
+}
+
+void Expander::expand_assign(const Stmt& stmt) {
+    const Expr& whole = p.exprs[stmt.target];
+    if (whole.op == Op::local && p.types.kind(whole.type) == TypeKind::optional) {
+        auto found = frame_->locals.find(whole.local);
+        if (found == frame_->locals.end()) return;
+        Pair target = found->second, value = expand(stmt.value);
+        assign(p.exprs[target.value].local, value.value);
+        assign(p.exprs[target.has].local, value.has);
+        return;
+    }
+    Stmt copy = statement(StmtOp::assign, stmt.span);
+    TypeId type = make.type(stmt.target);
+    copy.target = expand_target(stmt.target);
+    copy.value = stored(expand(stmt.value), type);
+    append(std::move(copy));
+}
+
+void Expander::expand_if(const Stmt& stmt) {
+    ExprId condition = value_of(stmt.value);
+    if (make.is_true(condition)) return expand_body(stmt.body);
+    if (make.is_false(condition)) return expand_body(stmt.otherwise);
+    Block yes = nested(stmt.body), no = nested(stmt.otherwise);
+    append_if(condition, std::move(yes), std::move(no));
+}
+
+void Expander::expand_for(const Stmt& stmt) {
+    ExprId first = value_of(stmt.value), limit = value_of(stmt.limit);
+    const Local variable_ = p.locals[stmt.local];
+    std::optional<Rounds> rounds = rounds_of(p, first, limit);
+    if (rounds && rounds->count <= unroll_limit && has_near_depending_on_loop(p, stmt) && !leaves_loop(p, stmt.body)) {
+        for (std::uint64_t i = 0; i < rounds->count; ++i) {
+            frame_->locals[stmt.local] = {make.integer(variable_.type, rounds->first + i), {}};
+            expand_body(stmt.body);
+        }
+        return;
+    }
+    // The limit is evaluated once.
+    if (!is_trivial(cx, limit) && !is_uniform(cx, limit)) limit = make.local(let("end", limit, stmt.span));
+    Stmt copy = statement(StmtOp::for_, stmt.span);
+    copy.local = cx.new_local((*p.names)[variable_.name], variable_.type, variable_.span);
+    copy.value = first;
+    copy.limit = limit;
+    frame_->locals[stmt.local] = {make.local(copy.local), {}};
+    copy.body = nested(stmt.body);
+    append(std::move(copy));
+}
+
+void Expander::expand_while(const Stmt& stmt) {
+    ExprId condition;
+    Block before = collect([&] { condition = value_of(stmt.value); });
+    Stmt copy = statement(StmtOp::while_, stmt.span);
+    if (before.empty()) {
+        copy.value = condition;
+        copy.body = nested(stmt.body);
+    } else {
+        // The condition needs statements of its own: they open the body.
+        copy.value = make.truth(true);
+        copy.body = std::move(before);
+        Block leave = collect([&] {
+            Block stop = collect([&] { append(statement(StmtOp::break_, stmt.span)); });
+            append_if(make.negate(condition), std::move(stop), {});
+        });
+        copy.body.insert(copy.body.end(), leave.begin(), leave.end());
+        Block body = nested(stmt.body);
+        copy.body.insert(copy.body.end(), body.begin(), body.end());
+    }
+    append(std::move(copy));
+}
+
+void Expander::expand_return(const Stmt& stmt) {
+    Stmt copy = statement(StmtOp::return_, stmt.span);
+    if (stmt.value) copy.value = stored(expand(stmt.value), frame_->result);
+    append(std::move(copy));
+}
+
+}  // namespace gliftc::lower

@@ -1,0 +1,343 @@
+#include "ir/walk.h"
+#include "lower/expand.h"
+#include "lower/unroll.h"
+
+#include <algorithm>
+
+namespace gliftc::lower {
+
+using namespace ir;
+
+namespace {
+
+constexpr std::size_t inline_limit = 4000;        ///< nodes that inlining one call may make, loops unrolled
+constexpr std::uint64_t inline_rounds = 64;
+constexpr std::size_t plain_call_limit = 40;      ///< nodes of a user's function that is not worth a call
+constexpr unsigned depth_limit = 64;
+
+/// Whether an index of an assignment's target is known when the function is inlined: constants and loop variables.
+bool is_known_index(const Program& p, ExprId id, const std::vector<LocalId>& loops) {
+    bool known = true;
+    for_each_node(p, id, [&](ExprId part) {
+        const Expr& node = p.exprs[part];
+        if (node.op == Op::local) {
+            bool is_loop = false;
+            for (LocalId loop : loops) is_loop = is_loop || loop == node.local;
+            known = known && is_loop;
+        } else if (node.op != Op::constant && node.op != Op::binary && node.op != Op::convert && node.op != Op::unary) {
+            known = false;
+        }
+    });
+    return known;
+}
+
+bool has_known_target(const Program& p, ExprId target, const std::vector<LocalId>& loops) {
+    const Expr& node = p.exprs[target];
+    if (node.op == Op::local) return true;
+    if (node.op == Op::index && !is_known_index(p, node.operands[1], loops)) return false;
+    return has_known_target(p, node.operands[0], loops);
+}
+
+/// The nodes that running `body` symbolically makes; nothing if it cannot be run so.
+std::optional<std::size_t> straight_size(const Program& p, const std::vector<StmtId>& body, std::vector<LocalId>& loops) {
+    std::size_t size = 0;
+    for (StmtId id : body) {
+        const Stmt& stmt = p.stmts[id];
+        for_each_root(stmt, [&](ExprId root) { for_each_node(p, root, [&](ExprId) { ++size; }); });
+        switch (stmt.op) {
+        case StmtOp::let:
+        case StmtOp::return_: break;
+        case StmtOp::assign:
+            if (!has_known_target(p, stmt.target, loops)) return std::nullopt;
+            break;
+        case StmtOp::if_:
+        case StmtOp::block: {
+            auto yes = straight_size(p, stmt.body, loops), no = straight_size(p, stmt.otherwise, loops);
+            if (!yes || !no) return std::nullopt;
+            size += *yes + *no;
+            break;
+        }
+        case StmtOp::for_: {
+            auto rounds = rounds_of(p, stmt.value, stmt.limit);
+            if (!rounds || rounds->count > inline_rounds || leaves_loop(p, stmt.body) || returns(p, stmt.body)) return std::nullopt;
+            loops.push_back(stmt.local);
+            auto inner = straight_size(p, stmt.body, loops);
+            loops.pop_back();
+            if (!inner) return std::nullopt;
+            size += *inner * static_cast<std::size_t>(rounds->count);
+            break;
+        }
+        default: return std::nullopt;
+        }
+        if (size > inline_limit) return std::nullopt;
+    }
+    return size;
+}
+
+bool is_short(const Program& p, const Function& function) {
+    std::size_t size = 0;
+    for (StmtId id : function.body) {
+        const Stmt& stmt = p.stmts[id];
+        if (stmt.op != StmtOp::let && stmt.op != StmtOp::return_) return false;
+        for_each_root(stmt, [&](ExprId root) { for_each_node(p, root, [&](ExprId) { ++size; }); });
+    }
+    return size <= plain_call_limit;
+}
+
+}  // namespace
+
+bool Expander::is_inlinable(FunctionId id) {
+    if (auto found = inlinable_.find(id); found != inlinable_.end()) return found->second;
+    std::vector<LocalId> loops;
+    const Function& function = p.functions[id];
+    bool result = function.extern_name.empty() && straight_size(p, function.body, loops).has_value();
+    inlinable_.emplace(id, result);
+    return result;
+}
+
+Pair Expander::expand_call(const Expr& node) {
+    const Function& function = p.functions[node.function];
+    std::vector<Pair> arguments;
+    bool constant = function.structures.empty(), uniform = constant;
+    for (ExprId operand : node.operands) {
+        Pair argument = expand(operand);
+        bool is_optional = static_cast<bool>(argument.has);
+        constant = constant && make.is_constant(argument.value) && (!is_optional || make.is_constant(argument.has));
+        uniform = uniform && !is_optional && is_uniform(cx, argument.value);
+        arguments.push_back(argument);
+    }
+    bool is_optional = p.types.kind(function.result) == TypeKind::optional;
+    if (constant || (uniform && !is_optional && frame_->stage == nullptr && function.extern_name.empty())) {
+        Expr call = node;
+        for (std::size_t i = 0; i < arguments.size(); ++i)
+            call.operands[i] = stored(arguments[i], p.locals[function.params[i]].type);
+        ExprId id = p.exprs.add(std::move(call));
+        if (constant)
+            if (auto value = evaluate(p, id)) {
+                ExprId known = materialize(p, *value, node.span);
+                return is_optional ? of_optional(known) : Pair{known, {}};
+            }
+        if (uniform && !is_optional) return {id, {}};   // the host computes it once
+    }
+    Frame frame;
+    for (const Place& place : node.places) frame.places.push_back(resolved(place));
+    if (!function.structures.empty() || frame_->stage != nullptr) frame.prefix = frame_->prefix;
+    bool wanted = is_optional || !function.structures.empty() || frame_->stage != nullptr || !frame_->prefix.empty() ||
+                  is_short(p, function);
+    if (wanted && depth_ < depth_limit && is_inlinable(node.function)) return inlined(node.function, std::move(arguments), std::move(frame));
+    return call_instance(node.function, std::move(arguments), std::move(frame));
+}
+
+Pair Expander::inlined(FunctionId id, std::vector<Pair> arguments, Frame frame) {
+    const Function& function = p.functions[id];
+    for (std::size_t i = 0; i < function.params.size(); ++i) {
+        if (i < arguments.size()) frame.locals[function.params[i]] = arguments[i];
+    }
+    ++depth_;
+    Pair result = inside(std::move(frame), [&] { return run(function.body); });
+    --depth_;
+    return result;
+}
+
+/// Runs statements on values instead of locals; the value of the return that is reached, or an absent one.
+Pair Expander::run(const std::vector<StmtId>& body) {
+    for (std::size_t i = 0; i < body.size(); ++i) {
+        const Stmt& stmt = p.stmts[body[i]];
+        switch (stmt.op) {
+        case StmtOp::let: {
+            TypeId type = p.locals[stmt.local].type;
+            bool is_optional = p.types.kind(type) == TypeKind::optional;
+            Pair value = stmt.value ? expand(stmt.value) : is_optional ? of_optional(make.zero(type)) : Pair{make.zero(type), {}};
+            cx.names.emplace(value.value, prefixed((*p.names)[p.locals[stmt.local].name]));
+            frame_->locals[stmt.local] = value;
+            break;
+        }
+        case StmtOp::assign: run_assign(stmt); break;
+        case StmtOp::return_: return stmt.value ? expand(stmt.value) : Pair{};
+        case StmtOp::if_: {
+            if (returns(p, stmt.body) || returns(p, stmt.otherwise))
+                return run_returning_if(stmt, {body.begin() + static_cast<std::ptrdiff_t>(i) + 1, body.end()});
+            run_if(stmt);
+            break;
+        }
+        case StmtOp::block: {
+            std::vector<StmtId> flat = stmt.body;
+            flat.insert(flat.end(), body.begin() + static_cast<std::ptrdiff_t>(i) + 1, body.end());
+            return run(flat);
+        }
+        case StmtOp::for_: {
+            auto rounds = rounds_of(p, stmt.value, stmt.limit);
+            for (std::uint64_t k = 0; k < rounds->count; ++k) {
+                frame_->locals[stmt.local] = {make.integer(p.locals[stmt.local].type, rounds->first + k), {}};
+                run(stmt.body);
+            }
+            break;
+        }
+        default: break;  // is_inlinable has seen to it
+        }
+    }
+    return {};
+}
+
+Pair Expander::run_returning_if(const Stmt& stmt, const std::vector<StmtId>& rest) {
+    ExprId condition = value_of(stmt.value);
+    auto with_rest = [&](std::vector<StmtId> body) {
+        body.insert(body.end(), rest.begin(), rest.end());
+        return body;
+    };
+    if (make.is_true(condition)) return run(with_rest(stmt.body));
+    if (make.is_false(condition)) return run(with_rest(stmt.otherwise));
+    auto before = frame_->locals;
+    Pair a, b;
+    Block yes = collect([&] { a = run(with_rest(stmt.body)); });
+    frame_->locals = before;
+    Block no = collect([&] { b = run(with_rest(stmt.otherwise)); });
+    TypeId type = a.value ? make.type(a.value) : b.value ? make.type(b.value) : p.types.void_;
+    if (!a.value || !b.value) return a.value ? a : b;
+    if (a.has) type = p.types.optional(type);
+    return merged(condition, std::move(yes), a, std::move(no), b, type);
+}
+
+/// After an if, a local is what the side taken made of it.
+void Expander::run_if(const Stmt& stmt) {
+    ExprId condition = value_of(stmt.value);
+    if (make.is_true(condition) || make.is_false(condition)) {
+        run(make.is_true(condition) ? stmt.body : stmt.otherwise);
+        return;
+    }
+    const auto before = frame_->locals;
+    Block yes = collect([&] { run(stmt.body); });
+    const auto after_yes = frame_->locals;
+    frame_->locals = before;
+    Block no = collect([&] { run(stmt.otherwise); });
+    const auto after_no = frame_->locals;
+    frame_->locals = before;
+    std::vector<LocalId> changed;
+    for (const auto& [local, value] : before) {
+        Pair a = after_yes.at(local), b = after_no.at(local);
+        if (a.value != b.value || a.has != b.has) changed.push_back(local);
+    }
+    std::sort(changed.begin(), changed.end());
+    for (LocalId local : changed) {
+        Pair a = after_yes.at(local), b = after_no.at(local);
+        // The statements go with the first local; what they declare is used by all only if they are not conditional.
+        if (is_speculatable(yes) && is_speculatable(no)) {
+            frame_->locals[local] = merged(condition, std::move(yes), a, std::move(no), b, p.locals[local].type);
+            yes.clear();
+            no.clear();
+            continue;
+        }
+        TypeId type = make.type(a.value);
+        auto name = prefixed((*p.names)[p.locals[local].name]);
+        Pair& merged_local = frame_->locals[local];
+        LocalId value = variable(name, type, {});
+        merged_local.value = make.local(value);
+        auto finish = [&](Block& block, Pair pair, LocalId has) {
+            Block last = collect([&] {
+                assign(value, pair.value);
+                if (pair.has) assign(has, pair.has);
+            });
+            block.insert(block.end(), last.begin(), last.end());
+        };
+        LocalId has;
+        if (a.has) {
+            has = variable(name + "_found", p.types.bool_, {});
+            merged_local.has = make.local(has);
+        }
+        finish(yes, a, has);
+        finish(no, b, has);
+    }
+    if (!yes.empty() || !no.empty()) append_if(condition, std::move(yes), std::move(no));
+}
+
+void Expander::run_assign(const Stmt& stmt) {
+    ExprId root = stmt.target;
+    while (p.exprs[root].op != Op::local) root = p.exprs[root].operands[0];
+    LocalId local = p.exprs[root].local;
+    Pair value = expand(stmt.value);
+    if (root == stmt.target) {
+        cx.names.emplace(value.value, prefixed((*p.names)[p.locals[local].name]));
+        frame_->locals[local] = value;
+        return;
+    }
+    ExprId whole = replaced(stmt.target, stored(value, make.type(stmt.target)));
+    frame_->locals[local] = {whole, {}};
+}
+
+/// The value of the target's local after the part that `target` names has become `value`.
+ExprId Expander::replaced(ExprId target, ExprId value) {
+    const Expr node = p.exprs[target];
+    if (node.op == Op::local) return value;
+    ExprId whole = value_of(node.operands[0]);
+    TypeId type = make.type(whole);
+    std::vector<ExprId> parts;
+    if (node.op == Op::field) {
+        std::size_t count = p.structs[p.types[type].index].fields.size();
+        for (std::uint32_t i = 0; i < count; ++i) parts.push_back(i == node.slot ? value : make.field(whole, i));
+    } else if (node.op == Op::swizzle) {
+        for (std::uint32_t i = 0; i < p.types.components(type); ++i) {
+            ExprId part = make.component(whole, i);
+            for (std::uint32_t k = 0; k < p.types.components(node.type); ++k)
+                if (node.lanes[k] == i) part = make.component(value, k);
+            parts.push_back(part);
+        }
+    } else {
+        std::uint64_t at = make.bits_of(value_of(node.operands[1])).value_or(0);
+        for (std::uint32_t i = 0; i < p.types[type].count; ++i) parts.push_back(i == at ? value : make.index(whole, make.uint(i)));
+    }
+    return replaced(node.operands[0], make.construct(type, std::move(parts)));
+}
+
+bool Expander::is_speculatable(const Block& block) {
+    constexpr std::size_t limit = 16;
+    if (block.size() > limit) return false;
+    for (StmtId id : block) {
+        const Stmt& stmt = p.stmts[id];
+        if (stmt.op != StmtOp::let || !stmt.value || p.locals[stmt.local].is_mutable) return false;
+        bool pure = true;
+        for_each_node(p, stmt.value, [&](ExprId part) {
+            Op op = p.exprs[part].op;
+            pure = pure && op != Op::load && op != Op::image_load && op != Op::image_sample && op != Op::call;
+        });
+        if (!pure) return false;
+    }
+    return true;
+}
+
+/// One of two values, each with the statements that it needs: a select where they may both run, else an if.
+Pair Expander::merged(ExprId condition, Block yes, Pair a, Block no, Pair b, TypeId type) {
+    bool is_optional = p.types.kind(type) == TypeKind::optional;
+    TypeId inner = is_optional ? p.types[type].element : type;
+    Pair result;
+    if (is_speculatable(yes) && is_speculatable(no)) {
+        out_->insert(out_->end(), yes.begin(), yes.end());
+        out_->insert(out_->end(), no.begin(), no.end());
+        if (is_optional) {
+            result.has = make.select(condition, a.has, b.has);
+            // A value that is not there may be anything.
+            if (make.is_false(a.has)) return {b.value, result.has};
+            if (make.is_false(b.has)) return {a.value, result.has};
+        }
+        result.value = a.value == b.value ? a.value : make.select(condition, a.value, b.value);
+        return result;
+    }
+    LocalId value = variable(prefixed("result"), inner, {}), has;
+    result.value = make.local(value);
+    if (is_optional) {
+        has = variable(prefixed("found"), p.types.bool_, {});
+        result.has = make.local(has);
+    }
+    auto finish = [&](Block& block, Pair pair) {
+        Block last = collect([&] {
+            assign(value, pair.value);
+            if (is_optional) assign(has, pair.has);
+        });
+        block.insert(block.end(), last.begin(), last.end());
+    };
+    finish(yes, a);
+    finish(no, b);
+    append_if(condition, std::move(yes), std::move(no));
+    return result;
+}
+
+}  // namespace gliftc::lower

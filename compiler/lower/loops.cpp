@@ -1,0 +1,94 @@
+#include "lower/loops.h"
+
+#include "ir/walk.h"
+#include "lower/unroll.h"
+
+#include <algorithm>
+
+#include <limits>
+
+namespace gliftc::lower {
+
+using namespace ir;
+
+namespace {
+
+constexpr std::uint64_t unknown = std::numeric_limits<std::uint64_t>::max();
+
+std::uint64_t plus(std::uint64_t a, std::uint64_t b) { return a > unknown - b ? unknown : a + b; }
+std::uint64_t times(std::uint64_t a, std::uint64_t b) { return a != 0 && b > unknown / a ? unknown : a * b; }
+
+class Loops {
+public:
+    explicit Loops(Context& context) : cx(context) {}
+
+    std::uint64_t rounds(const std::vector<StmtId>& body) {
+        std::uint64_t total = 0;
+        for (StmtId id : body) total = plus(total, rounds(cx.p.stmts[id]));
+        return total;
+    }
+
+private:
+    std::uint64_t rounds(const Stmt& stmt) {
+        std::uint64_t total = 0;
+        for_each_root(stmt, [&](ExprId root) {
+            for_each_node(cx.p, root, [&](ExprId id) {
+                if (cx.p.exprs[id].op == Op::call) total = plus(total, of_function(cx.p.exprs[id].function));
+            });
+        });
+        std::uint64_t inside = plus(rounds(stmt.body), rounds(stmt.otherwise));
+        if (stmt.op == StmtOp::while_) inside = note(stmt, unknown);
+        if (stmt.op == StmtOp::for_) {
+            auto known = rounds_of(cx.p, stmt.value, stmt.limit);
+            inside = note(stmt, known ? times(known->count, plus(inside, 1)) : unknown);
+        }
+        return plus(total, inside);
+    }
+
+    std::uint64_t note(const Stmt& stmt, std::uint64_t count) {
+        if (count >= longest_) {
+            longest_ = count;
+            cx.pass.longest_loop = stmt.span;
+        }
+        return count;
+    }
+
+    std::uint64_t of_function(FunctionId id) {
+        auto [found, is_new] = functions_.try_emplace(id, 0);
+        if (is_new) {
+            std::uint64_t count = rounds(cx.p.functions[id].body);
+            functions_[id] = count;
+            return count;
+        }
+        return found->second;
+    }
+
+    Context& cx;
+    std::unordered_map<FunctionId, std::uint64_t> functions_;
+    std::uint64_t longest_ = 0;
+};
+
+/// Callees before callers.
+void add_functions(Context& cx, const std::vector<StmtId>& body) {
+    for_each_expression(cx.p, body, [&](ExprId id) {
+        const Expr& node = cx.p.exprs[id];
+        if (node.op == Op::intrinsic && exactness_of(node.intrinsic) == Exactness::inexact) cx.pass.exact = false;
+        if (node.op == Op::image_sample && cx.pass.bindings[node.slot].linear) cx.pass.exact = false;
+        if (node.op != Op::call) return;
+        auto& functions = cx.pass.functions;
+        if (std::find(functions.begin(), functions.end(), node.function) != functions.end()) return;
+        add_functions(cx, cx.p.functions[node.function].body);
+        if (std::find(functions.begin(), functions.end(), node.function) == functions.end()) functions.push_back(node.function);
+    });
+}
+
+}  // namespace
+
+void summarize(Context& cx) {
+    cx.pass.loop_rounds = Loops(cx).rounds(cx.pass.body);
+    add_functions(cx, cx.pass.prologue);
+    add_functions(cx, cx.pass.body);
+    add_functions(cx, cx.pass.interior_body);
+}
+
+}  // namespace gliftc::lower

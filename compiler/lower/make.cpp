@@ -1,0 +1,365 @@
+#include "lower/make.h"
+
+#include <cmath>
+
+namespace gliftc::lower {
+
+using namespace ir;
+
+namespace {
+
+bool is_finite(const Value& value) {
+    for (const Lane& lane : value.lanes)
+        if (!std::isfinite(lane.number)) return false;
+    return true;
+}
+
+/// Whether the result's component i depends on the operands' components i only.
+bool is_component_wise(const Types& types, const Expr& node) {
+    switch (node.op) {
+    case Op::unary:
+    case Op::convert: return true;
+    case Op::select: return !types.is_vector(node.type) ? false : true;
+    case Op::binary:
+        return node.binary != BinaryOp::equal && node.binary != BinaryOp::not_equal;
+    default: return false;
+    }
+}
+
+}  // namespace
+
+ExprId Make::make(Expr node) { return p.exprs.add(std::move(node)); }
+
+ExprId Make::integer(TypeId scalar, std::uint64_t value) {
+    Expr node;
+    node.type = scalar;
+    node.bits = value;
+    return make(std::move(node));
+}
+
+ExprId Make::zero(TypeId id) {
+    const Type type = p.types[id];
+    Expr node;
+    node.type = id;
+    if (p.types.is_scalar(id) || type.kind == TypeKind::enum_) return make(std::move(node));
+    node.op = Op::construct;
+    if (type.kind == TypeKind::optional) {
+        node.op = Op::none;
+    } else if (type.kind == TypeKind::vector) {
+        node.operands = {zero(type.element)};
+    } else if (type.kind == TypeKind::matrix) {
+        node.operands.assign(type.count, zero(p.types.vector(type.element, type.rows)));
+    } else if (type.kind == TypeKind::array) {
+        node.operands.assign(type.count, zero(type.element));
+    } else if (type.kind == TypeKind::struct_) {
+        std::vector<TypeId> fields;
+        for (const StructField& part : p.structs[type.index].fields) fields.push_back(part.type);
+        for (TypeId part : fields) node.operands.push_back(zero(part));
+    }
+    return make(std::move(node));
+}
+
+ExprId Make::local(LocalId local) {
+    Expr node;
+    node.op = Op::local;
+    node.type = p.locals[local].type;
+    node.local = local;
+    return make(std::move(node));
+}
+
+ExprId Make::unary(UnaryOp op, ExprId a) {
+    Expr node;
+    node.op = Op::unary;
+    node.type = type(a);
+    node.unary = op;
+    return again(node, {a});
+}
+
+ExprId Make::binary(BinaryOp op, ExprId a, ExprId b) {
+    Expr node;
+    node.op = Op::binary;
+    bool compares = op >= BinaryOp::less && op <= BinaryOp::not_equal;
+    node.type = compares ? p.types.bool_ : p.types.is_vector(type(b)) && !p.types.is_matrix(type(a)) ? type(b) : type(a);
+    node.binary = op;
+    return again(node, {a, b});
+}
+
+ExprId Make::both(ExprId a, ExprId b) {
+    if (!a || !b) return a ? a : b;
+    return binary(BinaryOp::logical_and, a, b);
+}
+
+ExprId Make::select(ExprId condition, ExprId yes, ExprId no) {
+    Expr node;
+    node.op = Op::select;
+    node.type = type(yes);
+    return again(node, {condition, yes, no});
+}
+
+ExprId Make::construct(TypeId id, std::vector<ExprId> parts) {
+    Expr node;
+    node.op = Op::construct;
+    node.type = id;
+    return again(node, std::move(parts));
+}
+
+ExprId Make::convert(TypeId id, ExprId a) {
+    if (type(a) == id) return a;
+    Expr node;
+    node.op = Op::convert;
+    node.type = id;
+    return again(node, {a});
+}
+
+ExprId Make::component(ExprId vector, std::uint32_t lane) {
+    if (!p.types.is_vector(type(vector))) return vector;
+    if (auto simpler = simpler_component(vector, lane)) return *simpler;
+    Expr node;
+    node.op = Op::swizzle;
+    node.type = p.types.scalar_of(type(vector));
+    node.span = p.exprs[vector].span;
+    node.lanes[0] = static_cast<std::uint8_t>(lane);
+    node.operands = {vector};
+    return folded(std::move(node));
+}
+
+ExprId Make::index(ExprId whole, ExprId at) {
+    Expr node;
+    node.op = Op::index;
+    const Type& of = p.types[type(whole)];
+    node.type = of.kind == TypeKind::matrix ? p.types.vector(of.element, of.rows) : of.element;
+    return again(node, {whole, at});
+}
+
+ExprId Make::field(ExprId whole, std::uint32_t slot) {
+    Expr node;
+    node.op = Op::field;
+    node.type = p.structs[p.types[type(whole)].index].fields[slot].type;
+    node.slot = slot;
+    return again(node, {whole});
+}
+
+ExprId Make::intrinsic(Intrinsic intrinsic, TypeId id, std::vector<ExprId> operands) {
+    Expr node;
+    node.op = Op::intrinsic;
+    node.type = id;
+    node.intrinsic = intrinsic;
+    return again(node, std::move(operands));
+}
+
+ExprId Make::builtin(Builtin builtin, TypeId id) {
+    Expr node;
+    node.op = Op::builtin;
+    node.type = id;
+    node.builtin = builtin;
+    return make(std::move(node));
+}
+
+bool Make::is_constant(ExprId id) const {
+    const Expr& node = p.exprs[id];
+    if (node.op == Op::constant || node.op == Op::none) return true;
+    if (node.op != Op::construct && node.op != Op::some) return false;
+    for (ExprId operand : node.operands)
+        if (!is_constant(operand)) return false;
+    return true;
+}
+
+std::optional<std::uint64_t> Make::bits_of(ExprId id) const {
+    const Expr& node = p.exprs[id];
+    if (node.op != Op::constant) return std::nullopt;
+    return node.bits;
+}
+
+bool Make::is_true(ExprId id) const { return p.exprs[id].op == Op::constant && p.exprs[id].bits != 0; }
+bool Make::is_false(ExprId id) const { return p.exprs[id].op == Op::constant && p.exprs[id].bits == 0; }
+
+bool Make::is_number(ExprId id, double value) const {
+    const Expr* node = &p.exprs[id];
+    while (node->op == Op::construct && node->operands.size() == 1) node = &p.exprs[node->operands[0]];
+    if (node->op == Op::construct) {
+        for (ExprId operand : node->operands)
+            if (!is_number(operand, value)) return false;
+        return !node->operands.empty();
+    }
+    if (node->op != Op::constant || p.types.is_floating(node->type)) return false;
+    return static_cast<double>(static_cast<std::int64_t>(node->bits)) == value;
+}
+
+/// Identities that hold for every value; those of floats are left out (-0, NaN).
+std::optional<ExprId> Make::simpler_binary(const Expr& node) {
+    ExprId a = node.operands[0], b = node.operands[1];
+    auto whole = [&](ExprId id) { return type(id) == node.type; };
+    switch (node.binary) {
+    case BinaryOp::add:
+    case BinaryOp::bit_or:
+    case BinaryOp::bit_xor:
+        if (is_number(a, 0) && whole(b)) return b;
+        if (is_number(b, 0) && whole(a)) return a;
+        break;
+    case BinaryOp::subtract:
+    case BinaryOp::shift_left:
+    case BinaryOp::shift_right:
+        if (is_number(b, 0) && whole(a)) return a;
+        break;
+    case BinaryOp::multiply:
+        if (is_number(a, 1) && whole(b)) return b;
+        if (is_number(b, 1) && whole(a)) return a;
+        if (is_number(a, 0) || is_number(b, 0)) return zero(node.type);
+        break;
+    case BinaryOp::divide:
+        if (is_number(b, 1) && whole(a)) return a;
+        break;
+    case BinaryOp::logical_and:
+        if (is_true(a) || is_false(b)) return b;
+        if (is_true(b) || is_false(a)) return a;
+        break;
+    case BinaryOp::logical_or:
+        if (is_false(a) || is_true(b)) return b;
+        if (is_false(b) || is_true(a)) return a;
+        break;
+    case BinaryOp::less:
+        if (is_number(b, 0) && p.types.scalar_of(type(b)) == p.types.uint) return truth(false);
+        break;
+    case BinaryOp::greater_equal:
+        if (is_number(b, 0) && p.types.scalar_of(type(b)) == p.types.uint) return truth(true);
+        break;
+    case BinaryOp::remainder:
+        if (is_number(b, 1)) return zero(node.type);
+        break;
+    case BinaryOp::less_equal:
+    case BinaryOp::greater:
+    case BinaryOp::equal:
+    case BinaryOp::not_equal:
+    case BinaryOp::bit_and: break;
+    }
+    return std::nullopt;
+}
+
+/// One component of an operation on vectors, as the operation on components.
+std::optional<ExprId> Make::simpler_component(ExprId vector, std::uint32_t lane) {
+    const Expr node = p.exprs[vector];
+    if (node.op == Op::swizzle) return component(node.operands[0], node.lanes[lane]);
+    if (node.op == Op::construct) {
+        if (node.operands.size() == 1) {
+            if (!p.types.is_vector(type(node.operands[0]))) return node.operands[0];
+            return component(node.operands[0], lane);
+        }
+        for (ExprId part : node.operands) {
+            std::uint32_t count = p.types.components(type(part));
+            if (lane < count) return component(part, lane);
+            lane -= count;
+        }
+        return std::nullopt;
+    }
+    if (node.op == Op::select && p.types.is_vector(type(node.operands[1]))) {
+        bool cheap = p.exprs[node.operands[1]].op == Op::construct || p.exprs[node.operands[2]].op == Op::construct;
+        if (!cheap) return std::nullopt;
+        return select(component(node.operands[0], lane), component(node.operands[1], lane), component(node.operands[2], lane));
+    }
+    if (node.op == Op::intrinsic && (node.intrinsic == Intrinsic::min || node.intrinsic == Intrinsic::max ||
+                                     node.intrinsic == Intrinsic::clamp)) {
+        std::vector<ExprId> parts;
+        for (ExprId operand : node.operands) parts.push_back(component(operand, lane));
+        return intrinsic(node.intrinsic, p.types.scalar_of(node.type), std::move(parts));
+    }
+    if (!is_component_wise(p.types, node) || node.op == Op::select) return std::nullopt;
+    for (ExprId operand : node.operands)
+        if (p.types.is_matrix(type(operand))) return std::nullopt;
+    std::vector<ExprId> parts;
+    for (ExprId operand : node.operands) parts.push_back(component(operand, lane));
+    Expr scalar = node;
+    scalar.type = p.types.scalar_of(node.type);
+    return again(scalar, std::move(parts));
+}
+
+ExprId Make::folded(Expr node) {
+    bool constant = !node.operands.empty() && node.op != Op::call && node.op != Op::construct;
+    for (ExprId operand : node.operands) constant = constant && is_constant(operand);
+    ExprId id = make(std::move(node));
+    if (!constant) return id;
+    auto value = evaluate(p, id);
+    if (!value || !is_finite(*value)) return id;
+    return materialize(p, *value, p.exprs[id].span);
+}
+
+ExprId Make::again(const Expr& original, std::vector<ExprId> operands) {
+    Expr node = original;
+    node.operands = std::move(operands);
+    switch (node.op) {
+    case Op::binary:
+        if (auto simpler = simpler_binary(node)) return *simpler;
+        break;
+    case Op::unary:
+        if (node.unary == UnaryOp::logical_not) {
+            const Expr inner = p.exprs[node.operands[0]];
+            if (inner.op == Op::unary && inner.unary == UnaryOp::logical_not) return inner.operands[0];
+        }
+        break;
+    case Op::select:
+        if (is_true(node.operands[0])) return node.operands[1];
+        if (is_false(node.operands[0])) return node.operands[2];
+        if (node.type == p.types.bool_) {
+            if (is_true(node.operands[1]) && is_false(node.operands[2])) return node.operands[0];
+            if (is_false(node.operands[1]) && is_true(node.operands[2])) return negate(node.operands[0]);
+            if (is_false(node.operands[2])) return both(node.operands[0], node.operands[1]);
+            if (is_false(node.operands[1])) return both(negate(node.operands[0]), node.operands[2]);
+        }
+        break;
+    case Op::swizzle: {
+        std::uint32_t count = p.types.components(node.type);
+        if (count == 1) return component(node.operands[0], node.lanes[0]);
+        bool same = p.types.components(type(node.operands[0])) == count;
+        for (std::uint32_t i = 0; i < count; ++i) same = same && node.lanes[i] == i;
+        if (same) return node.operands[0];
+        if (p.exprs[node.operands[0]].op != Op::construct) break;
+        std::vector<ExprId> parts;
+        for (std::uint32_t i = 0; i < count; ++i) parts.push_back(component(node.operands[0], node.lanes[i]));
+        return construct(node.type, std::move(parts));
+    }
+    case Op::index:
+        if (auto at = bits_of(node.operands[1])) {
+            const Expr& whole = p.exprs[node.operands[0]];
+            if (p.types.is_vector(whole.type)) {
+                std::uint32_t last = p.types.components(whole.type) - 1;
+                return component(node.operands[0], static_cast<std::uint32_t>(std::min<std::uint64_t>(*at, last)));
+            }
+            if (whole.op == Op::construct && *at < whole.operands.size() && p.types.kind(whole.type) == TypeKind::array)
+                return whole.operands[*at];
+        }
+        break;
+    case Op::field: {
+        const Expr& whole = p.exprs[node.operands[0]];
+        if (whole.op == Op::construct) return whole.operands[node.slot];
+        break;
+    }
+    case Op::construct: {
+        // uint2(v.x, v.y) of a two-component v is v.
+        if (!p.types.is_vector(node.type) || node.operands.size() != p.types.components(node.type)) break;
+        ExprId whole;
+        for (std::uint32_t i = 0; i < node.operands.size(); ++i) {
+            const Expr& part = p.exprs[node.operands[i]];
+            if (part.op != Op::swizzle || p.types.is_vector(part.type) || part.lanes[0] != i) return make(std::move(node));
+            const Expr& from = p.exprs[part.operands[0]];
+            if (!whole) whole = part.operands[0];
+            const Expr& first = p.exprs[whole];
+            bool same = whole == part.operands[0] || (from.op == Op::local && first.op == Op::local && from.local == first.local);
+            if (!same || from.type != node.type) return make(std::move(node));
+        }
+        return whole;
+    }
+    case Op::convert:
+        if (type(node.operands[0]) == node.type) return node.operands[0];
+        break;
+    default: break;
+    }
+    return folded(std::move(node));
+}
+
+Stmt statement(StmtOp op, Span span) {
+    Stmt stmt;
+    stmt.op = op;
+    stmt.span = span;
+    return stmt;
+}
+
+}  // namespace gliftc::lower

@@ -1,0 +1,69 @@
+// Makes expressions and folds them as they are made: constants are computed, x + 0, x * 1 and selects on a constant vanish,
+// components are taken out of constructions and pushed through component-wise operations.
+#pragma once
+
+#include "ir/evaluate.h"
+#include "ir/ir.h"
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace gliftc::lower {
+
+using ir::ExprId;
+using ir::LocalId;
+using ir::Op;
+using ir::StmtId;
+using ir::StmtOp;
+using ir::TypeId;
+
+class Make {
+public:
+    explicit Make(ir::Program& program) : p(program) {}
+
+    ExprId uint(std::uint64_t value) { return integer(p.types.uint, value); }
+    ExprId integer(TypeId scalar, std::uint64_t value);
+    ExprId truth(bool value) { return integer(p.types.bool_, value); }
+    ExprId zero(TypeId type);
+    ExprId local(LocalId local);
+    ExprId unary(ir::UnaryOp op, ExprId a);
+    ExprId binary(ir::BinaryOp op, ExprId a, ExprId b);
+    ExprId add(ExprId a, ExprId b) { return binary(ir::BinaryOp::add, a, b); }
+    ExprId multiply(ExprId a, ExprId b) { return binary(ir::BinaryOp::multiply, a, b); }
+    ExprId both(ExprId a, ExprId b);                       ///< a && b; an absent one is true
+    ExprId negate(ExprId a) { return unary(ir::UnaryOp::logical_not, a); }
+    ExprId select(ExprId condition, ExprId yes, ExprId no);
+    ExprId construct(TypeId type, std::vector<ExprId> parts);
+    ExprId convert(TypeId type, ExprId a);
+    ExprId component(ExprId vector, std::uint32_t lane);
+    ExprId index(ExprId whole, ExprId at);
+    ExprId field(ExprId whole, std::uint32_t slot);
+    ExprId intrinsic(ir::Intrinsic intrinsic, TypeId type, std::vector<ExprId> operands);
+    ExprId builtin(ir::Builtin builtin, TypeId type);
+
+    /// `node` with other operands: the same operation, folded.
+    ExprId again(const ir::Expr& node, std::vector<ExprId> operands);
+
+    /// Whether `id` is a constant; does not compute.
+    bool is_constant(ExprId id) const;
+    /// The value where `id` is a scalar constant.
+    std::optional<std::uint64_t> bits_of(ExprId id) const;
+    bool is_true(ExprId id) const;
+    bool is_false(ExprId id) const;
+    TypeId type(ExprId id) const { return p.exprs[id].type; }
+
+    ir::Program& p;
+
+private:
+    ExprId make(ir::Expr node);
+    ExprId folded(ir::Expr node);
+    std::optional<ExprId> simpler_binary(const ir::Expr& node);
+    std::optional<ExprId> simpler_component(ExprId vector, std::uint32_t lane);
+    bool is_number(ExprId id, double value) const;
+};
+
+/// A statement of this kind at this place of the source.
+ir::Stmt statement(StmtOp op, Span span);
+
+}  // namespace gliftc::lower

@@ -1,0 +1,113 @@
+// The passes in order. Each says in its header what it needs and what it guarantees.
+#include "lower/affine.h"
+#include "lower/dispatch.h"
+#include "lower/expand.h"
+#include "lower/loops.h"
+#include "lower/lower.h"
+#include "lower/share.h"
+#include "lower/strength.h"
+#include "lower/temporaries.h"
+#include "lower/uniforms.h"
+
+namespace gliftc::lower {
+
+using namespace ir;
+
+namespace {
+
+/// Addresses relative to each other, everything once, nothing unused.
+std::vector<StmtId> simplified(Context& cx, std::vector<StmtId> body) {
+    body = share(cx, body);
+    body = strengthen(cx, body);
+    body = share(cx, body);
+    return drop_dead(cx, body);
+}
+
+/// The parameter that is exactly this value, if there is one.
+std::uint32_t parameter_of(const Context& cx, ExprId id) {
+    const Expr& node = cx.p.exprs[id];
+    return node.op == Op::parameter ? node.slot : 0xffffffffu;
+}
+
+/// Holds a uniform value through the passes, so that it becomes a parameter like any other.
+StmtId holder(Context& cx, ExprId value) {
+    Stmt stmt = statement(StmtOp::evaluate, cx.kernel.span);
+    stmt.value = value;
+    return cx.add(std::move(stmt));
+}
+
+void finish_images(Pass& pass) {
+    for (PassBinding& binding : pass.bindings)
+        binding.sampled = binding.shape != MemoryShape::buffer && binding.access == Access::read;
+}
+
+void add_addresses(Context& cx) {
+    if (cx.pass.form != Form::wide) return;
+    for (std::uint32_t i = 0; i < cx.pass.bindings.size(); ++i) {
+        PassBinding& binding = cx.pass.bindings[i];
+        if (binding.shape != MemoryShape::buffer) continue;
+        binding.address_parameter = cx.parameter(ParameterSource::address, binding.name + "_address", cx.p.types.uint64, i);
+    }
+}
+
+/// The host's body for centres whose neighbours all lie inside; `domain` becomes the parameter it is valid for.
+std::vector<StmtId> interior(Context& cx, Expander& checked, std::vector<StmtId>& holders) {
+    if (!checked.has_near_guards || !checked.near_domains_agree) return {};
+    Expander expander(cx, Guards::interior);
+    std::vector<StmtId> body = expander.kernel_body();
+    holders.push_back(holder(cx, checked.near_domain));
+    for (const KernelParam& param : cx.kernel.params)
+        if (param.pattern == Pattern::near) cx.pass.interior_radius = std::max(cx.pass.interior_radius, param.radius);
+    return simplified(cx, std::move(body));
+}
+
+Pass lowered(Program& program, Diagnostics& diagnostics, std::uint32_t kernel, Form form) {
+    Pass pass;
+    pass.kernel = kernel;
+    pass.form = form;
+    Context cx(program, program.kernels[kernel], pass, diagnostics);
+    choose_dispatch(cx);
+    Expander expander(cx, Guards::checked);
+    cx.size = expander.iteration_size();
+    pass.body = simplified(cx, expander.kernel_body());
+    std::vector<StmtId> holders;
+    pass.interior_body = interior(cx, expander, holders);
+    pass.prologue = dispatch_prologue(cx);
+
+    std::vector<std::vector<StmtId>*> bodies{&pass.prologue, &pass.body, &pass.interior_body};
+    for (auto& [key, function] : cx.instances) {
+        auto& body = program.functions[function].body;
+        body = simplified(cx, std::move(body));
+        bodies.push_back(&body);
+    }
+    bodies.push_back(&holders);
+    move_uniforms(cx, bodies);
+    if (!holders.empty()) {
+        pass.interior_domain = parameter_of(cx, program.stmts[holders[0]].value);
+        if (pass.interior_domain == 0xffffffffu) pass.interior_body.clear();
+        if (form != Form::direct)
+            pass.interior_origin = cx.parameter(ParameterSource::origin, {}, cx.kernel.domain_type, *expander.near_root);
+    }
+    finish_images(pass);
+    add_addresses(cx);
+    summarize(cx);
+    return pass;
+}
+
+}  // namespace
+
+Lowered lower(Program& program, Diagnostics& diagnostics) {
+    mark_affine(program);
+    Lowered result;
+    for (std::uint32_t i = 0; i < program.kernels.size(); ++i) {
+        Lowered::Forms forms;
+        forms.direct = lowered(program, diagnostics, i, Form::direct);
+        forms.general = lowered(program, diagnostics, i, Form::general);
+        forms.wide = lowered(program, diagnostics, i, Form::wide);
+        result.passes.push_back(std::move(forms));
+    }
+    release_temporaries(program);
+    return result;
+}
+
+}  // namespace gliftc::lower

@@ -1,0 +1,72 @@
+// Filtered reads: the device's sampler where a texel's address is its virtual address, else a weighted sum of reads.
+#include "lower/expand.h"
+
+namespace gliftc::lower {
+
+using namespace ir;
+
+/// Whether the structure keeps element a in texel a of an image.
+bool Expander::is_texel_address(const Place& place) {
+    const Structure& structure = cx.structure_at(place);
+    if (structure.kind == StructureKind::view || structure.memories.empty()) return false;
+    if (structure.memories[structure.via_memory].shape == MemoryShape::buffer) return false;
+    ExprId probe = make.local(cx.new_local("probe", structure.domain_type, span_));
+    Pair at;
+    Block block = collect([&] { at = translated(place, probe, "probe"); });
+    return block.empty() && at.value == probe && (!at.has || make.is_true(at.has));
+}
+
+ExprId Expander::sample(const Expr& node) {
+    Place place = resolved(node.place);
+    ExprId at = named(cx.name_of(place) + "_point", value_of(node.operands[0]));
+    if (!is_texel_address(place)) return filtered(place, at);
+    const Structure& structure = cx.structure_at(place);
+    Expr extent;
+    extent.op = Op::memory_extent;
+    extent.type = structure.domain_type;
+    extent.place = canonical(place);
+    extent.slot = structure.via_memory;
+    ExprId size = make.convert(make.type(at), p.exprs.add(std::move(extent)));
+    Expr sampled;
+    sampled.op = Op::image_sample;
+    sampled.type = node.type;
+    sampled.slot = binding(place, structure.via_memory, Access::read);
+    sampled.operands = {make.binary(BinaryOp::divide, at, size)};
+    return p.exprs.add(std::move(sampled));
+}
+
+/// Element centres lie at +0.5: the 2^n elements around the point, weighted by its distance to each, x first.
+ExprId Expander::filtered(const Place& place, ExprId at) {
+    const Structure& structure = cx.structure_at(place);
+    std::string name = cx.name_of(place);
+    TypeId floats = make.type(at), numbers = structure.domain_type;
+    std::uint32_t axes = p.types.components(floats);
+    auto splat = [&](ExprId number) { return axes == 1 ? number : make.construct(floats, {number}); };
+    Expr half;
+    half.type = p.types.float_;
+    half.number = 0.5;
+    ExprId lower = named(name + "_lower", make.binary(BinaryOp::subtract, at, splat(p.exprs.add(half))));
+    ExprId corner = named(name + "_corner", make.intrinsic(Intrinsic::floor, floats, {lower}));
+    ExprId weight = named(name + "_weight", make.binary(BinaryOp::subtract, lower, corner));
+    // Negative corners wrap to addresses outside the domain, where reads give the structure's otherwise.
+    TypeId ints = p.types.with_scalar(numbers, p.types.int_);
+    ExprId base = named(name + "_base", make.convert(numbers, make.convert(ints, corner)));
+    std::vector<ExprId> values;
+    for (std::uint32_t i = 0; i < (1u << axes); ++i) {
+        std::vector<ExprId> step;
+        for (std::uint32_t axis = 0; axis < axes; ++axis) step.push_back(make.uint(i >> axis & 1));
+        ExprId offset = axes == 1 ? step[0] : make.construct(numbers, std::move(step));
+        std::string corner_name = name + "_corner" + std::to_string(i);
+        values.push_back(named(corner_name, read(place, make.add(base, offset), corner_name)));
+    }
+    for (std::uint32_t axis = 0; axis < axes; ++axis) {
+        std::vector<ExprId> mixed;
+        ExprId t = make.component(weight, axis);
+        for (std::size_t i = 0; i < values.size(); i += 2)
+            mixed.push_back(make.intrinsic(Intrinsic::mix, make.type(values[i]), {values[i], values[i + 1], t}));
+        values = std::move(mixed);
+    }
+    return values[0];
+}
+
+}  // namespace gliftc::lower

@@ -1,0 +1,266 @@
+#include "lower/share.h"
+
+#include "ir/walk.h"
+#include "lower/number.h"
+
+#include <optional>
+
+namespace gliftc::lower {
+
+using namespace ir;
+
+namespace {
+
+/// One value that may be used more than once.
+struct Record {
+    std::uint32_t uses = 0;
+    LocalId local;              ///< that holds it, once it is declared
+    std::string name;
+    bool is_let = false;        ///< the source gives it a local
+};
+
+/// Walks a body twice in the same way: first counting, then rewriting. Records are told apart by the order in which they are
+/// made, which is the same in both walks.
+class Sharing {
+public:
+    Sharing(Context& context, std::vector<Record>& records, bool rewrites)
+        : cx(context), numbers_(context), records_(records), rewrites_(rewrites) {}
+
+    std::vector<StmtId> run(const std::vector<StmtId>& body) {
+        std::vector<StmtId> result;
+        Scope scope{*this};
+        std::vector<StmtId>* outer = out_;
+        out_ = &result;
+        for (StmtId id : body) statement_(id);
+        out_ = outer;
+        return result;
+    }
+
+private:
+    enum class Where { before, conditional, loop_condition };
+
+    struct Scope {
+        explicit Scope(Sharing& owner) : owner(owner), size(owner.undo_.size()) {}
+        ~Scope() {
+            while (owner.undo_.size() > size) {
+                auto& [number, previous] = owner.undo_.back();
+                if (previous) owner.available_[number] = *previous;
+                else owner.available_.erase(number);
+                owner.undo_.pop_back();
+            }
+        }
+        Sharing& owner;
+        std::size_t size;
+    };
+
+    void statement_(StmtId id);
+    void let_(const Stmt& stmt);
+    void loop_(const Stmt& stmt);
+    ExprId visit(ExprId id, Where where);
+    ExprId visit_operands(ExprId id, Where where);
+    ExprId visit_target(ExprId id);
+    std::uint32_t new_record(ValueNumber number);
+    void append(Stmt stmt) {
+        if (rewrites_) out_->push_back(cx.add(std::move(stmt)));
+    }
+    bool is_leaf(ExprId id);
+    std::string name_for(ExprId id);
+
+    Context& cx;
+    Numbers numbers_;
+    std::vector<Record>& records_;
+    bool rewrites_;
+    std::uint32_t made_ = 0;
+    std::unordered_map<ValueNumber, std::uint32_t> available_;
+    std::vector<std::pair<ValueNumber, std::optional<std::uint32_t>>> undo_;
+    std::unordered_map<LocalId, LocalId> renamed_;
+    std::vector<StmtId>* out_ = nullptr;
+    Span span_;
+};
+
+std::uint32_t Sharing::new_record(ValueNumber number) {
+    std::uint32_t record = made_++;
+    if (record == records_.size()) records_.emplace_back();
+    auto found = available_.find(number);
+    undo_.emplace_back(number, found == available_.end() ? std::nullopt : std::optional(found->second));
+    available_[number] = record;
+    return record;
+}
+
+/// What is as short as a name.
+bool Sharing::is_leaf(ExprId id) {
+    const Expr& node = cx.p.exprs[id];
+    if (node.op == Op::local || is_trivial(cx, id)) return true;
+    if (node.op == Op::swizzle || node.op == Op::field) return is_leaf(node.operands[0]);
+    // Uniform values become parameters.
+    return is_uniform(cx, id);
+}
+
+std::string Sharing::name_for(ExprId id) {
+    if (auto found = cx.names.find(id); found != cx.names.end()) return found->second;
+    const Expr& node = cx.p.exprs[id];
+    if (node.op == Op::load || node.op == Op::image_load) return cx.pass.bindings[node.slot].name + "_value";
+    if (node.op == Op::call) return (*cx.p.names)[cx.p.functions[node.function].name] + "_result";
+    if (node.type == cx.p.types.bool_) return "test";
+    return "value";
+}
+
+ExprId Sharing::visit(ExprId id, Where where) {
+    const Expr& node = cx.p.exprs[id];
+    if (node.op == Op::local) {
+        auto found = renamed_.find(node.local);
+        return found == renamed_.end() || !rewrites_ ? id : cx.make.local(found->second);
+    }
+    if (is_leaf(id) || !numbers_.is_pure(id)) return visit_operands(id, where);
+    if (where != Where::before && numbers_.has_load(id)) return visit_operands(id, where);
+    ValueNumber number = numbers_.of(id);
+    if (auto found = available_.find(number); found != available_.end()) {
+        Record& record = records_[found->second];
+        ++record.uses;
+        if (rewrites_ && record.local) return cx.make.local(record.local);
+        if (!rewrites_) return id;
+        return visit_operands(id, where);
+    }
+    if (where == Where::loop_condition) return visit_operands(id, where);
+    std::uint32_t index = new_record(number);
+    if (!rewrites_) {
+        records_[index].uses = 1;
+        records_[index].name = name_for(id);
+        return visit_operands(id, where);
+    }
+    ExprId value = visit_operands(id, where);
+    Record& record = records_[index];
+    if (record.uses < 2) return value;
+    record.local = cx.new_local(record.name, node.type, span_);
+    cx.definitions[record.local] = value;
+    numbers_.define(record.local, number);
+    Stmt stmt = statement(StmtOp::let, span_);
+    stmt.local = record.local;
+    stmt.value = value;
+    append(std::move(stmt));
+    return cx.make.local(record.local);
+}
+
+ExprId Sharing::visit_operands(ExprId id, Where where) {
+    const Expr node = cx.p.exprs[id];
+    if (node.operands.empty()) return id;
+    std::vector<ExprId> operands;
+    bool same = true;
+    for (std::size_t i = 0; i < node.operands.size(); ++i) {
+        bool may_skip = (node.op == Op::select && i > 0) ||
+                        (node.op == Op::binary && i == 1 &&
+                         (node.binary == BinaryOp::logical_and || node.binary == BinaryOp::logical_or));
+        operands.push_back(visit(node.operands[i], may_skip && where == Where::before ? Where::conditional : where));
+        same = same && operands.back() == node.operands[i];
+    }
+    if (same || !rewrites_) return id;
+    Expr copy = node;
+    copy.operands = std::move(operands);
+    ExprId result = cx.p.exprs.add(std::move(copy));
+    if (auto found = cx.names.find(id); found != cx.names.end()) cx.names.emplace(result, std::string(found->second));
+    return result;
+}
+
+ExprId Sharing::visit_target(ExprId id) {
+    const Expr node = cx.p.exprs[id];
+    if (node.op == Op::local) return id;
+    Expr copy = node;
+    copy.operands[0] = visit_target(node.operands[0]);
+    if (node.op == Op::index) copy.operands[1] = visit(node.operands[1], Where::before);
+    return rewrites_ ? cx.p.exprs.add(std::move(copy)) : id;
+}
+
+/// A let that repeats an earlier value is dropped; otherwise it is the value's name from here on.
+void Sharing::let_(const Stmt& stmt) {
+    bool is_plain = stmt.value && !cx.p.locals[stmt.local].is_mutable && numbers_.is_pure(stmt.value);
+    Stmt copy = stmt;
+    if (!is_plain) {
+        if (stmt.value) copy.value = visit(stmt.value, Where::before);
+        append(std::move(copy));
+        return;
+    }
+    ValueNumber number = numbers_.of(stmt.value);
+    const Expr& value = cx.p.exprs[stmt.value];
+    bool repeats_local = value.op == Op::local && !cx.p.locals[value.local].is_mutable;
+    if (repeats_local) {
+        numbers_.define(stmt.local, number);
+        if (rewrites_) renamed_[stmt.local] = cx.p.exprs[visit(stmt.value, Where::before)].local;
+        return;
+    }
+    if (auto found = available_.find(number); found != available_.end()) {
+        Record& record = records_[found->second];
+        ++record.uses;
+        if (!record.is_let && !rewrites_) record.name = (*cx.p.names)[cx.p.locals[stmt.local].name], record.is_let = true;
+        numbers_.define(stmt.local, number);
+        if (rewrites_ && record.local) {
+            renamed_[stmt.local] = record.local;
+            return;
+        }
+        if (!rewrites_) return;
+    }
+    if (is_leaf(stmt.value)) {
+        numbers_.define(stmt.local, number);
+        copy.value = visit_operands(stmt.value, Where::before);
+        append(std::move(copy));
+        return;
+    }
+    std::uint32_t index = new_record(number);
+    if (!rewrites_) {
+        records_[index].uses = 1;
+        records_[index].is_let = true;
+        visit_operands(stmt.value, Where::before);
+    } else {
+        copy.value = visit_operands(stmt.value, Where::before);
+        cx.definitions[stmt.local] = copy.value;
+        records_[index].local = stmt.local;
+        append(std::move(copy));
+    }
+    numbers_.define(stmt.local, number);
+}
+
+void Sharing::loop_(const Stmt& stmt) {
+    Stmt copy = stmt;
+    if (stmt.op == StmtOp::for_) {
+        copy.value = visit(stmt.value, Where::before);
+        copy.limit = visit(stmt.limit, Where::before);
+        numbers_.change_all(stmt.body);
+    } else {
+        numbers_.change_all(stmt.body);
+        copy.value = visit(stmt.value, Where::loop_condition);
+    }
+    copy.body = run(stmt.body);
+    numbers_.change_all(stmt.body);
+    append(std::move(copy));
+}
+
+void Sharing::statement_(StmtId id) {
+    const Stmt stmt = cx.p.stmts[id];
+    span_ = stmt.span;
+    switch (stmt.op) {
+    case StmtOp::let: let_(stmt); return;
+    case StmtOp::for_:
+    case StmtOp::while_: loop_(stmt); return;
+    default: break;  // expressions first, then what is inside, then what changes
+    }
+    Stmt copy = stmt;
+    if (stmt.value) copy.value = visit(stmt.value, Where::before);
+    if (stmt.target) copy.target = stmt.op == StmtOp::assign ? visit_target(stmt.target) : visit(stmt.target, Where::before);
+    if (stmt.op == StmtOp::if_ || stmt.op == StmtOp::block) {
+        copy.body = run(stmt.body);
+        copy.otherwise = run(stmt.otherwise);
+    }
+    span_ = stmt.span;
+    numbers_.change_all({id});
+    append(std::move(copy));
+}
+
+}  // namespace
+
+std::vector<StmtId> share(Context& cx, const std::vector<StmtId>& body) {
+    std::vector<Record> records;
+    Sharing(cx, records, false).run(body);
+    for (Record& record : records) record.local = {};
+    return Sharing(cx, records, true).run(body);
+}
+
+}  // namespace gliftc::lower

@@ -1,0 +1,122 @@
+#include "lower/strength.h"
+
+#include "lower/polynomial.h"
+
+namespace gliftc::lower {
+
+using namespace ir;
+
+namespace {
+
+class Strength {
+public:
+    explicit Strength(Context& context) : cx(context), numbers_(context), polynomials_(context, numbers_) {}
+
+    std::vector<StmtId> run(const std::vector<StmtId>& body) {
+        std::vector<StmtId> result;
+        std::size_t visible = candidates_.size();
+        for (StmtId id : body) result.push_back(statement_(id));
+        candidates_.resize(visible);
+        return result;
+    }
+
+private:
+    struct Candidate {
+        LocalId local;
+        Polynomial polynomial, varying;
+    };
+
+    StmtId statement_(StmtId id);
+    ExprId visit(ExprId id);
+    ExprId relative(ExprId id);
+    ExprId around_select(const Expr& node, std::vector<ExprId> operands);
+    bool is_sum(ExprId id) const;
+
+    Context& cx;
+    Numbers numbers_;
+    Polynomials polynomials_;
+    std::vector<Candidate> candidates_;
+};
+
+bool Strength::is_sum(ExprId id) const {
+    const Expr& node = cx.p.exprs[id];
+    return node.op == Op::binary && node.type == cx.p.types.uint &&
+           (node.binary == BinaryOp::add || node.binary == BinaryOp::subtract || node.binary == BinaryOp::multiply ||
+            node.binary == BinaryOp::shift_left);
+}
+
+/// The sum as an earlier local plus a uniform amount, if there is one such.
+ExprId Strength::relative(ExprId id) {
+    if (!is_sum(id) || !numbers_.is_fixed(id) || is_uniform(cx, id)) return {};
+    auto polynomial = polynomials_.of(id);
+    if (!polynomial) return {};
+    Polynomial varying = polynomials_.varying(*polynomial);
+    if (varying.empty()) return {};
+    // One term alone, as in x + 1, is already as short as it can be.
+    if (varying.size() == 1 && varying.begin()->first.size() == 1 && varying.begin()->second == 1) return {};
+    const Candidate* best = nullptr;
+    Polynomials::Difference nearest;
+    for (const Candidate& candidate : candidates_) {
+        if (candidate.varying != varying) continue;
+        auto difference = polynomials_.difference(*polynomial, candidate.polynomial);
+        if (best && difference.operations >= nearest.operations) continue;
+        best = &candidate;
+        nearest = difference;
+    }
+    if (!best) return {};
+    ExprId base = cx.make.local(best->local);
+    if (!nearest.amount) return base;
+    return cx.make.binary(nearest.is_negative ? BinaryOp::subtract : BinaryOp::add, base, nearest.amount);
+}
+
+/// c ? base + step : base is base + (c ? step : 0): one choice between small values, no branch.
+ExprId Strength::around_select(const Expr& node, std::vector<ExprId> operands) {
+    const Expr& moved = cx.p.exprs[operands[1]];
+    const Expr& other = cx.p.exprs[operands[2]];
+    if (moved.op == Op::binary && (moved.binary == BinaryOp::add || moved.binary == BinaryOp::subtract) && other.op == Op::local) {
+        const Expr& base = cx.p.exprs[moved.operands[0]];
+        ExprId step = moved.operands[1];
+        if (base.op == Op::local && base.local == other.local && is_uniform(cx, step)) {
+            BinaryOp op = moved.binary;
+            ExprId from = operands[2];
+            return cx.make.binary(op, from, cx.make.select(operands[0], step, cx.make.zero(cx.make.type(step))));
+        }
+    }
+    return cx.make.again(node, std::move(operands));
+}
+
+ExprId Strength::visit(ExprId id) {
+    if (ExprId shorter = relative(id)) return shorter;
+    const Expr node = cx.p.exprs[id];
+    if (node.operands.empty() || is_uniform(cx, id)) return id;
+    std::vector<ExprId> operands;
+    for (ExprId operand : node.operands) operands.push_back(visit(operand));
+    if (node.op == Op::select && node.type == cx.p.types.uint) return around_select(node, std::move(operands));
+    if (operands == node.operands) return id;
+    return cx.make.again(node, std::move(operands));
+}
+
+StmtId Strength::statement_(StmtId id) {
+    Stmt copy = cx.p.stmts[id];
+    ExprId before = copy.value;
+    if (copy.value) copy.value = visit(copy.value);
+    if (copy.target && copy.op != StmtOp::assign) copy.target = visit(copy.target);
+    copy.body = run(copy.body);
+    copy.otherwise = run(copy.otherwise);
+    if (copy.op == StmtOp::let && copy.value && !cx.p.locals[copy.local].is_mutable) {
+        cx.definitions[copy.local] = copy.value;
+        if (cx.make.type(before) == cx.p.types.uint && is_sum(before) && numbers_.is_fixed(before)) {
+            if (auto polynomial = polynomials_.of(before)) {
+                Polynomial varying = polynomials_.varying(*polynomial);
+                if (!varying.empty()) candidates_.push_back({copy.local, std::move(*polynomial), std::move(varying)});
+            }
+        }
+    }
+    return cx.add(std::move(copy));
+}
+
+}  // namespace
+
+std::vector<StmtId> strengthen(Context& cx, const std::vector<StmtId>& body) { return Strength(cx).run(body); }
+
+}  // namespace gliftc::lower

@@ -1,0 +1,92 @@
+#include "lower/temporaries.h"
+
+#include "ir/walk.h"
+
+#include <algorithm>
+#include <map>
+
+namespace gliftc::lower {
+
+using namespace ir;
+
+namespace {
+
+bool uses(const Program& p, StmtId id, LocalId local) {
+    const Stmt& stmt = p.stmts[id];
+    if (stmt.local == local) return true;
+    bool found = false;
+    for_each_root(stmt, [&](ExprId root) {
+        for_each_node(p, root, [&](ExprId part) { found = found || p.exprs[part].local == local; });
+    });
+    auto inner = [&](StmtId nested) { found = found || uses(p, nested, local); };
+    std::for_each(stmt.body.begin(), stmt.body.end(), inner);
+    std::for_each(stmt.otherwise.begin(), stmt.otherwise.end(), inner);
+    return found;
+}
+
+bool is_returned(const Program& p, const std::vector<StmtId>& body, LocalId local) {
+    bool found = false;
+    for_each_statement(p, body, [&](const Stmt& stmt) {
+        if (stmt.op != StmtOp::return_ || !stmt.value) return;
+        for_each_node(p, stmt.value, [&](ExprId part) { found = found || p.exprs[part].local == local; });
+    });
+    return found;
+}
+
+/// A slice or view kept in a local shares the temporary: it counts as a use of it.
+std::vector<LocalId> aliases(const Program& p, const std::vector<StmtId>& body, LocalId temporary) {
+    std::vector<LocalId> result{temporary};
+    for (std::size_t i = 0; i < result.size(); ++i) {
+        for_each_statement(p, body, [&](const Stmt& stmt) {
+            if (stmt.op != StmtOp::let || !stmt.value) return;
+            TypeKind kind = p.types.kind(p.locals[stmt.local].type);
+            if (kind != TypeKind::slice && kind != TypeKind::structure) return;
+            bool found = false;
+            for_each_node(p, stmt.value, [&](ExprId part) { found = found || p.exprs[part].local == result[i]; });
+            if (found && std::find(result.begin(), result.end(), stmt.local) == result.end()) result.push_back(stmt.local);
+        });
+    }
+    return result;
+}
+
+std::vector<StmtId> released(Program& p, const std::vector<StmtId>& body, const std::vector<StmtId>& pipeline) {
+    std::map<std::size_t, std::vector<LocalId>> deaths;
+    for (std::size_t i = 0; i < body.size(); ++i) {
+        const Stmt& stmt = p.stmts[body[i]];
+        if (stmt.op != StmtOp::temp) continue;
+        std::size_t last = i;
+        bool leaves = false;
+        for (LocalId alias : aliases(p, pipeline, stmt.local)) {
+            leaves = leaves || is_returned(p, pipeline, alias);
+            for (std::size_t k = i; k < body.size(); ++k)
+                if (uses(p, body[k], alias)) last = std::max(last, k);
+        }
+        if (!leaves) deaths[last].push_back(stmt.local);
+    }
+    std::vector<StmtId> result;
+    for (std::size_t i = 0; i < body.size(); ++i) {
+        Stmt& stmt = p.stmts[body[i]];
+        if (!stmt.body.empty()) stmt.body = released(p, stmt.body, pipeline);
+        if (!stmt.otherwise.empty()) stmt.otherwise = released(p, stmt.otherwise, pipeline);
+        result.push_back(body[i]);
+        auto found = deaths.find(i);
+        if (found == deaths.end()) continue;
+        Stmt release;
+        release.op = StmtOp::release;
+        release.span = p.stmts[body[i]].span;
+        release.locals = found->second;
+        result.push_back(p.stmts.add(std::move(release)));
+    }
+    return result;
+}
+
+}  // namespace
+
+void release_temporaries(Program& program) {
+    for (Pipeline& pipeline : program.pipelines) {
+        std::vector<StmtId> body = released(program, pipeline.body, pipeline.body);
+        pipeline.body = std::move(body);
+    }
+}
+
+}  // namespace gliftc::lower

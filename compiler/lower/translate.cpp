@@ -1,0 +1,93 @@
+// Addresses: the stages of `via` one after the other, and the centre's address once a kernel.
+#include "lower/expand.h"
+
+namespace gliftc::lower {
+
+using namespace ir;
+
+Pair Expander::translated(const Place& place, ExprId address, const std::string& name) {
+    const Structure& structure = cx.structure_at(place);
+    Pair at{address, {}};
+    for (const Stage& stage : structure.via) {
+        const Translator& translator = p.translators[stage.translator];
+        Frame frame;
+        frame.stage = &stage;
+        frame.structure = place;
+        frame.prefix = name;
+        for (const Place& member : stage.structures) {
+            Place nested = place;
+            nested.members.insert(nested.members.end(), member.members.begin(), member.members.end());
+            frame.places.push_back(std::move(nested));
+        }
+        std::vector<Pair> arguments{{at.value, {}}};
+        Pair next = is_inlinable(translator.translate) ? inlined(translator.translate, std::move(arguments), std::move(frame))
+                                                       : call_instance(translator.translate, std::move(arguments), std::move(frame));
+        at = {next.value, make.both(at.has, next.has)};
+    }
+    return at;
+}
+
+bool Expander::is_total(const Structure& structure) {
+    if (structure.via.empty()) return true;
+    return !p.translators[structure.via[0].translator].properties.partial;
+}
+
+ExprId Expander::domain_of(const Place& place) {
+    const Structure& structure = cx.structure_at(place);
+    if (structure.domain) {
+        Frame frame;
+        frame.places = {canonical(place)};
+        return inside(std::move(frame), [&] { return value_of(structure.domain); });
+    }
+    Expr leaf;
+    leaf.op = Op::domain;
+    leaf.type = structure.domain_type;
+    leaf.place = canonical(place);
+    return p.exprs.add(std::move(leaf));
+}
+
+ExprId Expander::inside_domain(const Place& place, ExprId address) {
+    ExprId domain = domain_of(place);
+    if (!p.types.is_vector(make.type(address))) return make.binary(BinaryOp::less, address, domain);
+    TypeId truths = p.types.with_scalar(make.type(address), p.types.bool_);
+    return make.intrinsic(Intrinsic::all, p.types.bool_, {make.intrinsic(Intrinsic::lessThan, truths, {address, domain})});
+}
+
+ExprId Expander::centre_address(std::uint32_t root) {
+    ExprId address = make.local(cx.pass.address);
+    if (cx.is_direct()) return address;
+    if (auto found = addresses_.find(root); found != addresses_.end()) return found->second;
+    std::string name = cx.name_of({root, {}});
+    std::uint32_t slot = cx.parameter(ParameterSource::origin, name + "_origin", cx.kernel.domain_type, root);
+    Block made = collect([&] {
+        addresses_[root] = make.local(let(name + "_address", make.add(cx.parameter_expr(slot), address), cx.kernel.span));
+    });
+    prelude_.insert(prelude_.end(), made.begin(), made.end());
+    return addresses_[root];
+}
+
+/// The parts of a physical address as named locals: one for a number, one a component for a vector.
+Pair Expander::centre(std::uint32_t root) {
+    root = canonical_root(root);
+    if (auto found = centres_.find(root); found != centres_.end()) return found->second;
+    ExprId address = centre_address(root);
+    std::string name = cx.name_of({root, {}});
+    Pair result;
+    Frame frame;
+    Span outer = span_;
+    span_ = cx.kernel.params[root].span;
+    Block made = collect([&] {
+        inside(std::move(frame), [&] {
+            Pair at = translated({root, {}}, address, name);
+            result.value = named(name + "_at", at.value);
+            if (at.has) result.has = named(name + "_found", at.has);
+            return 0;
+        });
+    });
+    span_ = outer;
+    prelude_.insert(prelude_.end(), made.begin(), made.end());
+    centres_[root] = result;
+    return result;
+}
+
+}  // namespace gliftc::lower

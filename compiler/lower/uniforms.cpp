@@ -1,0 +1,225 @@
+#include "lower/uniforms.h"
+
+#include "ir/walk.h"
+#include "lower/number.h"
+
+#include <set>
+#include <unordered_set>
+
+namespace gliftc::lower {
+
+using namespace ir;
+
+namespace {
+
+constexpr unsigned shader_operations = 3;   ///< uniform operations on known parameters that cost less than one more parameter
+
+class Uniforms {
+public:
+    explicit Uniforms(Context& context) : cx(context), numbers_(context) {}
+
+    void collect(const std::vector<StmtId>& body);
+    std::vector<StmtId> rewrite(const std::vector<StmtId>& body);
+
+private:
+    bool is_leaf(ExprId id) const;
+    ExprId base(ExprId id) const;
+    bool is_part_of_leaf(ExprId id) const { return is_leaf(base(id)); }
+    bool is_lifted(ExprId id);
+    ExprId closed(ExprId id);
+    void find(ExprId id);
+    bool is_cheap(ExprId id, unsigned& operations);
+    ExprId visit(ExprId id);
+    ExprId parameter(ExprId value);
+    std::string name_of(ExprId id);
+    std::string unique(std::string name) const;
+
+    Context& cx;
+    Numbers numbers_;
+    std::set<ValueNumber> leaves_;                          ///< leaves that are used as they are
+    std::unordered_set<ExprId> seen_;
+    std::unordered_map<ValueNumber, std::uint32_t> slots_;
+    std::unordered_map<ExprId, ExprId> visited_;
+    std::unordered_map<ExprId, ExprId> closed_;
+};
+
+bool Uniforms::is_leaf(ExprId id) const {
+    const Expr& node = cx.p.exprs[id];
+    return node.op == Op::member || node.op == Op::memory_extent || node.op == Op::domain || node.op == Op::local;
+}
+
+/// What a chain of swizzles and fields takes a part of.
+ExprId Uniforms::base(ExprId id) const {
+    const Expr* node = &cx.p.exprs[id];
+    while (node->op == Op::swizzle || node->op == Op::field) {
+        id = node->operands[0];
+        node = &cx.p.exprs[id];
+    }
+    return id;
+}
+
+/// The uniform value without locals of the pass: what the host can evaluate.
+ExprId Uniforms::closed(ExprId id) {
+    if (auto found = closed_.find(id); found != closed_.end()) return found->second;
+    const Expr node = cx.p.exprs[id];
+    ExprId result = id;
+    auto definition = node.op == Op::local ? cx.definitions.find(node.local) : cx.definitions.end();
+    if (definition != cx.definitions.end()) {
+        result = closed(definition->second);
+    } else if (!node.operands.empty()) {
+        std::vector<ExprId> operands;
+        bool same = true;
+        for (ExprId operand : node.operands) {
+            operands.push_back(closed(operand));
+            same = same && operands.back() == operand;
+        }
+        if (!same) result = cx.make.again(node, std::move(operands));
+    }
+    closed_.emplace(id, result);
+    return result;
+}
+
+bool Uniforms::is_lifted(ExprId id) {
+    const Expr& node = cx.p.exprs[id];
+    TypeKind kind = cx.p.types.kind(node.type);
+    return is_uniform(cx, id) && !cx.make.is_constant(id) && kind != TypeKind::optional && kind != TypeKind::void_;
+}
+
+void Uniforms::find(ExprId id) {
+    if (!seen_.insert(id).second) return;
+    if (is_lifted(id)) {
+        ExprId whole = closed(id);
+        if (is_part_of_leaf(whole)) leaves_.insert(numbers_.of(base(whole)));
+        return;
+    }
+    for (ExprId operand : cx.p.exprs[id].operands) find(operand);
+}
+
+void Uniforms::collect(const std::vector<StmtId>& body) {
+    for_each_statement(cx.p, body, [&](const Stmt& stmt) {
+        // A let that will vanish asks for nothing itself.
+        if (stmt.op == StmtOp::let && stmt.value && !cx.p.locals[stmt.local].is_mutable && is_lifted(stmt.value)) {
+            ExprId whole = closed(stmt.value);
+            cx.names.emplace(whole, (*cx.p.names)[cx.p.locals[stmt.local].name]);
+            return;
+        }
+        for_each_root(stmt, [&](ExprId root) { find(root); });
+    });
+}
+
+/// Sums and products of parts of leaves that the pass has as parameters anyway.
+bool Uniforms::is_cheap(ExprId id, unsigned& operations) {
+    if (cx.make.is_constant(id)) return true;
+    if (is_part_of_leaf(id)) return leaves_.contains(numbers_.of(base(id)));
+    const Expr& node = cx.p.exprs[id];
+    if (cx.p.types.is_vector(node.type)) return false;
+    bool is_sum = node.op == Op::binary && (node.binary == BinaryOp::add || node.binary == BinaryOp::subtract ||
+                                            node.binary == BinaryOp::multiply);
+    if (!is_sum || ++operations > shader_operations) return false;
+    return is_cheap(node.operands[0], operations) && is_cheap(node.operands[1], operations);
+}
+
+std::string Uniforms::name_of(ExprId id) {
+    if (auto found = cx.names.find(id); found != cx.names.end()) return found->second;
+    const Expr& node = cx.p.exprs[id];
+    const auto text = [&](Name name) { return (*cx.p.names)[name]; };
+    switch (node.op) {
+    case Op::member: return cx.name_of(node.place) + "_" + text(cx.p.locals[cx.structure_at(node.place).constructor[node.slot]].name);
+    case Op::memory_extent: return cx.name_of(node.place) + "_" + text(cx.structure_at(node.place).memories[node.slot].name) + "_extent";
+    case Op::domain: return cx.name_of(node.place) + "_domain";
+    case Op::local: return text(cx.p.locals[node.local].name);
+    case Op::field: return name_of(node.operands[0]) + "_" + text(cx.p.structs[cx.p.types[cx.make.type(node.operands[0])].index].fields[node.slot].name);
+    case Op::swizzle: {
+        std::string name = name_of(node.operands[0]) + "_";
+        for (std::uint32_t i = 0; i < cx.p.types.components(node.type); ++i) name += "xyzw"[node.lanes[i]];
+        return name;
+    }
+    case Op::call: return text(cx.p.functions[node.function].name);
+    default: break;  // named after what it is made of
+    }
+    std::string name;
+    for (ExprId operand : node.operands)
+        if (!cx.make.is_constant(operand)) {
+            std::string part = name_of(operand);
+            // f_extent_x times f_extent_y is f_extent_xy.
+            std::size_t stem = part.find_last_of('_');
+            bool joins = !name.empty() && stem != std::string::npos && name.compare(0, stem + 1, part, 0, stem + 1) == 0 &&
+                         name.find('_', stem + 1) == std::string::npos && part.size() <= stem + 5;
+            if (name.empty()) name = part;
+            else if (joins) name += part.substr(stem + 1);
+        }
+    return name.empty() ? "uniform_value" : name;
+}
+
+std::string Uniforms::unique(std::string name) const {
+    auto taken = [&](const std::string& candidate) {
+        for (const PassParameter& other : cx.pass.parameters)
+            if (other.name == candidate) return true;
+        return false;
+    };
+    std::string candidate = name;
+    for (unsigned i = 2; taken(candidate); ++i) candidate = name + "_" + std::to_string(i);
+    return candidate;
+}
+
+ExprId Uniforms::parameter(ExprId value) {
+    ValueNumber number = numbers_.of(value);
+    auto [found, is_new] = slots_.try_emplace(number, static_cast<std::uint32_t>(cx.pass.parameters.size()));
+    if (is_new) {
+        PassParameter made;
+        made.name = unique(name_of(value));
+        made.type = cx.make.type(value);
+        made.source = ParameterSource::uniform;
+        made.value = value;
+        cx.pass.parameters.push_back(std::move(made));
+    }
+    return cx.parameter_expr(found->second);
+}
+
+ExprId Uniforms::visit(ExprId id) {
+    if (auto found = visited_.find(id); found != visited_.end()) return found->second;
+    const Expr node = cx.p.exprs[id];
+    ExprId result = id;
+    bool lifts = is_lifted(id);
+    ExprId whole = lifts ? closed(id) : id;
+    unsigned operations = 0;
+    bool descends = lifts && (is_part_of_leaf(whole) ? !is_leaf(whole) : is_cheap(whole, operations));
+    if (lifts && cx.make.is_constant(whole)) {
+        result = whole;
+    } else if (lifts && !descends) {
+        result = parameter(whole);
+    } else {
+        const Expr of = lifts ? cx.p.exprs[whole] : node;
+        std::vector<ExprId> operands;
+        for (ExprId operand : of.operands) operands.push_back(visit(operand));
+        if (operands != of.operands) result = cx.make.again(of, std::move(operands));
+        else if (lifts) result = whole;
+    }
+    visited_.emplace(id, result);
+    return result;
+}
+
+std::vector<StmtId> Uniforms::rewrite(const std::vector<StmtId>& body) {
+    std::vector<StmtId> result;
+    for (StmtId id : body) {
+        Stmt copy = cx.p.stmts[id];
+        if (copy.op == StmtOp::let && copy.value && !cx.p.locals[copy.local].is_mutable && is_lifted(copy.value)) continue;
+        if (copy.value) copy.value = visit(copy.value);
+        if (copy.target) copy.target = visit(copy.target);
+        if (copy.limit) copy.limit = visit(copy.limit);
+        copy.body = rewrite(copy.body);
+        copy.otherwise = rewrite(copy.otherwise);
+        result.push_back(cx.add(std::move(copy)));
+    }
+    return result;
+}
+
+}  // namespace
+
+void move_uniforms(Context& cx, const std::vector<std::vector<StmtId>*>& bodies) {
+    Uniforms uniforms(cx);
+    for (const auto* body : bodies) uniforms.collect(*body);
+    for (auto* body : bodies) *body = uniforms.rewrite(*body);
+}
+
+}  // namespace gliftc::lower
