@@ -305,6 +305,7 @@ struct Structure {
     std::string display;                ///< Array<4, float>
     Name alias;                         ///< the `pub structure Field = …` that first named it, or empty
     bool is_pub = false;
+    std::uint32_t pub_module = 0xffffffffu;   ///< is_pub: the module whose public name this is
     Span span;
     std::uint32_t module = 0;           ///< of the declaration
     TypeId domain_type;                 ///< uint or vector of uint; adaptors: void

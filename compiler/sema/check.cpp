@@ -79,7 +79,7 @@ void check_types(Context& c, std::uint32_t module, const std::vector<ast::DeclId
             Meta meta = meta_of(c, env, alias.target);
             if (meta.kind != MetaKind::type || c.types().kind(meta.type) != ir::TypeKind::structure) continue;
             ir::Structure& structure = c.program.structures[c.types()[meta.type].index];
-            if (!structure.is_pub) structure.alias = decl.name.name;
+            if (!structure.is_pub) structure.alias = decl.name.name, structure.pub_module = module;
             structure.is_pub |= decl.is_pub;
         }
     }

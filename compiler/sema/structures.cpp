@@ -334,7 +334,7 @@ std::uint32_t begin_structure(Context& c, ast::DeclId id, const Env& env, ir::St
     structure.module = c.module_of.at(id);
     structure.doc = decl.doc;
     structure.domain_type = structure.element = c.types().void_;
-    if (decl.is_pub && decl.generics.empty() && c.modules[structure.module].is_root) structure.is_pub = true, structure.alias = decl.name.name;
+    if (decl.is_pub && decl.generics.empty() && c.modules[structure.module].is_root) structure.is_pub = true, structure.alias = decl.name.name, structure.pub_module = structure.module;
     c.program.structures.push_back(std::move(structure));
     c.structure_env[index] = &env;
     c.structure_decl[index] = id;
