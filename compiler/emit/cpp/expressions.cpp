@@ -163,6 +163,19 @@ bool is_workgroup_atomic(ir::Intrinsic intrinsic) {
     return ir::name_of(intrinsic).starts_with("atomic");
 }
 
+/// Structures are passed before the values.
+Text print_call(Printer& p, const Expr& expr) {
+    require_function(p.globals, expr.function);
+    std::string arguments;
+    for (const ir::Place& place : expr.places) {
+        Expr whole{.op = Op::structure_value, .place = place};
+        arguments += (arguments.empty() ? "" : ", ") + p.outer_expression(whole).text;
+    }
+    const std::string values = join_arguments(p, expr.operands);
+    if (!arguments.empty() && !values.empty()) arguments += ", ";
+    return {p.globals.function_names.at(expr.function) + "(" + arguments + values + ")"};
+}
+
 Text print_local(Printer& p, ir::LocalId local) {
     if (p.used_locals) p.used_locals->insert(local);
     if (p.outer_local) {
@@ -224,7 +237,7 @@ Text print(Printer& p, ExprId id) {
             text = type_text(p.globals, expr.type, p.use_namespaces) + "(" + text + ")";
         return {text};
     }
-    case Op::call: return function_call(p, p.globals.function_names.at(expr.function), expr.operands);
+    case Op::call: return print_call(p, expr);
     case Op::intrinsic: {
         const std::string scope = is_workgroup_atomic(expr.intrinsic) ? "glift::host::" : "glift::";
         return function_call(p, scope + std::string(ir::name_of(expr.intrinsic)), expr.operands);

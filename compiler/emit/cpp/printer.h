@@ -30,6 +30,7 @@ struct Globals {
     std::vector<std::string> struct_names;                     ///< of Program::structs
     std::vector<std::string> structure_names;                  ///< of Program::structures
     std::unordered_map<ir::FunctionId, std::string> function_names;
+    std::string functions;                                     ///< printed so far, callees first
     std::unordered_map<std::uint32_t, std::string> kernel_names;   ///< of Program::kernels
     std::unordered_map<std::uint32_t, std::string> pipeline_names;
 
@@ -75,12 +76,22 @@ std::string print_any(Printer& p, ir::ExprId expr);
 std::string join_arguments(Printer& p, const std::vector<ir::ExprId>& arguments);
 std::string wrap(Text text, Level least);
 
+// surroundings.cpp
+/// member, memory_extent or domain of a structure spelled `object`, as in `f->` or `table.`; empty: within its own class.
+Text structure_property(const Globals& globals, const ir::Expr& expr, std::uint32_t root_structure, const std::string& object);
+/// The names of a generated class's members; the same wherever they are used.
+struct ClassNames {
+    std::vector<std::string> arguments, memories, members, host;
+};
+ClassNames class_names(const ir::Program& program, std::uint32_t structure);
+
 // statements.cpp
 void print_statements(Printer& p, const std::vector<ir::StmtId>& body);
 void print_statement(Printer& p, ir::StmtId stmt);
 std::string declare_local(Printer& p, ir::LocalId local);
 void mark_line(Printer& p, Span span);                         ///< a comment with the source line where it changes
 std::string place_text(const Sources& sources, Span span);     ///< laplacian.glift:8
-std::string print_function(Globals& globals, ir::FunctionId function);   ///< a whole function without surroundings
+void require_function(Globals& globals, ir::FunctionId function);   ///< prints it to globals.functions if it isn't there
+bool is_pure(const ir::Program& program, ir::FunctionId function);  ///< touches nothing but its arguments
 
 }  // namespace gliftc::cpp

@@ -1,5 +1,6 @@
 // Statements and whole functions as C++.
 #include "emit/cpp/printer.h"
+#include "emit/cpp/visit.h"
 
 namespace gliftc::cpp {
 
@@ -173,21 +174,49 @@ void print_statement(Printer& p, ir::StmtId id) {
     p.outer_statement(stmt);
 }
 
-std::string print_function(Globals& globals, ir::FunctionId id) {
+bool is_pure(const ir::Program& program, ir::FunctionId id) {
+    bool pure = true;
+    const ir::Function& function = program.functions[id];
+    for_each_statement(program, function.body, [&](const Stmt& stmt) {
+        if (stmt.op == StmtOp::store || stmt.op == StmtOp::image_store || stmt.op == StmtOp::atomic) pure = false;
+    });
+    for_each_expression(program, function.body, [&](const Expr& expr) {
+        if (expr.op == Op::load || expr.op == Op::image_load || expr.op == Op::image_sample || expr.op == Op::parameter ||
+            expr.op == Op::builtin || expr.op == Op::invocation)
+            pure = false;
+        if (expr.op == Op::local && program.locals[expr.local].storage == ir::Storage::shared) pure = false;
+        if (expr.op == Op::call && !is_pure(program, expr.function)) pure = false;
+    });
+    return pure;
+}
+
+void require_function(Globals& globals, ir::FunctionId id) {
+    if (globals.function_names.contains(id)) return;
     const ir::Function& function = globals.program.functions[id];
+    const std::string name = globals.names.declare((*globals.program.names)[function.name]);
+    globals.function_names[id] = name;
     Printer p(globals);
     std::string parameters;
+    std::vector<std::string> structures;
+    for (std::uint32_t structure : function.structures) {
+        structures.push_back(p.names.declare("self"));
+        parameters += (parameters.empty() ? "" : ", ") + ("const " + globals.structure_names[structure]) + "& " + structures.back();
+    }
+    p.outer_expression = [&](const Expr& expr) -> Text {
+        if (expr.place.root >= structures.size()) return {"{}"};
+        return structure_property(globals, expr, function.structures[expr.place.root], structures[expr.place.root] + ".");
+    };
     for (ir::LocalId local : function.params) {
         const std::string type = type_text(globals, globals.program.locals[local].type);
         parameters += (parameters.empty() ? "" : ", ") + type + " " + declare_local(p, local);
     }
     if (function.span) p.out.line("// " + place_text(globals.sources, function.span) + ": " + function.display);
-    p.out.open("inline " + type_text(globals, function.result) + " " + globals.function_names.at(id) + "(" + parameters + ")");
+    p.out.open("inline " + type_text(globals, function.result) + " " + name + "(" + parameters + ")");
     p.marked_file = function.span.file;
     p.marked_line = function.span ? globals.sources.position(function.span).line : 0;
     print_statements(p, function.body);
     p.out.close();
-    return p.out.take();
+    globals.functions += p.out.take() + "\n";
 }
 
 }  // namespace gliftc::cpp

@@ -1,7 +1,6 @@
 #include "emit/host/body.h"
 
 #include "emit/cpp/visit.h"
-#include "emit/host/emit.h"
 
 namespace gliftc::host {
 
@@ -158,7 +157,7 @@ std::string element_text(Body& body, std::uint32_t binding, ir::ExprId index) {
 
 void print_local_functions(Body& body) {
     for (ir::FunctionId id : body.pass.functions) {
-        if (!is_pure(body.p.program, id)) print_local_function(body, id);
+        if (!cpp::is_pure(body.p.program, id)) print_local_function(body, id);
     }
 }
 
@@ -191,22 +190,6 @@ bool returns_early(const ir::Program& program, const std::vector<ir::StmtId>& bo
     bool found = false;
     cpp::for_each_statement(program, body, [&](const Stmt& stmt) { found = found || stmt.op == StmtOp::return_; });
     return found;
-}
-
-bool is_pure(const ir::Program& program, ir::FunctionId id) {
-    bool pure = true;
-    const ir::Function& function = program.functions[id];
-    cpp::for_each_statement(program, function.body, [&](const Stmt& stmt) {
-        if (stmt.op == StmtOp::store || stmt.op == StmtOp::image_store || stmt.op == StmtOp::atomic) pure = false;
-    });
-    cpp::for_each_expression(program, function.body, [&](const Expr& expr) {
-        if (expr.op == Op::load || expr.op == Op::image_load || expr.op == Op::image_sample || expr.op == Op::parameter ||
-            expr.op == Op::builtin || expr.op == Op::invocation)
-            pure = false;
-        if (expr.op == Op::local && program.locals[expr.local].storage == ir::Storage::shared) pure = false;
-        if (expr.op == Op::call && !is_pure(program, expr.function)) pure = false;
-    });
-    return pure;
 }
 
 }  // namespace gliftc::host

@@ -13,7 +13,6 @@ std::string parameters_of(const cpp::Globals& globals, const ir::Pass& pass, con
     std::ranges::stable_sort(ordered, {}, &ir::PassParameter::offset);
     cpp::Writer out;
     out.open("struct " + name + "_parameters");
-    std::string checks;
     for (const ir::PassParameter* parameter : ordered) {
         const std::string member = cpp::identifier(parameter->name);
         out.line(cpp::storage_text(globals, parameter->type) + " " + member + ";");
@@ -27,14 +26,7 @@ std::string parameters_of(const cpp::Globals& globals, const ir::Pass& pass, con
 }
 
 std::string kernel_of(cpp::Globals& globals, const ir::Pass& pass, const std::string& name) {
-    std::string text;
-    for (ir::FunctionId id : pass.functions) {
-        if (globals.function_names.contains(id) || !is_pure(globals.program, id)) continue;
-        globals.function_names[id] = globals.names.declare((*globals.program.names)[globals.program.functions[id].name]);
-        text += cpp::print_function(globals, id) + "\n";
-    }
-    const ir::Kernel& kernel = globals.program.kernels[pass.kernel];
-    return text + (kernel.grouped() ? group_kernel(globals, pass, name) : row_kernel(globals, pass, name));
+    return globals.program.kernels[pass.kernel].grouped() ? group_kernel(globals, pass, name) : row_kernel(globals, pass, name);
 }
 
 }  // namespace gliftc::host

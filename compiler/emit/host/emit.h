@@ -18,11 +18,7 @@ namespace gliftc::host {
 /// The struct that mirrors the parameter block: `struct <name>_parameters { … };`. Empty without parameters.
 std::string parameters_of(const cpp::Globals& globals, const ir::Pass& pass, const std::string& name);
 
-/// Functions that the pass calls and that were not printed before (globals.function_names), then
-/// `static void <name>(const glift::HostCall& call)`, which needs the struct.
+/// `static void <name>(const glift::HostCall& call)`, which needs the struct and globals.functions.
 std::string kernel_of(cpp::Globals& globals, const ir::Pass& pass, const std::string& name);
-
-/// True of a function that touches nothing but its arguments.
-bool is_pure(const ir::Program& program, ir::FunctionId function);
 
 }  // namespace gliftc::host

@@ -1,0 +1,34 @@
+// C++ for one module: what a program includes, and what it links.
+#pragma once
+
+#include "ir/pass.h"
+#include "source/source.h"
+
+#include <string>
+#include <vector>
+
+namespace gliftc::cpp {
+
+/// The SPIR-V words of one kernel; a form that is empty does not exist on Vulkan devices.
+struct KernelCode {
+    std::vector<std::uint32_t> direct, general, wide;
+};
+
+struct Options {
+    bool tests = false;   ///< also a function for each test of the module, and a table of them
+    bool host = true;     ///< kernels for the host device
+};
+
+struct Module {
+    std::string header;   ///< <name>.glift.hpp
+    std::string source;   ///< <name>.glift.cpp
+};
+
+/// The kernels, as indices, whose code the module's C++ contains: the others need no SPIR-V.
+std::vector<std::uint32_t> kernels_of(const ir::Program& program, std::uint32_t module, const Options& options = {});
+
+/// `code` is indexed as Program::kernels; it may be empty where no Vulkan code is wanted.
+Module module_of(const ir::Program& program, const ir::Lowered& lowered, const Sources& sources, std::uint32_t module,
+                 const std::vector<KernelCode>& code, const Options& options = {});
+
+}  // namespace gliftc::cpp

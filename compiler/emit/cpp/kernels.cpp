@@ -1,0 +1,318 @@
+// Kernels: their code as data, and the functions that call them.
+#include "emit/cpp/unit.h"
+#include "emit/host/emit.h"
+
+#include <algorithm>
+
+namespace gliftc::cpp {
+
+namespace {
+
+using ir::Kernel;
+using ir::KernelParam;
+using ir::ParameterSource;
+using ir::Pass;
+using ir::PassBinding;
+using ir::PassParameter;
+using ir::Pattern;
+
+bool is_visited(Pattern pattern) { return pattern == Pattern::each || pattern == Pattern::at; }
+
+std::string memory_kind(ir::MemoryShape shape) {
+    switch (shape) {
+    case ir::MemoryShape::buffer: return "buffer";
+    case ir::MemoryShape::image1d: return "image1d";
+    case ir::MemoryShape::image2d: return "image2d";
+    case ir::MemoryShape::image3d: return "image3d";
+    case ir::MemoryShape::imagecube: return "imagecube";
+    }
+    return "buffer";
+}
+
+std::string access_text(const PassBinding& binding) {
+    if (binding.atomic) return "read_write";
+    switch (binding.access) {
+    case ir::Access::read: return "read";
+    case ir::Access::write: return "write";
+    case ir::Access::read_write: return "read_write";
+    }
+    return "read_write";
+}
+
+/// f.data, f.table.data: as in the source.
+std::string display_of(const Unit& unit, const Kernel& kernel, const PassBinding& binding) {
+    std::string text = unit.name(kernel.params[binding.place.root].name);
+    std::uint32_t structure = kernel.params[binding.place.root].structure;
+    for (std::uint32_t member : binding.place.members) {
+        text += "." + unit.name(unit.program.structures[structure].members[member].name);
+        structure = unit.program.structures[structure].members[member].structure;
+    }
+    return text + "." + unit.name(unit.program.structures[structure].memories[binding.memory].name);
+}
+
+void print_words(Writer& out, const std::string& name, const std::vector<std::uint32_t>& words) {
+    static constexpr char digits[] = "0123456789abcdef";
+    std::string text = "constexpr std::uint32_t " + name + "[] = {\n";
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        text += i % 10 == 0 ? "    0x" : " 0x";
+        for (int shift = 28; shift >= 0; shift -= 4) text += digits[words[i] >> shift & 15u];
+        text += i % 10 == 9 || i + 1 == words.size() ? ",\n" : ",";
+    }
+    out.raw(text + "};\n");
+}
+
+/// Names of the SPIR-V arrays of the three forms; identical code is there once.
+struct Words {
+    std::string direct, general, wide;
+};
+
+Words print_code(Unit& unit, Writer& out, std::uint32_t kernel, const std::string& name) {
+    Words words;
+    if (kernel >= unit.code.size()) return words;
+    const KernelCode& code = unit.code[kernel];
+    const auto print = [&](const std::vector<std::uint32_t>& spirv, const char* form) -> std::string {
+        if (spirv.empty()) return "";
+        const std::string array = name + "_" + form + "_spirv";
+        print_words(out, array, spirv);
+        return array;
+    };
+    words.direct = print(code.direct, "direct");
+    words.general = code.general == code.direct ? words.direct : print(code.general, "general");
+    words.wide = code.wide == code.general ? words.general : print(code.wide, "wide");
+    return words;
+}
+
+std::string form_text(const Pass& pass, const std::string& spirv, const std::string& host) {
+    std::string text;
+    const auto also = [&](const std::string& field) { text += (text.empty() ? "" : ", ") + field; };
+    if (!spirv.empty()) also(".spirv = " + spirv);
+    if (!host.empty()) also(".host = &" + host);
+    if (pass.parameter_bytes != 0) also(".parameter_bytes = " + std::to_string(pass.parameter_bytes));
+    if (pass.push_constants) also(".push_constants = true");
+    for (const PassParameter& parameter : pass.parameters) {
+        if (parameter.source == ParameterSource::size && parameter.offset != 0) also(".size_offset = " + std::to_string(parameter.offset));
+    }
+    return "{" + text + "}";
+}
+
+void print_bindings(Unit& unit, Writer& out, const ir::Lowered::Forms& forms, const Kernel& kernel, const std::string& name) {
+    if (forms.general.bindings.empty()) return;
+    out.line("const glift::Binding " + name + "_bindings[] = {");
+    out.indent();
+    for (std::size_t i = 0; i < forms.general.bindings.size(); ++i) {
+        const PassBinding& binding = forms.general.bindings[i];
+        std::string text = "{.name = \"" + display_of(unit, kernel, binding) + "\", .kind = glift::MemoryKind::" +
+                           memory_kind(binding.shape) + ", .access = glift::Access::" + access_text(binding);
+        if (binding.sampled) text += ", .sampled = true";
+        if (binding.sampled && binding.linear) text += ", .sampler = {.filter = glift::Filter::linear}";
+        if (i < forms.wide.bindings.size() && forms.wide.bindings[i].address_parameter < forms.wide.parameters.size())
+            text += ", .address_offset = " + std::to_string(forms.wide.parameters[forms.wide.bindings[i].address_parameter].offset);
+        out.line(text + "},");
+    }
+    out.dedent();
+    out.line("};");
+}
+
+/// How the structure passed for a parameter is spelled in the kernel's function.
+std::string param_name(const Unit& unit, const KernelParam& param) { return identifier(unit.name(param.name)); }
+
+std::string memories_text(Unit& unit, const Kernel& kernel, const Pass& pass) {
+    std::string text;
+    for (const PassBinding& binding : pass.bindings) {
+        const KernelParam& param = kernel.params[binding.place.root];
+        std::string object = param_name(unit, param) + "->";
+        std::uint32_t structure = param.structure;
+        for (std::uint32_t member : binding.place.members) {
+            object += class_names(unit.program, structure).members[member] + "().";
+            structure = unit.program.structures[structure].members[member].structure;
+        }
+        text += (text.empty() ? "" : ", ") + object + class_names(unit.program, structure).memories[binding.memory] + "()";
+    }
+    return text;
+}
+
+/// The parameter whose range the kernel's size is.
+const KernelParam* first_visited(const Kernel& kernel) {
+    for (std::size_t i = 0; i < kernel.params.size(); ++i) {
+        if (is_visited(kernel.params[i].pattern) && is_passed(kernel, i)) return &kernel.params[i];
+    }
+    return nullptr;
+}
+
+/// An `at` that is not passed goes with this one.
+const KernelParam& passed_param(const Kernel& kernel, std::size_t i) {
+    if (is_passed(kernel, i)) return kernel.params[i];
+    for (std::size_t k = 0; k < kernel.params.size(); ++k) {
+        if (k != i && kernel.params[k].pattern == Pattern::each && kernel.params[k].structure == kernel.params[i].structure)
+            return kernel.params[k];
+    }
+    return kernel.params[i];
+}
+
+std::string value_of(Unit& unit, const Kernel& kernel, const PassParameter& parameter) {
+    switch (parameter.source) {
+    case ParameterSource::uniform: {
+        Printer p(unit.globals);
+        for (const KernelParam& param : kernel.params) {
+            if (param.pattern == Pattern::value) p.local_names[param.local] = param_name(unit, param);
+        }
+        p.outer_expression = [&](const ir::Expr& expr) -> Text {
+            const KernelParam& param = passed_param(kernel, expr.place.root);
+            return structure_property(unit.globals, expr, param.structure, param_name(unit, param) + "->");
+        };
+        std::string text = print_any(p, parameter.value);
+        if (holds_bool(unit.program, parameter.type) && unit.program.types.is_vector(parameter.type))
+            text = storage_text(unit.globals, parameter.type) + "(" + text + ")";
+        return text;
+    }
+    case ParameterSource::origin: {
+        const KernelParam& param = passed_param(kernel, parameter.param);
+        if (param.pattern == Pattern::near) return "iteration.centre(" + param_name(unit, param) + ")";
+        return param_name(unit, param) + ".origin()";
+    }
+    case ParameterSource::size: {
+        const KernelParam* first = first_visited(kernel);
+        return first ? param_name(unit, *first) + ".size()" : "{}";
+    }
+    case ParameterSource::range_size: return param_name(unit, passed_param(kernel, parameter.param)) + ".size()";
+    case ParameterSource::address: return "0u";
+    }
+    return "{}";
+}
+
+/// Declares `parameters` and dispatches one form.
+void print_dispatch(Unit& unit, Writer& out, const Kernel& kernel, const Pass& pass, const std::string& name, const char* form) {
+    std::vector<const PassParameter*> ordered;
+    for (const PassParameter& parameter : pass.parameters) ordered.push_back(&parameter);
+    std::ranges::stable_sort(ordered, {}, &PassParameter::offset);
+    const std::string block = name + "_" + form + "_parameters";
+    if (!ordered.empty()) {
+        out.open("const " + block + " parameters");
+        for (const PassParameter* parameter : ordered)
+            out.line("." + identifier(parameter->name) + " = " + value_of(unit, kernel, *parameter) + ",");
+        out.close(";");
+    }
+    std::string call = std::string("{.form = glift::FormName::") + form + ", .memories = " +
+                       (pass.bindings.empty() ? "{}" : "memories") + ", .parameters = " +
+                       (ordered.empty() ? "{}" : "glift::bytes_of(parameters)") + ", .size = iteration.size()";
+    std::string counted;
+    if (pass.form == ir::Form::general) {
+        for (const PassParameter* parameter : ordered) {
+            const bool of_first = parameter->source == ParameterSource::range_size &&
+                                  is_visited(kernel.params[parameter->param].pattern);
+            if (parameter->source == ParameterSource::size || of_first)
+                counted += (counted.empty() ? "" : ", ") + ("offsetof(" + block + ", " + identifier(parameter->name) + ")");
+        }
+    }
+    if (!counted.empty()) call += ", .patches = iteration.patches({" + counted + "})";
+    out.line("commands.dispatch(" + name + "_kernel, " + call + "});");
+}
+
+/// Parameters of one structure type must have equal states in the direct form.
+std::string direct_condition(Unit& unit, const Kernel& kernel, const Pass& pass, const std::string& name) {
+    std::string condition = "iteration.is_whole()";
+    for (std::size_t i = 0; i < kernel.params.size(); ++i) {
+        if (kernel.params[i].pattern == Pattern::value || !is_passed(kernel, i)) continue;
+        for (std::size_t k = i + 1; k < kernel.params.size(); ++k) {
+            if (kernel.params[k].pattern == Pattern::value || !is_passed(kernel, k)) continue;
+            if (kernel.params[k].structure != kernel.params[i].structure) continue;
+            condition += " && " + param_name(unit, kernel.params[i]) + "->same_state(" + param_name(unit, kernel.params[k]) + ".structure())";
+            break;
+        }
+    }
+    return condition + " && !commands.needs_general(" + name + "_kernel, " + (pass.bindings.empty() ? "{}" : "memories") + ", iteration.size())";
+}
+
+}  // namespace
+
+bool is_passed(const Kernel& kernel, std::size_t i) {
+    if (kernel.params[i].pattern != Pattern::at) return true;
+    return std::ranges::none_of(kernel.params, [&](const KernelParam& other) {
+        return other.pattern == Pattern::each && other.structure == kernel.params[i].structure;
+    });
+}
+
+std::string kernel_signature(Unit& unit, std::uint32_t index, bool qualified) {
+    const Kernel& kernel = unit.program.kernels[index];
+    std::string parameters = "const glift::Commands& commands";
+    for (std::size_t i = 0; i < kernel.params.size(); ++i) {
+        const KernelParam& param = kernel.params[i];
+        if (!is_passed(kernel, i)) continue;
+        if (param.pattern == Pattern::value) parameters += ", " + unit.type(unit.program.locals[param.local].type, qualified) + " ";
+        else parameters += ", const glift::Range<" + unit.class_name(param.structure) + ">& ";
+        parameters += param_name(unit, param);
+    }
+    return "void " + unit.globals.kernel_names.at(index) + "(" + parameters + ")";
+}
+
+void print_kernel_code(Unit& unit, Writer& out, std::uint32_t index) {
+    const Kernel& kernel = unit.program.kernels[index];
+    const ir::Lowered::Forms& forms = unit.lowered.passes[index];
+    const std::string& name = unit.globals.kernel_names.at(index);
+    out.gap();
+    out.line("// " + std::string(100, '-'));
+    out.line("// " + place_text(unit.sources, kernel.span) + ": " + kernel.display);
+    out.gap();
+    std::string direct, general;
+    for (const Pass* pass : {&forms.direct, &forms.general}) {
+        if (!pass->exists) continue;
+        const std::string form = name + (pass->form == ir::Form::direct ? "_direct" : "_general");
+        out.raw(host::parameters_of(unit.globals, *pass, form));
+        if (!pass->parameters.empty()) out.gap();
+        if (!unit.options.host) continue;
+        out.raw(host::kernel_of(unit.globals, *pass, form));
+        out.gap();
+        (pass->form == ir::Form::direct ? direct : general) = form;
+    }
+    const Words words = print_code(unit, out, index, name);
+    print_bindings(unit, out, forms, kernel, name);
+    const Pass& any = forms.general.exists ? forms.general : forms.direct;
+    const std::string place = place_text(unit.sources, kernel.span);
+    const std::size_t colon = place.rfind(':');
+    out.open("const glift::Kernel " + name + "_kernel =");
+    out.line(".name = \"" + unit.name(kernel.name) + "\",");
+    out.line(".file = \"" + (colon == std::string::npos ? "" : place.substr(0, colon)) + "\",");
+    out.line(".line = " + (colon == std::string::npos ? "0" : place.substr(colon + 1)) + ",");
+    out.line(".rank = " + std::to_string(any.rank) + ",");
+    out.line(".group = {" + std::to_string(any.group[0]) + ", " + std::to_string(any.group[1]) + ", " + std::to_string(any.group[2]) + "},");
+    out.line(".loop_rounds = " + (any.loop_rounds == UINT64_MAX ? "UINT64_MAX" : std::to_string(any.loop_rounds)) + ",");
+    out.line(".bindings = " + (any.bindings.empty() ? "{}" : name + "_bindings") + ",");
+    if (forms.direct.exists) out.line(".direct = " + form_text(forms.direct, words.direct, direct) + ",");
+    if (forms.general.exists) out.line(".general = " + form_text(forms.general, words.general, general) + ",");
+    if (forms.wide.exists && !words.wide.empty()) out.line(".wide = " + form_text(forms.wide, words.wide, "") + ",");
+    out.close(";");
+}
+
+void print_kernel_function(Unit& unit, Writer& out, std::uint32_t index) {
+    const Kernel& kernel = unit.program.kernels[index];
+    const ir::Lowered::Forms& forms = unit.lowered.passes[index];
+    const std::string& name = unit.globals.kernel_names.at(index);
+    const Pass& any = forms.general.exists ? forms.general : forms.direct;
+    out.gap();
+    out.open(kernel_signature(unit, index, false));
+    out.line("glift::Iteration iteration(" + name + "_kernel);");
+    for (bool near : {false, true}) {
+        for (std::size_t i = 0; i < kernel.params.size(); ++i) {
+            const KernelParam& param = kernel.params[i];
+            if (!is_passed(kernel, i)) continue;
+            const std::string argument = param_name(unit, param);
+            if (!near && is_visited(param.pattern)) out.line("iteration.each(\"" + unit.name(param.name) + "\", " + argument + ");");
+            if (near && param.pattern == Pattern::near) out.line("iteration.near(\"" + unit.name(param.name) + "\", " + argument + ");");
+            if (near && (param.pattern == Pattern::any || param.pattern == Pattern::scatter)) out.line("iteration.any(" + argument + ");");
+        }
+    }
+    if (!any.bindings.empty()) out.line("const glift::Memory memories[] = {" + memories_text(unit, kernel, any) + "};");
+    if (forms.direct.exists && forms.general.exists) {
+        out.open("if (" + direct_condition(unit, kernel, any, name) + ")");
+        print_dispatch(unit, out, kernel, forms.direct, name, "direct");
+        out.dedent();
+        out.open("} else");
+        print_dispatch(unit, out, kernel, forms.general, name, "general");
+        out.close();
+    } else {
+        print_dispatch(unit, out, kernel, any, name, forms.general.exists ? "general" : "direct");
+    }
+    out.close();
+}
+
+}  // namespace gliftc::cpp

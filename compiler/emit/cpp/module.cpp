@@ -1,0 +1,168 @@
+// A module's header and source, put together from their parts.
+#include "emit/cpp/unit.h"
+
+#include <algorithm>
+#include <map>
+
+namespace gliftc::cpp {
+
+namespace {
+
+std::string space_of(const std::string& module) {
+    std::string text;
+    std::size_t begin = 0;
+    while (begin <= module.size()) {   // std.array → std_array: "std" is not ours to open
+        const std::size_t dot = std::min(module.find('.', begin), module.size());
+        text += (text.empty() ? "" : "_") + module.substr(begin, dot - begin);
+        begin = dot + 1;
+    }
+    return identifier(text);
+}
+
+/// The file's name without its folder and `.glift`.
+std::string stem_of(const std::string& path) {
+    const std::size_t slash = path.rfind('/');
+    std::string name = path.substr(slash == std::string::npos ? 0 : slash + 1);
+    if (name.ends_with(".glift")) name.resize(name.size() - 6);
+    return name;
+}
+
+bool is_public(const Unit& unit, std::uint32_t kernel) { return unit.reach.pub_kernels.contains(kernel); }
+
+bool is_shown(const Unit& unit, std::uint32_t pipeline) {
+    const ir::Pipeline& p = unit.program.pipelines[pipeline];
+    return p.is_pub && p.module == unit.module && !p.owner;
+}
+
+void name_functions(Unit& unit) {
+    // Several pipelines may share a name and differ in the structures that they take: overloads.
+    std::set<std::string> taken;
+    for (std::uint32_t kernel : unit.reach.kernels) {
+        if (is_public(unit, kernel)) unit.globals.kernel_names[kernel] = unit.globals.names.declare(unit.name(unit.program.kernels[kernel].name));
+    }
+    std::map<std::uint32_t, std::string> overloads;
+    for (std::uint32_t pipeline : unit.reach.pipelines) {
+        const ir::Pipeline& p = unit.program.pipelines[pipeline];
+        if (p.owner) {
+            unit.globals.pipeline_names[pipeline] = identifier(unit.name(p.name));
+            continue;
+        }
+        std::string& name = overloads[p.name.index];
+        if (name.empty()) name = p.name ? unit.globals.names.declare(unit.name(p.name)) : unit.globals.names.declare("test");
+        unit.globals.pipeline_names[pipeline] = p.name ? name : unit.globals.names.declare("test");
+    }
+    for (std::uint32_t kernel : unit.reach.kernels) {
+        if (!is_public(unit, kernel)) unit.globals.kernel_names[kernel] = unit.globals.names.declare(unit.name(unit.program.kernels[kernel].name));
+    }
+}
+
+std::string header_of(Unit& unit, const std::string& stem) {
+    Writer out;
+    out.line("// Made by gliftc from " + stem + ".glift. Changes are lost when it is made again.");
+    out.line("#pragma once");
+    out.gap();
+    out.line("#include <glift/glift.h>");
+    out.line("#include <glift/structure.h>");
+    out.gap();
+    out.line("#include <cstddef>");
+    std::set<std::string> headers;
+    for (std::uint32_t index : unit.reach.structs) {
+        const std::string& header = unit.program.structs[index].extern_header;
+        if (!header.empty()) headers.insert(header);
+    }
+    for (const std::string& header : headers) out.line("#include \"" + header + "\"");
+    out.gap();
+    write_doc(out, unit.program.modules[unit.module].doc);
+    out.line("namespace " + unit.space + " {");
+    out.gap();
+    print_structs(unit, out);
+    for (std::uint32_t structure : unit.reach.structures) {
+        if (unit.reach.in_header.contains(structure)) print_class(unit, out, structure, true);
+    }
+    for (std::uint32_t kernel : unit.reach.kernels) {
+        if (!is_public(unit, kernel)) continue;
+        write_doc(out, unit.program.kernels[kernel].doc);
+        out.line(kernel_signature(unit, kernel, true) + ";");
+        out.gap();
+    }
+    for (std::uint32_t pipeline : unit.reach.pipelines) {
+        if (!is_shown(unit, pipeline)) continue;
+        write_doc(out, unit.program.pipelines[pipeline].doc);
+        out.line(pipeline_signature(unit, pipeline, true, false) + ";");
+        out.gap();
+    }
+    out.line("}  // namespace " + unit.space);
+    return out.take();
+}
+
+std::string source_of(Unit& unit, const std::string& stem) {
+    Writer types, code, functions, members, pipelines;
+    for (std::uint32_t structure : unit.reach.structures) {
+        if (!unit.reach.in_header.contains(structure)) print_class(unit, types, structure, false);
+    }
+    for (std::uint32_t kernel : unit.reach.kernels) print_kernel_code(unit, code, kernel);
+    Writer hidden_functions, hidden_members;
+    for (std::uint32_t kernel : unit.reach.kernels) print_kernel_function(unit, is_public(unit, kernel) ? functions : hidden_functions, kernel);
+    for (std::uint32_t structure : unit.reach.structures)
+        print_class_members(unit, unit.reach.in_header.contains(structure) ? members : hidden_members, structure);
+    std::string declarations;
+    Writer hidden_pipelines;
+    for (std::uint32_t pipeline : unit.reach.pipelines) {
+        const bool hidden = !is_shown(unit, pipeline) && !unit.program.pipelines[pipeline].owner;
+        const std::optional<std::uint32_t> owner = unit.program.pipelines[pipeline].owner;
+        const bool private_owner = owner && !unit.reach.in_header.contains(*owner);
+        if (hidden) declarations += pipeline_signature(unit, pipeline, false, false) + ";\n";
+        print_pipeline(unit, hidden || private_owner ? hidden_pipelines : pipelines, pipeline);
+    }
+
+    Writer out;
+    out.line("// Made by gliftc from " + stem + ".glift. Changes are lost when it is made again.");
+    out.line("#include \"" + stem + ".glift.hpp\"");
+    out.gap();
+    out.line("#include <glift/host/image.h>");
+    out.line("#include <glift/host/math.h>");
+    out.line("#include <glift/host/parallel.h>");
+    out.gap();
+    out.line("#include <optional>");
+    out.gap();
+    out.line("namespace " + unit.space + " {");
+    out.gap();
+    out.line("using namespace glift::types;");
+    out.gap();
+    out.line("namespace {");
+    out.gap();
+    for (const std::string& part : {types.take(), unit.globals.functions, code.take(), hidden_functions.take(), declarations,
+                                    hidden_members.take(), hidden_pipelines.take()}) {
+        out.raw(part);
+        out.gap();
+    }
+    out.line("}  // namespace");
+    out.gap();
+    for (const std::string& part : {functions.take(), members.take(), pipelines.take()}) {
+        out.raw(part);
+        out.gap();
+    }
+    out.line("}  // namespace " + unit.space);
+    return out.take();
+}
+
+}  // namespace
+
+std::uint32_t structure_at(const ir::Program& program, std::uint32_t structure, const ir::Place& place) {
+    for (std::uint32_t member : place.members) structure = program.structures[structure].members[member].structure;
+    return structure;
+}
+
+Module module_of(const ir::Program& program, const ir::Lowered& lowered, const Sources& sources, std::uint32_t module,
+                 const std::vector<KernelCode>& code, const Options& options) {
+    Unit unit{program, lowered, sources, module, code, options, reach_of(program, module, options), make_globals(program, sources),
+              space_of((*program.names)[program.modules[module].name])};
+    name_functions(unit);
+    const std::string stem = stem_of(sources[program.modules[module].file].path);
+    Module result;
+    result.source = source_of(unit, stem);
+    result.header = header_of(unit, stem);
+    return result;
+}
+
+}  // namespace gliftc::cpp

@@ -1,0 +1,344 @@
+// Structures, views and adaptors as classes; structs as structs.
+#include "emit/cpp/unit.h"
+#include "layout/layout.h"
+
+namespace gliftc::cpp {
+
+namespace {
+
+using ir::Structure;
+using ir::StructureKind;
+
+std::string format_name(ir::Format format) {
+    switch (format) {
+    case ir::Format::none: return "none";
+    case ir::Format::r8: return "r8";
+    case ir::Format::rg8: return "rg8";
+    case ir::Format::rgba8: return "rgba8";
+    case ir::Format::r16f: return "r16f";
+    case ir::Format::rg16f: return "rg16f";
+    case ir::Format::rgba16f: return "rgba16f";
+    case ir::Format::r32f: return "r32f";
+    case ir::Format::rg32f: return "rg32f";
+    case ir::Format::rgba32f: return "rgba32f";
+    case ir::Format::r8ui: return "r8ui";
+    case ir::Format::r16ui: return "r16ui";
+    case ir::Format::r32ui: return "r32ui";
+    case ir::Format::rg32ui: return "rg32ui";
+    case ir::Format::rgba32ui: return "rgba32ui";
+    case ir::Format::r32i: return "r32i";
+    case ir::Format::rg32i: return "rg32i";
+    case ir::Format::rgba32i: return "rgba32i";
+    case ir::Format::rgba8ui: return "rgba8ui";
+    case ir::Format::d32: return "d32";
+    }
+    return "none";
+}
+
+/// One constructor of a class: its parameters as they are declared.
+struct Constructor {
+    std::vector<std::string> parameters;
+    std::string text() const {
+        std::string all;
+        for (const std::string& parameter : parameters) all += (all.empty() ? "" : ", ") + parameter;
+        return all;
+    }
+};
+
+Constructor constructor_of(const Unit& unit, std::uint32_t index, const ClassNames& names, bool qualified) {
+    const Structure& structure = unit.program.structures[index];
+    Constructor result;
+    if (structure.kind != StructureKind::view) result.parameters.push_back("const glift::Device& device");
+    for (std::size_t i = 0; i < structure.members.size(); ++i) {
+        if (structure.members[i].by_reference)
+            result.parameters.push_back("const " + unit.class_name(structure.members[i].structure) + "& " + names.members[i]);
+    }
+    for (std::size_t i = 0; i < structure.constructor.size(); ++i)
+        result.parameters.push_back(unit.type(unit.program.locals[structure.constructor[i]].type, qualified) + " " + names.arguments[i]);
+    return result;
+}
+
+std::string base_of(const Unit& unit, std::uint32_t index, bool qualified) {
+    const Structure& structure = unit.program.structures[index];
+    const std::string arguments = "<" + unit.class_name(index) + ", " + unit.type(structure.domain_type, qualified) + ", " +
+                                  storage_text(unit.globals, structure.element, qualified) + ">";
+    switch (structure.kind) {
+    case StructureKind::stored: return " : public glift::Structure" + arguments;
+    case StructureKind::view: return " : public glift::View" + arguments;
+    case StructureKind::adaptor: return "";
+    }
+    return "";
+}
+
+const ir::Program::Transfer* transfer_of(const ir::Program& program, std::uint32_t structure) {
+    for (const ir::Program::Transfer& transfer : program.transfers) {
+        if (transfer.structure == structure) return &transfer;
+    }
+    return nullptr;
+}
+
+bool is_kernel(const Unit& unit, std::uint32_t kernel) { return kernel < unit.program.kernels.size(); }
+
+void print_accessors(Unit& unit, Writer& out, std::uint32_t index, const ClassNames& names, bool qualified) {
+    const Structure& structure = unit.program.structures[index];
+    for (std::size_t i = 0; i < structure.constructor.size(); ++i)
+        out.line(unit.type(unit.program.locals[structure.constructor[i]].type, qualified) + " " + names.arguments[i] + "() const { return " +
+                 names.arguments[i] + "_; }");
+    for (std::size_t i = 0; i < structure.members.size(); ++i) {
+        const std::string type = unit.class_name(structure.members[i].structure);
+        out.line("const " + type + "& " + names.members[i] + "() const { return " + names.members[i] + "_; }");
+        if (structure.kind == StructureKind::adaptor) out.line(type + "& " + names.members[i] + "() { return " + names.members[i] + "_; }");
+    }
+    for (std::size_t i = 0; i < structure.memories.size(); ++i) {
+        out.line("const glift::Memory& " + names.memories[i] + "() const { return " + names.memories[i] + "_; }");
+        out.line(unit.type(unit.program.exprs[structure.memories[i].extent].type, qualified) + " " + names.memories[i] +
+                 "_extent() const { return " + names.memories[i] + "_extent_; }");
+    }
+    for (std::size_t i = 0; i < structure.host.size(); ++i)
+        out.line(unit.type(structure.host[i].type, qualified) + " " + names.host[i] + "() const { return " + names.host[i] + "_; }");
+}
+
+void print_fields(Unit& unit, Writer& out, std::uint32_t index, const ClassNames& names, bool qualified) {
+    const Structure& structure = unit.program.structures[index];
+    if (structure.kind == StructureKind::adaptor) out.line("std::optional<glift::Device> device_;");
+    for (std::size_t i = 0; i < structure.constructor.size(); ++i)
+        out.line(unit.type(unit.program.locals[structure.constructor[i]].type, qualified) + " " + names.arguments[i] + "_{};");
+    for (std::size_t i = 0; i < structure.members.size(); ++i)
+        out.line(unit.class_name(structure.members[i].structure) + " " + names.members[i] + "_;");
+    for (std::size_t i = 0; i < structure.memories.size(); ++i) {
+        out.line(unit.type(unit.program.exprs[structure.memories[i].extent].type, qualified) + " " + names.memories[i] + "_extent_{};");
+        out.line("glift::Memory " + names.memories[i] + "_;");
+    }
+    for (std::size_t i = 0; i < structure.host.size(); ++i)
+        out.line(unit.type(structure.host[i].type, qualified) + " " + names.host[i] + "_{};");
+}
+
+std::string memory_parameters(const Unit& unit, std::uint32_t index, const ClassNames& names) {
+    std::string text;
+    const Structure& structure = unit.program.structures[index];
+    for (std::size_t i = 0; i < structure.members.size(); ++i)
+        text += ", " + unit.class_name(structure.members[i].structure) + " " + names.members[i];
+    for (std::size_t i = 0; i < structure.memories.size(); ++i) text += ", glift::Memory " + names.memories[i];
+    return text;
+}
+
+bool has_parts(const Structure& structure) {
+    return structure.kind == StructureKind::stored && (!structure.memories.empty() || !structure.members.empty());
+}
+
+std::string memory_allocation(Unit& unit, Printer& p, std::uint32_t index, std::size_t i, const ClassNames& names) {
+    const ir::Memory& memory = unit.program.structures[index].memories[i];
+    const std::string extent = names.memories[i] + "_extent_";
+    std::string text = "device.allocate({.name = \"" + unit.class_name(index) + "." + unit.name(memory.name) + "\"";
+    const std::string mips = memory.mips ? ", .mips = " + print_any(p, memory.mips) : "";
+    switch (memory.shape) {
+    case ir::MemoryShape::buffer:
+        return text + ", .bytes = glift::buffer_bytes<" + storage_text(unit.globals, memory.element) + ">(" + extent + ")})";
+    case ir::MemoryShape::image1d: text += ", .kind = glift::MemoryKind::image1d"; break;
+    case ir::MemoryShape::image2d: text += ", .kind = glift::MemoryKind::image2d"; break;
+    case ir::MemoryShape::image3d: text += ", .kind = glift::MemoryKind::image3d"; break;
+    case ir::MemoryShape::imagecube: text += ", .kind = glift::MemoryKind::imagecube"; break;
+    }
+    return text + ", .format = glift::Format::" + format_name(memory.format) + ", .extent = glift::image_extent(" + extent + ")" + mips + "})";
+}
+
+/// A printer for expressions over the structure itself, within its class.
+Printer own_printer(Unit& unit, std::uint32_t index) {
+    Printer p(unit.globals);
+    p.outer_expression = [&unit, index](const ir::Expr& expr) { return structure_property(unit.globals, expr, index, ""); };
+    return p;
+}
+
+std::string member_value(Unit& unit, Printer& p, const ir::MemberStructure& member) {
+    const Structure& made = unit.program.structures[member.structure];
+    std::string arguments = made.kind == StructureKind::view ? "" : "device";
+    for (ir::ExprId argument : member.arguments) arguments += (arguments.empty() ? "" : ", ") + print_any(p, argument);
+    return unit.class_name(member.structure) + "(" + arguments + ")";
+}
+
+void print_constructors(Unit& unit, Writer& out, std::uint32_t index, const ClassNames& names) {
+    const Structure& structure = unit.program.structures[index];
+    const std::string& type = unit.class_name(index);
+    Printer p = own_printer(unit, index);
+    const auto head = [&](const std::string& more, bool adopts) {
+        std::vector<std::string> initialisers;
+        if (structure.kind == StructureKind::stored) initialisers.push_back("Structure(device)");
+        if (structure.kind == StructureKind::adaptor) initialisers.push_back("device_(device)");
+        for (const std::string& name : names.arguments) initialisers.push_back(name + "_(" + name + ")");
+        for (std::size_t i = 0; i < structure.members.size(); ++i) {
+            const ir::MemberStructure& member = structure.members[i];
+            const std::string value = adopts ? "std::move(" + names.members[i] + ")"
+                                      : member.by_reference ? names.members[i]
+                                                            : member_value(unit, p, member);
+            initialisers.push_back(names.members[i] + "_(" + value + ")");
+        }
+        for (std::size_t i = 0; i < structure.memories.size(); ++i) {
+            initialisers.push_back(names.memories[i] + "_extent_(" + print_any(p, structure.memories[i].extent) + ")");
+            initialisers.push_back(names.memories[i] + "_(" +
+                                   (adopts ? "std::move(" + names.memories[i] + ")" : memory_allocation(unit, p, index, i, names)) + ")");
+        }
+        for (std::size_t i = 0; i < structure.host.size(); ++i) {
+            if (structure.host[i].initial) initialisers.push_back(names.host[i] + "_(" + print_any(p, structure.host[i].initial) + ")");
+        }
+        out.line(type + "::" + type + "(" + constructor_of(unit, index, names, false).text() + more + ")");
+        out.indent();
+        for (std::size_t i = 0; i < initialisers.size(); ++i)
+            out.line((i == 0 ? ": " : "  ") + initialisers[i] + (i + 1 < initialisers.size() ? "," : " {}"));
+        if (initialisers.empty()) out.line("{}");
+        out.dedent();
+        out.gap();
+    };
+    head("", false);
+    if (has_parts(structure)) head(memory_parameters(unit, index, names), true);
+}
+
+void print_same_state(Unit& unit, Writer& out, std::uint32_t index, const ClassNames& names) {
+    const Structure& structure = unit.program.structures[index];
+    std::string condition;
+    const auto also = [&](const std::string& text) { condition += (condition.empty() ? "" : " && ") + text; };
+    for (const std::string& name : names.arguments) also(name + "_ == other." + name + "_");
+    for (std::size_t i = 0; i < structure.members.size(); ++i) also(names.members[i] + "_.same_state(other." + names.members[i] + "_)");
+    const std::string& type = unit.class_name(index);
+    out.open("bool " + type + "::same_state(const " + type + "& other) const");
+    out.line(condition.empty() ? "return this == &other || true;" : "return " + condition + ";");
+    out.close();
+    out.gap();
+}
+
+void print_transfers(Unit& unit, Writer& out, std::uint32_t index) {
+    const ir::Program::Transfer* transfer = transfer_of(unit.program, index);
+    if (!transfer) return;
+    const std::string& type = unit.class_name(index);
+    const std::string& box = unit.class_name(transfer->box_structure);
+    const std::string parameters = "(const glift::Commands& commands, const glift::Range<" + type + ">& range, const glift::Memory& box) const";
+    const std::string made = box + "(commands.device(), range.size(), box)";
+    out.open("void " + type + "::copy_out" + parameters);
+    out.line(unit.globals.kernel_names.at(transfer->read_kernel) + "(commands, range, " + made + ");");
+    out.close();
+    out.gap();
+    if (is_kernel(unit, transfer->write_kernel)) {
+        out.open("void " + type + "::copy_in" + parameters);
+        out.line(unit.globals.kernel_names.at(transfer->write_kernel) + "(commands, " + made + ", range);");
+        out.close();
+        out.gap();
+    }
+    if (is_kernel(unit, transfer->fill_kernel)) {
+        const std::string element = unit.type(unit.program.structures[index].element);
+        out.open("void " + type + "::fill(" + element + " value, const glift::Range<" + type + ">& range)");
+        out.line(unit.globals.kernel_names.at(transfer->fill_kernel) + "(device(), range, value);");
+        out.close();
+        out.open("void " + type + "::fill(" + element + " value)");
+        out.line("fill(value, *this);");
+        out.close();
+        out.gap();
+    }
+}
+
+}  // namespace
+
+void print_class(Unit& unit, Writer& out, std::uint32_t index, bool qualified) {
+    const Structure& structure = unit.program.structures[index];
+    const ClassNames names = class_names(unit.program, index);
+    const std::string& type = unit.class_name(index);
+    const std::string shown = structure.alias ? unit.name(structure.alias) : structure.display;
+    if (structure.doc.empty()) out.line("/// " + structure.display + ", " + place_text(unit.sources, structure.span) + ".");
+    else write_doc(out, structure.alias && shown != structure.display ? structure.display + ". " + structure.doc : structure.doc);
+    out.open("class " + type + base_of(unit, index, qualified));
+    out.dedent();
+    out.line("public:");
+    out.indent();
+    out.line("static constexpr const char* type_name = \"" + shown + "\";");
+    out.gap();
+    out.line(type + "() = default;");
+    const Constructor constructor = constructor_of(unit, index, names, qualified);
+    out.line((constructor.parameters.size() == 1 ? "explicit " : "") + type + "(" + constructor.text() + ");");
+    if (has_parts(structure)) {
+        out.line("/// Over parts that exist already.");
+        out.line(type + "(" + constructor.text() + memory_parameters(unit, index, names) + ");");
+    }
+    out.gap();
+    if (structure.kind != StructureKind::adaptor) {
+        out.line("/// The extent of the virtual domain.");
+        out.line(unit.type(structure.domain_type, qualified) + " domain() const;");
+    } else {
+        out.line("const glift::Device& device() const { return *device_; }");
+    }
+    print_accessors(unit, out, index, names, qualified);
+    out.line("/// True if the two were made with equal arguments.");
+    out.line("bool same_state(const " + type + "& other) const;");
+    if (const ir::Program::Transfer* transfer = transfer_of(unit.program, index)) {
+        out.gap();
+        if (is_kernel(unit, transfer->fill_kernel)) {
+            const std::string element = unit.type(structure.element, qualified);
+            out.line("/// Gives every element, or those of a box, one value.");
+            out.line("void fill(" + element + " value);");
+            out.line("void fill(" + element + " value, const glift::Range<" + type + ">& range);");
+        }
+        const std::string parameters = "(const glift::Commands& commands, const glift::Range<" + type + ">& range, const glift::Memory& box) const;";
+        out.line("/// Elements of a box to a linear buffer, and back.");
+        out.line("void copy_out" + parameters);
+        if (is_kernel(unit, transfer->write_kernel)) out.line("void copy_in" + parameters);
+    }
+    for (std::uint32_t pipeline : structure.pipelines) {
+        out.gap();
+        write_doc(out, unit.program.pipelines[pipeline].doc);
+        out.line(pipeline_signature(unit, pipeline, qualified, true) + ";");
+    }
+    out.gap();
+    out.dedent();
+    out.line("private:");
+    out.indent();
+    print_fields(unit, out, index, names, qualified);
+    out.close(";");
+    out.gap();
+}
+
+void print_class_members(Unit& unit, Writer& out, std::uint32_t index) {
+    const Structure& structure = unit.program.structures[index];
+    const ClassNames names = class_names(unit.program, index);
+    print_constructors(unit, out, index, names);
+    if (structure.kind != StructureKind::adaptor) {
+        Printer p = own_printer(unit, index);
+        out.open(unit.type(structure.domain_type) + " " + unit.class_name(index) + "::domain() const");
+        out.line("return " + (structure.domain ? print_any(p, structure.domain) : std::string("{}")) + ";");
+        out.close();
+        out.gap();
+    }
+    print_same_state(unit, out, index, names);
+    print_transfers(unit, out, index);
+}
+
+void print_structs(Unit& unit, Writer& out) {
+    for (std::uint32_t index : unit.reach.enums) {
+        const ir::Enum& type = unit.program.enums[index];
+        write_doc(out, type.doc);
+        out.open("struct " + identifier(unit.name(type.name)));
+        std::string list;
+        for (std::size_t i = 0; i < type.enumerators.size(); ++i)
+            list += (i ? ", " : "") + identifier(unit.name(type.enumerators[i])) + " = " + std::to_string(type.values[i]);
+        out.line("enum : glift::uint { " + list + " };");
+        out.close(";");
+        out.gap();
+    }
+    for (std::uint32_t index : unit.reach.structs) {
+        const ir::Struct& type = unit.program.structs[index];
+        const std::string& name = unit.globals.struct_names[index];
+        const std::vector<std::uint32_t> offsets = layout::offsets_of(unit.program, type);
+        if (type.extern_header.empty()) {
+            write_doc(out, type.doc);
+            out.open("struct " + name);
+            for (const ir::StructField& field : type.fields) {
+                write_doc(out, field.doc);
+                out.line(storage_text(unit.globals, field.type, true) + " " + identifier(unit.name(field.name)) + "{};");
+            }
+            out.line("bool operator==(const " + name + "&) const = default;");
+            out.close(";");
+        }
+        for (std::size_t i = 0; i < type.fields.size(); ++i)
+            out.line("static_assert(offsetof(" + name + ", " + identifier(unit.name(type.fields[i].name)) + ") == " + std::to_string(offsets[i]) + ");");
+        if (!type.extern_header.empty()) out.line("static_assert(sizeof(" + name + ") == " + std::to_string(type.size) + ");");
+        out.gap();
+    }
+}
+
+}  // namespace gliftc::cpp

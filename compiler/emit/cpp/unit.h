@@ -1,0 +1,58 @@
+// What the parts of the C++ printer share for one module.
+#pragma once
+
+#include "emit/cpp/emit.h"
+#include "emit/cpp/printer.h"
+
+#include <map>
+#include <optional>
+#include <set>
+
+namespace gliftc::cpp {
+
+/// What of the program a module's C++ contains.
+struct Reach {
+    std::set<std::uint32_t> structs, kernels, pipelines, enums;
+    std::vector<std::uint32_t> structures;        ///< members and what `temp`s make come first
+    std::set<std::uint32_t> in_header;            ///< structures that the header shows
+    std::set<std::uint32_t> pub_kernels;
+};
+
+Reach reach_of(const ir::Program& program, std::uint32_t module, const Options& options);
+
+struct Unit {
+    const ir::Program& program;
+    const ir::Lowered& lowered;
+    const Sources& sources;
+    std::uint32_t module;
+    const std::vector<KernelCode>& code;
+    Options options;
+    Reach reach;
+    Globals globals;
+    std::string space;                            ///< the module's namespace: laplacian, std::array → std_array
+
+    std::string name(Name n) const { return (*program.names)[n]; }
+    std::string type(ir::TypeId id, bool qualified = false) const { return type_text(globals, id, qualified); }
+    const std::string& class_name(std::uint32_t structure) const { return globals.structure_names[structure]; }
+};
+
+/// The structure instance at a place below a root.
+std::uint32_t structure_at(const ir::Program& program, std::uint32_t root_structure, const ir::Place& place);
+
+// structures.cpp
+void print_class(Unit& unit, Writer& out, std::uint32_t structure, bool qualified);
+void print_class_members(Unit& unit, Writer& out, std::uint32_t structure);
+void print_structs(Unit& unit, Writer& out);
+
+// kernels.cpp
+void print_kernel_code(Unit& unit, Writer& out, std::uint32_t kernel);
+std::string kernel_signature(Unit& unit, std::uint32_t kernel, bool qualified);
+void print_kernel_function(Unit& unit, Writer& out, std::uint32_t kernel);
+/// Kernel parameters that its C++ function has: all but an `at` that follows an `each` of the same structure.
+bool is_passed(const ir::Kernel& kernel, std::size_t param);
+
+// pipelines.cpp
+std::string pipeline_signature(Unit& unit, std::uint32_t pipeline, bool qualified, bool in_class);
+void print_pipeline(Unit& unit, Writer& out, std::uint32_t pipeline);
+
+}  // namespace gliftc::cpp

@@ -1,0 +1,359 @@
+// What all generated structures share: boxes of them as values, and moving boxes of elements between host and device.
+#pragma once
+
+#include <glift/commands.h>
+#include <glift/error.h>
+#include <glift/vector.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <initializer_list>
+#include <optional>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace glift {
+
+using Extent = std::array<std::uint32_t, 4>;
+
+namespace detail {
+
+template <class A>
+struct Axes {
+    static constexpr unsigned count = 1;
+    static constexpr std::uint32_t at(A a, unsigned) { return a; }
+};
+template <unsigned N>
+struct Axes<vec<uint, N>> {
+    static constexpr unsigned count = N;
+    static constexpr std::uint32_t at(const vec<uint, N>& a, unsigned i) { return a[i]; }
+};
+
+/// A virtual address or size as four numbers; axes that it does not have are `rest`.
+template <class A>
+constexpr Extent extent_of(const A& a, std::uint32_t rest = 1) {
+    Extent extent;
+    for (unsigned i = 0; i < 4; ++i) extent[i] = i < Axes<A>::count ? Axes<A>::at(a, i) : rest;
+    return extent;
+}
+
+constexpr std::uint64_t volume_of(const Extent& extent) {
+    return std::uint64_t{extent[0]} * extent[1] * extent[2] * extent[3];
+}
+
+inline std::string text_of(const Extent& extent, unsigned rank) {
+    std::string text = "{";
+    for (unsigned i = 0; i < rank; ++i) text += (i ? ", " : "") + std::to_string(extent[i]);
+    return text + "}";
+}
+
+/// A box as the checks see it.
+struct Box {
+    const char* name;
+    unsigned rank;
+    Extent origin, size, domain;
+
+    bool is_inside() const {
+        for (unsigned i = 0; i < rank; ++i) {
+            if (size[i] > domain[i] || origin[i] > domain[i] - size[i]) return false;
+        }
+        return true;
+    }
+};
+
+[[noreturn]] inline void throw_outside(const std::string& where, const Box& box) {
+    throw Error(ErrorCode::wrong_argument, std::string("a box of ") + box.name + " lies outside its domain", where,
+                box.name + (" starts at " + text_of(box.origin, box.rank)) + " and is " + text_of(box.size, box.rank) +
+                    " large, the domain is " + text_of(box.domain, box.rank),
+                "pass a box inside the domain");
+}
+
+}  // namespace detail
+
+/// A box of a structure of type S, or all of it. Holds on to the structure by address.
+template <class S>
+class Range {
+public:
+    using Address = typename S::Address;
+
+    Range(const S& structure) : structure_(&structure), size_(structure.domain()), whole_(true) {}
+    Range(const S& structure, Address origin, Address size) : structure_(&structure), origin_(origin), size_(size) {}
+    /// As many elements along x as a value on the device says, `size` at most.
+    Range(const S& structure, Address origin, Address size, DeviceValue count)
+        : structure_(&structure), origin_(origin), size_(size), count_(std::move(count)) {}
+
+    const S& structure() const { return *structure_; }
+    const S* operator->() const { return structure_; }
+    Address origin() const { return origin_; }
+    Address size() const { return size_; }
+    bool is_whole() const { return whole_; }
+    /// Where the number of elements along x comes from; no memory where the host knows it.
+    const DeviceValue& count() const { return count_; }
+
+private:
+    const S* structure_;
+    Address origin_{};
+    Address size_;
+    DeviceValue count_{};
+    bool whole_ = false;
+};
+
+/// The elements that one call of a kernel visits, checked while its arguments are looked at one by one.
+class Iteration {
+public:
+    explicit Iteration(const Kernel& kernel) : kernel_(kernel) {}
+
+    /// A range that is visited element by element. All such ranges have one size.
+    template <class S>
+    void each(const char* name, const Range<S>& range) {
+        const detail::Box box = box_of(name, range.origin(), range);
+        if (!box.is_inside()) detail::throw_outside(where(), box);
+        if (count_ == 0) first_ = box;
+        else if (box.size != first_.size) throw_sizes(first_, box);
+        ++count_;
+        whole_ = whole_ && range.is_whole();
+        if (range.count().memory) device_count_ = &range.count();
+    }
+
+    /// A range that is looked at around the current element. A whole structure follows the first visited range; a box
+    /// has its own origin and the same size.
+    template <class S>
+    void near(const char* name, const Range<S>& range) {
+        detail::Box box = box_of(name, range.origin(), range);
+        if (range.is_whole()) {
+            box.origin = first_.origin;
+            box.size = first_.size;
+        } else if (box.size != first_.size) {
+            throw_sizes(first_, box);
+        }
+        if (!box.is_inside()) detail::throw_outside(where(), box);
+        whole_ = whole_ && range.is_whole() && box.origin == Extent{} && box.size == box.domain;
+    }
+
+    /// A range that is read or written anywhere.
+    template <class S>
+    void any(const Range<S>& range) {
+        whole_ = whole_ && range.is_whole();
+    }
+
+    /// The first address that `near` looks around.
+    template <class S>
+    typename S::Address centre(const Range<S>& range) const {
+        if (!range.is_whole()) return range.origin();
+        typename S::Address origin{};
+        if constexpr (detail::Axes<typename S::Address>::count == 1) origin = first_.origin[0];
+        else for (unsigned i = 0; i < detail::Axes<typename S::Address>::count; ++i) origin[i] = first_.origin[i];
+        return origin;
+    }
+
+    const Extent& size() const { return first_.size; }
+    /// All ranges are whole structures.
+    bool is_whole() const { return whole_; }
+    /// Where the size along x comes from the device: what to write at these offsets of the parameters. Else nothing.
+    std::span<const Patch> patches(std::initializer_list<std::size_t> offsets) {
+        if (!device_count_) return {};
+        std::size_t count = 0;
+        for (std::size_t offset : offsets) patches_[count++] = {*device_count_, static_cast<std::uint32_t>(offset)};
+        return {patches_.data(), count};
+    }
+
+private:
+    template <class S>
+    static detail::Box box_of(const char* name, const typename S::Address& origin, const Range<S>& range) {
+        return {name, detail::Axes<typename S::Address>::count, detail::extent_of(origin, 0), detail::extent_of(range.size()),
+                detail::extent_of(range->domain())};
+    }
+    std::string where() const { return std::string(kernel_.file) + ":" + std::to_string(kernel_.line) + ": " + kernel_.name; }
+    [[noreturn]] void throw_sizes(const detail::Box& a, const detail::Box& b) const {
+        throw Error(ErrorCode::wrong_argument, "ranges of different sizes", where(),
+                    a.name + (" is " + detail::text_of(a.size, a.rank)) + " and " + b.name + " is " + detail::text_of(b.size, b.rank),
+                    "pass ranges of one size: all of each structure, or boxes made with range(origin, size)");
+    }
+
+    const Kernel& kernel_;
+    detail::Box first_{};
+    unsigned count_ = 0;
+    bool whole_ = true;
+    const DeviceValue* device_count_ = nullptr;
+    std::array<Patch, 8> patches_{};
+};
+
+/// A parameter block as bytes.
+template <class T>
+std::span<const std::byte> bytes_of(const T& value) {
+    return std::as_bytes(std::span(&value, 1));
+}
+
+/// A value that lives on the device.
+template <class T>
+struct DeviceScalar {
+    Memory memory;
+    std::uint64_t offset = 0;
+
+    /// Waits for what the value depends on.
+    T await(const Commands& commands) const {
+        const Download download = commands.download(memory, offset, sizeof(T));
+        T value;
+        std::memcpy(&value, download.get().data(), sizeof(T));
+        return value;
+    }
+    operator DeviceValue() const { return {memory, offset}; }
+};
+
+/// A box of elements on the host, written back to the structure when it is unmapped or goes out of scope.
+template <class S>
+class Mapped {
+public:
+    using Address = typename S::Address;
+    using Element = typename S::Element;
+
+    Mapped(S& structure, Address origin, Address size)
+        : structure_(&structure), origin_(origin), size_(size), values_(structure.read(origin, size)) {}
+    Mapped(Mapped&& other) noexcept
+        : structure_(std::exchange(other.structure_, nullptr)), origin_(other.origin_), size_(other.size_),
+          values_(std::move(other.values_)) {}
+    Mapped& operator=(Mapped&&) = delete;
+    ~Mapped() { unmap(); }
+
+    /// By address in the box: the origin is zero.
+    Element& operator[](Address address) {
+        const Extent a = detail::extent_of(address, 0), n = detail::extent_of(size_);
+        return values_[((std::size_t{a[3]} * n[2] + a[2]) * n[1] + a[1]) * n[0] + a[0]];
+    }
+    std::span<Element> values() { return values_; }
+    Address size() const { return size_; }
+
+    void unmap() {
+        if (S* structure = std::exchange(structure_, nullptr)) structure->write(origin_, size_, values_);
+    }
+
+private:
+    S* structure_;
+    Address origin_, size_;
+    std::vector<Element> values_;
+};
+
+/// The bytes of a buffer with this many elements; never none, so that an empty structure has a memory too.
+template <class T>
+constexpr std::uint64_t buffer_bytes(std::uint32_t count) {
+    return (std::max<std::uint64_t>(1, std::uint64_t{count}) * sizeof(T) + 3) / 4 * 4;
+}
+
+/// The texels of an image; never none.
+template <class A>
+constexpr std::array<std::uint32_t, 3> image_extent(const A& extent) {
+    const Extent e = detail::extent_of(extent);
+    return {std::max(e[0], 1u), std::max(e[1], 1u), std::max(e[2], 1u)};
+}
+
+/// The base of a generated view `Self`: its elements are computed.
+template <class Self, class A, class T>
+class View {
+public:
+    using Address = A;
+    using Element = T;
+
+    Range<Self> range(A origin, A size) const {
+        const Self& self = static_cast<const Self&>(*this);
+        const detail::Box box{Self::type_name, detail::Axes<A>::count, detail::extent_of(origin, 0), detail::extent_of(size),
+                              detail::extent_of(self.domain())};
+        if (!box.is_inside()) detail::throw_outside(std::string(Self::type_name) + "::range", box);
+        return Range<Self>(self, origin, size);
+    }
+};
+
+/// The base of a generated structure `Self` with virtual addresses of type A and elements of type T. Copies of a
+/// structure share its memory. Values of a box are in row-major order, x running fastest.
+template <class Self, class A, class T>
+class Structure {
+public:
+    using Address = A;
+    using Element = T;
+
+    const Device& device() const { return *device_; }
+    explicit operator bool() const { return device_.has_value(); }
+
+    Range<Self> range(A origin, A size) const {
+        const Range<Self> range(self(), origin, size);
+        check("range", range);
+        return range;
+    }
+
+    /// From the host to the device; the values are copied before the call returns.
+    void write(A origin, A size, std::span<const T> values) {
+        const Range<Self> range(self(), origin, size);
+        check("write", range);
+        if (values.size() != count(size)) throw_count(values.size(), size);
+        if (values.empty()) return;
+        const Commands commands(device());
+        const Memory box = new_box(values.size_bytes());
+        commands.upload(box, 0, std::as_bytes(values));
+        self().copy_in(commands, range, box);
+    }
+    void write(std::span<const T> values) { write({}, self().domain(), values); }
+
+    /// Waits for what the box depends on, no more.
+    std::vector<T> read(A origin, A size) const {
+        const Range<Self> range(self(), origin, size);
+        check("read", range);
+        std::vector<T> values(count(size));
+        if (values.empty()) return values;
+        const Commands commands(device());
+        const Memory box = new_box(values.size() * sizeof(T));
+        self().copy_out(commands, range, box);
+        const Download download = commands.download(box, 0, values.size() * sizeof(T));
+        std::memcpy(values.data(), download.get().data(), values.size() * sizeof(T));
+        return values;
+    }
+    std::vector<T> read() const { return read({}, self().domain()); }
+
+    /// A box of another structure with the same elements; the two may be laid out differently.
+    template <class Other>
+    void copy_from(const Range<Other>& from, A to_origin = {}) {
+        static_assert(std::is_same_v<typename Other::Element, T>);
+        static_assert(std::is_same_v<typename Other::Address, A>);
+        const A size = from.size();
+        const Range<Self> to(self(), to_origin, size);
+        check("copy_from", to);
+        if (count(size) == 0) return;
+        const Commands commands(device());
+        const Memory box = new_box(count(size) * sizeof(T));
+        from->copy_out(commands, from, box);
+        self().copy_in(commands, to, box);
+    }
+
+    Mapped<Self> map(A origin, A size) { return {self(), origin, size}; }
+    Mapped<Self> map() { return {self(), {}, self().domain()}; }
+
+protected:
+    Structure() = default;
+    explicit Structure(const Device& device) : device_(device) {}
+
+private:
+    Self& self() { return static_cast<Self&>(*this); }
+    const Self& self() const { return static_cast<const Self&>(*this); }
+    static std::size_t count(const A& size) { return static_cast<std::size_t>(detail::volume_of(detail::extent_of(size))); }
+
+    Memory new_box(std::size_t bytes) const {
+        return device().allocate({.name = "box", .bytes = (bytes + 3) / 4 * 4, .zeroed = false});
+    }
+    void check(const char* operation, const Range<Self>& range) const {
+        const detail::Box box{Self::type_name, detail::Axes<A>::count, detail::extent_of(range.origin(), 0),
+                              detail::extent_of(range.size()), detail::extent_of(self().domain())};
+        if (!box.is_inside()) detail::throw_outside(std::string(Self::type_name) + "::" + operation, box);
+    }
+    [[noreturn]] void throw_count(std::size_t given, const A& size) const {
+        throw Error(ErrorCode::wrong_argument, "the values do not fill the box", std::string(Self::type_name) + "::write",
+                    std::to_string(given) + " values for a box of " +
+                        detail::text_of(detail::extent_of(size), detail::Axes<A>::count),
+                    "pass one value an element");
+    }
+
+    std::optional<Device> device_;
+};
+
+}  // namespace glift
