@@ -187,7 +187,7 @@ void print_dispatch(Unit& unit, Writer& out, const Kernel& kernel, const Pass& p
     std::ranges::stable_sort(ordered, {}, &PassParameter::offset);
     const std::string block = name + "_" + form + "_parameters";
     if (!ordered.empty()) {
-        out.open("const " + block + " parameters");
+        out.open("const " + block + " parameters =");
         for (const PassParameter* parameter : ordered)
             out.line("." + identifier(parameter->name) + " = " + value_of(unit, kernel, *parameter) + ",");
         out.close(";");

@@ -74,7 +74,7 @@ std::string header_of(Unit& unit, const std::string& stem) {
     out.gap();
     write_doc(out, unit.program.modules[unit.module].doc);
     out.line("namespace " + unit.space + " {");
-    out.gap();
+    out.raw("\n");
     print_structs(unit, out);
     for (std::uint32_t structure : unit.reach.structures) {
         if (unit.reach.in_header.contains(structure)) print_class(unit, out, structure, true);
@@ -126,11 +126,11 @@ std::string source_of(Unit& unit, const std::string& stem) {
     out.line("#include <optional>");
     out.gap();
     out.line("namespace " + unit.space + " {");
-    out.gap();
+    out.raw("\n");
     out.line("using namespace glift::types;");
     out.gap();
     out.line("namespace {");
-    out.gap();
+    out.raw("\n");
     for (const std::string& part : {types.take(), unit.globals.functions, code.take(), hidden_functions.take(), declarations,
                                     hidden_members.take(), hidden_pipelines.take()}) {
         out.raw(part);

@@ -250,34 +250,36 @@ void print_class(Unit& unit, Writer& out, std::uint32_t index, bool qualified) {
     out.line("static constexpr const char* type_name = \"" + shown + "\";");
     out.gap();
     out.line(type + "() = default;");
+    // A module's own classes: what of them is used depends on what the module does.
+    const std::string unused = qualified ? "" : "[[maybe_unused]] ";
     const Constructor constructor = constructor_of(unit, index, names, qualified);
-    out.line((constructor.parameters.size() == 1 ? "explicit " : "") + type + "(" + constructor.text() + ");");
+    out.line(unused + (constructor.parameters.size() == 1 ? "explicit " : "") + type + "(" + constructor.text() + ");");
     if (has_parts(structure)) {
         out.line("/// Over parts that exist already.");
-        out.line(type + "(" + constructor.text() + memory_parameters(unit, index, names) + ");");
+        out.line(unused + type + "(" + constructor.text() + memory_parameters(unit, index, names) + ");");
     }
     out.gap();
     if (structure.kind != StructureKind::adaptor) {
         out.line("/// The extent of the virtual domain.");
-        out.line(unit.type(structure.domain_type, qualified) + " domain() const;");
+        out.line(unused + unit.type(structure.domain_type, qualified) + " domain() const;");
     } else {
         out.line("const glift::Device& device() const { return *device_; }");
     }
     print_accessors(unit, out, index, names, qualified);
     out.line("/// True if the two were made with equal arguments.");
-    out.line("bool same_state(const " + type + "& other) const;");
+    out.line(unused + "bool same_state(const " + type + "& other) const;");
     if (const ir::Program::Transfer* transfer = transfer_of(unit.program, index)) {
         out.gap();
         if (is_kernel(unit, transfer->fill_kernel)) {
             const std::string element = unit.type(structure.element, qualified);
             out.line("/// Gives every element, or those of a box, one value.");
-            out.line("void fill(" + element + " value);");
-            out.line("void fill(" + element + " value, const glift::Range<" + type + ">& range);");
+            out.line(unused + "void fill(" + element + " value);");
+            out.line(unused + "void fill(" + element + " value, const glift::Range<" + type + ">& range);");
         }
         const std::string parameters = "(const glift::Commands& commands, const glift::Range<" + type + ">& range, const glift::Memory& box) const;";
         out.line("/// Elements of a box to a linear buffer, and back.");
-        out.line("void copy_out" + parameters);
-        if (is_kernel(unit, transfer->write_kernel)) out.line("void copy_in" + parameters);
+        out.line(unused + "void copy_out" + parameters);
+        if (is_kernel(unit, transfer->write_kernel)) out.line(unused + "void copy_in" + parameters);
     }
     for (std::uint32_t pipeline : structure.pipelines) {
         out.gap();

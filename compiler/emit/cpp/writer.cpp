@@ -85,11 +85,18 @@ void Writer::close(std::string_view after) {
 }
 
 void write_doc(Writer& writer, std::string_view doc) {
+    constexpr std::size_t room = 112;
     while (!doc.empty()) {
         const std::size_t end = doc.find('\n');
         std::string_view line = doc.substr(0, end);
         while (line.ends_with(' ')) line.remove_suffix(1);
         if (line.starts_with(' ')) line.remove_prefix(1);
+        while (line.size() > room) {
+            std::size_t space = line.rfind(' ', room);
+            if (space == std::string_view::npos || space == 0) break;
+            writer.line("/// " + std::string(line.substr(0, space)));
+            line.remove_prefix(space + 1);
+        }
         writer.line(line.empty() ? "///" : "/// " + std::string(line));
         doc = end == std::string_view::npos ? std::string_view() : doc.substr(end + 1);
     }

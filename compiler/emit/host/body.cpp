@@ -150,7 +150,7 @@ Body::Body(cpp::Globals& globals, const ir::Pass& pass) : pass(pass), p(globals)
 }
 
 std::string element_text(Body& body, std::uint32_t binding, ir::ExprId index) {
-    if (const auto row = body.row_pointers.find(index); row != body.row_pointers.end()) return row->second + "[i]";
+    if (const auto row = body.row_pointers.find({binding, index}); row != body.row_pointers.end()) return row->second + "[i]";
     body.used_bindings.insert(binding);
     return body.binding_names[binding] + "[" + cpp::print_any(body.p, index) + "]";
 }

@@ -4,6 +4,7 @@
 #include "emit/cpp/printer.h"
 #include "ir/pass.h"
 
+#include <map>
 #include <set>
 
 namespace gliftc::host {
@@ -14,8 +15,8 @@ struct Body {
     std::vector<std::string> binding_names;
     std::vector<std::string> parameter_names;
     std::set<std::uint32_t> used_bindings, used_parameters;
-    /// Index operands of accesses that go through a pointer to the row, and its name.
-    std::unordered_map<ir::ExprId, std::string> row_pointers;
+    /// Accesses, as binding and index operand, that go through a pointer to the row, and its name.
+    std::map<std::pair<std::uint32_t, ir::ExprId>, std::string> row_pointers;
 
     Body(cpp::Globals& globals, const ir::Pass& pass);
     Body(const Body&) = delete;

@@ -128,7 +128,7 @@ void Rows::print_row_pointers(const std::vector<StmtId>& statements, const std::
             p.out.line((binding.access == ir::Access::read ? "const " : "") + cpp::storage_text(p.globals, binding.element) + "* " +
                        name + " = " + body.binding_names[access.binding] + " + " + index + ";");
         }
-        body.row_pointers[access.index] = name;
+        body.row_pointers[{access.binding, access.index}] = name;
     }
 }
 
@@ -138,13 +138,13 @@ std::vector<StmtId> Rows::without_unused(std::vector<StmtId> statements, std::se
         if (!id) return;
         const ir::Expr& expr = program.exprs[id];
         if (expr.op == Op::local) read.insert(expr.local);
-        if (expr.op == Op::load && body.row_pointers.contains(expr.operands[0])) return;
+        if (expr.op == Op::load && body.row_pointers.contains({expr.slot, expr.operands[0]})) return;
         for (ExprId operand : expr.operands) self(self, operand);
     };
     for (bool changed = true; changed;) {
         read.clear();
         cpp::for_each_statement(program, statements, [&](const Stmt& stmt) {
-            if (stmt.op != StmtOp::store || !body.row_pointers.contains(stmt.target)) note(note, stmt.target);
+            if (stmt.op != StmtOp::store || !body.row_pointers.contains({stmt.slot, stmt.target})) note(note, stmt.target);
             note(note, stmt.value);
             note(note, stmt.limit);
         });
