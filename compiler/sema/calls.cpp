@@ -399,7 +399,8 @@ Operand check_call(Body& body, ast::ExprId id, ir::TypeId wanted) {
     std::vector<ast::ExprId> generics;
     if (generic) generics.assign(callee.operands.begin() + 1, callee.operands.end());
     if (meta.kind == MetaKind::declarations) return call_declarations(body, meta, generics, call, wanted);
-    if (generic && meta.kind != MetaKind::none) meta = meta_of(c, body.env, call.operands[0]);
+    bool shape = c.text(name.name) == "vec" || c.text(name.name) == "mat";
+    if (generic && (shape || meta.kind != MetaKind::none)) meta = meta_of(c, body.env, call.operands[0]);
     if (meta.kind == MetaKind::type) return call_type(body, meta.type, call);
     if (meta.kind == MetaKind::none) {
         if (auto result = call_builtin(body, c.text(name.name), call, wanted)) return *result;
