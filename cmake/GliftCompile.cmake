@@ -50,7 +50,7 @@ function(glift_compile)
         # Sums and products stay as written, so that the host device and the GPU agree to the bit. The other two
         # change no value: they let the compiler vectorise.
         set_source_files_properties(${code} PROPERTIES COMPILE_OPTIONS
-            "-ffp-contract=off;-fno-math-errno;-fno-trapping-math;$<$<CONFIG:Release>:-O3>")
+            "-ffp-contract=off;-fwrapv;-fno-math-errno;-fno-trapping-math;$<$<CONFIG:Release>:-O3>")
     endforeach()
 
     target_include_directories(${arg_TARGET} PUBLIC $<BUILD_INTERFACE:${out}>)
