@@ -16,7 +16,7 @@ const std::map<std::string, Target> target_names{{"glsl", Target::glsl},
                                                  {"host", Target::host},
                                                  {"json", Target::json}};
 const std::map<std::string, Stage> stage_names{
-    {"syntax", Stage::syntax}, {"sema", Stage::sema}, {"lower", Stage::lower}, {"layout", Stage::layout}};
+    {"syntax", Stage::syntax}, {"sema", Stage::sema}, {"ir", Stage::sema}, {"lower", Stage::lower}, {"layout", Stage::layout}};
 const std::map<std::string, DiagnosticsFormat> format_names{{"text", DiagnosticsFormat::text}, {"json", DiagnosticsFormat::json}};
 const std::map<std::string, ColourChoice> colour_names{
     {"auto", ColourChoice::automatic}, {"always", ColourChoice::always}, {"never", ColourChoice::never}};
@@ -77,6 +77,7 @@ void add_output_options(CLI::App& app, Options& options, Typed& typed) {
         ->type_name("FILE|NAME")
         ->group("Output");
     app.add_flag("--checked", options.checked, "Generated code reports accesses out of range")->group("Output");
+    app.add_flag("--host-only", options.host_only, "Generated C++ holds no SPIR-V: it runs on the host device only")->group("Output");
     app.add_flag("-O,--optimize", options.optimize, "Optimise SPIR-V with spirv-opt")->group("Output");
 }
 

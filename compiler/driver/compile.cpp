@@ -1,5 +1,9 @@
 #include "driver/compile.h"
 
+#include "driver/emit.h"
+#include "ir/print.h"
+#include "layout/layout.h"
+#include "lower/lower.h"
 #include "syntax/print.h"
 
 #include <chrono>
@@ -53,6 +57,22 @@ Result compile(const Options& options, const FileSystem& files, Compilation& c) 
     if (options.dump == Stage::syntax) result.dump = dump_syntax(c);
     if (stops_after(Stage::syntax)) return result;
 
+    c.program = sema::check(c.loaded.modules, c.tree, c.names, c.diagnostics, {.defines = options.defines});
+    clock.lap("sema");
+    if (options.dump == Stage::sema) result.dump = ir::print(c.program);
+    if (stops_after(Stage::sema)) return result;
+
+    c.lowered = lower::lower(c.program, c.diagnostics);
+    clock.lap("lower");
+    if (stops_after(Stage::lower) && options.dump != Stage::lower) return result;
+
+    layout::lay_out(c.program, c.lowered);
+    clock.lap("layout");
+    if (options.dump == Stage::lower || options.dump == Stage::layout) result.dump = ir::print(c.program, c.lowered);
+    if (stops_after(Stage::layout) || options.dump || options.check_only || options.command == Command::explain) return result;
+
+    result.outputs = emit(options, c);
+    clock.lap("emit");
     return result;
 }
 

@@ -33,6 +33,7 @@ struct Options {
     bool check_only = false;                     ///< --check: report, write nothing (fmt: say what is not formatted)
     bool checked = false;                        ///< --checked: generated code reports accesses out of range
     bool optimize = false;                       ///< -O: SPIR-V through spirv-opt
+    bool host_only = false;                      ///< --host-only: C++ without SPIR-V inside
     bool list_outputs = false;
     bool time_report = false;
     std::string depfile;                         ///< empty: none, but see writes_depfile()

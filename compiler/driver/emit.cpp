@@ -1,0 +1,103 @@
+#include "driver/emit.h"
+
+#include "driver/shaders.h"
+#include "emit/cpp/emit.h"
+#include "emit/glsl/emit.h"
+#include "emit/json/emit.h"
+
+#include <filesystem>
+#include <set>
+#include <stdexcept>
+
+namespace gliftc {
+
+namespace {
+
+/// What the module's outputs are called: its file without the extension; from standard input, the last part of its name.
+std::string base_name(const Compilation& c, const ir::Module& module) {
+    const std::string& path = c.sources[module.file].path;
+    if (path != "<stdin>") return std::filesystem::path(path).stem().string();
+    const std::string& name = c.names[module.name];
+    return name.substr(name.rfind('.') + 1);
+}
+
+/// `scale` or, of a generic kernel, `scale_2_float`; each once a module.
+std::string shader_name(const std::string& display, std::set<std::string>& taken) {
+    std::string name;
+    for (char c : display) {
+        bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+        if (plain) name += c;
+        if (!plain && !name.empty() && name.back() != '_') name += '_';
+    }
+    while (!name.empty() && name.back() == '_') name.pop_back();
+    std::string unique = name;
+    for (int n = 2; !taken.insert(unique).second; ++n) unique = name + "_" + std::to_string(n);
+    return unique;
+}
+
+std::string bytes_of(const std::vector<std::uint32_t>& words) {
+    std::string bytes;
+    bytes.reserve(words.size() * 4);
+    for (std::uint32_t word : words)
+        for (int shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(word >> shift & 0xff);
+    return bytes;
+}
+
+void emit_shaders(const Options& options, const Compilation& c, std::uint32_t module, const std::string& base,
+                  const std::vector<ShaderSet>& shaders, std::vector<Output>& outputs) {
+    std::set<std::string> taken;
+    for (std::uint32_t k = 0; k < c.program.kernels.size(); ++k) {
+        const ir::Kernel& kernel = c.program.kernels[k];
+        if (kernel.module != module) continue;
+        std::string name = base + "." + shader_name(kernel.display, taken);
+        const auto& forms = c.lowered.passes[k];
+        const ir::Pass& readable = forms.direct.exists ? forms.direct : forms.general;
+        if (options.wants(Target::glsl) && readable.exists)
+            outputs.push_back({name + ".comp.glsl", glsl::glsl_of(c.program, c.sources, readable)});
+        if (!options.wants(Target::spirv)) continue;
+        const ShaderSet& code = shaders[k];
+        if (!code.direct.empty()) outputs.push_back({name + ".comp.spv", bytes_of(code.direct)});
+        if (!code.general.empty()) outputs.push_back({name + ".general.comp.spv", bytes_of(code.general)});
+        if (!code.wide.empty()) outputs.push_back({name + ".wide.comp.spv", bytes_of(code.wide)});
+    }
+}
+
+/// The kernels whose SPIR-V some output of the module holds.
+std::set<std::uint32_t> kernels_with_code(const Options& options, const Compilation& c, std::uint32_t module, const cpp::Options& cpp) {
+    std::set<std::uint32_t> kernels;
+    if (options.wants(Target::spirv))
+        for (std::uint32_t k = 0; k < c.program.kernels.size(); ++k)
+            if (c.program.kernels[k].module == module) kernels.insert(k);
+    if (options.wants(Target::cpp) && !options.host_only)
+        for (std::uint32_t k : cpp::kernels_of(c.program, module, cpp)) kernels.insert(k);
+    return kernels;
+}
+
+}  // namespace
+
+std::vector<Output> emit(const Options& options, const Compilation& c) {
+    std::vector<Output> outputs;
+    cpp::Options cpp{.tests = options.command == Command::test, .host = options.wants(Target::host)};
+    std::set<std::string> bases;
+    for (std::uint32_t m = 0; m < c.program.modules.size(); ++m) {
+        const ir::Module& module = c.program.modules[m];
+        if (!module.is_root) continue;
+        std::string base = base_name(c, module);
+        if (!bases.insert(base).second) throw std::runtime_error("two files on the command line are called '" + base + "'");
+        std::vector<ShaderSet> shaders = compile_shaders(c, kernels_with_code(options, c, m, cpp), options.optimize);
+        if (options.wants(Target::cpp) || options.wants(Target::host)) {
+            std::vector<cpp::KernelCode> code(shaders.size());
+            for (std::size_t k = 0; k < shaders.size(); ++k) code[k] = {shaders[k].direct, shaders[k].general, shaders[k].wide};
+            if (options.host_only || !options.wants(Target::cpp)) code.clear();
+            cpp::Module written = cpp::module_of(c.program, c.lowered, c.sources, m, code, cpp);
+            outputs.push_back({base + ".glift.hpp", std::move(written.header)});
+            outputs.push_back({base + ".glift.cpp", std::move(written.source)});
+        }
+        emit_shaders(options, c, m, base, shaders, outputs);
+        if (options.wants(Target::json))
+            outputs.push_back({base + ".glift.json", json::reflection_of(c.program, c.lowered, c.sources, m)});
+    }
+    return outputs;
+}
+
+}  // namespace gliftc

@@ -1,0 +1,11 @@
+// What is written for the modules on the command line: runs the targets and names the files.
+#pragma once
+
+#include "driver/compile.h"
+
+namespace gliftc {
+
+/// The outputs of every root module for the targets asked for. Throws std::runtime_error where generated GLSL is no valid GLSL.
+std::vector<Output> emit(const Options& options, const Compilation& compilation);
+
+}  // namespace gliftc

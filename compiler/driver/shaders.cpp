@@ -1,0 +1,60 @@
+#include "driver/shaders.h"
+
+#include "emit/glsl/emit.h"
+#include "emit/spirv/emit.h"
+
+#include <atomic>
+#include <stdexcept>
+#include <thread>
+
+namespace gliftc {
+
+namespace {
+
+struct Job {
+    const ir::Pass* pass;
+    std::vector<std::uint32_t>* words;
+    std::string error;
+};
+
+std::vector<Job> list_jobs(const Compilation& c, const std::set<std::uint32_t>& kernels, std::vector<ShaderSet>& shaders) {
+    std::vector<Job> jobs;
+    for (std::uint32_t k : kernels) {
+        const auto& forms = c.lowered.passes[k];
+        if (forms.direct.exists) jobs.push_back({&forms.direct, &shaders[k].direct, {}});
+        if (forms.general.exists) jobs.push_back({&forms.general, &shaders[k].general, {}});
+        if (forms.wide.exists) jobs.push_back({&forms.wide, &shaders[k].wide, {}});
+    }
+    return jobs;
+}
+
+void run(Job& job, const Compilation& c, spirv::Optimise optimise) {
+    std::string text = glsl::glsl_of(c.program, c.sources, *job.pass, {.lines = glsl::LineMarks::directives});
+    spirv::Spirv made = spirv::spirv_of(text, optimise);
+    *job.words = std::move(made.words);
+    job.error = std::move(made.error);
+}
+
+}  // namespace
+
+std::vector<ShaderSet> compile_shaders(const Compilation& c, const std::set<std::uint32_t>& kernels, bool optimize) {
+    std::vector<ShaderSet> shaders(c.program.kernels.size());
+    std::vector<Job> jobs = list_jobs(c, kernels, shaders);
+    auto optimise = optimize ? spirv::Optimise::performance : spirv::Optimise::no;
+    std::atomic<std::size_t> next = 0;
+    auto work = [&] {
+        for (std::size_t i = next++; i < jobs.size(); i = next++) run(jobs[i], c, optimise);
+    };
+    std::size_t helpers = std::min<std::size_t>(std::thread::hardware_concurrency(), jobs.size());
+    std::vector<std::jthread> threads;
+    for (std::size_t i = 1; i < helpers; ++i) threads.emplace_back(work);
+    work();
+    threads.clear();
+    for (const Job& job : jobs)
+        if (!job.error.empty())
+            throw std::runtime_error("the GLSL made for kernel '" + c.program.kernels[job.pass->kernel].display +
+                                     "' is not valid:\n" + job.error);
+    return shaders;
+}
+
+}  // namespace gliftc
