@@ -1,5 +1,208 @@
+// Pipelines as functions that call kernels and other pipelines.
 #include "emit/cpp/unit.h"
+
 namespace gliftc::cpp {
-std::string pipeline_signature(Unit&, std::uint32_t, bool, bool) { return ""; }
-void print_pipeline(Unit&, Writer&, std::uint32_t) {}
+
+namespace {
+
+using ir::Expr;
+using ir::ExprId;
+using ir::Op;
+using ir::Pipeline;
+using ir::Stmt;
+using ir::StmtOp;
+using ir::TypeKind;
+
+struct PipelinePrinter {
+    Unit& unit;
+    const Pipeline& pipeline;
+    Printer p;
+    bool tracks = false;   ///< a test: notes which structures passes write
+
+    PipelinePrinter(Unit& unit, const Pipeline& pipeline) : unit(unit), pipeline(pipeline), p(unit.globals) {
+        p.outer_expression = [this](const Expr& expr) { return expression(expr); };
+        p.outer_statement = [this](const Stmt& stmt) { statement(stmt); };
+    }
+    PipelinePrinter(const PipelinePrinter&) = delete;
+
+    TypeKind kind(ir::TypeId type) const { return unit.program.types.kind(type); }
+    bool is_slice(const Expr& expr) const { return expr.local && kind(unit.program.locals[expr.local].type) == TypeKind::slice; }
+    std::string object(const Expr& expr);
+    std::uint32_t root_structure(const Expr& expr) const;
+    Text property(const Expr& expr);
+    std::string base(const Expr& expr);
+    Text expression(const Expr& expr);
+    Text slice(const Expr& expr);
+    Text call(const Expr& expr);
+    void statement(const Stmt& stmt);
+    void temporary(const Stmt& stmt);
+    void dispatch(const Stmt& stmt);
+};
+
+/// The structure that the place begins at: `f.`, `part->`, or empty for the adaptor itself.
+std::string PipelinePrinter::object(const Expr& expr) {
+    if (!expr.local) return "";
+    return p.local_names.at(expr.local) + (is_slice(expr) ? "->" : ".");
 }
+
+std::uint32_t PipelinePrinter::root_structure(const Expr& expr) const {
+    if (!expr.local) return pipeline.owner.value_or(0);
+    const ir::Type& type = unit.program.types[unit.program.locals[expr.local].type];
+    return type.kind == TypeKind::slice ? unit.program.types[type.element].index : type.index;
+}
+
+Text PipelinePrinter::property(const Expr& expr) {
+    return structure_property(unit.globals, expr, root_structure(expr), object(expr));
+}
+
+/// The structure or slice at the expression's place, as an expression of its own.
+std::string PipelinePrinter::base(const Expr& expr) {
+    if (is_slice(expr) && expr.place.members.empty()) return p.local_names.at(expr.local);
+    Expr whole{.op = Op::structure_value, .local = expr.local, .place = expr.place};
+    return wrap(property(whole), Level::postfix);
+}
+
+Text PipelinePrinter::slice(const Expr& expr) {
+    const std::string origin = print_any(p, expr.operands[0]), size = print_any(p, expr.operands[1]);
+    if (kind(unit.program.exprs[expr.operands[1]].type) == TypeKind::device) return {base(expr) + ".first(" + size + ")"};
+    return {base(expr) + ".range(" + origin + ", " + size + ")"};
+}
+
+Text PipelinePrinter::call(const Expr& expr) {
+    const Pipeline& callee = unit.program.pipelines[expr.slot];
+    std::string name = unit.globals.pipeline_names.at(expr.slot);
+    if (callee.owner) {
+        const std::string owner = base(expr);
+        name = (owner == "*this" || owner == "(*this)" ? "" : owner + ".") + name;
+    }
+    const std::string arguments = join_arguments(p, expr.operands);
+    return {name + "(commands" + (arguments.empty() ? "" : ", ") + arguments + ")"};
+}
+
+Text PipelinePrinter::expression(const Expr& expr) {
+    switch (expr.op) {
+    case Op::member: case Op::memory_extent: case Op::host_state: return property(expr);
+    case Op::structure_value:
+        if (is_slice(expr) && expr.place.members.empty()) return {p.local_names.at(expr.local)};
+        return property(expr);
+    case Op::domain:
+        if (is_slice(expr) && expr.place.members.empty()) return {p.local_names.at(expr.local) + ".size()"};
+        return property(expr);
+    case Op::element_count: return {"glift::element_count(" + base(expr) + ")"};
+    case Op::device_read: return {base(expr) + ".element(commands, " + print_any(p, expr.operands[0]) + ")"};
+    case Op::host_read: return {base(expr) + ".element(commands, " + print_any(p, expr.operands[0]) + ").await(commands)"};
+    case Op::await_value: return {print(p, expr.operands[0], Level::postfix) + ".await(commands)"};
+    case Op::slice: return slice(expr);
+    case Op::pipeline_call: return call(expr);
+    case Op::constant: case Op::local: case Op::construct: case Op::convert: case Op::unary: case Op::binary: case Op::select:
+    case Op::swizzle: case Op::index: case Op::field: case Op::call: case Op::intrinsic: case Op::none: case Op::some:
+    case Op::has_value: case Op::value: case Op::element: case Op::address: case Op::near: case Op::read: case Op::sample:
+    case Op::range_size: case Op::state: case Op::translate: case Op::invocation: case Op::parameter: case Op::load:
+    case Op::image_load: case Op::image_sample: case Op::builtin: break;
+    }
+    return {"/* not a host expression */"};
+}
+
+/// Structures first, then values, as the classes' constructors have them.
+void PipelinePrinter::temporary(const Stmt& stmt) {
+    const ir::Type& type = unit.program.types[unit.program.locals[stmt.local].type];
+    const ir::Structure& made = unit.program.structures[type.index];
+    std::string structures, values;
+    for (ExprId argument : stmt.arguments) {
+        std::string& list = kind(unit.program.exprs[argument].type) == TypeKind::structure ? structures : values;
+        list += ", " + print_any(p, argument);
+    }
+    std::string arguments = (made.kind == ir::StructureKind::view ? "" : ", commands.device()") + structures + values;
+    const std::string name = declare_local(p, stmt.local);
+    p.out.line(unit.class_name(type.index) + " " + name + "(" + (arguments.empty() ? "" : arguments.substr(2)) + ");");
+    if (tracks && made.kind == ir::StructureKind::stored) p.out.line("test.watch(\"" + name + "\", " + name + ");");
+}
+
+void PipelinePrinter::dispatch(const Stmt& stmt) {
+    const ir::Kernel& kernel = unit.program.kernels[stmt.slot];
+    std::string arguments;
+    for (std::size_t i = 0; i < stmt.arguments.size(); ++i) {
+        if (!is_passed(kernel, i)) continue;
+        const ir::TypeId type = unit.program.exprs[stmt.arguments[i]].type;
+        std::string argument = print(p, stmt.arguments[i], Level::postfix);
+        // A value that a kernel takes is part of its parameters, which the host packs.
+        if (kernel.params[i].pattern == ir::Pattern::value && kind(type) == TypeKind::device) argument += ".await(commands)";
+        arguments += ", " + argument;
+    }
+    p.out.line(unit.globals.kernel_names.at(stmt.slot) + "(commands" + arguments + ");");
+}
+
+void PipelinePrinter::statement(const Stmt& stmt) {
+    const auto place = [&] { return "\"" + place_text(unit.sources, stmt.span) + "\""; };
+    switch (stmt.op) {
+    case StmtOp::temp: return temporary(stmt);
+    case StmtOp::release:
+        // A test looks at its structures when it is over.
+        if (tracks) return;
+        for (ir::LocalId local : stmt.locals) p.out.line(p.local_names.at(local) + " = {};");
+        return;
+    case StmtOp::dispatch: return dispatch(stmt);
+    case StmtOp::expect: return p.out.line("test.expect(" + print_any(p, stmt.value) + ", " + place() + ");");
+    case StmtOp::expect_near: return p.out.line("test.expect_near(" + join_arguments(p, stmt.arguments) + ", " + place() + ");");
+    case StmtOp::expect_same:
+        return p.out.line("test.expect_same(" + join_arguments(p, stmt.arguments) + ", " + place() + ");");
+    case StmtOp::host_assign: return p.out.line(print_any(p, stmt.target) + " = " + print_any(p, stmt.value) + ";");
+    case StmtOp::let: case StmtOp::assign: case StmtOp::if_: case StmtOp::for_: case StmtOp::while_: case StmtOp::break_:
+    case StmtOp::continue_: case StmtOp::return_: case StmtOp::block: case StmtOp::evaluate: case StmtOp::barrier:
+    case StmtOp::set_element: case StmtOp::write: case StmtOp::store: case StmtOp::image_store: case StmtOp::atomic: break;
+    }
+    p.out.line("/* not a host statement */");
+}
+
+bool is_test(const Unit& unit, std::uint32_t pipeline) {
+    for (const ir::Test& test : unit.program.tests) {
+        if (test.pipeline == pipeline) return true;
+    }
+    return false;
+}
+
+std::string param_type(const Unit& unit, const ir::PipelineParam& param, bool qualified) {
+    const ir::TypeId type = unit.program.locals[param.local].type;
+    switch (param.pattern) {
+    case ir::HostPattern::value: return unit.type(type, qualified) + " ";
+    case ir::HostPattern::range: return "const " + unit.type(type, qualified) + "& ";
+    case ir::HostPattern::structure: {
+        const bool changes = unit.program.structures[unit.program.types[type].index].kind == ir::StructureKind::adaptor &&
+                             param.direction != ir::Direction::in;
+        return (changes ? "" : "const ") + unit.type(type, qualified) + "& ";
+    }
+    }
+    return "";
+}
+
+std::string signature(Unit& unit, std::uint32_t index, const std::string& owner, bool qualified) {
+    const Pipeline& pipeline = unit.program.pipelines[index];
+    std::string parameters = "const glift::Commands& commands";
+    if (is_test(unit, index)) parameters = "glift::Test& test, const glift::Commands& commands";
+    for (const ir::PipelineParam& param : pipeline.params)
+        parameters += ", " + param_type(unit, param, qualified) + identifier(unit.name(param.name));
+    return unit.type(pipeline.result, qualified) + " " + owner + unit.globals.pipeline_names.at(index) + "(" + parameters + ")";
+}
+
+}  // namespace
+
+std::string pipeline_signature(Unit& unit, std::uint32_t index, bool qualified, bool) {
+    return signature(unit, index, "", qualified);
+}
+
+void print_pipeline(Unit& unit, Writer& out, std::uint32_t index) {
+    const Pipeline& pipeline = unit.program.pipelines[index];
+    PipelinePrinter printer(unit, pipeline);
+    printer.tracks = is_test(unit, index);
+    printer.p.names.declare("test");
+    for (const ir::PipelineParam& param : pipeline.params) declare_local(printer.p, param.local);
+    printer.p.out.indent();
+    print_statements(printer.p, pipeline.body);
+    out.gap();
+    out.line("// " + place_text(unit.sources, pipeline.span) + ": " + pipeline.display);
+    out.open(signature(unit, index, pipeline.owner ? unit.class_name(*pipeline.owner) + "::" : "", false));
+    out.raw(printer.p.out.take());
+    out.close();
+}
+
+}  // namespace gliftc::cpp

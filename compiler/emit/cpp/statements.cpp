@@ -147,7 +147,7 @@ void print_statements(Printer& p, const std::vector<ir::StmtId>& body) {
 
 void print_statement(Printer& p, ir::StmtId id) {
     const Stmt& stmt = p.program.stmts[id];
-    if (stmt.op != StmtOp::block) mark_line(p, stmt.span);
+    if (stmt.op != StmtOp::block && stmt.op != StmtOp::release) mark_line(p, stmt.span);
     if (!stmt.comment.empty()) p.out.line("// " + stmt.comment);
     switch (stmt.op) {
     case StmtOp::let: return print_let(p, stmt);

@@ -74,6 +74,22 @@ struct Box {
 
 }  // namespace detail
 
+/// A value that lives on the device.
+template <class T>
+struct DeviceScalar {
+    Memory memory;
+    std::uint64_t offset = 0;
+
+    /// Waits for what the value depends on.
+    T await(const Commands& commands) const {
+        const Download download = commands.download(memory, offset, sizeof(T));
+        T value;
+        std::memcpy(&value, download.get().data(), sizeof(T));
+        return value;
+    }
+    operator DeviceValue() const { return {memory, offset}; }
+};
+
 /// A box of a structure of type S, or all of it. Holds on to the structure by address.
 template <class S>
 class Range {
@@ -92,7 +108,15 @@ public:
     Address size() const { return size_; }
     bool is_whole() const { return whole_; }
     /// Where the number of elements along x comes from; no memory where the host knows it.
-    const DeviceValue& count() const { return count_; }
+    const DeviceValue& device_count() const { return count_; }
+
+    /// A box of this box.
+    Range range(Address origin, Address size) const { return Range(*structure_, origin_ + origin, size); }
+    /// As many elements from the first on as a value on the device says, all at most.
+    Range first(DeviceValue count) const { return Range(*structure_, origin_, size_, std::move(count)); }
+    /// An element of the box, left on the device.
+    auto element(const Commands& commands, Address address) const { return structure_->element(commands, origin_ + address); }
+    std::vector<typename S::Element> read() const { return structure_->read(origin_, size_); }
 
 private:
     const S* structure_;
@@ -101,6 +125,13 @@ private:
     DeviceValue count_{};
     bool whole_ = false;
 };
+
+/// How many elements a structure or a box has.
+template <class S>
+uint element_count(const S& structure) {
+    if constexpr (requires { structure.size(); }) return static_cast<uint>(detail::volume_of(detail::extent_of(structure.size())));
+    else return static_cast<uint>(detail::volume_of(detail::extent_of(structure.domain())));
+}
 
 /// The elements that one call of a kernel visits, checked while its arguments are looked at one by one.
 class Iteration {
@@ -116,7 +147,7 @@ public:
         else if (box.size != first_.size) throw_sizes(first_, box);
         ++count_;
         whole_ = whole_ && range.is_whole();
-        if (range.count().memory) device_count_ = &range.count();
+        if (range.device_count().memory) device_count_ = &range.device_count();
     }
 
     /// A range that is looked at around the current element. A whole structure follows the first visited range; a box
@@ -187,22 +218,6 @@ template <class T>
 std::span<const std::byte> bytes_of(const T& value) {
     return std::as_bytes(std::span(&value, 1));
 }
-
-/// A value that lives on the device.
-template <class T>
-struct DeviceScalar {
-    Memory memory;
-    std::uint64_t offset = 0;
-
-    /// Waits for what the value depends on.
-    T await(const Commands& commands) const {
-        const Download download = commands.download(memory, offset, sizeof(T));
-        T value;
-        std::memcpy(&value, download.get().data(), sizeof(T));
-        return value;
-    }
-    operator DeviceValue() const { return {memory, offset}; }
-};
 
 /// A box of elements on the host, written back to the structure when it is unmapped or goes out of scope.
 template <class S>
@@ -310,6 +325,17 @@ public:
         return values;
     }
     std::vector<T> read() const { return read({}, self().domain()); }
+
+    /// One element, left on the device.
+    DeviceScalar<T> element(const Commands& commands, A address) const {
+        const Range<Self> range(self(), address, A(1));
+        check("element", range);
+        const Memory box = new_box(sizeof(T));
+        self().copy_out(commands, range, box);
+        return {box, 0};
+    }
+    /// As many elements from the first on as a value on the device says.
+    Range<Self> first(DeviceValue count) const { return Range<Self>(self()).first(std::move(count)); }
 
     /// A box of another structure with the same elements; the two may be laid out differently.
     template <class Other>
