@@ -40,25 +40,25 @@ Text print_outer(Body& body, const Expr& expr) {
     }
     case Op::builtin:
         switch (expr.builtin) {
-        case ir::Builtin::global_id: return {"global_id"};
-        case ir::Builtin::local_id: return {"local_id"};
+        case ir::Builtin::global_id: return {body.first_only ? "(group_id * " + body.group_text + ")" : "global_id"};
+        case ir::Builtin::local_id: return {body.first_only ? "uint3()" : "local_id"};
         case ir::Builtin::group_id: return {"group_id"};
         case ir::Builtin::group_count: return {"group_count"};
-        case ir::Builtin::local_index: return {"local_index"};
+        case ir::Builtin::local_index: return {body.first_only ? "0u" : "local_index"};
         case ir::Builtin::subgroup_size: return {"1u"};
         case ir::Builtin::subgroup_lane: return {"0u"};
-        case ir::Builtin::subgroup_index: return {"local_index"};
+        case ir::Builtin::subgroup_index: return {body.first_only ? "0u" : "local_index"};
         }
         break;
     case Op::invocation:
         switch (expr.invocation) {
-        case ir::Invocation::local_index: return {"local_index"};
+        case ir::Invocation::local_index: return {body.first_only ? "0u" : "local_index"};
         case ir::Invocation::group_index: return {"group_index"};
         case ir::Invocation::group_count: return {"group_total"};
         case ir::Invocation::group_size: return {"group_size"};
         case ir::Invocation::subgroup_size: return {"1u"};
         case ir::Invocation::subgroup_lane: return {"0u"};
-        case ir::Invocation::subgroup_index: return {"local_index"};
+        case ir::Invocation::subgroup_index: return {body.first_only ? "0u" : "local_index"};
         }
         break;
     case Op::constant: case Op::local: case Op::construct: case Op::convert: case Op::unary: case Op::binary: case Op::select:

@@ -79,11 +79,16 @@ void for_each_row(const std::array<std::uint32_t, 4>& size, const Body& body) {
                       [&](const tbb::blocked_range<std::size_t>& range) { run(range.begin(), range.end()); });
 }
 
-/// Calls `body(group index)` for each of `count` workgroups, in parallel.
+/// Calls `body(group id, group count)` for the workgroups that cover `size`, in parallel.
 template <class Body>
-void for_each_group(std::size_t count, const Body& body) {
-    if (count == 1) return body(std::size_t{0});
-    tbb::parallel_for(std::size_t{0}, count, body);
+void for_each_group(const std::array<std::uint32_t, 4>& size, uint3 group, const Body& body) {
+    const uint3 count((size[0] + group.x - 1) / group.x, (size[1] + group.y - 1) / group.y, (size[2] * size[3] + group.z - 1) / group.z);
+    const std::size_t total = std::size_t{count.x} * count.y * count.z;
+    const auto run = [&](std::size_t i) {
+        body(uint3(static_cast<uint>(i % count.x), static_cast<uint>(i / count.x % count.y), static_cast<uint>(i / count.x / count.y)), count);
+    };
+    if (total == 1) run(0);
+    else tbb::parallel_for(std::size_t{0}, total, run);
 }
 
 /// The elements of a buffer.
