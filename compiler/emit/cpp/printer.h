@@ -66,6 +66,7 @@ struct Printer {
 std::string type_text(const Globals& globals, ir::TypeId type, bool qualified = false);
 /// As memory holds it: bool is four bytes.
 std::string storage_text(const Globals& globals, ir::TypeId type, bool qualified = false);
+std::string_view format_name(ir::Format format);
 std::string literal(const ir::Program& program, ir::TypeId type, std::uint64_t bits, double number);
 bool holds_bool(const ir::Program& program, ir::TypeId type);
 

@@ -9,32 +9,6 @@ namespace {
 using ir::Structure;
 using ir::StructureKind;
 
-std::string format_name(ir::Format format) {
-    switch (format) {
-    case ir::Format::none: return "none";
-    case ir::Format::r8: return "r8";
-    case ir::Format::rg8: return "rg8";
-    case ir::Format::rgba8: return "rgba8";
-    case ir::Format::r16f: return "r16f";
-    case ir::Format::rg16f: return "rg16f";
-    case ir::Format::rgba16f: return "rgba16f";
-    case ir::Format::r32f: return "r32f";
-    case ir::Format::rg32f: return "rg32f";
-    case ir::Format::rgba32f: return "rgba32f";
-    case ir::Format::r8ui: return "r8ui";
-    case ir::Format::r16ui: return "r16ui";
-    case ir::Format::r32ui: return "r32ui";
-    case ir::Format::rg32ui: return "rg32ui";
-    case ir::Format::rgba32ui: return "rgba32ui";
-    case ir::Format::r32i: return "r32i";
-    case ir::Format::rg32i: return "rg32i";
-    case ir::Format::rgba32i: return "rgba32i";
-    case ir::Format::rgba8ui: return "rgba8ui";
-    case ir::Format::d32: return "d32";
-    }
-    return "none";
-}
-
 /// One constructor of a class: its parameters as they are declared.
 struct Constructor {
     std::vector<std::string> parameters;
@@ -139,7 +113,7 @@ std::string memory_allocation(Unit& unit, Printer& p, std::uint32_t index, std::
     case ir::MemoryShape::image3d: text += ", .kind = glift::MemoryKind::image3d"; break;
     case ir::MemoryShape::imagecube: text += ", .kind = glift::MemoryKind::imagecube"; break;
     }
-    return text + ", .format = glift::Format::" + format_name(memory.format) + ", .extent = glift::image_extent(" + extent + ")" + mips + "})";
+    return text + ", .format = glift::Format::" + std::string(format_name(memory.format)) + ", .extent = glift::image_extent(" + extent + ")" + mips + "})";
 }
 
 /// A printer for expressions over the structure itself, within its class.

@@ -92,6 +92,32 @@ std::string storage_text(const Globals& globals, ir::TypeId type, bool qualified
     return Spelling{globals, qualified ? "glift::" : "", true}.of(type);
 }
 
+std::string_view format_name(ir::Format format) {
+    switch (format) {
+    case ir::Format::none: return "none";
+    case ir::Format::r8: return "r8";
+    case ir::Format::rg8: return "rg8";
+    case ir::Format::rgba8: return "rgba8";
+    case ir::Format::r16f: return "r16f";
+    case ir::Format::rg16f: return "rg16f";
+    case ir::Format::rgba16f: return "rgba16f";
+    case ir::Format::r32f: return "r32f";
+    case ir::Format::rg32f: return "rg32f";
+    case ir::Format::rgba32f: return "rgba32f";
+    case ir::Format::r8ui: return "r8ui";
+    case ir::Format::r16ui: return "r16ui";
+    case ir::Format::r32ui: return "r32ui";
+    case ir::Format::rg32ui: return "rg32ui";
+    case ir::Format::rgba32ui: return "rgba32ui";
+    case ir::Format::r32i: return "r32i";
+    case ir::Format::rg32i: return "rg32i";
+    case ir::Format::rgba32i: return "rgba32i";
+    case ir::Format::rgba8ui: return "rgba8ui";
+    case ir::Format::d32: return "d32";
+    }
+    return "none";
+}
+
 std::string literal(const ir::Program& program, ir::TypeId type, std::uint64_t bits, double number) {
     switch (program.types.kind(type)) {
     case TypeKind::bool_: return bits ? "true" : "false";

@@ -13,12 +13,12 @@ using ir::Op;
 using ir::Stmt;
 using ir::StmtOp;
 
-/// The type that an image access names: what a load gives.
-std::string image_call(Body& body, const char* name, std::uint32_t binding, bool typed) {
+/// `glift::host::load_texel<glift::Format::r32f, float>(f_data`, to be followed by more arguments.
+std::string image_call(Body& body, const char* name, std::uint32_t binding) {
     body.used_bindings.insert(binding);
     const ir::PassBinding& b = body.pass.bindings[binding];
-    return std::string("glift::host::") + name + (typed ? "<" + cpp::type_text(body.p.globals, b.element) + ">" : "") + "(" +
-           body.binding_names[binding];
+    return std::string("glift::host::") + name + "<glift::Format::" + std::string(cpp::format_name(b.format)) + ", " +
+           cpp::type_text(body.p.globals, b.element) + ">(" + body.binding_names[binding];
 }
 
 Text print_outer(Body& body, const Expr& expr) {
@@ -33,10 +33,10 @@ Text print_outer(Body& body, const Expr& expr) {
             text = cpp::type_text(p.globals, expr.type) + "(" + text + ")";
         return {text};
     }
-    case Op::image_load: return {image_call(body, "load_texel", expr.slot, true) + ", " + cpp::join_arguments(p, expr.operands) + ")"};
+    case Op::image_load: return {image_call(body, "load_texel", expr.slot) + ", " + cpp::join_arguments(p, expr.operands) + ")"};
     case Op::image_sample: {
         const char* function = body.pass.bindings[expr.slot].linear ? "sample_linear" : "sample_nearest";
-        return {image_call(body, function, expr.slot, true) + ", " + cpp::join_arguments(p, expr.operands) + ")"};
+        return {image_call(body, function, expr.slot) + ", " + cpp::join_arguments(p, expr.operands) + ")"};
     }
     case Op::builtin:
         switch (expr.builtin) {
@@ -96,7 +96,7 @@ void print_outer(Body& body, const Stmt& stmt) {
         return;
     }
     case StmtOp::image_store:
-        p.out.line(image_call(body, "store_texel", stmt.slot, false) + ", " + cpp::print_any(p, stmt.target) + ", " +
+        p.out.line(image_call(body, "store_texel", stmt.slot) + ", " + cpp::print_any(p, stmt.target) + ", " +
                    cpp::print_any(p, stmt.value) + ");");
         return;
     case StmtOp::atomic: {
@@ -107,7 +107,7 @@ void print_outer(Body& body, const Stmt& stmt) {
             p.out.line("glift::host::" + std::string(combine_name(stmt.combine)) + "(" + element + ", " + value + ");");
         } else {
             p.out.line("glift::host::" + std::string(combine_name(stmt.combine)) + "(" +
-                       image_call(body, "texel", stmt.slot, true) + ", " + cpp::print_any(p, stmt.target) + "), " + value + ");");
+                       image_call(body, "texel", stmt.slot) + ", " + cpp::print_any(p, stmt.target) + "), " + value + ");");
         }
         return;
     }

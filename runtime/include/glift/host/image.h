@@ -1,1 +1,215 @@
+// Texels of host memory as shaders see them: conversion between stored and computed values, loads and stores that are
+// safe anywhere, filtered reads.
 #pragma once
+
+#include <glift/host/math.h>
+#include <glift/memory.h>
+
+#include <array>
+#include <cmath>
+#include <cstring>
+
+namespace glift::host {
+
+namespace detail {
+
+/// A channel stored as an 8-bit fraction of one.
+struct Unorm8 {
+    std::uint8_t bits;
+};
+
+inline float decode(Unorm8 c) { return static_cast<float>(c.bits) / 255.0f; }
+inline float decode(half c) { return c; }
+inline float decode(float c) { return c; }
+inline std::uint32_t decode(std::uint8_t c) { return c; }
+inline std::uint32_t decode(std::uint16_t c) { return c; }
+inline std::uint32_t decode(std::uint32_t c) { return c; }
+inline std::int32_t decode(std::int32_t c) { return c; }
+
+/// Clamped and rounded to nearest even, as Vulkan converts to unorm; NaN is zero.
+inline void encode(Unorm8& c, float v) { c.bits = static_cast<std::uint8_t>(convert<uint>(round(clamp(v, 0.0f, 1.0f) * 255.0f))); }
+inline void encode(half& c, float v) { c = half(v); }
+inline void encode(float& c, float v) { c = v; }
+/// Unsigned integers too large for the format are cut to its largest.
+inline void encode(std::uint8_t& c, std::uint32_t v) { c = static_cast<std::uint8_t>(v < 255u ? v : 255u); }
+inline void encode(std::uint16_t& c, std::uint32_t v) { c = static_cast<std::uint16_t>(v < 65535u ? v : 65535u); }
+inline void encode(std::uint32_t& c, std::uint32_t v) { c = v; }
+inline void encode(std::int32_t& c, std::int32_t v) { c = v; }
+
+template <class C, unsigned N>
+struct TexelOf {
+    using Channel = C;
+    static constexpr unsigned channels = N;
+};
+
+template <Format F>
+constexpr auto texel_of() {
+    if constexpr (F == Format::r8) return TexelOf<Unorm8, 1>();
+    else if constexpr (F == Format::rg8) return TexelOf<Unorm8, 2>();
+    else if constexpr (F == Format::rgba8) return TexelOf<Unorm8, 4>();
+    else if constexpr (F == Format::r16f) return TexelOf<half, 1>();
+    else if constexpr (F == Format::rg16f) return TexelOf<half, 2>();
+    else if constexpr (F == Format::rgba16f) return TexelOf<half, 4>();
+    else if constexpr (F == Format::r32f || F == Format::d32) return TexelOf<float, 1>();
+    else if constexpr (F == Format::rg32f) return TexelOf<float, 2>();
+    else if constexpr (F == Format::rgba32f) return TexelOf<float, 4>();
+    else if constexpr (F == Format::r8ui) return TexelOf<std::uint8_t, 1>();
+    else if constexpr (F == Format::rgba8ui) return TexelOf<std::uint8_t, 4>();
+    else if constexpr (F == Format::r16ui) return TexelOf<std::uint16_t, 1>();
+    else if constexpr (F == Format::r32ui) return TexelOf<std::uint32_t, 1>();
+    else if constexpr (F == Format::rg32ui) return TexelOf<std::uint32_t, 2>();
+    else if constexpr (F == Format::rgba32ui) return TexelOf<std::uint32_t, 4>();
+    else if constexpr (F == Format::r32i) return TexelOf<std::int32_t, 1>();
+    else if constexpr (F == Format::rg32i) return TexelOf<std::int32_t, 2>();
+    else return TexelOf<std::int32_t, 4>();
+}
+
+template <class T>
+constexpr unsigned components = 1;
+template <class T, unsigned N>
+constexpr unsigned components<vec<T, N>> = N;
+
+inline std::array<std::int64_t, 3> coordinates(std::int32_t at) { return {at, 0, 0}; }
+inline std::array<std::int64_t, 3> coordinates(const int2& at) { return {at.x, at.y, 0}; }
+inline std::array<std::int64_t, 3> coordinates(const int3& at) { return {at.x, at.y, at.z}; }
+
+/// Where a mip level begins, in texels, and how large it is.
+struct Level {
+    std::size_t first = 0;
+    std::array<std::int64_t, 3> extent;
+};
+
+inline Level level_of(const HostMemory& memory, std::uint32_t level) {
+    Level result{0, {memory.extent[0], memory.extent[1], memory.extent[2]}};
+    for (std::uint32_t i = 0; i < level; ++i) {
+        result.first += static_cast<std::size_t>(result.extent[0] * result.extent[1] * result.extent[2]);
+        for (std::int64_t& n : result.extent) n = n > 1 ? n / 2 : 1;
+    }
+    return result;
+}
+
+/// Where a texel lies in its memory; null outside of the image.
+template <Format F>
+std::byte* texel_address(const HostMemory& memory, const std::array<std::int64_t, 3>& at, std::uint32_t level = 0) {
+    using Texel = decltype(texel_of<F>());
+    if (level >= memory.mips) return nullptr;
+    const Level mip = level_of(memory, level);
+    for (unsigned axis = 0; axis < 3; ++axis) {
+        if (at[axis] < 0 || at[axis] >= mip.extent[axis]) return nullptr;
+    }
+    const std::size_t index = mip.first + static_cast<std::size_t>((at[2] * mip.extent[1] + at[1]) * mip.extent[0] + at[0]);
+    return memory.data + index * (sizeof(typename Texel::Channel) * Texel::channels);
+}
+
+template <class T>
+void set_component(T& value, unsigned i, auto channel) {
+    if constexpr (components<T> == 1) value = static_cast<T>(channel);
+    else value[i] = static_cast<std::remove_cvref_t<decltype(value.x)>>(channel);
+}
+
+/// Channels that the format has not are 0, the fourth is 1.
+template <Format F, class T>
+T decode_texel(const std::byte* address) {
+    using Texel = decltype(texel_of<F>());
+    T value{};
+    if constexpr (components<T> == 4 && Texel::channels < 4) set_component(value, 3, 1);
+    for (unsigned i = 0; i < Texel::channels && i < components<T>; ++i) {
+        typename Texel::Channel channel;
+        std::memcpy(&channel, address + i * sizeof(channel), sizeof(channel));
+        set_component(value, i, decode(channel));
+    }
+    return value;
+}
+
+}  // namespace detail
+
+/// Zero outside of the image.
+template <Format F, class T, class At>
+T load_texel(const HostMemory& memory, const At& at, std::int32_t level = 0) {
+    const std::byte* address = detail::texel_address<F>(memory, detail::coordinates(at), static_cast<std::uint32_t>(level));
+    return address ? detail::decode_texel<F, T>(address) : T{};
+}
+
+/// Goes nowhere outside of the image.
+template <Format F, class T, class At>
+void store_texel(const HostMemory& memory, const At& at, const T& value) {
+    using Texel = decltype(detail::texel_of<F>());
+    std::byte* address = detail::texel_address<F>(memory, detail::coordinates(at));
+    if (!address) return;
+    for (unsigned i = 0; i < Texel::channels; ++i) {
+        typename Texel::Channel channel{};
+        if constexpr (detail::components<T> == 1) {
+            if (i == 0) detail::encode(channel, value);
+        } else if (i < detail::components<T>) {
+            detail::encode(channel, value[i]);
+        }
+        std::memcpy(address + i * sizeof(channel), &channel, sizeof(channel));
+    }
+}
+
+/// A texel of one 32-bit channel, for atomics. Outside of the image: a place of no consequence.
+template <Format F, class T, class At>
+T& texel(const HostMemory& memory, const At& at) {
+    static thread_local T nowhere;
+    std::byte* address = detail::texel_address<F>(memory, detail::coordinates(at));
+    return address ? *reinterpret_cast<T*>(address) : nowhere;
+}
+
+namespace detail {
+
+inline std::array<float, 3> as_array(float at) { return {at, 0.5f, 0.5f}; }
+inline std::array<float, 3> as_array(const float2& at) { return {at.x, at.y, 0.5f}; }
+inline std::array<float, 3> as_array(const float3& at) { return {at.x, at.y, at.z}; }
+
+inline std::uint32_t nearest_level(const HostMemory& memory, float level) {
+    const float clamped = clamp(round(level), 0.0f, static_cast<float>(memory.mips - 1));
+    return convert<uint>(clamped);
+}
+
+/// The texel at the edge stands for all beyond it.
+template <Format F, class T>
+T clamped_texel(const HostMemory& memory, std::array<std::int64_t, 3> at, std::uint32_t level) {
+    const Level mip = level_of(memory, level);
+    for (unsigned axis = 0; axis < 3; ++axis) at[axis] = at[axis] < 0 ? 0 : at[axis] >= mip.extent[axis] ? mip.extent[axis] - 1 : at[axis];
+    return decode_texel<F, T>(texel_address<F>(memory, at, level));
+}
+
+}  // namespace detail
+
+/// The texel that normalised coordinates fall into.
+template <Format F, class T, class At>
+T sample_nearest(const HostMemory& memory, const At& at, float level = 0.0f) {
+    const std::array<float, 3> point = detail::as_array(at);
+    const std::uint32_t mip = detail::nearest_level(memory, level);
+    const auto extent = detail::level_of(memory, mip).extent;
+    std::array<std::int64_t, 3> texel;
+    for (unsigned axis = 0; axis < 3; ++axis)
+        texel[axis] = convert<std::int32_t>(floor(point[axis] * static_cast<float>(extent[axis])));
+    return detail::clamped_texel<F, T>(memory, texel, mip);
+}
+
+/// Between texel centres linearly along each axis, x first.
+template <Format F, class T, class At>
+T sample_linear(const HostMemory& memory, const At& at, float level = 0.0f) {
+    const std::array<float, 3> point = detail::as_array(at);
+    const std::uint32_t mip = detail::nearest_level(memory, level);
+    const auto extent = detail::level_of(memory, mip).extent;
+    constexpr unsigned axes = detail::components<At>;
+    std::array<std::int64_t, 3> low{};
+    std::array<float, 3> weight{};
+    for (unsigned axis = 0; axis < axes; ++axis) {
+        const float texel = point[axis] * static_cast<float>(extent[axis]) - 0.5f;
+        low[axis] = convert<std::int32_t>(floor(texel));
+        weight[axis] = texel - floor(texel);
+    }
+    std::array<T, 8> corners;
+    for (unsigned i = 0; i < (1u << axes); ++i)
+        corners[i] = detail::clamped_texel<F, T>(memory, {low[0] + (i & 1), low[1] + (i >> 1 & 1), low[2] + (i >> 2)}, mip);
+    for (unsigned axis = 0; axis < axes; ++axis) {
+        for (unsigned i = 0; i < (1u << (axes - 1 - axis)); ++i)
+            corners[i] = mix(corners[2 * i], corners[2 * i + 1], weight[axis]);
+    }
+    return corners[0];
+}
+
+}  // namespace glift::host
