@@ -35,7 +35,8 @@ void check_direction(Context& c, const ast::Param& param, ir::KernelParam& made)
     bool writes_only = made.pattern == ir::Pattern::scatter;
     switch (param.direction) {
         case ast::Direction::none:
-            made.direction = writes_only ? ir::Direction::out : ir::Direction::in;
+            // inout, so that the body's own use of it is no second mistake.
+            made.direction = writes_only ? ir::Direction::out : reads_only ? ir::Direction::in : ir::Direction::inout;
             if (made.pattern == ir::Pattern::each || writes_only)
                 note(c.error(Diag::direction_missing, param.name.span, {c.text(param.name.name)}), param.name.span, "write 'in', 'out' or 'inout' before the pattern");
             break;
@@ -84,8 +85,9 @@ void add_param(Body& body, const ast::Param& param, ir::Kernel& kernel) {
     made.span = param.name.span;
     made.pattern = lowered(param.pattern);
     auto index = static_cast<std::uint32_t>(kernel.params.size());
+    ir::TypeId type = c.types().error;
     if (param.pattern == ast::Pattern::range) c.error(Diag::range_in_kernel, param.pattern_span);
-    ir::TypeId type = type_of(c, body.env, param.type);
+    else type = type_of(c, body.env, param.type);
     if (made.pattern == ir::Pattern::value) {
         bool is_structure = c.types().kind(type) == ir::TypeKind::structure;
         if (is_structure)
@@ -123,7 +125,7 @@ void add_param(Body& body, const ast::Param& param, ir::Kernel& kernel) {
 }
 
 /// The virtual domain that the kernel runs over: all its each and at parameters share it.
-void find_domain(Context& c, ir::Kernel& kernel) {
+void find_domain(Context& c, ir::Kernel& kernel, bool parameters_are_good) {
     const ir::KernelParam* first = nullptr;
     for (const ir::KernelParam& param : kernel.params) {
         if (param.pattern != ir::Pattern::each && param.pattern != ir::Pattern::at) continue;
@@ -134,11 +136,11 @@ void find_domain(Context& c, ir::Kernel& kernel) {
                  first->span, "the iteration follows this one");
         }
     }
-    if (!first) {
+    if (!first && parameters_are_good) {
         note(c.error(Diag::no_iteration, kernel.span, {kernel.display}), kernel.span,
              "a kernel runs once for each element of an 'each' or 'at' parameter: give it one");
-        return;
     }
+    if (!first) return;
     for (const ir::KernelParam& param : kernel.params) {
         if (param.pattern != ir::Pattern::near) continue;
         ir::TypeId domain = c.program.structures[param.structure].domain_type;
@@ -184,7 +186,7 @@ std::optional<std::uint32_t> instantiate_kernel(Context& c, ast::DeclId id, cons
     read_group(c, env, written, kernel);
     Body body{.context = c, .env = env, .kind = BodyKind::kernel, .block = &kernel.body, .result = c.types().void_, .kernel = &kernel};
     for (const ast::Param& param : written.params) add_param(body, param, kernel);
-    find_domain(c, kernel);
+    find_domain(c, kernel, c.diagnostics.error_count() == errors);
     open_scope(body);
     check_block(body, written.body);
     close_scope(body);

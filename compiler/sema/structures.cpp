@@ -429,11 +429,15 @@ ir::TypeId make_structure(Context& c, ast::DeclId id, const Env& env) {
     Body body{.context = c, .env = env, .kind = BodyKind::structure};
     bring_members_into_scope(body, index);
     const ast::Item *domain = nullptr, *otherwise = nullptr;
+    bool has_via = false;
     for_each_item(c, env, written.items, [&](const ast::Item& item) {
         switch (item.kind) {
             case ast::ItemKind::memory: add_memory(body, index, item); break;
             case ast::ItemKind::member: add_member(body, index, item); break;
-            case ast::ItemKind::via: add_via(body, index, item); break;
+            case ast::ItemKind::via:
+                has_via = true;
+                add_via(body, index, item);
+                break;
             case ast::ItemKind::otherwise: otherwise = &item; break;
             case ast::ItemKind::function:
                 if (c.text(c[item.decl].name.name) == "domain") domain = &item;
@@ -443,6 +447,8 @@ ir::TypeId make_structure(Context& c, ast::DeclId id, const Env& env) {
             case ast::ItemKind::condition: break;
         }
     });
+    // What is wrong with the translator that it names was said where the translator stands.
+    if (has_via && c.program.structures[index].via.empty()) return c.types().error;
     if (c.diagnostics.error_count() == errors) finish_structure(body, index, domain, otherwise);
     return c.diagnostics.error_count() == errors ? c.types().of_structure(index) : c.types().error;
 }
