@@ -1,6 +1,7 @@
 #include "driver/compile.h"
 
 #include "driver/emit.h"
+#include "driver/import_structs.h"
 #include "ir/print.h"
 #include "layout/layout.h"
 #include "lower/lower.h"
@@ -56,6 +57,10 @@ Result compile(const Options& options, const FileSystem& files, Compilation& c) 
     clock.lap("syntax");
     if (options.dump == Stage::syntax) result.dump = dump_syntax(c);
     if (stops_after(Stage::syntax)) return result;
+
+    import_structs(options, files, c);
+    clock.lap("import");
+    if (c.diagnostics.has_errors()) return result;
 
     c.program = sema::check(c.loaded.modules, c.tree, c.names, c.diagnostics, {.defines = options.defines});
     clock.lap("sema");

@@ -23,6 +23,9 @@ ir::TypeId make_struct(Context& c, ast::DeclId id, const Env& env, const std::st
     record.doc = decl.doc;
     record.span = decl.name.span;
     record.extern_header = written.extern_header;
+    record.extern_name = written.extern_name;
+    record.offsets = written.offsets;
+    record.size = written.size;
     c.program.structs.push_back(record);
     c.instances[key].index = index;
     c.struct_decl[index] = id;

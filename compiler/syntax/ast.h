@@ -162,6 +162,10 @@ struct Struct {
     std::vector<Field> fields;
     std::string extern_header;          ///< `extern struct X from "file.hpp";`, else empty
     Span extern_span;
+    // Filled from the header before sema, with `fields`:
+    std::string extern_name;            ///< as C++ writes it: "sim::Particle"
+    std::vector<std::uint32_t> offsets; ///< bytes, one a field
+    std::uint32_t size = 0;             ///< bytes
 };
 
 struct Enumerator {

@@ -1,0 +1,149 @@
+#include "driver/import_structs.h"
+
+#include "interop/interop.h"
+
+#include <filesystem>
+
+namespace gliftc {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string_view scalar_name(ImportedScalar scalar) {
+    switch (scalar) {
+    case ImportedScalar::Bool: return "bool";
+    case ImportedScalar::Int: return "int";
+    case ImportedScalar::Uint: return "uint";
+    case ImportedScalar::Float: return "float";
+    case ImportedScalar::Half: return "half";
+    case ImportedScalar::Double: return "double";
+    case ImportedScalar::Int64: return "int64";
+    case ImportedScalar::Uint64: return "uint64";
+    case ImportedScalar::Struct: break;
+    }
+    return "";
+}
+
+/// "Spin" of "sim::Spin".
+std::string last_part(const std::string& name) {
+    std::size_t colon = name.rfind(':');
+    return colon == std::string::npos ? name : name.substr(colon + 1);
+}
+
+class Importer {
+public:
+    Importer(const Options& options, const FileSystem& files, Compilation& c) : options_(options), files_(files), c_(c) {}
+
+    void complete(ast::Module& module) {
+        // Imports add declarations to the module; those need no completing.
+        std::size_t written = module.decls.size();
+        for (std::size_t i = 0; i < written; ++i) {
+            const auto* record = std::get_if<ast::Struct>(&c_.tree.decls[module.decls[i]].body);
+            if (record && !record->extern_header.empty()) import(module, module.decls[i]);
+        }
+    }
+
+private:
+    void import(ast::Module& module, ast::DeclId id) {
+        const ast::Decl decl = c_.tree.decls[id];
+        const auto& record = std::get<ast::Struct>(decl.body);
+        ImportRequest request;
+        request.name = c_.names[decl.name.name];
+        request.include_dirs = options_.import_folders;
+        request.header = find_header(record.extern_header, module.file);
+        if (request.header.empty()) return fail(record, request.name, "there is no such file beside this one or in a folder given by -I");
+        ImportResult imported = import_struct(request);
+        if (!imported.error.empty()) {
+            std::string place = imported.error_file;
+            if (imported.error_line) place += ":" + std::to_string(imported.error_line);
+            return fail(record, request.name, (place.empty() ? "" : place + ": ") + imported.error);
+        }
+        c_.read_files.insert(c_.read_files.end(), imported.read_files.begin(), imported.read_files.end());
+        for (std::size_t i = 0; i + 1 < imported.structs.size(); ++i) add_nested(module, decl, imported, i);
+        fill(std::get<ast::Struct>(c_.tree.decls[id].body), decl.name.span, imported, imported.structs.size() - 1);
+    }
+
+    void fail(const ast::Struct& record, const std::string& name, const std::string& why) {
+        c_.diagnostics.report(Diag::cannot_import, record.extern_span, {name, record.extern_header, why});
+    }
+
+    std::string find_header(const std::string& header, std::uint32_t file) const {
+        std::vector<fs::path> folders{fs::path(c_.sources[file].path).parent_path()};
+        folders.insert(folders.end(), options_.import_folders.begin(), options_.import_folders.end());
+        for (const fs::path& folder : folders) {
+            std::string path = (folder / header).lexically_normal().generic_string();
+            if (files_.exists(path)) return path;
+        }
+        return {};
+    }
+
+    /// A struct inside the imported one is a declaration of its own, unless the module has imported it by name.
+    void add_nested(ast::Module& module, const ast::Decl& outer, const ImportResult& imported, std::size_t index) {
+        Name name = c_.names.intern(last_part(imported.structs[index].name));
+        for (ast::DeclId other : module.decls)
+            if (c_.tree.decls[other].name.name == name) return;
+        ast::Decl nested;
+        nested.name = {name, outer.name.span};
+        nested.span = outer.span;
+        nested.is_pub = outer.is_pub;
+        nested.is_extern = true;
+        ast::Struct record;
+        record.extern_header = std::get<ast::Struct>(outer.body).extern_header;
+        record.extern_span = std::get<ast::Struct>(outer.body).extern_span;
+        fill(record, outer.name.span, imported, index);
+        nested.body = std::move(record);
+        module.decls.push_back(c_.tree.decls.add(std::move(nested)));
+    }
+
+    void fill(ast::Struct& record, Span span, const ImportResult& imported, std::size_t index) {
+        const ImportedStruct& from = imported.structs[index];
+        record.extern_name = from.name;
+        record.size = static_cast<std::uint32_t>(from.size);
+        record.fields.clear();
+        record.offsets.clear();
+        for (const ImportedField& field : from.fields) {
+            ast::Field made;
+            made.name = {c_.names.intern(field.name), span};
+            made.type = type_of(field.type, span, imported);
+            record.fields.push_back(std::move(made));
+            record.offsets.push_back(static_cast<std::uint32_t>(field.offset));
+        }
+    }
+
+    ast::ExprId type_of(const ImportedType& type, Span span, const ImportResult& imported) {
+        bool is_struct = type.scalar == ImportedScalar::Struct;
+        std::string name = is_struct ? last_part(imported.structs[type.record].name) : std::string(scalar_name(type.scalar));
+        if (type.components > 1) name += std::to_string(type.components);
+        ast::Expr element;
+        element.kind = ast::ExprKind::name;
+        element.span = span;
+        element.name = c_.names.intern(name);
+        ast::ExprId made = c_.tree.exprs.add(std::move(element));
+        for (auto extent = type.array_extents.rbegin(); extent != type.array_extents.rend(); ++extent) {
+            ast::Expr count;
+            count.kind = ast::ExprKind::int_literal;
+            count.span = span;
+            count.value = *extent;
+            ast::Expr array;
+            array.kind = ast::ExprKind::index;
+            array.span = span;
+            array.operands = {made, c_.tree.exprs.add(std::move(count))};
+            made = c_.tree.exprs.add(std::move(array));
+        }
+        return made;
+    }
+
+    const Options& options_;
+    const FileSystem& files_;
+    Compilation& c_;
+};
+
+}  // namespace
+
+void import_structs(const Options& options, const FileSystem& files, Compilation& compilation) {
+    Importer importer(options, files, compilation);
+    for (ast::Module& module : compilation.loaded.trees) importer.complete(module);
+}
+
+}  // namespace gliftc
