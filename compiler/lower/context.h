@@ -8,6 +8,7 @@
 #include <map>
 #include <string>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -35,6 +36,8 @@ struct Context {
     std::unordered_map<LocalId, ExprId> definitions;
     /// What a value was called in the source; used where it gets a name of its own.
     std::unordered_map<ExprId, std::string> names;
+    /// Locals that no source names: made for values used more than once.
+    std::unordered_set<LocalId> made;
     std::map<FunctionKey, ir::FunctionId> instances;
     ExprId size;                                      ///< the iteration's size
     std::unordered_map<ExprId, bool> uniform;

@@ -20,7 +20,8 @@ std::vector<StmtId> simplified(Context& cx, std::vector<StmtId> body) {
     body = share(cx, body);
     body = strengthen(cx, body);
     body = share(cx, body);
-    return drop_dead(cx, body);
+    body = drop_dead(cx, body);
+    return merge_single_uses(cx, body);
 }
 
 /// The parameter that is exactly this value, if there is one.

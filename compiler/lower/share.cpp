@@ -133,6 +133,7 @@ ExprId Sharing::visit(ExprId id, Where where) {
     if (record.uses < 2) return value;
     record.local = cx.new_local(record.name, node.type, span_);
     cx.definitions[record.local] = value;
+    cx.made.insert(record.local);
     numbers_.define(record.local, number);
     Stmt stmt = statement(StmtOp::let, span_);
     stmt.local = record.local;

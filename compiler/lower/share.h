@@ -11,6 +11,9 @@ namespace gliftc::lower {
 
 std::vector<StmtId> share(Context& cx, const std::vector<StmtId>& body);
 
+/// Puts the values of locals that share() made back where they are used, if that is one place and in no deeper loop.
+std::vector<StmtId> merge_single_uses(Context& cx, const std::vector<StmtId>& body);
+
 /// Drops lets that nothing uses.
 std::vector<StmtId> drop_dead(Context& cx, const std::vector<StmtId>& body);
 
