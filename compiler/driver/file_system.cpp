@@ -52,6 +52,12 @@ bool is_file(const std::string& path) {
     return stat(path.c_str(), &info) == 0 && !S_ISDIR(info.st_mode);
 }
 
+std::string identity_on_disk(const std::string& path) {
+    struct stat info {};
+    if (path == "-" || stat(path.c_str(), &info) != 0) return path;
+    return std::to_string(info.st_dev) + ":" + std::to_string(info.st_ino);
+}
+
 std::vector<std::string> names_in(const std::string& folder) {
     std::vector<std::string> names;
     std::error_code error;
@@ -63,7 +69,7 @@ std::vector<std::string> names_in(const std::string& folder) {
 
 }  // namespace
 
-FileSystem disk() { return {read_from_disk, is_file, names_in}; }
+FileSystem disk() { return {read_from_disk, is_file, names_in, identity_on_disk}; }
 
 FileSystem only_text(std::string text) {
     const std::string name = "input.glift";
@@ -71,7 +77,7 @@ FileSystem only_text(std::string text) {
                 return path == name ? ReadResult{text, {}} : ReadResult{{}, "there is no such file"};
             },
             [name](const std::string& path) { return path == name; },
-            [](const std::string&) { return std::vector<std::string>{}; }};
+            [](const std::string&) { return std::vector<std::string>{}; }, [](const std::string& path) { return path; }};
 }
 
 std::optional<std::string> write_if_changed(const std::string& path, const std::string& bytes) {

@@ -25,11 +25,11 @@ public:
     }
 
     LoadedModules run() {
-        if (std::string path = find_in_library(sema::transfer_module); !path.empty()) load(path, {}, std::string(sema::transfer_module));
         for (const std::string& file : options_.files) {
             std::uint32_t index = load(file, {}, {});
             if (index != not_found) loaded_.modules[index].is_root = true;
         }
+        if (std::string path = find_in_library(sema::transfer_module); !path.empty()) load(path, {}, std::string(sema::transfer_module));
         return std::move(loaded_);
     }
 
@@ -41,10 +41,10 @@ private:
 
     /// The module's index, loading it if it is new. `use` is where it was asked for; `name` what it must be called, or empty.
     std::uint32_t load(const std::string& path, Span use, const std::string& name) {
-        std::string key = path == "-" ? path : fs::path(path).lexically_normal().generic_string();
-        auto [entry, is_new] = known_.try_emplace(key);
+        std::string shown = path == "-" ? path : fs::path(path).lexically_normal().generic_string();
+        auto [entry, is_new] = known_.try_emplace(files_.identity(shown));
         if (!is_new) {
-            if (entry->second.under_way) report_cycle(use, name.empty() ? key : name);
+            if (entry->second.under_way) report_cycle(use, name.empty() ? shown : name);
             return entry->second.index;
         }
         ReadResult read = files_.read(path);
@@ -53,18 +53,18 @@ private:
             entry->second.under_way = false;
             return not_found;
         }
-        std::uint32_t file = sources_.add(path == "-" ? "<stdin>" : key, std::move(read.text));
+        std::uint32_t file = sources_.add(path == "-" ? "<stdin>" : shown, std::move(read.text));
         loaded_.trees.push_back(parse(file, sources_, names_, tree_, diagnostics_));
         const ast::Module& module = loaded_.trees.back();
-        if (path != "-") check_name(module, key, name);
+        if (path != "-") check_name(module, shown, name);
         check_unique(module);
         sema::LoadedModule loaded;
         loaded.tree = &module;
         under_way_.push_back(use);
-        for (const ast::Use& each : module.uses) loaded.uses.push_back(follow(each, key));
+        for (const ast::Use& each : module.uses) loaded.uses.push_back(follow(each, shown));
         under_way_.pop_back();
         loaded_.modules.push_back(std::move(loaded));
-        File& done = known_[key];
+        File& done = known_[files_.identity(shown)];
         done = {false, static_cast<std::uint32_t>(loaded_.modules.size() - 1)};
         return done.index;
     }

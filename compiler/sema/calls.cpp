@@ -77,6 +77,8 @@ std::unique_ptr<Env> match(Body& body, ast::DeclId id, const Env* owner, const s
         else if (ir::TypeId type = operand_type(body, arguments.operands[i])) generics.infer(function.params[i].type, type);
     }
     if (wanted && function.result) generics.infer(function.result, wanted);
+    for (std::size_t i = 0; i < function.params.size(); ++i)
+        if (arguments.waits[i]) infer_from_literal(generics, function.params[i].type, call.operands[i + 1]);
     if (!generics.finish(!report)) return nullptr;
     for (std::size_t i = 0; i < function.params.size(); ++i) {
         if (arguments.waits[i] || arguments.operands[i].kind == OperandKind::error) continue;

@@ -311,6 +311,18 @@ bool Arguments::finish(bool quiet) {
     return true;
 }
 
+void infer_from_literal(Arguments& arguments, ast::ExprId pattern, ast::ExprId literal) {
+    Context& c = arguments.context;
+    if (!is_flexible(c, literal)) return;
+    ast::ExprId part = literal;
+    bool floating = c[part].kind == ast::ExprKind::float_literal;
+    while (!c[part].operands.empty()) {
+        for (ast::ExprId operand : c[part].operands) floating |= c[operand].kind == ast::ExprKind::float_literal;
+        part = c[part].operands.back();
+    }
+    arguments.infer(pattern, floating ? c.types().float_ : c.types().int_);
+}
+
 std::string display_of(const Context& c, const ast::Decl& decl, const Env& env) {
     std::string text = c.text(decl.name.name);
     if (decl.generics.empty()) return text;

@@ -30,6 +30,9 @@ struct Arguments {
     bool finish(bool quiet = false);
 };
 
+/// What only a literal can tell: the type that the literal has on its own. After all other inference.
+void infer_from_literal(Arguments&, ast::ExprId pattern, ast::ExprId literal);
+
 /// "Array<4, float>" for a declaration and its environment.
 std::string display_of(const Context&, const ast::Decl&, const Env&);
 

@@ -57,6 +57,8 @@ void infer_arguments(Arguments& generics, const std::vector<ast::Param>& params,
             generics.infer(params[i].type, type);
         }
     }
+    for (std::size_t i = 0; i < params.size() && i < arguments.size(); ++i)
+        if (arguments[i].waits) infer_from_literal(generics, params[i].type, arguments[i].written);
 }
 
 /// A value for a kernel or pipeline parameter: of the type itself, or of that type on the device.
