@@ -135,6 +135,8 @@ std::variant<Options, ExitCode> read_command_line(int argc, char** argv) {
     add_diagnostics_options(app, options, typed);
     CLI::App* test = add_command(app, options, "test", "Build and run the tests in the files, on the CPU and on a device", Command::test);
     test->add_option("--device", options.device, "The device to compare with the host: gpu, lavapipe, host or a name")->type_name("NAME");
+    test->add_option("--filter", options.test_filter, "Only the tests with this in their title")->type_name("TEXT");
+    test->add_flag("!--no-validate", options.validate, "Without Vulkan's validation layer");
     add_command(app, options, "explain", "Print what is inferred of every translator and structure", Command::explain);
     add_command(app, options, "fmt", "Format the files in place; with --check, say which are not formatted", Command::fmt);
     app.require_subcommand(0, 1);

@@ -44,6 +44,8 @@ struct Options {
     std::vector<Diag> silenced, promoted;
     std::size_t error_limit = 50;
     std::string device;                          ///< test: which device to compare with the host; empty: GLIFT_DEVICE, else any
+    std::string test_filter;                     ///< test: only tests with this in their title
+    bool validate = true;                        ///< test: with Vulkan's validation layer
 
     bool wants(Target target) const {
         for (Target each : targets)

@@ -168,7 +168,9 @@ Text print_call(Printer& p, const Expr& expr) {
     require_function(p.globals, expr.function);
     std::string arguments;
     for (const ir::Place& place : expr.places) {
-        Expr whole{.op = Op::structure_value, .place = place};
+        Expr whole;
+        whole.op = Op::structure_value;
+        whole.place = place;
         arguments += (arguments.empty() ? "" : ", ") + p.outer_expression(whole).text;
     }
     const std::string values = join_arguments(p, expr.operands);

@@ -16,6 +16,12 @@ std::string space_of(const std::string& module) {
         text += (text.empty() ? "" : "_") + module.substr(begin, dot - begin);
         begin = dot + 1;
     }
+    // The C library has functions of these names in the global namespace.
+    for (std::string_view taken : {"abs", "clock", "cos", "exp", "floor", "gamma", "index", "link", "log", "pipe", "pow", "rand",
+                                   "random", "read", "remove", "rename", "round", "select", "signal", "sin", "sqrt", "sync", "tan",
+                                   "time", "truncate", "wait", "write"}) {
+        if (text == taken) return text + '_';
+    }
     return identifier(text);
 }
 
@@ -115,6 +121,9 @@ std::string source_of(Unit& unit, const std::string& stem) {
         print_pipeline(unit, hidden || private_owner ? hidden_pipelines : pipelines, pipeline);
     }
 
+    Writer tests;
+    if (unit.options.tests) print_tests(unit, tests);
+
     Writer out;
     out.line("// Made by gliftc from " + stem + ".glift. Changes are lost when it is made again.");
     out.line("#include \"" + stem + ".glift.hpp\"");
@@ -122,6 +131,7 @@ std::string source_of(Unit& unit, const std::string& stem) {
     out.line("#include <glift/host/image.h>");
     out.line("#include <glift/host/math.h>");
     out.line("#include <glift/host/parallel.h>");
+    if (unit.options.tests) out.line("#include <glift/testing.h>");
     out.gap();
     out.line("#include <optional>");
     out.gap();
@@ -142,7 +152,15 @@ std::string source_of(Unit& unit, const std::string& stem) {
         out.raw(part);
         out.gap();
     }
+    const std::string table = tests.take();
+    out.raw(table);
     out.line("}  // namespace " + unit.space);
+    if (unit.options.tests) {
+        out.gap();
+        out.open("int main(int argc, char** argv)");
+        out.line("return glift::run_tests(" + (table.empty() ? "{}" : unit.space + "::tests") + ", argc, argv);");
+        out.close();
+    }
     return out.take();
 }
 

@@ -37,6 +37,8 @@ struct PipelinePrinter {
     void statement(const Stmt& stmt);
     void temporary(const Stmt& stmt);
     void dispatch(const Stmt& stmt);
+    void expect_same(const Stmt& stmt);
+    void keep_all();
 };
 
 /// The structure that the place begins at: `f.`, `part->`, or empty for the adaptor itself.
@@ -58,7 +60,10 @@ Text PipelinePrinter::property(const Expr& expr) {
 /// The structure or slice at the expression's place, as an expression of its own.
 std::string PipelinePrinter::base(const Expr& expr) {
     if (is_slice(expr) && expr.place.members.empty()) return p.local_names.at(expr.local);
-    Expr whole{.op = Op::structure_value, .local = expr.local, .place = expr.place};
+    Expr whole;
+    whole.op = Op::structure_value;
+    whole.local = expr.local;
+    whole.place = expr.place;
     return wrap(property(whole), Level::postfix);
 }
 
@@ -115,7 +120,6 @@ void PipelinePrinter::temporary(const Stmt& stmt) {
     std::string arguments = (made.kind == ir::StructureKind::view ? "" : ", commands.device()") + structures + values;
     const std::string name = declare_local(p, stmt.local);
     p.out.line(unit.class_name(type.index) + " " + name + "(" + (arguments.empty() ? "" : arguments.substr(2)) + ");");
-    if (tracks && made.kind == ir::StructureKind::stored) p.out.line("test.watch(\"" + name + "\", " + name + ");");
 }
 
 void PipelinePrinter::dispatch(const Stmt& stmt) {
@@ -132,6 +136,26 @@ void PipelinePrinter::dispatch(const Stmt& stmt) {
     p.out.line(unit.globals.kernel_names.at(stmt.slot) + "(commands" + arguments + ");");
 }
 
+void PipelinePrinter::expect_same(const Stmt& stmt) {
+    const ir::Type& type = unit.program.types[unit.program.exprs[stmt.arguments[0]].type];
+    const std::uint32_t structure = type.kind == TypeKind::slice ? unit.program.types[type.element].index : type.index;
+    p.out.line("test.expect_same(" + print_any(p, stmt.arguments[0]) + ", " + print_any(p, stmt.arguments[1]) + ", \"" +
+               scalars_of(unit.program, unit.program.structures[structure].element) + "\", \"" + place_text(unit.sources, stmt.span) +
+               "\"" + (stmt.arguments.size() > 2 ? ", " + print_any(p, stmt.arguments[2]) : "") + ");");
+}
+
+/// Keeps the structures of a test, to be compared between devices.
+void PipelinePrinter::keep_all() {
+    for (ir::StmtId id : pipeline.body) {
+        const Stmt& stmt = unit.program.stmts[id];
+        if (stmt.op != StmtOp::temp) continue;
+        const ir::Structure& made = unit.program.structures[unit.program.types[unit.program.locals[stmt.local].type].index];
+        if (made.kind != ir::StructureKind::stored || !made.copyable) continue;
+        const std::string& name = p.local_names.at(stmt.local);
+        p.out.line("test.keep(\"" + name + "\", " + name + ", \"" + scalars_of(unit.program, made.element) + "\");");
+    }
+}
+
 void PipelinePrinter::statement(const Stmt& stmt) {
     const auto place = [&] { return "\"" + place_text(unit.sources, stmt.span) + "\""; };
     switch (stmt.op) {
@@ -145,7 +169,7 @@ void PipelinePrinter::statement(const Stmt& stmt) {
     case StmtOp::expect: return p.out.line("test.expect(" + print_any(p, stmt.value) + ", " + place() + ");");
     case StmtOp::expect_near: return p.out.line("test.expect_near(" + join_arguments(p, stmt.arguments) + ", " + place() + ");");
     case StmtOp::expect_same:
-        return p.out.line("test.expect_same(" + join_arguments(p, stmt.arguments) + ", " + place() + ");");
+        return expect_same(stmt);
     case StmtOp::host_assign: return p.out.line(print_any(p, stmt.target) + " = " + print_any(p, stmt.value) + ";");
     case StmtOp::let: case StmtOp::assign: case StmtOp::if_: case StmtOp::for_: case StmtOp::while_: case StmtOp::break_:
     case StmtOp::continue_: case StmtOp::return_: case StmtOp::block: case StmtOp::evaluate: case StmtOp::barrier:
@@ -198,6 +222,7 @@ void print_pipeline(Unit& unit, Writer& out, std::uint32_t index) {
     for (const ir::PipelineParam& param : pipeline.params) declare_local(printer.p, param.local);
     printer.p.out.indent();
     print_statements(printer.p, pipeline.body);
+    if (printer.tracks) printer.keep_all();
     out.gap();
     out.line("// " + place_text(unit.sources, pipeline.span) + ": " + pipeline.display);
     out.open(signature(unit, index, pipeline.owner ? unit.class_name(*pipeline.owner) + "::" : "", false));

@@ -163,7 +163,7 @@ void print_statement(Printer& p, ir::StmtId id) {
     case StmtOp::return_: return print_return(p, stmt);
     case StmtOp::block:
         if (stmt.body.empty()) return;
-        p.out.open(std::string("{").substr(1));
+        p.out.open("");
         print_nested(p, stmt.body);
         return p.out.close();
     case StmtOp::evaluate: return p.out.line(print_any(p, stmt.value) + ";");

@@ -55,4 +55,10 @@ bool is_passed(const ir::Kernel& kernel, std::size_t param);
 std::string pipeline_signature(Unit& unit, std::uint32_t pipeline, bool qualified, bool in_class);
 void print_pipeline(Unit& unit, Writer& out, std::uint32_t pipeline);
 
+// tests.cpp
+/// One letter for each scalar of a type, as glift::KeptStructure has them.
+std::string scalars_of(const ir::Program& program, ir::TypeId type);
+/// The table `tests`, after what it needs; nothing where the module has none.
+void print_tests(Unit& unit, Writer& out);
+
 }  // namespace gliftc::cpp

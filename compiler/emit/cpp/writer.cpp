@@ -74,7 +74,7 @@ void Writer::gap() {
 }
 
 void Writer::open(std::string_view text) {
-    line(std::string(text) + " {");
+    line(text.empty() ? "{" : std::string(text) + " {");
     ++depth_;
 }
 

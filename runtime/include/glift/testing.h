@@ -1,0 +1,307 @@
+// What a test program made by `gliftc test` is built on: checks, and the comparison of two devices.
+#pragma once
+
+#include <glift/glift.h>
+#include <glift/host/math.h>
+#include <glift/structure.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace glift {
+
+/// How far two devices may differ where a test uses functions that are not exact (docs/language.md, Accuracy): by this
+/// much of the larger of 1 and the value.
+inline constexpr double inexact_tolerance = 1e-3;
+
+/// All elements of one structure at the end of a test, with how to read their bytes: one letter a scalar (f float, h half,
+/// d double, u uint, i int, b bool, U uint64, I int64).
+struct KeptStructure {
+    std::string name;
+    unsigned rank;
+    Extent extent;
+    std::string_view scalars;
+    std::vector<std::byte> bytes;
+};
+
+namespace detail {
+
+template <class T>
+inline constexpr unsigned value_components = 1;
+template <class T, unsigned N>
+inline constexpr unsigned value_components<vec<T, N>> = N;
+
+struct ScalarReader {
+    static std::size_t size_of(char kind) { return kind == 'h' ? 2 : kind == 'd' || kind == 'U' || kind == 'I' ? 8 : 4; }
+    template <class T>
+    static T load(const std::byte* at) {
+        T value;
+        std::memcpy(&value, at, sizeof value);
+        return value;
+    }
+    static bool is_floating(char kind) { return kind == 'f' || kind == 'h' || kind == 'd'; }
+    static double number(char kind, const std::byte* at) {
+        if (kind == 'f') return load<float>(at);
+        if (kind == 'h') return static_cast<float>(load<half>(at));
+        return load<double>(at);
+    }
+    static std::string text(char kind, const std::byte* at) {
+        char buffer[40];
+        if (is_floating(kind)) std::snprintf(buffer, sizeof buffer, "%.9g", number(kind, at));
+        else if (kind == 'i') std::snprintf(buffer, sizeof buffer, "%d", load<std::int32_t>(at));
+        else if (kind == 'U') std::snprintf(buffer, sizeof buffer, "%llu", static_cast<unsigned long long>(load<std::uint64_t>(at)));
+        else if (kind == 'I') std::snprintf(buffer, sizeof buffer, "%lld", static_cast<long long>(load<std::int64_t>(at)));
+        else std::snprintf(buffer, sizeof buffer, "%u", load<std::uint32_t>(at));
+        return buffer;
+    }
+    /// Bit for bit but for NaNs, which are all alike, or within a tolerance.
+    static bool agree(char kind, const std::byte* a, const std::byte* b, double tolerance) {
+        if (std::memcmp(a, b, size_of(kind)) == 0) return true;
+        if (!is_floating(kind)) return false;
+        const double x = number(kind, a), y = number(kind, b);
+        if (x != x && y != y) return true;
+        if (tolerance == 0) return false;
+        return std::fabs(x - y) <= tolerance * std::max(1.0, std::max(std::fabs(x), std::fabs(y)));
+    }
+};
+
+inline Extent address_of(std::size_t index, const Extent& extent) {
+    Extent address{};
+    for (unsigned axis = 0; axis < 4; ++axis) {
+        address[axis] = static_cast<std::uint32_t>(index % std::max(extent[axis], 1u));
+        index /= std::max(extent[axis], 1u);
+    }
+    return address;
+}
+
+/// The differences between two records of elements; the first few in words.
+inline void compare(const KeptStructure& a, const std::string& name_a, const KeptStructure& b, const std::string& name_b,
+                    double tolerance, const std::string& where, std::vector<std::string>& failures) {
+    if (a.extent != b.extent || a.bytes.size() != b.bytes.size()) {
+        failures.push_back(where + ": " + name_a + " is " + text_of(a.extent, a.rank) + " and " + name_b + " is " + text_of(b.extent, b.rank));
+        return;
+    }
+    std::size_t stride = 0, differing = 0;
+    std::vector<std::size_t> offsets;
+    std::size_t align = 1;
+    for (char kind : a.scalars) {
+        const std::size_t size = ScalarReader::size_of(kind);
+        stride = (stride + size - 1) / size * size;
+        offsets.push_back(stride);
+        stride += size;
+        align = std::max(align, size);
+    }
+    stride = (stride + align - 1) / align * align;
+    if (stride == 0) return;
+    for (std::size_t i = 0; i * stride < a.bytes.size(); ++i) {
+        for (std::size_t k = 0; k < offsets.size(); ++k) {
+            const std::byte* x = a.bytes.data() + i * stride + offsets[k];
+            const std::byte* y = b.bytes.data() + i * stride + offsets[k];
+            if (ScalarReader::agree(a.scalars[k], x, y, tolerance)) continue;
+            if (++differing > 3) break;
+            const std::string part = offsets.size() > 1 ? " part " + std::to_string(k) : "";
+            failures.push_back(where + ": at " + text_of(address_of(i, a.extent), a.rank) + part + " " + name_a + " has " +
+                               ScalarReader::text(a.scalars[k], x) + " and " + name_b + " has " + ScalarReader::text(a.scalars[k], y));
+        }
+    }
+    if (differing > 3) failures.push_back(where + ": and more");
+}
+
+/// Addresses to try in a domain: all of a small one, else corners and a spread.
+inline std::vector<Extent> addresses_in(const Extent& domain, unsigned rank) {
+    std::vector<Extent> result;
+    const std::uint64_t volume = volume_of(domain);
+    const std::uint64_t step = volume <= 20000 ? 1 : volume / 20000 | 1;
+    for (std::uint64_t i = 0; i < volume; i += step) result.push_back(address_of(i, domain));
+    if (volume > 0 && step > 1) result.push_back(address_of(volume - 1, domain));
+    (void)rank;
+    return result;
+}
+
+template <class A>
+A address_from(const Extent& extent) {
+    A address{};
+    if constexpr (Axes<A>::count == 1) address = extent[0];
+    else for (unsigned i = 0; i < Axes<A>::count; ++i) address[i] = extent[i];
+    return address;
+}
+
+}  // namespace detail
+
+/// One run of one test on one device.
+class Test {
+public:
+    std::vector<std::string> failures;
+    std::vector<KeptStructure> kept;
+
+    void expect(bool condition, const char* place) {
+        if (!condition) failures.push_back(std::string(place) + ": expect: the condition is false");
+    }
+
+    template <class T>
+    void expect_near(const T& a, const T& b, double tolerance, const char* place) {
+        if constexpr (detail::is_scalar<T>) {
+            const double x = static_cast<double>(a), y = static_cast<double>(b);
+            if (std::fabs(x - y) <= tolerance) return;
+            char text[160];
+            std::snprintf(text, sizeof text, "%s: expect_near: %.9g is not within %g of %.9g", place, x, tolerance, y);
+            failures.push_back(text);
+        } else {
+            for (unsigned i = 0; i < detail::value_components<T>; ++i) expect_near(a[i], b[i], tolerance, place);
+        }
+    }
+
+    /// Two structures or boxes of them, element by element.
+    template <class A, class B>
+    void expect_same(const A& a, const B& b, std::string_view scalars, const char* place, double tolerance = 0) {
+        detail::compare(record("the first", a, scalars), "the first", record("the second", b, scalars), "the second", tolerance,
+                        std::string(place) + ": expect_same", failures);
+    }
+
+    /// Keeps all elements of a structure, to be compared with those of another device.
+    template <class S>
+    void keep(const char* name, const S& structure, std::string_view scalars) {
+        if (structure) kept.push_back(record(name, structure, scalars));
+    }
+
+private:
+    template <class S>
+    static KeptStructure record(const char* name, const S& structure, std::string_view scalars) {
+        const auto values = structure.read();
+        Extent extent;
+        if constexpr (requires { structure.size(); }) extent = detail::extent_of(structure.size());
+        else extent = detail::extent_of(structure.domain());
+        const auto bytes = std::as_bytes(std::span(values));
+        return {name, detail::Axes<typename S::Address>::count, extent, scalars, {bytes.begin(), bytes.end()}};
+    }
+};
+
+/// Checks one translator with the state that a structure gives it: what it maps an address to maps back, and no two
+/// addresses map to one.
+template <class A, class Translate, class Invert>
+void check_translator(Test& test, const char* name, const A& domain, const Translate& translate, const Invert& invert, bool one_to_one) {
+    using Physical = std::remove_cvref_t<decltype(*translate(A{}))>;
+    constexpr unsigned rank = detail::Axes<A>::count;
+    const Extent size = detail::extent_of(domain);
+    std::set<std::array<std::uint32_t, 4>> seen;
+    for (const Extent& at : detail::addresses_in(size, rank)) {
+        const auto physical = translate(detail::address_from<A>(at));
+        if (!physical) continue;
+        const Extent there = detail::extent_of(Physical(*physical), 0);
+        constexpr unsigned physical_rank = detail::Axes<Physical>::count;
+        if (one_to_one && !seen.insert(there).second)
+            test.failures.push_back(std::string(name) + ": not one-to-one: " + detail::text_of(at, rank) + " and another address both map to " +
+                                    detail::text_of(there, physical_rank) + " (domain " + detail::text_of(size, rank) + ")");
+        if constexpr (!std::is_same_v<Invert, std::nullptr_t>) {
+            const Extent back = detail::extent_of(A(invert(*physical)), 0);
+            const Extent want = detail::extent_of(detail::address_from<A>(at), 0);
+            if (back != want)
+                test.failures.push_back(std::string(name) + ": invert(translate(" + detail::text_of(at, rank) + ")) is " +
+                                        detail::text_of(back, rank) + " (domain " + detail::text_of(size, rank) + ")");
+        }
+        if (test.failures.size() > 10) return;
+    }
+}
+
+/// Checks that boxes of a structure cover their elements exactly once: what is written to a box comes back, and nothing
+/// else changes.
+template <class S, class Value>
+void check_boxes(Test& test, const char* name, S& structure, const Value& value) {
+    using A = typename S::Address;
+    using T = typename S::Element;
+    constexpr unsigned rank = detail::Axes<A>::count;
+    const Extent domain = detail::extent_of(structure.domain());
+    if (detail::volume_of(domain) == 0 || detail::volume_of(domain) > 1u << 20) return;
+    std::vector<T> all(detail::volume_of(domain));
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = value(static_cast<std::uint32_t>(i));
+    structure.write(all);
+    Extent origin{}, size{1, 1, 1, 1};
+    for (unsigned i = 0; i < rank; ++i) {
+        origin[i] = domain[i] / 3;
+        size[i] = std::max(1u, domain[i] / 2);
+    }
+    std::vector<T> part(detail::volume_of(size));
+    for (std::size_t i = 0; i < part.size(); ++i) part[i] = value(static_cast<std::uint32_t>(100000 + i));
+    structure.write(detail::address_from<A>(origin), detail::address_from<A>(size), part);
+    for (std::size_t i = 0; i < part.size(); ++i) {
+        const Extent in = detail::address_of(i, size);
+        std::size_t index = 0;
+        for (unsigned axis = rank; axis-- > 0;) index = index * domain[axis] + origin[axis] + in[axis];
+        all[index] = part[i];
+    }
+    const std::vector<T> out = structure.read();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (std::memcmp(&all[i], &out[i], sizeof(T)) == 0) continue;
+        test.failures.push_back(std::string(name) + ": after writing the box " + detail::text_of(size, rank) + " at " +
+                                detail::text_of(origin, rank) + ", the element at " + detail::text_of(detail::address_of(i, domain), rank) +
+                                " is wrong (domain " + detail::text_of(domain, rank) + ")");
+        return;
+    }
+}
+
+struct TestCase {
+    const char* title;
+    const char* place;        ///< file:line
+    bool exact;               ///< all passes are exact: devices agree bit for bit
+    void (*run)(Test& test, const Commands& commands);
+};
+
+namespace detail {
+
+inline Test run_on(const Device& device, const TestCase& test) {
+    Test run;
+    try {
+        test.run(run, device);
+        device.wait();
+    } catch (const Error& error) {
+        run.failures.push_back(std::string(test.place) + ": " + error.what());
+    }
+    for (const std::string& message : device.validation_messages()) run.failures.push_back("validation: " + message);
+    return run;
+}
+
+}  // namespace detail
+
+/// `program [--filter TEXT] [--device NAME]`: runs all tests on the host device and on another one and compares what
+/// they leave behind. Returns the exit code.
+inline int run_tests(std::span<const TestCase> tests, int argc, char** argv) {
+    std::string filter, name;
+    for (int i = 1; i + 1 < argc; i += 2) (std::string_view(argv[i]) == "--filter" ? filter : name) = argv[i + 1];
+    try {
+        const Device host = Device::open("host");
+        std::vector<Device> devices{host};
+        if (name != "host") devices.push_back(Device::open(name));
+        std::size_t failed = 0, ran = 0;
+        for (const TestCase& test : tests) {
+            if (std::string_view(test.title).find(filter) == std::string_view::npos) continue;
+            ++ran;
+            std::vector<std::string> failures;
+            std::vector<Test> runs;
+            for (const Device& device : devices) {
+                runs.push_back(detail::run_on(device, test));
+                for (const std::string& failure : runs.back().failures)
+                    failures.push_back(failure + " [" + device.properties().name + "]");
+            }
+            if (runs.size() == 2 && runs[0].kept.size() == runs[1].kept.size()) {
+                for (std::size_t i = 0; i < runs[0].kept.size(); ++i)
+                    detail::compare(runs[0].kept[i], "the host", runs[1].kept[i], devices[1].properties().name,
+                                    test.exact ? 0 : inexact_tolerance, std::string(test.place) + ": " + runs[0].kept[i].name, failures);
+            }
+            std::printf("%s  %s (%s)\n", failures.empty() ? "pass" : "FAIL", test.title, test.place);
+            for (const std::string& failure : failures) std::printf("      %s\n", failure.c_str());
+            failed += !failures.empty();
+        }
+        std::printf("%zu tests on %s%s: %zu failed\n", ran, "the host",
+                    devices.size() > 1 ? (" and " + devices[1].properties().name).c_str() : "", failed);
+        return failed == 0 ? 0 : 1;
+    } catch (const Error& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return 1;
+    }
+}
+
+}  // namespace glift
