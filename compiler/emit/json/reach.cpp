@@ -1,0 +1,66 @@
+#include "emit/json/reach.h"
+
+namespace gliftc::json {
+
+namespace {
+
+struct Walk {
+    const ir::Program& program;
+    Reached reached;
+
+    void type(ir::TypeId id) {
+        if (!id) return;
+        const ir::Type& t = program.types[id];
+        if (t.element) type(t.element);
+        if (t.kind == ir::TypeKind::enum_) reached.enums.insert(t.index);
+        if (t.kind == ir::TypeKind::structure) structure(t.index);
+        if (t.kind == ir::TypeKind::struct_) struct_(t.index);
+    }
+
+    void struct_(std::uint32_t index) {
+        if (!reached.structs.insert(index).second) return;
+        for (const ir::StructField& field : program.structs[index].fields) type(field.type);
+    }
+
+    void structure(std::uint32_t index) {
+        if (!reached.structures.insert(index).second) return;
+        const ir::Structure& s = program.structures[index];
+        type(s.domain_type);
+        type(s.element);
+        for (ir::LocalId local : s.constructor) type(program.locals[local].type);
+        for (const ir::Memory& memory : s.memories) type(memory.element);
+        for (const ir::MemberStructure& member : s.members) structure(member.structure);
+    }
+
+    void pipeline(const ir::Pipeline& p) {
+        for (const ir::PipelineParam& param : p.params) {
+            if (param.pattern == ir::HostPattern::value) type(program.locals[param.local].type);
+            else structure(param.structure);
+        }
+        type(p.result);
+    }
+};
+
+}  // namespace
+
+Reached reach(const ir::Program& program, std::uint32_t module) {
+    Walk walk{program, {}};
+    for (std::uint32_t i = 0; i < program.structures.size(); ++i)
+        if (program.structures[i].is_pub && program.structures[i].pub_module == module) walk.structure(i);
+    for (const ir::Kernel& kernel : program.kernels) {
+        if (kernel.module != module) continue;
+        for (const ir::KernelParam& param : kernel.params) {
+            if (param.pattern == ir::Pattern::value) walk.type(program.locals[param.local].type);
+            else walk.structure(param.structure);
+        }
+    }
+    for (const ir::Pipeline& pipeline : program.pipelines)
+        if (pipeline.module == module) walk.pipeline(pipeline);
+    for (std::uint32_t i = 0; i < program.structs.size(); ++i)
+        if (program.structs[i].is_pub && program.structs[i].module == module) walk.struct_(i);
+    for (std::uint32_t i = 0; i < program.enums.size(); ++i)
+        if (program.enums[i].is_pub && program.enums[i].module == module) walk.reached.enums.insert(i);
+    return walk.reached;
+}
+
+}  // namespace gliftc::json

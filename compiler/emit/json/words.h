@@ -1,0 +1,34 @@
+// Enumerators as the reflection spells them, and expressions as the language would.
+#pragma once
+
+#include "ir/pass.h"
+
+#include <string>
+#include <vector>
+
+namespace gliftc::json {
+
+const char* word(ir::MemoryShape shape);
+const char* word(ir::Format format);
+const char* word(ir::Access access);
+const char* word(ir::Direction direction);
+const char* word(ir::Pattern pattern);
+const char* word(ir::Combine combine);
+const char* word(ir::StructureKind kind);
+const char* word(ir::ParameterSource source);
+const char* word(ir::HostPattern pattern);
+
+/// What Place::root counts: a kernel's parameters by name, or (one, without a name) the structure itself.
+struct Root {
+    std::string name;
+    std::uint32_t structure = 0;
+};
+
+/// An expression over structures' state as the language writes it: div_ceil(extent, 8u), f.data.extent.x.
+std::string expression_text(const ir::Program& program, ir::ExprId expr, const std::vector<Root>& roots);
+
+/// The structure at a place, and the place as written: f.table.
+std::uint32_t structure_at(const ir::Program& program, const std::vector<Root>& roots, const ir::Place& place);
+std::string place_text(const ir::Program& program, const std::vector<Root>& roots, const ir::Place& place);
+
+}  // namespace gliftc::json
