@@ -96,10 +96,9 @@ Polynomials::Difference Polynomials::difference(const Polynomial& a, const Polyn
     for (const auto& [product, signed_factor] : apart) {
         std::uint32_t factor = result.is_negative ? 0 - signed_factor : signed_factor;
         ExprId term;
-        for (ValueNumber atom : product) {
-            term = term ? cx.make.multiply(term, atoms_.at(atom)) : atoms_.at(atom);
-            ++result.operations;
-        }
+        // From the last on, so that z * (y * x) holds the product that y * x is.
+        for (std::size_t i = product.size(); i-- > 0; ++result.operations)
+            term = term ? cx.make.multiply(atoms_.at(product[i]), term) : atoms_.at(product[i]);
         if (!term) term = cx.make.uint(factor);
         else if (factor != 1) term = cx.make.multiply(term, cx.make.uint(factor));
         result.amount = result.amount ? cx.make.add(result.amount, term) : term;

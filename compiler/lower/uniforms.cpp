@@ -19,7 +19,7 @@ public:
     explicit Uniforms(Context& context) : cx(context), numbers_(context) {}
 
     void collect(const std::vector<StmtId>& body);
-    std::vector<StmtId> rewrite(const std::vector<StmtId>& body);
+    std::vector<StmtId> moved(const std::vector<StmtId>& body);
 
 private:
     bool is_leaf(ExprId id) const;
@@ -29,7 +29,11 @@ private:
     ExprId closed(ExprId id);
     void find(ExprId id);
     bool is_cheap(ExprId id, unsigned& operations);
+    bool is_kept(ExprId whole);
+    void count(ExprId id);
     ExprId visit(ExprId id);
+    ExprId visit_operands(ExprId id);
+    std::vector<StmtId> rewrite(const std::vector<StmtId>& body);
     ExprId parameter(ExprId value);
     std::string name_of(ExprId id);
     std::string unique(std::string name) const;
@@ -39,7 +43,11 @@ private:
     std::set<ValueNumber> leaves_;                          ///< leaves that are used as they are
     std::unordered_set<ExprId> seen_;
     std::unordered_map<ValueNumber, std::uint32_t> slots_;
+    // of one body
     std::unordered_map<ExprId, ExprId> visited_;
+    std::unordered_map<ValueNumber, unsigned> counts_;      ///< uses of what stays in the shader
+    std::unordered_map<ValueNumber, LocalId> locals_;       ///< that hold them
+    std::vector<StmtId> top_;                               ///< their lets
     std::unordered_map<ExprId, ExprId> closed_;
 };
 
@@ -176,24 +184,57 @@ ExprId Uniforms::parameter(ExprId value) {
     return cx.parameter_expr(found->second);
 }
 
+/// Whether a uniform value is neither a parameter nor a part of one: the shader computes it.
+bool Uniforms::is_kept(ExprId whole) {
+    unsigned operations = 0;
+    return !cx.make.is_constant(whole) && !is_part_of_leaf(whole) && is_cheap(whole, operations);
+}
+
+void Uniforms::count(ExprId id) {
+    if (is_lifted(id)) {
+        ExprId whole = closed(id);
+        if (!is_kept(whole)) return;
+        if (++counts_[numbers_.of(whole)] > 1) return;
+        for (ExprId operand : cx.p.exprs[whole].operands) count(operand);
+        return;
+    }
+    for (ExprId operand : cx.p.exprs[id].operands) count(operand);
+}
+
+ExprId Uniforms::visit_operands(ExprId id) {
+    const Expr node = cx.p.exprs[id];
+    std::vector<ExprId> operands;
+    for (ExprId operand : node.operands) operands.push_back(visit(operand));
+    return operands == node.operands ? id : cx.make.again(node, std::move(operands));
+}
+
 ExprId Uniforms::visit(ExprId id) {
     if (auto found = visited_.find(id); found != visited_.end()) return found->second;
-    const Expr node = cx.p.exprs[id];
-    ExprId result = id;
-    bool lifts = is_lifted(id);
-    ExprId whole = lifts ? closed(id) : id;
-    unsigned operations = 0;
-    bool descends = lifts && (is_part_of_leaf(whole) ? !is_leaf(whole) : is_cheap(whole, operations));
-    if (lifts && cx.make.is_constant(whole)) {
+    ExprId result;
+    if (!is_lifted(id)) {
+        result = visit_operands(id);
+    } else if (ExprId whole = closed(id); cx.make.is_constant(whole)) {
         result = whole;
-    } else if (lifts && !descends) {
-        result = parameter(whole);
+    } else if (is_kept(whole)) {
+        ValueNumber number = numbers_.of(whole);
+        auto [found, is_new] = locals_.try_emplace(number, LocalId{});
+        if (counts_[number] < 2) {
+            result = visit_operands(whole);
+        } else if (is_new) {
+            ExprId value = visit_operands(whole);
+            Stmt stmt = statement(StmtOp::let, cx.kernel.span);
+            stmt.local = cx.new_local(name_of(whole), cx.make.type(whole), cx.kernel.span);
+            stmt.value = value;
+            locals_[number] = stmt.local;
+            result = cx.make.local(stmt.local);
+            top_.push_back(cx.add(std::move(stmt)));
+        } else {
+            result = cx.make.local(found->second);
+        }
+    } else if (is_part_of_leaf(whole) && !is_leaf(whole)) {
+        result = visit_operands(whole);
     } else {
-        const Expr of = lifts ? cx.p.exprs[whole] : node;
-        std::vector<ExprId> operands;
-        for (ExprId operand : of.operands) operands.push_back(visit(operand));
-        if (operands != of.operands) result = cx.make.again(of, std::move(operands));
-        else if (lifts) result = whole;
+        result = parameter(whole);
     }
     visited_.emplace(id, result);
     return result;
@@ -214,12 +255,26 @@ std::vector<StmtId> Uniforms::rewrite(const std::vector<StmtId>& body) {
     return result;
 }
 
+std::vector<StmtId> Uniforms::moved(const std::vector<StmtId>& body) {
+    visited_.clear();
+    counts_.clear();
+    locals_.clear();
+    top_.clear();
+    for_each_statement(cx.p, body, [&](const Stmt& stmt) {
+        bool vanishes = stmt.op == StmtOp::let && stmt.value && !cx.p.locals[stmt.local].is_mutable && is_lifted(stmt.value);
+        if (!vanishes) for_each_root(stmt, [&](ExprId root) { count(root); });
+    });
+    std::vector<StmtId> result = rewrite(body);
+    top_.insert(top_.end(), result.begin(), result.end());
+    return std::move(top_);
+}
+
 }  // namespace
 
 void move_uniforms(Context& cx, const std::vector<std::vector<StmtId>*>& bodies) {
     Uniforms uniforms(cx);
     for (const auto* body : bodies) uniforms.collect(*body);
-    for (auto* body : bodies) *body = uniforms.rewrite(*body);
+    for (auto* body : bodies) *body = uniforms.moved(*body);
 }
 
 }  // namespace gliftc::lower
