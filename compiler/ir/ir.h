@@ -147,7 +147,7 @@ enum class StmtOp : std::uint8_t {
     expect,          // value must be true                  (tests)
     expect_near,     // arguments[0], [1], tolerance [2]
     expect_same,     // two structures element by element
-    host_assign,     // host state `slot` of the adaptor that owns the pipeline = value
+    host_assign,     // target (host state `slot` of the adaptor that owns the pipeline) = value
     // memory: low level
     store,           // bindings[slot][target] = value
     image_store,     // bindings[slot] at texel target = value

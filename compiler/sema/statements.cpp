@@ -13,8 +13,6 @@ void check_let(Body& body, const ast::Stmt& stmt) {
     if (stmt.value) {
         Operand operand = check(body, stmt.value, wanted);
         value = wanted ? coerce(body, to_value(body, operand), wanted, c[stmt.value].span) : to_value(body, operand);
-    } else if (!wanted) {
-        c.error(Diag::let_without_type, stmt.name.span, {c.text(stmt.name.name)});
     }
     ir::TypeId type = wanted ? wanted : value ? body.program().exprs[value].type : body.types().error;
     if (type == body.types().void_) {
@@ -75,6 +73,7 @@ void check_assign(Body& body, const ast::Stmt& stmt) {
         if (stmt.op) value = make_binary(body.program(), static_cast<ir::BinaryOp>(*stmt.op), body.program().exprs[target].type, target, value, stmt.span);
         ir::StmtId assign = add(body.program(), ir::StmtOp::host_assign, stmt.span);
         body.program().stmts[assign].slot = root->slot;
+        body.program().stmts[assign].target = target;
         body.program().stmts[assign].value = value;
         emit(body, assign);
         return;
