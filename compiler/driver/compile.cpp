@@ -53,6 +53,7 @@ Result compile(const Options& options, const FileSystem& files, Compilation& c) 
     Stopwatch clock(result.times);
     auto stops_after = [&](Stage stage) { return c.diagnostics.has_errors() || options.stops_after(stage); };
 
+    check_style(options, c.diagnostics);
     c.loaded = load_modules(options, files, c.sources, c.names, c.tree, c.diagnostics);
     clock.lap("syntax");
     if (options.dump == Stage::syntax) result.dump = dump_syntax(c);

@@ -25,10 +25,18 @@ bool write_output(const std::string& path, const std::string& bytes) {
     return false;
 }
 
+/// Where everything is written, a depfile is too: <name>.glift.d of the first module.
+std::string depfile_of(const Options& options, const Result& result) {
+    if (!options.depfile.empty() || !options.targets.empty() || result.outputs.empty()) return options.depfile;
+    const std::string& header = result.outputs.front().name;
+    return options.output_folder + "/" + header.substr(0, header.rfind('.')) + ".d";
+}
+
 bool write_outputs(const Options& options, const Result& result, const Compilation& compilation) {
     bool written = true;
     for (const Output& output : result.outputs) written &= write_output(options.output_folder + "/" + output.name, output.bytes);
-    if (!options.depfile.empty()) written &= write_output(options.depfile, make_depfile(options, result, compilation));
+    std::string depfile = depfile_of(options, result);
+    if (!depfile.empty()) written &= write_output(depfile, make_depfile(options, result, compilation));
     return written;
 }
 

@@ -4,6 +4,7 @@
 #include "emit/cpp/emit.h"
 #include "emit/glsl/emit.h"
 #include "emit/json/emit.h"
+#include "interop/interop.h"
 
 #include <filesystem>
 #include <set>
@@ -43,6 +44,14 @@ std::string bytes_of(const std::vector<std::uint32_t>& words) {
     return bytes;
 }
 
+/// C++ in the user's own style, where one is asked for.
+std::string styled(const Options& options, std::string text) {
+    if (options.style.empty()) return text;
+    FormatResult formatted = format_code(text, options.style);
+    if (!formatted.error.empty()) throw std::runtime_error("clang-format: " + formatted.error);
+    return std::move(formatted.text);
+}
+
 void emit_shaders(const Options& options, const Compilation& c, std::uint32_t module, const std::string& base,
                   const std::vector<ShaderSet>& shaders, std::vector<Output>& outputs) {
     std::set<std::string> taken;
@@ -75,6 +84,12 @@ std::set<std::uint32_t> kernels_with_code(const Options& options, const Compilat
 
 }  // namespace
 
+void check_style(const Options& options, Diagnostics& diagnostics) {
+    if (options.style.empty()) return;
+    FormatResult formatted = format_code("", options.style);
+    if (!formatted.error.empty()) diagnostics.report(Diag::cannot_style, {}, {options.style, formatted.error});
+}
+
 std::vector<Output> emit(const Options& options, const Compilation& c) {
     std::vector<Output> outputs;
     cpp::Options cpp{.tests = options.command == Command::test, .host = options.wants(Target::host)};
@@ -90,8 +105,8 @@ std::vector<Output> emit(const Options& options, const Compilation& c) {
             for (std::size_t k = 0; k < shaders.size(); ++k) code[k] = {shaders[k].direct, shaders[k].general, shaders[k].wide};
             if (options.host_only || !options.wants(Target::cpp)) code.clear();
             cpp::Module written = cpp::module_of(c.program, c.lowered, c.sources, m, code, cpp);
-            outputs.push_back({base + ".glift.hpp", std::move(written.header)});
-            outputs.push_back({base + ".glift.cpp", std::move(written.source)});
+            outputs.push_back({base + ".glift.hpp", styled(options, std::move(written.header))});
+            outputs.push_back({base + ".glift.cpp", styled(options, std::move(written.source))});
         }
         emit_shaders(options, c, m, base, shaders, outputs);
         if (options.wants(Target::json))
