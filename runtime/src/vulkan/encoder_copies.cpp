@@ -71,9 +71,11 @@ void Encoder::clear_new(const VulkanMemory& memory) {
     }
     ++batch_->operations;
     const VkImageSubresourceRange all = {vulkan_aspect(d.format), 0, d.mips, 0, face_count(d)};
+    // The image's place may have belonged to a memory that is gone: its last accesses come first.
     const VkImageMemoryBarrier2 first = {
         .sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2,
-        .srcStageMask = VK_PIPELINE_STAGE_2_NONE,
+        .srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
+        .srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT,
         .dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
         .dstAccessMask = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT,
         .oldLayout = VK_IMAGE_LAYOUT_UNDEFINED,
