@@ -40,7 +40,7 @@ std::string Spelling::of(ir::TypeId id) const {
     const std::string glift(prefix);
     switch (type.kind) {
     case TypeKind::error: case TypeKind::void_: case TypeKind::range: return "void";
-    case TypeKind::bool_: return storage ? glift + "Bool" : "bool";
+    case TypeKind::bool_: return storage ? "glift::Bool" : "bool";
     case TypeKind::int_: return "int";
     case TypeKind::uint: return glift + "uint";
     case TypeKind::float_: return "float";
