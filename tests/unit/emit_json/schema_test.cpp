@@ -1,0 +1,93 @@
+// Every reflection has the shape that docs/reflection.schema.json says.
+#include "driver/compile.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+
+namespace gliftc {
+namespace {
+
+using Json = nlohmann::json;
+
+/// The part of JSON Schema that the schema uses. Gives the first thing wrong, or nothing.
+struct Validator {
+    const Json& root;
+
+    std::string check(const Json& value, const Json& schema, const std::string& where) const {
+        if (schema.contains("$ref")) return check(value, root.at(Json::json_pointer(schema["$ref"].get<std::string>().substr(1))), where);
+        if (schema.contains("oneOf")) return one_of(value, schema["oneOf"], where);
+        if (schema.contains("enum")) {
+            for (const Json& allowed : schema["enum"])
+                if (allowed == value) return "";
+            return where + ": " + value.dump() + " is not one of " + schema["enum"].dump();
+        }
+        const std::string type = schema.at("type");
+        if (type == "object") return object(value, schema, where);
+        if (type == "array") return array(value, schema, where);
+        bool right = type == "string" ? value.is_string() : type == "boolean" ? value.is_boolean() : type == "integer" ? value.is_number_unsigned() : value.is_null();
+        return right ? "" : where + ": " + value.dump() + " is no " + type;
+    }
+
+    std::string one_of(const Json& value, const Json& choices, const std::string& where) const {
+        std::string error;
+        for (const Json& choice : choices) {
+            error = check(value, choice, where);
+            if (error.empty()) return "";
+        }
+        return error;
+    }
+
+    std::string object(const Json& value, const Json& schema, const std::string& where) const {
+        if (!value.is_object()) return where + " is no object";
+        for (const Json& name : schema.value("required", Json::array()))
+            if (!value.contains(name.get<std::string>())) return where + " has no " + name.get<std::string>();
+        const Json none = Json::object(), &properties = schema.contains("properties") ? schema["properties"] : none;
+        for (const auto& [name, part] : value.items()) {
+            std::string error = properties.contains(name)                     ? check(part, properties[name], where + "/" + name)
+                                : schema["additionalProperties"].is_object() ? check(part, schema["additionalProperties"], where + "/" + name)
+                                                                              : where + " has a " + name;
+            if (!error.empty()) return error;
+        }
+        return "";
+    }
+
+    std::string array(const Json& value, const Json& schema, const std::string& where) const {
+        if (!value.is_array()) return where + " is no array";
+        if (value.size() < schema.value("minItems", 0u) || value.size() > schema.value("maxItems", ~0u)) return where + " has another length";
+        for (std::size_t i = 0; i < value.size(); ++i)
+            if (std::string error = check(value[i], schema["items"], where + "/" + std::to_string(i)); !error.empty()) return error;
+        return "";
+    }
+};
+
+std::string reflection_of_file(const std::string& path) {
+    Options options;
+    options.files = {std::string(GLIFT_SOURCE_DIR) + "/" + path};
+    options.library_folder = std::string(GLIFT_SOURCE_DIR) + "/stdlib";
+    options.targets = {Target::json};
+    Compilation compilation;
+    Result result = compile(options, disk(), compilation);
+    for (const Diagnostic& diagnostic : compilation.diagnostics.all()) ADD_FAILURE() << path << ": " << diagnostic.text;
+    for (const Output& output : result.outputs)
+        if (output.name.ends_with(".glift.json")) return output.bytes;
+    return "";
+}
+
+class Reflection : public testing::TestWithParam<const char*> {};
+
+TEST_P(Reflection, HasTheShapeOfTheSchema) {
+    std::ifstream file(std::string(GLIFT_SOURCE_DIR) + "/docs/reflection.schema.json");
+    const Json schema = Json::parse(file);
+    const std::string text = reflection_of_file(GetParam());
+    ASSERT_NE(text, "");
+    EXPECT_EQ(Validator{schema}.check(Json::parse(text), schema, ""), "");
+    EXPECT_EQ(text, reflection_of_file(GetParam()));
+    EXPECT_EQ(text.find("…"), std::string::npos) << "an expression could not be spelled";
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, Reflection, testing::Values("examples/laplacian/laplacian.glift", "stdlib/structures/array.glift"));
+
+}  // namespace
+}  // namespace gliftc
