@@ -63,7 +63,9 @@ ExprId Expander::guarded_load(const Place& place, const Pair& physical, ExprId g
     if (p.types.is_scalar(element) || p.types.is_vector(element)) {
         condition = named(name + "_inside", condition);
         ExprId other = other_address ? other_address : make.zero(make.type(physical.value));
-        ExprId value = make.local(let(name, load(place, make.select(condition, physical.value, other)), span_));
+        // Locals on both sides, so that no branch is made of the choice.
+        ExprId at = is_trivial(cx, physical.value) ? physical.value : make.local(let(name + "_at", physical.value, span_));
+        ExprId value = make.local(let(name, load(place, make.select(condition, at, other)), span_));
         return make.select(condition, value, otherwise);
     }
     LocalId value = variable(name, element, otherwise);
@@ -155,6 +157,17 @@ std::string offset_name(const std::vector<std::int64_t>& offset) {
 
 }  // namespace
 
+/// Interior bodies are made for the domain of the first near structure: others must share it.
+void Expander::note_near_guard(std::uint32_t root) {
+    has_near_guards = true;
+    if (near_root) {
+        near_domains_agree = near_domains_agree && numbers_.of(near_domain) == numbers_.of(domain_of({root, {}}));
+        return;
+    }
+    near_root = root;
+    near_domain = domain_of({root, {}});
+}
+
 ExprId Expander::near(const Expr& node) {
     Place place = resolved(node.place);
     auto offset = offset_of(node);
@@ -171,16 +184,13 @@ ExprId Expander::near(const Expr& node) {
     if (structure.kind == StructureKind::view) return view(place, address);
     std::string name = cx.name_of(place) + offset_name(*offset);
     Pair middle = centre(place.root);
-    ExprId guard;
-    if (is_total(structure)) {
-        if (near_root) near_domains_agree = near_domains_agree && canonical_root(*near_root) == canonical_root(place.root);
-        else near_domain = domain_of(place);
-        near_root = near_root.value_or(place.root);
-        has_near_guards = true;
-        if (guards_ == Guards::checked) guard = near_guard(place.root, *offset);
-    }
-    if (cx.kernel.grouped()) guard = make.both(make.local(cx.pass.in_range), guard);
     Pair physical = translated(place, address, name);
+    bool asks = is_total(structure);
+    physical.has = without_inside(place.root, physical.has, address, asks);
+    ExprId guard;
+    if (asks) note_near_guard(place.root);
+    if (asks && guards_ == Guards::checked) guard = near_guard(place.root, *offset);
+    if (cx.kernel.grouped()) guard = make.both(make.local(cx.pass.in_range), guard);
     ExprId other = middle.has || cx.kernel.grouped() ? ExprId{} : middle.value;
     return guarded_load(place, physical, guard, other, name);
 }

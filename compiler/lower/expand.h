@@ -7,6 +7,7 @@
 #pragma once
 
 #include "lower/context.h"
+#include "lower/number.h"
 
 #include <optional>
 
@@ -114,6 +115,11 @@ private:
     ExprId texel(ExprId physical);
     std::optional<std::vector<std::int64_t>> offset_of(const ir::Expr& node);
     ExprId near_guard(std::uint32_t root, const std::vector<std::int64_t>& offset);
+    void note_near_guard(std::uint32_t root);
+
+    // inside.cpp
+    bool is_asking_inside(std::uint32_t root, ExprId condition, ExprId address);
+    ExprId without_inside(std::uint32_t root, ExprId condition, ExprId address, bool& asked);
 
     // sample.cpp
     ExprId sample(const ir::Expr& node);
@@ -150,6 +156,7 @@ private:
     Context& cx;
     ir::Program& p;
     Make& make;
+    Numbers numbers_{cx};
     Guards guards_;
     Frame* frame_ = nullptr;
     Block* out_ = nullptr;

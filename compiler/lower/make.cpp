@@ -191,6 +191,10 @@ std::optional<ExprId> Make::simpler_binary(const Expr& node) {
     auto whole = [&](ExprId id) { return type(id) == node.type; };
     switch (node.binary) {
     case BinaryOp::add:
+        // x + (2^32 - 1) is x - 1.
+        if (node.type == p.types.uint && p.exprs[b].op == Op::constant && p.exprs[b].bits > 0x80000000u)
+            return binary(BinaryOp::subtract, a, uint(0x100000000ull - p.exprs[b].bits));
+        [[fallthrough]];
     case BinaryOp::bit_or:
     case BinaryOp::bit_xor:
         if (is_number(a, 0) && whole(b)) return b;

@@ -37,7 +37,9 @@ ExprId Expander::domain_of(const Place& place) {
     if (structure.domain) {
         Frame frame;
         frame.places = {canonical(place)};
-        return inside(std::move(frame), [&] { return value_of(structure.domain); });
+        ExprId domain = inside(std::move(frame), [&] { return value_of(structure.domain); });
+        if (!is_trivial(cx, domain)) cx.names.emplace(domain, cx.name_of(place) + "_domain");
+        return domain;
     }
     Expr leaf;
     leaf.op = Op::domain;
@@ -68,7 +70,10 @@ ExprId Expander::centre_address(std::uint32_t root) {
 
 /// The parts of a physical address as named locals: one for a number, one a component for a vector.
 Pair Expander::centre(std::uint32_t root) {
-    root = canonical_root(root);
+    // Structures of one state share addresses, unless these are read from each one's own memory.
+    bool reads = false;
+    for (const Stage& stage : cx.structure_at({root, {}}).via) reads = reads || !stage.structures.empty();
+    if (!reads) root = canonical_root(root);
     if (auto found = centres_.find(root); found != centres_.end()) return found->second;
     ExprId address = centre_address(root);
     std::string name = cx.name_of({root, {}});
@@ -79,6 +84,8 @@ Pair Expander::centre(std::uint32_t root) {
     Block made = collect([&] {
         inside(std::move(frame), [&] {
             Pair at = translated({root, {}}, address, name);
+            bool asked = false;
+            at.has = without_inside(root, at.has, address, asked);
             result.value = named(name + "_at", at.value);
             if (at.has) result.has = named(name + "_found", at.has);
             return 0;

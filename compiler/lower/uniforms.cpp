@@ -14,6 +14,16 @@ namespace {
 
 constexpr unsigned shader_operations = 3;   ///< uniform operations on known parameters that cost less than one more parameter
 
+std::string word_for(BinaryOp op) {
+    switch (op) {
+    case BinaryOp::multiply: return "times";
+    case BinaryOp::divide: return "over";
+    case BinaryOp::add: return "plus";
+    case BinaryOp::subtract: return "minus";
+    default: return "value";
+    }
+}
+
 class Uniforms {
 public:
     explicit Uniforms(Context& context) : cx(context), numbers_(context) {}
@@ -144,6 +154,13 @@ std::string Uniforms::name_of(ExprId id) {
     }
     case Op::call: return text(cx.p.functions[node.function].name);
     default: break;  // named after what it is made of
+    }
+    // s_extent_minus_1
+    if (node.op == Op::binary && cx.make.is_constant(node.operands[1]) && !cx.make.is_constant(node.operands[0])) {
+        std::string word = word_for(node.binary);
+        if (auto count = cx.make.bits_of(node.operands[1]); count && !cx.p.types.is_floating(cx.make.type(node.operands[1])))
+            word += "_" + std::to_string(*count);
+        return name_of(node.operands[0]) + "_" + word;
     }
     std::string name;
     for (ExprId operand : node.operands)

@@ -1,0 +1,36 @@
+// What is known of the current element: it lies in the domain. A translator that asks so itself (one that maps nothing beyond
+// the edge) gets its answer here, and a neighbour is asked only about the sides that it moves towards.
+#include "lower/expand.h"
+
+namespace gliftc::lower {
+
+using namespace ir;
+
+/// Whether the condition is all(lessThan(address, domain)), or address < domain, of the structure's own domain.
+bool Expander::is_asking_inside(std::uint32_t root, ExprId condition, ExprId address) {
+    const Expr* test = &p.exprs[condition];
+    if (test->op == Op::intrinsic && test->intrinsic == Intrinsic::all) {
+        test = &p.exprs[test->operands[0]];
+        if (test->op != Op::intrinsic || test->intrinsic != Intrinsic::lessThan) return false;
+    } else if (test->op != Op::binary || test->binary != BinaryOp::less) {
+        return false;
+    }
+    ExprId left = test->operands[0], right = test->operands[1];
+    return numbers_.of(left) == numbers_.of(address) && numbers_.of(right) == numbers_.of(domain_of({root, {}}));
+}
+
+/// The condition without the parts that ask whether the address is inside; `asked` where there was one.
+ExprId Expander::without_inside(std::uint32_t root, ExprId condition, ExprId address, bool& asked) {
+    if (!condition) return condition;
+    if (is_asking_inside(root, condition, address)) {
+        asked = true;
+        return {};
+    }
+    const Expr node = p.exprs[condition];
+    if (node.op != Op::binary || node.binary != BinaryOp::logical_and) return condition;
+    ExprId left = without_inside(root, node.operands[0], address, asked);
+    ExprId right = without_inside(root, node.operands[1], address, asked);
+    return make.both(left, right);
+}
+
+}  // namespace gliftc::lower
