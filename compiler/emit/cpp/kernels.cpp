@@ -133,20 +133,10 @@ std::string memories_text(Unit& unit, const Kernel& kernel, const Pass& pass) {
 
 /// The parameter whose range the kernel's size is.
 const KernelParam* first_visited(const Kernel& kernel) {
-    for (std::size_t i = 0; i < kernel.params.size(); ++i) {
-        if (is_visited(kernel.params[i].pattern) && is_passed(kernel, i)) return &kernel.params[i];
+    for (const KernelParam& param : kernel.params) {
+        if (is_visited(param.pattern)) return &param;
     }
     return nullptr;
-}
-
-/// An `at` that is not passed goes with this one.
-const KernelParam& passed_param(const Kernel& kernel, std::size_t i) {
-    if (is_passed(kernel, i)) return kernel.params[i];
-    for (std::size_t k = 0; k < kernel.params.size(); ++k) {
-        if (k != i && kernel.params[k].pattern == Pattern::each && kernel.params[k].structure == kernel.params[i].structure)
-            return kernel.params[k];
-    }
-    return kernel.params[i];
 }
 
 std::string value_of(Unit& unit, const Kernel& kernel, const PassParameter& parameter) {
@@ -157,7 +147,7 @@ std::string value_of(Unit& unit, const Kernel& kernel, const PassParameter& para
             if (param.pattern == Pattern::value) p.local_names[param.local] = param_name(unit, param);
         }
         p.outer_expression = [&](const ir::Expr& expr) -> Text {
-            const KernelParam& param = passed_param(kernel, expr.place.root);
+            const KernelParam& param = kernel.params[expr.place.root];
             return structure_property(unit.globals, expr, param.structure, param_name(unit, param) + "->");
         };
         std::string text = print_any(p, parameter.value);
@@ -166,7 +156,7 @@ std::string value_of(Unit& unit, const Kernel& kernel, const PassParameter& para
         return text;
     }
     case ParameterSource::origin: {
-        const KernelParam& param = passed_param(kernel, parameter.param);
+        const KernelParam& param = kernel.params[parameter.param];
         if (param.pattern == Pattern::near) return "iteration.centre(" + param_name(unit, param) + ")";
         return param_name(unit, param) + ".origin()";
     }
@@ -174,7 +164,7 @@ std::string value_of(Unit& unit, const Kernel& kernel, const PassParameter& para
         const KernelParam* first = first_visited(kernel);
         return first ? param_name(unit, *first) + ".size()" : "{}";
     }
-    case ParameterSource::range_size: return param_name(unit, passed_param(kernel, parameter.param)) + ".size()";
+    case ParameterSource::range_size: return param_name(unit, kernel.params[parameter.param]) + ".size()";
     case ParameterSource::address: return "0u";
     }
     return "{}";
@@ -212,9 +202,9 @@ void print_dispatch(Unit& unit, Writer& out, const Kernel& kernel, const Pass& p
 std::string direct_condition(Unit& unit, const Kernel& kernel, const Pass& pass, const std::string& name) {
     std::string condition = "iteration.is_whole()";
     for (std::size_t i = 0; i < kernel.params.size(); ++i) {
-        if (kernel.params[i].pattern == Pattern::value || !is_passed(kernel, i)) continue;
+        if (kernel.params[i].pattern == Pattern::value) continue;
         for (std::size_t k = i + 1; k < kernel.params.size(); ++k) {
-            if (kernel.params[k].pattern == Pattern::value || !is_passed(kernel, k)) continue;
+            if (kernel.params[k].pattern == Pattern::value) continue;
             if (kernel.params[k].structure != kernel.params[i].structure) continue;
             condition += " && " + param_name(unit, kernel.params[i]) + "->same_state(" + param_name(unit, kernel.params[k]) + ".structure())";
             break;
@@ -225,19 +215,19 @@ std::string direct_condition(Unit& unit, const Kernel& kernel, const Pass& pass,
 
 }  // namespace
 
-bool is_passed(const Kernel& kernel, std::size_t i) {
-    if (kernel.params[i].pattern != Pattern::at) return true;
-    return std::ranges::none_of(kernel.params, [&](const KernelParam& other) {
-        return other.pattern == Pattern::each && other.structure == kernel.params[i].structure;
-    });
+std::optional<std::size_t> range_of_first_at(const Kernel& kernel) {
+    if (kernel.params.empty() || kernel.params[0].pattern != Pattern::at) return std::nullopt;
+    for (std::size_t i = 1; i < kernel.params.size(); ++i) {
+        if (kernel.params[i].pattern == Pattern::each && kernel.params[i].structure == kernel.params[0].structure) return i;
+    }
+    return std::nullopt;
 }
 
-std::string kernel_signature(Unit& unit, std::uint32_t index, bool qualified) {
+std::string kernel_signature(Unit& unit, std::uint32_t index, bool qualified, std::size_t first) {
     const Kernel& kernel = unit.program.kernels[index];
     std::string parameters = "const glift::Commands& commands";
-    for (std::size_t i = 0; i < kernel.params.size(); ++i) {
+    for (std::size_t i = first; i < kernel.params.size(); ++i) {
         const KernelParam& param = kernel.params[i];
-        if (!is_passed(kernel, i)) continue;
         if (param.pattern == Pattern::value) parameters += ", " + unit.type(unit.program.locals[param.local].type, qualified) + " ";
         else parameters += ", const glift::Range<" + unit.class_name(param.structure) + ">& ";
         parameters += param_name(unit, param);
@@ -294,7 +284,6 @@ void print_kernel_function(Unit& unit, Writer& out, std::uint32_t index) {
     for (bool near : {false, true}) {
         for (std::size_t i = 0; i < kernel.params.size(); ++i) {
             const KernelParam& param = kernel.params[i];
-            if (!is_passed(kernel, i)) continue;
             const std::string argument = param_name(unit, param);
             if (!near && is_visited(param.pattern)) out.line("iteration.each(\"" + unit.name(param.name) + "\", " + argument + ");");
             if (near && param.pattern == Pattern::near) out.line("iteration.near(\"" + unit.name(param.name) + "\", " + argument + ");");
@@ -312,6 +301,18 @@ void print_kernel_function(Unit& unit, Writer& out, std::uint32_t index) {
     } else {
         print_dispatch(unit, out, kernel, any, name, forms.general.exists ? "general" : "direct");
     }
+    out.close();
+}
+
+void print_short_kernel_function(Unit& unit, Writer& out, std::uint32_t index) {
+    const Kernel& kernel = unit.program.kernels[index];
+    const std::optional<std::size_t> range = range_of_first_at(kernel);
+    if (!range) return;
+    std::string arguments = "commands, " + param_name(unit, kernel.params[*range]);
+    for (std::size_t i = 1; i < kernel.params.size(); ++i) arguments += ", " + param_name(unit, kernel.params[i]);
+    out.gap();
+    out.open(kernel_signature(unit, index, false, 1));
+    out.line(unit.globals.kernel_names.at(index) + "(" + arguments + ");");
     out.close();
 }
 

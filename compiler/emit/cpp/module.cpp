@@ -89,6 +89,7 @@ std::string header_of(Unit& unit, const std::string& stem) {
         if (!is_public(unit, kernel)) continue;
         write_doc(out, unit.program.kernels[kernel].doc);
         out.line(kernel_signature(unit, kernel, true) + ";");
+        if (range_of_first_at(unit.program.kernels[kernel])) out.line(kernel_signature(unit, kernel, true, 1) + ";");
         out.gap();
     }
     for (std::uint32_t pipeline : unit.reach.pipelines) {
@@ -108,7 +109,10 @@ std::string source_of(Unit& unit, const std::string& stem) {
     }
     for (std::uint32_t kernel : unit.reach.kernels) print_kernel_code(unit, code, kernel);
     Writer hidden_functions, hidden_members;
-    for (std::uint32_t kernel : unit.reach.kernels) print_kernel_function(unit, is_public(unit, kernel) ? functions : hidden_functions, kernel);
+    for (std::uint32_t kernel : unit.reach.kernels) {
+        print_kernel_function(unit, is_public(unit, kernel) ? functions : hidden_functions, kernel);
+        if (is_public(unit, kernel)) print_short_kernel_function(unit, functions, kernel);
+    }
     for (std::uint32_t structure : unit.reach.structures)
         print_class_members(unit, unit.reach.in_header.contains(structure) ? members : hidden_members, structure);
     std::string declarations;

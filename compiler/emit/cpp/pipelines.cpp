@@ -126,7 +126,6 @@ void PipelinePrinter::dispatch(const Stmt& stmt) {
     const ir::Kernel& kernel = unit.program.kernels[stmt.slot];
     std::string arguments;
     for (std::size_t i = 0; i < stmt.arguments.size(); ++i) {
-        if (!is_passed(kernel, i)) continue;
         const ir::TypeId type = unit.program.exprs[stmt.arguments[i]].type;
         std::string argument = print(p, stmt.arguments[i], Level::postfix);
         // A value that a kernel takes is part of its parameters, which the host packs.

@@ -46,10 +46,12 @@ void print_structs(Unit& unit, Writer& out);
 
 // kernels.cpp
 void print_kernel_code(Unit& unit, Writer& out, std::uint32_t kernel);
-std::string kernel_signature(Unit& unit, std::uint32_t kernel, bool qualified);
+/// With the parameters from the `first` on.
+std::string kernel_signature(Unit& unit, std::uint32_t kernel, bool qualified, std::size_t first = 0);
 void print_kernel_function(Unit& unit, Writer& out, std::uint32_t kernel);
-/// Kernel parameters that its C++ function has: all but an `at` that follows an `each` of the same structure.
-bool is_passed(const ir::Kernel& kernel, std::size_t param);
+/// A kernel whose first parameter is `at` may be called without it: the first `each` of the same structure gives the range.
+std::optional<std::size_t> range_of_first_at(const ir::Kernel& kernel);
+void print_short_kernel_function(Unit& unit, Writer& out, std::uint32_t kernel);
 
 // pipelines.cpp
 std::string pipeline_signature(Unit& unit, std::uint32_t pipeline, bool qualified, bool in_class);
