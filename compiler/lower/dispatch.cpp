@@ -23,6 +23,13 @@ void choose_dispatch(Context& cx) {
     cx.pass.shared = kernel.shared;
 }
 
+ExprId in_range_condition(Context& cx) {
+    ExprId at = cx.make.local(cx.pass.address);
+    if (cx.pass.rank == 1) return cx.make.binary(BinaryOp::less, at, cx.size);
+    TypeId truths = cx.p.types.with_scalar(cx.kernel.domain_type, cx.p.types.bool_);
+    return cx.make.intrinsic(Intrinsic::all, cx.p.types.bool_, {cx.make.intrinsic(Intrinsic::lessThan, truths, {at, cx.size})});
+}
+
 std::vector<StmtId> dispatch_prologue(Context& cx) {
     Make& make = cx.make;
     TypeId uint3 = cx.p.types.vector(cx.p.types.uint, 3);
@@ -56,15 +63,7 @@ std::vector<StmtId> dispatch_prologue(Context& cx) {
                                         make.binary(BinaryOp::divide, lane(id, 2), depth)});
     }
     let(cx.pass.address, address);
-    ExprId at = make.local(cx.pass.address);
-    ExprId inside;
-    if (cx.pass.rank == 1) {
-        inside = make.binary(BinaryOp::less, at, cx.size);
-    } else {
-        TypeId truths = cx.p.types.with_scalar(type, cx.p.types.bool_);
-        inside = make.intrinsic(Intrinsic::all, cx.p.types.bool_, {make.intrinsic(Intrinsic::lessThan, truths, {at, cx.size})});
-    }
-    let(cx.pass.in_range, inside);
+    let(cx.pass.in_range, in_range_condition(cx));
     return result;
 }
 

@@ -8,6 +8,9 @@ namespace gliftc::lower {
 /// Before the body is made: rank, group, and the locals `address` and `in_range`.
 void choose_dispatch(Context& cx);
 
+/// The condition that in_range stands for.
+ExprId in_range_condition(Context& cx);
+
 /// Declares `address` and `in_range` from what the shader is given; cx.size is the iteration's size.
 std::vector<StmtId> dispatch_prologue(Context& cx);
 

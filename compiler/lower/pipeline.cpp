@@ -16,10 +16,10 @@ using namespace ir;
 namespace {
 
 /// Addresses relative to each other, everything once, nothing unused.
-std::vector<StmtId> simplified(Context& cx, std::vector<StmtId> body) {
-    body = share(cx, body);
+std::vector<StmtId> simplified(Context& cx, std::vector<StmtId> body, const std::vector<ExprId>& facts = {}) {
+    body = share(cx, body, facts);
     body = strengthen(cx, body);
-    body = share(cx, body);
+    body = share(cx, body, facts);
     body = drop_dead(cx, body);
     return merge_single_uses(cx, body);
 }
@@ -52,14 +52,14 @@ void add_addresses(Context& cx) {
 }
 
 /// The host's body for centres whose neighbours all lie inside; `domain` becomes the parameter it is valid for.
-std::vector<StmtId> interior(Context& cx, Expander& checked, std::vector<StmtId>& holders) {
+std::vector<StmtId> interior(Context& cx, Expander& checked, const std::vector<ExprId>& facts, std::vector<StmtId>& holders) {
     if (!checked.has_near_guards || !checked.near_domains_agree) return {};
     Expander expander(cx, Guards::interior);
     std::vector<StmtId> body = expander.kernel_body();
     holders.push_back(holder(cx, checked.near_domain));
     for (const KernelParam& param : cx.kernel.params)
         if (param.pattern == Pattern::near) cx.pass.interior_radius = std::max(cx.pass.interior_radius, param.radius);
-    return simplified(cx, std::move(body));
+    return simplified(cx, std::move(body), facts);
 }
 
 Pass lowered(Program& program, Diagnostics& diagnostics, std::uint32_t kernel, Form form) {
@@ -70,9 +70,12 @@ Pass lowered(Program& program, Diagnostics& diagnostics, std::uint32_t kernel, F
     choose_dispatch(cx);
     Expander expander(cx, Guards::checked);
     cx.size = expander.iteration_size();
-    pass.body = simplified(cx, expander.kernel_body());
+    // A kernel without a group does not run beyond its range.
+    std::vector<ExprId> facts;
+    if (!cx.kernel.grouped()) facts.push_back(in_range_condition(cx));
+    pass.body = simplified(cx, expander.kernel_body(), facts);
     std::vector<StmtId> holders;
-    pass.interior_body = interior(cx, expander, holders);
+    pass.interior_body = interior(cx, expander, facts, holders);
     pass.prologue = dispatch_prologue(cx);
 
     std::vector<std::vector<StmtId>*> bodies{&pass.prologue, &pass.body, &pass.interior_body};
@@ -90,6 +93,10 @@ Pass lowered(Program& program, Diagnostics& diagnostics, std::uint32_t kernel, F
             pass.interior_origin = cx.parameter(ParameterSource::origin, {}, cx.kernel.domain_type, *expander.near_root);
     }
     finish_images(pass);
+    // Without buffers nothing is reached by address.
+    bool has_buffer = false;
+    for (const PassBinding& binding : pass.bindings) has_buffer = has_buffer || binding.shape == MemoryShape::buffer;
+    pass.exists = form != Form::wide || has_buffer;
     add_addresses(cx);
     summarize(cx);
     return pass;

@@ -23,8 +23,10 @@ struct Record {
 /// made, which is the same in both walks.
 class Sharing {
 public:
-    Sharing(Context& context, std::vector<Record>& records, bool rewrites)
-        : cx(context), numbers_(context), records_(records), rewrites_(rewrites) {}
+    Sharing(Context& context, std::vector<Record>& records, const std::vector<ExprId>& facts, bool rewrites)
+        : cx(context), numbers_(context), records_(records), rewrites_(rewrites) {
+        for (ExprId fact : facts) known_.emplace(numbers_.of(fact), true);
+    }
 
     std::vector<StmtId> run(const std::vector<StmtId>& body) {
         std::vector<StmtId> result;
@@ -63,6 +65,8 @@ private:
     void append(Stmt stmt) {
         if (rewrites_) out_->push_back(cx.add(std::move(stmt)));
     }
+    std::vector<StmtId> run_knowing(const std::vector<StmtId>& body, ExprId condition, bool holds);
+    std::optional<bool> known(ExprId id);
     bool is_leaf(ExprId id);
     std::string name_for(ExprId id);
 
@@ -74,6 +78,7 @@ private:
     std::unordered_map<ValueNumber, std::uint32_t> available_;
     std::vector<std::pair<ValueNumber, std::optional<std::uint32_t>>> undo_;
     std::unordered_map<LocalId, LocalId> renamed_;
+    std::unordered_map<ValueNumber, bool> known_;   ///< conditions that are decided here
     std::vector<StmtId>* out_ = nullptr;
     Span span_;
 };
@@ -105,8 +110,26 @@ std::string Sharing::name_for(ExprId id) {
     return "value";
 }
 
+/// A body where the condition is known. What may change within the body is not.
+std::vector<StmtId> Sharing::run_knowing(const std::vector<StmtId>& body, ExprId condition, bool holds) {
+    if (!numbers_.is_fixed(condition) || cx.make.is_constant(condition)) return run(body);
+    auto [added, is_new] = known_.emplace(numbers_.of(condition), holds);
+    ValueNumber number = added->first;
+    std::vector<StmtId> result = run(body);
+    if (is_new) known_.erase(number);
+    return result;
+}
+
+std::optional<bool> Sharing::known(ExprId id) {
+    const Expr& node = cx.p.exprs[id];
+    if (known_.empty() || node.type != cx.p.types.bool_ || node.op == Op::constant || !numbers_.is_fixed(id)) return std::nullopt;
+    auto found = known_.find(numbers_.of(id));
+    return found == known_.end() ? std::nullopt : std::optional(found->second);
+}
+
 ExprId Sharing::visit(ExprId id, Where where) {
     const Expr& node = cx.p.exprs[id];
+    if (auto decided = known(id)) return rewrites_ ? cx.make.truth(*decided) : id;
     if (node.op == Op::local) {
         auto found = renamed_.find(node.local);
         return found == renamed_.end() || !rewrites_ ? id : cx.make.local(found->second);
@@ -155,9 +178,7 @@ ExprId Sharing::visit_operands(ExprId id, Where where) {
         same = same && operands.back() == node.operands[i];
     }
     if (same || !rewrites_) return id;
-    Expr copy = node;
-    copy.operands = std::move(operands);
-    ExprId result = cx.p.exprs.add(std::move(copy));
+    ExprId result = cx.make.again(node, std::move(operands));
     if (auto found = cx.names.find(id); found != cx.names.end()) cx.names.emplace(result, std::string(found->second));
     return result;
 }
@@ -177,6 +198,12 @@ void Sharing::let_(const Stmt& stmt) {
     Stmt copy = stmt;
     if (!is_plain) {
         if (stmt.value) copy.value = visit(stmt.value, Where::before);
+        append(std::move(copy));
+        return;
+    }
+    if (auto decided = known(stmt.value)) {
+        numbers_.define(stmt.local, numbers_.of(stmt.value));
+        if (rewrites_) copy.value = cx.make.truth(*decided);
         append(std::move(copy));
         return;
     }
@@ -247,8 +274,9 @@ void Sharing::statement_(StmtId id) {
     if (stmt.value) copy.value = visit(stmt.value, Where::before);
     if (stmt.target) copy.target = stmt.op == StmtOp::assign ? visit_target(stmt.target) : visit(stmt.target, Where::before);
     if (stmt.op == StmtOp::if_ || stmt.op == StmtOp::block) {
-        copy.body = run(stmt.body);
-        copy.otherwise = run(stmt.otherwise);
+        bool is_if = stmt.op == StmtOp::if_;
+        copy.body = is_if ? run_knowing(stmt.body, stmt.value, true) : run(stmt.body);
+        copy.otherwise = is_if ? run_knowing(stmt.otherwise, stmt.value, false) : run(stmt.otherwise);
     }
     span_ = stmt.span;
     numbers_.change_all({id});
@@ -257,11 +285,11 @@ void Sharing::statement_(StmtId id) {
 
 }  // namespace
 
-std::vector<StmtId> share(Context& cx, const std::vector<StmtId>& body) {
+std::vector<StmtId> share(Context& cx, const std::vector<StmtId>& body, const std::vector<ExprId>& facts) {
     std::vector<Record> records;
-    Sharing(cx, records, false).run(body);
+    Sharing(cx, records, facts, false).run(body);
     for (Record& record : records) record.local = {};
-    return Sharing(cx, records, true).run(body);
+    return Sharing(cx, records, facts, true).run(body);
 }
 
 }  // namespace gliftc::lower

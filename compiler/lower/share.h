@@ -9,7 +9,8 @@
 
 namespace gliftc::lower {
 
-std::vector<StmtId> share(Context& cx, const std::vector<StmtId>& body);
+/// Conditions that hold on the whole body may be given; inside an if, its own is known too.
+std::vector<StmtId> share(Context& cx, const std::vector<StmtId>& body, const std::vector<ExprId>& facts);
 
 /// Puts the values of locals that share() made back where they are used, if that is one place and in no deeper loop.
 std::vector<StmtId> merge_single_uses(Context& cx, const std::vector<StmtId>& body);
