@@ -1,0 +1,22 @@
+// Grey pictures in PNG files.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace png {
+
+/// Rows from top to bottom; 0 is black, 1 is white.
+struct Picture {
+    std::uint32_t width = 0, height = 0;
+    std::vector<float> values;
+};
+
+/// Colours become grey, transparency is left out. Throws std::runtime_error, which names the file and what is wrong.
+Picture read(const std::string& path);
+
+/// With 8 bits a pixel; values beyond [0, 1] are clamped. Throws std::runtime_error.
+void write(const std::string& path, const Picture& picture);
+
+}  // namespace png
