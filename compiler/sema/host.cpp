@@ -102,6 +102,26 @@ std::optional<std::vector<ir::ExprId>> kernel_arguments(Body& body, std::uint32_
     return values;
 }
 
+/// The kernel's `at` parameter if it has exactly one: it may be left out where an each-parameter gives the range.
+std::optional<std::ptrdiff_t> only_address(const std::vector<ast::Param>& params) {
+    std::optional<std::ptrdiff_t> found;
+    for (std::size_t i = 0; i < params.size(); ++i) {
+        if (params[i].pattern != ast::Pattern::at) continue;
+        if (found) return std::nullopt;
+        found = static_cast<std::ptrdiff_t>(i);
+    }
+    return found;
+}
+
+/// Gives the left-out `at` parameter the argument of the first each-parameter over the same structure.
+void insert_address(const std::vector<ir::KernelParam>& params, std::ptrdiff_t at, std::vector<Argument>& arguments) {
+    for (std::size_t i = 0; i < params.size(); ++i) {
+        if (params[i].pattern != ir::Pattern::each || params[i].structure != params[static_cast<std::size_t>(at)].structure) continue;
+        arguments.insert(arguments.begin() + at, arguments[i < static_cast<std::size_t>(at) ? i : i - 1]);
+        return;
+    }
+}
+
 std::optional<Operand> call_kernel(Body& body, ast::DeclId id, const std::vector<ast::ExprId>& explicit_generics, const ast::Expr& call) {
     Context& c = body.context;
     if (body.kind != BodyKind::pipeline) {
@@ -115,19 +135,15 @@ std::optional<Operand> call_kernel(Body& body, ast::DeclId id, const std::vector
     Env& env = c.new_env(c.module_of.at(id));
     Arguments generics(c, c[id], env, call.span);
     if (!generics.give(body.env, explicit_generics)) return std::nullopt;
-    infer_arguments(generics, written.params, arguments, body);
+    auto left_out = arguments.size() + 1 == written.params.size() ? only_address(written.params) : std::nullopt;
+    std::vector<ast::Param> given = written.params;
+    if (left_out) given.erase(given.begin() + *left_out);
+    infer_arguments(generics, given, arguments, body);
     if (!generics.finish()) return std::nullopt;
     auto kernel = instantiate_kernel(c, id, env, call.span);
     if (!kernel) return std::nullopt;
-    // `at` alone may be left out where an each-parameter of the same structure gives the range.
     const std::vector<ir::KernelParam> params = body.program().kernels[*kernel].params;
-    if (arguments.size() + 1 == params.size() && params[0].pattern == ir::Pattern::at) {
-        for (std::size_t i = 1; i < params.size(); ++i) {
-            if (params[i].pattern != ir::Pattern::each || params[i].structure != params[0].structure) continue;
-            arguments.insert(arguments.begin(), arguments[i - 1]);
-            break;
-        }
-    }
+    if (left_out) insert_address(params, *left_out, arguments);
     if (arguments.size() != params.size()) {
         note(c.error(Diag::argument_count, call.span, {c.text(c[id].name.name), std::to_string(params.size()), std::to_string(arguments.size())}),
              c[id].name.span, "declared here");
