@@ -14,6 +14,7 @@ void Parser::parse_translator(ast::Decl& decl) {
     }
     ast::Translator translator;
     if (!at(TokenKind::colon)) fail_expected("':'", "a translator says what it maps: 'translator Name : uint3 -> uint'");
+    set_role(Role::spaced);
     accept(TokenKind::colon);
     translator.virtual_type = parse_type();
     expect(TokenKind::arrow);
@@ -55,6 +56,7 @@ void Parser::parse_structure(ast::Decl& decl) {
 ast::View Parser::parse_view() {
     ast::View view;
     view.constructor = parse_params();
+    set_role(Role::spaced);
     expect(TokenKind::colon);
     view.virtual_type = parse_type();
     expect(TokenKind::arrow);

@@ -119,8 +119,10 @@ ast::ExprId Parser::parse_conditional() {
     if (!at(TokenKind::question) || lost_) return condition;
     Expr expr;
     expr.kind = ExprKind::conditional;
+    set_role(Role::spaced);
     expr.name_span = span_of(advance());
     expr.operands = {condition, parse_conditional()};
+    set_role(Role::spaced);
     expect(TokenKind::colon);
     if (lost_) return error_expr();
     expr.operands.push_back(parse_conditional());

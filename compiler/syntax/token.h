@@ -46,6 +46,7 @@ enum class Role : std::uint8_t {
     unary,                        // a prefix operator
     optional,                     // the `?` of a type
     open_tuple, close_tuple,      // the braces of `{ 1, 2 }`
+    spaced,                       // the `?` and `:` of a conditional, the `:` before `virtual -> physical`
 };
 
 struct Token {

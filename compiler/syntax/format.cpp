@@ -1,0 +1,241 @@
+#include "syntax/format.h"
+
+#include "syntax/format_pieces.h"
+#include "syntax/lexer.h"
+#include "syntax/parser.h"
+
+namespace gliftc {
+
+namespace {
+
+constexpr std::size_t widest = 120, level = 4, widest_alignment = 60;
+
+/// Lays pieces out in lines. A statement is what ends with `;` or with a block; a statement whose blocks all stood on one line, and
+/// that fits, is one line.
+class Formatter {
+public:
+    explicit Formatter(const std::vector<Piece>& pieces) : pieces_(pieces) {}
+
+    std::string run() {
+        statements(static_cast<std::uint32_t>(pieces_.size() - 1), 0);
+        if (!out_.empty()) out_ += '\n';
+        return std::move(out_);
+    }
+
+private:
+    // ---- where things end
+
+    /// Behind the statement that begins at `from`; its trailing comments are not part of it.
+    std::uint32_t end_of_statement(std::uint32_t from, std::uint32_t limit) const {
+        for (std::uint32_t i = from; i < limit; ++i) {
+            const Piece& piece = pieces_[i];
+            if (piece.is(TokenKind::semicolon)) return i + 1;
+            if (!piece.opens()) continue;
+            i = piece.partner;
+            if (!piece.opens_block()) continue;
+            std::uint32_t next = i + 1;
+            while (next < limit && pieces_[next].is_comment()) ++next;
+            if (next >= limit || !pieces_[next].is(TokenKind::kw_else)) return i + 1;
+        }
+        return limit;
+    }
+
+    /// Behind `@name(arguments) @name…` where a new line follows, else `from`.
+    std::uint32_t end_of_attribute(std::uint32_t from, std::uint32_t limit) const {
+        std::uint32_t end = from;
+        while (end < limit && pieces_[end].is(TokenKind::at_sign) && (end == from || !pieces_[end].first_on_line)) {
+            end += 2;
+            if (end < limit && pieces_[end].is(TokenKind::open_paren)) end = pieces_[end].partner + 1;
+        }
+        return end > from && end < limit && pieces_[end].first_on_line && !pieces_[end].is_comment() ? end : from;
+    }
+
+    // ---- one line
+
+    /// Whether nothing from `from` to `to` forces a line to end.
+    bool is_flat(std::uint32_t from, std::uint32_t to) const {
+        for (std::uint32_t i = from; i < to; ++i) {
+            const Piece& piece = pieces_[i];
+            if (piece.is_comment()) return false;
+            if (!piece.opens_block()) continue;
+            for (std::uint32_t k = i + 1; k <= piece.partner; ++k)
+                if (pieces_[k].first_on_line) return false;
+        }
+        return true;
+    }
+
+    std::string flat(std::uint32_t from, std::uint32_t to) const {
+        std::string text;
+        bool is_path = pieces_[from].is(TokenKind::kw_use);
+        for (std::uint32_t i = from; i < to; ++i) {
+            bool in_path = is_path && i > from + 1;
+            if (i > from && !in_path && space_between(pieces_[i - 1], pieces_[i])) text += ' ';
+            text += pieces_[i].text;
+        }
+        return text;
+    }
+
+    // ---- lines
+
+    void new_line(std::size_t indent) {
+        if (!out_.empty()) out_ += '\n';
+        line_start_ = out_.size();
+        out_.append(indent, ' ');
+    }
+    std::size_t column() const { return out_.size() - line_start_; }
+
+    void blank_line_before(std::uint32_t i, bool first) {
+        if (pieces_[i].blank_before && !first) out_ += '\n';
+    }
+
+    /// The statements and comments from the position to `limit`.
+    void statements(std::uint32_t limit, std::size_t indent) {
+        bool first = true;
+        while (at_ < limit) {
+            blank_line_before(at_, first);
+            first = false;
+            if (pieces_[at_].is_comment() && stands_alone(at_, limit)) {
+                new_line(indent);
+                out_ += pieces_[at_++].text;
+                continue;
+            }
+            new_line(indent);
+            std::uint32_t end = end_of_attribute(at_, limit);
+            if (end == at_) end = end_of_statement(at_, limit);
+            statement(end, indent);
+            trailing_comments(limit);
+        }
+    }
+
+    bool stands_alone(std::uint32_t i, std::uint32_t limit) const {
+        return pieces_[i].kind == PieceKind::line_comment || i + 1 >= limit || pieces_[i + 1].first_on_line;
+    }
+
+    /// Comments behind code on its line.
+    void trailing_comments(std::uint32_t limit) {
+        while (at_ < limit && pieces_[at_].is_comment() && !pieces_[at_].first_on_line) {
+            out_ += "  ";
+            out_ += pieces_[at_++].text;
+        }
+    }
+
+    void statement(std::uint32_t end, std::size_t indent) {
+        if (is_flat(at_, end)) {
+            std::string text = flat(at_, end);
+            if (column() + text.size() <= widest) {
+                out_ += text;
+                at_ = end;
+                return;
+            }
+        }
+        bool is_enum = false;
+        while (at_ < end) {
+            std::uint32_t stop = at_;
+            while (stop < end && !pieces_[stop].opens_block()) {
+                is_enum |= pieces_[stop].is(TokenKind::kw_enum);
+                stop = pieces_[stop].opens() ? pieces_[stop].partner + 1 : stop + 1;
+            }
+            stop = std::min(stop, end);
+            wrap(stop, indent, stop < end ? 2 : 0);
+            if (stop < end) block(indent, is_enum);
+        }
+    }
+
+    /// `{`, what is in it one level further in, `}`.
+    void block(std::size_t indent, bool is_enum) {
+        std::uint32_t close = pieces_[at_].partner;
+        if (column() > indent) out_ += ' ';
+        out_ += '{';
+        ++at_;
+        if (at_ == close) {
+            out_ += " }";
+            ++at_;
+            return;
+        }
+        trailing_comments(close);
+        if (is_enum) {
+            enumerators(close, indent + level);
+        } else {
+            statements(close, indent + level);
+        }
+        new_line(indent);
+        out_ += '}';
+        ++at_;
+    }
+
+    /// One a line.
+    void enumerators(std::uint32_t close, std::size_t indent) {
+        while (at_ < close) {
+            new_line(indent);
+            if (pieces_[at_].is_comment()) {
+                out_ += pieces_[at_++].text;
+                continue;
+            }
+            std::uint32_t end = at_;
+            while (end < close && !pieces_[end].is(TokenKind::comma) && !pieces_[end].is_comment())
+                end = pieces_[end].opens() ? pieces_[end].partner + 1 : end + 1;
+            if (end < close && pieces_[end].is(TokenKind::comma)) ++end;
+            wrap(end, indent, 0);
+            trailing_comments(close);
+        }
+    }
+
+    /// The pieces up to `end`, in as many lines as they need; `room` columns are kept free behind the last.
+    void wrap(std::uint32_t end, std::size_t indent, std::size_t room) {
+        std::uint32_t first = at_;
+        std::vector<std::size_t> alignment;
+        while (at_ < end) {
+            const Piece& piece = pieces_[at_];
+            bool forced = at_ > first && (pieces_[at_ - 1].kind == PieceKind::line_comment || (piece.is_comment() && piece.first_on_line));
+            bool over = at_ > first && breaks_before(at_, end, room);
+            if (forced || over) {
+                std::size_t aligned = alignment.empty() ? indent + 2 * level : alignment.back();
+                new_line(aligned > widest_alignment ? indent + 2 * level : aligned);
+            } else if (at_ > first ? space_between(pieces_[at_ - 1], piece) : column() > indent) {
+                out_ += piece.is_comment() && !piece.first_on_line ? "  " : " ";
+            }
+            out_ += piece.text;
+            if (piece.opens()) alignment.push_back(column());
+            if (piece.closes() && !alignment.empty()) alignment.pop_back();
+            ++at_;
+        }
+    }
+
+    /// Whether the line must end before piece `i`: what follows up to the next place to break, at this depth or further out, is
+    /// too long.
+    bool breaks_before(std::uint32_t i, std::uint32_t end, std::size_t room) const {
+        if (!may_break_between(pieces_[i - 1], pieces_[i])) return false;
+        std::size_t length = column() + (space_between(pieces_[i - 1], pieces_[i]) ? 1 : 0);
+        int depth = 0;
+        for (std::uint32_t k = i; k < end; ++k) {
+            if (k > i) {
+                if (pieces_[k - 1].kind == PieceKind::line_comment || pieces_[k].is_comment()) return length > widest;
+                if (depth <= 0 && may_break_between(pieces_[k - 1], pieces_[k])) return length > widest;
+                length += space_between(pieces_[k - 1], pieces_[k]) ? 1 : 0;
+            }
+            length += pieces_[k].text.size();
+            if (pieces_[k].opens()) ++depth;
+            if (pieces_[k].closes()) --depth;
+        }
+        return length + room > widest;
+    }
+
+    const std::vector<Piece>& pieces_;
+    std::uint32_t at_ = 0;
+    std::string out_;
+    std::size_t line_start_ = 0;
+};
+
+}  // namespace
+
+std::optional<std::string> format(std::uint32_t file, const Sources& sources, Names& names, Diagnostics& diagnostics) {
+    std::size_t errors = diagnostics.error_count();
+    TokenList written = lex(file, sources, names, diagnostics);
+    TokenList read = written;
+    ast::Tree tree;
+    parse(read, file, sources, names, tree, diagnostics);
+    if (diagnostics.error_count() > errors) return std::nullopt;
+    return Formatter(make_pieces(sources[file].text, written, read)).run();
+}
+
+}  // namespace gliftc

@@ -1,0 +1,41 @@
+// What the formatter puts in a row: tokens with the roles that the parser found, and comments among them.
+#pragma once
+
+#include "syntax/token.h"
+
+#include <string_view>
+#include <vector>
+
+namespace gliftc {
+
+enum class PieceKind : std::uint8_t { token, line_comment, block_comment, end };
+
+struct Piece {
+    PieceKind kind = PieceKind::end;
+    TokenKind token = TokenKind::end;
+    Role role = Role::none;
+    std::string_view text;
+    bool first_on_line = false;  ///< in the source
+    bool blank_before = false;   ///< an empty line stands before it in the source
+    bool space_before = false;   ///< space, or the end of a line
+    std::uint32_t partner = 0;   ///< of an opening bracket: the piece that closes it
+
+    bool is(TokenKind wanted) const { return kind == PieceKind::token && token == wanted; }
+    bool is_comment() const { return kind == PieceKind::line_comment || kind == PieceKind::block_comment; }
+    bool opens_block() const { return is(TokenKind::open_brace) && role != Role::open_tuple; }
+    bool opens() const { return is(TokenKind::open_paren) || is(TokenKind::open_bracket) || is(TokenKind::open_brace) || role == Role::open_generic; }
+    bool closes() const {
+        return is(TokenKind::close_paren) || is(TokenKind::close_bracket) || is(TokenKind::close_brace) || role == Role::close_generic;
+    }
+};
+
+/// The pieces of a file that parsed without errors; the last is `end`. `written` are its tokens, `read` the same after parsing.
+std::vector<Piece> make_pieces(std::string_view text, const TokenList& written, const TokenList& read);
+
+/// Whether a space stands between two neighbours on one line.
+bool space_between(const Piece& before, const Piece& after);
+
+/// Whether a line that is too long may end before `after`.
+bool may_break_between(const Piece& before, const Piece& after);
+
+}  // namespace gliftc

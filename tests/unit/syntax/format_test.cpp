@@ -1,0 +1,93 @@
+#include "parse_text.h"
+
+#include "syntax/format.h"
+
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <sstream>
+
+namespace gliftc::test {
+namespace {
+
+std::string formatted(const std::string& text) {
+    Sources sources;
+    Names names;
+    Diagnostics diagnostics;
+    auto result = format(sources.add("test.glift", text), sources, names, diagnostics);
+    return result ? *result : "<errors>";
+}
+
+TEST(Format, lays_statements_out) {
+    EXPECT_EQ(formatted("module   m ;\n\n\n\nuse std . array;use ./a/b;\n"
+                        "pub   kernel k( f:in near< S,1 >,g : out each<S> )group( 8,8 )\n{\nvar x=-1.0*f [ 0 ];\n"
+                        "for i in 0 .. 4 {\nif a<b{ x+=1 ; }else{ x=vec<2,vec<3,uint>>( 1 ).x; }\n}\n\n\n// note\ng=a?b:c; // why\n}\n"),
+              "module m;\n\nuse std.array;\nuse ./a/b;\n"
+              "pub kernel k(f: in near<S, 1>, g: out each<S>) group(8, 8) {\n"
+              "    var x = -1.0 * f[0];\n"
+              "    for i in 0 .. 4 {\n"
+              "        if a < b { x += 1; } else { x = vec<2, vec<3, uint>>(1).x; }\n"
+              "    }\n\n"
+              "    // note\n"
+              "    g = a ? b : c;  // why\n"
+              "}\n");
+}
+
+TEST(Format, keeps_short_blocks_and_breaks_long_lines) {
+    std::string text = "module m;\nfn f(first_parameter: vec<3, float>, second_parameter: vec<3, float>, third_parameter: float, "
+                       "fourth_parameter: float) -> float { return 1.0; }\n";
+    EXPECT_EQ(formatted(text),
+              "module m;\n"
+              "fn f(first_parameter: vec<3, float>, second_parameter: vec<3, float>, third_parameter: float,\n"
+              "     fourth_parameter: float) -> float {\n"
+              "    return 1.0;\n"
+              "}\n");
+}
+
+TEST(Format, knows_what_a_token_means) {
+    EXPECT_EQ(formatted("module m;\nfn f(a:float?)->uint2?{ return a<b&&c> -d ? await x : !y ?? z; }\n"
+                        "@total @cost( 1 )\ntranslator T:uint->uint?{ n:uint; translate(a){ return none; } }\n"
+                        "enum E{none,some}\nenum F{\nnone,\nsome}\n"),
+              "module m;\nfn f(a: float?) -> uint2? { return a < b && c > -d ? await x : !y ?? z; }\n"
+              "@total @cost(1)\ntranslator T : uint -> uint? { n: uint; translate(a) { return none; } }\n"
+              "enum E { none, some }\nenum F {\n    none,\n    some\n}\n");
+}
+
+TEST(Format, leaves_files_with_errors_alone) { EXPECT_EQ(formatted("module m; fn ("), "<errors>"); }
+
+/// Formatting changes neither the tree nor what is formatted already.
+void expect_kept(const std::string& text, const std::string& where) {
+    Parsed before(text);
+    if (before.diagnostics.has_errors()) return;
+    std::string once = formatted(text);
+    EXPECT_EQ(Parsed(once).printed(), before.printed()) << where;
+    EXPECT_EQ(formatted(once), once) << where;
+}
+
+TEST(Format, keeps_the_meaning_of_every_file_of_the_project) {
+    std::size_t seen = 0;
+    for (const char* folder : {"/stdlib", "/examples", "/tests/golden", "/tests/errors"}) {
+        std::error_code error;
+        for (std::filesystem::recursive_directory_iterator entry(std::string(GLIFT_SOURCE_DIR) + folder, error), end; entry != end; ++entry) {
+            if (entry->path().extension() != ".glift") continue;
+            std::ifstream file(entry->path());
+            std::stringstream text;
+            text << file.rdbuf();
+            expect_kept(text.str(), entry->path().string());
+            ++seen;
+        }
+    }
+    EXPECT_GT(seen, 10u);
+}
+
+TEST(Format, keeps_comments_wherever_they_stand) {
+    expect_kept("// first\nmodule m; // second\n/* third */\n\nfn f(a: int, // fourth\n     b: int) /* fifth */ { // sixth\n"
+                "    // seventh\n    return a /* eighth */ + b; // ninth\n    // tenth\n}\n// eleventh\nenum E { // twelfth\n    a, // x\n"
+                "    // y\n    b }\nfn g() { if a { } // z\n else { } }\n/* many\n   lines */\n",
+                "comments");
+    std::string text = formatted("module m;\nfn f() { // sixth\n    g(); // ninth\n    // tenth\n}\n");
+    EXPECT_EQ(text, "module m;\nfn f() {  // sixth\n    g();  // ninth\n    // tenth\n}\n");
+}
+
+}  // namespace
+}  // namespace gliftc::test
