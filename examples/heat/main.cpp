@@ -18,11 +18,12 @@
 
 namespace {
 
-constexpr const char* usage = "usage: heat [volume.npy] [--steps N] [--out DIR]\n"
+constexpr const char* usage = "usage: heat [volume.npy] [--steps N] [--out DIR] [--save FILE.npy]\n"
                               "\n"
                               "  volume.npy   a 3-D array; without one a volume is generated\n"
                               "  --steps N    how many time steps (default 100)\n"
                               "  --out DIR    where the pictures go (default .)\n"
+                              "  --save FILE  writes the outcome as a .npy file\n"
                               "\n"
                               "GLIFT_DEVICE=gpu|lavapipe|NAME chooses the Vulkan device.\n";
 
@@ -33,6 +34,7 @@ struct Arguments {
     std::string file;
     std::uint32_t steps = 100;
     std::filesystem::path folder = ".";
+    std::string outcome;  ///< empty: it is not saved
 };
 
 struct WrongUsage : std::runtime_error {
@@ -52,7 +54,7 @@ Arguments read_arguments(int argc, char** argv) {
     Arguments arguments;
     for (int i = 1; i < argc; ++i) {
         const std::string word = argv[i];
-        if (word == "--steps" || word == "--out") {
+        if (word == "--steps" || word == "--out" || word == "--save") {
             if (++i == argc) throw WrongUsage(word + " is followed by nothing");
             if (word == "--steps")
                 arguments.steps = step_count(argv[i]);
@@ -206,6 +208,7 @@ int run(const Arguments& arguments) {
     std::printf("sum of all temperatures: %.9g before, %.9g after (the surface is insulated)\n", sum(volume.values),
                 sum(here.values));
     write_pictures(arguments, volume, here.values);
+    if (!arguments.outcome.empty()) npy::write(arguments.outcome, {volume.extent, here.values});
     return good ? 0 : 1;
 }
 

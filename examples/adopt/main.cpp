@@ -1,0 +1,108 @@
+// Glift inside a program that has its own Vulkan device, its own shader and its own command buffer: the program draws
+// into a Glift structure with its shader, Glift's passes soften it in the same command buffer, the program copies it
+// out.
+#include "../common/png.h"
+#include "adopt.glift.hpp"
+#include "checkerboard.h"
+#include "plain_vulkan.h"
+
+#include <glift/vulkan.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <string>
+#include <vector>
+
+namespace {
+
+constexpr glift::uint2 extent = {200, 120};
+constexpr std::uint32_t square = 20, rounds = 4;
+
+/// The same picture, made here: what the device must give.
+std::vector<float> expected() {
+    std::vector<float> picture(extent.x * extent.y), other(picture.size());
+    for (std::uint32_t y = 0; y < extent.y; ++y)
+        for (std::uint32_t x = 0; x < extent.x; ++x)
+            picture[y * extent.x + x] = static_cast<float>((x / square + y / square) % 2);
+    for (std::uint32_t round = 0; round < 2 * rounds; ++round) {
+        for (std::uint32_t y = 0; y < extent.y; ++y)
+            for (std::uint32_t x = 0; x < extent.x; ++x) {
+                const auto at = [&](std::uint32_t i, std::uint32_t j) { return picture[j * extent.x + i]; };
+                const std::uint32_t left = x ? x - 1 : 0, right = std::min(x + 1, extent.x - 1);
+                const std::uint32_t above = y ? y - 1 : 0, below = std::min(y + 1, extent.y - 1);
+                const float around = at(right, y) + at(left, y) + (at(x, below) + at(x, above));
+                other[y * extent.x + x] = 0.5f * at(x, y) + 0.125f * around;
+            }
+        std::swap(picture, other);
+    }
+    return picture;
+}
+
+/// Draws, softens and copies out, in one command buffer of the program's own.
+std::vector<float> draw(const PlainVulkan& vulkan) {
+    const glift::Device device = glift::vulkan::adopt({.instance = vulkan.instance,
+                                                       .physical = vulkan.physical,
+                                                       .device = vulkan.device,
+                                                       .queue = vulkan.queue,
+                                                       .queue_family = vulkan.queue_family,
+                                                       .extensions = vulkan.extensions});
+    const adopt::Picture picture(device, extent);
+    const glift::vulkan::BufferHandle memory = glift::vulkan::buffer(picture.data());
+    const VkDeviceSize bytes = sizeof(float) * extent.x * extent.y;
+
+    const ComputeShader shader(vulkan, checkerboard, sizeof(glift::uint2) + sizeof square);
+    shader.bind({memory.buffer, memory.offset, memory.bytes});
+    const ReadbackBuffer result(vulkan, bytes);
+    // The structure starts as zeros: that comes before the program's own commands.
+    device.commands().flush();
+
+    const VkCommandBuffer commands = vulkan.begin();
+    struct {
+        glift::uint2 extent;
+        std::uint32_t square;
+    } const parameters = {extent, square};
+    shader.dispatch(commands, &parameters, (extent.x + 7) / 8, (extent.y + 7) / 8);
+
+    const glift::Commands into = glift::vulkan::record_into(device, commands);
+    adopt::soften(into, picture, rounds);
+    glift::vulkan::finish(into);
+
+    const VkBufferCopy region = {memory.offset, 0, bytes};
+    vkCmdCopyBuffer(commands, memory.buffer, result.buffer, 1, &region);
+    const VkMemoryBarrier visible = {.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER,
+                                     .srcAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT,
+                                     .dstAccessMask = VK_ACCESS_HOST_READ_BIT};
+    vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_TRANSFER_BIT, VK_PIPELINE_STAGE_HOST_BIT, 0, 1, &visible, 0,
+                         nullptr, 0, nullptr);
+    vulkan.run(commands);
+
+    std::vector<float> values(std::size_t{extent.x} * extent.y);
+    std::memcpy(values.data(), result.data, bytes);
+    return values;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        if (argc > 2 || (argc == 2 && argv[1][0] == '-')) {
+            std::fprintf(stderr, "usage: adopt [picture.png]\n");
+            return 2;
+        }
+        const PlainVulkan vulkan;
+        std::printf("device: %s, made by this program\n", vulkan.name.c_str());
+        const std::vector<float> values = draw(vulkan);
+        if (argc == 2) {
+            png::write(argv[1], {extent.x, extent.y, values});
+            std::printf("picture: %s\n", argv[1]);
+        }
+        const bool right = values == expected();
+        std::printf("the picture is %s\n", right ? "as expected, to the bit" : "WRONG");
+        return right ? 0 : 1;
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "adopt: %s\n", error.what());
+        return 1;
+    }
+}

@@ -1,0 +1,77 @@
+// A program's own Vulkan: instance, device, queue, one compute shader and one buffer to read. Nothing here is Glift's,
+// but the list of features that Glift needs on the device.
+#pragma once
+
+#include <vulkan/vulkan.h>
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+/// Throws std::runtime_error, which names the call, where a Vulkan call fails.
+void check(VkResult result, const char* call);
+
+/// The device that compute runs on: a GPU where there is one, else what there is.
+class PlainVulkan {
+public:
+    PlainVulkan();
+    ~PlainVulkan();
+    PlainVulkan(const PlainVulkan&) = delete;
+    PlainVulkan& operator=(const PlainVulkan&) = delete;
+
+    VkCommandBuffer begin() const;
+    void run(VkCommandBuffer commands) const;  ///< ends, submits and waits
+
+    VkInstance instance = VK_NULL_HANDLE;
+    VkPhysicalDevice physical = VK_NULL_HANDLE;
+    VkDevice device = VK_NULL_HANDLE;
+    VkQueue queue = VK_NULL_HANDLE;
+    std::uint32_t queue_family = 0;
+    std::vector<const char*> extensions;  ///< that the device was made with
+    std::string name;
+
+private:
+    void choose_device();
+    void make_device();
+
+    VkCommandPool pool_ = VK_NULL_HANDLE;
+};
+
+/// A compute shader with one storage buffer at binding 0 and push constants.
+class ComputeShader {
+public:
+    ComputeShader(const PlainVulkan& vulkan, std::span<const std::uint32_t> spirv, std::uint32_t parameter_bytes);
+    ~ComputeShader();
+    ComputeShader(const ComputeShader&) = delete;
+    ComputeShader& operator=(const ComputeShader&) = delete;
+
+    void bind(const VkDescriptorBufferInfo& buffer) const;
+    void dispatch(VkCommandBuffer commands, const void* parameters, std::uint32_t groups_x,
+                  std::uint32_t groups_y) const;
+
+private:
+    VkDevice device_;
+    std::uint32_t parameter_bytes_;
+    VkDescriptorSetLayout set_layout_ = VK_NULL_HANDLE;
+    VkPipelineLayout layout_ = VK_NULL_HANDLE;
+    VkPipeline pipeline_ = VK_NULL_HANDLE;
+    VkDescriptorPool pool_ = VK_NULL_HANDLE;
+    VkDescriptorSet set_ = VK_NULL_HANDLE;
+};
+
+/// A buffer that the host reads.
+class ReadbackBuffer {
+public:
+    ReadbackBuffer(const PlainVulkan& vulkan, VkDeviceSize bytes);
+    ~ReadbackBuffer();
+    ReadbackBuffer(const ReadbackBuffer&) = delete;
+    ReadbackBuffer& operator=(const ReadbackBuffer&) = delete;
+
+    VkBuffer buffer = VK_NULL_HANDLE;
+    const void* data = nullptr;
+
+private:
+    VkDevice device_;
+    VkDeviceMemory memory_ = VK_NULL_HANDLE;
+};

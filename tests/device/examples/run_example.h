@@ -1,0 +1,22 @@
+// Runs an example the way a user does, with caches in the build tree and lavapipe as the Vulkan device.
+#pragma once
+
+#include "support/process.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+inline glift::test::ProcessResult run_example(const std::string& program, const std::vector<std::string>& arguments,
+                                              const std::vector<std::string>& environment = {}) {
+    std::vector<std::string> words = {"env",
+                                      "GLIFT_DEVICE=lavapipe",
+                                      "LP_NUM_THREADS=1",
+                                      "MESA_SHADER_CACHE_DIR=" GLIFT_CACHES "/mesa",
+                                      "GLIFT_CACHE_DIR=" GLIFT_CACHES "/pipelines",
+                                      "ASAN_OPTIONS=detect_leaks=0"};
+    words.insert(words.end(), environment.begin(), environment.end());
+    words.push_back(program);
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    return glift::test::run_process(words);
+}
