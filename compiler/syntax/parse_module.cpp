@@ -127,7 +127,11 @@ ast::DeclId Parser::parse_declaration() {
 void Parser::parse_declaration_body(Decl& decl) {
     using enum TokenKind;
     std::uint32_t keyword = cursor_;
-    if (at_word(Word::raster)) return fail_reserved("raster passes come in a later version");
+    if (at_word(Word::raster)) {
+        fail_reserved("raster passes come in a later version");
+        advance();
+        return;
+    }
     if (at_word(Word::test) && peek(1).kind == string) {
         advance();
         ast::Test test;

@@ -53,6 +53,7 @@ void Parser::fail_expected(std::string_view what, std::string note) {
 
 void Parser::fail_reserved(std::string_view reason) {
     fail(Diag::reserved_name, here(), {text_of(peek()), reason});
+    advance();
 }
 
 void Parser::report_unclosed(std::uint32_t open_token) {
