@@ -68,6 +68,9 @@ private:
     std::uint64_t longest_ = 0;
 };
 
+/// Devices may convert eight-bit texels to floats, and back, a last bit apart.
+bool rounds_freely(Format format) { return format == Format::r8 || format == Format::rg8 || format == Format::rgba8; }
+
 /// Callees before callers.
 void add_functions(Context& cx, const std::vector<StmtId>& body) {
     for_each_expression(cx.p, body, [&](ExprId id) {
@@ -89,6 +92,7 @@ void summarize(Context& cx) {
     add_functions(cx, cx.pass.prologue);
     add_functions(cx, cx.pass.body);
     add_functions(cx, cx.pass.interior_body);
+    for (const PassBinding& binding : cx.pass.bindings) cx.pass.exact = cx.pass.exact && !rounds_freely(binding.format);
 }
 
 }  // namespace gliftc::lower
