@@ -1,5 +1,7 @@
 #include "ir/evaluate.h"
 
+#include "base/half.h"
+
 #include <bit>
 #include <cmath>
 #include <unordered_map>
@@ -15,7 +17,7 @@ constexpr unsigned depth_limit = 200;
 double round_to(const Types& types, TypeId scalar, double number) {
     switch (types.kind(scalar)) {
         case TypeKind::float_: return static_cast<float>(number);
-        case TypeKind::half: return static_cast<double>(static_cast<_Float16>(static_cast<float>(number)));
+        case TypeKind::half: return round_to_half(static_cast<float>(number));
         default: return number;
     }
 }
