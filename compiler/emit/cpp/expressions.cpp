@@ -179,7 +179,6 @@ Text print_call(Printer& p, const Expr& expr) {
 }
 
 Text print_local(Printer& p, ir::LocalId local) {
-    if (p.used_locals) p.used_locals->insert(local);
     if (p.outer_local) {
         if (std::string text = p.outer_local(local); !text.empty()) return {text};
     }
@@ -241,6 +240,7 @@ Text print(Printer& p, ExprId id) {
     }
     case Op::call: return print_call(p, expr);
     case Op::intrinsic: {
+        if (p.identities.contains(id)) return print(p, expr.operands[0]);
         const std::string scope = is_workgroup_atomic(expr.intrinsic) ? "glift::host::" : "glift::";
         return function_call(p, scope + std::string(ir::name_of(expr.intrinsic)), expr.operands);
     }

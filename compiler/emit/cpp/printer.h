@@ -54,8 +54,8 @@ struct Printer {
     std::function<void(ir::ExprId)> print_return;
     /// How a local that is not simply a name is spelled (an array over the workgroup): may be empty.
     std::function<std::string(ir::LocalId)> outer_local;
-    /// Called with each printed dependence on a local: who needs to know what is used.
-    std::set<ir::LocalId>* used_locals = nullptr;
+    /// Intrinsics that are printed as their first operand.
+    std::set<ir::ExprId> identities;
     bool use_namespaces = false;   ///< headers: glift::uint4, else uint4
     std::uint32_t marked_file = 0xffffffffu, marked_line = 0;
 

@@ -52,7 +52,8 @@ bool all_steady(const Slopes& slopes, std::uint32_t count) {
 
 }  // namespace
 
-Affine::Affine(const ir::Program& program, ir::LocalId address) : program_(program) {
+Affine::Affine(const ir::Program& program, ir::LocalId address, std::set<ExprId> unclamped)
+    : program_(program), unclamped_(std::move(unclamped)) {
     Slopes slopes = steady();
     slopes[0].step = 1;
     locals_[address] = slopes;
@@ -61,6 +62,10 @@ Affine::Affine(const ir::Program& program, ir::LocalId address) : program_(progr
 bool Affine::is_row(ExprId index) {
     const Slopes slopes = of(index);
     return slopes[0].known && slopes[0].step == 1 && program_.types.components(program_.exprs[index].type) == 1;
+}
+
+bool Affine::is_steady(ExprId expr) {
+    return all_steady(of(expr), program_.types.components(program_.exprs[expr].type));
 }
 
 void Affine::learn(const Stmt& stmt) {
@@ -138,7 +143,10 @@ Slopes Affine::of(ExprId id) {
         break;
     }
     case Op::call: return of_call(expr);
-    case Op::intrinsic: case Op::select: break;
+    case Op::intrinsic:
+        if (unclamped_.contains(id)) return of(expr.operands[0]);
+        break;
+    case Op::select: break;
     case Op::field: case Op::none: case Op::some: case Op::has_value: case Op::value: case Op::element: case Op::address:
     case Op::near: case Op::read: case Op::sample: case Op::member: case Op::memory_extent: case Op::domain: case Op::range_size:
     case Op::state: case Op::translate: case Op::invocation: case Op::host_read: case Op::device_read: case Op::await_value:

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <optional>
+#include <set>
 #include <unordered_map>
 
 namespace gliftc::host {
@@ -25,13 +26,15 @@ using Slopes = std::array<Slope, 4>;
 class Affine {
 public:
     /// `address` is the local that holds the element's address: its x advances by one.
-    Affine(const ir::Program& program, ir::LocalId address);
+    /// `unclamped` are calls of clamp, min and max that are known to give their first operand.
+    Affine(const ir::Program& program, ir::LocalId address, std::set<ir::ExprId> unclamped = {});
 
     /// Takes note of a statement that every element executes, in order.
     void learn(const ir::Stmt& stmt);
     Slopes of(ir::ExprId expr);
     /// True if the index is a scalar that advances by one.
     bool is_row(ir::ExprId index);
+    bool is_steady(ir::ExprId expr);
 
 private:
     explicit Affine(const ir::Program& program, int depth) : program_(program), depth_(depth) {}
@@ -43,6 +46,7 @@ private:
     bool assign(ir::ExprId target, const Slopes& value);
 
     const ir::Program& program_;
+    std::set<ir::ExprId> unclamped_;
     int depth_ = 0;
     std::unordered_map<ir::LocalId, Slopes> locals_;
 };

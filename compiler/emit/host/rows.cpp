@@ -39,8 +39,9 @@ void collect_loads(const ir::Program& program, ExprId id, Affine& affine, std::v
 
 /// All accesses of a straight-line body that go through their memory in order. Ends at the first early return: what
 /// follows is not executed by every element.
-std::vector<RowAccess> row_accesses(const ir::Program& program, const ir::Pass& pass, const std::vector<StmtId>& body) {
-    Affine affine(program, pass.address);
+std::vector<RowAccess> row_accesses(const ir::Program& program, const ir::Pass& pass, const std::vector<StmtId>& body,
+                                    const std::set<ExprId>& unclamped) {
+    Affine affine(program, pass.address, unclamped);
     std::vector<RowAccess> found;
     const auto scan = [&](const auto& self, const std::vector<StmtId>& statements) -> bool {
         for (StmtId id : statements) {
@@ -60,6 +61,31 @@ std::vector<RowAccess> row_accesses(const ir::Program& program, const ir::Pass& 
         return true;
     };
     scan(scan, body);
+    return found;
+}
+
+/// Calls of clamp, min and max on a signed integer that advances by one along the row: in the middle of the row they change
+/// nothing, whatever translator they come from.
+std::set<ExprId> row_clamps(const ir::Program& program, const ir::Pass& pass, const std::vector<StmtId>& body) {
+    Affine affine(program, pass.address);
+    for (StmtId id : body) affine.learn(program.stmts[id]);
+    std::set<ExprId> found, seen;
+    const auto visit = [&](const auto& self, ExprId id) -> void {
+        if (!id || !seen.insert(id).second) return;
+        const ir::Expr& expr = program.exprs[id];
+        const bool clamps = expr.op == Op::intrinsic && expr.type == program.types.int_ &&
+                            (expr.intrinsic == ir::Intrinsic::clamp || expr.intrinsic == ir::Intrinsic::min ||
+                             expr.intrinsic == ir::Intrinsic::max);
+        if (clamps && affine.is_row(expr.operands[0])) {
+            bool steady = true;
+            for (std::size_t i = 1; i < expr.operands.size(); ++i) steady = steady && affine.is_steady(expr.operands[i]);
+            if (steady) found.insert(id);
+        }
+        for (ExprId operand : expr.operands) self(self, operand);
+    };
+    cpp::for_each_statement(program, body, [&](const Stmt& stmt) {
+        for (ExprId expr : {stmt.target, stmt.value, stmt.limit}) visit(visit, expr);
+    });
     return found;
 }
 
@@ -87,6 +113,10 @@ struct Rows {
     void print_row_pointers(const std::vector<StmtId>& statements, const std::vector<RowAccess>& accesses, const std::string& begin);
     std::vector<StmtId> without_unused(std::vector<StmtId> statements, std::set<ir::LocalId>& read) const;
     void print_element(const std::vector<StmtId>& statements);
+    void print_values_at(const std::vector<StmtId>& statements, const std::vector<ExprId>& wanted, const std::string& begin);
+    void print_inside(const std::vector<StmtId>& statements, const std::set<ExprId>& clamps, const std::string& begin,
+                      const std::string& end);
+    void print_plain_loop(const std::vector<StmtId>& statements, const std::string& begin, const std::string& end);
     void print_loop(const std::vector<StmtId>& statements, const std::string& begin, const std::string& end);
     bool is_independent(const std::vector<StmtId>& statements) const;
 };
@@ -97,9 +127,8 @@ void Rows::print_address(const std::string& x) {
     else p.out.line("const uint" + std::to_string(pass.rank) + " address{" + x + others[pass.rank - 1] + "};");
 }
 
-/// Pointers to the first element in the row of all memory that is run through in order, with the values they need.
-void Rows::print_row_pointers(const std::vector<StmtId>& statements, const std::vector<RowAccess>& accesses,
-                              const std::string& begin) {
+/// The values that some expressions have at the first element from `begin` on.
+void Rows::print_values_at(const std::vector<StmtId>& statements, const std::vector<ExprId>& wanted, const std::string& begin) {
     std::map<ir::LocalId, StmtId> lets;
     std::vector<StmtId> in_order;
     const auto find_lets = [&](const auto& self, const std::vector<StmtId>& list) -> void {
@@ -111,12 +140,19 @@ void Rows::print_row_pointers(const std::vector<StmtId>& statements, const std::
     };
     find_lets(find_lets, statements);
     std::set<StmtId> needed;
-    for (const RowAccess& access : accesses) needed_lets(program, lets, access.index, needed);
-
+    for (ExprId expr : wanted) needed_lets(program, lets, expr, needed);
     print_address(begin);
     for (StmtId id : in_order) {
         if (needed.contains(id)) cpp::print_statement(p, id);
     }
+}
+
+/// Pointers to the first element in the row of all memory that is run through in order, with the values they need.
+void Rows::print_row_pointers(const std::vector<StmtId>& statements, const std::vector<RowAccess>& accesses,
+                              const std::string& begin) {
+    std::vector<ExprId> wanted;
+    for (const RowAccess& access : accesses) wanted.push_back(access.index);
+    print_values_at(statements, wanted, begin);
     std::map<std::pair<std::uint32_t, std::string>, std::string> pointers;
     for (const RowAccess& access : accesses) {
         const std::string index = cpp::print(p, access.index, cpp::Level::postfix);
@@ -184,12 +220,11 @@ void Rows::print_element(const std::vector<StmtId>& statements) {
 }
 
 /// One loop over the elements with x in [begin, end).
-void Rows::print_loop(const std::vector<StmtId>& statements, const std::string& begin, const std::string& end) {
-    const std::vector<RowAccess> accesses = row_accesses(program, pass, statements);
+void Rows::print_plain_loop(const std::vector<StmtId>& statements, const std::string& begin, const std::string& end) {
+    const std::vector<RowAccess> accesses = row_accesses(program, pass, statements, p.identities);
     body.row_pointers.clear();
     p.marked_line = 0;
     p.names.enter();
-    p.local_names[pass.address] = "address";
     if (!accesses.empty()) {
         p.out.open("if (" + begin + " < " + end + ")");
         print_row_pointers(statements, accesses, begin);
@@ -209,6 +244,48 @@ void Rows::print_loop(const std::vector<StmtId>& statements, const std::string& 
     p.out.close();
     if (!accesses.empty()) p.out.close();
     p.names.leave();
+}
+
+/// Declares `inside`: where none of the clamps changes anything.
+void Rows::print_inside(const std::vector<StmtId>& statements, const std::set<ExprId>& clamps, const std::string& begin,
+                        const std::string& end) {
+    p.out.line("glift::host::Part inside{" + begin + ", " + end + "};");
+    p.out.open("");
+    p.names.enter();
+    std::vector<ExprId> wanted;
+    for (ExprId clamp : clamps) {
+        for (ExprId operand : program.exprs[clamp].operands) wanted.push_back(operand);
+    }
+    print_values_at(statements, wanted, begin);
+    std::set<std::string> printed;
+    for (ExprId clamp : clamps) {
+        const ir::Expr& expr = program.exprs[clamp];
+        const auto operand = [&](std::size_t i) { return cpp::print_any(p, expr.operands[i]); };
+        std::string low = "INT32_MIN", high = "INT32_MAX";
+        if (expr.intrinsic == ir::Intrinsic::clamp) low = operand(1), high = operand(2);
+        else (expr.intrinsic == ir::Intrinsic::min ? high : low) = operand(1);
+        const std::string line = "inside = glift::host::unclamped(inside, " + begin + ", " + operand(0) + ", " + low + ", " + high + ");";
+        if (printed.insert(line).second) p.out.line(line);
+    }
+    p.names.leave();
+    p.out.close();
+}
+
+/// Loops over the elements with x in [begin, end): one, or the ends apart from the middle where clamps change nothing.
+void Rows::print_loop(const std::vector<StmtId>& statements, const std::string& begin, const std::string& end) {
+    p.local_names[pass.address] = "address";
+    const std::set<ExprId> clamps = row_clamps(program, pass, statements);
+    if (clamps.empty() || row_accesses(program, pass, statements, clamps).empty()) return print_plain_loop(statements, begin, end);
+    print_inside(statements, clamps, begin, end);
+    p.out.line("// At the ends of the row.");
+    p.out.open("for (const glift::host::Part at_end : glift::host::around(glift::host::Part{" + begin + ", " + end + "}, inside))");
+    print_plain_loop(statements, "at_end.begin", "at_end.end");
+    p.out.close();
+    p.out.gap();
+    p.out.line("// Between them, where neither end matters.");
+    p.identities = clamps;
+    print_plain_loop(statements, "inside.begin", "inside.end");
+    p.identities.clear();
 }
 
 void print_parts(Rows& rows) {

@@ -123,8 +123,16 @@ inline Part interior_of(const Row& row, uint first, uint domain, uint radius) {
 }
 
 /// What of a row lies before and after its interior.
-inline std::array<Part, 2> around(const Row& row, const Part& interior) {
-    return {Part{row.begin, interior.begin}, Part{interior.end, row.end}};
+template <class Whole>
+std::array<Part, 2> around(const Whole& whole, const Part& interior) {
+    return {Part{whole.begin, interior.begin}, Part{interior.end, whole.end}};
+}
+
+/// What of `part` keeps a value within [low, high] that is `value` at element `first` and advances by one.
+inline Part unclamped(const Part& part, uint first, std::int32_t value, std::int32_t low, std::int32_t high) {
+    const std::int64_t begin = std::int64_t{first} + low - value, end = std::int64_t{first} + high - value + 1;
+    const std::int64_t from = std::clamp<std::int64_t>(begin, part.begin, part.end);
+    return {static_cast<uint>(from), static_cast<uint>(std::clamp<std::int64_t>(end, from, part.end))};
 }
 
 // ---------------------------------------------------------------------------------- scatter: combine with what is there
