@@ -39,6 +39,8 @@ struct Context {
     /// Locals that no source names: made for values used more than once.
     std::unordered_set<LocalId> made;
     std::map<FunctionKey, ir::FunctionId> instances;
+    std::unordered_set<ir::FunctionId> made_functions;   ///< the values of instances: they may load
+    std::vector<LocalId> params;                      ///< of the function whose body is being simplified
     ExprId size;                                      ///< the iteration's size
     std::unordered_map<ExprId, bool> uniform;
 

@@ -62,6 +62,7 @@ FunctionId Expander::instance(FunctionId id, Frame frame) {
     made.body = std::move(body);
     FunctionId result = p.functions.add(std::move(made));
     cx.instances.emplace(std::move(key), result);
+    cx.made_functions.insert(result);
     return result;
 }
 

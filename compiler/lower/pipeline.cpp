@@ -1,4 +1,5 @@
 // The passes in order. Each says in its header what it needs and what it guarantees.
+#include "ir/validate.h"
 #include "lower/affine.h"
 #include "lower/dispatch.h"
 #include "lower/expand.h"
@@ -9,18 +10,35 @@
 #include "lower/temporaries.h"
 #include "lower/uniforms.h"
 
+#include <cassert>
+#include <cstdio>
+
 namespace gliftc::lower {
 
 using namespace ir;
 
 namespace {
 
+/// Development builds stop at the pass that broke something.
+void check([[maybe_unused]] const Context& cx, [[maybe_unused]] const std::vector<StmtId>& body, [[maybe_unused]] const char* pass) {
+#ifndef NDEBUG
+    std::vector<std::string> problems = validate(cx.p, cx.pass, body, cx.params);
+    for (const std::string& problem : problems)
+        std::fprintf(stderr, "gliftc: %s of %s: %s\n", pass, (*cx.p.names)[cx.kernel.name].c_str(), problem.c_str());
+    assert(problems.empty());
+#endif
+}
+
 /// Addresses relative to each other, everything once, nothing unused.
 std::vector<StmtId> simplified(Context& cx, std::vector<StmtId> body, const std::vector<ExprId>& facts = {}) {
+    check(cx, body, "expand");
     body = share(cx, body, facts);
+    check(cx, body, "share");
     body = strengthen(cx, body);
+    check(cx, body, "strengthen");
     body = share(cx, body, facts);
     body = drop_dead(cx, body);
+    check(cx, body, "drop_dead");
     return merge_single_uses(cx, body);
 }
 
@@ -81,6 +99,7 @@ Pass lowered(Program& program, Diagnostics& diagnostics, std::uint32_t kernel, F
     std::vector<std::vector<StmtId>*> bodies{&pass.prologue, &pass.body, &pass.interior_body};
     for (auto& [key, function] : cx.instances) {
         auto& body = program.functions[function].body;
+        cx.params = program.functions[function].params;
         body = simplified(cx, std::move(body));
         bodies.push_back(&body);
     }
@@ -99,6 +118,12 @@ Pass lowered(Program& program, Diagnostics& diagnostics, std::uint32_t kernel, F
     pass.exists = form != Form::wide || has_buffer;
     add_addresses(cx);
     summarize(cx);
+#ifndef NDEBUG
+    for (const std::string& problem : validate(program, pass)) {
+        std::fprintf(stderr, "gliftc: lowering %s: %s\n", (*program.names)[cx.kernel.name].c_str(), problem.c_str());
+        assert(false && "a lowered pass is not valid");
+    }
+#endif
     return pass;
 }
 

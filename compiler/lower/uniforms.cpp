@@ -156,11 +156,13 @@ std::string Uniforms::name_of(ExprId id) {
     default: break;  // named after what it is made of
     }
     // s_extent_minus_1
-    if (node.op == Op::binary && cx.make.is_constant(node.operands[1]) && !cx.make.is_constant(node.operands[0])) {
+    if (node.op == Op::binary && cx.make.is_constant(node.operands[0]) != cx.make.is_constant(node.operands[1])) {
+        bool is_first = cx.make.is_constant(node.operands[0]);
+        ExprId number = node.operands[is_first ? 0 : 1];
         std::string word = word_for(node.binary);
-        if (auto count = cx.make.bits_of(node.operands[1]); count && !cx.p.types.is_floating(cx.make.type(node.operands[1])))
+        if (auto count = cx.make.bits_of(number); count && !cx.p.types.is_floating(cx.make.type(number)))
             word += "_" + std::to_string(*count);
-        return name_of(node.operands[0]) + "_" + word;
+        return name_of(node.operands[is_first ? 1 : 0]) + "_" + word;
     }
     std::string name;
     for (ExprId operand : node.operands)

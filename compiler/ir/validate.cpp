@@ -1,0 +1,194 @@
+#include "ir/validate.h"
+
+#include "ir/evaluate.h"
+#include "ir/print.h"
+
+#include <unordered_set>
+
+namespace gliftc::ir {
+
+namespace {
+
+enum class Uniforms { allowed, moved };
+
+class Validator {
+public:
+    Validator(const Program& program, const Pass& pass, Uniforms uniforms) : p(program), pass_(pass), uniforms_(uniforms) {
+        for (LocalId local : pass.shared) known_.insert(local);
+        if (pass.address) known_.insert(pass.address);
+        if (pass.in_range) known_.insert(pass.in_range);
+        for (const KernelParam& param : program.kernels[pass.kernel].params)
+            if (uniforms == Uniforms::allowed && param.pattern == Pattern::value) known_.insert(param.local);
+    }
+
+    void declare(LocalId local) { known_.insert(local); }
+    void body(const std::vector<StmtId>& body);
+    std::vector<std::string> problems;
+
+private:
+    void fail(const std::string& what, ExprId id = {}) {
+        problems.push_back(what + (id ? ": " + print(p, id, &pass_) : ""));
+    }
+    void stmt(const Stmt& stmt);
+    void expr(ExprId id);
+    void expect_type(ExprId id, TypeId type, const char* where) {
+        if (p.exprs[id].type != type) fail(std::string(where) + " is " + to_text(p, p.exprs[id].type) + ", not " + to_text(p, type), id);
+    }
+    void low_level(ExprId id);
+    void operand_types(ExprId id);
+
+    const Program& p;
+    const Pass& pass_;
+    Uniforms uniforms_;
+    std::unordered_set<LocalId> known_;
+    std::unordered_set<ExprId> seen_;
+};
+
+void Validator::low_level(ExprId id) {
+    const Expr& node = p.exprs[id];
+    switch (node.op) {
+    case Op::parameter:
+        if (node.slot >= pass_.parameters.size()) return fail("no such parameter");
+        return expect_type(id, pass_.parameters[node.slot].type, "a parameter");
+    case Op::load:
+    case Op::image_load:
+    case Op::image_sample: {
+        if (node.slot >= pass_.bindings.size()) return fail("no such binding");
+        const PassBinding& binding = pass_.bindings[node.slot];
+        if ((binding.shape == MemoryShape::buffer) != (node.op == Op::load)) fail("load from another kind of memory", id);
+        return expect_type(id, binding.element, "a load");
+    }
+    case Op::member:
+    case Op::memory_extent:
+    case Op::domain:
+        if (uniforms_ == Uniforms::moved) fail("a uniform value is not a parameter", id);
+        return;
+    case Op::element:
+    case Op::address:
+    case Op::near:
+    case Op::read:
+    case Op::sample:
+    case Op::range_size:
+    case Op::state:
+    case Op::translate:
+    case Op::invocation:
+    case Op::host_read:
+    case Op::device_read:
+    case Op::await_value:
+    case Op::host_state:
+    case Op::slice:
+    case Op::structure_value:
+    case Op::pipeline_call:
+    case Op::element_count: return fail("high-level operation in a lowered kernel", id);
+    default: return;  // values are of both levels
+    }
+}
+
+void Validator::operand_types(ExprId id) {
+    const Expr& node = p.exprs[id];
+    auto type = [&](std::size_t i) { return p.exprs[node.operands[i]].type; };
+    switch (node.op) {
+    case Op::binary: {
+        if (p.types.is_matrix(type(0)) || p.types.is_matrix(type(1))) return;
+        bool is_shift = node.binary == BinaryOp::shift_left || node.binary == BinaryOp::shift_right;
+        if (!is_shift && p.types.scalar_of(type(0)) != p.types.scalar_of(type(1))) fail("operands of two types", id);
+        return;
+    }
+    case Op::select:
+        if (p.types.scalar_of(type(0)) != p.types.bool_) fail("the condition is not a bool", id);
+        if (type(1) != type(2) || type(1) != node.type) fail("a select of two types", id);
+        return;
+    case Op::swizzle:
+        for (std::uint32_t i = 0; i < p.types.components(node.type); ++i)
+            if (node.lanes[i] >= p.types.components(type(0))) fail("no such component", id);
+        return;
+    case Op::call: {
+        const auto& params = p.functions[node.function].params;
+        if (params.size() != node.operands.size()) return fail("a call with other arguments", id);
+        for (std::size_t i = 0; i < params.size(); ++i) expect_type(node.operands[i], p.locals[params[i]].type, "an argument");
+        if (!node.places.empty()) fail("a structure is passed in a lowered kernel", id);
+        return;
+    }
+    default: return;  // told by the target's compiler
+    }
+}
+
+void Validator::expr(ExprId id) {
+    const Expr& node = p.exprs[id];
+    if (node.op == Op::local && !known_.contains(node.local)) fail("a local before its let", id);
+    if (!seen_.insert(id).second) return;
+    if (!node.type || node.type == p.types.error) fail("an expression without a type", id);
+    for (ExprId operand : node.operands) {
+        if (!operand) return fail("an absent operand");
+        expr(operand);
+    }
+    operand_types(id);
+    low_level(id);
+}
+
+void Validator::stmt(const Stmt& stmt) {
+    if (stmt.value) expr(stmt.value);
+    if (stmt.target) expr(stmt.target);
+    if (stmt.limit) expr(stmt.limit);
+    switch (stmt.op) {
+    case StmtOp::let:
+        if (stmt.value) expect_type(stmt.value, p.locals[stmt.local].type, "a let");
+        known_.insert(stmt.local);
+        return;
+    case StmtOp::assign: return expect_type(stmt.value, p.exprs[stmt.target].type, "an assignment");
+    case StmtOp::if_:
+    case StmtOp::while_: expect_type(stmt.value, p.types.bool_, "a condition"); break;
+    case StmtOp::for_: known_.insert(stmt.local); break;
+    case StmtOp::store:
+    case StmtOp::image_store:
+    case StmtOp::atomic:
+        if (stmt.slot >= pass_.bindings.size()) return fail("no such binding");
+        if (pass_.bindings[stmt.slot].access == Access::read) fail("a store to memory that is only read");
+        return expect_type(stmt.value, pass_.bindings[stmt.slot].element, "a store");
+    case StmtOp::set_element:
+    case StmtOp::write:
+    case StmtOp::temp:
+    case StmtOp::release:
+    case StmtOp::dispatch:
+    case StmtOp::expect:
+    case StmtOp::expect_near:
+    case StmtOp::expect_same:
+    case StmtOp::host_assign: return fail("high-level statement in a lowered kernel");
+    default: break;
+    }
+    body(stmt.body);
+    body(stmt.otherwise);
+}
+
+/// What a body declares is not known after it.
+void Validator::body(const std::vector<StmtId>& body) {
+    auto outer = known_;
+    for (StmtId id : body) stmt(p.stmts[id]);
+    // A node seen inside may name what is not known outside.
+    if (outer.size() != known_.size()) seen_.clear();
+    known_ = std::move(outer);
+}
+
+}  // namespace
+
+std::vector<std::string> validate(const Program& program, const Pass& pass, const std::vector<StmtId>& body,
+                                  const std::vector<LocalId>& declared) {
+    Validator validator(program, pass, Uniforms::allowed);
+    for (LocalId local : declared) validator.declare(local);
+    validator.body(body);
+    return std::move(validator.problems);
+}
+
+std::vector<std::string> validate(const Program& program, const Pass& pass) {
+    Validator validator(program, pass, Uniforms::moved);
+    validator.body(pass.prologue);
+    validator.body(pass.body);
+    validator.body(pass.interior_body);
+    for (FunctionId id : pass.functions) {
+        for (LocalId param : program.functions[id].params) validator.declare(param);
+        validator.body(program.functions[id].body);
+    }
+    return std::move(validator.problems);
+}
+
+}  // namespace gliftc::ir
