@@ -3,7 +3,7 @@
 #include "ir/walk.h"
 #include "lower/number.h"
 
-#include <set>
+#include <map>
 #include <unordered_set>
 
 namespace gliftc::lower {
@@ -35,6 +35,8 @@ private:
     bool is_leaf(ExprId id) const;
     ExprId base(ExprId id) const;
     bool is_part_of_leaf(ExprId id) const { return is_leaf(base(id)); }
+    std::uint32_t lanes_of(ExprId part) const;
+    bool is_single(ExprId part);
     bool is_lifted(ExprId id);
     ExprId closed(ExprId id);
     void find(ExprId id);
@@ -50,7 +52,7 @@ private:
 
     Context& cx;
     Numbers numbers_;
-    std::set<ValueNumber> leaves_;                          ///< leaves that are used as they are
+    std::map<ValueNumber, std::uint32_t> leaves_;           ///< leaves that are used, and which of their components
     std::unordered_set<ExprId> seen_;
     std::unordered_map<ValueNumber, std::uint32_t> slots_;
     // of one body
@@ -74,6 +76,23 @@ ExprId Uniforms::base(ExprId id) const {
         node = &cx.p.exprs[id];
     }
     return id;
+}
+
+/// The components of a leaf that one use of it takes, a bit each.
+std::uint32_t Uniforms::lanes_of(ExprId part) const {
+    const Expr& node = cx.p.exprs[part];
+    constexpr std::uint32_t all = 15;
+    if (node.op != Op::swizzle || !is_leaf(node.operands[0])) return all;
+    std::uint32_t lanes = 0;
+    for (std::uint32_t i = 0; i < cx.p.types.components(node.type); ++i) lanes |= 1u << node.lanes[i];
+    return lanes;
+}
+
+/// One component of a leaf of which no other is used: a parameter by itself.
+bool Uniforms::is_single(ExprId part) {
+    const Expr& node = cx.p.exprs[part];
+    if (node.op != Op::swizzle || !is_leaf(node.operands[0]) || cx.p.types.is_vector(node.type)) return false;
+    return leaves_[numbers_.of(node.operands[0])] == lanes_of(part);
 }
 
 /// The uniform value without locals of the pass: what the host can evaluate.
@@ -107,7 +126,7 @@ void Uniforms::find(ExprId id) {
     if (!seen_.insert(id).second) return;
     if (is_lifted(id)) {
         ExprId whole = closed(id);
-        if (is_part_of_leaf(whole)) leaves_.insert(numbers_.of(base(whole)));
+        if (is_part_of_leaf(whole)) leaves_[numbers_.of(base(whole))] |= lanes_of(whole);
         return;
     }
     for (ExprId operand : cx.p.exprs[id].operands) find(operand);
@@ -250,7 +269,7 @@ ExprId Uniforms::visit(ExprId id) {
         } else {
             result = cx.make.local(found->second);
         }
-    } else if (is_part_of_leaf(whole) && !is_leaf(whole)) {
+    } else if (is_part_of_leaf(whole) && !is_leaf(whole) && !is_single(whole)) {
         result = visit_operands(whole);
     } else {
         result = parameter(whole);
