@@ -14,16 +14,6 @@ std::string capitalised(std::string name) {
     return name;
 }
 
-void name_structs(Printer& p) {
-    for (const ir::Struct& s : p.program.structs) {
-        p.struct_names.push_back(p.names.declare(s.display.empty() ? (*p.program.names)[s.name] : s.display));
-        Scopes fields;
-        std::vector<std::string> names;
-        for (const ir::StructField& field : s.fields) names.push_back(fields.declare((*p.program.names)[field.name]));
-        p.field_names.push_back(std::move(names));
-    }
-}
-
 /// Everything outside functions is named first, so that no local hides it.
 void name_globals(Printer& p) {
     for (const ir::PassParameter& parameter : p.pass.parameters)
@@ -38,11 +28,6 @@ void name_globals(Printer& p) {
     }
     name_structs(p);
     for (ir::LocalId id : p.pass.shared) p.local_names[id] = p.names.declare((*p.program.names)[p.program.locals[id].name]);
-    for (ir::FunctionId id : p.pass.functions) {
-        const ir::Function& function = p.program.functions[id];
-        const std::string& name = (*p.program.names)[function.name];
-        p.function_names[id] = p.names.declare(p.names.is_free(name) || function.display.empty() ? name : function.display);
-    }
 }
 
 std::string take(Printer& p) {
@@ -129,6 +114,33 @@ std::string heading(Printer& p) {
     return "// " + name + where + ": " + form_text(p.pass.form) + ".\n";
 }
 
+}  // namespace
+
+void name_structs(Printer& p) {
+    for (const ir::Struct& s : p.program.structs) {
+        p.struct_names.push_back(p.names.declare(s.display.empty() ? (*p.program.names)[s.name] : s.display));
+        Scopes fields;
+        std::vector<std::string> names;
+        for (const ir::StructField& field : s.fields) names.push_back(fields.declare((*p.program.names)[field.name]));
+        p.field_names.push_back(std::move(names));
+    }
+}
+
+void name_functions(Printer& p) {
+    for (ir::FunctionId id : p.pass.functions) {
+        const ir::Function& function = p.program.functions[id];
+        const std::string& name = (*p.program.names)[function.name];
+        p.function_names[id] = p.names.declare(p.names.is_free(name) || function.display.empty() ? name : function.display);
+    }
+}
+
+std::string callees_text(Printer& p) {
+    name_functions(p);
+    std::string text;
+    for (ir::FunctionId id : p.pass.functions) text += function_text(p, id);
+    return text;
+}
+
 std::string enumerators_text(const Printer& p) {
     std::string text;
     for (const auto& [key, name] : p.enumerators)
@@ -145,14 +157,11 @@ std::string extensions_text(Printer& p) {
     return text + "\n";
 }
 
-}  // namespace
-
 std::string glsl_of(const ir::Program& program, const Sources& sources, const ir::Pass& pass, const Options& options) {
     Printer p(program, sources, pass, options);
     name_globals(p);
     // Bodies come first: they find out which types, helpers and extensions are needed.
-    std::string functions;
-    for (ir::FunctionId id : pass.functions) functions += function_text(p, id);
+    std::string functions = callees_text(p);
     std::string main = main_text(p), shared = shared_text(p), bindings = bindings_text(p), parameters = parameters_text(p);
     std::string atomics = atomic_definitions(p), helpers = helper_definitions(p), structs = struct_definitions(p);
     if (!bindings.empty()) bindings += "\n";

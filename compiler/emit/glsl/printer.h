@@ -118,4 +118,10 @@ void line(Printer& p, std::string text);                        ///< one line at
 void mark_line(Printer& p, Span span);
 std::string file_name(std::string_view path);
 
+// emit.cpp: the parts of a shader that a library has too
+void name_structs(Printer& p);
+std::string callees_text(Printer& p);                           ///< the functions of the pass, named now
+std::string enumerators_text(const Printer& p);
+std::string extensions_text(Printer& p);
+
 }  // namespace gliftc::glsl
