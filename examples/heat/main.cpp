@@ -21,7 +21,7 @@ namespace {
 constexpr const char* usage = "usage: heat [volume.npy] [--steps N] [--out DIR] [--save FILE.npy]\n"
                               "\n"
                               "  volume.npy   a 3-D array; without one a volume is generated\n"
-                              "  --steps N    how many time steps (default 100)\n"
+                              "  --steps N    how many time steps (default 40)\n"
                               "  --out DIR    where the pictures go (default .)\n"
                               "  --save FILE  writes the outcome as a .npy file\n"
                               "\n"
@@ -32,7 +32,7 @@ constexpr float rate = 0.125f;
 
 struct Arguments {
     std::string file;
-    std::uint32_t steps = 100;
+    std::uint32_t steps = 40;
     std::filesystem::path folder = ".";
     std::string outcome;  ///< empty: it is not saved
 };
