@@ -3,6 +3,7 @@
 #include "driver/shaders.h"
 #include "emit/cpp/emit.h"
 #include "emit/glsl/emit.h"
+#include "emit/glsl/library.h"
 #include "emit/json/emit.h"
 #include "interop/interop.h"
 
@@ -71,6 +72,18 @@ void emit_shaders(const Options& options, const Compilation& c, std::uint32_t mo
     }
 }
 
+/// Functions of the public structures, to include in shaders of one's own: `laplacian.Field.glsl`.
+void emit_libraries(const Options& options, const Compilation& c, std::uint32_t module, const std::string& base, std::vector<Output>& outputs) {
+    if (!options.wants(Target::glsl)) return;
+    // What can be reported of a structure was reported when the program itself was lowered.
+    Diagnostics repeated;
+    for (std::uint32_t structure : glsl::library_structures(c.program, module)) {
+        const ir::Structure& s = c.program.structures[structure];
+        outputs.push_back({base + "." + c.names[s.alias ? s.alias : s.name] + ".glsl",
+                           glsl::library_of(c.program, c.sources, structure, repeated)});
+    }
+}
+
 /// The kernels whose SPIR-V some output of the module holds.
 std::set<std::uint32_t> kernels_with_code(const Options& options, const Compilation& c, std::uint32_t module, const cpp::Options& cpp) {
     std::set<std::uint32_t> kernels;
@@ -109,6 +122,7 @@ std::vector<Output> emit(const Options& options, const Compilation& c) {
             outputs.push_back({base + ".glift.cpp", styled(options, std::move(written.source))});
         }
         emit_shaders(options, c, m, base, shaders, outputs);
+        emit_libraries(options, c, m, base, outputs);
         if (options.wants(Target::json))
             outputs.push_back({base + ".glift.json", json::reflection_of(c.program, c.lowered, c.sources, m)});
     }
