@@ -88,7 +88,7 @@ ExprId Expander::element(std::uint32_t root, Span) {
     if (cx.structure_at(place).kind == StructureKind::view) return view(place, centre_address(root));
     ExprId guard = cx.kernel.grouped() ? make.local(cx.pass.in_range) : ExprId{};
     ExprId value = guarded_load(place, centre(root), guard, {}, cx.name_of(place) + "_value");
-    if (cx.kernel.params[root].direction == Direction::in) return value;
+    if (cx.kernel.params[root].direction == Direction::in || p.exprs[value].op == Op::local) return value;
     // Written too: what was read must not move past a write.
     return make.local(let(cx.name_of(place) + "_value", value, span_));
 }
@@ -100,7 +100,7 @@ ExprId Expander::read(const Place& place, ExprId address, const std::string& nam
     Pair physical = translated(place, address, name);
     ExprId guard = is_total(structure) ? inside_domain(place, address) : ExprId{};
     ExprId value = guarded_load(place, physical, guard, {}, name + "_value");
-    if (cx.kernel.params[place.root].direction == Direction::in) return value;
+    if (cx.kernel.params[place.root].direction == Direction::in || p.exprs[value].op == Op::local) return value;
     return make.local(let(name + "_value", value, span_));
 }
 

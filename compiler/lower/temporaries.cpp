@@ -33,14 +33,14 @@ bool is_returned(const Program& p, const std::vector<StmtId>& body, LocalId loca
     return found;
 }
 
-/// A slice or view kept in a local shares the temporary: it counts as a use of it.
+/// A slice, or a count left on the device, keeps the memory of what it came from: using it uses the temporary.
 std::vector<LocalId> aliases(const Program& p, const std::vector<StmtId>& body, LocalId temporary) {
     std::vector<LocalId> result{temporary};
     for (std::size_t i = 0; i < result.size(); ++i) {
         for_each_statement(p, body, [&](const Stmt& stmt) {
             if (stmt.op != StmtOp::let || !stmt.value) return;
             TypeKind kind = p.types.kind(p.locals[stmt.local].type);
-            if (kind != TypeKind::slice && kind != TypeKind::structure) return;
+            if (kind != TypeKind::slice && kind != TypeKind::structure && kind != TypeKind::device) return;
             bool found = false;
             for_each_node(p, stmt.value, [&](ExprId part) { found = found || p.exprs[part].local == result[i]; });
             if (found && std::find(result.begin(), result.end(), stmt.local) == result.end()) result.push_back(stmt.local);

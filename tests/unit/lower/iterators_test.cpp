@@ -142,20 +142,5 @@ TEST(Affine, IsInferred) {
         EXPECT_EQ(translator.properties.affine, lowering.names[translator.name] == "Linear3") << translator.display;
 }
 
-TEST(Temporaries, AreReleasedAfterTheirLastUse) {
-    Lowering lowering(R"(
-kernel copy(f: in each<Field>, g: out each<Field>) { g = f; }
-pub pipeline p(f: in Field, g: out Field) {
-    temp a = Field(uint3(4, 4, 4));
-    temp b = Field(uint3(4, 4, 4));
-    copy(f, a);
-    copy(a, b);
-    copy(b, g);
-})");
-    std::string text = ir::print(lowering.program);
-    EXPECT_LT(text.find("release a"), text.find("release b")) << text;
-    EXPECT_NE(text.find("release b"), std::string::npos) << text;
-}
-
 }  // namespace
 }  // namespace gliftc

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "ir/print.h"
-#include "layout/layout.h"
 #include "lower/lower.h"
 #include "sema/check.h"
 #include "syntax/parser.h"
@@ -81,7 +80,6 @@ struct Lowering {
         for (const Diagnostic& diagnostic : diagnostics.all()) ADD_FAILURE() << sources.text(diagnostic.span) << ": " << diagnostic.text;
         if (diagnostics.has_errors()) return;
         lowered = lower::lower(program, diagnostics);
-        layout::lay_out(program, lowered);
     }
 
     const ir::Lowered::Forms& forms(std::string_view kernel) const {

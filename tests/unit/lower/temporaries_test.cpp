@@ -1,0 +1,71 @@
+#include "lower/temporaries.h"
+
+#include "ir/print.h"
+
+#include <gtest/gtest.h>
+
+namespace gliftc {
+namespace {
+
+/// A pipeline of temporaries and statements that use them, made by hand.
+struct Steps {
+    Names names;
+    ir::Program program;
+
+    Steps() {
+        program.names = &names;
+        program.pipelines.emplace_back();
+    }
+    ir::LocalId local(const char* name) {
+        return program.locals.add({names.intern(name), program.types.float_, {}, false, ir::Storage::value});
+    }
+    ir::StmtId temp(ir::LocalId id) {
+        ir::Stmt stmt;
+        stmt.op = ir::StmtOp::temp;
+        stmt.local = id;
+        return program.stmts.add(stmt);
+    }
+    ir::StmtId use(ir::LocalId id, ir::StmtOp op = ir::StmtOp::evaluate) {
+        ir::Expr expr;
+        expr.op = ir::Op::local;
+        expr.type = program.types.float_;
+        expr.local = id;
+        ir::Stmt stmt;
+        stmt.op = op;
+        stmt.value = program.exprs.add(expr);
+        return program.stmts.add(stmt);
+    }
+    std::string released(std::vector<ir::StmtId> body) {
+        program.pipelines[0].body = std::move(body);
+        lower::release_temporaries(program);
+        return ir::print(program, program.pipelines[0].body);
+    }
+};
+
+TEST(Temporaries, DieAfterTheirLastUse) {
+    Steps steps;
+    ir::LocalId a = steps.local("a"), b = steps.local("b");
+    EXPECT_EQ(steps.released({steps.temp(a), steps.temp(b), steps.use(a), steps.use(b)}),
+              "    temp a = float();\n    temp b = float();\n    a;\n    release a;\n    b;\n    release b;\n");
+}
+
+TEST(Temporaries, UsedInALoopLiveUntilItsEnd) {
+    Steps steps;
+    ir::LocalId a = steps.local("a"), b = steps.local("b"), i = steps.local("i");
+    ir::Stmt loop;
+    loop.op = ir::StmtOp::while_;
+    loop.value = steps.program.stmts[steps.use(i)].value;
+    loop.body = {steps.use(a), steps.temp(b), steps.use(b), steps.use(i)};
+    EXPECT_EQ(steps.released({steps.temp(a), steps.program.stmts.add(loop), steps.use(i)}),
+              "    temp a = float();\n    while i {\n        a;\n        temp b = float();\n        b;\n        release b;\n        i;\n"
+              "    }\n    release a;\n    i;\n");
+}
+
+TEST(Temporaries, ReturnedOnesStay) {
+    Steps steps;
+    ir::LocalId a = steps.local("a");
+    EXPECT_EQ(steps.released({steps.temp(a), steps.use(a, ir::StmtOp::return_)}), "    temp a = float();\n    return a;\n");
+}
+
+}  // namespace
+}  // namespace gliftc
