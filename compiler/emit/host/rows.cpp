@@ -278,14 +278,15 @@ void Rows::print_loop(const std::vector<StmtId>& statements, const std::string& 
     if (clamps.empty() || row_accesses(program, pass, statements, clamps).empty()) return print_plain_loop(statements, begin, end);
     print_inside(statements, clamps, begin, end);
     p.out.line("// At the ends of the row.");
-    p.out.open("for (const glift::host::Part at_end : glift::host::around(glift::host::Part{" + begin + ", " + end + "}, inside))");
-    print_plain_loop(statements, "at_end.begin", "at_end.end");
-    p.out.close();
-    p.out.gap();
+    p.out.open("const auto at_ends = [&](const glift::host::Part& end)");
+    print_plain_loop(statements, "end.begin", "end.end");
+    p.out.close(";");
+    p.out.line("at_ends({" + begin + ", inside.begin});");
     p.out.line("// Between them, where neither end matters.");
     p.identities = clamps;
     print_plain_loop(statements, "inside.begin", "inside.end");
     p.identities.clear();
+    p.out.line("at_ends({inside.end, " + end + "});");
 }
 
 void print_parts(Rows& rows) {
@@ -307,12 +308,15 @@ void print_parts(Rows& rows) {
              std::to_string(pass.interior_radius) + ");");
     out.gap();
     out.line("// Near the sides of the domain.");
-    out.open("for (const glift::host::Part part : glift::host::around(row, interior))");
+    out.open("const auto near_sides = [&](const glift::host::Part& part)");
     rows.print_loop(pass.body, "part.begin", "part.end");
-    out.close();
+    out.close(";");
+    out.line("near_sides({row.begin, interior.begin});");
     out.gap();
     out.line("// Where all neighbours exist.");
     rows.print_loop(pass.interior_body, "interior.begin", "interior.end");
+    out.gap();
+    out.line("near_sides({interior.end, row.end});");
 }
 
 }  // namespace

@@ -11,11 +11,11 @@
 #include <atomic>
 #include <cstddef>
 
-// Compiled once for each generation of processors; the dynamic linker takes the best that this machine has.
+// Compiled once for each width of vectors; the dynamic linker takes the widest that this machine has.
 #if !defined(GLIFT_HOST_KERNEL)
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && defined(__linux__) && defined(__OPTIMIZE__) &&        \
     !defined(__AVX2__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define GLIFT_HOST_KERNEL __attribute__((target_clones("default", "arch=haswell", "arch=skylake-avx512")))
+#define GLIFT_HOST_KERNEL __attribute__((target_clones("default", "avx2", "avx512f")))
 #else
 #define GLIFT_HOST_KERNEL
 #endif
@@ -120,12 +120,6 @@ Part interior_of(const Row& row, const vec<uint, N>& first, const vec<uint, N>& 
 inline Part interior_of(const Row& row, uint first, uint domain, uint radius) {
     const Row flat{row.begin, row.end, 0, 0, 0};
     return interior_of(flat, uint2{first, radius}, uint2{domain, 2 * radius + 1}, radius);
-}
-
-/// What of a row lies before and after its interior.
-template <class Whole>
-std::array<Part, 2> around(const Whole& whole, const Part& interior) {
-    return {Part{whole.begin, interior.begin}, Part{interior.end, whole.end}};
 }
 
 /// What of `part` keeps a value within [low, high] that is `value` at element `first` and advances by one.
