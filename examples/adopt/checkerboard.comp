@@ -1,20 +1,22 @@
-// The program's own shader: draws into the memory of a Glift structure, an Array<2, float> over a buffer, row by row.
+// The program's own shader: draws into a Glift structure through the functions that gliftc wrote for it.
 #version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(push_constant) uniform Parameters {
-    uvec2 extent;
+// The state of the structure, where this program likes to have it.
+layout(push_constant, scalar) uniform Parameters {
+    uvec2 Picture_extent;
     uint square;
 };
 
-layout(set = 0, binding = 0) writeonly buffer Picture {
-    float picture[];
-};
+#define PICTURE_STATE
+#include "adopt.Picture.glsl"
 
 void main() {
     uvec2 address = gl_GlobalInvocationID.xy;
-    if (any(greaterThanEqual(address, extent))) return;
+    if (any(greaterThanEqual(address, Picture_extent))) return;
     uvec2 place = address / square;
-    picture[address.y * extent.x + address.x] = float((place.x + place.y) % 2u);
+    Picture_write(address, float((place.x + place.y) % 2u));
 }

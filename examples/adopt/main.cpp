@@ -17,22 +17,22 @@
 
 namespace {
 
-constexpr glift::uint2 extent = {200, 120};
+constexpr glift::uint2 extent = {203, 117};
 constexpr std::uint32_t square = 20, rounds = 4;
 
-/// The same picture, made here: what the device must give.
+/// The same picture, made here: what the device must give. Outside it is black.
 std::vector<float> expected() {
     std::vector<float> picture(extent.x * extent.y), other(picture.size());
+    const auto at = [&](std::uint32_t x, std::uint32_t y) {
+        return x < extent.x && y < extent.y ? picture[y * extent.x + x] : 0.0f;
+    };
     for (std::uint32_t y = 0; y < extent.y; ++y)
         for (std::uint32_t x = 0; x < extent.x; ++x)
             picture[y * extent.x + x] = static_cast<float>((x / square + y / square) % 2);
     for (std::uint32_t round = 0; round < 2 * rounds; ++round) {
         for (std::uint32_t y = 0; y < extent.y; ++y)
             for (std::uint32_t x = 0; x < extent.x; ++x) {
-                const auto at = [&](std::uint32_t i, std::uint32_t j) { return picture[j * extent.x + i]; };
-                const std::uint32_t left = x ? x - 1 : 0, right = std::min(x + 1, extent.x - 1);
-                const std::uint32_t above = y ? y - 1 : 0, below = std::min(y + 1, extent.y - 1);
-                const float around = at(right, y) + at(left, y) + (at(x, below) + at(x, above));
+                const float around = at(x + 1, y) + at(x - 1, y) + (at(x, y + 1) + at(x, y - 1));
                 other[y * extent.x + x] = 0.5f * at(x, y) + 0.125f * around;
             }
         std::swap(picture, other);
@@ -49,13 +49,15 @@ std::vector<float> draw(const PlainVulkan& vulkan) {
                                                        .queue_family = vulkan.queue_family,
                                                        .extensions = vulkan.extensions});
     const adopt::Picture picture(device, extent);
-    const glift::vulkan::BufferHandle memory = glift::vulkan::buffer(picture.data());
+    const adopt::Rows rows(device, extent);
+    const glift::vulkan::BufferHandle drawn = glift::vulkan::buffer(picture.data()),
+                                      memory = glift::vulkan::buffer(rows.data());
     const VkDeviceSize bytes = sizeof(float) * extent.x * extent.y;
 
     const ComputeShader shader(vulkan, checkerboard, sizeof(glift::uint2) + sizeof square);
-    shader.bind({memory.buffer, memory.offset, memory.bytes});
+    shader.bind({drawn.buffer, drawn.offset, drawn.bytes});
     const ReadbackBuffer result(vulkan, bytes);
-    // The structure starts as zeros: that comes before the program's own commands.
+    // The structures start as zeros: that comes before the program's own commands.
     device.commands().flush();
 
     const VkCommandBuffer commands = vulkan.begin();
@@ -67,6 +69,7 @@ std::vector<float> draw(const PlainVulkan& vulkan) {
 
     const glift::Commands into = glift::vulkan::record_into(device, commands);
     adopt::soften(into, picture, rounds);
+    adopt::lay_out(into, picture, rows);
     glift::vulkan::finish(into);
 
     const VkBufferCopy region = {memory.offset, 0, bytes};

@@ -98,7 +98,7 @@ void PlainVulkan::run(VkCommandBuffer commands) const {
 ComputeShader::ComputeShader(const PlainVulkan& vulkan, std::span<const std::uint32_t> spirv,
                              std::uint32_t parameter_bytes)
     : device_(vulkan.device), parameter_bytes_(parameter_bytes) {
-    const VkDescriptorSetLayoutBinding binding = {.binding = 0,
+    const VkDescriptorSetLayoutBinding binding = {.binding = 1,
                                                   .descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
                                                   .descriptorCount = 1,
                                                   .stageFlags = VK_SHADER_STAGE_COMPUTE_BIT};
@@ -147,7 +147,7 @@ ComputeShader::~ComputeShader() {
 void ComputeShader::bind(const VkDescriptorBufferInfo& buffer) const {
     const VkWriteDescriptorSet write = {.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
                                         .dstSet = set_,
-                                        .dstBinding = 0,
+                                        .dstBinding = 1,
                                         .descriptorCount = 1,
                                         .descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
                                         .pBufferInfo = &buffer};

@@ -38,7 +38,7 @@ private:
     VkCommandPool pool_ = VK_NULL_HANDLE;
 };
 
-/// A compute shader with one storage buffer at binding 0 and push constants.
+/// A compute shader with one storage buffer at binding 1 and push constants.
 class ComputeShader {
 public:
     ComputeShader(const PlainVulkan& vulkan, std::span<const std::uint32_t> spirv, std::uint32_t parameter_bytes);

@@ -17,12 +17,12 @@ TEST(Adopt, ThePictureIsWhatTheProgramComputesItself) {
     EXPECT_THAT(result.out, HasSubstr("as expected, to the bit"));
     // Squares of 20: their middles are far from every edge and keep their colours; edges are grey.
     const png::Picture picture = png::read(path);
-    ASSERT_EQ(picture.width, 200u);
-    EXPECT_EQ(picture.values[10 * 200 + 10], 0.0f);
-    EXPECT_EQ(picture.values[10 * 200 + 30], 1.0f);
-    EXPECT_EQ(picture.values[30 * 200 + 10], 1.0f);
-    EXPECT_GT(picture.values[10 * 200 + 19], 0.2f);
-    EXPECT_LT(picture.values[10 * 200 + 19], 0.5f);
+    ASSERT_EQ(picture.width, 203u);
+    EXPECT_EQ(picture.values[10 * 203 + 10], 0.0f);
+    EXPECT_EQ(picture.values[10 * 203 + 30], 1.0f);
+    EXPECT_EQ(picture.values[30 * 203 + 10], 1.0f);
+    EXPECT_GT(picture.values[10 * 203 + 19], 0.2f);
+    EXPECT_LT(picture.values[10 * 203 + 19], 0.5f);
 }
 
 }  // namespace
