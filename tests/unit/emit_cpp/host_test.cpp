@@ -1,0 +1,59 @@
+// Kernels as rows: what the printer finds out and writes. That the code is right is shown by tests/device and `gliftc test`.
+#include "builder.h"
+
+#include "emit/cpp/names.h"
+#include "emit/cpp/writer.h"
+#include "emit/host/affine.h"
+#include "emit/host/emit.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+using namespace gliftc;
+using testing::HasSubstr;
+using testing::Not;
+
+TEST(Affine, FollowsTheIndexOfARow) {
+    test::Builder b;
+    const ir::Pass pass = test::heat_pass(b);
+    host::Affine affine(b.program, pass.address);
+    const ir::ExprId a = b.local(pass.address);
+    EXPECT_TRUE(affine.is_row(b.plus(b.times(b.lane(a, 1), b.constant(7)), b.lane(a, 0))));
+    EXPECT_TRUE(affine.is_row(b.minus(b.times(b.constant(3), b.lane(a, 0)), b.times(b.lane(a, 0), b.constant(2)))));
+    EXPECT_FALSE(affine.is_row(b.times(b.lane(a, 0), b.lane(b.parameter(0, b.uint_vector(3)), 0))));
+    EXPECT_FALSE(affine.is_row(b.binary(ir::BinaryOp::divide, b.lane(a, 0), b.constant(2))));
+    EXPECT_TRUE(affine.is_steady(b.lane(a, 2)));
+}
+
+TEST(HostKernel, RunsInsideThroughPointersToTheRow) {
+    test::Builder b;
+    const ir::Pass pass = test::heat_pass(b);
+    cpp::Globals globals = cpp::make_globals(b.program, b.sources);
+    const std::string text = host::kernel_of(globals, pass, "heat_direct");
+    EXPECT_THAT(text, HasSubstr("glift::host::interior_of(row, uint3(), f_extent, 1)"));
+    EXPECT_THAT(text, HasSubstr("const float* f_data_row = f_data + f_index;"));
+    EXPECT_THAT(text, HasSubstr("g_data_row[i] = f_data_row[i] + k * sum;"));
+    EXPECT_THAT(text, HasSubstr("static void heat_direct(const glift::HostCall& call)"));
+    EXPECT_THAT(text, Not(HasSubstr("not lowered")));
+    EXPECT_THAT(host::parameters_of(globals, pass, "heat_direct"), HasSubstr("static_assert(offsetof(heat_direct_parameters, k) == 12);"));
+}
+
+TEST(Names, StayOutOfTheWayOfCpp) {
+    EXPECT_EQ(cpp::identifier("Array<4, float>"), "Array_4_float");
+    EXPECT_EQ(cpp::identifier("float4"), "float4_");
+    EXPECT_EQ(cpp::identifier("2d"), "n2d");
+    cpp::Scopes scopes;
+    EXPECT_EQ(scopes.declare("sum"), "sum");
+    scopes.enter();
+    EXPECT_EQ(scopes.declare("sum"), "sum_2");
+    scopes.leave();
+    EXPECT_EQ(scopes.declare("sum"), "sum_2");
+}
+
+TEST(Writer, BreaksLongLinesAtTheOutermostComma) {
+    cpp::Writer out;
+    out.open("void f()");
+    out.line("call(" + std::string(60, 'a') + ", inner(" + std::string(30, 'b') + ", " + std::string(30, 'c') + "));");
+    out.close();
+    EXPECT_THAT(out.text(), HasSubstr("a,\n        inner("));
+}

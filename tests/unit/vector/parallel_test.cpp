@@ -1,0 +1,52 @@
+// Rows cover an iteration exactly once, whatever its shape.
+#include <glift/host/parallel.h>
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+using namespace glift;
+
+TEST(Rows, CoverEveryElementOnce) {
+    for (const std::array<std::uint32_t, 4> size : {std::array<std::uint32_t, 4>{1, 1, 1, 1}, {100000, 3, 1, 1}, {300000, 1, 1, 1},
+                                                    {5, 7, 11, 3}, {256, 64, 9, 1}, {0, 5, 1, 1}, {3, 100000, 1, 1}}) {
+        std::vector<std::uint8_t> seen(std::size_t{size[0]} * size[1] * size[2] * size[3]);
+        host::for_each_row(size, [&](const host::Row& row) {
+            const std::size_t first = ((std::size_t{row.w} * size[2] + row.z) * size[1] + row.y) * size[0];
+            for (uint x = row.begin; x < row.end; ++x) ++seen[first + x];
+        });
+        for (std::uint8_t count : seen) ASSERT_EQ(count, 1);
+    }
+}
+
+TEST(Rows, KnowTheirInterior) {
+    const host::Row row{0, 10, 3, 3, 0};
+    const host::Part inside = host::interior_of(row, uint3(), uint3(10, 8, 8), 2);
+    EXPECT_EQ(inside.begin, 2u);
+    EXPECT_EQ(inside.end, 8u);
+    const host::Part none = host::interior_of({0, 10, 1, 3, 0}, uint3(), uint3(10, 8, 8), 2);
+    EXPECT_EQ(none.begin, none.end);
+    const host::Part shifted = host::interior_of({0, 4, 0, 0, 0}, uint2(5, 4), uint2(10, 8), 2);
+    EXPECT_EQ(shifted.begin, 0u);
+    EXPECT_EQ(shifted.end, 3u);
+}
+
+TEST(Rows, KnowWhereAClampChangesNothing) {
+    const host::Part part = host::unclamped({0, 10}, 0, -1, 0, 9);
+    EXPECT_EQ(part.begin, 1u);
+    EXPECT_EQ(part.end, 10u);
+    const host::Part above = host::unclamped({4, 10}, 4, 5, 0, 9);
+    EXPECT_EQ(above.begin, 4u);
+    EXPECT_EQ(above.end, 9u);
+    const host::Part nowhere = host::unclamped({0, 4}, 0, 0, 5, 3);
+    EXPECT_EQ(nowhere.begin, nowhere.end);
+}
+
+TEST(Atomics, CombineFloats) {
+    float least = 3, sum = 0;
+    host::atomic_min(least, 1.0f);
+    host::atomic_min(least, 2.0f);
+    tbb::parallel_for(0, 1000, [&](int) { host::atomic_add(sum, 1.0f); });
+    EXPECT_EQ(least, 1.0f);
+    EXPECT_EQ(sum, 1000.0f);
+}
