@@ -4,6 +4,8 @@
 #include "syntax/lexer.h"
 #include "syntax/parser.h"
 
+#include <algorithm>
+
 namespace gliftc {
 
 namespace {
@@ -19,6 +21,7 @@ public:
     std::string run() {
         statements(static_cast<std::uint32_t>(pieces_.size() - 1), 0);
         if (!out_.empty()) out_ += '\n';
+        align_trailing_comments();
         return std::move(out_);
     }
 
@@ -114,9 +117,31 @@ private:
     /// Comments behind code on its line.
     void trailing_comments(std::uint32_t limit) {
         while (at_ < limit && pieces_[at_].is_comment() && !pieces_[at_].first_on_line) {
+            trailing_.push_back({line_start_, out_.size()});
             out_ += "  ";
             out_ += pieces_[at_++].text;
         }
+    }
+
+    /// Comments behind the code of neighbouring lines of one level begin in one column.
+    void align_trailing_comments() {
+        auto indent = [&](const Trailing& t) { return out_.find_first_not_of(' ', t.line) - t.line; };
+        auto follows = [&](const Trailing& a, const Trailing& b) {
+            return out_.find('\n', a.code_end) + 1 == b.line && indent(a) == indent(b);
+        };
+        std::string aligned;
+        std::size_t copied = 0;
+        for (std::size_t first = 0, end = 0; first < trailing_.size(); first = end) {
+            std::size_t column = 0;
+            for (end = first; end < trailing_.size() && (end == first || follows(trailing_[end - 1], trailing_[end])); ++end)
+                column = std::max(column, trailing_[end].code_end - trailing_[end].line);
+            for (std::size_t i = first; i < end; ++i) {
+                aligned.append(out_, copied, trailing_[i].code_end - copied);
+                aligned.append(column - (trailing_[i].code_end - trailing_[i].line), ' ');
+                copied = trailing_[i].code_end;
+            }
+        }
+        out_ = aligned.append(out_, copied);
     }
 
     void statement(std::uint32_t end, std::size_t indent) {
@@ -224,6 +249,11 @@ private:
     std::uint32_t at_ = 0;
     std::string out_;
     std::size_t line_start_ = 0;
+
+    struct Trailing {
+        std::size_t line, code_end;  // offsets in the output: of the line, and of the end of its code
+    };
+    std::vector<Trailing> trailing_;
 };
 
 }  // namespace

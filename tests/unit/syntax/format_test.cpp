@@ -53,6 +53,11 @@ TEST(Format, knows_what_a_token_means) {
               "enum E { none, some }\nenum F {\n    none,\n    some\n}\n");
 }
 
+TEST(Format, aligns_comments_behind_neighbouring_lines) {
+    EXPECT_EQ(formatted("module m;\nstruct S {\n    a: float; // x\n    longer: uint3; // y\n\n    b: float; // z\n}\n"),
+              "module m;\nstruct S {\n    a: float;       // x\n    longer: uint3;  // y\n\n    b: float;  // z\n}\n");
+}
+
 TEST(Format, leaves_files_with_errors_alone) { EXPECT_EQ(formatted("module m; fn ("), "<errors>"); }
 
 /// Formatting changes neither the tree nor what is formatted already.
