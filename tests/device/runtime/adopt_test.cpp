@@ -1,0 +1,162 @@
+// Glift in a program that has its own Vulkan device.
+#include "plain_vulkan.h"
+
+namespace {
+
+using namespace kernels;
+
+void expect_no_messages(const glift::Device& device) {
+    for (const std::string& message : device.validation_messages()) ADD_FAILURE() << message;
+}
+
+TEST(Adopt, TheSameCallsWork) {
+    const PlainVulkan mine;
+    const auto device = glift::vulkan::adopt(mine.objects());
+    const auto f = buffer(device, "f.data", 4000), g = buffer(device, "g.data", 4000);
+    device.commands().upload(f, 0, bytes_of(std::vector<float>(1000, 2.0f)));
+    run_scale(device, f, g, 1000, 4.0f);
+    EXPECT_EQ(read<float>(device, g, 1000)[999], 8.0f);
+    EXPECT_EQ(glift::vulkan::objects(device).device, mine.device);
+    expect_no_messages(device);
+}
+
+// A device made without VK_KHR_push_descriptor: descriptor sets come from pools, more than one pool.
+TEST(Adopt, WithoutPushDescriptors) {
+    const PlainVulkan mine;
+    auto objects = mine.objects();
+    objects.extensions = {};
+    const auto device = glift::vulkan::adopt(objects);
+    EXPECT_FALSE(device.properties().push_descriptors);
+    const auto g = buffer(device, "g.data", 256);
+    std::uint32_t expected = 0;
+    for (std::uint32_t k = 0; k < 2000; ++k) {
+        run_add(device, g, 64, k);
+        expected = expected * 2 + k;
+    }
+    EXPECT_EQ(read<std::uint32_t>(device, g, 64)[63], expected);
+    expect_no_messages(device);
+}
+
+TEST(Adopt, PassesGoIntoTheProgramsCommandBuffer) {
+    const PlainVulkan mine;
+    const auto device = glift::vulkan::adopt(mine.objects());
+    const auto g = buffer(device, "g.data", 256), copy = buffer(device, "copy.data", 256);
+    run_store(device, g, 64, 5);   // submitted before the program's own work
+    const VkCommandBuffer commands = mine.begin();
+    {
+        const auto into = glift::vulkan::record_into(device, commands);
+        run_add(into, g, 64, 1);
+        run_add(into, g, 64, 2);
+        glift::vulkan::finish(into);
+        // A command of the program's own, on what Glift wrote.
+        const auto from = glift::vulkan::buffer(g), to = glift::vulkan::buffer(copy);
+        const VkBufferCopy region = {from.offset, to.offset, 256};
+        vkCmdCopyBuffer(commands, from.buffer, to.buffer, 1, &region);
+        mine.run(commands);
+    }
+    EXPECT_EQ(read<std::uint32_t>(device, copy, 64)[63], (5u * 2 + 1) * 2 + 2);
+    expect_no_messages(device);
+}
+
+TEST(Adopt, OldAndPoorDevicesAreRefused) {
+    const PlainVulkan mine;
+    auto objects = mine.objects();
+    objects.get_instance_proc_addr = pretending_loader;
+    pretence.vulkan_1_2 = true;
+    const auto old = error_of([&] { glift::vulkan::adopt(objects); });
+    EXPECT_EQ(old.code(), glift::ErrorCode::unsupported_version);
+    EXPECT_NE(old.why().find("1.2"), std::string::npos) << old.what();
+    EXPECT_FALSE(old.remedy().empty());
+    pretence = {.no_timeline = true};
+    const auto poor = error_of([&] { glift::vulkan::adopt(objects); });
+    EXPECT_EQ(poor.code(), glift::ErrorCode::missing_feature);
+    EXPECT_NE(poor.why().find("timelineSemaphore"), std::string::npos) << poor.what();
+}
+
+TEST(Adopt, ALostDeviceIsAnErrorFromThenOn) {
+    const PlainVulkan mine;
+    auto objects = mine.objects();
+    objects.get_instance_proc_addr = pretending_loader;
+    {
+        const auto device = glift::vulkan::adopt(objects);
+        const auto g = buffer(device, "g.data", 256);
+        run_store(device, g, 64, 5);
+        device.wait();
+        run_store(device, g, 64, 6);
+        const auto download = device.commands().download(g, 0, 4);
+        pretence.lost = true;
+        const auto lost = error_of([&] { download.get(); });
+        EXPECT_EQ(lost.code(), glift::ErrorCode::device_lost);
+        EXPECT_FALSE(lost.remedy().empty());
+        pretence.lost = false;
+        EXPECT_EQ(error_of([&] { run_store(device, g, 64, 7); }).code(), glift::ErrorCode::device_lost);
+        EXPECT_EQ(error_of([&] { device.wait(); }).code(), glift::ErrorCode::device_lost);
+        EXPECT_EQ(error_of([&] { buffer(device, "h", 4); }).code(), glift::ErrorCode::device_lost);
+        EXPECT_EQ(error_of([&] { download.get(); }).code(), glift::ErrorCode::device_lost);
+        vkDeviceWaitIdle(mine.device);
+    }
+}
+
+TEST(Adopt, NoMemoryNamesTheMemory) {
+    const PlainVulkan mine;
+    auto objects = mine.objects();
+    objects.get_instance_proc_addr = pretending_loader;
+    const auto device = glift::vulkan::adopt(objects);
+    pretence.no_memory = true;
+    const auto error = error_of([&] { buffer(device, "huge.data", 512 << 20); });
+    EXPECT_EQ(error.code(), glift::ErrorCode::out_of_memory);
+    EXPECT_NE(error.where().find("huge.data"), std::string::npos) << error.what();
+    pretence.no_memory = false;
+    buffer(device, "huge.data", 512 << 20);
+}
+
+TEST(Adopt, TheHostDeviceHasNoVulkanObjects) {
+    const auto device = glift::Device::open("host");
+    EXPECT_EQ(error_of([&] { glift::vulkan::objects(device); }).code(), glift::ErrorCode::wrong_argument);
+    EXPECT_EQ(error_of([&] { glift::vulkan::buffer(buffer(device, "f", 4)); }).code(),
+              glift::ErrorCode::wrong_argument);
+}
+
+// That the layer is on and its messages arrive: the other tests rely on it.
+TEST(Validation, ReportsAMistake) {
+    if (!std::getenv("GLIFT_VALIDATE")) GTEST_SKIP() << "GLIFT_VALIDATE is not set";
+    const auto device = glift::Device::open(vulkan_name());
+    const VkBufferCreateInfo empty = {.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO,
+                                      .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT};
+    VkBuffer buffer = VK_NULL_HANDLE;
+    const VkDevice handle = glift::vulkan::objects(device).device;
+    if (vkCreateBuffer(handle, &empty, nullptr, &buffer) == VK_SUCCESS) vkDestroyBuffer(handle, buffer, nullptr);
+    EXPECT_FALSE(device.validation_messages().empty());
+    EXPECT_TRUE(device.validation_messages().empty());   // taken
+}
+
+// Synchronization validation, between submissions too: a copy of the program's own that nothing orders after a pass.
+TEST(Validation, ReportsAMissingBarrierBetweenSubmissions) {
+    if (!std::getenv("GLIFT_VALIDATE")) GTEST_SKIP() << "GLIFT_VALIDATE is not set";
+    const auto device = glift::Device::open(vulkan_name());
+    const auto g = buffer(device, "g.data", 256);
+    device.wait();
+    const auto objects = glift::vulkan::objects(device);
+    const VkCommandPoolCreateInfo pool_info = {.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
+                                               .queueFamilyIndex = objects.queue_family};
+    VkCommandPool pool = VK_NULL_HANDLE;
+    vkCreateCommandPool(objects.device, &pool_info, nullptr, &pool);
+    VkCommandBuffer commands[2];
+    const VkCommandBufferAllocateInfo info = {
+        .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO, .commandPool = pool, .commandBufferCount = 2};
+    vkAllocateCommandBuffers(objects.device, &info, commands);
+    for (const VkCommandBuffer each : commands) {
+        const VkCommandBufferBeginInfo begin = {.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
+        vkBeginCommandBuffer(each, &begin);
+        vkCmdFillBuffer(each, glift::vulkan::buffer(g).buffer, 0, 256, 1);
+        vkEndCommandBuffer(each);
+        const VkSubmitInfo submit = {
+            .sType = VK_STRUCTURE_TYPE_SUBMIT_INFO, .commandBufferCount = 1, .pCommandBuffers = &each};
+        vkQueueSubmit(objects.queue, 1, &submit, VK_NULL_HANDLE);
+    }
+    vkQueueWaitIdle(objects.queue);
+    vkDestroyCommandPool(objects.device, pool, nullptr);
+    EXPECT_FALSE(device.validation_messages().empty());
+}
+
+}  // namespace

@@ -1,0 +1,238 @@
+// Every way to fail says what, where, why and what to do.
+#include "test_device.h"
+
+#include <filesystem>
+#include <fstream>
+
+namespace {
+
+using namespace kernels;
+using glift::ErrorCode;
+
+/// Sets an environment variable for as long as it lives.
+class Environment {
+public:
+    Environment(const char* name, const char* value) : name_(name) {
+        const char* old = std::getenv(name);
+        had_ = old != nullptr;
+        if (old) old_ = old;
+        setenv(name, value, 1);
+    }
+    ~Environment() { had_ ? setenv(name_, old_.c_str(), 1) : unsetenv(name_); }
+
+private:
+    const char* name_;
+    bool had_;
+    std::string old_;
+};
+
+void expect_complete(const glift::Error& error, ErrorCode code) {
+    EXPECT_EQ(error.code(), code) << error.what();
+    EXPECT_FALSE(error.problem().empty());
+    EXPECT_FALSE(error.where().empty()) << error.what();
+    EXPECT_FALSE(error.remedy().empty()) << error.what();
+    EXPECT_NE(std::string(error.what()).find(error.remedy()), std::string::npos);
+}
+
+TEST(OpenErrors, NoLoader) {
+    const Environment loader("GLIFT_VULKAN_LOADER", "libno_such_vulkan.so.1");
+    expect_complete(error_of([] { glift::Device::open("lavapipe"); }), ErrorCode::no_loader);
+    EXPECT_TRUE(glift::Device::open("host").is_host());
+}
+
+TEST(OpenErrors, ALoaderThatIsNone) {
+    const Environment loader("GLIFT_VULKAN_LOADER", "libm.so.6");
+    expect_complete(error_of([] { glift::Device::open("lavapipe"); }), ErrorCode::no_loader);
+}
+
+TEST(OpenErrors, NoDriver) {
+    const Environment files("VK_DRIVER_FILES", "/nowhere/none.json");
+    const Environment old_name("VK_ICD_FILENAMES", "/nowhere/none.json");
+    const auto error = error_of([] { glift::Device::open(vulkan_name()); });
+    expect_complete(error, ErrorCode::no_device);
+    EXPECT_NE(error.remedy().find("mesa-vulkan-drivers"), std::string::npos);
+}
+
+TEST(OpenErrors, NoSuchDevice) {
+    const auto error = error_of([] { glift::Device::open("Voodoo 2"); });
+    expect_complete(error, ErrorCode::no_device);
+    EXPECT_NE(error.problem().find("Voodoo 2"), std::string::npos);
+    const Environment wanted("GLIFT_DEVICE", "Banshee");
+    EXPECT_EQ(error_of([] { glift::Device::open(); }).code(), ErrorCode::no_device);
+}
+
+TEST(OpenErrors, NoValidationLayer) {
+    const Environment path("VK_LAYER_PATH", "/nowhere");
+    const Environment wanted("GLIFT_VALIDATE", "1");
+    const auto error = error_of([] { glift::Device::open(vulkan_name()); });
+    expect_complete(error, ErrorCode::missing_layer);
+    EXPECT_NE(error.remedy().find("vulkan-validationlayers"), std::string::npos);
+}
+
+TEST(Open, TheEnvironmentChooses) {
+    const Environment wanted("GLIFT_DEVICE", "host");
+    EXPECT_TRUE(glift::Device::open().is_host());
+    EXPECT_FALSE(glift::Device::open(vulkan_name()).is_host());
+}
+
+TEST(Open, PropertiesAreThoseOfTheDevice) {
+    const auto host = glift::Device::open("host");
+    EXPECT_EQ(host.properties().loop_round_limit, glift::unlimited);
+    const auto device = glift::Device::open(vulkan_name());
+    EXPECT_FALSE(device.properties().name.empty());
+    EXPECT_GT(device.properties().memory_bytes, 0u);
+    if (vulkan_name() != "lavapipe") return;
+    EXPECT_EQ(device.properties().loop_round_limit, 65535u);
+    EXPECT_EQ(device.properties().max_storage_buffer_range, 128u << 20);
+    EXPECT_EQ(device.properties().kind, glift::DeviceKind::cpu);
+}
+
+// A damaged cache of compiled pipelines is as good as none, and is replaced.
+TEST(PipelineCache, SurvivesDamage) {
+    namespace fs = std::filesystem;
+    const fs::path folder = fs::temp_directory_path() / ("glift-cache-" + std::to_string(getpid()));
+    const Environment where("GLIFT_CACHE_DIR", folder.c_str());
+    const auto run = [] {
+        const auto device = glift::Device::open(vulkan_name());
+        const auto g = buffer(device, "g.data", 256);
+        run_store(device, g, 64, 5);
+        EXPECT_EQ(read<std::uint32_t>(device, g, 64)[63], 5u);
+    };
+    run();
+    ASSERT_FALSE(fs::is_empty(folder));
+    const fs::path file = fs::directory_iterator(folder)->path();
+    const auto size = fs::file_size(file);
+    for (const std::uintmax_t kept : {std::uintmax_t(0), std::uintmax_t(10), size - 1}) {
+        fs::resize_file(file, kept);
+        run();
+        EXPECT_EQ(fs::file_size(file), size);
+    }
+    std::fstream(file, std::ios::in | std::ios::out | std::ios::binary).seekp(30).put('!');
+    run();
+    fs::remove_all(folder);
+    fs::create_directories(folder.parent_path());
+    std::ofstream(folder).put('x');   // a file where the folder should be: nothing is kept, nothing fails
+    run();
+    fs::remove(folder);
+}
+
+class CallErrors : public OnEveryDevice {};
+GLIFT_ON_EVERY_DEVICE(CallErrors);
+
+TEST_P(CallErrors, OneMemoryReadAndWritten) {
+    const auto f = buffer(device, "f.data", 256);
+    const auto error = error_of([&] { run_scale(device, f, f, 64, 1.0f); });
+    expect_complete(error, ErrorCode::aliased_memory);
+    EXPECT_NE(error.where().find("scale.glift:3"), std::string::npos) << error.what();
+    EXPECT_NE(error.why().find("g.data"), std::string::npos) << error.what();
+    EXPECT_EQ(error_of([&] { device.commands().copy(f, 0, f, 4, 8); }).code(), ErrorCode::aliased_memory);
+}
+
+TEST_P(CallErrors, DISABLED_MemoryOfAnotherDevice) {
+    const auto other = glift::Device::open("host");
+    const auto f = buffer(other, "f.data", 256), g = buffer(device, "g.data", 256);
+    expect_complete(error_of([&] { run_scale(device, f, g, 64, 1.0f); }), ErrorCode::wrong_argument);
+    EXPECT_EQ(error_of([&] { device.commands().download(f, 0, 4); }).code(), ErrorCode::wrong_argument);
+    EXPECT_EQ(error_of([&] { run_scale(device, {}, g, 64, 1.0f); }).code(), ErrorCode::wrong_argument);
+}
+
+TEST_P(CallErrors, CallsThatDoNotFitTheirKernel) {
+    const auto f = buffer(device, "f.data", 256);
+    const auto image = device.allocate(
+        {.name = "i", .kind = glift::MemoryKind::image2d, .format = glift::Format::r32f, .extent = {4, 4, 1}});
+    const AddParameters block = {64, 1};
+    const auto call = [&](std::span<const glift::Memory> memories, std::span<const std::byte> parameters) {
+        return error_of([&] {
+                   device.commands().dispatch(add_in_place, {.form = glift::FormName::direct,
+                                                             .memories = memories,
+                                                             .parameters = parameters,
+                                                             .size = {64, 1, 1, 1}});
+               }).code();
+    };
+    EXPECT_EQ(call({}, bytes_of(block)), ErrorCode::wrong_argument);
+    EXPECT_EQ(call({&f, 1}, bytes_of(block).first(4)), ErrorCode::wrong_argument);
+    EXPECT_EQ(call({&image, 1}, bytes_of(block)), ErrorCode::wrong_argument);
+    EXPECT_EQ(error_of([&] { device.commands().upload(f, 200, std::vector<std::byte>(100)); }).code(),
+              ErrorCode::wrong_argument);
+    EXPECT_EQ(error_of([&] { device.commands().fill(f, 2, 4); }).code(), ErrorCode::wrong_argument);
+    const glift::ImageRegion outside = {.origin = {2, 0, 0}, .extent = {3, 1, 1}};
+    EXPECT_EQ(error_of([&] { device.commands().download_image(image, {&outside, 1}, 100); }).code(),
+              ErrorCode::wrong_argument);
+    EXPECT_EQ(error_of([&] { device.allocate({.name = "x", .format = glift::Format::r8, .bytes = 4}); }).code(),
+              ErrorCode::wrong_argument);
+}
+
+TEST_P(CallErrors, MissingForm) {
+    const auto g = buffer(device, "g.data", 256);
+    static const glift::Binding binding[] = {{"g.data", glift::MemoryKind::buffer, glift::Access::write}};
+    static const glift::Kernel empty = {
+        .name = "empty", .file = "e.glift", .line = 1, .rank = 1, .group = {64, 1, 1}, .bindings = binding};
+    expect_complete(error_of([&] {
+                        device.commands().dispatch(
+                            empty, {.form = glift::FormName::direct, .memories = {&g, 1}, .size = {64, 1, 1, 1}});
+                    }),
+                    ErrorCode::missing_form);
+}
+
+TEST_P(CallErrors, LoopsBeyondTheDevice) {
+    if (device.properties().loop_round_limit == glift::unlimited) GTEST_SKIP() << "no limit here";
+    const auto g = buffer(device, "g.data", 256);
+    static const glift::Kernel loops = [] {
+        glift::Kernel kernel = store_value;
+        kernel.name = "loops";
+        kernel.loop_rounds = 65536;
+        return kernel;
+    }();
+    const AddParameters block = {64, 1};
+    const auto error = error_of([&] {
+        device.commands().dispatch(loops, {.form = glift::FormName::direct,
+                                           .memories = {&g, 1},
+                                           .parameters = bytes_of(block),
+                                           .size = {64, 1, 1, 1}});
+    });
+    expect_complete(error, ErrorCode::loop_limit);
+    EXPECT_NE(error.where().find("loops"), std::string::npos);
+}
+
+TEST_P(CallErrors, WhatAKernelReportsIsThrown) {
+    const auto g = buffer(device, "g.data", 256);
+    const auto run = [&](std::uint32_t size) {
+        device.commands().dispatch(report, {.form = glift::FormName::direct,
+                                            .memories = {&g, 1},
+                                            .parameters = bytes_of(size),
+                                            .size = {size, 1, 1, 1}});
+        device.wait();
+    };
+    run(10);
+    const auto error = error_of([&] { run(64); });
+    EXPECT_EQ(error.code(), ErrorCode::out_of_range);
+    EXPECT_NE(error.where().find("report.glift:21"), std::string::npos) << error.what();
+    EXPECT_NE(error.why().find("g.data"), std::string::npos) << error.what();
+    EXPECT_NE(error.why().find("(10)"), std::string::npos) << error.what();
+    run(10);   // reported once
+    EXPECT_EQ(read<std::uint32_t>(device, g, 64)[9], 9u);
+}
+
+TEST_P(CallErrors, DISABLED_NoMemoryLeft) {
+    const Environment limit("GLIFT_MEMORY_LIMIT", "100000000");
+    const auto small = glift::Device::open(device.is_host() ? "host" : vulkan_name());
+    std::vector<glift::Memory> memories;
+    const auto error = error_of([&] {
+        for (int k = 0; k < 100; ++k) memories.push_back(buffer(small, "page.data", 10 << 20));
+    });
+    expect_complete(error, ErrorCode::out_of_memory);
+    EXPECT_NE(error.where().find("page.data"), std::string::npos) << error.what();
+    EXPECT_GE(memories.size(), 5u);
+    memories.clear();
+    buffer(small, "page.data", 50 << 20);   // what was freed is there again
+}
+
+TEST_P(CallErrors, MemoryBeyondTheDevice) {
+    if (device.properties().max_allocation_bytes == glift::unlimited) GTEST_SKIP() << "no limit here";
+    const auto error =
+        error_of([&] { buffer(device, "whale.data", device.properties().max_allocation_bytes + 4096); });
+    expect_complete(error, ErrorCode::too_large);
+    EXPECT_NE(error.where().find("whale.data"), std::string::npos) << error.what();
+}
+
+}  // namespace

@@ -1,0 +1,118 @@
+#include "plain_vulkan.h"
+
+#include <cstring>
+
+Pretence pretence;
+
+namespace {
+
+VKAPI_ATTR void VKAPI_CALL get_properties(VkPhysicalDevice physical, VkPhysicalDeviceProperties* properties) {
+    vkGetPhysicalDeviceProperties(physical, properties);
+    if (pretence.vulkan_1_2) properties->apiVersion = VK_API_VERSION_1_2;
+}
+
+VKAPI_ATTR void VKAPI_CALL get_features(VkPhysicalDevice physical, VkPhysicalDeviceFeatures2* features) {
+    vkGetPhysicalDeviceFeatures2(physical, features);
+    for (auto* next = static_cast<VkBaseOutStructure*>(features->pNext); next; next = next->pNext) {
+        if (next->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES && pretence.no_timeline) {
+            reinterpret_cast<VkPhysicalDeviceVulkan12Features*>(next)->timelineSemaphore = VK_FALSE;
+        }
+    }
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL submit(VkQueue queue, std::uint32_t count, const VkSubmitInfo2* infos, VkFence fence) {
+    return pretence.lost ? VK_ERROR_DEVICE_LOST : vkQueueSubmit2(queue, count, infos, fence);
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL wait(VkDevice device, const VkSemaphoreWaitInfo* info, std::uint64_t timeout) {
+    return pretence.lost ? VK_ERROR_DEVICE_LOST : vkWaitSemaphores(device, info, timeout);
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL allocate(VkDevice device, const VkMemoryAllocateInfo* info,
+                                        const VkAllocationCallbacks* callbacks, VkDeviceMemory* memory) {
+    return pretence.no_memory ? VK_ERROR_OUT_OF_DEVICE_MEMORY : vkAllocateMemory(device, info, callbacks, memory);
+}
+
+template <class Function> PFN_vkVoidFunction erased(Function function) {
+    return reinterpret_cast<PFN_vkVoidFunction>(function);
+}
+
+PFN_vkVoidFunction VKAPI_CALL device_function(VkDevice device, const char* name) {
+    if (!std::strcmp(name, "vkQueueSubmit2")) return erased(submit);
+    if (!std::strcmp(name, "vkWaitSemaphores")) return erased(wait);
+    if (!std::strcmp(name, "vkAllocateMemory")) return erased(allocate);
+    return vkGetDeviceProcAddr(device, name);
+}
+
+}  // namespace
+
+PFN_vkVoidFunction VKAPI_CALL pretending_loader(VkInstance instance, const char* name) {
+    if (!std::strcmp(name, "vkGetPhysicalDeviceProperties")) return erased(get_properties);
+    if (!std::strcmp(name, "vkGetPhysicalDeviceFeatures2")) return erased(get_features);
+    if (!std::strcmp(name, "vkGetDeviceProcAddr")) return erased(device_function);
+    return vkGetInstanceProcAddr(instance, name);
+}
+
+PlainVulkan::PlainVulkan() {
+    pretence = {};
+    const VkApplicationInfo application = {.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO,
+                                           .apiVersion = VK_API_VERSION_1_3};
+    const char* layer = "VK_LAYER_KHRONOS_validation";
+    const char* debug = VK_EXT_DEBUG_UTILS_EXTENSION_NAME;
+    const char* validate = std::getenv("GLIFT_VALIDATE");
+    const VkValidationFeatureEnableEXT checks[] = {VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT};
+    const VkValidationFeaturesEXT validation = {.sType = VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT,
+                                                .enabledValidationFeatureCount = 1,
+                                                .pEnabledValidationFeatures = checks};
+    const VkInstanceCreateInfo info = {.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO,
+                                       .pNext = validate ? &validation : nullptr,
+                                       .pApplicationInfo = &application,
+                                       .enabledLayerCount = validate ? 1u : 0u,
+                                       .ppEnabledLayerNames = &layer,
+                                       .enabledExtensionCount = 1,
+                                       .ppEnabledExtensionNames = &debug};
+    EXPECT_EQ(vkCreateInstance(&info, nullptr, &instance), VK_SUCCESS);
+    std::uint32_t count = 1;
+    vkEnumeratePhysicalDevices(instance, &count, &physical);
+
+    glift::vulkan::DeviceFeatures features(instance, physical);
+    extensions.assign(features.extensions().begin(), features.extensions().end());
+    const float priority = 1;
+    const VkDeviceQueueCreateInfo queue_info = {
+        .sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO, .queueCount = 1, .pQueuePriorities = &priority};
+    const VkDeviceCreateInfo device_info = {.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO,
+                                            .pNext = &features.features(),
+                                            .queueCreateInfoCount = 1,
+                                            .pQueueCreateInfos = &queue_info,
+                                            .enabledExtensionCount = static_cast<std::uint32_t>(extensions.size()),
+                                            .ppEnabledExtensionNames = extensions.data()};
+    EXPECT_EQ(vkCreateDevice(physical, &device_info, nullptr, &device), VK_SUCCESS);
+    vkGetDeviceQueue(device, 0, 0, &queue);
+    const VkCommandPoolCreateInfo pool_info = {.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
+    vkCreateCommandPool(device, &pool_info, nullptr, &pool);
+}
+
+PlainVulkan::~PlainVulkan() {
+    vkDestroyCommandPool(device, pool, nullptr);
+    vkDestroyDevice(device, nullptr);
+    vkDestroyInstance(instance, nullptr);
+}
+
+VkCommandBuffer PlainVulkan::begin() const {
+    const VkCommandBufferAllocateInfo info = {.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
+                                              .commandPool = pool,
+                                              .commandBufferCount = 1};
+    VkCommandBuffer commands = VK_NULL_HANDLE;
+    vkAllocateCommandBuffers(device, &info, &commands);
+    const VkCommandBufferBeginInfo begin_info = {.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
+    vkBeginCommandBuffer(commands, &begin_info);
+    return commands;
+}
+
+void PlainVulkan::run(VkCommandBuffer commands) const {
+    vkEndCommandBuffer(commands);
+    const VkSubmitInfo info = {
+        .sType = VK_STRUCTURE_TYPE_SUBMIT_INFO, .commandBufferCount = 1, .pCommandBuffers = &commands};
+    EXPECT_EQ(vkQueueSubmit(queue, 1, &info, VK_NULL_HANDLE), VK_SUCCESS);
+    vkQueueWaitIdle(queue);
+}

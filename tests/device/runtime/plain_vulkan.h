@@ -1,0 +1,37 @@
+// A program's own Vulkan objects, made without Glift (but with the features that it asks for), and a loader whose
+// answers a test can change.
+#pragma once
+
+#include "test_device.h"
+
+#include <glift/vulkan.h>
+
+#include <memory>
+#include <vector>
+
+/// What the loader pretends. Reset at the start of each test.
+struct Pretence {
+    bool vulkan_1_2 = false;
+    bool no_timeline = false;
+    bool lost = false;          ///< the next submission and every wait
+    bool no_memory = false;
+};
+extern Pretence pretence;
+PFN_vkVoidFunction VKAPI_CALL pretending_loader(VkInstance instance, const char* name);
+
+class PlainVulkan {
+public:
+    PlainVulkan();
+    ~PlainVulkan();
+
+    glift::vulkan::Objects objects() const { return {instance, physical, device, queue, 0, extensions, nullptr}; }
+    VkCommandBuffer begin() const;
+    void run(VkCommandBuffer commands) const;   ///< ends, submits and waits
+
+    VkInstance instance = VK_NULL_HANDLE;
+    VkPhysicalDevice physical = VK_NULL_HANDLE;
+    VkDevice device = VK_NULL_HANDLE;
+    VkQueue queue = VK_NULL_HANDLE;
+    VkCommandPool pool = VK_NULL_HANDLE;
+    std::vector<const char*> extensions;
+};
