@@ -29,7 +29,7 @@ std::vector<Job> list_jobs(const Compilation& c, const std::set<std::uint32_t>& 
 }
 
 void run(Job& job, const Compilation& c, spirv::Optimise optimise) {
-    std::string text = glsl::glsl_of(c.program, c.sources, *job.pass, {.lines = glsl::LineMarks::directives});
+    std::string text = glsl::glsl_of(c.program, c.sources, *job.pass, {.lines = glsl::LineMarks::directives, .rounding = glsl::Rounding::correct});
     spirv::Spirv made = spirv::spirv_of(text, optimise);
     *job.words = std::move(made.words);
     job.error = std::move(made.error);

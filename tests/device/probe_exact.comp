@@ -87,7 +87,9 @@ float quick_divide(float a, float b) {
 }
 
 float exact_sqrt(float x) {
-    if (!is_ordinary(x) || x < 0.0) return x == 0.0 || x > 0.0 ? x : uintBitsToFloat(0x7fc00000u);
+    uint bits = floatBitsToUint(x);
+    if ((bits & 0x7fffffffu) == 0u || bits == 0x7f800000u) return x;
+    if (bits > 0x7f800000u) return uintBitsToFloat(0x7fc00000u);   // negative, or not a number
     int exponent;
     float m = split(x, exponent);
     int odd = exponent & 1;

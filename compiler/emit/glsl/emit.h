@@ -14,8 +14,15 @@ enum class LineMarks : std::uint8_t {
     directives,  ///< `#line 9 "laplacian.glift"` before each statement: for glslang's errors and debug information
 };
 
+/// Whose rounding `/` and `sqrt` of floats have.
+enum class Rounding : std::uint8_t {
+    device,   ///< as written: up to 2.5 units in the last place off on some devices
+    correct,  ///< corrected unless specialisation constant 100 (default true) says that the device's own is correct
+};
+
 struct Options {
     LineMarks lines = LineMarks::comments;
+    Rounding rounding = Rounding::device;
 };
 
 /// The shader of `pass`: descriptor set 0, memory k at binding k + 1; parameters are push constants or, where

@@ -1,6 +1,7 @@
 // Expressions, with no more parentheses than a reader wants.
 #include "emit/glsl/printer.h"
 
+#include <cstdio>
 #include <stdexcept>
 
 namespace gliftc::glsl {
@@ -52,8 +53,19 @@ std::string operand_text(Printer& p, ExprId id, Level outer, bool is_right) {
     return fits ? text.text : "(" + text.text + ")";
 }
 
+/// A mask reads better as 0x00ff00ffu.
+std::string mask_text(const Printer& p, ExprId id) {
+    const Expr& expr = p.program.exprs[id];
+    if (expr.op != Op::constant || expr.type != p.program.types.uint || expr.bits < 10) return "";
+    char text[16];
+    std::snprintf(text, sizeof text, "0x%08xu", static_cast<std::uint32_t>(expr.bits));
+    return text;
+}
+
 Text plain_binary(Printer& p, BinaryOp op, ExprId a, ExprId b) {
     Operator o = operator_of(op);
+    bool is_mask = op == BinaryOp::bit_and || op == BinaryOp::bit_or || op == BinaryOp::bit_xor;
+    if (std::string mask = is_mask ? mask_text(p, b) : ""; !mask.empty()) return {operand_text(p, a, o.level, false) + " " + o.text + " " + mask, o.level};
     return {operand_text(p, a, o.level, false) + " " + o.text + " " + operand_text(p, b, o.level, true), o.level};
 }
 
@@ -79,6 +91,7 @@ Text print_division(Printer& p, const Expr& expr) {
         if (remainder) return helper_call(p, Helper::modulo, expr, expr.type);
         if (types.is_matrix(expr.type) && types.is_scalar(p.program.exprs[b].type))
             return {need(p, Helper::matrix_scalar_quotient, expr.type) + "(" + print_any(p, a) + ", " + print_any(p, b) + ")"};
+        if (corrects_division(p, expr.type) && !is_power_of_two(p, b)) return helper_call(p, Helper::divide, expr, expr.type);
         return plain_binary(p, expr.binary, a, b);
     }
     bool safe = divisor_is_safe(p, b);

@@ -35,6 +35,9 @@ const char* name_of(Helper helper) {
     case Helper::unpack_unorm: return "unpack_unorm";
     case Helper::extract_bits: return "extract_bits";
     case Helper::insert_bits: return "insert_bits";
+    case Helper::split_float: return "split";
+    case Helper::divide: return "divide";
+    case Helper::square_root: return "square_root";
     }
     throw std::logic_error("emit/glsl: unknown helper");
 }
@@ -131,7 +134,11 @@ std::string matrix_definition(Printer& p, const HelperUse& use) {
     std::string result = prefix + std::to_string(right.count) + "x" + std::to_string(matrix.rows);
     for (std::uint32_t i = 0; i < right.count; ++i) {
         std::string column = "[" + std::to_string(i) + "]";
-        value += (i ? ", " : "") + (use.helper == Helper::matrix_matrix ? "product(a, b" + column + ")" : "a" + column + " / b");
+        value += i ? ", " : "";
+        if (use.helper == Helper::matrix_matrix) value += "product(a, b" + column + ")";
+        else if (!corrects_division(p, scalar)) value += "a" + column + " / b";
+        else
+            for (std::uint32_t j = 0; j < matrix.rows; ++j) value += (j ? ", divide(a" : "divide(a") + column + "[" + std::to_string(j) + "], b)";
     }
     std::string second = use.helper == Helper::matrix_matrix ? b + " b" : type_text(p, scalar) + " b";
     return one_line(result + (use.helper == Helper::matrix_matrix ? " product(" : " quotient(") + a + " a, " + second + ")", result + "(" + value + ")");
@@ -140,11 +147,11 @@ std::string matrix_definition(Printer& p, const HelperUse& use) {
 std::string arithmetic(Printer& p, const HelperUse& use) {
     std::string t = type_text(p, use.a), zero_text = t + "(0.0)", one = t + "(1.0)", two = t + "(2.0)", three = t + "(3.0)";
     switch (use.helper) {
-    case Helper::modulo: return one_line(t + " modulo(" + t + " a, " + t + " b)", "a - b * floor(a / b)");
+    case Helper::modulo: return one_line(t + " modulo(" + t + " a, " + t + " b)", "a - b * floor(" + quotient_of(p, use.a, "a", "b") + ")");
     case Helper::cross_product: return one_line(t + " cross_product(" + t + " a, " + t + " b)", "a.yzx * b.zxy - a.zxy * b.yzx");
     case Helper::blend: return one_line(t + " blend(" + t + " x, " + t + " y, " + t + " a)", "x * (" + one + " - a) + y * a");
     case Helper::smooth_step:
-        return t + " smooth_step(" + t + " low, " + t + " high, " + t + " x) {\n    " + t + " s = min(max((x - low) / (high - low), " + zero_text +
+        return t + " smooth_step(" + t + " low, " + t + " high, " + t + " x) {\n    " + t + " s = min(max(" + (corrects_division(p, use.a) ? quotient_of(p, use.a, "x - low", "high - low") : "(x - low) / (high - low)") + ", " + zero_text +
                "), " + one + ");\n    return s * s * (" + three + " - " + two + " * s);\n}\n";
     case Helper::fraction: return one_line(t + " fraction(" + t + " x)", "x - floor(x)");
     case Helper::sign_of: {
@@ -165,7 +172,7 @@ std::string bits_definition(Printer& p, const HelperUse& use) {
         return "uint pack_unorm(vec4 v) {\n    uvec4 bytes = uvec4(roundEven(min(max(v, 0.0), 1.0) * 255.0));\n"
                "    return bytes.x | (bytes.y << 8) | (bytes.z << 16) | (bytes.w << 24);\n}\n";
     if (use.helper == Helper::unpack_unorm)
-        return "vec4 unpack_unorm(uint v) {\n    return vec4(uvec4(v, v >> 8, v >> 16, v >> 24) & 255u) / 255.0;\n}\n";
+        return "vec4 unpack_unorm(uint v) {\n    return " + quotient_of(p, use.a, "vec4(uvec4(v, v >> 8, v >> 16, v >> 24) & 255u)", "vec4(255.0)") + ";\n}\n";
     std::string t = type_text(p, use.a);
     std::string clamp = "    int first = int(min(uint(offset), 32u));\n    int count = int(min(uint(bits), uint(32 - first)));\n";
     if (use.helper == Helper::extract_bits)
@@ -198,6 +205,13 @@ std::string definition(Printer& p, const HelperUse& use) {
     case Helper::unpack_unorm:
     case Helper::extract_bits:
     case Helper::insert_bits: return bits_definition(p, use);
+    case Helper::split_float: return division_definition(use.helper);
+    case Helper::divide:
+    case Helper::square_root: {
+        std::uint32_t count = p.program.types.components(use.a);
+        if (count == 1) return division_definition(use.helper);
+        return by_component(type_text(p, use.a), name_of(use.helper), type_text(p, use.a), count, use.helper == Helper::divide);
+    }
     }
     throw std::logic_error("emit/glsl: unknown helper");
 }
@@ -221,17 +235,27 @@ void need_inner(Printer& p, const HelperUse& use) {
         break;
     case Helper::vector_matrix:
     case Helper::reflection: need(p, Helper::ordered_dot, use.a); break;
+    case Helper::divide:
+    case Helper::square_root:
+        if (types.components(use.a) > 1) need(p, use.helper, scalar);
+        else need(p, Helper::split_float, {});
+        break;
+    case Helper::modulo:
+    case Helper::smooth_step:
+    case Helper::unpack_unorm:
+        if (corrects_division(p, use.a)) need(p, Helper::divide, use.a);
+        break;
+    case Helper::matrix_scalar_quotient:
+        if (corrects_division(p, use.a)) need(p, Helper::divide, scalar);
+        break;
     case Helper::matrix_matrix: need(p, Helper::matrix_vector, use.a); break;
+    case Helper::split_float:
     case Helper::ordered_dot:
     case Helper::matrix_vector:
-    case Helper::matrix_scalar_quotient:
-    case Helper::modulo:
     case Helper::cross_product:
     case Helper::blend:
-    case Helper::smooth_step:
     case Helper::fraction:
     case Helper::pack_unorm:
-    case Helper::unpack_unorm:
     case Helper::extract_bits:
     case Helper::insert_bits: break;
     }

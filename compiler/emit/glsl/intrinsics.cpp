@@ -96,7 +96,7 @@ Text print_intrinsic(Printer& p, const Expr& expr) {
     case Intrinsic::min: return minimum(p, "min", expr);
     case Intrinsic::max: return minimum(p, "max", expr);
     case Intrinsic::clamp: return clamp(p, expr);
-    case Intrinsic::sqrt: return call(p, "sqrt", expr);
+    case Intrinsic::sqrt: return corrects_division(p, expr.type) ? shaped(p, Helper::square_root, expr) : call(p, "sqrt", expr);
     case Intrinsic::isnan: return call(p, "isnan", expr);
     case Intrinsic::isinf: return call(p, "isinf", expr);
     case Intrinsic::any: return reduce_bools(p, "any", expr);
@@ -129,7 +129,7 @@ Text print_intrinsic(Printer& p, const Expr& expr) {
     case Intrinsic::packHalf2x16: return call(p, "packHalf2x16", expr);
     case Intrinsic::unpackHalf2x16: return call(p, "unpackHalf2x16", expr);
     case Intrinsic::packUnorm4x8: return {need(p, Helper::pack_unorm, {}) + "(" + join_arguments(p, expr.operands) + ")"};
-    case Intrinsic::unpackUnorm4x8: return {need(p, Helper::unpack_unorm, {}) + "(" + join_arguments(p, expr.operands) + ")"};
+    case Intrinsic::unpackUnorm4x8: return {need(p, Helper::unpack_unorm, expr.type) + "(" + join_arguments(p, expr.operands) + ")"};
     case Intrinsic::exp: return call(p, "exp", expr);
     case Intrinsic::exp2: return call(p, "exp2", expr);
     case Intrinsic::log: return call(p, "log", expr);

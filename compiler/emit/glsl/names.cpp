@@ -35,7 +35,8 @@ const std::unordered_set<std::string_view>& reserved_words() {
         // this printer's own
         "main", "Parameters", "quotient", "remainder", "modulo", "to_int", "to_uint", "to_int64", "to_uint64", "ordered_dot",
         "cross_product", "blend", "smooth_step", "fraction", "sign_of", "reflection", "product", "pack_unorm", "unpack_unorm",
-        "extract_bits", "insert_bits", "exact_division",
+        "extract_bits", "insert_bits", "exact_division", "divide", "square_root", "split", "scaled_quotient",
+        "subnormal_quotient",
     };
     return words;
 }

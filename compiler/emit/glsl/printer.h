@@ -24,6 +24,7 @@ struct Text {
 enum class Helper : std::uint8_t {
     quotient, remainder, modulo, to_int, to_uint, to_int64, to_uint64, ordered_dot, cross_product, blend, smooth_step, fraction, sign_of,
     reflection, matrix_vector, vector_matrix, matrix_matrix, matrix_scalar_quotient, pack_unorm, unpack_unorm, extract_bits, insert_bits,
+    split_float, divide, square_root,
 };
 
 /// A helper for one type, or an atomic update by compare-and-swap of one binding.
@@ -110,6 +111,12 @@ Text print_intrinsic(Printer& p, const ir::Expr& expr);
 // helpers.cpp
 std::string need(Printer& p, Helper helper, ir::TypeId a, ir::TypeId b = {});   ///< the name to call
 std::string helper_definitions(Printer& p);
+
+// division.cpp
+std::string division_definition(Helper helper);
+bool is_power_of_two(const Printer& p, ir::ExprId expr);       ///< dividing by it is exact however the device does it
+bool corrects_division(const Printer& p, ir::TypeId type);
+std::string quotient_of(Printer& p, ir::TypeId type, const std::string& a, const std::string& b);
 
 // statements.cpp
 void print_body(Printer& p, const std::vector<ir::StmtId>& body);

@@ -12,6 +12,9 @@ namespace glift::detail {
 
 namespace {
 
+/// Of generated shaders: true where the device rounds / and sqrt of floats correctly.
+constexpr std::uint32_t exact_division_constant = 100;
+
 const Form& form_of(const Kernel& kernel, CompiledForm form) {
     switch (form) {
         case CompiledForm::direct: return kernel.direct;
@@ -213,23 +216,25 @@ VkPipeline Pipelines::make_handle(const Pipeline& pipeline) {
     VkShaderModule module = VK_NULL_HANDLE;
     context_.check(context_.vk.vkCreateShaderModule(context_.device, &module_info, nullptr, &module),
                    "vkCreateShaderModule");
+    // Generated shaders correct / and sqrt of floats unless the device's own are correctly rounded: those of CPUs are.
+    std::vector<SpecialisationConstant> constants = pipeline.constants;
+    constants.push_back({exact_division_constant, context_.properties.kind == DeviceKind::cpu ? 1u : 0u});
     std::vector<VkSpecializationMapEntry> entries;
-    for (std::size_t k = 0; k < pipeline.constants.size(); ++k) {
-        entries.push_back({pipeline.constants[k].id,
+    for (std::size_t k = 0; k < constants.size(); ++k) {
+        entries.push_back({constants[k].id,
                            static_cast<std::uint32_t>(k * sizeof(SpecialisationConstant) +
                                                       offsetof(SpecialisationConstant, value)),
                            sizeof(std::uint32_t)});
     }
     const VkSpecializationInfo special = {static_cast<std::uint32_t>(entries.size()), entries.data(),
-                                          pipeline.constants.size() * sizeof(SpecialisationConstant),
-                                          pipeline.constants.data()};
+                                          constants.size() * sizeof(SpecialisationConstant), constants.data()};
     const VkComputePipelineCreateInfo info = {
         .sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO,
         .stage = {.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
                   .stage = VK_SHADER_STAGE_COMPUTE_BIT,
                   .module = module,
                   .pName = "main",
-                  .pSpecializationInfo = entries.empty() ? nullptr : &special},
+                  .pSpecializationInfo = &special},
         .layout = pipeline.layout};
     VkPipeline handle = VK_NULL_HANDLE;
     const VkResult result =

@@ -62,6 +62,42 @@ TEST(Division, OfIntsGoesThroughAFunction) {
     EXPECT_THAT(stored(vectors), HasSubstr("ivec3(quotient(a.x, b.x), quotient(a.y, b.y), quotient(a.z, b.z))"));
 }
 
+/// As `stored`, with division and square root corrected.
+template <class Make>
+std::string corrected(Make make) {
+    Builder b;
+    ExprId address = b.one_axis();
+    ExprId value = make(b, address);
+    auto out = b.buffer("g_data", b.type_of(value), Access::write);
+    b.pass.body = {b.store(out, address, value)};
+    std::string text = glsl::glsl_of(b.program, b.sources, b.pass, {.lines = glsl::LineMarks::directives, .rounding = glsl::Rounding::correct});
+    auto spirv = spirv::spirv_of(text);
+    EXPECT_EQ(spirv.error, "") << text;
+    return text;
+}
+
+TEST(Division, OfFloatsIsCorrectedWhereTheDeviceIsNotExact) {
+    auto division = [](Builder& b, ExprId a) { return b.binary(BinaryOp::divide, as_float(b, a), b.f(3)); };
+    EXPECT_THAT(stored(division), HasSubstr("= float(address) / 3.0;"));
+    EXPECT_THAT(corrected(division), HasSubstr("= divide(float(address), 3.0);"));
+    EXPECT_THAT(corrected([](Builder& b, ExprId a) { return b.binary(BinaryOp::divide, as_float(b, a), b.f(4)); }), HasSubstr("= float(address) / 4.0;"));
+    auto vectors = [](Builder& b, ExprId a) {
+        TypeId float3 = b.types().vector(b.types().float_, 3), float4 = b.types().vector(b.types().float_, 4);
+        ExprId v = b.make(Op::construct, float3, {as_float(b, a)});
+        ExprId root = b.intrinsic(Intrinsic::sqrt, float3, {b.binary(BinaryOp::divide, v, v)});
+        ExprId smooth = b.intrinsic(Intrinsic::smoothstep, float3, {b.f(0), b.f(2), root});
+        ExprId bytes = b.lanes(b.intrinsic(Intrinsic::unpackUnorm4x8, float4, {a}), {0, 1, 2});
+        return b.binary(BinaryOp::remainder, b.plus(smooth, bytes), v);
+    };
+    EXPECT_THAT(corrected(vectors), HasSubstr("layout(constant_id = 100) const bool exact_division = true;"));
+    auto matrices = [](Builder& b, ExprId a) {
+        TypeId square = b.types().matrix(b.types().float_, 2, 2);
+        ExprId x = as_float(b, a), m = b.make(Op::construct, square, {x, x, x, x});
+        return b.make(Op::index, b.types().vector(b.types().float_, 2), {b.binary(BinaryOp::divide, m, x), b.u(1)});
+    };
+    EXPECT_THAT(corrected(matrices), HasSubstr("divide(a[0][0], b)"));
+}
+
 TEST(Shift, IsMaskedWhereTheAmountIsNotKnown) {
     EXPECT_THAT(stored([](Builder& b, ExprId a) { return b.binary(BinaryOp::shift_left, a, b.u(31)); }), HasSubstr("= address << 31u;"));
     EXPECT_THAT(stored([](Builder& b, ExprId a) { return b.binary(BinaryOp::shift_right, a, b.plus(a, b.u(1))); }),

@@ -1,0 +1,44 @@
+#ifndef GLIFT_NUMBERS
+#define GLIFT_NUMBERS
+// Array<1, uint, none, buffer>, array.glift:20.
+// Define before including: NUMBERS_SET, NUMBERS_BINDING (the state; memory k follows at + 1 + k), NUMBERS_STATE, NUMBERS_READONLY.
+#extension GL_EXT_scalar_block_layout : require
+
+#ifndef NUMBERS_SET
+#define NUMBERS_SET 0
+#endif
+#ifndef NUMBERS_BINDING
+#define NUMBERS_BINDING 0
+#endif
+#ifdef NUMBERS_READONLY
+#define NUMBERS_ACCESS readonly
+#else
+#define NUMBERS_ACCESS
+#endif
+
+#ifndef NUMBERS_STATE  // define it where the members below are declared in a block of your own
+layout(scalar, set = NUMBERS_SET, binding = NUMBERS_BINDING) readonly buffer Numbers_state {
+    uint Numbers_extent;
+};
+#endif
+
+layout(scalar, set = NUMBERS_SET, binding = NUMBERS_BINDING + 1) NUMBERS_ACCESS buffer Numbers_data_memory { uint Numbers_data[]; };
+
+uint Numbers_translate(uint address) {
+    return address;
+}
+
+uint Numbers_read(uint address) {
+    bool Numbers_value_inside = address < Numbers_extent;
+    uint Numbers_value = Numbers_data[Numbers_value_inside ? address : 0u];
+    return Numbers_value_inside ? Numbers_value : 0u;
+}
+
+#ifndef NUMBERS_READONLY
+void Numbers_write(uint address, uint value) {
+    if (address < Numbers_extent) {
+        Numbers_data[address] = value;
+    }
+}
+#endif
+#endif

@@ -1,0 +1,44 @@
+#ifndef GLIFT_INDICES
+#define GLIFT_INDICES
+// Array<1, uint, none, buffer>, array.glift:20.
+// Define before including: INDICES_SET, INDICES_BINDING (the state; memory k follows at + 1 + k), INDICES_STATE, INDICES_READONLY.
+#extension GL_EXT_scalar_block_layout : require
+
+#ifndef INDICES_SET
+#define INDICES_SET 0
+#endif
+#ifndef INDICES_BINDING
+#define INDICES_BINDING 0
+#endif
+#ifdef INDICES_READONLY
+#define INDICES_ACCESS readonly
+#else
+#define INDICES_ACCESS
+#endif
+
+#ifndef INDICES_STATE  // define it where the members below are declared in a block of your own
+layout(scalar, set = INDICES_SET, binding = INDICES_BINDING) readonly buffer Indices_state {
+    uint Indices_extent;
+};
+#endif
+
+layout(scalar, set = INDICES_SET, binding = INDICES_BINDING + 1) INDICES_ACCESS buffer Indices_data_memory { uint Indices_data[]; };
+
+uint Indices_translate(uint address) {
+    return address;
+}
+
+uint Indices_read(uint address) {
+    bool Indices_value_inside = address < Indices_extent;
+    uint Indices_value = Indices_data[Indices_value_inside ? address : 0u];
+    return Indices_value_inside ? Indices_value : 0u;
+}
+
+#ifndef INDICES_READONLY
+void Indices_write(uint address, uint value) {
+    if (address < Indices_extent) {
+        Indices_data[address] = value;
+    }
+}
+#endif
+#endif

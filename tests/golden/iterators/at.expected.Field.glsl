@@ -1,0 +1,45 @@
+#ifndef GLIFT_FIELD
+#define GLIFT_FIELD
+// Array<2, float, none, buffer>, array.glift:20.
+// Define before including: FIELD_SET, FIELD_BINDING (the state; memory k follows at + 1 + k), FIELD_STATE, FIELD_READONLY.
+#extension GL_EXT_scalar_block_layout : require
+
+#ifndef FIELD_SET
+#define FIELD_SET 0
+#endif
+#ifndef FIELD_BINDING
+#define FIELD_BINDING 0
+#endif
+#ifdef FIELD_READONLY
+#define FIELD_ACCESS readonly
+#else
+#define FIELD_ACCESS
+#endif
+
+#ifndef FIELD_STATE  // define it where the members below are declared in a block of your own
+layout(scalar, set = FIELD_SET, binding = FIELD_BINDING) readonly buffer Field_state {
+    uvec2 Field_extent;
+};
+#endif
+
+layout(scalar, set = FIELD_SET, binding = FIELD_BINDING + 1) FIELD_ACCESS buffer Field_data_memory { float Field_data[]; };
+
+uint Field_translate(uvec2 address) {
+    return address.y * Field_extent.x + address.x;
+}
+
+float Field_read(uvec2 address) {
+    bool Field_value_inside = all(lessThan(address, Field_extent));
+    uint Field_value_at = address.y * Field_extent.x + address.x;
+    float Field_value = Field_data[Field_value_inside ? Field_value_at : 0u];
+    return Field_value_inside ? Field_value : 0.0;
+}
+
+#ifndef FIELD_READONLY
+void Field_write(uvec2 address, float value) {
+    if (all(lessThan(address, Field_extent))) {
+        Field_data[address.y * Field_extent.x + address.x] = value;
+    }
+}
+#endif
+#endif

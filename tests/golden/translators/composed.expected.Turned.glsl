@@ -1,0 +1,45 @@
+#ifndef GLIFT_TURNED
+#define GLIFT_TURNED
+// Turned, composed.glift:19.
+// Define before including: TURNED_SET, TURNED_BINDING (the state; memory k follows at + 1 + k), TURNED_STATE, TURNED_READONLY.
+#extension GL_EXT_scalar_block_layout : require
+
+#ifndef TURNED_SET
+#define TURNED_SET 0
+#endif
+#ifndef TURNED_BINDING
+#define TURNED_BINDING 0
+#endif
+#ifdef TURNED_READONLY
+#define TURNED_ACCESS readonly
+#else
+#define TURNED_ACCESS
+#endif
+
+#ifndef TURNED_STATE  // define it where the members below are declared in a block of your own
+layout(scalar, set = TURNED_SET, binding = TURNED_BINDING) readonly buffer Turned_state {
+    uvec2 Turned_extent;
+};
+#endif
+
+layout(scalar, set = TURNED_SET, binding = TURNED_BINDING + 1) TURNED_ACCESS buffer Turned_data_memory { float Turned_data[]; };
+
+uint Turned_translate(uvec2 address) {
+    return address.x * Turned_extent.y + address.y;
+}
+
+float Turned_read(uvec2 address) {
+    bool Turned_value_inside = all(lessThan(address, Turned_extent));
+    uint Turned_value_at = address.x * Turned_extent.y + address.y;
+    float Turned_value = Turned_data[Turned_value_inside ? Turned_value_at : 0u];
+    return Turned_value_inside ? Turned_value : 0.0;
+}
+
+#ifndef TURNED_READONLY
+void Turned_write(uvec2 address, float value) {
+    if (all(lessThan(address, Turned_extent))) {
+        Turned_data[address.x * Turned_extent.y + address.y] = value;
+    }
+}
+#endif
+#endif
