@@ -3,6 +3,7 @@
 #include "driver/shaders.h"
 #include "emit/cpp/emit.h"
 #include "emit/glsl/emit.h"
+#include "emit/host/emit.h"
 #include "emit/glsl/library.h"
 #include "emit/json/emit.h"
 #include "interop/interop.h"
@@ -105,7 +106,7 @@ void check_style(const Options& options, Diagnostics& diagnostics) {
 
 std::vector<Output> emit(const Options& options, const Compilation& c) {
     std::vector<Output> outputs;
-    cpp::Options cpp{.tests = options.command == Command::test, .host = options.wants(Target::host)};
+    cpp::Options cpp{.tests = options.command == Command::test, .host_kernel = options.wants(Target::host) ? &host::kernel_of : nullptr};
     std::set<std::string> bases;
     for (std::uint32_t m = 0; m < c.program.modules.size(); ++m) {
         const ir::Module& module = c.program.modules[m];

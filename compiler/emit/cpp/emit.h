@@ -14,9 +14,12 @@ struct KernelCode {
     std::vector<std::uint32_t> direct, general, wide;
 };
 
+struct Globals;
+
 struct Options {
     bool tests = false;   ///< also a function for each test of the module, and a table of them
-    bool host = true;     ///< kernels for the host device
+    /// Prints `static void <name>(const glift::HostCall& call)` for a pass (emit/host); null: no code for the host device.
+    std::string (*host_kernel)(Globals& globals, const ir::Pass& pass, const std::string& name) = nullptr;
 };
 
 struct Module {

@@ -1,6 +1,5 @@
 // Kernels: their code as data, and the functions that call them.
 #include "emit/cpp/unit.h"
-#include "emit/host/emit.h"
 
 #include <algorithm>
 
@@ -215,6 +214,25 @@ std::string direct_condition(Unit& unit, const Kernel& kernel, const Pass& pass,
 
 }  // namespace
 
+std::string parameters_of(const Globals& globals, const ir::Pass& pass, const std::string& name) {
+    if (pass.parameters.empty()) return "";
+    std::vector<const ir::PassParameter*> ordered;
+    for (const ir::PassParameter& parameter : pass.parameters) ordered.push_back(&parameter);
+    std::ranges::stable_sort(ordered, {}, &ir::PassParameter::offset);
+    Writer out;
+    out.open("struct " + name + "_parameters");
+    for (const ir::PassParameter* parameter : ordered) {
+        const std::string member = identifier(parameter->name);
+        out.line(storage_text(globals, parameter->type) + " " + member + ";");
+    }
+    out.close(";");
+    for (const ir::PassParameter* parameter : ordered) {
+        out.line("static_assert(offsetof(" + name + "_parameters, " + identifier(parameter->name) +
+                 ") == " + std::to_string(parameter->offset) + ");");
+    }
+    return out.take();
+}
+
 std::optional<std::size_t> range_of_first_at(const Kernel& kernel) {
     if (kernel.params.empty() || kernel.params[0].pattern != Pattern::at) return std::nullopt;
     for (std::size_t i = 1; i < kernel.params.size(); ++i) {
@@ -247,10 +265,10 @@ void print_kernel_code(Unit& unit, Writer& out, std::uint32_t index) {
     for (const Pass* pass : {&forms.direct, &forms.general}) {
         if (!pass->exists) continue;
         const std::string form = name + (pass->form == ir::Form::direct ? "_direct" : "_general");
-        out.raw(host::parameters_of(unit.globals, *pass, form));
+        out.raw(parameters_of(unit.globals, *pass, form));
         if (!pass->parameters.empty()) out.gap();
-        if (!unit.options.host) continue;
-        out.raw(host::kernel_of(unit.globals, *pass, form));
+        if (!unit.options.host_kernel) continue;
+        out.raw(unit.options.host_kernel(unit.globals, *pass, form));
         out.gap();
         (pass->form == ir::Form::direct ? direct : general) = form;
     }
@@ -267,9 +285,9 @@ void print_kernel_code(Unit& unit, Writer& out, std::uint32_t index) {
     out.line(".group = {" + std::to_string(any.group[0]) + ", " + std::to_string(any.group[1]) + ", " + std::to_string(any.group[2]) + "},");
     out.line(".loop_rounds = " + (any.loop_rounds == UINT64_MAX ? "UINT64_MAX" : std::to_string(any.loop_rounds)) + ",");
     out.line(".bindings = " + (any.bindings.empty() ? "{}" : name + "_bindings") + ",");
-    if (forms.direct.exists) out.line(".direct = " + form_text(forms.direct, words.direct, direct) + ",");
-    if (forms.general.exists) out.line(".general = " + form_text(forms.general, words.general, general) + ",");
-    if (forms.wide.exists && !words.wide.empty()) out.line(".wide = " + form_text(forms.wide, words.wide, "") + ",");
+    out.line(".direct = " + (forms.direct.exists ? form_text(forms.direct, words.direct, direct) : "{}") + ",");
+    out.line(".general = " + (forms.general.exists ? form_text(forms.general, words.general, general) : "{}") + ",");
+    out.line(".wide = " + (words.wide.empty() ? "{}" : form_text(forms.wide, words.wide, "")) + ",");
     out.close(";");
 }
 

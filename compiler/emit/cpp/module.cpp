@@ -179,6 +179,7 @@ Module module_of(const ir::Program& program, const ir::Lowered& lowered, const S
                  const std::vector<KernelCode>& code, const Options& options) {
     Unit unit{program, lowered, sources, module, code, options, reach_of(program, module, options), make_globals(program, sources),
               space_of((*program.names)[program.modules[module].name])};
+    add_inner_structs(unit.reach, program, lowered);
     name_functions(unit);
     const std::string stem = stem_of(sources[program.modules[module].file].path);
     Module result;

@@ -14,6 +14,8 @@ struct Collector {
     std::set<std::uint32_t> seen;
 
     void type(ir::TypeId id, bool visible);
+    void structure_type(std::uint32_t index);
+    void code(const std::vector<ir::StmtId>& body);
     void structure(std::uint32_t index, bool visible);
     void kernel(std::uint32_t index, bool visible);
     void pipeline(std::uint32_t index, bool visible);
@@ -25,10 +27,7 @@ void Collector::type(ir::TypeId id, bool visible) {
     const ir::Type& type = program.types[id];
     switch (type.kind) {
     case ir::TypeKind::struct_:
-        if (reach.structs.insert(type.index).second) {
-            for (const ir::StructField& field : program.structs[type.index].fields) this->type(field.type, visible);
-        }
-        return;
+        return structure_type(type.index);
     case ir::TypeKind::enum_: reach.enums.insert(type.index); return;
     case ir::TypeKind::structure: return structure(type.index, visible);
     case ir::TypeKind::vector: case ir::TypeKind::matrix: case ir::TypeKind::array: case ir::TypeKind::optional:
@@ -37,6 +36,20 @@ void Collector::type(ir::TypeId id, bool visible) {
     case ir::TypeKind::float_: case ir::TypeKind::half: case ir::TypeKind::double_: case ir::TypeKind::int64:
     case ir::TypeKind::uint64: return;
     }
+}
+
+void Collector::structure_type(std::uint32_t index) {
+    if (std::ranges::find(reach.structs, index) != reach.structs.end()) return;
+    for (const ir::StructField& field : program.structs[index].fields) type(field.type, true);
+    reach.structs.push_back(index);
+}
+
+/// The types of all values in a body.
+void Collector::code(const std::vector<ir::StmtId>& body) {
+    for_each_statement(program, body, [&](const ir::Stmt& stmt) {
+        if (stmt.local) type(program.locals[stmt.local].type, false);
+    });
+    for_each_expression(program, body, [&](const ir::Expr& expr) { type(expr.type, false); });
 }
 
 void Collector::transfers(std::uint32_t structure) {
@@ -97,7 +110,7 @@ void Collector::pipeline(std::uint32_t index, bool visible) {
 Reach reach_of(const ir::Program& program, std::uint32_t module, const Options& options) {
     Collector collector{program, {}, {}};
     for (std::uint32_t i = 0; i < program.structs.size(); ++i) {
-        if (program.structs[i].module == module && program.structs[i].is_pub) collector.type({}, true), collector.reach.structs.insert(i);
+        if (program.structs[i].module == module && program.structs[i].is_pub) collector.structure_type(i);
     }
     for (std::uint32_t i = 0; i < program.enums.size(); ++i) {
         if (program.enums[i].module == module && program.enums[i].is_pub) collector.reach.enums.insert(i);
@@ -118,6 +131,23 @@ Reach reach_of(const ir::Program& program, std::uint32_t module, const Options& 
         }
     }
     return std::move(collector.reach);
+}
+
+void add_inner_structs(Reach& reach, const ir::Program& program, const ir::Lowered& lowered) {
+    Collector collector{program, std::move(reach), {}};
+    for (std::uint32_t kernel : std::set(collector.reach.kernels)) {
+        for (const ir::Pass* pass : {&lowered.passes[kernel].direct, &lowered.passes[kernel].general}) {
+            for (const auto* body : {&pass->body, &pass->interior_body}) collector.code(*body);
+            for (ir::LocalId local : pass->shared) collector.type(program.locals[local].type, false);
+            for (ir::FunctionId id : pass->functions) {
+                const ir::Function& function = program.functions[id];
+                collector.type(function.result, false);
+                for (ir::LocalId local : function.params) collector.type(program.locals[local].type, false);
+                collector.code(function.body);
+            }
+        }
+    }
+    reach = std::move(collector.reach);
 }
 
 std::vector<std::uint32_t> kernels_of(const ir::Program& program, std::uint32_t module, const Options& options) {

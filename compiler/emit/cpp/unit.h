@@ -12,13 +12,16 @@ namespace gliftc::cpp {
 
 /// What of the program a module's C++ contains.
 struct Reach {
-    std::set<std::uint32_t> structs, kernels, pipelines, enums;
+    std::set<std::uint32_t> kernels, pipelines, enums;
+    std::vector<std::uint32_t> structs;           ///< those within others come first
     std::vector<std::uint32_t> structures;        ///< members and what `temp`s make come first
     std::set<std::uint32_t> in_header;            ///< structures that the header shows
     std::set<std::uint32_t> pub_kernels;
 };
 
 Reach reach_of(const ir::Program& program, std::uint32_t module, const Options& options);
+/// Also the structs that the kernels' code uses within.
+void add_inner_structs(Reach& reach, const ir::Program& program, const ir::Lowered& lowered);
 
 struct Unit {
     const ir::Program& program;
@@ -45,6 +48,8 @@ void print_class_members(Unit& unit, Writer& out, std::uint32_t structure);
 void print_structs(Unit& unit, Writer& out);
 
 // kernels.cpp
+/// The struct that mirrors the parameter block: `struct <name>_parameters { … };`. Empty without parameters.
+std::string parameters_of(const Globals& globals, const ir::Pass& pass, const std::string& name);
 void print_kernel_code(Unit& unit, Writer& out, std::uint32_t kernel);
 /// With the parameters from the `first` on.
 std::string kernel_signature(Unit& unit, std::uint32_t kernel, bool qualified, std::size_t first = 0);

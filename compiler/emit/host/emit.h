@@ -15,9 +15,6 @@
 
 namespace gliftc::host {
 
-/// The struct that mirrors the parameter block: `struct <name>_parameters { … };`. Empty without parameters.
-std::string parameters_of(const cpp::Globals& globals, const ir::Pass& pass, const std::string& name);
-
 /// `static void <name>(const glift::HostCall& call)`, which needs the struct and globals.functions.
 std::string kernel_of(cpp::Globals& globals, const ir::Pass& pass, const std::string& name);
 

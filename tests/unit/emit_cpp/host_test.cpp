@@ -1,8 +1,7 @@
 // Kernels as rows: what the printer finds out and writes. That the code is right is shown by tests/device and `gliftc test`.
 #include "builder.h"
 
-#include "emit/cpp/names.h"
-#include "emit/cpp/writer.h"
+#include "emit/cpp/unit.h"
 #include "emit/host/affine.h"
 #include "emit/host/emit.h"
 
@@ -35,7 +34,7 @@ TEST(HostKernel, RunsInsideThroughPointersToTheRow) {
     EXPECT_THAT(text, HasSubstr("g_data_row[i] = f_data_row[i] + k * sum;"));
     EXPECT_THAT(text, HasSubstr("static void heat_direct(const glift::HostCall& call)"));
     EXPECT_THAT(text, Not(HasSubstr("not lowered")));
-    EXPECT_THAT(host::parameters_of(globals, pass, "heat_direct"), HasSubstr("static_assert(offsetof(heat_direct_parameters, k) == 12);"));
+    EXPECT_THAT(cpp::parameters_of(globals, pass, "heat_direct"), HasSubstr("static_assert(offsetof(heat_direct_parameters, k) == 12);"));
 }
 
 TEST(Names, StayOutOfTheWayOfCpp) {
