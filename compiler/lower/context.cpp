@@ -62,8 +62,8 @@ bool find_uniform(Context& cx, const Expr& node) {
     case Op::local: {
         for (const KernelParam& param : cx.kernel.params)
             if (param.pattern == Pattern::value && param.local == node.local) return true;
-        auto found = cx.definitions.find(node.local);
-        return found != cx.definitions.end() && is_uniform(cx, found->second);
+        const ExprId* found = cx.definitions.find(node.local);
+        return found != nullptr && is_uniform(cx, *found);
     }
     case Op::construct:
     case Op::convert:
@@ -113,7 +113,7 @@ bool find_uniform(Context& cx, const Expr& node) {
 }  // namespace
 
 bool is_uniform(Context& cx, ExprId id) {
-    if (auto found = cx.uniform.find(id); found != cx.uniform.end()) return found->second;
+    if (const bool* found = cx.uniform.find(id)) return *found;
     bool result = find_uniform(cx, cx.p.exprs[id]);
     cx.uniform.emplace(id, result);
     return result;

@@ -3,6 +3,7 @@
 
 #include "diag/diagnostics.h"
 #include "ir/pass.h"
+#include "lower/flat_map.h"
 #include "lower/make.h"
 
 #include <map>
@@ -33,16 +34,18 @@ struct Context {
     Make make;
 
     /// The value of each immutable local that a `let` of this pass declares.
-    std::unordered_map<LocalId, ExprId> definitions;
+    FlatMap<LocalId, ExprId> definitions;
     /// What a value was called in the source; used where it gets a name of its own.
-    std::unordered_map<ExprId, std::string> names;
+    FlatMap<ExprId, Name> names;
+    void name(ExprId id, std::string_view text) { names.emplace(id, p.names->intern(text)); }
     /// Locals that no source names: made for values used more than once.
     std::unordered_set<LocalId> made;
     std::map<FunctionKey, ir::FunctionId> instances;
     std::unordered_set<ir::FunctionId> made_functions;   ///< the values of instances: they may load
     std::vector<LocalId> params;                      ///< of the function whose body is being simplified
     ExprId size;                                      ///< the iteration's size
-    std::unordered_map<ExprId, bool> uniform;
+    FlatMap<ExprId, bool> uniform;
+    FlatMap<ExprId, std::uint8_t> traits;             ///< of number.h; valid once the bindings' access is settled
 
     bool is_direct() const { return pass.form == ir::Form::direct; }
     std::uint32_t parameter(ir::ParameterSource source, const std::string& name, TypeId type, std::uint32_t param);

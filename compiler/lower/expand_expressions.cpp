@@ -38,7 +38,7 @@ LocalId Expander::let(const std::string& name, ExprId value, Span span) {
 ExprId Expander::named(const std::string& name, ExprId value) {
     if (is_trivial(cx, value)) return value;
     if (is_uniform(cx, value)) {
-        cx.names.emplace(value, name);
+        cx.name(value, name);
         return value;
     }
     return make.local(let(name, value, span_));

@@ -148,7 +148,7 @@ Pair Expander::run(const std::vector<StmtId>& body) {
             TypeId type = p.locals[stmt.local].type;
             bool is_optional = p.types.kind(type) == TypeKind::optional;
             Pair value = stmt.value ? expand(stmt.value) : is_optional ? of_optional(make.zero(type)) : Pair{make.zero(type), {}};
-            cx.names.emplace(value.value, prefixed((*p.names)[p.locals[stmt.local].name]));
+            cx.name(value.value, prefixed((*p.names)[p.locals[stmt.local].name]));
             frame_->locals[stmt.local] = value;
             break;
         }
@@ -256,7 +256,7 @@ void Expander::run_assign(const Stmt& stmt) {
     LocalId local = p.exprs[root].local;
     Pair value = expand(stmt.value);
     if (root == stmt.target) {
-        cx.names.emplace(value.value, prefixed((*p.names)[p.locals[local].name]));
+        cx.name(value.value, prefixed((*p.names)[p.locals[local].name]));
         frame_->locals[local] = value;
         return;
     }

@@ -20,19 +20,12 @@ bool has_effect(const Expr& node) {
 
 }  // namespace
 
-bool Numbers::is_pure(ExprId id) {
-    is_fixed(id);
-    return !(traits_[id] & impure);
-}
+bool Numbers::is_pure(ExprId id) { return !(traits_of(id) & impure); }
+bool Numbers::has_load(ExprId id) { return traits_of(id) & loads; }
+bool Numbers::is_fixed(ExprId id) { return !(traits_of(id) & (changes | impure)); }
 
-bool Numbers::has_load(ExprId id) {
-    is_fixed(id);
-    return traits_[id] & loads;
-}
-
-bool Numbers::is_fixed(ExprId id) {
-    auto [found, is_new] = traits_.try_emplace(id, known);
-    if (!is_new) return !(found->second & (changes | impure));
+std::uint8_t Numbers::traits_of(ExprId id) {
+    if (const std::uint8_t* found = cx.traits.find(id)) return *found;
     const Expr& node = cx.p.exprs[id];
     std::uint8_t trait = known;
     if (has_effect(node)) trait |= impure;
@@ -46,62 +39,73 @@ bool Numbers::is_fixed(ExprId id) {
     }
     // A function made for this pass may load.
     if (node.op == Op::call) trait |= loads;
-    for (ExprId operand : node.operands) {
-        is_fixed(operand);
-        trait |= traits_[operand] & (impure | loads | changes);
-    }
-    traits_[id] = trait;
-    return !(trait & (changes | impure));
+    for (ExprId operand : node.operands) trait |= traits_of(operand) & (impure | loads | changes);
+    cx.traits.emplace(id, trait);
+    return trait;
 }
 
-ValueNumber Numbers::of(ExprId id) {
-    if (auto found = fixed_.find(id); found != fixed_.end()) return found->second;
-    const Expr& node = cx.p.exprs[id];
-    if (node.op == Op::local) {
-        if (auto found = locals_.find(node.local); found != locals_.end()) return found->second;
-    }
-    std::vector<std::uint64_t> key{static_cast<std::uint64_t>(node.op), node.type.index};
-    auto word = [&](std::uint64_t value) { key.push_back(value); };
+void Numbers::Key::mix(std::uint64_t word) {
+    low = (low ^ word) * 0x9e3779b97f4a7c15ull;
+    low ^= low >> 32;
+    high = (high + word + 0x7f4a7c15u) * 0xd6e8feb86659fd93ull;
+    high ^= high >> 29;
+}
+
+/// What tells the node apart besides its operands.
+Numbers::Key Numbers::shape_of(const Expr& node) {
+    Key key;
+    key.mix(static_cast<std::uint64_t>(node.op) << 32 | node.type.index);
     switch (node.op) {
     case Op::constant:
-        word(node.bits);
-        word(std::bit_cast<std::uint64_t>(node.number));
+        key.mix(node.bits);
+        key.mix(std::bit_cast<std::uint64_t>(node.number));
         break;
     case Op::local:
-        word(node.local.index);
-        word(versions_[node.local]);
+        key.mix(node.local.index);
+        key.mix(versions_[node.local]);
         break;
-    case Op::unary: word(static_cast<std::uint64_t>(node.unary)); break;
-    case Op::binary: word(static_cast<std::uint64_t>(node.binary)); break;
+    case Op::unary: key.mix(static_cast<std::uint64_t>(node.unary)); break;
+    case Op::binary: key.mix(static_cast<std::uint64_t>(node.binary)); break;
     case Op::swizzle:
-        for (std::uint8_t lane : node.lanes) word(lane);
+        for (std::uint8_t lane : node.lanes) key.mix(lane);
         break;
     case Op::field:
-    case Op::parameter: word(node.slot); break;
-    case Op::call: word(node.function.index); break;
-    case Op::intrinsic: word(static_cast<std::uint64_t>(node.intrinsic)); break;
+    case Op::parameter: key.mix(node.slot); break;
+    case Op::call: key.mix(node.function.index); break;
+    case Op::intrinsic: key.mix(static_cast<std::uint64_t>(node.intrinsic)); break;
     case Op::member:
     case Op::memory_extent:
     case Op::domain:
-        word(node.slot);
-        word(node.place.root);
-        for (std::uint32_t member : node.place.members) word(member);
+        key.mix(node.slot);
+        key.mix(node.place.root);
+        for (std::uint32_t member : node.place.members) key.mix(member);
         break;
     case Op::load:
     case Op::image_load:
     case Op::image_sample:
-        word(node.slot);
-        word(bindings_[node.slot]);
+        key.mix(node.slot);
+        key.mix(bindings_[node.slot]);
         break;
-    case Op::builtin: word(static_cast<std::uint64_t>(node.builtin)); break;
+    case Op::builtin: key.mix(static_cast<std::uint64_t>(node.builtin)); break;
     default: break;  // told apart by op, type and operands
     }
-    if (!is_pure(id) && has_effect(node)) word(++next_ + (std::uint64_t{1} << 32));
-    for (ExprId operand : node.operands) word(of(operand));
-    auto [found, is_new] = table_.try_emplace(std::move(key), next_ + 1);
+    return key;
+}
+
+ValueNumber Numbers::of(ExprId id) {
+    if (const ValueNumber* found = fixed_.find(id)) return *found;
+    const Expr& node = cx.p.exprs[id];
+    if (node.op == Op::local) {
+        if (const ValueNumber* found = locals_.find(node.local)) return *found;
+    }
+    Key key = shape_of(node);
+    if (has_effect(node)) key.mix(++next_ + (std::uint64_t{1} << 32));
+    for (ExprId operand : node.operands) key.mix(of(operand));
+    auto [found, is_new] = table_.try_emplace(key, next_ + 1);
     if (is_new) ++next_;
-    if (is_fixed(id)) fixed_.emplace(id, found->second);
-    return found->second;
+    ValueNumber number = found->second;
+    if (is_fixed(id)) fixed_.emplace(id, number);
+    return number;
 }
 
 void Numbers::change_all(const std::vector<StmtId>& body) {

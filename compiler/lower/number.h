@@ -3,7 +3,6 @@
 
 #include "lower/context.h"
 
-#include <map>
 #include <unordered_map>
 
 namespace gliftc::lower {
@@ -19,6 +18,12 @@ public:
 
     /// The let's local has this number from here on.
     void define(LocalId local, ValueNumber number) { locals_[local] = number; }
+    /// To walk the same statements again: numbers stay.
+    void restart() {
+        versions_.clear();
+        bindings_.clear();
+    }
+    ValueNumber count() const { return next_ + 1; }
     /// The local, or the memory behind a binding, may have changed.
     void change(LocalId local) { ++versions_[local]; }
     void change_binding(std::uint32_t binding) { ++bindings_[binding]; }
@@ -32,13 +37,24 @@ public:
     bool is_fixed(ExprId id);
 
 private:
+    std::uint8_t traits_of(ExprId id);
     Context& cx;
-    std::map<std::vector<std::uint64_t>, ValueNumber> table_;
-    std::unordered_map<ExprId, ValueNumber> fixed_;
-    std::unordered_map<ExprId, std::uint8_t> traits_;
-    std::unordered_map<LocalId, ValueNumber> locals_;
-    std::unordered_map<LocalId, std::uint32_t> versions_;
-    std::unordered_map<std::uint32_t, std::uint32_t> bindings_;
+    /// The shape of a node, hashed to 128 bits: two shapes with one hash do not happen.
+    struct Key {
+        std::uint64_t high = 0, low = 0;
+        bool operator==(const Key&) const = default;
+        void mix(std::uint64_t word);
+    };
+    struct KeyHash {
+        std::size_t operator()(const Key& key) const { return key.low; }
+    };
+    Key shape_of(const ir::Expr& node);
+
+    std::unordered_map<Key, ValueNumber, KeyHash> table_;
+    FlatMap<ExprId, ValueNumber> fixed_;
+    FlatMap<LocalId, ValueNumber> locals_;
+    FlatMap<LocalId, std::uint32_t> versions_;
+    FlatMap<std::uint32_t, std::uint32_t> bindings_;
     ValueNumber next_ = 0;
 };
 

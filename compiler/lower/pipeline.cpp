@@ -60,13 +60,24 @@ void finish_images(Pass& pass) {
         binding.sampled = binding.shape != MemoryShape::buffer && binding.access == Access::read;
 }
 
-void add_addresses(Context& cx) {
-    if (cx.pass.form != Form::wide) return;
-    for (std::uint32_t i = 0; i < cx.pass.bindings.size(); ++i) {
-        PassBinding& binding = cx.pass.bindings[i];
+/// The general pass with its buffers reached by address.
+Pass widened(const Program& program, const Pass& general) {
+    Pass wide = general;
+    wide.form = Form::wide;
+    wide.exists = false;   // without buffers there is nothing to reach
+    for (std::uint32_t i = 0; i < wide.bindings.size(); ++i) {
+        PassBinding& binding = wide.bindings[i];
         if (binding.shape != MemoryShape::buffer) continue;
-        binding.address_parameter = cx.parameter(ParameterSource::address, binding.name + "_address", cx.p.types.uint64, i);
+        wide.exists = true;
+        binding.address_parameter = static_cast<std::uint32_t>(wide.parameters.size());
+        PassParameter address;
+        address.name = binding.name + "_address";
+        address.type = program.types.uint64;
+        address.source = ParameterSource::address;
+        address.param = i;
+        wide.parameters.push_back(std::move(address));
     }
+    return wide;
 }
 
 /// The host's body for centres whose neighbours all lie inside; `domain` becomes the parameter it is valid for.
@@ -74,6 +85,7 @@ std::vector<StmtId> interior(Context& cx, Expander& checked, const std::vector<E
     if (!checked.has_near_guards || !checked.near_domains_agree) return {};
     Expander expander(cx, Guards::interior);
     std::vector<StmtId> body = expander.kernel_body();
+    cx.traits.clear();
     holders.push_back(holder(cx, checked.near_domain));
     for (const KernelParam& param : cx.kernel.params)
         if (param.pattern == Pattern::near) cx.pass.interior_radius = std::max(cx.pass.interior_radius, param.radius);
@@ -91,7 +103,9 @@ Pass lowered(Program& program, Diagnostics& diagnostics, std::uint32_t kernel, F
     // A kernel without a group does not run beyond its range.
     std::vector<ExprId> facts;
     if (!cx.kernel.grouped()) facts.push_back(in_range_condition(cx));
-    pass.body = simplified(cx, expander.kernel_body(), facts);
+    std::vector<StmtId> body = expander.kernel_body();
+    cx.traits.clear();
+    pass.body = simplified(cx, std::move(body), facts);
     std::vector<StmtId> holders;
     pass.interior_body = interior(cx, expander, facts, holders);
     pass.prologue = dispatch_prologue(cx);
@@ -112,11 +126,6 @@ Pass lowered(Program& program, Diagnostics& diagnostics, std::uint32_t kernel, F
             pass.interior_origin = cx.parameter(ParameterSource::origin, {}, cx.kernel.domain_type, *expander.near_root);
     }
     finish_images(pass);
-    // Without buffers nothing is reached by address.
-    bool has_buffer = false;
-    for (const PassBinding& binding : pass.bindings) has_buffer = has_buffer || binding.shape == MemoryShape::buffer;
-    pass.exists = form != Form::wide || has_buffer;
-    add_addresses(cx);
     summarize(cx);
 #ifndef NDEBUG
     for (const std::string& problem : validate(program, pass)) {
@@ -136,7 +145,7 @@ Lowered lower(Program& program, Diagnostics& diagnostics) {
         Lowered::Forms forms;
         forms.direct = lowered(program, diagnostics, i, Form::direct);
         forms.general = lowered(program, diagnostics, i, Form::general);
-        forms.wide = lowered(program, diagnostics, i, Form::wide);
+        forms.wide = widened(program, forms.general);
         result.passes.push_back(std::move(forms));
     }
     release_temporaries(program);

@@ -49,13 +49,13 @@ ValueNumber Polynomials::atom(ExprId id) {
 /// The sum that a local stands for.
 ExprId Polynomials::definition(const Expr& node) {
     if (node.op != Op::local || node.type != cx.p.types.uint) return {};
-    auto found = cx.definitions.find(node.local);
-    if (found == cx.definitions.end() || cx.p.exprs[found->second].op != Op::binary || !numbers_.is_fixed(found->second)) return {};
-    return found->second;
+    const ExprId* found = cx.definitions.find(node.local);
+    if (found == nullptr || cx.p.exprs[*found].op != Op::binary || !numbers_.is_fixed(*found)) return {};
+    return *found;
 }
 
 std::optional<Polynomial> Polynomials::of(ExprId id) {
-    if (auto found = known_.find(id); found != known_.end()) return found->second;
+    if (const auto* found = known_.find(id)) return *found;
     const Expr& node = cx.p.exprs[id];
     std::optional<Polynomial> result;
     if (node.op == Op::constant) {

@@ -38,7 +38,7 @@ private:
     Numbers& numbers_;
     std::map<ValueNumber, ExprId> atoms_;
     std::map<ValueNumber, bool> uniform_;
-    std::unordered_map<ExprId, std::optional<Polynomial>> known_;
+    FlatMap<ExprId, std::optional<Polynomial>> known_;
 };
 
 }  // namespace gliftc::lower

@@ -3,6 +3,7 @@
 #include "ir/walk.h"
 #include "lower/number.h"
 
+#include <algorithm>
 #include <optional>
 
 namespace gliftc::lower {
@@ -23,8 +24,8 @@ struct Record {
 /// made, which is the same in both walks.
 class Sharing {
 public:
-    Sharing(Context& context, std::vector<Record>& records, const std::vector<ExprId>& facts, bool rewrites)
-        : cx(context), numbers_(context), records_(records), rewrites_(rewrites) {
+    Sharing(Context& context, Numbers& numbers, std::vector<Record>& records, const std::vector<ExprId>& facts, bool rewrites)
+        : cx(context), numbers_(numbers), records_(records), rewrites_(rewrites) {
         for (ExprId fact : facts) known_.emplace(numbers_.of(fact), true);
     }
 
@@ -46,8 +47,7 @@ private:
         ~Scope() {
             while (owner.undo_.size() > size) {
                 auto& [number, previous] = owner.undo_.back();
-                if (previous) owner.available_[number] = *previous;
-                else owner.available_.erase(number);
+                owner.available_[number] = previous;
                 owner.undo_.pop_back();
             }
         }
@@ -62,6 +62,10 @@ private:
     ExprId visit_operands(ExprId id, Where where);
     ExprId visit_target(ExprId id);
     std::uint32_t new_record(ValueNumber number);
+    std::uint32_t& available(ValueNumber number) {
+        if (number >= available_.size()) available_.resize(std::max<std::size_t>(number + 1, available_.size() * 2), none);
+        return available_[number];
+    }
     void append(Stmt stmt) {
         if (rewrites_) out_->push_back(cx.add(std::move(stmt)));
     }
@@ -71,12 +75,13 @@ private:
     std::string name_for(ExprId id);
 
     Context& cx;
-    Numbers numbers_;
+    Numbers& numbers_;
     std::vector<Record>& records_;
     bool rewrites_;
     std::uint32_t made_ = 0;
-    std::unordered_map<ValueNumber, std::uint32_t> available_;
-    std::vector<std::pair<ValueNumber, std::optional<std::uint32_t>>> undo_;
+    static constexpr std::uint32_t none = 0xffffffffu;
+    std::vector<std::uint32_t> available_;          ///< the record of each number in scope, or none
+    std::vector<std::pair<ValueNumber, std::uint32_t>> undo_;
     std::unordered_map<LocalId, LocalId> renamed_;
     std::unordered_map<ValueNumber, bool> known_;   ///< conditions that are decided here
     std::vector<StmtId>* out_ = nullptr;
@@ -86,8 +91,7 @@ private:
 std::uint32_t Sharing::new_record(ValueNumber number) {
     std::uint32_t record = made_++;
     if (record == records_.size()) records_.emplace_back();
-    auto found = available_.find(number);
-    undo_.emplace_back(number, found == available_.end() ? std::nullopt : std::optional(found->second));
+    undo_.emplace_back(number, available(number));
     available_[number] = record;
     return record;
 }
@@ -102,7 +106,7 @@ bool Sharing::is_leaf(ExprId id) {
 }
 
 std::string Sharing::name_for(ExprId id) {
-    if (auto found = cx.names.find(id); found != cx.names.end()) return found->second;
+    if (const Name* found = cx.names.find(id)) return (*cx.p.names)[*found];
     const Expr& node = cx.p.exprs[id];
     if (node.op == Op::load || node.op == Op::image_load) return cx.pass.bindings[node.slot].name + "_value";
     if (node.op == Op::call) return (*cx.p.names)[cx.p.functions[node.function].name] + "_result";
@@ -137,8 +141,8 @@ ExprId Sharing::visit(ExprId id, Where where) {
     if (is_leaf(id) || !numbers_.is_pure(id)) return visit_operands(id, where);
     if (where != Where::before && numbers_.has_load(id)) return visit_operands(id, where);
     ValueNumber number = numbers_.of(id);
-    if (auto found = available_.find(number); found != available_.end()) {
-        Record& record = records_[found->second];
+    if (std::uint32_t found = available(number); found != none) {
+        Record& record = records_[found];
         ++record.uses;
         if (rewrites_ && record.local) return cx.make.local(record.local);
         if (!rewrites_) return id;
@@ -166,7 +170,7 @@ ExprId Sharing::visit(ExprId id, Where where) {
 }
 
 ExprId Sharing::visit_operands(ExprId id, Where where) {
-    const Expr node = cx.p.exprs[id];
+    const Expr& node = cx.p.exprs[id];
     if (node.operands.empty()) return id;
     std::vector<ExprId> operands;
     bool same = true;
@@ -179,7 +183,10 @@ ExprId Sharing::visit_operands(ExprId id, Where where) {
     }
     if (same || !rewrites_) return id;
     ExprId result = cx.make.again(node, std::move(operands));
-    if (auto found = cx.names.find(id); found != cx.names.end()) cx.names.emplace(result, std::string(found->second));
+    if (const Name* found = cx.names.find(id)) {
+        Name name = *found;
+        cx.names.emplace(result, name);
+    }
     return result;
 }
 
@@ -215,8 +222,8 @@ void Sharing::let_(const Stmt& stmt) {
         if (rewrites_) renamed_[stmt.local] = cx.p.exprs[visit(stmt.value, Where::before)].local;
         return;
     }
-    if (auto found = available_.find(number); found != available_.end()) {
-        Record& record = records_[found->second];
+    if (std::uint32_t found = available(number); found != none) {
+        Record& record = records_[found];
         ++record.uses;
         if (!record.is_let && !rewrites_) record.name = (*cx.p.names)[cx.p.locals[stmt.local].name], record.is_let = true;
         numbers_.define(stmt.local, number);
@@ -287,9 +294,10 @@ void Sharing::statement_(StmtId id) {
 
 std::vector<StmtId> share(Context& cx, const std::vector<StmtId>& body, const std::vector<ExprId>& facts) {
     std::vector<Record> records;
-    Sharing(cx, records, facts, false).run(body);
-    for (Record& record : records) record.local = {};
-    return Sharing(cx, records, facts, true).run(body);
+    Numbers numbers(cx);
+    Sharing(cx, numbers, records, facts, false).run(body);
+    numbers.restart();
+    return Sharing(cx, numbers, records, facts, true).run(body);
 }
 
 }  // namespace gliftc::lower

@@ -72,8 +72,8 @@ ExprId Strength::relative(ExprId id) {
 /// c ? base + step : base is base + (c ? step : 0): one choice between small values, no branch.
 ExprId Strength::around_select(const Expr& node, std::vector<ExprId> operands) {
     const Expr* named = &cx.p.exprs[operands[1]];
-    auto definition = named->op == Op::local ? cx.definitions.find(named->local) : cx.definitions.end();
-    const Expr& moved = definition == cx.definitions.end() ? *named : cx.p.exprs[definition->second];
+    const ExprId* definition = named->op == Op::local ? cx.definitions.find(named->local) : nullptr;
+    const Expr& moved = definition ? cx.p.exprs[*definition] : *named;
     const Expr& other = cx.p.exprs[operands[2]];
     if (moved.op == Op::binary && (moved.binary == BinaryOp::add || moved.binary == BinaryOp::subtract) && other.op == Op::local) {
         const Expr& base = cx.p.exprs[moved.operands[0]];

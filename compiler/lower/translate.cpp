@@ -38,7 +38,7 @@ ExprId Expander::domain_of(const Place& place) {
         Frame frame;
         frame.places = {canonical(place)};
         ExprId domain = inside(std::move(frame), [&] { return value_of(structure.domain); });
-        if (!is_trivial(cx, domain)) cx.names.emplace(domain, cx.name_of(place) + "_domain");
+        if (!is_trivial(cx, domain)) cx.name(domain, cx.name_of(place) + "_domain");
         return domain;
     }
     Expr leaf;

@@ -4,7 +4,6 @@
 #include "lower/number.h"
 
 #include <map>
-#include <unordered_set>
 
 namespace gliftc::lower {
 
@@ -53,14 +52,14 @@ private:
     Context& cx;
     Numbers numbers_;
     std::map<ValueNumber, std::uint32_t> leaves_;           ///< leaves that are used, and which of their components
-    std::unordered_set<ExprId> seen_;
+    FlatMap<ExprId, bool> seen_;
     std::unordered_map<ValueNumber, std::uint32_t> slots_;
     // of one body
-    std::unordered_map<ExprId, ExprId> visited_;
+    FlatMap<ExprId, ExprId> visited_;
     std::unordered_map<ValueNumber, unsigned> counts_;      ///< uses of what stays in the shader
     std::unordered_map<ValueNumber, LocalId> locals_;       ///< that hold them
     std::vector<StmtId> top_;                               ///< their lets
-    std::unordered_map<ExprId, ExprId> closed_;
+    FlatMap<ExprId, ExprId> closed_;
 };
 
 bool Uniforms::is_leaf(ExprId id) const {
@@ -97,12 +96,12 @@ bool Uniforms::is_single(ExprId part) {
 
 /// The uniform value without locals of the pass: what the host can evaluate.
 ExprId Uniforms::closed(ExprId id) {
-    if (auto found = closed_.find(id); found != closed_.end()) return found->second;
+    if (const ExprId* found = closed_.find(id)) return *found;
     const Expr node = cx.p.exprs[id];
     ExprId result = id;
-    auto definition = node.op == Op::local ? cx.definitions.find(node.local) : cx.definitions.end();
-    if (definition != cx.definitions.end()) {
-        result = closed(definition->second);
+    const ExprId* definition = node.op == Op::local ? cx.definitions.find(node.local) : nullptr;
+    if (definition) {
+        result = closed(*definition);
     } else if (!node.operands.empty()) {
         std::vector<ExprId> operands;
         bool same = true;
@@ -123,7 +122,7 @@ bool Uniforms::is_lifted(ExprId id) {
 }
 
 void Uniforms::find(ExprId id) {
-    if (!seen_.insert(id).second) return;
+    if (!seen_.emplace(id, true).second) return;
     if (is_lifted(id)) {
         ExprId whole = closed(id);
         if (is_part_of_leaf(whole)) leaves_[numbers_.of(base(whole))] |= lanes_of(whole);
@@ -137,7 +136,7 @@ void Uniforms::collect(const std::vector<StmtId>& body) {
         // A let that will vanish asks for nothing itself.
         if (stmt.op == StmtOp::let && stmt.value && !cx.p.locals[stmt.local].is_mutable && is_lifted(stmt.value)) {
             ExprId whole = closed(stmt.value);
-            cx.names.emplace(whole, (*cx.p.names)[cx.p.locals[stmt.local].name]);
+            cx.names.emplace(whole, cx.p.locals[stmt.local].name);
             return;
         }
         for_each_root(stmt, [&](ExprId root) { find(root); });
@@ -157,7 +156,7 @@ bool Uniforms::is_cheap(ExprId id, unsigned& operations) {
 }
 
 std::string Uniforms::name_of(ExprId id) {
-    if (auto found = cx.names.find(id); found != cx.names.end()) return found->second;
+    if (const Name* found = cx.names.find(id)) return (*cx.p.names)[*found];
     const Expr& node = cx.p.exprs[id];
     const auto text = [&](Name name) { return (*cx.p.names)[name]; };
     switch (node.op) {
@@ -247,7 +246,7 @@ ExprId Uniforms::visit_operands(ExprId id) {
 }
 
 ExprId Uniforms::visit(ExprId id) {
-    if (auto found = visited_.find(id); found != visited_.end()) return found->second;
+    if (const ExprId* found = visited_.find(id)) return *found;
     ExprId result;
     if (!is_lifted(id)) {
         result = visit_operands(id);

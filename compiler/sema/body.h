@@ -95,6 +95,8 @@ Operand check_index(Body&, ast::ExprId, ir::TypeId wanted);
 Operand check_call(Body&, ast::ExprId, ir::TypeId wanted);
 Operand check_unary(Body&, ast::ExprId, ir::TypeId wanted);
 Operand check_binary(Body&, ast::ExprId, ir::TypeId wanted);
+/// The value that `target op= value` assigns, where the target held `before`.
+ir::ExprId check_compound(Body&, const ast::Stmt&, ir::ExprId before);
 /// The type with its vector shape that components `x`, `yz` … give, or an error.
 Operand make_swizzle_of(Body&, ir::ExprId, ast::Identifier);
 

@@ -361,7 +361,7 @@ Operand call_method(Body& body, const Operand& self, ast::Identifier method, con
     return error_operand(call.span);
 }
 
-Operand check_call(Body& body, ast::ExprId id, ir::TypeId wanted) {
+static Operand check_unnamed_call(Body& body, ast::ExprId id, ir::TypeId wanted) {
     Context& c = body.context;
     const ast::Expr& call = c[id];
     const ast::Expr& callee = c[call.operands[0]];
@@ -410,6 +410,20 @@ Operand check_call(Body& body, ast::ExprId id, ir::TypeId wanted) {
         return error_operand(call.span);
     }
     c.error(Diag::not_callable, name.span, {"'" + c.text(name.name) + "'"});
+    return error_operand(call.span);
+}
+
+Operand check_call(Body& body, ast::ExprId id, ir::TypeId wanted) {
+    Operand result = check_unnamed_call(body, id, wanted);
+    const ast::Expr& call = body.context[id];
+    if (call.labels.empty() || result.kind != OperandKind::value) return result;
+    const ir::Expr& node = body.program().exprs[result.expr];
+    if (node.op == ir::Op::construct && body.types().kind(node.type) == ir::TypeKind::struct_) return result;
+    for (const ast::Identifier& label : call.labels) {
+        if (!label.name) continue;
+        note(body.context.error(Diag::named_argument, label.span, {body.context.text(label.name)}), call.span, "only the fields of a struct are named where it is made");
+        break;
+    }
     return error_operand(call.span);
 }
 

@@ -2,6 +2,7 @@
 
 #include "sema/components.h"
 #include "sema/context.h"
+#include "sema/defines.h"
 #include "sema/generics.h"
 #include "sema/instances.h"
 #include "sema/modules.h"
@@ -120,6 +121,7 @@ ir::Program check(const std::vector<LoadedModule>& modules, const ast::Tree& tre
     program.names = &names;
     Context c{.modules = modules, .tree = tree, .names = names, .diagnostics = diagnostics, .settings = settings, .program = program};
     collect_modules(c);
+    check_defines(c);
     for (std::uint32_t i = 0; i < modules.size(); ++i)
         if (modules[i].is_root) check_types(c, i, modules[i].tree->decls);
     for (std::uint32_t i = 0; i < modules.size(); ++i)

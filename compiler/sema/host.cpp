@@ -72,6 +72,9 @@ ir::ExprId value_argument(Body& body, const Argument& argument, ir::TypeId wante
     return coerce(body, value, wanted, span);
 }
 
+/// What a pass or a check gives: nothing that could be used.
+Operand no_value(Body& body, Span span) { return value_operand(body, add(body.program(), ir::Op::constant, body.types().void_, span), span); }
+
 bool is_iteration(const ir::KernelParam& param) { return param.pattern == ir::Pattern::each || param.pattern == ir::Pattern::at; }
 
 std::optional<std::vector<ir::ExprId>> kernel_arguments(Body& body, std::uint32_t kernel_index, std::vector<Argument>& arguments) {
@@ -155,7 +158,7 @@ std::optional<Operand> call_kernel(Body& body, ast::DeclId id, const std::vector
     body.program().stmts[stmt].slot = *kernel;
     body.program().stmts[stmt].arguments = std::move(*values);
     emit(body, stmt);
-    return error_operand(call.span);   // a pass gives no value
+    return no_value(body, call.span);
 }
 
 std::optional<Operand> call_pipeline(Body& body, ast::DeclId id, const std::vector<ast::ExprId>& explicit_generics, const ast::Expr& call,
@@ -282,8 +285,9 @@ std::optional<Operand> check_expect(Body& body, std::string_view name, const ast
     }
     if (!same && !near) {
         ir::ExprId value = check_value(body, arguments[0], body.types().bool_);
-        if (!is_error(body, value)) emit_expect(body, ir::StmtOp::expect, {value}, call.span);
-        return error_operand(call.span);
+        if (is_error(body, value)) return error_operand(call.span);
+        emit_expect(body, ir::StmtOp::expect, {value}, call.span);
+        return no_value(body, call.span);
     }
     if (near) {
         bool flexible = is_flexible(c, arguments[0]);
@@ -292,8 +296,9 @@ std::optional<Operand> check_expect(Body& body, std::string_view name, const ast
         ir::ExprId b = check_value(body, arguments[flexible ? 0 : 1], type);
         if (is_error(body, a) || is_error(body, b)) return error_operand(call.span);
         ir::ExprId tolerance = check_value(body, arguments[2], body.types().scalar_of(type));
-        if (!is_error(body, tolerance)) emit_expect(body, ir::StmtOp::expect_near, {a, b, tolerance}, call.span);
-        return error_operand(call.span);
+        if (is_error(body, tolerance)) return error_operand(call.span);
+        emit_expect(body, ir::StmtOp::expect_near, {a, b, tolerance}, call.span);
+        return no_value(body, call.span);
     }
     std::vector<ir::ExprId> values;
     std::vector<std::uint32_t> structures;
@@ -317,7 +322,7 @@ std::optional<Operand> check_expect(Body& body, std::string_view name, const ast
     }
     if (arguments.size() == 3) values.push_back(check_value(body, arguments[2], body.types().float_));
     emit_expect(body, ir::StmtOp::expect_same, std::move(values), call.span);
-    return error_operand(call.span);
+    return no_value(body, call.span);
 }
 
 /// `temp name = Structure(arguments);` and `let name = View(arguments);`
@@ -336,6 +341,11 @@ bool check_structure_declaration(Body& body, const ast::Stmt& stmt) {
     ir::ExprId value = to_value(body, operand);
     if (is_error(body, value)) return true;
     const ir::Expr node = body.program().exprs[value];
+    if (node.type == body.types().void_) {
+        c.error(Diag::void_value, c[stmt.value].span);
+        declare_local(body, stmt.name, body.types().error, false, false);
+        return true;
+    }
     bool made = node.op == ir::Op::construct && body.types().kind(node.type) == ir::TypeKind::structure;
     if (is_temp && !made) {
         note(c.error(Diag::temp_value, c[stmt.value].span), c[stmt.value].span, "'temp' makes a structure: temp name = Structure(arguments); for values write 'let'");
@@ -443,6 +453,7 @@ bool check_pipeline_statement(Body& body, const ast::Stmt& stmt) {
             Operand operand = check(body, stmt.value);
             if (operand.kind == OperandKind::value) {
                 const ir::Expr& node = body.program().exprs[operand.expr];
+                if (node.op == ir::Op::constant && node.type == body.types().void_) return true;   // a pass or a check: emitted already
                 if (node.op != ir::Op::call && node.op != ir::Op::pipeline_call) c.error(Diag::no_effect, call.span);
                 ir::StmtId id = add(body.program(), ir::StmtOp::evaluate, stmt.span);
                 body.program().stmts[id].value = operand.expr;

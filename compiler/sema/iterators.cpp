@@ -20,14 +20,7 @@ void emit_set_element(Body& body, std::uint32_t param, ir::ExprId value, Span sp
 
 ir::ExprId combined(Body& body, const ast::Stmt& stmt, ir::ExprId before) {
     ir::TypeId type = body.program().exprs[before].type;
-    if (!stmt.op) return check_value(body, stmt.value, type);
-    bool flexible = is_flexible(body.context, stmt.value);
-    ir::ExprId value = to_value(body, check(body, stmt.value, flexible ? body.types().scalar_of(type) : type));
-    if (is_error(body, value)) return value;
-    ir::TypeId other = body.program().exprs[value].type;
-    bool arithmetic = body.types().is_number(body.types().scalar_of(type));
-    if (!arithmetic || (other != type && other != body.types().scalar_of(type))) return coerce(body, value, type, body.context[stmt.value].span);
-    return make_binary(body.program(), static_cast<ir::BinaryOp>(*stmt.op), type, before, value, stmt.span);
+    return stmt.op ? check_compound(body, stmt, before) : check_value(body, stmt.value, type);
 }
 
 void assign_element(Body& body, const ast::Stmt& stmt, const Symbol& symbol) {

@@ -1,6 +1,7 @@
 #include "sema/meta.h"
 
 #include "sema/body.h"
+#include "sema/defines.h"
 #include "sema/generics.h"
 #include "sema/instances.h"
 
@@ -336,6 +337,7 @@ ir::ExprId constant_declaration(Context& c, ast::DeclId id) {
     if (!is_error(body, value)) {
         if (auto known = ir::evaluate(c.program, value)) result = ir::materialize(c.program, *known, decl.span);
         else c.error(Diag::not_constant, c[constant.value].span);
+        if (result) result = defined_value(c, id, result);
     }
     c.constants_under_way.pop_back();
     return c.constants[id] = result;

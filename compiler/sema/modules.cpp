@@ -15,11 +15,30 @@ void own_items(Context& c, const std::vector<ast::Item>& items, std::uint32_t mo
     }
 }
 
+/// Reports names given twice in a list of names with their places.
+template <class Things>
+void report_duplicates(Context& c, const Things& things) {
+    for (std::size_t i = 0; i < things.size(); ++i)
+        for (std::size_t k = 0; k < i; ++k)
+            if (things[i].name.name == things[k].name.name && things[i].name.name) {
+                note(c.error(Diag::duplicate_name, things[i].name.span, {c.text(things[i].name.name)}), things[k].name.span, "first declared here");
+                break;
+            }
+}
+
 void own_members(Context& c, ast::DeclId id, std::uint32_t module) {
     c.module_of[id] = module;
+    report_duplicates(c, c[id].generics);
     const auto& body = c[id].body;
-    if (auto* translator = std::get_if<ast::Translator>(&body))
-        for (ast::DeclId method : translator->methods) own_members(c, method, module);
+    if (auto* translator = std::get_if<ast::Translator>(&body)) {
+        report_duplicates(c, translator->fields);
+        std::vector<ast::Decl> methods;
+        for (ast::DeclId method : translator->methods) {
+            own_members(c, method, module);
+            methods.push_back(c[method]);
+        }
+        report_duplicates(c, methods);
+    }
     if (auto* interface = std::get_if<ast::Interface>(&body))
         for (ast::DeclId member : interface->members) own_members(c, member, module);
     if (auto* structure = std::get_if<ast::Structure>(&body)) own_items(c, structure->items, module);

@@ -190,4 +190,28 @@ Operand check_binary(Body& body, ast::ExprId id, ir::TypeId wanted) {
     return value_operand(body, make_binary(body.program(), lowered(expr.binary), result, sides.left, sides.right, expr.span), expr.span);
 }
 
+ir::ExprId check_compound(Body& body, const ast::Stmt& stmt, ir::ExprId before) {
+    Context& c = body.context;
+    ir::Types& types = body.types();
+    ir::TypeId left = body.program().exprs[before].type;
+    ir::ExprId value = to_value(body, check(body, stmt.value, is_flexible(c, stmt.value) ? types.scalar_of(left) : left));
+    if (is_error(body, value)) return value;
+    ir::TypeId right = body.program().exprs[value].type;
+    if (result_type(types, *stmt.op, left, right) != left) {
+        Diagnostic& diagnostic = c.error(Diag::binary_operands, stmt.op_span, {std::string(text_of(*stmt.op)) + "=", c.text(left), c.text(right)});
+        if (types.scalar_of(left) != types.scalar_of(right))
+            note(diagnostic, c[stmt.value].span, "values are never converted silently: write " + c.text(types.scalar_of(left)) + "(…)");
+        return error_value(body, stmt.span);
+    }
+    bool divides = *stmt.op == ast::BinaryOp::divide || *stmt.op == ast::BinaryOp::remainder;
+    if (divides && types.is_integer(types.scalar_of(left))) {
+        auto divisor = ir::evaluate(body.program(), value);
+        if (divisor && divisor->bits() == 0) {
+            c.error(Diag::division_by_zero, stmt.op_span);
+            return error_value(body, stmt.span);
+        }
+    }
+    return make_binary(body.program(), lowered(*stmt.op), left, before, value, stmt.span);
+}
+
 }  // namespace gliftc::sema

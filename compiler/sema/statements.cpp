@@ -69,8 +69,7 @@ void check_assign(Body& body, const ast::Stmt& stmt) {
     }
     const ir::Expr* root = root_of(body, target);
     if (root->op == ir::Op::host_state && root->place.members.empty() && !root->local) {
-        ir::ExprId value = check_value(body, stmt.value, body.program().exprs[target].type);
-        if (stmt.op) value = make_binary(body.program(), static_cast<ir::BinaryOp>(*stmt.op), body.program().exprs[target].type, target, value, stmt.span);
+        ir::ExprId value = stmt.op ? check_compound(body, stmt, target) : check_value(body, stmt.value, body.program().exprs[target].type);
         ir::StmtId assign = add(body.program(), ir::StmtOp::host_assign, stmt.span);
         body.program().stmts[assign].slot = root->slot;
         body.program().stmts[assign].target = target;
@@ -92,18 +91,8 @@ void check_assign(Body& body, const ast::Stmt& stmt) {
     ir::TypeId type = node.type;
     ir::ExprId value;
     if (stmt.op) {
-        // `v *= 2.0`: a scalar of the element type is taken for a vector.
-        bool flexible = is_flexible(c, stmt.value);
-        value = to_value(body, check(body, stmt.value, flexible ? body.types().scalar_of(type) : type));
+        value = check_compound(body, stmt, target);
         if (is_error(body, value)) return;
-        ir::TypeId other = body.program().exprs[value].type;
-        bool shift = *stmt.op == ast::BinaryOp::shift_left || *stmt.op == ast::BinaryOp::shift_right;
-        bool matches = other == type || other == body.types().scalar_of(type) || (shift && body.types().is_integer(other));
-        if (!matches) {
-            coerce(body, value, type, c[stmt.value].span);
-            return;
-        }
-        value = make_binary(body.program(), static_cast<ir::BinaryOp>(*stmt.op), type, target, value, stmt.span);
     } else {
         value = check_value(body, stmt.value, type);
     }

@@ -3,6 +3,8 @@
 #include "sema/instances.h"
 #include "sema/properties.h"
 
+#include <set>
+
 namespace gliftc::sema {
 
 namespace {
@@ -68,7 +70,9 @@ ir::FunctionId make_method(Context& c, ast::DeclId id, const Env& env, const ir:
 }
 
 void add_fields(Context& c, const Env& env, const ast::Translator& written, ir::Translator& translator) {
+    std::set<Name> seen;
     for (const ast::Field& field : written.fields) {
+        if (!seen.insert(field.name.name).second) continue;   // reported with the module
         ir::TypeId type = type_of(c, env, field.type);
         if (c.types().kind(type) == ir::TypeKind::structure) {
             translator.structures.push_back(c.types()[type].index);

@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
@@ -211,6 +212,7 @@ private:
 }  // namespace
 
 Array read(const std::string& path) {
+    if (std::filesystem::is_directory(path)) fail(path, "is a folder");
     std::ifstream file(path, std::ios::binary);
     if (!file) fail(path, std::string("cannot be opened: ") + std::strerror(errno));
     const std::string bytes{std::istreambuf_iterator<char>(file), {}};

@@ -115,6 +115,8 @@ TEST_F(Npy, SaysWhatIsWrong) {
     EXPECT_THAT(problem(with_header(header_of("<f4", "(99999999999,)"), "")), HasSubstr("longer than"));
     std::filesystem::remove(path);
     EXPECT_THROW(npy::read(path), std::runtime_error);
+    std::filesystem::create_directory(path);
+    EXPECT_THROW(npy::read(path), std::runtime_error);
 }
 
 // A header cut anywhere is an error, never a crash.

@@ -1,0 +1,41 @@
+#include "instructions.h"
+
+#include <spirv-tools/optimizer.hpp>
+
+#include <fstream>
+#include <stdexcept>
+
+namespace bench {
+
+namespace {
+
+constexpr std::uint32_t op_line = 8, op_no_line = 317, op_function = 54, op_function_end = 56;
+
+}  // namespace
+
+std::vector<std::uint32_t> read_spirv(const std::string& path) {
+    std::ifstream file(path, std::ios::binary | std::ios::ate);
+    if (!file) throw std::runtime_error(path + ": cannot be read");
+    std::vector<std::uint32_t> words(static_cast<std::size_t>(file.tellg()) / 4);
+    file.seekg(0);
+    file.read(reinterpret_cast<char*>(words.data()), static_cast<std::streamsize>(words.size() * 4));
+    return words;
+}
+
+std::size_t instructions_of(const std::vector<std::uint32_t>& spirv) {
+    spvtools::Optimizer optimizer(SPV_ENV_VULKAN_1_3);
+    optimizer.RegisterPerformancePasses();
+    std::vector<std::uint32_t> words;
+    if (!optimizer.Run(spirv.data(), spirv.size(), &words)) throw std::runtime_error("spirv-opt failed");
+    std::size_t count = 0;
+    bool inside = false;
+    for (std::size_t at = 5; at < words.size(); at += words[at] >> 16) {
+        const std::uint32_t op = words[at] & 0xffffu;
+        if (op == op_function) inside = true;
+        if (inside && op != op_line && op != op_no_line) ++count;
+        if (op == op_function_end) inside = false;
+    }
+    return count;
+}
+
+}  // namespace bench

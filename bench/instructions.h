@@ -1,0 +1,15 @@
+// How many instructions a shader has.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace bench {
+
+std::vector<std::uint32_t> read_spirv(const std::string& path);
+
+/// Instructions inside functions after spirv-opt -O, without lines and labels of debug information.
+std::size_t instructions_of(const std::vector<std::uint32_t>& spirv);
+
+}  // namespace bench

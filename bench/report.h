@@ -1,0 +1,18 @@
+// The table and the JSON.
+#pragma once
+
+#include "measure.h"
+
+namespace bench {
+
+struct Row {
+    std::string name;
+    std::uint64_t elements;
+    Measured measured;
+    std::size_t generated_instructions, handwritten_instructions;
+};
+
+void print_table(const std::string& device, const std::vector<Row>& rows);
+std::string json_of(const glift::DeviceProperties& device, int runs, const std::vector<Row>& rows);
+
+}  // namespace bench

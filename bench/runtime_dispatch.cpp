@@ -1,0 +1,96 @@
+// What a pass costs the host: at most 2 microseconds to record, and next to nothing to replay.
+#include <glift/glift.h>
+
+#include "runtime_dispatch.h"
+
+#include <benchmark/benchmark.h>
+
+#include <cstdio>
+
+namespace {
+
+const glift::Binding bindings[] = {
+    {.name = "f.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read},
+    {.name = "g.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write}};
+
+const glift::Kernel kernel = {
+    .name = "scale", .file = "runtime_dispatch.cpp", .line = 1, .rank = 1, .group = {64, 1, 1}, .loop_rounds = 0,
+    .bindings = bindings,
+    .direct = {.spirv = runtime_dispatch, .parameter_bytes = 8, .push_constants = true}};
+
+struct Parameters {
+    std::uint32_t size;
+    float factor;
+};
+
+constexpr int passes = 500;   // below the size at which the device's own stream submits by itself
+
+// Ping and pong: each pass depends on the one before, so each needs a barrier. That is the dear case.
+void record_chain(const glift::Commands& commands, const glift::Memory (&memories)[3]) {
+    for (int k = 0; k < passes; ++k) {
+        const Parameters block = {64, 1.0f};
+        commands.dispatch(kernel, {.form = glift::FormName::direct,
+                                   .memories = {memories + k % 2, 2},
+                                   .parameters = std::as_bytes(std::span(&block, 1)),
+                                   .size = {64, 1, 1, 1}});
+    }
+}
+
+struct Setup {
+    glift::Device device = glift::Device::open();
+    glift::Memory memories[3];
+
+    Setup() {
+        // f and g, then g and f.
+        memories[0] = device.allocate({.name = "f.data", .bytes = 256});
+        memories[1] = device.allocate({.name = "g.data", .bytes = 256});
+        memories[2] = memories[0];
+        record_chain(device, memories);
+        device.wait();
+    }
+};
+
+void per_pass(benchmark::State& state) {
+    state.counters["s/pass"] =
+        benchmark::Counter(passes, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
+void record_passes(benchmark::State& state) {
+    const Setup setup;
+    for (auto _ : state) {
+        record_chain(setup.device, setup.memories);
+        state.PauseTiming();
+        setup.device.wait();
+        state.ResumeTiming();
+    }
+    per_pass(state);
+}
+BENCHMARK(record_passes)->Unit(benchmark::kMicrosecond)->MinTime(1.0);
+
+void record_a_recording(benchmark::State& state) {
+    const Setup setup;
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(
+            setup.device.record([&](const glift::Commands& commands) { record_chain(commands, setup.memories); }));
+    }
+    per_pass(state);
+}
+BENCHMARK(record_a_recording)->Unit(benchmark::kMicrosecond);
+
+void submit_a_recording(benchmark::State& state) {
+    const Setup setup;
+    const auto recording =
+        setup.device.record([&](const glift::Commands& commands) { record_chain(commands, setup.memories); });
+    for (auto _ : state) {
+        recording.submit();
+        state.PauseTiming();
+        setup.device.wait();
+        state.ResumeTiming();
+    }
+    per_pass(state);
+}
+BENCHMARK(submit_a_recording)->Unit(benchmark::kMicrosecond)->Iterations(200);
+
+}  // namespace
+
+BENCHMARK_MAIN();

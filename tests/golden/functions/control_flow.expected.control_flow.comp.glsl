@@ -1,0 +1,78 @@
+#version 460
+// control_flow, control_flow.glift:40: whole ranges, shared state.
+#extension GL_EXT_scalar_block_layout : require
+
+layout(local_size_x = 256) in;
+
+struct Interval {
+    float low;
+    float high;
+};
+
+layout(push_constant, scalar) uniform Parameters {
+    uint a_extent;
+    bool mode_value_0;
+};
+
+layout(scalar, set = 0, binding = 1) writeonly buffer F_data { float f_data[]; };
+layout(scalar, set = 0, binding = 2) writeonly buffer N_data { uint n_data[]; };
+
+// halves<3>
+// control_flow.glift:18
+float halves(float x) {
+    // control_flow.glift:19
+    float y = x;
+    // control_flow.glift:20
+    for (uint i = 0u; i < 3u; ++i) {
+        y *= 0.5;
+    }
+    // control_flow.glift:21
+    return y;
+}
+
+// control_flow.glift:29
+uint collatz(uint start) {
+    // control_flow.glift:30
+    uint n = start;
+    // control_flow.glift:31
+    uint steps = 0u;
+    // control_flow.glift:32
+    while (n > 1u) {
+        // control_flow.glift:33
+        if (steps == 100u) {
+            break;
+        }
+        // control_flow.glift:34
+        if (n % 2u == 0u) {
+            n /= 2u;
+        } else {
+            n = 3u * n + 1u;
+        }
+        // control_flow.glift:35
+        steps += 1u;
+    }
+    // control_flow.glift:37
+    return steps;
+}
+
+void main() {
+    // control_flow.glift:40
+    uint address = gl_GlobalInvocationID.y * (gl_NumWorkGroups.x * 256u) + gl_GlobalInvocationID.x;
+    if (address >= a_extent) return;
+    // control_flow.glift:41
+    Interval i = Interval(1.0, float(address));
+    // control_flow.glift:42
+    float x = i.high - i.low + halves(i.high);
+    // control_flow.glift:43
+    uint found = address / 2u;
+    bool found_found = !(address % 2u == 0u);
+    if (found_found) {
+        x += float(found);
+    } else {
+        x = -x;
+    }
+    // control_flow.glift:44
+    f_data[address] = mode_value_0 ? x : sqrt(abs(x));
+    // control_flow.glift:45
+    n_data[address] = collatz(address) + (found_found ? found : 7u);
+}

@@ -1,0 +1,91 @@
+// Made by gliftc from control_flow.glift. Changes are lost when it is made again.
+#pragma once
+
+#include <glift/glift.h>
+#include <glift/structure.h>
+
+#include <cstddef>
+
+/// Statements and expressions of functions, called from one kernel.
+namespace control_flow {
+
+struct Interval {
+    float low{};
+    float high{};
+    bool operator==(const Interval&) const = default;
+};
+static_assert(offsetof(Interval, low) == 0);
+static_assert(offsetof(Interval, high) == 4);
+
+/// Array<1, float, none, buffer>. A dense N-D array. Memory: one element an address. What lies outside is up to
+/// `edge`: by default reads give zero and
+/// writes go nowhere. Thesis section 9.1.
+class Line : public glift::Structure<Line, glift::uint, float> {
+public:
+    static constexpr const char* type_name = "Line";
+
+    Line() = default;
+    Line(const glift::Device& device, glift::uint extent);
+    /// Over parts that exist already.
+    Line(const glift::Device& device, glift::uint extent, glift::Memory data);
+
+    /// The extent of the virtual domain.
+    glift::uint domain() const;
+    glift::uint extent() const { return extent_; }
+    const glift::Memory& data() const { return data_; }
+    glift::uint data_extent() const { return data_extent_; }
+    /// True if the two were made with equal arguments.
+    bool same_state(const Line& other) const;
+
+    /// Gives every element, or those of a box, one value.
+    void fill(float value);
+    void fill(float value, const glift::Range<Line>& range);
+    /// Elements of a box to a linear buffer, and back.
+    void copy_out(const glift::Commands& commands, const glift::Range<Line>& range, const glift::Memory& box) const;
+    void copy_in(const glift::Commands& commands, const glift::Range<Line>& range, const glift::Memory& box) const;
+
+private:
+    glift::uint extent_{};
+    glift::uint data_extent_{};
+    glift::Memory data_;
+};
+
+/// Array<1, uint, none, buffer>. A dense N-D array. Memory: one element an address. What lies outside is up to
+/// `edge`: by default reads give zero and
+/// writes go nowhere. Thesis section 9.1.
+class Numbers : public glift::Structure<Numbers, glift::uint, glift::uint> {
+public:
+    static constexpr const char* type_name = "Numbers";
+
+    Numbers() = default;
+    Numbers(const glift::Device& device, glift::uint extent);
+    /// Over parts that exist already.
+    Numbers(const glift::Device& device, glift::uint extent, glift::Memory data);
+
+    /// The extent of the virtual domain.
+    glift::uint domain() const;
+    glift::uint extent() const { return extent_; }
+    const glift::Memory& data() const { return data_; }
+    glift::uint data_extent() const { return data_extent_; }
+    /// True if the two were made with equal arguments.
+    bool same_state(const Numbers& other) const;
+
+    /// Gives every element, or those of a box, one value.
+    void fill(glift::uint value);
+    void fill(glift::uint value, const glift::Range<Numbers>& range);
+    /// Elements of a box to a linear buffer, and back.
+    void copy_out(const glift::Commands& commands, const glift::Range<Numbers>& range, const glift::Memory& box) const;
+    void copy_in(const glift::Commands& commands, const glift::Range<Numbers>& range, const glift::Memory& box) const;
+
+private:
+    glift::uint extent_{};
+    glift::uint data_extent_{};
+    glift::Memory data_;
+};
+
+void control_flow(const glift::Commands& commands, const glift::Range<Line>& a, const glift::Range<Line>& f,
+    const glift::Range<Numbers>& n, glift::uint mode);
+void control_flow(const glift::Commands& commands, const glift::Range<Line>& f, const glift::Range<Numbers>& n,
+    glift::uint mode);
+
+}  // namespace control_flow

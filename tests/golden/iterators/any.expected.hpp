@@ -1,0 +1,81 @@
+// Made by gliftc from any.glift. Changes are lost when it is made again.
+#pragma once
+
+#include <glift/glift.h>
+#include <glift/structure.h>
+
+#include <cstddef>
+
+/// Random reads: a gather through a structure of addresses.
+namespace any {
+
+/// Array<1, float, none, buffer>. A dense N-D array. Memory: one element an address. What lies outside is up to
+/// `edge`: by default reads give zero and
+/// writes go nowhere. Thesis section 9.1.
+class Values : public glift::Structure<Values, glift::uint, float> {
+public:
+    static constexpr const char* type_name = "Values";
+
+    Values() = default;
+    Values(const glift::Device& device, glift::uint extent);
+    /// Over parts that exist already.
+    Values(const glift::Device& device, glift::uint extent, glift::Memory data);
+
+    /// The extent of the virtual domain.
+    glift::uint domain() const;
+    glift::uint extent() const { return extent_; }
+    const glift::Memory& data() const { return data_; }
+    glift::uint data_extent() const { return data_extent_; }
+    /// True if the two were made with equal arguments.
+    bool same_state(const Values& other) const;
+
+    /// Gives every element, or those of a box, one value.
+    void fill(float value);
+    void fill(float value, const glift::Range<Values>& range);
+    /// Elements of a box to a linear buffer, and back.
+    void copy_out(const glift::Commands& commands, const glift::Range<Values>& range, const glift::Memory& box) const;
+    void copy_in(const glift::Commands& commands, const glift::Range<Values>& range, const glift::Memory& box) const;
+
+private:
+    glift::uint extent_{};
+    glift::uint data_extent_{};
+    glift::Memory data_;
+};
+
+/// Array<1, uint, none, buffer>. A dense N-D array. Memory: one element an address. What lies outside is up to
+/// `edge`: by default reads give zero and
+/// writes go nowhere. Thesis section 9.1.
+class Indices : public glift::Structure<Indices, glift::uint, glift::uint> {
+public:
+    static constexpr const char* type_name = "Indices";
+
+    Indices() = default;
+    Indices(const glift::Device& device, glift::uint extent);
+    /// Over parts that exist already.
+    Indices(const glift::Device& device, glift::uint extent, glift::Memory data);
+
+    /// The extent of the virtual domain.
+    glift::uint domain() const;
+    glift::uint extent() const { return extent_; }
+    const glift::Memory& data() const { return data_; }
+    glift::uint data_extent() const { return data_extent_; }
+    /// True if the two were made with equal arguments.
+    bool same_state(const Indices& other) const;
+
+    /// Gives every element, or those of a box, one value.
+    void fill(glift::uint value);
+    void fill(glift::uint value, const glift::Range<Indices>& range);
+    /// Elements of a box to a linear buffer, and back.
+    void copy_out(const glift::Commands& commands, const glift::Range<Indices>& range, const glift::Memory& box) const;
+    void copy_in(const glift::Commands& commands, const glift::Range<Indices>& range, const glift::Memory& box) const;
+
+private:
+    glift::uint extent_{};
+    glift::uint data_extent_{};
+    glift::Memory data_;
+};
+
+void gather(const glift::Commands& commands, const glift::Range<Values>& values, const glift::Range<Indices>& index,
+    const glift::Range<Values>& g);
+
+}  // namespace any

@@ -1,0 +1,40 @@
+#version 460
+// smooth, near.glift:9: whole ranges, shared state.
+#extension GL_EXT_scalar_block_layout : require
+
+layout(local_size_x = 32, local_size_y = 4, local_size_z = 2) in;
+
+layout(push_constant, scalar) uniform Parameters {
+    uvec3 f_extent;
+};
+
+layout(scalar, set = 0, binding = 1) readonly buffer F_data { float f_data[]; };
+layout(scalar, set = 0, binding = 2) writeonly buffer G_data { float g_data[]; };
+
+void main() {
+    // near.glift:9
+    uvec3 address = gl_GlobalInvocationID;
+    if (any(greaterThanEqual(address, f_extent))) return;
+    uint f_extent_yx = f_extent.y * f_extent.x;
+    uint f_at = (address.z * f_extent.y + address.y) * f_extent.x + address.x;
+    // near.glift:10
+    float sum = -6.0 * f_data[f_at];
+    // near.glift:11
+    bool f_xp1_inside = address.x + 1u < f_extent.x;
+    float f_xp1 = f_data[f_at + (f_xp1_inside ? 1u : 0u)];
+    bool f_xm1_inside = address.x >= 1u;
+    float f_xm1 = f_data[f_at - (f_xm1_inside ? 1u : 0u)];
+    sum += (f_xp1_inside ? f_xp1 : 0.0) + (f_xm1_inside ? f_xm1 : 0.0);
+    bool f_yp1_inside = address.y + 1u < f_extent.y;
+    float f_yp1 = f_data[f_at + (f_yp1_inside ? f_extent.x : 0u)];
+    bool f_ym1_inside = address.y >= 1u;
+    float f_ym1 = f_data[f_at - (f_ym1_inside ? f_extent.x : 0u)];
+    sum += (f_yp1_inside ? f_yp1 : 0.0) + (f_ym1_inside ? f_ym1 : 0.0);
+    bool f_zp1_inside = address.z + 1u < f_extent.z;
+    float f_zp1 = f_data[f_at + (f_zp1_inside ? f_extent_yx : 0u)];
+    bool f_zm1_inside = address.z >= 1u;
+    float f_zm1 = f_data[f_at - (f_zm1_inside ? f_extent_yx : 0u)];
+    sum += (f_zp1_inside ? f_zp1 : 0.0) + (f_zm1_inside ? f_zm1 : 0.0);
+    // near.glift:12
+    g_data[f_at] = sum;
+}

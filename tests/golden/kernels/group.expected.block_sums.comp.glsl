@@ -1,0 +1,47 @@
+#version 460
+// block_sums, group.glift:8: whole ranges, shared state.
+#extension GL_EXT_scalar_block_layout : require
+
+layout(local_size_x = 64) in;
+
+layout(push_constant, scalar) uniform Parameters {
+    uint value_extent;
+};
+
+layout(scalar, set = 0, binding = 1) readonly buffer Value_data { uint value_data[]; };
+layout(scalar, set = 0, binding = 2) writeonly buffer Sums_data { uint sums_data[]; };
+
+shared uint part[64];
+
+void main() {
+    // group.glift:8
+    uint address = gl_GlobalInvocationID.y * (gl_NumWorkGroups.x * 64u) + gl_GlobalInvocationID.x;
+    bool in_range = address < value_extent;
+    // group.glift:10
+    uint i = gl_LocalInvocationIndex;
+    // group.glift:11
+    uint value_value = value_data[in_range ? address : 0u];
+    part[min(i, 63u)] = in_range ? value_value : 0u;
+    // group.glift:12
+    barrier();
+    // group.glift:13
+    uint step_1 = 32u;
+    // group.glift:14
+    while (step_1 > 0u) {
+        // group.glift:15
+        if (i < step_1) {
+            part[min(i, 63u)] += part[min(i + step_1, 63u)];
+        }
+        // group.glift:16
+        barrier();
+        // group.glift:17
+        step_1 /= 2u;
+    }
+    // group.glift:19
+    if (i == 0u) {
+        uint sums_address = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
+        if (sums_address < value_extent) {
+            sums_data[sums_address] = part[0u];
+        }
+    }
+}

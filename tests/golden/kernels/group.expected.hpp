@@ -1,0 +1,47 @@
+// Made by gliftc from group.glift. Changes are lost when it is made again.
+#pragma once
+
+#include <glift/glift.h>
+#include <glift/structure.h>
+
+#include <cstddef>
+
+/// An explicit workgroup: shared memory, barriers. One sum for each block of 64 elements.
+namespace group {
+
+/// Array<1, uint, none, buffer>. A dense N-D array. Memory: one element an address. What lies outside is up to
+/// `edge`: by default reads give zero and
+/// writes go nowhere. Thesis section 9.1.
+class Values : public glift::Structure<Values, glift::uint, glift::uint> {
+public:
+    static constexpr const char* type_name = "Values";
+
+    Values() = default;
+    Values(const glift::Device& device, glift::uint extent);
+    /// Over parts that exist already.
+    Values(const glift::Device& device, glift::uint extent, glift::Memory data);
+
+    /// The extent of the virtual domain.
+    glift::uint domain() const;
+    glift::uint extent() const { return extent_; }
+    const glift::Memory& data() const { return data_; }
+    glift::uint data_extent() const { return data_extent_; }
+    /// True if the two were made with equal arguments.
+    bool same_state(const Values& other) const;
+
+    /// Gives every element, or those of a box, one value.
+    void fill(glift::uint value);
+    void fill(glift::uint value, const glift::Range<Values>& range);
+    /// Elements of a box to a linear buffer, and back.
+    void copy_out(const glift::Commands& commands, const glift::Range<Values>& range, const glift::Memory& box) const;
+    void copy_in(const glift::Commands& commands, const glift::Range<Values>& range, const glift::Memory& box) const;
+
+private:
+    glift::uint extent_{};
+    glift::uint data_extent_{};
+    glift::Memory data_;
+};
+
+void block_sums(const glift::Commands& commands, const glift::Range<Values>& value, const glift::Range<Values>& sums);
+
+}  // namespace group

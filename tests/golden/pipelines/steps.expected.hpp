@@ -1,0 +1,47 @@
+// Made by gliftc from steps.glift. Changes are lost when it is made again.
+#pragma once
+
+#include <glift/glift.h>
+#include <glift/structure.h>
+
+#include <cstddef>
+
+/// Passes in a row with temporaries, a loop on the host and a value waited for.
+namespace steps {
+
+/// Array<1, float, none, buffer>. A dense N-D array. Memory: one element an address. What lies outside is up to
+/// `edge`: by default reads give zero and
+/// writes go nowhere. Thesis section 9.1.
+class Line : public glift::Structure<Line, glift::uint, float> {
+public:
+    static constexpr const char* type_name = "Line";
+
+    Line() = default;
+    Line(const glift::Device& device, glift::uint extent);
+    /// Over parts that exist already.
+    Line(const glift::Device& device, glift::uint extent, glift::Memory data);
+
+    /// The extent of the virtual domain.
+    glift::uint domain() const;
+    glift::uint extent() const { return extent_; }
+    const glift::Memory& data() const { return data_; }
+    glift::uint data_extent() const { return data_extent_; }
+    /// True if the two were made with equal arguments.
+    bool same_state(const Line& other) const;
+
+    /// Gives every element, or those of a box, one value.
+    void fill(float value);
+    void fill(float value, const glift::Range<Line>& range);
+    /// Elements of a box to a linear buffer, and back.
+    void copy_out(const glift::Commands& commands, const glift::Range<Line>& range, const glift::Memory& box) const;
+    void copy_in(const glift::Commands& commands, const glift::Range<Line>& range, const glift::Memory& box) const;
+
+private:
+    glift::uint extent_{};
+    glift::uint data_extent_{};
+    glift::Memory data_;
+};
+
+void smoothed(const glift::Commands& commands, const Line& g, glift::uint rounds);
+
+}  // namespace steps

@@ -1,0 +1,45 @@
+// Made by gliftc from composed.glift. Changes are lost when it is made again.
+#pragma once
+
+#include <glift/glift.h>
+#include <glift/structure.h>
+
+#include <cstddef>
+
+/// Translators in a chain: a transposed address, then a row-major one, in a buffer.
+namespace composed {
+
+/// Turned, composed.glift:19.
+class Turned : public glift::Structure<Turned, glift::uint2, float> {
+public:
+    static constexpr const char* type_name = "Turned";
+
+    Turned() = default;
+    Turned(const glift::Device& device, glift::uint2 extent);
+    /// Over parts that exist already.
+    Turned(const glift::Device& device, glift::uint2 extent, glift::Memory data);
+
+    /// The extent of the virtual domain.
+    glift::uint2 domain() const;
+    glift::uint2 extent() const { return extent_; }
+    const glift::Memory& data() const { return data_; }
+    glift::uint data_extent() const { return data_extent_; }
+    /// True if the two were made with equal arguments.
+    bool same_state(const Turned& other) const;
+
+    /// Gives every element, or those of a box, one value.
+    void fill(float value);
+    void fill(float value, const glift::Range<Turned>& range);
+    /// Elements of a box to a linear buffer, and back.
+    void copy_out(const glift::Commands& commands, const glift::Range<Turned>& range, const glift::Memory& box) const;
+    void copy_in(const glift::Commands& commands, const glift::Range<Turned>& range, const glift::Memory& box) const;
+
+private:
+    glift::uint2 extent_{};
+    glift::uint data_extent_{};
+    glift::Memory data_;
+};
+
+void copy(const glift::Commands& commands, const glift::Range<Turned>& f, const glift::Range<Turned>& g);
+
+}  // namespace composed

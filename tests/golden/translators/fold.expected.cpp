@@ -1,0 +1,581 @@
+// Made by gliftc from fold.glift. Changes are lost when it is made again.
+#include "fold.glift.hpp"
+
+#include <glift/host/image.h>
+#include <glift/host/math.h>
+#include <glift/host/parallel.h>
+
+#include <optional>
+
+namespace fold {
+
+using namespace glift::types;
+
+namespace {
+
+/// Elements of a box in a linear buffer, first axis fastest: what the host reads and writes.
+class Box_3_float : public glift::Structure<Box_3_float, uint3, float> {
+public:
+    static constexpr const char* type_name = "Box<3, float>";
+
+    Box_3_float() = default;
+    [[maybe_unused]] Box_3_float(const glift::Device& device, uint3 extent);
+    /// Over parts that exist already.
+    [[maybe_unused]] Box_3_float(const glift::Device& device, uint3 extent, glift::Memory data);
+
+    /// The extent of the virtual domain.
+    [[maybe_unused]] uint3 domain() const;
+    uint3 extent() const { return extent_; }
+    const glift::Memory& data() const { return data_; }
+    uint data_extent() const { return data_extent_; }
+    /// True if the two were made with equal arguments.
+    [[maybe_unused]] bool same_state(const Box_3_float& other) const;
+
+private:
+    uint3 extent_{};
+    uint data_extent_{};
+    glift::Memory data_;
+};
+
+// address.glift:17: volume<3>
+inline uint volume(uint3 extent) {
+    // address.glift:18
+    uint product = extent.x;
+    // address.glift:19
+    for (uint axis = 1u; axis < 3u; ++axis) {
+        // address.glift:20
+        product *= extent[axis];
+    }
+    // address.glift:22
+    return product;
+}
+
+// ----------------------------------------------------------------------------------------------------
+// fold.glift:31: twice
+
+struct twice_direct_parameters {
+    uint3 f_extent;
+};
+static_assert(offsetof(twice_direct_parameters, f_extent) == 0);
+
+// fold.glift:31: twice, one row.
+GLIFT_HOST_KERNEL
+static void twice_direct_row(const glift::HostCall& call, const glift::host::Row& row) {
+    const auto& parameters = *static_cast<const twice_direct_parameters*>(call.parameters);
+    const uint3 f_extent = parameters.f_extent;
+    const glift::HostMemory& f_data = call.memories[0];
+    GLIFT_INDEPENDENT
+    for (uint x = row.begin; x < row.end; ++x) {
+        const uint3 address{x, row.y, row.z};
+        // fold.glift:31
+        const uint f_i = (address.z * f_extent.y + address.y) * f_extent.x + address.x;
+        const uint2 f_at = uint2(f_i % 64u, f_i / 64u);
+        const int2 value = int2(f_at);
+        const float f_value = glift::host::load_texel<glift::Format::r32f, float>(f_data, value);
+        glift::host::store_texel<glift::Format::r32f, float>(f_data, value, 2.0f * f_value);
+    }
+}
+
+static void twice_direct(const glift::HostCall& call) {
+    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { twice_direct_row(call, row); });
+}
+
+struct twice_general_parameters {
+    uint3 size;
+    uint3 f_origin;
+    uint3 f_extent;
+};
+static_assert(offsetof(twice_general_parameters, size) == 0);
+static_assert(offsetof(twice_general_parameters, f_origin) == 12);
+static_assert(offsetof(twice_general_parameters, f_extent) == 24);
+
+// fold.glift:31: twice, one row.
+GLIFT_HOST_KERNEL
+static void twice_general_row(const glift::HostCall& call, const glift::host::Row& row) {
+    const auto& parameters = *static_cast<const twice_general_parameters*>(call.parameters);
+    const uint3 f_origin = parameters.f_origin;
+    const uint3 f_extent = parameters.f_extent;
+    const glift::HostMemory& f_data = call.memories[0];
+    GLIFT_INDEPENDENT
+    for (uint x = row.begin; x < row.end; ++x) {
+        const uint3 address{x, row.y, row.z};
+        // fold.glift:31
+        const uint3 f_address = f_origin + address;
+        const uint f_i = (f_address.z * f_extent.y + f_address.y) * f_extent.x + f_address.x;
+        const uint2 f_at = uint2(f_i % 64u, f_i / 64u);
+        const int2 value = int2(f_at);
+        const float f_value = glift::host::load_texel<glift::Format::r32f, float>(f_data, value);
+        glift::host::store_texel<glift::Format::r32f, float>(f_data, value, 2.0f * f_value);
+    }
+}
+
+static void twice_general(const glift::HostCall& call) {
+    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { twice_general_row(call, row); });
+}
+
+const glift::Binding twice_bindings[] = {
+    {.name = "f.data", .kind = glift::MemoryKind::image2d, .access = glift::Access::read_write},
+};
+const glift::Kernel twice_kernel = {
+    .name = "twice",
+    .file = "fold.glift",
+    .line = 31,
+    .rank = 3,
+    .group = {32, 4, 2},
+    .loop_rounds = 0,
+    .bindings = twice_bindings,
+    .direct = {.host = &twice_direct, .parameter_bytes = 12, .push_constants = true},
+    .general = {.host = &twice_general, .parameter_bytes = 36},
+    .wide = {},
+};
+
+// ----------------------------------------------------------------------------------------------------
+// transfer.glift:15: read_box<Field, Box<3, float>>
+
+struct read_box_direct_parameters {
+    uint3 from_extent;
+    uint3 to_extent;
+};
+static_assert(offsetof(read_box_direct_parameters, from_extent) == 0);
+static_assert(offsetof(read_box_direct_parameters, to_extent) == 12);
+
+// transfer.glift:15: read_box<Field, Box<3, float>>, one row.
+GLIFT_HOST_KERNEL
+static void read_box_direct_row(const glift::HostCall& call, const glift::host::Row& row) {
+    const auto& parameters = *static_cast<const read_box_direct_parameters*>(call.parameters);
+    const uint3 from_extent = parameters.from_extent;
+    const uint3 to_extent = parameters.to_extent;
+    const glift::HostMemory& from_data = call.memories[0];
+    float* to_data = glift::host::elements<float>(call.memories[1]);
+    if (row.begin < row.end) {
+        const uint3 address{row.begin, row.y, row.z};
+        // transfer.glift:15
+        const uint to_at = (address.z * to_extent.y + address.y) * to_extent.x + address.x;
+        float* to_data_row = to_data + to_at;
+        GLIFT_INDEPENDENT
+        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+            const uint3 address{row.begin + static_cast<uint>(i), row.y, row.z};
+            // transfer.glift:15
+            const uint from_i = (address.z * from_extent.y + address.y) * from_extent.x + address.x;
+            const uint2 from_at = uint2(from_i % 64u, from_i / 64u);
+            // transfer.glift:16
+            to_data_row[i] = glift::host::load_texel<glift::Format::r32f, float>(from_data, int2(from_at));
+        }
+    }
+}
+
+static void read_box_direct(const glift::HostCall& call) {
+    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { read_box_direct_row(call, row); });
+}
+
+struct read_box_general_parameters {
+    uint3 size;
+    uint3 from_origin;
+    uint3 to_origin;
+    uint3 from_extent;
+    uint3 to_extent;
+};
+static_assert(offsetof(read_box_general_parameters, size) == 0);
+static_assert(offsetof(read_box_general_parameters, from_origin) == 12);
+static_assert(offsetof(read_box_general_parameters, to_origin) == 24);
+static_assert(offsetof(read_box_general_parameters, from_extent) == 36);
+static_assert(offsetof(read_box_general_parameters, to_extent) == 48);
+
+// transfer.glift:15: read_box<Field, Box<3, float>>, one row.
+GLIFT_HOST_KERNEL
+static void read_box_general_row(const glift::HostCall& call, const glift::host::Row& row) {
+    const auto& parameters = *static_cast<const read_box_general_parameters*>(call.parameters);
+    const uint3 from_origin = parameters.from_origin;
+    const uint3 to_origin = parameters.to_origin;
+    const uint3 from_extent = parameters.from_extent;
+    const uint3 to_extent = parameters.to_extent;
+    const glift::HostMemory& from_data = call.memories[0];
+    float* to_data = glift::host::elements<float>(call.memories[1]);
+    if (row.begin < row.end) {
+        const uint3 address{row.begin, row.y, row.z};
+        // transfer.glift:16
+        const uint3 to_address = to_origin + address;
+        // transfer.glift:15
+        const uint to_at = (to_address.z * to_extent.y + to_address.y) * to_extent.x + to_address.x;
+        float* to_data_row = to_data + to_at;
+        GLIFT_INDEPENDENT
+        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+            const uint3 address{row.begin + static_cast<uint>(i), row.y, row.z};
+            // transfer.glift:16
+            const uint3 from_address = from_origin + address;
+            // transfer.glift:15
+            const uint from_i = (from_address.z * from_extent.y + from_address.y) * from_extent.x + from_address.x;
+            const uint2 from_at = uint2(from_i % 64u, from_i / 64u);
+            // transfer.glift:16
+            to_data_row[i] = glift::host::load_texel<glift::Format::r32f, float>(from_data, int2(from_at));
+        }
+    }
+}
+
+static void read_box_general(const glift::HostCall& call) {
+    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { read_box_general_row(call, row); });
+}
+
+const glift::Binding read_box_bindings[] = {
+    {.name = "from.data", .kind = glift::MemoryKind::image2d, .access = glift::Access::read, .sampled = true},
+    {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 64},
+};
+const glift::Kernel read_box_kernel = {
+    .name = "read_box",
+    .file = "transfer.glift",
+    .line = 15,
+    .rank = 3,
+    .group = {32, 4, 2},
+    .loop_rounds = 0,
+    .bindings = read_box_bindings,
+    .direct = {.host = &read_box_direct, .parameter_bytes = 24, .push_constants = true},
+    .general = {.host = &read_box_general, .parameter_bytes = 60},
+    .wide = {},
+};
+
+// ----------------------------------------------------------------------------------------------------
+// transfer.glift:20: write_box<Box<3, float>, Field>
+
+struct write_box_direct_parameters {
+    uint3 from_extent;
+    uint3 to_extent;
+};
+static_assert(offsetof(write_box_direct_parameters, from_extent) == 0);
+static_assert(offsetof(write_box_direct_parameters, to_extent) == 12);
+
+// transfer.glift:20: write_box<Box<3, float>, Field>, one row.
+GLIFT_HOST_KERNEL
+static void write_box_direct_row(const glift::HostCall& call, const glift::host::Row& row) {
+    const auto& parameters = *static_cast<const write_box_direct_parameters*>(call.parameters);
+    const uint3 from_extent = parameters.from_extent;
+    const uint3 to_extent = parameters.to_extent;
+    const float* from_data = glift::host::elements<const float>(call.memories[0]);
+    const glift::HostMemory& to_data = call.memories[1];
+    if (row.begin < row.end) {
+        const uint3 address{row.begin, row.y, row.z};
+        // transfer.glift:20
+        const uint from_at = (address.z * from_extent.y + address.y) * from_extent.x + address.x;
+        const float* from_data_row = from_data + from_at;
+        GLIFT_INDEPENDENT
+        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+            const uint3 address{row.begin + static_cast<uint>(i), row.y, row.z};
+            // transfer.glift:20
+            const uint to_i = (address.z * to_extent.y + address.y) * to_extent.x + address.x;
+            const uint2 to_at = uint2(to_i % 64u, to_i / 64u);
+            // transfer.glift:21
+            glift::host::store_texel<glift::Format::r32f, float>(to_data, int2(to_at), from_data_row[i]);
+        }
+    }
+}
+
+static void write_box_direct(const glift::HostCall& call) {
+    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { write_box_direct_row(call, row); });
+}
+
+struct write_box_general_parameters {
+    uint3 size;
+    uint3 from_origin;
+    uint3 to_origin;
+    uint3 from_extent;
+    uint3 to_extent;
+};
+static_assert(offsetof(write_box_general_parameters, size) == 0);
+static_assert(offsetof(write_box_general_parameters, from_origin) == 12);
+static_assert(offsetof(write_box_general_parameters, to_origin) == 24);
+static_assert(offsetof(write_box_general_parameters, from_extent) == 36);
+static_assert(offsetof(write_box_general_parameters, to_extent) == 48);
+
+// transfer.glift:20: write_box<Box<3, float>, Field>, one row.
+GLIFT_HOST_KERNEL
+static void write_box_general_row(const glift::HostCall& call, const glift::host::Row& row) {
+    const auto& parameters = *static_cast<const write_box_general_parameters*>(call.parameters);
+    const uint3 from_origin = parameters.from_origin;
+    const uint3 to_origin = parameters.to_origin;
+    const uint3 from_extent = parameters.from_extent;
+    const uint3 to_extent = parameters.to_extent;
+    const float* from_data = glift::host::elements<const float>(call.memories[0]);
+    const glift::HostMemory& to_data = call.memories[1];
+    if (row.begin < row.end) {
+        const uint3 address{row.begin, row.y, row.z};
+        // transfer.glift:21
+        const uint3 from_address = from_origin + address;
+        // transfer.glift:20
+        const uint from_at = (from_address.z * from_extent.y + from_address.y) * from_extent.x + from_address.x;
+        const float* from_data_row = from_data + from_at;
+        GLIFT_INDEPENDENT
+        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+            const uint3 address{row.begin + static_cast<uint>(i), row.y, row.z};
+            // transfer.glift:21
+            const uint3 to_address = to_origin + address;
+            // transfer.glift:20
+            const uint to_i = (to_address.z * to_extent.y + to_address.y) * to_extent.x + to_address.x;
+            const uint2 to_at = uint2(to_i % 64u, to_i / 64u);
+            // transfer.glift:21
+            glift::host::store_texel<glift::Format::r32f, float>(to_data, int2(to_at), from_data_row[i]);
+        }
+    }
+}
+
+static void write_box_general(const glift::HostCall& call) {
+    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { write_box_general_row(call, row); });
+}
+
+const glift::Binding write_box_bindings[] = {
+    {.name = "from.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 64},
+    {.name = "to.data", .kind = glift::MemoryKind::image2d, .access = glift::Access::write},
+};
+const glift::Kernel write_box_kernel = {
+    .name = "write_box",
+    .file = "transfer.glift",
+    .line = 20,
+    .rank = 3,
+    .group = {32, 4, 2},
+    .loop_rounds = 0,
+    .bindings = write_box_bindings,
+    .direct = {.host = &write_box_direct, .parameter_bytes = 24, .push_constants = true},
+    .general = {.host = &write_box_general, .parameter_bytes = 60},
+    .wide = {},
+};
+
+// ----------------------------------------------------------------------------------------------------
+// transfer.glift:25: fill_box<Field, float>
+
+struct fill_box_direct_parameters {
+    uint3 to_extent;
+    float value;
+};
+static_assert(offsetof(fill_box_direct_parameters, to_extent) == 0);
+static_assert(offsetof(fill_box_direct_parameters, value) == 12);
+
+// transfer.glift:25: fill_box<Field, float>, one row.
+GLIFT_HOST_KERNEL
+static void fill_box_direct_row(const glift::HostCall& call, const glift::host::Row& row) {
+    const auto& parameters = *static_cast<const fill_box_direct_parameters*>(call.parameters);
+    const uint3 to_extent = parameters.to_extent;
+    const float value = parameters.value;
+    const glift::HostMemory& to_data = call.memories[0];
+    GLIFT_INDEPENDENT
+    for (uint x = row.begin; x < row.end; ++x) {
+        const uint3 address{x, row.y, row.z};
+        // transfer.glift:25
+        const uint to_i = (address.z * to_extent.y + address.y) * to_extent.x + address.x;
+        const uint2 to_at = uint2(to_i % 64u, to_i / 64u);
+        // transfer.glift:26
+        glift::host::store_texel<glift::Format::r32f, float>(to_data, int2(to_at), value);
+    }
+}
+
+static void fill_box_direct(const glift::HostCall& call) {
+    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { fill_box_direct_row(call, row); });
+}
+
+struct fill_box_general_parameters {
+    uint3 size;
+    uint3 to_origin;
+    uint3 to_extent;
+    float value;
+};
+static_assert(offsetof(fill_box_general_parameters, size) == 0);
+static_assert(offsetof(fill_box_general_parameters, to_origin) == 12);
+static_assert(offsetof(fill_box_general_parameters, to_extent) == 24);
+static_assert(offsetof(fill_box_general_parameters, value) == 36);
+
+// transfer.glift:25: fill_box<Field, float>, one row.
+GLIFT_HOST_KERNEL
+static void fill_box_general_row(const glift::HostCall& call, const glift::host::Row& row) {
+    const auto& parameters = *static_cast<const fill_box_general_parameters*>(call.parameters);
+    const uint3 to_origin = parameters.to_origin;
+    const uint3 to_extent = parameters.to_extent;
+    const float value = parameters.value;
+    const glift::HostMemory& to_data = call.memories[0];
+    GLIFT_INDEPENDENT
+    for (uint x = row.begin; x < row.end; ++x) {
+        const uint3 address{x, row.y, row.z};
+        // transfer.glift:26
+        const uint3 to_address = to_origin + address;
+        // transfer.glift:25
+        const uint to_i = (to_address.z * to_extent.y + to_address.y) * to_extent.x + to_address.x;
+        const uint2 to_at = uint2(to_i % 64u, to_i / 64u);
+        // transfer.glift:26
+        glift::host::store_texel<glift::Format::r32f, float>(to_data, int2(to_at), value);
+    }
+}
+
+static void fill_box_general(const glift::HostCall& call) {
+    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { fill_box_general_row(call, row); });
+}
+
+const glift::Binding fill_box_bindings[] = {
+    {.name = "to.data", .kind = glift::MemoryKind::image2d, .access = glift::Access::write},
+};
+const glift::Kernel fill_box_kernel = {
+    .name = "fill_box",
+    .file = "transfer.glift",
+    .line = 25,
+    .rank = 3,
+    .group = {32, 4, 2},
+    .loop_rounds = 0,
+    .bindings = fill_box_bindings,
+    .direct = {.host = &fill_box_direct, .parameter_bytes = 16, .push_constants = true},
+    .general = {.host = &fill_box_general, .parameter_bytes = 40},
+    .wide = {},
+};
+
+void read_box(const glift::Commands& commands, const glift::Range<Field>& from, const glift::Range<Box_3_float>& to) {
+    glift::Iteration iteration(read_box_kernel);
+    iteration.each("from", from);
+    iteration.each("to", to);
+    const glift::Memory memories[] = {from->data(), to->data()};
+    if (iteration.is_whole() && !commands.needs_general(read_box_kernel, memories, iteration.size())) {
+        const read_box_direct_parameters parameters = {
+            .from_extent = from->extent(),
+            .to_extent = to->extent(),
+        };
+        commands.dispatch(read_box_kernel, {.form = glift::FormName::direct, .memories = memories,
+            .parameters = glift::bytes_of(parameters), .size = iteration.size()});
+    } else {
+        const read_box_general_parameters parameters = {
+            .size = from.size(),
+            .from_origin = from.origin(),
+            .to_origin = to.origin(),
+            .from_extent = from->extent(),
+            .to_extent = to->extent(),
+        };
+        commands.dispatch(read_box_kernel, {.form = glift::FormName::general, .memories = memories,
+            .parameters = glift::bytes_of(parameters), .size = iteration.size(),
+            .patches = iteration.patches({offsetof(read_box_general_parameters, size)})});
+    }
+}
+
+void write_box(const glift::Commands& commands, const glift::Range<Box_3_float>& from, const glift::Range<Field>& to) {
+    glift::Iteration iteration(write_box_kernel);
+    iteration.each("from", from);
+    iteration.each("to", to);
+    const glift::Memory memories[] = {from->data(), to->data()};
+    if (iteration.is_whole() && !commands.needs_general(write_box_kernel, memories, iteration.size())) {
+        const write_box_direct_parameters parameters = {
+            .from_extent = from->extent(),
+            .to_extent = to->extent(),
+        };
+        commands.dispatch(write_box_kernel, {.form = glift::FormName::direct, .memories = memories,
+            .parameters = glift::bytes_of(parameters), .size = iteration.size()});
+    } else {
+        const write_box_general_parameters parameters = {
+            .size = from.size(),
+            .from_origin = from.origin(),
+            .to_origin = to.origin(),
+            .from_extent = from->extent(),
+            .to_extent = to->extent(),
+        };
+        commands.dispatch(write_box_kernel, {.form = glift::FormName::general, .memories = memories,
+            .parameters = glift::bytes_of(parameters), .size = iteration.size(),
+            .patches = iteration.patches({offsetof(write_box_general_parameters, size)})});
+    }
+}
+
+void fill_box(const glift::Commands& commands, const glift::Range<Field>& to, float value) {
+    glift::Iteration iteration(fill_box_kernel);
+    iteration.each("to", to);
+    const glift::Memory memories[] = {to->data()};
+    if (iteration.is_whole() && !commands.needs_general(fill_box_kernel, memories, iteration.size())) {
+        const fill_box_direct_parameters parameters = {
+            .to_extent = to->extent(),
+            .value = value,
+        };
+        commands.dispatch(fill_box_kernel, {.form = glift::FormName::direct, .memories = memories,
+            .parameters = glift::bytes_of(parameters), .size = iteration.size()});
+    } else {
+        const fill_box_general_parameters parameters = {
+            .size = to.size(),
+            .to_origin = to.origin(),
+            .to_extent = to->extent(),
+            .value = value,
+        };
+        commands.dispatch(fill_box_kernel, {.form = glift::FormName::general, .memories = memories,
+            .parameters = glift::bytes_of(parameters), .size = iteration.size(),
+            .patches = iteration.patches({offsetof(fill_box_general_parameters, size)})});
+    }
+}
+
+Box_3_float::Box_3_float(const glift::Device& device, uint3 extent)
+    : Structure(device),
+      extent_(extent),
+      data_extent_(volume(extent_)),
+      data_(device.allocate({.name = "Box_3_float.data", .bytes = glift::buffer_bytes<float>(data_extent_)})) {}
+
+Box_3_float::Box_3_float(const glift::Device& device, uint3 extent, glift::Memory data)
+    : Structure(device),
+      extent_(extent),
+      data_extent_(volume(extent_)),
+      data_(std::move(data)) {}
+
+uint3 Box_3_float::domain() const {
+    return extent_;
+}
+
+bool Box_3_float::same_state(const Box_3_float& other) const {
+    return extent_ == other.extent_;
+}
+
+}  // namespace
+
+void twice(const glift::Commands& commands, const glift::Range<Field>& f) {
+    glift::Iteration iteration(twice_kernel);
+    iteration.each("f", f);
+    const glift::Memory memories[] = {f->data()};
+    if (iteration.is_whole() && !commands.needs_general(twice_kernel, memories, iteration.size())) {
+        const twice_direct_parameters parameters = {
+            .f_extent = f->extent(),
+        };
+        commands.dispatch(twice_kernel, {.form = glift::FormName::direct, .memories = memories,
+            .parameters = glift::bytes_of(parameters), .size = iteration.size()});
+    } else {
+        const twice_general_parameters parameters = {
+            .size = f.size(),
+            .f_origin = f.origin(),
+            .f_extent = f->extent(),
+        };
+        commands.dispatch(twice_kernel, {.form = glift::FormName::general, .memories = memories,
+            .parameters = glift::bytes_of(parameters), .size = iteration.size(),
+            .patches = iteration.patches({offsetof(twice_general_parameters, size)})});
+    }
+}
+
+Field::Field(const glift::Device& device, uint3 extent)
+    : Structure(device),
+      extent_(extent),
+      data_extent_(uint2(64u, (extent_.x * extent_.y * extent_.z + 63u) / 64u)),
+      data_(device.allocate({.name = "Field.data", .kind = glift::MemoryKind::image2d, .format = glift::Format::r32f,
+        .extent = glift::image_extent(data_extent_)})) {}
+
+Field::Field(const glift::Device& device, uint3 extent, glift::Memory data)
+    : Structure(device),
+      extent_(extent),
+      data_extent_(uint2(64u, (extent_.x * extent_.y * extent_.z + 63u) / 64u)),
+      data_(std::move(data)) {}
+
+uint3 Field::domain() const {
+    return extent_;
+}
+
+bool Field::same_state(const Field& other) const {
+    return extent_ == other.extent_;
+}
+
+void Field::copy_out(const glift::Commands& commands, const glift::Range<Field>& range,
+    const glift::Memory& box) const {
+    read_box(commands, range, Box_3_float(commands.device(), range.size(), box));
+}
+
+void Field::copy_in(const glift::Commands& commands, const glift::Range<Field>& range, const glift::Memory& box) const {
+    write_box(commands, Box_3_float(commands.device(), range.size(), box), range);
+}
+
+void Field::fill(float value, const glift::Range<Field>& range) {
+    fill_box(device(), range, value);
+}
+void Field::fill(float value) {
+    fill(value, *this);
+}
+
+}  // namespace fold

@@ -1,0 +1,45 @@
+// Made by gliftc from fold.glift. Changes are lost when it is made again.
+#pragma once
+
+#include <glift/glift.h>
+#include <glift/structure.h>
+
+#include <cstddef>
+
+/// A translator of one's own, and a structure over it, in an image.
+namespace fold {
+
+/// Field, fold.glift:26.
+class Field : public glift::Structure<Field, glift::uint3, float> {
+public:
+    static constexpr const char* type_name = "Field";
+
+    Field() = default;
+    Field(const glift::Device& device, glift::uint3 extent);
+    /// Over parts that exist already.
+    Field(const glift::Device& device, glift::uint3 extent, glift::Memory data);
+
+    /// The extent of the virtual domain.
+    glift::uint3 domain() const;
+    glift::uint3 extent() const { return extent_; }
+    const glift::Memory& data() const { return data_; }
+    glift::uint2 data_extent() const { return data_extent_; }
+    /// True if the two were made with equal arguments.
+    bool same_state(const Field& other) const;
+
+    /// Gives every element, or those of a box, one value.
+    void fill(float value);
+    void fill(float value, const glift::Range<Field>& range);
+    /// Elements of a box to a linear buffer, and back.
+    void copy_out(const glift::Commands& commands, const glift::Range<Field>& range, const glift::Memory& box) const;
+    void copy_in(const glift::Commands& commands, const glift::Range<Field>& range, const glift::Memory& box) const;
+
+private:
+    glift::uint3 extent_{};
+    glift::uint2 data_extent_{};
+    glift::Memory data_;
+};
+
+void twice(const glift::Commands& commands, const glift::Range<Field>& f);
+
+}  // namespace fold
