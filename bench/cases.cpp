@@ -115,8 +115,9 @@ Case gather_case(const glift::Device& device, std::uint32_t scale) {
     auto g = std::make_shared<cases::Values>(device, count);
     f->write({}, extent, random_floats(std::uint64_t{side} * side * side));
     std::mt19937 engine(11);
+    const auto below = [&](std::uint32_t limit) { return static_cast<std::uint32_t>(engine() % limit); };
     std::vector<glift::uint3> places(count);
-    for (glift::uint3& place : places) place = {engine() % side, engine() % side, engine() % (side + 1)};   // some lie outside
+    for (glift::uint3& place : places) place = {below(side), below(side), below(side + 1)};   // some lie outside
     p->write({}, count, places);
     Case one = begin("gather_places", count, g, gather_places);
     one.generated = [=](const glift::Commands& commands) { cases::gather_places(commands, *f, *p, *g); };

@@ -23,10 +23,13 @@ std::vector<std::uint32_t> read_spirv(const std::string& path) {
 }
 
 std::size_t instructions_of(const std::vector<std::uint32_t>& spirv) {
-    spvtools::Optimizer optimizer(SPV_ENV_VULKAN_1_3);
+    // What `spirv-opt -O` does.
+    spvtools::Optimizer optimizer(SPV_ENV_UNIVERSAL_1_6);
     optimizer.RegisterPerformancePasses();
+    spvtools::OptimizerOptions options;
+    options.set_run_validator(false);   // it does not take scalar layout for granted
     std::vector<std::uint32_t> words;
-    if (!optimizer.Run(spirv.data(), spirv.size(), &words)) throw std::runtime_error("spirv-opt failed");
+    if (!optimizer.Run(spirv.data(), spirv.size(), &words, options)) throw std::runtime_error("spirv-opt failed");
     std::size_t count = 0;
     bool inside = false;
     for (std::size_t at = 5; at < words.size(); at += words[at] >> 16) {

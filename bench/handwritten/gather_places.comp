@@ -27,5 +27,7 @@ void main() {
     if (i >= count) return;
     uvec3 p = places[i];
     bool inside = all(lessThan(p, extent));
-    g[i] = inside ? f[spread(p.x) | (spread(p.y) << 1) | (spread(p.z) << 2)] : 0.0;
+    // Always a load, never a branch.
+    float value = f[inside ? spread(p.x) | (spread(p.y) << 1) | (spread(p.z) << 2) : 0u];
+    g[i] = inside ? value : 0.0;
 }

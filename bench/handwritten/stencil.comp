@@ -19,9 +19,13 @@ void main() {
     uvec2 p = gl_GlobalInvocationID.xy;
     if (any(greaterThanEqual(p, extent))) return;
     uint i = place(p.x, p.y);
-    float right = p.x + 1u < extent.x ? f[place(p.x + 1u, p.y)] : 0.0;
-    float left = p.x > 0u ? f[place(p.x - 1u, p.y)] : 0.0;
-    float below = p.y + 1u < extent.y ? f[place(p.x, p.y + 1u)] : 0.0;
-    float above = p.y > 0u ? f[place(p.x, p.y - 1u)] : 0.0;
-    g[i] = 0.25 * (right + left + below + above) - f[i];
+    bool has_right = p.x + 1u < extent.x, has_left = p.x > 0u, has_below = p.y + 1u < extent.y, has_above = p.y > 0u;
+    // Always a load, never a branch.
+    float right = f[has_right ? place(p.x + 1u, p.y) : i];
+    float left = f[has_left ? place(p.x - 1u, p.y) : i];
+    float below = f[has_below ? place(p.x, p.y + 1u) : i];
+    float above = f[has_above ? place(p.x, p.y - 1u) : i];
+    precise float value =
+        0.25 * ((has_right ? right : 0.0) + (has_left ? left : 0.0) + (has_below ? below : 0.0) + (has_above ? above : 0.0)) - f[i];
+    g[i] = value;
 }

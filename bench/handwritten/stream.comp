@@ -16,5 +16,6 @@ void main() {
     uint i = gl_GlobalInvocationID.y * (gl_NumWorkGroups.x * 256u) + gl_GlobalInvocationID.x;
     if (i >= count) return;
     ivec2 texel = ivec2(uvec2(i % width, i / width));
-    imageStore(g, texel, vec4(2.0 * texelFetch(f, texel, 0).x + 1.0));
+    precise float value = 2.0 * texelFetch(f, texel, 0).x + 1.0;   // no contraction: the same bits everywhere
+    imageStore(g, texel, vec4(value));
 }
