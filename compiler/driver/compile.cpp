@@ -4,6 +4,7 @@
 #include "driver/import_structs.h"
 #include "ir/print.h"
 #include "layout/layout.h"
+#include "lower/library.h"
 #include "lower/lower.h"
 #include "syntax/print.h"
 
@@ -69,6 +70,7 @@ Result compile(const Options& options, const FileSystem& files, Compilation& c) 
     if (stops_after(Stage::sema)) return result;
 
     c.lowered = lower::lower(c.program, c.diagnostics);
+    if (options.wants(Target::glsl)) c.lowered.libraries = lower::lower_libraries(c.program, c.diagnostics);
     clock.lap("lower");
     if (stops_after(Stage::lower) && options.dump != Stage::lower) return result;
 

@@ -74,15 +74,10 @@ void emit_shaders(const Options& options, const Compilation& c, std::uint32_t mo
 }
 
 /// Functions of the public structures, to include in shaders of one's own: `laplacian.Field.glsl`.
-void emit_libraries(const Options& options, const Compilation& c, std::uint32_t module, const std::string& base, std::vector<Output>& outputs) {
-    if (!options.wants(Target::glsl)) return;
-    // What can be reported of a structure was reported when the program itself was lowered.
-    Diagnostics repeated;
-    for (std::uint32_t structure : glsl::library_structures(c.program, module)) {
-        const ir::Structure& s = c.program.structures[structure];
-        outputs.push_back({base + "." + c.names[s.alias ? s.alias : s.name] + ".glsl",
-                           glsl::library_of(c.program, c.sources, structure, repeated)});
-    }
+void emit_libraries(const Compilation& c, std::uint32_t module, const std::string& base, std::vector<Output>& outputs) {
+    for (const ir::Library& library : c.lowered.libraries)
+        if (c.program.structures[library.structure].pub_module == module)
+            outputs.push_back({base + "." + library.name + ".glsl", glsl::library_of(c.program, c.sources, library)});
 }
 
 /// The kernels whose SPIR-V some output of the module holds.
@@ -123,7 +118,7 @@ std::vector<Output> emit(const Options& options, const Compilation& c) {
             outputs.push_back({base + ".glift.cpp", styled(options, std::move(written.source))});
         }
         emit_shaders(options, c, m, base, shaders, outputs);
-        emit_libraries(options, c, m, base, outputs);
+        emit_libraries(c, m, base, outputs);
         if (options.wants(Target::json))
             outputs.push_back({base + ".glift.json", json::reflection_of(c.program, c.lowered, c.sources, m)});
     }

@@ -48,8 +48,10 @@ struct PassParameter {
     std::uint32_t offset = 0;           ///< bytes, scalar layout; set by layout/
 };
 
+inline constexpr std::uint32_t no_kernel = 0xffffffffu;
+
 struct Pass {
-    std::uint32_t kernel = 0;           ///< Program::kernels
+    std::uint32_t kernel = no_kernel;   ///< Program::kernels; none: a function of a library
     Form form = Form::direct;
     bool exists = true;                 ///< false: nothing in this form differs from what cannot be had (a structure without memory, say)
     std::array<std::uint32_t, 3> group = {64, 1, 1};
@@ -78,10 +80,26 @@ struct Pass {
     bool exact = true;                  ///< calls no inexact intrinsic: devices agree bit for bit
 };
 
+/// A function for shaders that are not Glift's. Its body ends in `evaluate result`, or the function gives nothing.
+struct LibraryFunction {
+    std::string name;
+    TypeId result;
+    std::vector<LocalId> params;
+    Pass pass;                          ///< parameters are the structure's state, nothing computed from it
+};
+
+/// The functions of one public structure.
+struct Library {
+    std::uint32_t structure = 0;
+    std::string name;
+    std::vector<LibraryFunction> functions;
+};
+
 /// A program with its kernels lowered. passes[k] are the forms of Program::kernels[k].
 struct Lowered {
     struct Forms { Pass direct, general, wide; };
     std::vector<Forms> passes;
+    std::vector<Library> libraries;
 };
 
 }  // namespace gliftc::ir

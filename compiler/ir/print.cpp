@@ -84,7 +84,7 @@ std::string_view name_of(Combine combine) {
 class Printer {
 public:
     Printer(const Program& program, const Pass* pass, const Kernel* kernel = nullptr) : p(program), pass_(pass), kernel_(kernel) {
-        if (pass != nullptr) kernel_ = &program.kernels[pass->kernel];
+        if (pass != nullptr && pass->kernel != no_kernel) kernel_ = &program.kernels[pass->kernel];
     }
 
     std::string expr(ExprId id);

@@ -10,4 +10,7 @@ namespace gliftc::lower {
 /// (release statements) and marks affine translators.
 ir::Lowered lower(ir::Program& program, Diagnostics& diagnostics);
 
+/// One kernel as the body of a function that reaches the structures' state and memory by name: no dispatch, no range.
+ir::Pass lower_function(ir::Program& program, Diagnostics& diagnostics, const ir::Kernel& kernel);
+
 }  // namespace gliftc::lower

@@ -92,6 +92,25 @@ std::vector<StmtId> interior(Context& cx, Expander& checked, const std::vector<E
     return simplified(cx, std::move(body), facts);
 }
 
+/// The functions made for the pass; their bodies are added to `bodies`.
+void simplify_functions(Context& cx, std::vector<std::vector<StmtId>*>& bodies) {
+    for (auto& [key, function] : cx.instances) {
+        auto& body = cx.p.functions[function].body;
+        cx.params = cx.p.functions[function].params;
+        body = simplified(cx, std::move(body));
+        bodies.push_back(&body);
+    }
+}
+
+void check_whole([[maybe_unused]] const Context& cx) {
+#ifndef NDEBUG
+    for (const std::string& problem : validate(cx.p, cx.pass)) {
+        std::fprintf(stderr, "gliftc: lowering %s: %s\n", (*cx.p.names)[cx.kernel.name].c_str(), problem.c_str());
+        assert(false && "a lowered pass is not valid");
+    }
+#endif
+}
+
 Pass lowered(Program& program, Diagnostics& diagnostics, std::uint32_t kernel, Form form) {
     Pass pass;
     pass.kernel = kernel;
@@ -111,12 +130,7 @@ Pass lowered(Program& program, Diagnostics& diagnostics, std::uint32_t kernel, F
     pass.prologue = dispatch_prologue(cx);
 
     std::vector<std::vector<StmtId>*> bodies{&pass.prologue, &pass.body, &pass.interior_body};
-    for (auto& [key, function] : cx.instances) {
-        auto& body = program.functions[function].body;
-        cx.params = program.functions[function].params;
-        body = simplified(cx, std::move(body));
-        bodies.push_back(&body);
-    }
+    simplify_functions(cx, bodies);
     bodies.push_back(&holders);
     move_uniforms(cx, bodies);
     if (!holders.empty()) {
@@ -127,16 +141,27 @@ Pass lowered(Program& program, Diagnostics& diagnostics, std::uint32_t kernel, F
     }
     finish_images(pass);
     summarize(cx);
-#ifndef NDEBUG
-    for (const std::string& problem : validate(program, pass)) {
-        std::fprintf(stderr, "gliftc: lowering %s: %s\n", (*program.names)[cx.kernel.name].c_str(), problem.c_str());
-        assert(false && "a lowered pass is not valid");
-    }
-#endif
+    check_whole(cx);
     return pass;
 }
 
 }  // namespace
+
+Pass lower_function(Program& program, Diagnostics& diagnostics, const Kernel& kernel) {
+    Pass pass;
+    Context cx(program, kernel, pass, diagnostics);
+    choose_dispatch(cx);
+    Expander expander(cx, Guards::checked);
+    std::vector<StmtId> body = expander.kernel_body();
+    cx.traits.clear();
+    pass.body = simplified(cx, std::move(body));
+    std::vector<std::vector<StmtId>*> bodies{&pass.body};
+    simplify_functions(cx, bodies);
+    name_state(cx, bodies);
+    summarize(cx);
+    check_whole(cx);
+    return pass;
+}
 
 Lowered lower(Program& program, Diagnostics& diagnostics) {
     mark_affine(program);

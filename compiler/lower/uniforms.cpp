@@ -23,9 +23,12 @@ std::string word_for(BinaryOp op) {
     }
 }
 
+/// What becomes parameters: values that the host computes, or the state that they are computed from.
+enum class Lifted { values, state };
+
 class Uniforms {
 public:
-    explicit Uniforms(Context& context) : cx(context), numbers_(context) {}
+    Uniforms(Context& context, Lifted lifted) : cx(context), lifted_(lifted), numbers_(context) {}
 
     void collect(const std::vector<StmtId>& body);
     std::vector<StmtId> moved(const std::vector<StmtId>& body);
@@ -50,6 +53,7 @@ private:
     std::string unique(std::string name) const;
 
     Context& cx;
+    Lifted lifted_;
     Numbers numbers_;
     std::map<ValueNumber, std::uint32_t> leaves_;           ///< leaves that are used, and which of their components
     FlatMap<ExprId, bool> seen_;
@@ -90,6 +94,7 @@ std::uint32_t Uniforms::lanes_of(ExprId part) const {
 /// One component of a leaf of which no other is used: a parameter by itself.
 bool Uniforms::is_single(ExprId part) {
     const Expr& node = cx.p.exprs[part];
+    if (lifted_ == Lifted::state) return false;   // who fills in the state does not look at what is used of it
     if (node.op != Op::swizzle || !is_leaf(node.operands[0]) || cx.p.types.is_vector(node.type)) return false;
     return leaves_[numbers_.of(node.operands[0])] == lanes_of(part);
 }
@@ -126,6 +131,8 @@ void Uniforms::find(ExprId id) {
     if (is_lifted(id)) {
         ExprId whole = closed(id);
         if (is_part_of_leaf(whole)) leaves_[numbers_.of(base(whole))] |= lanes_of(whole);
+        else if (lifted_ == Lifted::state)
+            for (ExprId operand : cx.p.exprs[whole].operands) find(operand);
         return;
     }
     for (ExprId operand : cx.p.exprs[id].operands) find(operand);
@@ -223,8 +230,9 @@ ExprId Uniforms::parameter(ExprId value) {
 
 /// Whether a uniform value is neither a parameter nor a part of one: the shader computes it.
 bool Uniforms::is_kept(ExprId whole) {
+    if (cx.make.is_constant(whole) || is_part_of_leaf(whole)) return false;
     unsigned operations = 0;
-    return !cx.make.is_constant(whole) && !is_part_of_leaf(whole) && is_cheap(whole, operations);
+    return lifted_ == Lifted::state || is_cheap(whole, operations);
 }
 
 void Uniforms::count(ExprId id) {
@@ -306,12 +314,16 @@ std::vector<StmtId> Uniforms::moved(const std::vector<StmtId>& body) {
     return std::move(top_);
 }
 
-}  // namespace
-
-void move_uniforms(Context& cx, const std::vector<std::vector<StmtId>*>& bodies) {
-    Uniforms uniforms(cx);
+void rewrite(Context& cx, const std::vector<std::vector<StmtId>*>& bodies, Lifted lifted) {
+    Uniforms uniforms(cx, lifted);
     for (const auto* body : bodies) uniforms.collect(*body);
     for (auto* body : bodies) *body = uniforms.moved(*body);
 }
+
+}  // namespace
+
+void move_uniforms(Context& cx, const std::vector<std::vector<StmtId>*>& bodies) { rewrite(cx, bodies, Lifted::values); }
+
+void name_state(Context& cx, const std::vector<std::vector<StmtId>*>& bodies) { rewrite(cx, bodies, Lifted::state); }
 
 }  // namespace gliftc::lower

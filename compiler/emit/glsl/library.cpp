@@ -1,9 +1,7 @@
-// Each function is the body of a kernel made for it: the kernel is lowered like any other and printed as a function.
 #include "emit/glsl/library.h"
 
 #include "emit/glsl/printer.h"
 #include "ir/walk.h"
-#include "lower/lower.h"
 
 #include <algorithm>
 #include <cctype>
@@ -14,108 +12,6 @@ namespace gliftc::glsl {
 using namespace ir;
 
 namespace {
-
-/// A function to be: its kernel's body ends in `evaluate result`, or gives nothing.
-struct Wanted {
-    std::string name;
-    TypeId result;
-    std::vector<LocalId> params;
-};
-
-/// The kernels of a program that has no others.
-struct Kernels {
-    Program& program;
-    std::uint32_t structure;
-    std::string name;
-    LocalId address, value;
-    std::vector<Wanted> wanted;
-
-    ExprId use(LocalId id) {
-        Expr expr;
-        expr.op = Op::local;
-        expr.type = program.locals[id].type;
-        expr.local = id;
-        return program.exprs.add(std::move(expr));
-    }
-
-    ExprId make(Op op, TypeId type, ExprId operand) {
-        Expr expr;
-        expr.op = op;
-        expr.type = type;
-        expr.operands = {operand};
-        return program.exprs.add(std::move(expr));
-    }
-
-    LocalId local(const char* text, TypeId type) {
-        Local made;
-        made.name = program.names->intern(text);
-        made.type = type;
-        return program.locals.add(std::move(made));
-    }
-
-    KernelParam param(const std::string& text, Pattern pattern, Direction direction) {
-        KernelParam made;
-        made.name = program.names->intern(text);
-        made.pattern = pattern;
-        made.direction = direction;
-        made.structure = structure;
-        return made;
-    }
-
-    void add(Wanted function, KernelParam param_of_structure, Stmt body) {
-        Kernel kernel;
-        kernel.name = program.names->intern(function.name);
-        kernel.display = function.name;
-        kernel.params = {std::move(param_of_structure), param("at", Pattern::at, Direction::in)};
-        kernel.domain_type = program.structures[structure].domain_type;
-        kernel.body = {program.stmts.add(std::move(body))};
-        program.kernels.push_back(std::move(kernel));
-        wanted.push_back(std::move(function));
-    }
-
-    void add_value(const std::string& function, ExprId result) {
-        Stmt stmt;
-        stmt.op = StmtOp::evaluate;
-        stmt.value = result;
-        add({name + "_" + function, program.exprs[result].type, {address}}, param(name, Pattern::any, Direction::in), std::move(stmt));
-    }
-};
-
-bool is_partial(const Program& program, const Structure& s) {
-    return std::any_of(s.via.begin(), s.via.end(), [&](const Stage& stage) { return program.translators[stage.translator].properties.partial; });
-}
-
-void add_translate(Kernels& k) {
-    const Structure& s = k.program.structures[k.structure];
-    if (s.via.empty()) return;
-    TypeId physical = k.program.translators[s.via.back().translator].physical_type;
-    ExprId translated = k.make(Op::translate, k.program.types.optional(physical), k.use(k.address));
-    if (is_partial(k.program, s)) k.add_value("is_mapped", k.make(Op::has_value, k.program.types.bool_, translated));
-    k.add_value("translate", k.make(Op::value, physical, translated));
-}
-
-void add_write(Kernels& k) {
-    Stmt stmt;
-    stmt.op = StmtOp::write;
-    stmt.target = k.use(k.address);
-    stmt.value = k.use(k.value);
-    k.add({k.name + "_write", k.program.types.void_, {k.address, k.value}}, k.param(k.name, Pattern::scatter, Direction::out), std::move(stmt));
-}
-
-Kernels kernels_for(Program& program, std::uint32_t structure) {
-    const Structure& s = program.structures[structure];
-    Kernels k{program, structure, identifier((*program.names)[s.alias ? s.alias : s.name]), {}, {}, {}};
-    program.kernels.clear();
-    program.pipelines.clear();
-    program.tests.clear();
-    program.transfers.clear();
-    k.address = k.local("address", s.domain_type);
-    k.value = k.local("value", s.element);
-    add_translate(k);
-    k.add_value("read", k.make(Op::read, s.element, k.use(k.address)));
-    if (s.kind == StructureKind::stored) add_write(k);
-    return k;
-}
 
 /// The parameters that the function's body uses; the others belong to the dispatch that it does not have.
 std::vector<bool> used_parameters(const Program& program, const Pass& pass) {
@@ -174,7 +70,7 @@ void carry_over(const Printer& from, Printer& to) {
     to.enumerators = from.enumerators;
 }
 
-std::string print_function(Printer& p, const Wanted& wanted) {
+std::string print_function(Printer& p, const LibraryFunction& wanted, const std::string& name) {
     p.names.enter();
     std::string parameters;
     for (LocalId id : wanted.params) {
@@ -182,7 +78,7 @@ std::string print_function(Printer& p, const Wanted& wanted) {
         p.local_names[id] = p.names.declare((*p.program.names)[local.name]);
         parameters += (parameters.empty() ? "" : ", ") + declaration(p, local.type, p.local_names[id]);
     }
-    line(p, type_text(p, wanted.result) + " " + wanted.name + "(" + parameters + ") {");
+    line(p, type_text(p, wanted.result) + " " + name + "(" + parameters + ") {");
     p.indent = 1;
     for (StmtId id : p.pass.body) {
         const Stmt& stmt = p.program.stmts[id];
@@ -226,32 +122,19 @@ std::string macros_text(const std::string& macro) {
 
 }  // namespace
 
-std::vector<std::uint32_t> library_structures(const Program& program, std::uint32_t module) {
-    std::vector<std::uint32_t> found;
-    for (std::uint32_t i = 0; i < program.structures.size(); ++i) {
-        const Structure& s = program.structures[i];
-        if (s.is_pub && s.pub_module == module && s.kind != StructureKind::adaptor) found.push_back(i);
-    }
-    return found;
-}
-
-std::string library_of(const Program& original, const Sources& sources, std::uint32_t structure, Diagnostics& diagnostics) {
-    Program program = original;
-    Kernels kernels = kernels_for(program, structure);
-    Lowered lowered = lower::lower(program, diagnostics);
-    const std::string macro = upper_case(kernels.name);
-
+std::string library_of(const Program& program, const Sources& sources, const Library& library) {
+    const std::string name = identifier(library.name), macro = upper_case(name);
     Interface interface;
-    interface.all.push_constants = false;
-    for (const Wanted& function : kernels.wanted) interface.names.declare(function.name);
+    std::vector<std::string> names;
     std::vector<std::vector<std::string>> bindings, parameters;
-    for (const Lowered::Forms& forms : lowered.passes) {
-        std::vector<bool> used = used_parameters(program, forms.direct);
+    for (const LibraryFunction& function : library.functions) names.push_back(interface.names.declare(name + "_" + function.name));
+    for (const LibraryFunction& function : library.functions) {
+        std::vector<bool> used = used_parameters(program, function.pass);
         bindings.emplace_back();
         parameters.emplace_back();
-        for (const PassBinding& binding : forms.direct.bindings) bindings.back().push_back(interface.binding(binding));
+        for (const PassBinding& binding : function.pass.bindings) bindings.back().push_back(interface.binding(binding));
         for (std::size_t i = 0; i < used.size(); ++i)
-            parameters.back().push_back(used[i] ? interface.parameter(forms.direct.parameters[i]) : forms.direct.parameters[i].name);
+            parameters.back().push_back(used[i] ? interface.parameter(function.pass.parameters[i]) : function.pass.parameters[i].name);
     }
     for (PassBinding& binding : interface.all.bindings) binding.access = Access::read_write;
 
@@ -264,23 +147,22 @@ std::string library_of(const Program& original, const Sources& sources, std::uin
     for (const PassParameter& parameter : interface.all.parameters) all.parameter_names.push_back(parameter.name);
     name_structs(all);
     std::string functions;
-    for (std::size_t i = 0; i < kernels.wanted.size(); ++i) {
-        Pass pass = lowered.passes[i].direct;
-        for (PassBinding& binding : pass.bindings) binding.sampled = false;
-        Printer p(program, sources, pass, {});
+    for (std::size_t i = 0; i < library.functions.size(); ++i) {
+        const LibraryFunction& function = library.functions[i];
+        Printer p(program, sources, function.pass, {});
         carry_over(all, p);
         p.binding_names = bindings[i];
         p.parameter_names = parameters[i];
-        std::string text = callees_text(p) + print_function(p, kernels.wanted[i]);
-        bool writes = program.types.kind(kernels.wanted[i].result) == TypeKind::void_;
+        std::string text = callees_text(p) + print_function(p, function, names[i]);
+        bool writes = program.types.kind(function.result) == TypeKind::void_;
         functions += writes ? "#ifndef " + macro + "_READONLY\n" + text + "#endif\n" : text + "\n";
         carry_over(p, all);
     }
     std::string memories = memories_text(all, macro);
     replace_all(memories, ") buffer ", ") " + macro + "_ACCESS buffer ");
     replace_all(memories, ") uniform ", ") uniform " + macro + "_ACCESS ");
-    std::string state = state_text(all, kernels.name, macro), helpers = helper_definitions(all), structs = struct_definitions(all);
-    return "#ifndef GLIFT_" + macro + "\n#define GLIFT_" + macro + "\n" + heading(program, sources, structure, macro) + extensions_text(all) +
+    std::string state = state_text(all, name, macro), helpers = helper_definitions(all), structs = struct_definitions(all);
+    return "#ifndef GLIFT_" + macro + "\n#define GLIFT_" + macro + "\n" + heading(program, sources, library.structure, macro) + extensions_text(all) +
            macros_text(macro) + enumerators_text(all) + structs + state + memories + (memories.empty() ? "" : "\n") + helpers + functions + "#endif\n";
 }
 

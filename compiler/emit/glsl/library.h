@@ -1,17 +1,12 @@
 // GLSL functions of one structure, to include in a shader of one's own.
 #pragma once
 
-#include "diag/diagnostics.h"
 #include "ir/pass.h"
 #include "source/source.h"
 
 #include <string>
-#include <vector>
 
 namespace gliftc::glsl {
-
-/// The public structures of a module that have functions to offer: stored ones and views.
-std::vector<std::uint32_t> library_structures(const ir::Program& program, std::uint32_t module);
 
 /// Declarations of the structure's memories and state, and for a structure Field
 ///     float Field_read(uvec4 address);               the value there, or what unmapped addresses read as
@@ -20,6 +15,6 @@ std::vector<std::uint32_t> library_structures(const ir::Program& program, std::u
 /// FIELD_SET and FIELD_BINDING may be defined before: the state is at FIELD_BINDING, memory k at FIELD_BINDING + 1 + k.
 /// FIELD_STATE defined: the members of the state are declared by the user's shader, as push constants say. FIELD_READONLY
 /// defined: memories are readonly and there is no Field_write.
-std::string library_of(const ir::Program& program, const Sources& sources, std::uint32_t structure, Diagnostics& diagnostics);
+std::string library_of(const ir::Program& program, const Sources& sources, const ir::Library& library);
 
 }  // namespace gliftc::glsl

@@ -28,13 +28,8 @@ std::string library(const std::string& text) {
     compile(options, files, c);
     for (const Diagnostic& diagnostic : c.diagnostics.all()) ADD_FAILURE() << diagnostic.text;
     if (c.diagnostics.has_errors()) return "";
-    for (std::uint32_t m = 0; m < c.program.modules.size(); ++m) {
-        if (!c.program.modules[m].is_root) continue;
-        auto structures = glsl::library_structures(c.program, m);
-        EXPECT_EQ(structures.size(), 1u);
-        return structures.empty() ? "" : glsl::library_of(c.program, c.sources, structures[0], c.diagnostics);
-    }
-    return "";
+    EXPECT_EQ(c.lowered.libraries.size(), 1u);
+    return c.lowered.libraries.empty() ? "" : glsl::library_of(c.program, c.sources, c.lowered.libraries[0]);
 }
 
 void prove(const std::string& library, const std::string& before, const std::string& after) {
@@ -52,6 +47,13 @@ TEST(Library, OfAnArray) {
     prove(text, "#define FIELD_SET 2\n#define FIELD_BINDING 5\n#define FIELD_STATE\n#define FIELD_READONLY\n"
                 "layout(push_constant, scalar) uniform Mine { uvec3 Field_extent; };\nlayout(binding = 0) buffer Out { float result; };\n",
           "result = Field_read(id);\n");
+}
+
+// Who includes the functions fills in the state: it is what the structure was made with, nothing computed from it.
+TEST(Library, StateIsThatOfTheStructure) {
+    std::string text = library("module own;\nuse std.tiled;\npub structure Plane = Tiled<2, float, uint2(8, 8)>;\n");
+    EXPECT_THAT(text, HasSubstr("buffer Plane_state {\n    uvec2 Plane_extent;\n};"));
+    prove(text, "", "Plane_write(id.xy, Plane_read(id.yx));\n");
 }
 
 TEST(Library, OfAPartialMapping) {
