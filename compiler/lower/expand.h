@@ -91,6 +91,16 @@ private:
     // instances.cpp
     Pair call_instance(ir::FunctionId function, std::vector<Pair> arguments, Frame frame);
     ir::FunctionId instance(ir::FunctionId function, Frame frame);
+    bool sees_window(ir::FunctionId function);
+    /// Where the current element is, and what has been worked out about it.
+    struct Current {
+        LocalId address, in_range;
+        Block prelude;
+        std::unordered_map<std::uint32_t, Pair> centres;
+        std::unordered_map<std::uint32_t, ExprId> addresses;
+    };
+    Current enter_window(ir::Function& made);
+    void leave_window(ir::Function& made, Current outer);
 
     // translate.cpp
     Pair translated(const ir::Place& place, ExprId address, const std::string& name);
@@ -165,6 +175,7 @@ private:
     std::unordered_map<std::uint32_t, Pair> centres_;
     std::unordered_map<std::uint32_t, ExprId> addresses_;
     std::unordered_map<ir::FunctionId, bool> inlinable_;
+    std::unordered_map<ir::FunctionId, bool> windows_;
     std::unordered_map<StmtId, bool> returning_;
     unsigned depth_ = 0;
 };

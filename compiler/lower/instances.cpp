@@ -1,9 +1,23 @@
 // Functions that stay functions: one made for each set of places that it is called with.
 #include "lower/expand.h"
 
+#include "ir/walk.h"
+
 namespace gliftc::lower {
 
 using namespace ir;
+
+/// Whether the function reads around the current address, itself or by what it calls.
+bool Expander::sees_window(FunctionId function) {
+    if (auto found = windows_.find(function); found != windows_.end()) return found->second;
+    bool sees = false;
+    for_each_expression(p, p.functions[function].body, [&](ExprId id) {
+        const Expr& node = p.exprs[id];
+        sees = sees || node.op == Op::near || (node.op == Op::call && sees_window(node.function));
+    });
+    windows_.emplace(function, sees);
+    return sees;
+}
 
 Pair Expander::call_instance(FunctionId function, std::vector<Pair> arguments, Frame frame) {
     const Function& original = p.functions[function];
@@ -12,10 +26,35 @@ Pair Expander::call_instance(FunctionId function, std::vector<Pair> arguments, F
     call.type = original.result;
     for (std::size_t i = 0; i < arguments.size() && i < original.params.size(); ++i)
         call.operands.push_back(stored(arguments[i], p.locals[original.params[i]].type));
+    if (sees_window(function)) {
+        call.operands.push_back(make.local(cx.pass.address));
+        if (cx.kernel.grouped()) call.operands.push_back(make.local(cx.pass.in_range));
+    }
     call.function = instance(function, std::move(frame));
     ExprId result = p.exprs.add(std::move(call));
     if (p.types.kind(original.result) == TypeKind::optional) return of_optional(result);
     return {result, {}};
+}
+
+/// A function that sees a window is told where it stands, and works out the addresses there for itself.
+Expander::Current Expander::enter_window(Function& made) {
+    Current outer{cx.pass.address, cx.pass.in_range, std::move(prelude_), std::move(centres_), std::move(addresses_)};
+    cx.pass.address = cx.new_local("address", p.locals[outer.address].type, made.span);
+    made.params.push_back(cx.pass.address);
+    if (cx.kernel.grouped()) made.params.push_back(cx.pass.in_range = cx.new_local("in_range", p.types.bool_, made.span));
+    prelude_ = {};
+    centres_ = {};
+    addresses_ = {};
+    return outer;
+}
+
+void Expander::leave_window(Function& made, Current outer) {
+    made.body.insert(made.body.begin(), prelude_.begin(), prelude_.end());
+    cx.pass.address = outer.address;
+    cx.pass.in_range = outer.in_range;
+    prelude_ = std::move(outer.prelude);
+    centres_ = std::move(outer.centres);
+    addresses_ = std::move(outer.addresses);
 }
 
 FunctionId Expander::instance(FunctionId id, Frame frame) {
@@ -51,15 +90,10 @@ FunctionId Expander::instance(FunctionId id, Frame frame) {
         if (p.types.kind(local.type) == TypeKind::optional) value = of_optional(value.value);
         frame.locals[param] = value;
     }
-    Block body;
-    inside(std::move(frame), [&] {
-        Block* outer = out_;
-        out_ = &body;
-        expand_body(original.body);
-        out_ = outer;
-        return 0;
-    });
-    made.body = std::move(body);
+    bool is_window = sees_window(id);
+    Current outer = is_window ? enter_window(made) : Current{};
+    made.body = inside(std::move(frame), [&] { return collect([&] { expand_body(original.body); }); });
+    if (is_window) leave_window(made, std::move(outer));
     FunctionId result = p.functions.add(std::move(made));
     cx.instances.emplace(std::move(key), result);
     cx.made_functions.insert(result);

@@ -28,6 +28,7 @@ struct Symbol {
     ir::Place place;
     std::uint32_t structure = 0;
     std::uint32_t slot = 0;
+    std::uint32_t window = 0;        ///< structure: the radius that a function sees around the current address; 0: all of it
     bool used = false;
     bool warn_unused = false;
 };
@@ -45,6 +46,7 @@ struct Operand {
     ir::LocalId local;               ///< structure, in pipelines: where `place` starts
     std::uint32_t structure = 0;     ///< structure: its instance
     std::uint32_t slot = 0;          ///< memory: which; iterator: which kernel parameter
+    std::uint32_t window = 0;        ///< structure: as in Symbol
     bool is_slice = false;           ///< structure: `local` is a slice
 };
 

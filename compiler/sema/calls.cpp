@@ -42,7 +42,7 @@ CheckedArguments check_arguments(Body& body, const std::vector<ast::ExprId>& arg
                 const ir::KernelParam& param = body.kernel->params[operand.slot];
                 if (param.pattern != ir::Pattern::near && param.pattern != ir::Pattern::scatter)
                     operand = value_operand(body, to_value(body, operand), operand.span);
-                else operand.kind = OperandKind::structure, operand.place.root = operand.slot;
+                else operand.kind = OperandKind::structure, operand.place.root = operand.slot, operand.window = param.radius;
             }
             if (operand.kind == OperandKind::error) result.failed = true;
         }
@@ -97,6 +97,17 @@ std::unique_ptr<Env> match(Body& body, ast::DeclId id, const Env* owner, const s
     return env;
 }
 
+/// A function's window must lie within that of the kernel.
+bool fits_window(Body& body, const Env& env, const ast::Param& param, const Operand& argument) {
+    if (param.pattern != ast::Pattern::near) return true;
+    std::uint32_t radius = window_radius(body.context, env, param);
+    if (radius <= argument.window) return true;
+    Context& c = body.context;
+    note(c.error(Diag::window, argument.span, {c.text(param.name.name), std::to_string(radius)}), param.name.span,
+         "pass a parameter that the kernel declares as near<…, " + std::to_string(radius) + ">");
+    return false;
+}
+
 /// Finishes a call of a matched function: the waiting arguments, then the call node.
 Operand finish_call(Body& body, ast::DeclId id, const Env& env, CheckedArguments& arguments, const std::vector<ast::ExprId>& written,
                     const ast::Expr& call, const Operand* self) {
@@ -112,6 +123,7 @@ Operand finish_call(Body& body, ast::DeclId id, const Env& env, CheckedArguments
     for (std::size_t i = 0; i < written.size(); ++i) {
         Operand& operand = arguments.operands[i];
         if (operand.kind == OperandKind::structure) {
+            if (!fits_window(body, env, function.params[i], operand)) return error_operand(call.span);
             structures.push_back(operand.structure);
             places.push_back(operand.place);
             continue;

@@ -82,6 +82,7 @@ Operand symbol_operand(Body& body, Symbol& symbol, const ast::Expr& name) {
             operand.place = symbol.place;
             operand.structure = symbol.structure;
             operand.slot = symbol.slot;
+            operand.window = symbol.window;
             operand.local = symbol.local;
             return operand;
         case SymbolKind::state:

@@ -116,12 +116,15 @@ static void declare_params(Body& body, const std::vector<ast::Param>& params, ir
         if (!param.type) c.error(Diag::param_type, param.name.span, {c.text(param.name.name)});
         if (param.direction == ast::Direction::out || param.direction == ast::Direction::inout)
             c.error(Diag::function_out, param.direction_span);
+        bool seen = param.pattern == ast::Pattern::none || param.pattern == ast::Pattern::near || param.pattern == ast::Pattern::any;
+        if (!seen) c.error(Diag::function_pattern, param.pattern_span);
         if (c.types().kind(type) != ir::TypeKind::structure) {
             function.params.push_back(declare_local(body, param.name, type, false, false));
             continue;
         }
         Symbol symbol;
         symbol.kind = SymbolKind::structure;
+        if (param.pattern == ast::Pattern::near) symbol.window = window_radius(c, body.env, param);
         symbol.place.root = static_cast<std::uint32_t>(first_structure);
         symbol.structure = structures[first_structure++];
         declare(body, param.name, symbol);

@@ -17,6 +17,9 @@ std::optional<ir::FunctionId> instantiate_function(Context&, ast::DeclId, const 
 
 std::optional<std::uint32_t> instantiate_kernel(Context&, ast::DeclId, const Env&, Span use);
 
+/// The radius of a parameter `near<S, r>`; reports one that is missing or out of range.
+std::uint32_t window_radius(Context&, const Env&, const ast::Param&);
+
 /// `ranges`: for each parameter of pattern range, the structure instance passed (others 0). `owner`: an adaptor's instance.
 std::optional<std::uint32_t> instantiate_pipeline(Context&, ast::DeclId, const Env&, const std::vector<std::uint32_t>& structures,
                                                   std::optional<std::uint32_t> owner, Span use);

@@ -51,12 +51,23 @@ void check_direction(Context& c, const ast::Param& param, ir::KernelParam& made)
     }
 }
 
+}  // namespace
+
+std::uint32_t window_radius(Context& c, const Env& env, const ast::Param& param) {
+    if (param.extra.empty()) {
+        note(c.error(Diag::near_without_radius, param.pattern_span), param.pattern_span, "write near<S, 1> for a window of radius 1");
+        return 1;
+    }
+    auto radius = count_of(c, env, param.extra[0]);
+    if (radius && (*radius == 0 || *radius > 32)) c.error(Diag::radius_range, c[param.extra[0]].span, {std::to_string(*radius)});
+    return radius.value_or(1);
+}
+
+namespace {
+
 void check_extra(Context& c, const Env& env, const ast::Param& param, ir::KernelParam& made) {
     if (made.pattern == ir::Pattern::near) {
-        auto radius = param.extra.empty() ? std::optional<std::uint32_t>{} : count_of(c, env, param.extra[0]);
-        if (param.extra.empty()) note(c.error(Diag::near_without_radius, param.pattern_span), param.pattern_span, "write near<S, 1> for a window of radius 1");
-        if (radius && (*radius == 0 || *radius > 32)) c.error(Diag::radius_range, c[param.extra[0]].span, {std::to_string(*radius)});
-        made.radius = radius.value_or(1);
+        made.radius = window_radius(c, env, param);
         return;
     }
     if (made.pattern != ir::Pattern::scatter) {

@@ -146,16 +146,11 @@ Operand index_part(Body& body, ir::ExprId value, const ast::Expr& expr) {
     return value_operand(body, add(body.program(), ir::Op::index, part, expr.span, {value, index}), expr.span);
 }
 
-Operand index_iterator(Body& body, const Operand& left, const ast::Expr& expr) {
+/// `window[offset]`: the element at the current address and a constant offset.
+Operand index_window(Body& body, const Operand& window, std::uint32_t structure, const ast::Expr& expr) {
     Context& c = body.context;
-    const ir::KernelParam& param = body.kernel->params[left.slot];
-    const ir::Structure& structure = body.program().structures[param.structure];
-    if (param.pattern == ir::Pattern::scatter) {
-        note(c.error(Diag::scatter_read, expr.span, {c.text(param.name)}), param.span, "a scatter parameter is only written: name[address] = value");
-        return error_operand(expr.span);
-    }
-    if (param.pattern != ir::Pattern::near) return index_part(body, to_value(body, left), expr);
-    ir::TypeId offset_type = signed_address(body.types(), structure.domain_type);
+    ir::TypeId element = body.program().structures[structure].element;
+    ir::TypeId offset_type = signed_address(body.types(), body.program().structures[structure].domain_type);
     ir::ExprId offset;
     if (is_flexible(c, expr.operands[1])) {
         offset = check_value(body, expr.operands[1], body.types().int_);
@@ -165,9 +160,22 @@ Operand index_iterator(Body& body, const Operand& left, const ast::Expr& expr) {
         offset = check_value(body, expr.operands[1], offset_type);
     }
     if (is_error(body, offset)) return error_operand(expr.span);
-    ir::ExprId near = add(body.program(), ir::Op::near, structure.element, expr.span, {offset});
-    body.program().exprs[near].place.root = left.slot;
+    ir::ExprId near = add(body.program(), ir::Op::near, element, expr.span, {offset});
+    body.program().exprs[near].place = window.place;
     return value_operand(body, near, expr.span);
+}
+
+Operand index_iterator(Body& body, const Operand& left, const ast::Expr& expr) {
+    Context& c = body.context;
+    const ir::KernelParam& param = body.kernel->params[left.slot];
+    if (param.pattern == ir::Pattern::scatter) {
+        note(c.error(Diag::scatter_read, expr.span, {c.text(param.name)}), param.span, "a scatter parameter is only written: name[address] = value");
+        return error_operand(expr.span);
+    }
+    if (param.pattern != ir::Pattern::near) return index_part(body, to_value(body, left), expr);
+    Operand window = left;
+    window.place.root = left.slot;
+    return index_window(body, window, param.structure, expr);
 }
 
 }  // namespace
@@ -306,6 +314,7 @@ Operand check_index(Body& body, ast::ExprId id, ir::TypeId) {
             c.error(Diag::not_indexable, expr.span, {structure.display});
             return error_operand(expr.span);
         }
+        if (left.window) return index_window(body, left, left.structure, expr);
         ir::ExprId address = check_value(body, expr.operands[1], structure.domain_type);
         if (is_error(body, address)) return error_operand(expr.span);
         return value_operand(body, make_read(body, left, address, expr.span), expr.span);
