@@ -73,6 +73,10 @@ void Context::read_limits(const FeatureChain& features) {
     core = features.properties;
     instance->vk().vkGetPhysicalDeviceMemoryProperties(physical, &memory);
     timestamp_bits = queue_families(*instance, physical)[queue_family].timestampValidBits;
+    VkPhysicalDeviceVulkan12Properties v12 = {.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_PROPERTIES};
+    VkPhysicalDeviceProperties2 floats = {.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, .pNext = &v12};
+    instance->vk().vkGetPhysicalDeviceProperties2(physical, &floats);
+    float_controls = FloatControls::of(v12);
     if (!properties.push_descriptors) return;
     VkPhysicalDevicePushDescriptorPropertiesKHR push = {
         .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PUSH_DESCRIPTOR_PROPERTIES_KHR};

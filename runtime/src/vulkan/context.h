@@ -2,6 +2,7 @@
 #pragma once
 
 #include "features.h"
+#include "float_controls.h"
 
 #include <atomic>
 #include <memory>
@@ -50,6 +51,7 @@ public:
     VkPhysicalDeviceProperties core = {};
     VkPhysicalDeviceMemoryProperties memory = {};
     std::uint32_t max_push_descriptors = 0;
+    FloatControls float_controls;
     std::vector<const char*> extensions;
     std::atomic<bool> lost{false};
 

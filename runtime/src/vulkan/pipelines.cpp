@@ -210,9 +210,10 @@ void Pipelines::make_layout(Pipeline& pipeline) {
 }
 
 VkPipeline Pipelines::make_handle(const Pipeline& pipeline) {
+    const std::vector<std::uint32_t> code = with_float_controls(pipeline.form->spirv, context_.float_controls);
     const VkShaderModuleCreateInfo module_info = {.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
-                                                  .codeSize = pipeline.form->spirv.size_bytes(),
-                                                  .pCode = pipeline.form->spirv.data()};
+                                                  .codeSize = code.size() * sizeof(std::uint32_t),
+                                                  .pCode = code.data()};
     VkShaderModule module = VK_NULL_HANDLE;
     context_.check(context_.vk.vkCreateShaderModule(context_.device, &module_info, nullptr, &module),
                    "vkCreateShaderModule");

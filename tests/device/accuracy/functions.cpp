@@ -1,0 +1,47 @@
+#include "functions.h"
+
+namespace accuracy {
+
+namespace {
+
+double length(double x, double y, double z) { return std::sqrt(x * x + y * y + z * z); }
+
+const Exact exact[] = {
+    {"x + y", sums}, {"x - y", differences}, {"x * y", products}, {"x / y", quotients}, {"sqrt(x)", roots},
+    {"x * y + x", products_and_sums}, {"min(x, y)", smaller, Zero::either}, {"max(x, y)", larger, Zero::either}, {"floor(x)", floors},
+    {"fract(x)", fractions}, {"round(x)", rounded}, {"mix(x, y, 0.25)", mixed}, {"float(int(x))", through_int},
+    {"float(uint(x))", through_uint},
+};
+
+const Near near[] = {
+    {"exp", of_exp, [](double x, double) { return std::exp(x); }, -80, 80, 0, 128},
+    {"exp2", of_exp2, [](double x, double) { return std::exp2(x); }, -120, 120, 0, 64},
+    {"log", of_log, [](double x, double) { return std::log(x); }, 1e-30, 1e30, 1, 4},
+    {"log2", of_log2, [](double x, double) { return std::log2(x); }, 1e-30, 1e30, 1, 4},
+    {"pow", of_pow, [](double x, double y) { return std::pow(x, y); }, 0.01, 10, 0, 256},
+    {"sin", of_sin, [](double x, double) { return std::sin(x); }, -100, 100, 1, 128},
+    {"cos", of_cos, [](double x, double) { return std::cos(x); }, -100, 100, 1, 128},
+    {"tan", of_tan, [](double x, double) { return std::tan(x); }, -1.5, 1.5, 1, 256},
+    {"asin", of_asin, [](double x, double) { return std::asin(x); }, -1, 1, 1, 4096},
+    {"acos", of_acos, [](double x, double) { return std::acos(x); }, -1, 1, 1, 4096},
+    {"atan", of_atan, [](double x, double) { return std::atan(x); }, -1e6, 1e6, 1, 64},
+    {"atan2", of_atan2, [](double x, double y) { return std::atan2(y, x); }, -100, 100, 1, 64},
+    {"sinh", of_sinh, [](double x, double) { return std::sinh(x); }, -80, 80, 1, 128},
+    {"cosh", of_cosh, [](double x, double) { return std::cosh(x); }, -80, 80, 1, 128},
+    {"tanh", of_tanh, [](double x, double) { return std::tanh(x); }, -80, 80, 1, 16},
+    {"inversesqrt", of_inversesqrt, [](double x, double) { return 1 / std::sqrt(x); }, 1e-30, 1e30, 0, 4},
+    {"length", of_length, [](double x, double y) { return length(x, y, 1); }, -1e6, 1e6, 0, 8},
+    {"distance", of_distance, [](double x, double y) { return length(x - 1, 2 - y, -2); }, -1e6, 1e6, 0, 8},
+    {"normalize", of_normalize, [](double x, double y) { return x / length(x, y, 1); }, -1e6, 1e6, 1, 8},
+    {"dot", of_dot, [](double x, double y) { return x * y + 2 * y + x; }, -100, 100, 1e4, 4},
+    {"fma", of_fma, [](double x, double y) { return x * y + 1; }, -100, 100, 1e4, 2},
+    {"determinant", of_determinant, [](double x, double y) { return x * y - 6; }, -100, 100, 1e4, 2},
+    {"inverse", of_inverse, [](double x, double y) { return y / (x * y + 1); }, 1, 100, 0, 16},
+};
+
+}  // namespace
+
+std::span<const Exact> exact_functions() { return exact; }
+std::span<const Near> near_functions() { return near; }
+
+}  // namespace accuracy
