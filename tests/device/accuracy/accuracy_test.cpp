@@ -5,8 +5,10 @@
 
 #include <bit>
 #include <cstdlib>
+#include <fstream>
 #include <limits>
 #include <random>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -120,6 +122,18 @@ TEST_P(Function, IsWithinItsBound) {
         EXPECT_LE(worst, function.bound) << function.name << " of " << x[at] << ", " << y[at] << " on " << device.properties().name << ": " << got[at]
                                          << " and not " << function.exact(x[at], y[at]);
     }
+}
+
+/// `| exp | 64 | …` in docs/language.md.
+TEST_P(Function, HasItsBoundInTheDocs) {
+    std::ifstream file(GLIFT_LANGUAGE_MD);
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    const Near& function = GetParam();
+    std::ostringstream row;
+    row << "| `" << function.name << "` | " << function.from << " to " << function.to << " | " << function.bound << " | ";
+    if (function.least > 0) row << function.least;
+    else row << "the value";
+    EXPECT_NE(text.find(row.str() + " |"), std::string::npos) << row.str() << " | is not in " << GLIFT_LANGUAGE_MD;
 }
 
 template <class T> std::string name_of(const testing::TestParamInfo<T>& info) {
