@@ -50,6 +50,7 @@ private:
     std::vector<StmtId> rewrite(const std::vector<StmtId>& body);
     ExprId parameter(ExprId value);
     std::string name_of(ExprId id);
+    bool has_one_constant(ExprId id) const;
     std::string unique(std::string name) const;
 
     Context& cx;
@@ -162,6 +163,11 @@ bool Uniforms::is_cheap(ExprId id, unsigned& operations) {
     return is_cheap(node.operands[0], operations) && is_cheap(node.operands[1], operations);
 }
 
+bool Uniforms::has_one_constant(ExprId id) const {
+    const Expr& node = cx.p.exprs[id];
+    return node.op == Op::binary && cx.make.is_constant(node.operands[0]) != cx.make.is_constant(node.operands[1]);
+}
+
 std::string Uniforms::name_of(ExprId id) {
     if (const Name* found = cx.names.find(id)) return (*cx.p.names)[*found];
     const Expr& node = cx.p.exprs[id];
@@ -180,14 +186,18 @@ std::string Uniforms::name_of(ExprId id) {
     case Op::call: return text(cx.p.functions[node.function].name);
     default: break;  // named after what it is made of
     }
-    // s_extent_minus_1
-    if (node.op == Op::binary && cx.make.is_constant(node.operands[0]) != cx.make.is_constant(node.operands[1])) {
+    // s_extent_over_8, for (s_extent + 8 - 1) / 8 too
+    if (has_one_constant(id)) {
         bool is_first = cx.make.is_constant(node.operands[0]);
-        ExprId number = node.operands[is_first ? 0 : 1];
+        ExprId number = node.operands[is_first ? 0 : 1], value = node.operands[is_first ? 1 : 0];
+        while (!cx.names.find(value) && has_one_constant(value)) {
+            const Expr& inner = cx.p.exprs[value];
+            value = inner.operands[cx.make.is_constant(inner.operands[0]) ? 1 : 0];
+        }
         std::string word = word_for(node.binary);
         if (auto count = cx.make.bits_of(number); count && !cx.p.types.is_floating(cx.make.type(number)))
             word += "_" + std::to_string(*count);
-        return name_of(node.operands[is_first ? 1 : 0]) + "_" + word;
+        return name_of(value) + "_" + word;
     }
     std::string name;
     for (ExprId operand : node.operands)

@@ -5,6 +5,9 @@
 
 #include <glift/error.h>
 
+#include <algorithm>
+#include <cstring>
+
 namespace glift {
 
 using detail::check_range;
@@ -22,7 +25,38 @@ bool Commands::needs_general(const Kernel& kernel, std::span<const Memory> memor
     return stream_->needs_general(kernel, memories, size);
 }
 
-void Commands::dispatch(const Kernel& kernel, const Call& call) const { stream_->dispatch(kernel, call); }
+Commands Commands::specialised(std::vector<std::string> parameters) const {
+    Commands same = *this;
+    same.specialised_ = std::make_shared<const std::vector<std::string>>(std::move(parameters));
+    return same;
+}
+
+namespace {
+
+/// The words of the call's parameters that the names ask for.
+std::vector<FixedWord> fixed_words(const Kernel& kernel, const Call& call, const std::vector<std::string>& names) {
+    std::vector<FixedWord> words;
+    for (const Parameter& parameter : kernel.parameters) {
+        if (!names.empty() && std::find(names.begin(), names.end(), parameter.name) == names.end()) continue;
+        for (std::uint32_t at = parameter.offset; at + 4 <= parameter.offset + parameter.bytes; at += 4) {
+            if (at + 4 > call.parameters.size()) break;
+            FixedWord word{at, 0};
+            std::memcpy(&word.value, call.parameters.data() + at, 4);
+            words.push_back(word);
+        }
+    }
+    return words;
+}
+
+}  // namespace
+
+void Commands::dispatch(const Kernel& kernel, const Call& call) const {
+    if (!specialised_ || call.form != FormName::direct) return stream_->dispatch(kernel, call);
+    const std::vector<FixedWord> words = fixed_words(kernel, call, *specialised_);
+    Call special = call;
+    special.fixed = words;
+    stream_->dispatch(kernel, special);
+}
 
 void Commands::fill(const Memory& memory, std::uint64_t offset, std::uint64_t bytes, std::uint32_t value) const {
     check_range(stream_->device().get(), memory, offset, bytes, "Commands::fill");

@@ -212,6 +212,17 @@ std::string direct_condition(Unit& unit, const Kernel& kernel, const Pass& pass,
     return condition + " && !commands.needs_general(" + name + "_kernel, " + (pass.bindings.empty() ? "{}" : "memories") + ", iteration.size())";
 }
 
+/// What Commands::specialised can name.
+void print_parameters(Writer& out, const Pass& direct, const std::string& name) {
+    const std::string block = name + "_direct_parameters";
+    out.open("constexpr glift::Parameter " + name + "_parameters[] =");
+    for (const ir::PassParameter& parameter : direct.parameters) {
+        const std::string member = block + "::" + identifier(parameter.name);
+        out.line("{\"" + parameter.name + "\", " + std::to_string(parameter.offset) + ", sizeof(" + member + ")},");
+    }
+    out.close(";");
+}
+
 }  // namespace
 
 std::string parameters_of(const Globals& globals, const ir::Pass& pass, const std::string& name) {
@@ -274,6 +285,8 @@ void print_kernel_code(Unit& unit, Writer& out, std::uint32_t index) {
     }
     const Words words = print_code(unit, out, index, name);
     print_bindings(unit, out, forms, kernel, name);
+    const bool has_parameters = forms.direct.exists && !forms.direct.parameters.empty();
+    if (has_parameters) print_parameters(out, forms.direct, name);
     const Pass& any = forms.general.exists ? forms.general : forms.direct;
     const std::string place = place_text(unit.sources, kernel.span);
     const std::size_t colon = place.rfind(':');
@@ -288,6 +301,7 @@ void print_kernel_code(Unit& unit, Writer& out, std::uint32_t index) {
     out.line(".direct = " + (forms.direct.exists ? form_text(forms.direct, words.direct, direct) : "{}") + ",");
     out.line(".general = " + (forms.general.exists ? form_text(forms.general, words.general, general) : "{}") + ",");
     out.line(".wide = " + (words.wide.empty() ? "{}" : form_text(forms.wide, words.wide, "")) + ",");
+    if (has_parameters) out.line(".parameters = " + name + "_parameters,");
     out.close(";");
 }
 

@@ -15,6 +15,8 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
+#include <vector>
 
 namespace glift {
 
@@ -90,6 +92,12 @@ public:
 
     void dispatch(const Kernel& kernel, const Call& call) const;
 
+    /// The same stream, whose kernels take the values of these parameters (as named in the generated GLSL, `f_extent`; none:
+    /// of all) as constants of their pipelines: what Vulkan calls specialisation. Each set of values makes a pipeline,
+    /// which costs milliseconds the first time: for values that stay. Results are the same. Calls that do not take the
+    /// direct form, and the host device, use the values as they are.
+    Commands specialised(std::vector<std::string> parameters = {}) const;
+
     void fill(const Memory& memory, std::uint64_t offset, std::uint64_t bytes, std::uint32_t value = 0) const;   ///< multiples of 4
 
     /// Between buffers. Source and target may be one memory if no region's source overlaps any region's target.
@@ -120,6 +128,7 @@ public:
 
 private:
     std::shared_ptr<detail::Stream> stream_;
+    std::shared_ptr<const std::vector<std::string>> specialised_;   ///< null: nothing is
 };
 
 }  // namespace glift

@@ -79,6 +79,12 @@ struct Form {
                                              ///< UINT32_MAX: none, iterations beyond the device's limits are refused
 };
 
+/// A parameter of a kernel's direct form, by the name it has in the generated GLSL.
+struct Parameter {
+    const char* name;
+    std::uint32_t offset, bytes;
+};
+
 /// A kernel is static data: the runtime keeps pipelines by its address. The entry point is `main`.
 ///
 /// How the iteration size maps to workgroups:
@@ -102,6 +108,7 @@ struct Kernel {
                                              ///< should count its rounds and report (below)
     std::span<const Binding> bindings;
     Form direct, general, wide;
+    std::span<const Parameter> parameters = {};   ///< what Commands::specialised can fix
     std::uint32_t items = 1;                 ///< elements along x that one invocation takes
     bool reports = false;                    ///< has a StatusRecord: a storage buffer (scalar layout) at binding
                                              ///< bindings.size() + 1 in every form
@@ -120,10 +127,11 @@ struct Patch {
     std::uint32_t offset;          ///< byte offset in the parameters, a multiple of 4
 };
 
-/// A 32-bit specialisation constant. Each set of values is a pipeline of its own.
-struct SpecialisationConstant {
-    std::uint32_t id;
-    std::uint32_t value;
+/// Four bytes of the direct form's parameters that are constants of the pipeline. Each set of values is a pipeline of its own.
+struct FixedWord {
+    std::uint32_t offset;          ///< in bytes, a multiple of 4
+    std::uint32_t value;           ///< what the call's parameters hold there
+    bool operator==(const FixedWord&) const = default;
 };
 
 enum class FormName : std::uint8_t { direct, general };   ///< wide is chosen by the runtime in place of general
@@ -135,7 +143,7 @@ struct Call {
     std::span<const std::byte> parameters;   ///< the block of the named form, size included
     std::array<std::uint32_t, 4> size;       ///< host-known iteration size; where patches set it, an upper bound
     std::span<const Patch> patches = {};     ///< non-empty: the general form
-    std::span<const SpecialisationConstant> constants = {};   ///< ignored on the host device
+    std::span<const FixedWord> fixed = {};   ///< of the direct form; ignored on the host device
 };
 
 }  // namespace glift

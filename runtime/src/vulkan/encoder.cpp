@@ -215,7 +215,7 @@ Slice Encoder::prepare(const Pipeline& pipeline, const Call& call, const Slice& 
 void Encoder::dispatch(const Kernel& kernel, const Call& call) {
     check_call(&device_, kernel, call);
     const CompiledForm form = choose(kernel, call);
-    const Pipeline& pipeline = device_.pipelines().get(kernel, form, call.constants);
+    const Pipeline& pipeline = device_.pipelines().get(kernel, form, call.fixed);
     Groups groups = count_groups(kernel, call.size);
     if (groups.none()) return;
     ++batch_->operations;

@@ -3,6 +3,8 @@
 #include "../report.h"
 #include "../text.h"
 #include "disk_cache.h"
+#include "fixed_parameters.h"
+#include "float_controls.h"
 
 #include <glift/error.h>
 
@@ -86,20 +88,16 @@ void Pipelines::destroy(Pipeline& pipeline) {
     context_.vk.vkDestroyDescriptorSetLayout(context_.device, pipeline.set_layout, nullptr);
 }
 
-Pipeline& Pipelines::find(const Kernel& kernel, CompiledForm form, std::span<const SpecialisationConstant> constants) {
-    const auto same = [](const SpecialisationConstant& a, const SpecialisationConstant& b) {
-        return a.id == b.id && a.value == b.value;
-    };
+Pipeline& Pipelines::find(const Kernel& kernel, CompiledForm form, std::span<const FixedWord> fixed) {
     for (std::size_t at = hash(&kernel, form);; ++at) {
         const Entry& entry = table_[at & (table_.size() - 1)];
         if (!entry.kernel) break;
-        if (entry.kernel == &kernel && entry.form == form && entry.plain == constants.empty() &&
-            std::equal(constants.begin(), constants.end(), entry.pipeline->constants.begin(),
-                       entry.pipeline->constants.end(), same)) {
+        if (entry.kernel == &kernel && entry.form == form && entry.plain == fixed.empty() &&
+            std::ranges::equal(fixed, entry.pipeline->fixed)) {
             return *entry.pipeline;
         }
     }
-    std::unique_ptr<Pipeline> made = make(kernel, form, constants);
+    std::unique_ptr<Pipeline> made = make(kernel, form, fixed);
     all_.push_back(std::move(made));
     if (all_.size() * 2 > table_.size()) {
         table_.assign(table_.size() * 2, {});
@@ -113,11 +111,11 @@ Pipeline& Pipelines::find(const Kernel& kernel, CompiledForm form, std::span<con
 void Pipelines::insert(Pipeline* pipeline) {
     std::size_t at = hash(pipeline->kernel, pipeline->name);
     while (table_[at & (table_.size() - 1)].kernel) ++at;
-    table_[at & (table_.size() - 1)] = {pipeline->kernel, pipeline, pipeline->name, pipeline->constants.empty()};
+    table_[at & (table_.size() - 1)] = {pipeline->kernel, pipeline, pipeline->name, pipeline->fixed.empty()};
 }
 
 std::unique_ptr<Pipeline> Pipelines::make(const Kernel& kernel, CompiledForm form,
-                                          std::span<const SpecialisationConstant> constants) {
+                                          std::span<const FixedWord> fixed) {
     const Form& compiled = form_of(kernel, form);
     if (compiled.spirv.empty()) throw_missing_form(kernel, form_text(form), context_.properties.name.c_str());
     check_limits(context_, kernel, compiled);
@@ -125,7 +123,7 @@ std::unique_ptr<Pipeline> Pipelines::make(const Kernel& kernel, CompiledForm for
     pipeline->kernel = &kernel;
     pipeline->form = &compiled;
     pipeline->name = form;
-    pipeline->constants.assign(constants.begin(), constants.end());
+    pipeline->fixed.assign(fixed.begin(), fixed.end());
     if (kernel.reports) {
         const auto known = std::find(reporting_.begin(), reporting_.end(), &kernel);
         pipeline->status_slot = static_cast<std::uint32_t>(known - reporting_.begin());
@@ -210,7 +208,8 @@ void Pipelines::make_layout(Pipeline& pipeline) {
 }
 
 VkPipeline Pipelines::make_handle(const Pipeline& pipeline) {
-    const std::vector<std::uint32_t> code = with_float_controls(pipeline.form->spirv, context_.float_controls);
+    const std::vector<std::uint32_t> code =
+        with_fixed_parameters(with_float_controls(pipeline.form->spirv, context_.float_controls), pipeline.fixed);
     const VkShaderModuleCreateInfo module_info = {.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
                                                   .codeSize = code.size() * sizeof(std::uint32_t),
                                                   .pCode = code.data()};
@@ -218,17 +217,9 @@ VkPipeline Pipelines::make_handle(const Pipeline& pipeline) {
     context_.check(context_.vk.vkCreateShaderModule(context_.device, &module_info, nullptr, &module),
                    "vkCreateShaderModule");
     // Generated shaders correct / and sqrt of floats unless the device's own are correctly rounded: those of CPUs are.
-    std::vector<SpecialisationConstant> constants = pipeline.constants;
-    constants.push_back({exact_division_constant, context_.properties.kind == DeviceKind::cpu ? 1u : 0u});
-    std::vector<VkSpecializationMapEntry> entries;
-    for (std::size_t k = 0; k < constants.size(); ++k) {
-        entries.push_back({constants[k].id,
-                           static_cast<std::uint32_t>(k * sizeof(SpecialisationConstant) +
-                                                      offsetof(SpecialisationConstant, value)),
-                           sizeof(std::uint32_t)});
-    }
-    const VkSpecializationInfo special = {static_cast<std::uint32_t>(entries.size()), entries.data(),
-                                          constants.size() * sizeof(SpecialisationConstant), constants.data()};
+    const VkBool32 exact_division = context_.properties.kind == DeviceKind::cpu;
+    const VkSpecializationMapEntry entry = {exact_division_constant, 0, sizeof exact_division};
+    const VkSpecializationInfo special = {1, &entry, sizeof exact_division, &exact_division};
     const VkComputePipelineCreateInfo info = {
         .sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO,
         .stage = {.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,

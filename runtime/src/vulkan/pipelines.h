@@ -1,4 +1,4 @@
-// Compiled passes: one pipeline for each kernel, form and set of specialisation constants.
+// Compiled passes: one pipeline for each kernel, form and set of fixed parameters.
 #pragma once
 
 #include "context.h"
@@ -18,7 +18,7 @@ struct Pipeline {
     const Kernel* kernel = nullptr;
     const Form* form = nullptr;
     CompiledForm name = CompiledForm::direct;
-    std::vector<SpecialisationConstant> constants;
+    std::vector<FixedWord> fixed;
     VkPipeline handle = VK_NULL_HANDLE;
     VkPipelineLayout layout = VK_NULL_HANDLE;
     VkDescriptorSetLayout set_layout = VK_NULL_HANDLE;
@@ -44,12 +44,12 @@ public:
     ~Pipelines();
 
     /// Throws missing_form, loop_limit, too_large.
-    Pipeline& get(const Kernel& kernel, CompiledForm form, std::span<const SpecialisationConstant> constants) {
-        if (constants.empty()) {
+    Pipeline& get(const Kernel& kernel, CompiledForm form, std::span<const FixedWord> fixed) {
+        if (fixed.empty()) {
             const Entry& entry = table_[hash(&kernel, form) & (table_.size() - 1)];
             if (entry.kernel == &kernel && entry.form == form && entry.plain) return *entry.pipeline;
         }
-        return find(kernel, form, constants);
+        return find(kernel, form, fixed);
     }
 
     VkSampler sampler(Sampler sampler);
@@ -63,7 +63,7 @@ private:
         const Kernel* kernel = nullptr;
         Pipeline* pipeline = nullptr;
         CompiledForm form = CompiledForm::direct;
-        bool plain = true;   ///< without specialisation constants
+        bool plain = true;   ///< nothing is fixed
     };
 
     static std::size_t hash(const Kernel* kernel, CompiledForm form) {
@@ -71,9 +71,9 @@ private:
         return (bits * 0x9E3779B97F4A7C15u) >> 20;
     }
 
-    Pipeline& find(const Kernel& kernel, CompiledForm form, std::span<const SpecialisationConstant> constants);
+    Pipeline& find(const Kernel& kernel, CompiledForm form, std::span<const FixedWord> fixed);
     std::unique_ptr<Pipeline> make(const Kernel& kernel, CompiledForm form,
-                                   std::span<const SpecialisationConstant> constants);
+                                   std::span<const FixedWord> fixed);
     void make_layout(Pipeline& pipeline);
     VkPipeline make_handle(const Pipeline& pipeline);
     void destroy(Pipeline& pipeline);

@@ -222,6 +222,10 @@ const glift::Binding control_flow_bindings[] = {
     {.name = "f.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 24},
     {.name = "n.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 32},
 };
+constexpr glift::Parameter control_flow_parameters[] = {
+    {"a_extent", 0, sizeof(control_flow_direct_parameters::a_extent)},
+    {"mode_value_0", 4, sizeof(control_flow_direct_parameters::mode_value_0)},
+};
 const glift::Kernel control_flow_kernel = {
     .name = "control_flow",
     .file = "control_flow.glift",
@@ -233,6 +237,7 @@ const glift::Kernel control_flow_kernel = {
     .direct = {.host = &control_flow_direct, .parameter_bytes = 8, .push_constants = true},
     .general = {.host = &control_flow_general, .parameter_bytes = 20},
     .wide = {},
+    .parameters = control_flow_parameters,
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -304,6 +309,9 @@ const glift::Binding read_box_bindings[] = {
     {.name = "from.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 16},
     {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 24},
 };
+constexpr glift::Parameter read_box_parameters[] = {
+    {"from_extent", 0, sizeof(read_box_direct_parameters::from_extent)},
+};
 const glift::Kernel read_box_kernel = {
     .name = "read_box",
     .file = "transfer.glift",
@@ -315,6 +323,7 @@ const glift::Kernel read_box_kernel = {
     .direct = {.host = &read_box_direct, .parameter_bytes = 4, .push_constants = true},
     .general = {.host = &read_box_general, .parameter_bytes = 12},
     .wide = {},
+    .parameters = read_box_parameters,
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -386,6 +395,9 @@ const glift::Binding write_box_bindings[] = {
     {.name = "from.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 16},
     {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 24},
 };
+constexpr glift::Parameter write_box_parameters[] = {
+    {"from_extent", 0, sizeof(write_box_direct_parameters::from_extent)},
+};
 const glift::Kernel write_box_kernel = {
     .name = "write_box",
     .file = "transfer.glift",
@@ -397,6 +409,7 @@ const glift::Kernel write_box_kernel = {
     .direct = {.host = &write_box_direct, .parameter_bytes = 4, .push_constants = true},
     .general = {.host = &write_box_general, .parameter_bytes = 12},
     .wide = {},
+    .parameters = write_box_parameters,
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -466,6 +479,10 @@ static void fill_box_general(const glift::HostCall& call) {
 const glift::Binding fill_box_bindings[] = {
     {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 16},
 };
+constexpr glift::Parameter fill_box_parameters[] = {
+    {"to_extent", 0, sizeof(fill_box_direct_parameters::to_extent)},
+    {"value", 4, sizeof(fill_box_direct_parameters::value)},
+};
 const glift::Kernel fill_box_kernel = {
     .name = "fill_box",
     .file = "transfer.glift",
@@ -477,6 +494,7 @@ const glift::Kernel fill_box_kernel = {
     .direct = {.host = &fill_box_direct, .parameter_bytes = 8, .push_constants = true},
     .general = {.host = &fill_box_general, .parameter_bytes = 12},
     .wide = {},
+    .parameters = fill_box_parameters,
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -548,6 +566,9 @@ const glift::Binding read_box_2_bindings[] = {
     {.name = "from.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 16},
     {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 24},
 };
+constexpr glift::Parameter read_box_2_parameters[] = {
+    {"from_extent", 0, sizeof(read_box_2_direct_parameters::from_extent)},
+};
 const glift::Kernel read_box_2_kernel = {
     .name = "read_box",
     .file = "transfer.glift",
@@ -559,6 +580,7 @@ const glift::Kernel read_box_2_kernel = {
     .direct = {.host = &read_box_2_direct, .parameter_bytes = 4, .push_constants = true},
     .general = {.host = &read_box_2_general, .parameter_bytes = 12},
     .wide = {},
+    .parameters = read_box_2_parameters,
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -630,6 +652,9 @@ const glift::Binding write_box_2_bindings[] = {
     {.name = "from.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 16},
     {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 24},
 };
+constexpr glift::Parameter write_box_2_parameters[] = {
+    {"from_extent", 0, sizeof(write_box_2_direct_parameters::from_extent)},
+};
 const glift::Kernel write_box_2_kernel = {
     .name = "write_box",
     .file = "transfer.glift",
@@ -641,6 +666,7 @@ const glift::Kernel write_box_2_kernel = {
     .direct = {.host = &write_box_2_direct, .parameter_bytes = 4, .push_constants = true},
     .general = {.host = &write_box_2_general, .parameter_bytes = 12},
     .wide = {},
+    .parameters = write_box_2_parameters,
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -710,6 +736,10 @@ static void fill_box_2_general(const glift::HostCall& call) {
 const glift::Binding fill_box_2_bindings[] = {
     {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 16},
 };
+constexpr glift::Parameter fill_box_2_parameters[] = {
+    {"to_extent", 0, sizeof(fill_box_2_direct_parameters::to_extent)},
+    {"value", 4, sizeof(fill_box_2_direct_parameters::value)},
+};
 const glift::Kernel fill_box_2_kernel = {
     .name = "fill_box",
     .file = "transfer.glift",
@@ -721,6 +751,7 @@ const glift::Kernel fill_box_2_kernel = {
     .direct = {.host = &fill_box_2_direct, .parameter_bytes = 8, .push_constants = true},
     .general = {.host = &fill_box_2_general, .parameter_bytes = 12},
     .wide = {},
+    .parameters = fill_box_2_parameters,
 };
 
 void read_box(const glift::Commands& commands, const glift::Range<Line>& from, const glift::Range<Box_1_float>& to) {

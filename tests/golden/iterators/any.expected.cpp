@@ -159,6 +159,10 @@ const glift::Binding gather_bindings[] = {
     {.name = "values.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 24},
     {.name = "g.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 32},
 };
+constexpr glift::Parameter gather_parameters[] = {
+    {"index_extent", 0, sizeof(gather_direct_parameters::index_extent)},
+    {"values_extent", 4, sizeof(gather_direct_parameters::values_extent)},
+};
 const glift::Kernel gather_kernel = {
     .name = "gather",
     .file = "any.glift",
@@ -170,6 +174,7 @@ const glift::Kernel gather_kernel = {
     .direct = {.host = &gather_direct, .parameter_bytes = 8, .push_constants = true},
     .general = {.host = &gather_general, .parameter_bytes = 16},
     .wide = {},
+    .parameters = gather_parameters,
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -241,6 +246,9 @@ const glift::Binding read_box_bindings[] = {
     {.name = "from.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 16},
     {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 24},
 };
+constexpr glift::Parameter read_box_parameters[] = {
+    {"from_extent", 0, sizeof(read_box_direct_parameters::from_extent)},
+};
 const glift::Kernel read_box_kernel = {
     .name = "read_box",
     .file = "transfer.glift",
@@ -252,6 +260,7 @@ const glift::Kernel read_box_kernel = {
     .direct = {.host = &read_box_direct, .parameter_bytes = 4, .push_constants = true},
     .general = {.host = &read_box_general, .parameter_bytes = 12},
     .wide = {},
+    .parameters = read_box_parameters,
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -323,6 +332,9 @@ const glift::Binding write_box_bindings[] = {
     {.name = "from.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 16},
     {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 24},
 };
+constexpr glift::Parameter write_box_parameters[] = {
+    {"from_extent", 0, sizeof(write_box_direct_parameters::from_extent)},
+};
 const glift::Kernel write_box_kernel = {
     .name = "write_box",
     .file = "transfer.glift",
@@ -334,6 +346,7 @@ const glift::Kernel write_box_kernel = {
     .direct = {.host = &write_box_direct, .parameter_bytes = 4, .push_constants = true},
     .general = {.host = &write_box_general, .parameter_bytes = 12},
     .wide = {},
+    .parameters = write_box_parameters,
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -403,6 +416,10 @@ static void fill_box_general(const glift::HostCall& call) {
 const glift::Binding fill_box_bindings[] = {
     {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 16},
 };
+constexpr glift::Parameter fill_box_parameters[] = {
+    {"to_extent", 0, sizeof(fill_box_direct_parameters::to_extent)},
+    {"value", 4, sizeof(fill_box_direct_parameters::value)},
+};
 const glift::Kernel fill_box_kernel = {
     .name = "fill_box",
     .file = "transfer.glift",
@@ -414,6 +431,7 @@ const glift::Kernel fill_box_kernel = {
     .direct = {.host = &fill_box_direct, .parameter_bytes = 8, .push_constants = true},
     .general = {.host = &fill_box_general, .parameter_bytes = 12},
     .wide = {},
+    .parameters = fill_box_parameters,
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -485,6 +503,9 @@ const glift::Binding read_box_2_bindings[] = {
     {.name = "from.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 16},
     {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 24},
 };
+constexpr glift::Parameter read_box_2_parameters[] = {
+    {"from_extent", 0, sizeof(read_box_2_direct_parameters::from_extent)},
+};
 const glift::Kernel read_box_2_kernel = {
     .name = "read_box",
     .file = "transfer.glift",
@@ -496,6 +517,7 @@ const glift::Kernel read_box_2_kernel = {
     .direct = {.host = &read_box_2_direct, .parameter_bytes = 4, .push_constants = true},
     .general = {.host = &read_box_2_general, .parameter_bytes = 12},
     .wide = {},
+    .parameters = read_box_2_parameters,
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -567,6 +589,9 @@ const glift::Binding write_box_2_bindings[] = {
     {.name = "from.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 16},
     {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 24},
 };
+constexpr glift::Parameter write_box_2_parameters[] = {
+    {"from_extent", 0, sizeof(write_box_2_direct_parameters::from_extent)},
+};
 const glift::Kernel write_box_2_kernel = {
     .name = "write_box",
     .file = "transfer.glift",
@@ -578,6 +603,7 @@ const glift::Kernel write_box_2_kernel = {
     .direct = {.host = &write_box_2_direct, .parameter_bytes = 4, .push_constants = true},
     .general = {.host = &write_box_2_general, .parameter_bytes = 12},
     .wide = {},
+    .parameters = write_box_2_parameters,
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -647,6 +673,10 @@ static void fill_box_2_general(const glift::HostCall& call) {
 const glift::Binding fill_box_2_bindings[] = {
     {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 16},
 };
+constexpr glift::Parameter fill_box_2_parameters[] = {
+    {"to_extent", 0, sizeof(fill_box_2_direct_parameters::to_extent)},
+    {"value", 4, sizeof(fill_box_2_direct_parameters::value)},
+};
 const glift::Kernel fill_box_2_kernel = {
     .name = "fill_box",
     .file = "transfer.glift",
@@ -658,6 +688,7 @@ const glift::Kernel fill_box_2_kernel = {
     .direct = {.host = &fill_box_2_direct, .parameter_bytes = 8, .push_constants = true},
     .general = {.host = &fill_box_2_general, .parameter_bytes = 12},
     .wide = {},
+    .parameters = fill_box_2_parameters,
 };
 
 void read_box(const glift::Commands& commands, const glift::Range<Values>& from, const glift::Range<Box_1_float>& to) {

@@ -276,6 +276,9 @@ const glift::Binding smooth_bindings[] = {
     {.name = "f.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 64},
     {.name = "g.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 72},
 };
+constexpr glift::Parameter smooth_parameters[] = {
+    {"f_extent", 0, sizeof(smooth_direct_parameters::f_extent)},
+};
 const glift::Kernel smooth_kernel = {
     .name = "smooth",
     .file = "near.glift",
@@ -287,6 +290,7 @@ const glift::Kernel smooth_kernel = {
     .direct = {.host = &smooth_direct, .parameter_bytes = 12, .push_constants = true},
     .general = {.host = &smooth_general, .parameter_bytes = 60},
     .wide = {},
+    .parameters = smooth_parameters,
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -377,6 +381,10 @@ const glift::Binding read_box_bindings[] = {
     {.name = "from.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 64},
     {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 72},
 };
+constexpr glift::Parameter read_box_parameters[] = {
+    {"from_extent", 0, sizeof(read_box_direct_parameters::from_extent)},
+    {"to_extent", 12, sizeof(read_box_direct_parameters::to_extent)},
+};
 const glift::Kernel read_box_kernel = {
     .name = "read_box",
     .file = "transfer.glift",
@@ -388,6 +396,7 @@ const glift::Kernel read_box_kernel = {
     .direct = {.host = &read_box_direct, .parameter_bytes = 24, .push_constants = true},
     .general = {.host = &read_box_general, .parameter_bytes = 60},
     .wide = {},
+    .parameters = read_box_parameters,
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -478,6 +487,10 @@ const glift::Binding write_box_bindings[] = {
     {.name = "from.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 64},
     {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 72},
 };
+constexpr glift::Parameter write_box_parameters[] = {
+    {"from_extent", 0, sizeof(write_box_direct_parameters::from_extent)},
+    {"to_extent", 12, sizeof(write_box_direct_parameters::to_extent)},
+};
 const glift::Kernel write_box_kernel = {
     .name = "write_box",
     .file = "transfer.glift",
@@ -489,6 +502,7 @@ const glift::Kernel write_box_kernel = {
     .direct = {.host = &write_box_direct, .parameter_bytes = 24, .push_constants = true},
     .general = {.host = &write_box_general, .parameter_bytes = 60},
     .wide = {},
+    .parameters = write_box_parameters,
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -566,6 +580,10 @@ static void fill_box_general(const glift::HostCall& call) {
 const glift::Binding fill_box_bindings[] = {
     {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 40},
 };
+constexpr glift::Parameter fill_box_parameters[] = {
+    {"to_extent", 0, sizeof(fill_box_direct_parameters::to_extent)},
+    {"value", 12, sizeof(fill_box_direct_parameters::value)},
+};
 const glift::Kernel fill_box_kernel = {
     .name = "fill_box",
     .file = "transfer.glift",
@@ -577,6 +595,7 @@ const glift::Kernel fill_box_kernel = {
     .direct = {.host = &fill_box_direct, .parameter_bytes = 16, .push_constants = true},
     .general = {.host = &fill_box_general, .parameter_bytes = 40},
     .wide = {},
+    .parameters = fill_box_parameters,
 };
 
 void read_box(const glift::Commands& commands, const glift::Range<Field>& from, const glift::Range<Box_3_float>& to) {

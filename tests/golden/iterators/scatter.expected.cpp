@@ -122,6 +122,9 @@ const glift::Binding histogram_bindings[] = {
     {.name = "s.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 16},
     {.name = "bins.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read_write, .address_offset = 24},
 };
+constexpr glift::Parameter histogram_parameters[] = {
+    {"s_extent", 0, sizeof(histogram_direct_parameters::s_extent)},
+};
 const glift::Kernel histogram_kernel = {
     .name = "histogram",
     .file = "scatter.glift",
@@ -133,6 +136,7 @@ const glift::Kernel histogram_kernel = {
     .direct = {.host = &histogram_direct, .parameter_bytes = 4, .push_constants = true},
     .general = {.host = &histogram_general, .parameter_bytes = 12},
     .wide = {},
+    .parameters = histogram_parameters,
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -204,6 +208,9 @@ const glift::Binding read_box_bindings[] = {
     {.name = "from.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 16},
     {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 24},
 };
+constexpr glift::Parameter read_box_parameters[] = {
+    {"from_extent", 0, sizeof(read_box_direct_parameters::from_extent)},
+};
 const glift::Kernel read_box_kernel = {
     .name = "read_box",
     .file = "transfer.glift",
@@ -215,6 +222,7 @@ const glift::Kernel read_box_kernel = {
     .direct = {.host = &read_box_direct, .parameter_bytes = 4, .push_constants = true},
     .general = {.host = &read_box_general, .parameter_bytes = 12},
     .wide = {},
+    .parameters = read_box_parameters,
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -286,6 +294,9 @@ const glift::Binding write_box_bindings[] = {
     {.name = "from.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 16},
     {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 24},
 };
+constexpr glift::Parameter write_box_parameters[] = {
+    {"from_extent", 0, sizeof(write_box_direct_parameters::from_extent)},
+};
 const glift::Kernel write_box_kernel = {
     .name = "write_box",
     .file = "transfer.glift",
@@ -297,6 +308,7 @@ const glift::Kernel write_box_kernel = {
     .direct = {.host = &write_box_direct, .parameter_bytes = 4, .push_constants = true},
     .general = {.host = &write_box_general, .parameter_bytes = 12},
     .wide = {},
+    .parameters = write_box_parameters,
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -366,6 +378,10 @@ static void fill_box_general(const glift::HostCall& call) {
 const glift::Binding fill_box_bindings[] = {
     {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 16},
 };
+constexpr glift::Parameter fill_box_parameters[] = {
+    {"to_extent", 0, sizeof(fill_box_direct_parameters::to_extent)},
+    {"value", 4, sizeof(fill_box_direct_parameters::value)},
+};
 const glift::Kernel fill_box_kernel = {
     .name = "fill_box",
     .file = "transfer.glift",
@@ -377,6 +393,7 @@ const glift::Kernel fill_box_kernel = {
     .direct = {.host = &fill_box_direct, .parameter_bytes = 8, .push_constants = true},
     .general = {.host = &fill_box_general, .parameter_bytes = 12},
     .wide = {},
+    .parameters = fill_box_parameters,
 };
 
 void read_box(const glift::Commands& commands, const glift::Range<Bins>& from, const glift::Range<Box_1_uint>& to) {

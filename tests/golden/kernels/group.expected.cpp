@@ -203,6 +203,9 @@ const glift::Binding block_sums_bindings[] = {
     {.name = "value.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 16},
     {.name = "sums.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 24},
 };
+constexpr glift::Parameter block_sums_parameters[] = {
+    {"value_extent", 0, sizeof(block_sums_direct_parameters::value_extent)},
+};
 const glift::Kernel block_sums_kernel = {
     .name = "block_sums",
     .file = "group.glift",
@@ -214,6 +217,7 @@ const glift::Kernel block_sums_kernel = {
     .direct = {.host = &block_sums_direct, .parameter_bytes = 4, .push_constants = true},
     .general = {.host = &block_sums_general, .parameter_bytes = 12},
     .wide = {},
+    .parameters = block_sums_parameters,
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -285,6 +289,9 @@ const glift::Binding read_box_bindings[] = {
     {.name = "from.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 16},
     {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 24},
 };
+constexpr glift::Parameter read_box_parameters[] = {
+    {"from_extent", 0, sizeof(read_box_direct_parameters::from_extent)},
+};
 const glift::Kernel read_box_kernel = {
     .name = "read_box",
     .file = "transfer.glift",
@@ -296,6 +303,7 @@ const glift::Kernel read_box_kernel = {
     .direct = {.host = &read_box_direct, .parameter_bytes = 4, .push_constants = true},
     .general = {.host = &read_box_general, .parameter_bytes = 12},
     .wide = {},
+    .parameters = read_box_parameters,
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -367,6 +375,9 @@ const glift::Binding write_box_bindings[] = {
     {.name = "from.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 16},
     {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 24},
 };
+constexpr glift::Parameter write_box_parameters[] = {
+    {"from_extent", 0, sizeof(write_box_direct_parameters::from_extent)},
+};
 const glift::Kernel write_box_kernel = {
     .name = "write_box",
     .file = "transfer.glift",
@@ -378,6 +389,7 @@ const glift::Kernel write_box_kernel = {
     .direct = {.host = &write_box_direct, .parameter_bytes = 4, .push_constants = true},
     .general = {.host = &write_box_general, .parameter_bytes = 12},
     .wide = {},
+    .parameters = write_box_parameters,
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -447,6 +459,10 @@ static void fill_box_general(const glift::HostCall& call) {
 const glift::Binding fill_box_bindings[] = {
     {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 16},
 };
+constexpr glift::Parameter fill_box_parameters[] = {
+    {"to_extent", 0, sizeof(fill_box_direct_parameters::to_extent)},
+    {"value", 4, sizeof(fill_box_direct_parameters::value)},
+};
 const glift::Kernel fill_box_kernel = {
     .name = "fill_box",
     .file = "transfer.glift",
@@ -458,6 +474,7 @@ const glift::Kernel fill_box_kernel = {
     .direct = {.host = &fill_box_direct, .parameter_bytes = 8, .push_constants = true},
     .general = {.host = &fill_box_general, .parameter_bytes = 12},
     .wide = {},
+    .parameters = fill_box_parameters,
 };
 
 void read_box(const glift::Commands& commands, const glift::Range<Values>& from, const glift::Range<Box_1_uint>& to) {

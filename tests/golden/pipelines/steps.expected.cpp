@@ -116,6 +116,9 @@ static void ramp_general(const glift::HostCall& call) {
 const glift::Binding ramp_bindings[] = {
     {.name = "f.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 16},
 };
+constexpr glift::Parameter ramp_parameters[] = {
+    {"a_extent", 0, sizeof(ramp_direct_parameters::a_extent)},
+};
 const glift::Kernel ramp_kernel = {
     .name = "ramp",
     .file = "steps.glift",
@@ -127,6 +130,7 @@ const glift::Kernel ramp_kernel = {
     .direct = {.host = &ramp_direct, .parameter_bytes = 4, .push_constants = true},
     .general = {.host = &ramp_general, .parameter_bytes = 12},
     .wide = {},
+    .parameters = ramp_parameters,
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -263,6 +267,9 @@ const glift::Binding smooth_bindings[] = {
     {.name = "f.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 16},
     {.name = "g.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 24},
 };
+constexpr glift::Parameter smooth_parameters[] = {
+    {"f_extent", 0, sizeof(smooth_direct_parameters::f_extent)},
+};
 const glift::Kernel smooth_kernel = {
     .name = "smooth",
     .file = "steps.glift",
@@ -274,6 +281,7 @@ const glift::Kernel smooth_kernel = {
     .direct = {.host = &smooth_direct, .parameter_bytes = 4, .push_constants = true},
     .general = {.host = &smooth_general, .parameter_bytes = 16},
     .wide = {},
+    .parameters = smooth_parameters,
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -345,6 +353,9 @@ const glift::Binding read_box_bindings[] = {
     {.name = "from.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 16},
     {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 24},
 };
+constexpr glift::Parameter read_box_parameters[] = {
+    {"from_extent", 0, sizeof(read_box_direct_parameters::from_extent)},
+};
 const glift::Kernel read_box_kernel = {
     .name = "read_box",
     .file = "transfer.glift",
@@ -356,6 +367,7 @@ const glift::Kernel read_box_kernel = {
     .direct = {.host = &read_box_direct, .parameter_bytes = 4, .push_constants = true},
     .general = {.host = &read_box_general, .parameter_bytes = 12},
     .wide = {},
+    .parameters = read_box_parameters,
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -427,6 +439,9 @@ const glift::Binding write_box_bindings[] = {
     {.name = "from.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 16},
     {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 24},
 };
+constexpr glift::Parameter write_box_parameters[] = {
+    {"from_extent", 0, sizeof(write_box_direct_parameters::from_extent)},
+};
 const glift::Kernel write_box_kernel = {
     .name = "write_box",
     .file = "transfer.glift",
@@ -438,6 +453,7 @@ const glift::Kernel write_box_kernel = {
     .direct = {.host = &write_box_direct, .parameter_bytes = 4, .push_constants = true},
     .general = {.host = &write_box_general, .parameter_bytes = 12},
     .wide = {},
+    .parameters = write_box_parameters,
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -507,6 +523,10 @@ static void fill_box_general(const glift::HostCall& call) {
 const glift::Binding fill_box_bindings[] = {
     {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 16},
 };
+constexpr glift::Parameter fill_box_parameters[] = {
+    {"to_extent", 0, sizeof(fill_box_direct_parameters::to_extent)},
+    {"value", 4, sizeof(fill_box_direct_parameters::value)},
+};
 const glift::Kernel fill_box_kernel = {
     .name = "fill_box",
     .file = "transfer.glift",
@@ -518,6 +538,7 @@ const glift::Kernel fill_box_kernel = {
     .direct = {.host = &fill_box_direct, .parameter_bytes = 8, .push_constants = true},
     .general = {.host = &fill_box_general, .parameter_bytes = 12},
     .wide = {},
+    .parameters = fill_box_parameters,
 };
 
 void ramp(const glift::Commands& commands, const glift::Range<Line>& a, const glift::Range<Line>& f) {

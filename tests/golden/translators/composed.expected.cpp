@@ -121,6 +121,9 @@ const glift::Binding copy_bindings[] = {
     {.name = "f.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 32},
     {.name = "g.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 40},
 };
+constexpr glift::Parameter copy_parameters[] = {
+    {"f_extent", 0, sizeof(copy_direct_parameters::f_extent)},
+};
 const glift::Kernel copy_kernel = {
     .name = "copy",
     .file = "composed.glift",
@@ -132,6 +135,7 @@ const glift::Kernel copy_kernel = {
     .direct = {.host = &copy_direct, .parameter_bytes = 8, .push_constants = true},
     .general = {.host = &copy_general, .parameter_bytes = 32},
     .wide = {},
+    .parameters = copy_parameters,
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -223,6 +227,10 @@ const glift::Binding read_box_bindings[] = {
     {.name = "from.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 32},
     {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 40},
 };
+constexpr glift::Parameter read_box_parameters[] = {
+    {"from_extent", 0, sizeof(read_box_direct_parameters::from_extent)},
+    {"to_extent_x", 8, sizeof(read_box_direct_parameters::to_extent_x)},
+};
 const glift::Kernel read_box_kernel = {
     .name = "read_box",
     .file = "transfer.glift",
@@ -234,6 +242,7 @@ const glift::Kernel read_box_kernel = {
     .direct = {.host = &read_box_direct, .parameter_bytes = 12, .push_constants = true},
     .general = {.host = &read_box_general, .parameter_bytes = 32},
     .wide = {},
+    .parameters = read_box_parameters,
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -325,6 +334,10 @@ const glift::Binding write_box_bindings[] = {
     {.name = "from.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 32},
     {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 40},
 };
+constexpr glift::Parameter write_box_parameters[] = {
+    {"from_extent", 0, sizeof(write_box_direct_parameters::from_extent)},
+    {"to_extent_y", 8, sizeof(write_box_direct_parameters::to_extent_y)},
+};
 const glift::Kernel write_box_kernel = {
     .name = "write_box",
     .file = "transfer.glift",
@@ -336,6 +349,7 @@ const glift::Kernel write_box_kernel = {
     .direct = {.host = &write_box_direct, .parameter_bytes = 12, .push_constants = true},
     .general = {.host = &write_box_general, .parameter_bytes = 32},
     .wide = {},
+    .parameters = write_box_parameters,
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -407,6 +421,10 @@ static void fill_box_general(const glift::HostCall& call) {
 const glift::Binding fill_box_bindings[] = {
     {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 24},
 };
+constexpr glift::Parameter fill_box_parameters[] = {
+    {"to_extent", 0, sizeof(fill_box_direct_parameters::to_extent)},
+    {"value", 8, sizeof(fill_box_direct_parameters::value)},
+};
 const glift::Kernel fill_box_kernel = {
     .name = "fill_box",
     .file = "transfer.glift",
@@ -418,6 +436,7 @@ const glift::Kernel fill_box_kernel = {
     .direct = {.host = &fill_box_direct, .parameter_bytes = 12, .push_constants = true},
     .general = {.host = &fill_box_general, .parameter_bytes = 24},
     .wide = {},
+    .parameters = fill_box_parameters,
 };
 
 void read_box(const glift::Commands& commands, const glift::Range<Turned>& from, const glift::Range<Box_2_float>& to) {

@@ -116,6 +116,9 @@ static void twice_general(const glift::HostCall& call) {
 const glift::Binding twice_bindings[] = {
     {.name = "f.data", .kind = glift::MemoryKind::image2d, .access = glift::Access::read_write},
 };
+constexpr glift::Parameter twice_parameters[] = {
+    {"f_extent", 0, sizeof(twice_direct_parameters::f_extent)},
+};
 const glift::Kernel twice_kernel = {
     .name = "twice",
     .file = "fold.glift",
@@ -127,6 +130,7 @@ const glift::Kernel twice_kernel = {
     .direct = {.host = &twice_direct, .parameter_bytes = 12, .push_constants = true},
     .general = {.host = &twice_general, .parameter_bytes = 36},
     .wide = {},
+    .parameters = twice_parameters,
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -220,6 +224,10 @@ const glift::Binding read_box_bindings[] = {
     {.name = "from.data", .kind = glift::MemoryKind::image2d, .access = glift::Access::read, .sampled = true},
     {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 64},
 };
+constexpr glift::Parameter read_box_parameters[] = {
+    {"from_extent", 0, sizeof(read_box_direct_parameters::from_extent)},
+    {"to_extent", 12, sizeof(read_box_direct_parameters::to_extent)},
+};
 const glift::Kernel read_box_kernel = {
     .name = "read_box",
     .file = "transfer.glift",
@@ -231,6 +239,7 @@ const glift::Kernel read_box_kernel = {
     .direct = {.host = &read_box_direct, .parameter_bytes = 24, .push_constants = true},
     .general = {.host = &read_box_general, .parameter_bytes = 60},
     .wide = {},
+    .parameters = read_box_parameters,
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -324,6 +333,10 @@ const glift::Binding write_box_bindings[] = {
     {.name = "from.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 64},
     {.name = "to.data", .kind = glift::MemoryKind::image2d, .access = glift::Access::write},
 };
+constexpr glift::Parameter write_box_parameters[] = {
+    {"from_extent", 0, sizeof(write_box_direct_parameters::from_extent)},
+    {"to_extent", 12, sizeof(write_box_direct_parameters::to_extent)},
+};
 const glift::Kernel write_box_kernel = {
     .name = "write_box",
     .file = "transfer.glift",
@@ -335,6 +348,7 @@ const glift::Kernel write_box_kernel = {
     .direct = {.host = &write_box_direct, .parameter_bytes = 24, .push_constants = true},
     .general = {.host = &write_box_general, .parameter_bytes = 60},
     .wide = {},
+    .parameters = write_box_parameters,
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -408,6 +422,10 @@ static void fill_box_general(const glift::HostCall& call) {
 const glift::Binding fill_box_bindings[] = {
     {.name = "to.data", .kind = glift::MemoryKind::image2d, .access = glift::Access::write},
 };
+constexpr glift::Parameter fill_box_parameters[] = {
+    {"to_extent", 0, sizeof(fill_box_direct_parameters::to_extent)},
+    {"value", 12, sizeof(fill_box_direct_parameters::value)},
+};
 const glift::Kernel fill_box_kernel = {
     .name = "fill_box",
     .file = "transfer.glift",
@@ -419,6 +437,7 @@ const glift::Kernel fill_box_kernel = {
     .direct = {.host = &fill_box_direct, .parameter_bytes = 16, .push_constants = true},
     .general = {.host = &fill_box_general, .parameter_bytes = 40},
     .wide = {},
+    .parameters = fill_box_parameters,
 };
 
 void read_box(const glift::Commands& commands, const glift::Range<Field>& from, const glift::Range<Box_3_float>& to) {

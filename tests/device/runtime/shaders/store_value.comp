@@ -2,10 +2,9 @@
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 layout(local_size_x = 64) in;
-layout(constant_id = 7) const uint addend = 0u;
 layout(set = 0, binding = 1, scalar) writeonly buffer G { uint g[]; };
 layout(push_constant, scalar) uniform Parameters { uint size; uint value; };
 void main() {
     const uint i = gl_GlobalInvocationID.x;
-    if (i < size) g[i] = value + addend;
+    if (i < size) g[i] = value;
 }
