@@ -110,7 +110,9 @@ std::optional<std::uint32_t> make_translator(Context& c, ast::DeclId id, const E
         if (name == "translate") translator.translate = make_method(c, method, env, translator, {va}, physical);
         else if (name == "invert") translator.invert = make_method(c, method, env, translator, {translator.physical_type}, va);
         else if (name == "domain") translator.domain = make_method(c, method, env, translator, {}, va);
-        else if (name == "ranges") c.error(Diag::later, c[method].name.span, {"a translator's own 'ranges'"});
+        else if (name == "ranges")
+            note(c.error(Diag::derived_ranges, c[method].name.span), c[method].name.span,
+                 "boxes of an affine translator are copied by rows; of any other, a pass translates each address");
         else c.error(Diag::unknown_member, c[method].name.span, {"a translator", name});
     }
     bool has_translate = false;

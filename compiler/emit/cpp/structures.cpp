@@ -1,4 +1,5 @@
 // Structures, views and adaptors as classes; structs as structs.
+#include "emit/cpp/translators.h"
 #include "emit/cpp/unit.h"
 #include "layout/layout.h"
 
@@ -183,6 +184,7 @@ void print_transfers(Unit& unit, Writer& out, std::uint32_t index) {
     const ir::Program::Transfer* transfer = transfer_of(unit.program, index);
     if (!transfer) return;
     const std::string& type = unit.class_name(index);
+    if (has_rows(unit.program, unit.program.structures[index])) print_place(unit, out, index);
     const std::string& box = unit.class_name(transfer->box_structure);
     const std::string parameters = "(const glift::Commands& commands, const glift::Range<" + type + ">& range, const glift::Memory& box) const";
     const std::string made = box + "(commands.device(), range.size(), box)";
@@ -251,6 +253,11 @@ void print_class(Unit& unit, Writer& out, std::uint32_t index, bool qualified) {
             out.line(unused + "void fill(" + element + " value, const glift::Range<" + type + ">& range);");
         }
         const std::string parameters = "(const glift::Commands& commands, const glift::Range<" + type + ">& range, const glift::Memory& box) const;";
+        if (has_rows(unit.program, structure)) {
+            out.line("/// Where an element lies in row_memory(), in elements; the address is an affine function of the virtual one.");
+            out.line(unused + "std::uint64_t place(" + unit.type(structure.domain_type, qualified) + " address) const;");
+            out.line(unused + "const glift::Memory& row_memory() const { return " + names.memories[structure.via_memory] + "_; }");
+        }
         out.line("/// Elements of a box to a linear buffer, and back.");
         out.line(unused + "void copy_out" + parameters);
         if (is_kernel(unit, transfer->write_kernel)) out.line(unused + "void copy_in" + parameters);

@@ -7,7 +7,7 @@ ClassNames class_names(const ir::Program& program, std::uint32_t index) {
     const ir::Structure& structure = program.structures[index];
     Scopes scopes;
     for (const char* taken : {"Address", "Element", "Structure", "copy_from", "copy_in", "copy_out", "count", "domain", "fill", "map",
-                              "range", "read", "same_state", "self", "type_name", "write", "box", "other", "value"})
+                              "place", "range", "read", "row_memory", "same_state", "self", "type_name", "write", "box", "other", "value"})
         scopes.declare(taken);
     ClassNames names;
     const auto text = [&](Name name) { return scopes.declare((*program.names)[name]); };

@@ -1,4 +1,5 @@
 // What only a test program has: the table of tests, and checks of translators that nobody wrote.
+#include "emit/cpp/translators.h"
 #include "emit/cpp/unit.h"
 #include "emit/cpp/visit.h"
 
@@ -32,16 +33,6 @@ bool can_be_made(const ir::Program& program, const Structure& structure) {
     return true;
 }
 
-bool uses_state_elsewhere(const ir::Program& program, ir::FunctionId id) {
-    bool found = false;
-    for_each_expression(program, program.functions[id].body, [&](const ir::Expr& expr) {
-        if (expr.op != ir::Op::call) return;
-        for_each_expression(program, program.functions[expr.function].body,
-                            [&](const ir::Expr& inner) { found = found || inner.op == ir::Op::state; });
-    });
-    return found;
-}
-
 /// A value of the structure's element type that its memory keeps exactly, from a number `i`; empty where there is none.
 std::string sample_value(const Unit& unit, const Structure& structure) {
     if (structure.memories.empty()) return "";
@@ -64,25 +55,6 @@ std::string sample_value(const Unit& unit, const Structure& structure) {
     return unit.program.types.is_vector(structure.element) ? storage_text(unit.globals, structure.element) + "(" + value + ")" : value;
 }
 
-/// `const auto translate = [&](uint4 va) -> std::optional<uint> { … };`
-void print_method(Unit& unit, Writer& out, const char* name, ir::FunctionId id, const std::string& result,
-                  const std::vector<std::string>& states) {
-    const ir::Function& function = unit.program.functions[id];
-    Printer p(unit.globals);
-    for (const std::string& state : states) p.names.declare(state);
-    std::string parameters;
-    for (ir::LocalId local : function.params) {
-        const std::string type = unit.type(unit.program.locals[local].type);
-        parameters += (parameters.empty() ? "" : ", ") + type + " " + declare_local(p, local);
-    }
-    p.outer_expression = [&](const ir::Expr& expr) -> Text { return {expr.op == ir::Op::state ? states[expr.slot] : "{}"}; };
-    for (int depth = 0; depth < 3; ++depth) p.out.indent();
-    print_statements(p, function.body);
-    out.open("const auto " + std::string(name) + " = [&](" + parameters + ") -> " + result);
-    out.raw(p.out.take());
-    out.close(";");
-}
-
 void print_stage_check(Unit& unit, Writer& out, std::uint32_t index, std::size_t stage_index) {
     const Structure& structure = unit.program.structures[index];
     const ir::Stage& stage = structure.via[stage_index];
@@ -91,15 +63,8 @@ void print_stage_check(Unit& unit, Writer& out, std::uint32_t index, std::size_t
     if (stage_index > 0 && !translator.domain) return;
     if (translator.invert && uses_state_elsewhere(unit.program, translator.invert)) return;
     out.open("");
-    Printer p(unit.globals);
-    p.outer_expression = [&](const ir::Expr& expr) { return structure_property(unit.globals, expr, index, "structure."); };
-    std::vector<std::string> states;
-    Scopes names;
-    for (const char* taken : {"structure", "translate", "invert", "test", "commands", "extent", "domain"}) names.declare(taken);
-    for (std::size_t i = 0; i < stage.scalars.size(); ++i) {
-        states.push_back(names.declare(unit.name(translator.scalars[i].name)));
-        out.line("[[maybe_unused]] const " + unit.type(translator.scalars[i].type) + " " + states.back() + " = " + print_any(p, stage.scalars[i]) + ";");
-    }
+    const std::vector<std::string> states =
+        print_state(unit, out, index, stage, "structure.", {"structure", "translate", "invert", "test", "commands", "extent", "domain"});
     print_method(unit, out, "translate", translator.translate, "std::optional<" + unit.type(translator.physical_type) + ">", states);
     if (translator.invert) print_method(unit, out, "invert", translator.invert, unit.type(translator.virtual_type), states);
     std::string domain = "structure.domain()";

@@ -20,6 +20,7 @@ public:
     void close(std::string_view after = "");
     void indent() { ++depth_; }
     void dedent() { --depth_; }
+    int depth() const { return depth_; }
     /// As it is: preprocessor lines, finished pieces.
     void raw(std::string_view text) { out_ += text; }
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <concepts>
 #include <cstring>
 #include <initializer_list>
 #include <optional>
@@ -252,6 +253,53 @@ private:
     std::vector<Element> values_;
 };
 
+namespace detail {
+
+/// Structures whose translator is affine and leads into a buffer: they say where an element lies.
+template <class S>
+concept HasRows = requires(const S& s, typename S::Address a) {
+    { s.place(a) } -> std::same_as<std::uint64_t>;
+    { s.row_memory() } -> std::same_as<const Memory&>;
+};
+
+inline constexpr std::size_t most_rows = 1 << 16, most_regions = 1024;
+
+/// The box as copies from host bytes, where elements stand in row-major order: each element once, rows that follow each
+/// other as one. Nothing where rows are not contiguous or too many: such boxes go through a kernel.
+template <class S>
+std::optional<std::vector<CopyRegion>> rows_of(const S& structure, typename S::Address origin, typename S::Address size) {
+    using Address = typename S::Address;
+    constexpr unsigned axes = Axes<Address>::count;
+    constexpr std::uint64_t bytes = sizeof(typename S::Element);
+    const Extent n = extent_of(size), first = extent_of(origin, 0);
+    const auto place = [&](std::uint32_t x, std::uint32_t y, std::uint32_t z, std::uint32_t w) {
+        if constexpr (axes == 1) return structure.place(first[0] + x);
+        else {
+            Address address = origin;
+            const std::uint32_t steps[] = {x, y, z, w};
+            for (unsigned i = 0; i < axes; ++i) address[i] += steps[i];
+            return structure.place(address);
+        }
+    };
+    if (std::uint64_t{n[1]} * n[2] * n[3] > most_rows) return std::nullopt;
+    if (n[0] > 1 && place(1, 0, 0, 0) != place(0, 0, 0, 0) + 1) return std::nullopt;
+    std::vector<CopyRegion> regions;
+    std::uint64_t at = 0;
+    for (std::uint32_t w = 0; w < n[3]; ++w) {
+        for (std::uint32_t z = 0; z < n[2]; ++z) {
+            for (std::uint32_t y = 0; y < n[1]; ++y, at += n[0] * bytes) {
+                const std::uint64_t to = place(0, y, z, w) * bytes;
+                if (!regions.empty() && regions.back().to + regions.back().bytes == to) regions.back().bytes += n[0] * bytes;
+                else regions.push_back({at, to, n[0] * bytes});
+                if (regions.size() > most_regions) return std::nullopt;
+            }
+        }
+    }
+    return regions;
+}
+
+}  // namespace detail
+
 /// The bytes of a buffer with this many elements; never none, so that an empty structure has a memory too.
 template <class T>
 constexpr std::uint64_t buffer_bytes(std::uint32_t count) {
@@ -305,6 +353,9 @@ public:
         if (values.size() != count(size)) throw_count(values.size(), size);
         if (values.empty()) return;
         const Commands commands(device());
+        if constexpr (detail::HasRows<Self>) {
+            if (const auto rows = detail::rows_of(self(), origin, size)) return commands.upload(self().row_memory(), *rows, std::as_bytes(values));
+        }
         const Memory box = new_box(values.size_bytes());
         commands.upload(box, 0, std::as_bytes(values));
         self().copy_in(commands, range, box);
@@ -317,10 +368,7 @@ public:
         check("read", range);
         std::vector<T> values(count(size));
         if (values.empty()) return values;
-        const Commands commands(device());
-        const Memory box = new_box(values.size() * sizeof(T));
-        self().copy_out(commands, range, box);
-        const Download download = commands.download(box, 0, values.size() * sizeof(T));
+        const Download download = fetch(range, values.size() * sizeof(T));
         std::memcpy(values.data(), download.get().data(), values.size() * sizeof(T));
         return values;
     }
@@ -363,6 +411,19 @@ private:
     Self& self() { return static_cast<Self&>(*this); }
     const Self& self() const { return static_cast<const Self&>(*this); }
     static std::size_t count(const A& size) { return static_cast<std::size_t>(detail::volume_of(detail::extent_of(size))); }
+
+    Download fetch(const Range<Self>& range, std::size_t bytes) const {
+        const Commands commands(device());
+        if constexpr (detail::HasRows<Self>) {
+            if (auto rows = detail::rows_of(self(), range.origin(), range.size())) {
+                for (CopyRegion& row : *rows) std::swap(row.from, row.to);
+                return commands.download(self().row_memory(), *rows, bytes);
+            }
+        }
+        const Memory box = new_box(bytes);
+        self().copy_out(commands, range, box);
+        return commands.download(box, 0, bytes);
+    }
 
     Memory new_box(std::size_t bytes) const {
         return device().allocate({.name = "box", .bytes = (bytes + 3) / 4 * 4, .zeroed = false});

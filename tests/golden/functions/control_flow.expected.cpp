@@ -111,6 +111,19 @@ inline uint volume(uint extent) {
     return product;
 }
 
+// address.glift:26: linearize<1>
+inline uint linearize(uint address, uint extent) {
+    // address.glift:27
+    uint index = address;
+    // address.glift:28
+    for (uint back = 1u; back < 1u; ++back) {
+        // address.glift:29
+        index = index * extent + address;
+    }
+    // address.glift:31
+    return index;
+}
+
 // ----------------------------------------------------------------------------------------------------
 // control_flow.glift:40: control_flow
 
@@ -994,6 +1007,15 @@ bool Line::same_state(const Line& other) const {
     return extent_ == other.extent_;
 }
 
+std::uint64_t Line::place(uint address) const {
+    [[maybe_unused]] const uint extent = extent_;
+    const auto translate = [&](uint va) -> uint {
+        // linear.glift:12
+        return linearize(va, extent);
+    };
+    return translate(address);
+}
+
 void Line::copy_out(const glift::Commands& commands, const glift::Range<Line>& range, const glift::Memory& box) const {
     read_box(commands, range, Box_1_float(commands.device(), range.size(), box));
 }
@@ -1027,6 +1049,15 @@ uint Numbers::domain() const {
 
 bool Numbers::same_state(const Numbers& other) const {
     return extent_ == other.extent_;
+}
+
+std::uint64_t Numbers::place(uint address) const {
+    [[maybe_unused]] const uint extent = extent_;
+    const auto translate = [&](uint va) -> uint {
+        // linear.glift:12
+        return linearize(va, extent);
+    };
+    return translate(address);
 }
 
 void Numbers::copy_out(const glift::Commands& commands, const glift::Range<Numbers>& range,

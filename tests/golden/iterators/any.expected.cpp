@@ -74,6 +74,19 @@ inline uint volume(uint extent) {
     return product;
 }
 
+// address.glift:26: linearize<1>
+inline uint linearize(uint address, uint extent) {
+    // address.glift:27
+    uint index = address;
+    // address.glift:28
+    for (uint back = 1u; back < 1u; ++back) {
+        // address.glift:29
+        index = index * extent + address;
+    }
+    // address.glift:31
+    return index;
+}
+
 // ----------------------------------------------------------------------------------------------------
 // any.glift:9: gather
 
@@ -924,6 +937,15 @@ bool Values::same_state(const Values& other) const {
     return extent_ == other.extent_;
 }
 
+std::uint64_t Values::place(uint address) const {
+    [[maybe_unused]] const uint extent = extent_;
+    const auto translate = [&](uint va) -> uint {
+        // linear.glift:12
+        return linearize(va, extent);
+    };
+    return translate(address);
+}
+
 void Values::copy_out(const glift::Commands& commands, const glift::Range<Values>& range,
     const glift::Memory& box) const {
     read_box(commands, range, Box_1_float(commands.device(), range.size(), box));
@@ -959,6 +981,15 @@ uint Indices::domain() const {
 
 bool Indices::same_state(const Indices& other) const {
     return extent_ == other.extent_;
+}
+
+std::uint64_t Indices::place(uint address) const {
+    [[maybe_unused]] const uint extent = extent_;
+    const auto translate = [&](uint va) -> uint {
+        // linear.glift:12
+        return linearize(va, extent);
+    };
+    return translate(address);
 }
 
 void Indices::copy_out(const glift::Commands& commands, const glift::Range<Indices>& range,

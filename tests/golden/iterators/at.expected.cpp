@@ -50,6 +50,19 @@ inline uint volume(uint2 extent) {
     return product;
 }
 
+// address.glift:26: linearize<2>
+inline uint linearize(uint2 address, uint2 extent) {
+    // address.glift:27
+    uint index = address.y;
+    // address.glift:28
+    for (uint back = 1u; back < 2u; ++back) {
+        // address.glift:29
+        index = index * extent[2u - 1u - back] + address[2u - 1u - back];
+    }
+    // address.glift:31
+    return index;
+}
+
 // ----------------------------------------------------------------------------------------------------
 // at.glift:8: ramp
 
@@ -591,6 +604,15 @@ uint2 Field::domain() const {
 
 bool Field::same_state(const Field& other) const {
     return extent_ == other.extent_;
+}
+
+std::uint64_t Field::place(uint2 address) const {
+    [[maybe_unused]] const uint2 extent = extent_;
+    const auto translate = [&](uint2 va) -> uint {
+        // linear.glift:12
+        return linearize(va, extent);
+    };
+    return translate(address);
 }
 
 void Field::copy_out(const glift::Commands& commands, const glift::Range<Field>& range,

@@ -32,6 +32,9 @@ public:
     /// Gives every element, or those of a box, one value.
     void fill(float value);
     void fill(float value, const glift::Range<Field>& range);
+    /// Where an element lies in row_memory(), in elements; the address is an affine function of the virtual one.
+    std::uint64_t place(glift::uint2 address) const;
+    const glift::Memory& row_memory() const { return data_; }
     /// Elements of a box to a linear buffer, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<Field>& range, const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Field>& range, const glift::Memory& box) const;

@@ -50,6 +50,19 @@ inline uint volume(uint3 extent) {
     return product;
 }
 
+// address.glift:26: linearize<3>
+inline uint linearize(uint3 address, uint3 extent) {
+    // address.glift:27
+    uint index = address.z;
+    // address.glift:28
+    for (uint back = 1u; back < 3u; ++back) {
+        // address.glift:29
+        index = index * extent[3u - 1u - back] + address[3u - 1u - back];
+    }
+    // address.glift:31
+    return index;
+}
+
 // ----------------------------------------------------------------------------------------------------
 // near.glift:9: smooth
 
@@ -740,6 +753,15 @@ uint3 Field::domain() const {
 
 bool Field::same_state(const Field& other) const {
     return extent_ == other.extent_;
+}
+
+std::uint64_t Field::place(uint3 address) const {
+    [[maybe_unused]] const uint3 extent = extent_;
+    const auto translate = [&](uint3 va) -> uint {
+        // linear.glift:12
+        return linearize(va, extent);
+    };
+    return translate(address);
 }
 
 void Field::copy_out(const glift::Commands& commands, const glift::Range<Field>& range,

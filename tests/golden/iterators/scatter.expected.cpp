@@ -50,6 +50,19 @@ inline uint volume(uint extent) {
     return product;
 }
 
+// address.glift:26: linearize<1>
+inline uint linearize(uint address, uint extent) {
+    // address.glift:27
+    uint index = address;
+    // address.glift:28
+    for (uint back = 1u; back < 1u; ++back) {
+        // address.glift:29
+        index = index * extent + address;
+    }
+    // address.glift:31
+    return index;
+}
+
 // ----------------------------------------------------------------------------------------------------
 // scatter.glift:9: histogram
 
@@ -529,6 +542,15 @@ uint Bins::domain() const {
 
 bool Bins::same_state(const Bins& other) const {
     return extent_ == other.extent_;
+}
+
+std::uint64_t Bins::place(uint address) const {
+    [[maybe_unused]] const uint extent = extent_;
+    const auto translate = [&](uint va) -> uint {
+        // linear.glift:12
+        return linearize(va, extent);
+    };
+    return translate(address);
 }
 
 void Bins::copy_out(const glift::Commands& commands, const glift::Range<Bins>& range, const glift::Memory& box) const {

@@ -50,6 +50,19 @@ inline uint volume(uint extent) {
     return product;
 }
 
+// address.glift:26: linearize<1>
+inline uint linearize(uint address, uint extent) {
+    // address.glift:27
+    uint index = address;
+    // address.glift:28
+    for (uint back = 1u; back < 1u; ++back) {
+        // address.glift:29
+        index = index * extent + address;
+    }
+    // address.glift:31
+    return index;
+}
+
 // ----------------------------------------------------------------------------------------------------
 // group.glift:8: block_sums
 
@@ -611,6 +624,15 @@ uint Values::domain() const {
 
 bool Values::same_state(const Values& other) const {
     return extent_ == other.extent_;
+}
+
+std::uint64_t Values::place(uint address) const {
+    [[maybe_unused]] const uint extent = extent_;
+    const auto translate = [&](uint va) -> uint {
+        // linear.glift:12
+        return linearize(va, extent);
+    };
+    return translate(address);
 }
 
 void Values::copy_out(const glift::Commands& commands, const glift::Range<Values>& range,

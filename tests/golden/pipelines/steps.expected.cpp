@@ -50,6 +50,19 @@ inline uint volume(uint extent) {
     return product;
 }
 
+// address.glift:26: linearize<1>
+inline uint linearize(uint address, uint extent) {
+    // address.glift:27
+    uint index = address;
+    // address.glift:28
+    for (uint back = 1u; back < 1u; ++back) {
+        // address.glift:29
+        index = index * extent + address;
+    }
+    // address.glift:31
+    return index;
+}
+
 // ----------------------------------------------------------------------------------------------------
 // steps.glift:8: ramp
 
@@ -699,6 +712,15 @@ uint Line::domain() const {
 
 bool Line::same_state(const Line& other) const {
     return extent_ == other.extent_;
+}
+
+std::uint64_t Line::place(uint address) const {
+    [[maybe_unused]] const uint extent = extent_;
+    const auto translate = [&](uint va) -> uint {
+        // linear.glift:12
+        return linearize(va, extent);
+    };
+    return translate(address);
 }
 
 void Line::copy_out(const glift::Commands& commands, const glift::Range<Line>& range, const glift::Memory& box) const {
