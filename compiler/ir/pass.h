@@ -51,7 +51,7 @@ struct PassParameter {
 inline constexpr std::uint32_t no_kernel = 0xffffffffu;
 
 struct Pass {
-    std::uint32_t kernel = no_kernel;   ///< Program::kernels; none: a function of a library
+    std::uint32_t kernel = 0;           ///< Program::kernels; no_kernel: a function of a library
     Form form = Form::direct;
     bool exists = true;                 ///< false: nothing in this form differs from what cannot be had (a structure without memory, say)
     std::array<std::uint32_t, 3> group = {64, 1, 1};

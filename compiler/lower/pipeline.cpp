@@ -149,6 +149,7 @@ Pass lowered(Program& program, Diagnostics& diagnostics, std::uint32_t kernel, F
 
 Pass lower_function(Program& program, Diagnostics& diagnostics, const Kernel& kernel) {
     Pass pass;
+    pass.kernel = no_kernel;
     Context cx(program, kernel, pass, diagnostics);
     choose_dispatch(cx);
     Expander expander(cx, Guards::checked);
