@@ -51,11 +51,21 @@ void check_patches(const DeviceObject* device, const Kernel& kernel, const Call&
 
 }  // namespace
 
-void check_call(const DeviceObject* device, const Kernel& kernel, const Call& call) {
-    if (call.memories.size() != kernel.bindings.size()) {
+void check_memories(const DeviceObject* device, const Kernel& kernel, std::span<const Memory> memories) {
+    if (memories.size() != kernel.bindings.size()) {
         wrong("the number of memories does not fit the kernel", kernel_text(kernel),
-              "it takes " + std::to_string(kernel.bindings.size()) + ", given " + std::to_string(call.memories.size()));
+              "it takes " + std::to_string(kernel.bindings.size()) + ", given " + std::to_string(memories.size()));
     }
+    for (std::size_t k = 0; k < memories.size(); ++k) {
+        const MemoryObject* object = memories[k].object();
+        if (!object || object->device().get() != device || object->description().kind != kernel.bindings[k].kind) {
+            wrong_memory(device, kernel, kernel.bindings[k], memories[k]);
+        }
+    }
+}
+
+void check_call(const DeviceObject* device, const Kernel& kernel, const Call& call) {
+    check_memories(device, kernel, call.memories);
     const Form& form = call.form == FormName::direct ? kernel.direct : kernel.general;
     if (call.parameters.size() != form.parameter_bytes) {
         wrong("the size of the parameters does not fit the kernel", kernel_text(kernel),
@@ -65,9 +75,6 @@ void check_call(const DeviceObject* device, const Kernel& kernel, const Call& ca
     for (std::size_t k = 0; k < call.memories.size(); ++k) {
         const MemoryObject* object = call.memories[k].object();
         const Binding& binding = kernel.bindings[k];
-        if (!object || object->device().get() != device || object->description().kind != binding.kind) {
-            wrong_memory(device, kernel, binding, call.memories[k]);
-        }
         for (std::size_t j = 0; j < k; ++j) {
             if (call.memories[j].object() != object) continue;
             const Access other = kernel.bindings[j].access;

@@ -6,6 +6,7 @@
 namespace glift::detail {
 
 void check_call(const DeviceObject* device, const Kernel& kernel, const Call& call);
+void check_memories(const DeviceObject* device, const Kernel& kernel, std::span<const Memory> memories);
 void check_description(const MemoryDescription& description);
 void check_range(const DeviceObject* device, const Memory& buffer, std::uint64_t offset, std::uint64_t bytes,
                  const char* call);

@@ -134,6 +134,17 @@ void Allocator::release_block(Pool& pool, std::size_t index) {
     pool.blocks.erase(pool.blocks.begin() + static_cast<std::ptrdiff_t>(index));
 }
 
+// Blocks kept for the next memory give way to one that does not fit in them. False if there were none.
+bool Allocator::release_empty_blocks() {
+    const std::uint64_t before = reserved_;
+    for (auto& pool : pools_) {
+        for (std::size_t k = pool->blocks.size(); k-- > 0;) {
+            if (!pool->blocks[k]->used) release_block(*pool, k);
+        }
+    }
+    return reserved_ < before;
+}
+
 bool Allocator::allocate(const VkMemoryRequirements& needs, MemoryUse use, bool linear, Allocation& result) {
     std::uint32_t type = 0;
     if (!choose_type(needs.memoryTypeBits, use, type)) return false;
@@ -152,6 +163,7 @@ bool Allocator::allocate(const VkMemoryRequirements& needs, MemoryUse use, bool 
         if (needs.size * 2 <= from.next_block) block = add_block(from, from.next_block);
         if (block) from.next_block = std::min(from.next_block * 2, largest_block);
         if (!block) block = add_block(from, needs.size);
+        if (!block && release_empty_blocks()) block = add_block(from, needs.size);
         if (!block || !take(*block, needs.size, alignment, offset)) return false;
     }
     used_ += needs.size;

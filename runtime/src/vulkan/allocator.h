@@ -46,6 +46,7 @@ private:
     Pool& pool(std::uint32_t type, bool linear);
     Block* add_block(Pool& pool, VkDeviceSize bytes);
     void release_block(Pool& pool, std::size_t index);
+    bool release_empty_blocks();
     bool choose_type(std::uint32_t allowed, MemoryUse use, std::uint32_t& type) const;
 
     Context& context_;

@@ -79,6 +79,7 @@ bool Encoder::is_wide(std::span<const Memory> memories) const {
 
 bool Encoder::needs_general(const Kernel& kernel, std::span<const Memory> memories,
                             const std::array<std::uint32_t, 4>& size) const {
+    check_memories(&device_, kernel, memories);
     if (is_wide(memories)) return true;
     return kernel.rank > 1 && !count_groups(kernel, size).within(context_.properties.max_workgroups);
 }
