@@ -75,9 +75,15 @@ struct Pass {
     std::uint32_t interior_origin = 0xffffffffu;   ///< parameter that holds the origin of the centre's range; none: zero
     std::vector<FunctionId> functions;  ///< called by the body, callees first, all low level
     std::vector<LocalId> shared;
-    std::uint64_t loop_rounds = 0;      ///< bound on back-edges of one invocation; UINT64_MAX: not known at compile time
+    std::uint64_t loop_rounds = 0;      ///< bound on the rounds of one invocation's loops, with the tests that end them;
+                                        ///< UINT64_MAX: not known at compile time. The same in all forms
     Span longest_loop;
+    bool reports = false;               ///< has a status record after its bindings: it has `report`s or counts rounds
+    std::vector<std::uint32_t> files;   ///< that reports name: the kernel's, then others. The same in all forms
     bool exact = true;                  ///< calls no inexact intrinsic: devices agree bit for bit
+
+    /// Whether shaders count the rounds of every loop, for devices that cut loops off.
+    bool counts_rounds() const { return loop_rounds == UINT64_MAX; }
 };
 
 /// A function for shaders that are not Glift's. Its body ends in `evaluate result`, or the function gives nothing.

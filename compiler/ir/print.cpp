@@ -357,6 +357,7 @@ void Printer::pass() {
     for (const PassParameter& of : pass.parameters)
         line("parameter " + of.name + ": " + to_text(p, of.type) + " = " + source_text(of, of.value ? expr(of.value) : ""));
     if (pass.loop_rounds) line("loops " + (pass.loop_rounds == ~0ull ? std::string("unbounded") : std::to_string(pass.loop_rounds)));
+    if (pass.reports) line("reports");
     if (!pass.exact) line("inexact");
     for (FunctionId of : pass.functions) function(of);
     line("prologue");

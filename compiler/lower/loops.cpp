@@ -18,6 +18,13 @@ constexpr std::uint64_t unknown = std::numeric_limits<std::uint64_t>::max();
 std::uint64_t plus(std::uint64_t a, std::uint64_t b) { return a > unknown - b ? unknown : a + b; }
 std::uint64_t times(std::uint64_t a, std::uint64_t b) { return a != 0 && b > unknown / a ? unknown : a * b; }
 
+/// Floats are combined by compare-and-swap, again and again until nobody came between.
+bool is_retried(const Program& program, const Pass& pass, const Stmt& atomic) {
+    const PassBinding& binding = pass.bindings[atomic.slot];
+    return binding.shape == MemoryShape::buffer && program.types.kind(binding.element) == TypeKind::float_ &&
+           atomic.combine != Combine::replace;
+}
+
 class Loops {
 public:
     explicit Loops(Context& context) : cx(context) {}
@@ -37,10 +44,11 @@ private:
             });
         });
         std::uint64_t inside = plus(rounds(stmt.body), rounds(stmt.otherwise));
-        if (stmt.op == StmtOp::while_) inside = note(stmt, unknown);
+        if (stmt.op == StmtOp::while_ || (stmt.op == StmtOp::atomic && is_retried(cx.p, cx.pass, stmt))) inside = note(stmt, unknown);
         if (stmt.op == StmtOp::for_) {
+            // The test that ends the loop is a round too.
             auto known = rounds_of(cx.p, stmt.value, stmt.limit);
-            inside = note(stmt, known ? times(known->count, plus(inside, 1)) : unknown);
+            inside = note(stmt, known ? plus(times(known->count, plus(inside, 1)), 1) : unknown);
         }
         return plus(total, inside);
     }
@@ -68,6 +76,19 @@ private:
     std::uint64_t longest_ = 0;
 };
 
+/// The files that reports of a pass may name, added to those known.
+void add_files(const Program& program, const Pass& pass, std::vector<std::uint32_t>& files) {
+    const auto add = [&](const std::vector<StmtId>& body) {
+        for_each_statement(program, body, [&](const Stmt& stmt) {
+            const bool is_loop = stmt.op == StmtOp::for_ || stmt.op == StmtOp::while_ || stmt.op == StmtOp::atomic;
+            if (!stmt.span || !(is_loop && pass.counts_rounds())) return;
+            if (std::find(files.begin(), files.end(), stmt.span.file) == files.end()) files.push_back(stmt.span.file);
+        });
+    };
+    add(pass.body);
+    for (FunctionId function : pass.functions) add(program.functions[function].body);
+}
+
 /// Devices may convert eight-bit texels to floats, and back, a last bit apart.
 bool rounds_freely(Format format) { return format == Format::r8 || format == Format::rg8 || format == Format::rgba8; }
 
@@ -93,6 +114,18 @@ void summarize(Context& cx) {
     add_functions(cx, cx.pass.body);
     add_functions(cx, cx.pass.interior_body);
     for (const PassBinding& binding : cx.pass.bindings) cx.pass.exact = cx.pass.exact && !rounds_freely(binding.format);
+}
+
+void agree(const Program& program, Pass& direct, Pass& general) {
+    Pass& longer = direct.loop_rounds > general.loop_rounds ? direct : general;
+    direct.loop_rounds = general.loop_rounds = longer.loop_rounds;
+    direct.longest_loop = general.longest_loop = longer.longest_loop;
+    direct.reports = general.reports = direct.counts_rounds();
+    if (!direct.reports) return;
+    std::vector<std::uint32_t> files{program.kernels[direct.kernel].span.file};
+    add_files(program, direct, files);
+    add_files(program, general, files);
+    direct.files = general.files = files;
 }
 
 }  // namespace gliftc::lower

@@ -171,6 +171,7 @@ Lowered lower(Program& program, Diagnostics& diagnostics) {
         Lowered::Forms forms;
         forms.direct = lowered(program, diagnostics, i, Form::direct);
         forms.general = lowered(program, diagnostics, i, Form::general);
+        agree(program, forms.direct, forms.general);
         forms.wide = widened(program, forms.general);
         result.passes.push_back(std::move(forms));
     }

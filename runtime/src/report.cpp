@@ -10,11 +10,12 @@ namespace glift::detail {
 
 void throw_report(const Kernel& kernel, const StatusRecord& record) {
     if (record.code == StatusRecord::fine) return;
-    const std::string where = std::string(kernel.file) + ":" + std::to_string(record.line) + ", " + kernel_text(kernel);
+    const char* file = record.file && record.file <= kernel.other_files.size() ? kernel.other_files[record.file - 1] : kernel.file;
+    const std::string where = std::string(file) + ":" + std::to_string(record.line) + ", " + kernel_text(kernel);
     if (record.code == StatusRecord::loop_limit) {
         throw Error(ErrorCode::loop_limit, "a loop ran longer than this device allows; the results are not complete",
                     where, "the device cuts an invocation off after a number of rounds, over all its loops together",
-                    "split the work over more invocations or dispatches, or run on another device");
+                    loop_remedy);
     }
     std::string address = "(";
     for (std::uint32_t axis = 0; axis < std::min(record.rank, 4u); ++axis) {
@@ -22,7 +23,8 @@ void throw_report(const Kernel& kernel, const StatusRecord& record) {
     }
     const char* name = record.binding < kernel.bindings.size() ? kernel.bindings[record.binding].name : "a structure";
     throw Error(ErrorCode::out_of_range, "an access outside a structure", where,
-                std::string(name) + " at virtual address " + address + ")");
+                std::string(name) + " at virtual address " + address + ")",
+                "test the address first, with inside() and the structure's domain(), or make the structure larger");
 }
 
 void throw_not_in_recording(const char* call) {

@@ -94,6 +94,14 @@ std::string form_text(const Pass& pass, const std::string& spirv, const std::str
     return "{" + text + "}";
 }
 
+/// The files, other than the kernel's own, that reports may name.
+void print_other_files(Unit& unit, Writer& out, const Pass& pass, const std::string& name) {
+    if (pass.files.size() < 2) return;
+    std::string list;
+    for (std::size_t i = 1; i < pass.files.size(); ++i) list += (list.empty() ? "\"" : ", \"") + file_name(unit.sources, pass.files[i]) + "\"";
+    out.line("const char* const " + name + "_other_files[] = {" + list + "};");
+}
+
 void print_bindings(Unit& unit, Writer& out, const ir::Lowered::Forms& forms, const Kernel& kernel, const std::string& name) {
     if (forms.general.bindings.empty()) return;
     out.line("const glift::Binding " + name + "_bindings[] = {");
@@ -288,6 +296,7 @@ void print_kernel_code(Unit& unit, Writer& out, std::uint32_t index) {
     const bool has_parameters = forms.direct.exists && !forms.direct.parameters.empty();
     if (has_parameters) print_parameters(out, forms.direct, name);
     const Pass& any = forms.general.exists ? forms.general : forms.direct;
+    print_other_files(unit, out, any, name);
     const std::string place = place_text(unit.sources, kernel.span);
     const std::size_t colon = place.rfind(':');
     out.open("const glift::Kernel " + name + "_kernel =");
@@ -302,6 +311,11 @@ void print_kernel_code(Unit& unit, Writer& out, std::uint32_t index) {
     out.line(".general = " + (forms.general.exists ? form_text(forms.general, words.general, general) : "{}") + ",");
     out.line(".wide = " + (words.wide.empty() ? "{}" : form_text(forms.wide, words.wide, "")) + ",");
     if (has_parameters) out.line(".parameters = " + name + "_parameters,");
+    if (any.reports) out.line(".reports = true,");
+    if (any.loop_rounds != 0 && any.longest_loop)
+        out.line(".longest_loop = {\"" + file_name(unit.sources, any.longest_loop.file) + "\", " +
+                 std::to_string(unit.sources.position(any.longest_loop).line) + "},");
+    if (any.files.size() > 1) out.line(".other_files = " + name + "_other_files,");
     out.close(";");
 }
 

@@ -91,6 +91,7 @@ void print_statements(Printer& p, const std::vector<ir::StmtId>& body);
 void print_statement(Printer& p, ir::StmtId stmt);
 std::string declare_local(Printer& p, ir::LocalId local);
 void mark_line(Printer& p, Span span);                         ///< a comment with the source line where it changes
+std::string file_name(const Sources& sources, std::uint32_t file);
 std::string place_text(const Sources& sources, Span span);     ///< laplacian.glift:8
 void require_function(Globals& globals, ir::FunctionId function);   ///< prints it to globals.functions if it isn't there
 bool is_pure(const ir::Program& program, ir::FunctionId function);  ///< touches nothing but its arguments

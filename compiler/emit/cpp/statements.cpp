@@ -125,11 +125,14 @@ std::string declare_local(Printer& p, ir::LocalId local) {
     return name;
 }
 
-std::string place_text(const Sources& sources, Span span) {
-    if (!span) return "";
-    const std::string& path = sources[span.file].path;
+std::string file_name(const Sources& sources, std::uint32_t file) {
+    const std::string& path = sources[file].path;
     const std::size_t slash = path.rfind('/');
-    return path.substr(slash == std::string::npos ? 0 : slash + 1) + ":" + std::to_string(sources.position(span).line);
+    return path.substr(slash == std::string::npos ? 0 : slash + 1);
+}
+
+std::string place_text(const Sources& sources, Span span) {
+    return span ? file_name(sources, span.file) + ":" + std::to_string(sources.position(span).line) : "";
 }
 
 void mark_line(Printer& p, Span span) {

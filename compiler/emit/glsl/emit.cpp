@@ -27,6 +27,7 @@ void name_globals(Printer& p) {
         p.binding_names[parameter.param] += ".at";
     }
     name_structs(p);
+    name_status(p);
     for (ir::LocalId id : p.pass.shared) p.local_names[id] = p.names.declare((*p.program.names)[p.program.locals[id].name]);
 }
 
@@ -77,6 +78,7 @@ std::string main_text(Printer& p) {
     line(p, "void main() {");
     p.names.enter();
     p.indent = 1;
+    print_round_start(p);
     print_prologue(p, grouped);
     print_body(p, p.pass.body);
     p.indent = 0;
@@ -163,13 +165,13 @@ std::string glsl_of(const ir::Program& program, const Sources& sources, const ir
     // Bodies come first: they find out which types, helpers and extensions are needed.
     std::string functions = callees_text(p);
     std::string main = main_text(p), shared = shared_text(p), bindings = bindings_text(p), parameters = parameters_text(p);
-    std::string atomics = atomic_definitions(p), helpers = helper_definitions(p), structs = struct_definitions(p);
+    std::string status = status_definitions(p), atomics = atomic_definitions(p), helpers = helper_definitions(p), structs = struct_definitions(p);
     if (!bindings.empty()) bindings += "\n";
     if (!parameters.empty()) parameters += "\n";
     // The addresses in the parameters of the wide form are of the buffers' types.
     std::string interface = pass.form == ir::Form::wide ? bindings + parameters : parameters + bindings;
     return "#version 460\n" + heading(p) + extensions_text(p) + group_text(pass) + enumerators_text(p) + structs + interface + shared +
-           helpers + atomics + functions + main;
+           status + helpers + atomics + functions + main;
 }
 
 }  // namespace gliftc::glsl

@@ -243,7 +243,8 @@ std::string atomic_text(Printer& p, const ir::Stmt& stmt) {
     std::string index = print_any(p, stmt.target);
     if (stored_as_bits(p, binding)) {
         if (stmt.combine == Combine::replace) return "atomicExchange(" + name + "[" + index + "], floatBitsToUint(" + value + "));";
-        return float_atomic(p, stmt.slot, stmt.combine) + "(" + index + ", " + value + ");";
+        std::string place = !p.status.another_round.empty() ? ", " + place_arguments(p, stmt.span) : "";
+        return float_atomic(p, stmt.slot, stmt.combine) + "(" + index + ", " + value + place + ");";
     }
     if (kind == TypeKind::int64 || kind == TypeKind::uint64) p.extensions.insert("GL_EXT_shader_atomic_int64");
     return std::string("atomic") + atomic_name(stmt.combine) + "(" + name + "[" + index + "], " + value + ");";
@@ -251,11 +252,12 @@ std::string atomic_text(Printer& p, const ir::Stmt& stmt) {
 
 std::string atomic_definitions(Printer& p) {
     std::string text;
+    std::string test = round_test(p, p.pass.files.size() > 1 ? "line, file" : "line");
     for (const AtomicUse& use : p.atomics) {
         const std::string& memory = p.binding_names[use.binding];
         std::string function = p.pass.bindings[use.binding].name + "_" + lower_case(atomic_name(use.combine));
-        text += "void " + function + "(uint index, float value) {\n";
-        text += "    uint seen = " + memory + "[index], expected;\n    do {\n        expected = seen;\n";
+        text += "void " + function + "(uint index, float value" + (test.empty() ? "" : ", " + place_parameters(p)) + ") {\n";
+        text += "    uint seen = " + memory + "[index], expected;\n    do {\n" + (test.empty() ? "" : "        if (!" + test + ") return;\n") + "        expected = seen;\n";
         text += "        uint wanted = floatBitsToUint(" + combined(use.combine) + ");\n        if (wanted == seen) return;\n";
         text += "        seen = atomicCompSwap(" + memory + "[index], expected, wanted);\n    } while (seen != expected);\n}\n\n";
     }

@@ -39,6 +39,11 @@ struct AtomicUse {
     bool operator==(const AtomicUse&) const = default;
 };
 
+/// What shaders that report declare beside the bindings; see status.cpp.
+struct StatusNames {
+    std::string block, limit, rounds, another_round;
+};
+
 /// Bounds of a loop's variable, [low, high).
 struct Bounds { std::int64_t low, high; };
 
@@ -55,6 +60,7 @@ struct Printer {
     std::vector<std::string> binding_names;      ///< as expressions: f_data, or f_data.at in the wide form
     std::vector<std::string> block_names;        ///< of buffer bindings
     std::vector<std::string> parameter_names;
+    StatusNames status;                          ///< named only where the pass reports
     std::vector<std::string> struct_names;       ///< of Program::structs
     std::vector<std::vector<std::string>> field_names;
     std::unordered_map<ir::FunctionId, std::string> function_names;
@@ -117,6 +123,14 @@ std::string division_definition(Helper helper);
 bool is_power_of_two(const Printer& p, ir::ExprId expr);       ///< dividing by it is exact however the device does it
 bool corrects_division(const Printer& p, ir::TypeId type);
 std::string quotient_of(Printer& p, ir::TypeId type, const std::string& a, const std::string& b);
+
+// status.cpp: how a shader tells what it could not do
+void name_status(Printer& p);
+std::string status_definitions(Printer& p);
+std::string place_parameters(const Printer& p);                 ///< of functions that report
+std::string place_arguments(const Printer& p, Span span);
+std::string round_test(const Printer& p, const std::string& place);   ///< `another_round(9u)`, empty where rounds are not counted (a library never counts)
+void print_round_start(Printer& p);
 
 // statements.cpp
 void print_body(Printer& p, const std::vector<ir::StmtId>& body);

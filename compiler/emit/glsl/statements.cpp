@@ -121,10 +121,18 @@ void print_for(Printer& p, const Stmt& stmt) {
         first += ", " + end + " = " + print_any(p, stmt.limit);
         high = end;
     }
-    line(p, "for (" + first + "; " + name + " < " + high + "; ++" + name + ") {");
+    std::string test = round_test(p, place_arguments(p, stmt.span));
+    line(p, "for (" + first + "; " + (test.empty() ? "" : test + " && ") + name + " < " + high + "; ++" + name + ") {");
     print_block(p, stmt.body);
     line(p, "}");
     p.names.leave();
+}
+
+void print_while(Printer& p, const Stmt& stmt) {
+    std::string test = round_test(p, place_arguments(p, stmt.span));
+    line(p, "while (" + (test.empty() ? print_any(p, stmt.value) : test + " && " + print(p, stmt.value, Level::bit_or)) + ") {");
+    print_block(p, stmt.body);
+    line(p, "}");
 }
 
 bool writes_memory(const Printer& p) {
@@ -186,10 +194,7 @@ void print_statement(Printer& p, StmtId id) {
         return line(p, print(p, stmt.target, Level::postfix) + " = " + print_any(p, stmt.value) + ";");
     case StmtOp::if_: return print_if(p, stmt, "");
     case StmtOp::for_: return print_for(p, stmt);
-    case StmtOp::while_:
-        line(p, "while (" + print_any(p, stmt.value) + ") {");
-        print_block(p, stmt.body);
-        return line(p, "}");
+    case StmtOp::while_: return print_while(p, stmt);
     case StmtOp::break_: return line(p, "break;");
     case StmtOp::continue_: return line(p, "continue;");
     case StmtOp::return_: return line(p, stmt.value ? "return " + print_any(p, stmt.value) + ";" : "return;");

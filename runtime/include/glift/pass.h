@@ -47,16 +47,23 @@ struct Binding {
     std::uint32_t address_offset = 0;  ///< wide form, buffers: byte offset of the 64-bit address in the parameters
 };
 
+/// A place in the source.
+struct SourceLine {
+    const char* file = "";
+    std::uint32_t line = 0;                  ///< 0: none
+};
+
 /// Where a kernel reports what it could not do. The first invocation to change code from 0 (atomicCompSwap) fills in
 /// the rest. The runtime supplies the record, and throws an Error that names the kernel, the line and the address when
 /// the host next waits for the device (Commands::wait, Download::get).
 struct StatusRecord {
     enum Code : std::uint32_t { fine = 0, loop_limit = 1, out_of_range = 2 };
     std::uint32_t code = fine;
-    std::uint32_t line = 0;                  ///< of Kernel::file
+    std::uint32_t line = 0;                  ///< of the file that `file` says
     std::uint32_t rank = 0;                  ///< out_of_range: axes of the virtual address
     std::uint32_t binding = 0;               ///< out_of_range: index of the memory's binding
     std::uint32_t address[4] = {0, 0, 0, 0}; ///< out_of_range: the virtual address
+    std::uint32_t file = 0;                  ///< 0: Kernel::file, k: Kernel::other_files[k - 1]
 };
 
 /// One call as the host device sees it.
@@ -102,16 +109,19 @@ struct Kernel {
     std::uint32_t line;
     std::uint32_t rank;                      ///< axes of the iteration, 1 to 4
     std::array<std::uint32_t, 3> group;      ///< workgroup size
-    std::uint64_t loop_rounds;               ///< bound on loop back-edges of one invocation, UINT64_MAX if unknown.
-                                             ///< A bound beyond the device's loop_round_limit is refused
-                                             ///< (ErrorCode::loop_limit); an unknown one runs, and such a kernel
-                                             ///< should count its rounds and report (below)
+    std::uint64_t loop_rounds;               ///< bound on the rounds of one invocation's loops, in all, the tests that
+                                             ///< end them included; UINT64_MAX if unknown. A bound beyond the device's
+                                             ///< loop_round_limit is refused (ErrorCode::loop_limit); an unknown one
+                                             ///< runs, and such a kernel counts its rounds where specialisation constant
+                                             ///< 101 (a uint) is not 0 but the device's limit, and reports (below)
     std::span<const Binding> bindings;
     Form direct, general, wide;
     std::span<const Parameter> parameters = {};   ///< what Commands::specialised can fix
     std::uint32_t items = 1;                 ///< elements along x that one invocation takes
     bool reports = false;                    ///< has a StatusRecord: a storage buffer (scalar layout) at binding
                                              ///< bindings.size() + 1 in every form
+    SourceLine longest_loop = {};            ///< of its loops, the one of most rounds
+    std::span<const char* const> other_files = {};   ///< that reports may name, beside `file`
 };
 
 /// A 4-byte value that lives on the device: a count that a kernel wrote.

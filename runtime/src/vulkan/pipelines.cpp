@@ -17,6 +17,9 @@ namespace {
 /// Of generated shaders: true where the device rounds / and sqrt of floats correctly.
 constexpr std::uint32_t exact_division_constant = 100;
 
+/// Of generated shaders whose loops have no bound: the rounds that the device allows a subgroup, 0 where there is no limit.
+constexpr std::uint32_t loop_round_constant = 101;
+
 const Form& form_of(const Kernel& kernel, CompiledForm form) {
     switch (form) {
         case CompiledForm::direct: return kernel.direct;
@@ -41,11 +44,13 @@ void check_limits(const Context& context, const Kernel& kernel, const Form& form
         throw Error(ErrorCode::too_large, what, kernel_text(kernel), p.name + " " + why);
     };
     if (kernel.loop_rounds != UINT64_MAX && kernel.loop_rounds > p.loop_round_limit) {
-        throw Error(ErrorCode::loop_limit, "the kernel's loops run longer than this device allows", kernel_text(kernel),
+        const SourceLine& loop = kernel.longest_loop;
+        const std::string where = loop.line ? std::string(loop.file) + ":" + std::to_string(loop.line) + ", " : "";
+        throw Error(ErrorCode::loop_limit, "the kernel's loops run longer than this device allows",
+                    where + kernel_text(kernel),
                     "up to " + std::to_string(kernel.loop_rounds) + " rounds an invocation, over all its loops; " +
                         p.name + " cuts off at " + std::to_string(p.loop_round_limit),
-                    "split the work over more invocations or dispatches, or run on another device "
-                    "(GLIFT_DEVICE=gpu or GLIFT_DEVICE=host)");
+                    loop_remedy);
     }
     const auto& g = kernel.group;
     if (std::uint64_t(g[0]) * g[1] * g[2] > p.max_workgroup_invocations || g[0] > p.max_workgroup_size[0] ||
@@ -217,9 +222,12 @@ VkPipeline Pipelines::make_handle(const Pipeline& pipeline) {
     context_.check(context_.vk.vkCreateShaderModule(context_.device, &module_info, nullptr, &module),
                    "vkCreateShaderModule");
     // Generated shaders correct / and sqrt of floats unless the device's own are correctly rounded: those of CPUs are.
-    const VkBool32 exact_division = context_.properties.kind == DeviceKind::cpu;
-    const VkSpecializationMapEntry entry = {exact_division_constant, 0, sizeof exact_division};
-    const VkSpecializationInfo special = {1, &entry, sizeof exact_division, &exact_division};
+    const std::uint64_t rounds = context_.properties.loop_round_limit;
+    const std::uint32_t values[] = {context_.properties.kind == DeviceKind::cpu ? VK_TRUE : VK_FALSE,
+                                    rounds == unlimited ? 0 : static_cast<std::uint32_t>(rounds)};
+    const VkSpecializationMapEntry entries[] = {{exact_division_constant, 0, sizeof values[0]},
+                                                {loop_round_constant, sizeof values[0], sizeof values[1]}};
+    const VkSpecializationInfo special = {std::size(entries), entries, sizeof values, values};
     const VkComputePipelineCreateInfo info = {
         .sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO,
         .stage = {.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,

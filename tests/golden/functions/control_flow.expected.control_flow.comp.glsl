@@ -1,6 +1,7 @@
 #version 460
 // control_flow, control_flow.glift:40: whole ranges, shared state.
 #extension GL_EXT_scalar_block_layout : require
+#extension GL_KHR_shader_subgroup_basic : require
 
 layout(local_size_x = 256) in;
 
@@ -17,13 +18,30 @@ layout(push_constant, scalar) uniform Parameters {
 layout(scalar, set = 0, binding = 1) writeonly buffer F_data { float f_data[]; };
 layout(scalar, set = 0, binding = 2) writeonly buffer N_data { uint n_data[]; };
 
+layout(scalar, set = 0, binding = 3) buffer Status {
+    uint code, line, rank, memory, address[4], file;
+} status;
+
+layout(constant_id = 101) const uint loop_round_limit = 0u;   // after so many rounds the device cuts loops off; 0: never
+shared uint loop_rounds[loop_round_limit == 0u ? 1u : 64u];
+
+// False, and reported, where the device would cut the loop off. Lanes run in step: a round of one is a round of all.
+bool another_round(uint line) {
+    if (loop_round_limit == 0u) return true;
+    uint rounds = loop_rounds[gl_SubgroupID] + 1u;
+    loop_rounds[gl_SubgroupID] = rounds;
+    if (rounds < loop_round_limit) return true;
+    if (atomicCompSwap(status.code, 0u, 1u) == 0u) status.line = line;
+    return false;
+}
+
 // halves<3>
 // control_flow.glift:18
 float halves(float x) {
     // control_flow.glift:19
     float y = x;
     // control_flow.glift:20
-    for (uint i = 0u; i < 3u; ++i) {
+    for (uint i = 0u; another_round(20u) && i < 3u; ++i) {
         y *= 0.5;
     }
     // control_flow.glift:21
@@ -37,7 +55,7 @@ uint collatz(uint start) {
     // control_flow.glift:31
     uint steps = 0u;
     // control_flow.glift:32
-    while (n > 1u) {
+    while (another_round(32u) && n > 1u) {
         // control_flow.glift:33
         if (steps == 100u) {
             break;
@@ -56,6 +74,7 @@ uint collatz(uint start) {
 }
 
 void main() {
+    if (loop_round_limit != 0u) loop_rounds[gl_SubgroupID] = 0u;
     // control_flow.glift:40
     uint address = gl_GlobalInvocationID.y * (gl_NumWorkGroups.x * 256u) + gl_GlobalInvocationID.x;
     if (address >= a_extent) return;

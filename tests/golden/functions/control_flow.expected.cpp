@@ -251,6 +251,8 @@ const glift::Kernel control_flow_kernel = {
     .general = {.host = &control_flow_general, .parameter_bytes = 20},
     .wide = {},
     .parameters = control_flow_parameters,
+    .reports = true,
+    .longest_loop = {"control_flow.glift", 32},
 };
 
 // ----------------------------------------------------------------------------------------------------

@@ -1,6 +1,7 @@
 #version 460
 // block_sums, group.glift:8: whole ranges, shared state.
 #extension GL_EXT_scalar_block_layout : require
+#extension GL_KHR_shader_subgroup_basic : require
 
 layout(local_size_x = 64) in;
 
@@ -13,7 +14,25 @@ layout(scalar, set = 0, binding = 2) writeonly buffer Sums_data { uint sums_data
 
 shared uint part[64];
 
+layout(scalar, set = 0, binding = 3) buffer Status {
+    uint code, line, rank, memory, address[4], file;
+} status;
+
+layout(constant_id = 101) const uint loop_round_limit = 0u;   // after so many rounds the device cuts loops off; 0: never
+shared uint loop_rounds[loop_round_limit == 0u ? 1u : 16u];
+
+// False, and reported, where the device would cut the loop off. Lanes run in step: a round of one is a round of all.
+bool another_round(uint line) {
+    if (loop_round_limit == 0u) return true;
+    uint rounds = loop_rounds[gl_SubgroupID] + 1u;
+    loop_rounds[gl_SubgroupID] = rounds;
+    if (rounds < loop_round_limit) return true;
+    if (atomicCompSwap(status.code, 0u, 1u) == 0u) status.line = line;
+    return false;
+}
+
 void main() {
+    if (loop_round_limit != 0u) loop_rounds[gl_SubgroupID] = 0u;
     // group.glift:8
     uint address = gl_GlobalInvocationID.y * (gl_NumWorkGroups.x * 64u) + gl_GlobalInvocationID.x;
     bool in_range = address < value_extent;
@@ -27,7 +46,7 @@ void main() {
     // group.glift:13
     uint step_1 = 32u;
     // group.glift:14
-    while (step_1 > 0u) {
+    while (another_round(14u) && step_1 > 0u) {
         // group.glift:15
         if (i < step_1) {
             part[min(i, 63u)] += part[min(i + step_1, 63u)];

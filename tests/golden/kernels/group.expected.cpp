@@ -231,6 +231,8 @@ const glift::Kernel block_sums_kernel = {
     .general = {.host = &block_sums_general, .parameter_bytes = 12},
     .wide = {},
     .parameters = block_sums_parameters,
+    .reports = true,
+    .longest_loop = {"group.glift", 14},
 };
 
 // ----------------------------------------------------------------------------------------------------

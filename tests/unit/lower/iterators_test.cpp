@@ -128,7 +128,7 @@ kernel k(f: in any<Field>, g: out each<Field>, a: at<Field>) { if let i = first(
     const ir::Pass& pass = lowering.forms("k").direct;
     ASSERT_EQ(pass.functions.size(), 1u);
     EXPECT_EQ(lowering.names[lowering.program.functions[pass.functions[0]].name], "f_first");
-    EXPECT_EQ(pass.loop_rounds, 100u);
+    EXPECT_EQ(pass.loop_rounds, 101u);
 }
 
 TEST(Iterators, AWrittenValueIsReadAgain) {

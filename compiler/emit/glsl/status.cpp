@@ -1,0 +1,83 @@
+// The record in which a shader tells the runtime what it could not do, and the count of its loops' rounds.
+//
+// Some devices cut the loops of an invocation off after a number of rounds, without a word. They run the lanes of a subgroup in
+// step, so a round of one lane is a round of all: the count is the subgroup's, and each test of a loop's condition adds one to
+// it. Specialisation constant 101 is the device's limit; where it is 0 nothing is counted and the driver drops all of this.
+#include "emit/glsl/printer.h"
+
+#include <algorithm>
+
+namespace gliftc::glsl {
+
+namespace {
+
+/// Invocations of the smallest subgroup that a device with a limit has.
+constexpr std::uint32_t smallest_subgroup = 4;
+
+bool names_files(const Printer& p) { return p.pass.files.size() > 1; }
+
+std::string place_assigned(const Printer& p) {
+    std::string line = p.status.block + ".line = line;";
+    return names_files(p) ? "{\n        " + line + "\n        " + p.status.block + ".file = file;\n    }" : line;
+}
+
+std::string record_text(const Printer& p) {
+    std::string binding = std::to_string(p.pass.bindings.size() + 1);
+    return "layout(scalar, set = 0, binding = " + binding +
+           ") buffer Status {\n    uint code, line, rank, memory, address[4], file;\n} " + p.status.block + ";\n\n";
+}
+
+std::string count_text(const Printer& p) {
+    const StatusNames& s = p.status;
+    std::uint32_t group = p.pass.group[0] * p.pass.group[1] * p.pass.group[2];
+    std::uint32_t subgroups = std::max(1u, (group + smallest_subgroup - 1) / smallest_subgroup);
+    std::string text = "layout(constant_id = 101) const uint " + s.limit +
+                       " = 0u;   // after so many rounds the device cuts loops off; 0: never\n";
+    text += "shared uint " + s.rounds + "[" + s.limit + " == 0u ? 1u : " + std::to_string(subgroups) + "u];\n\n";
+    text += "// False, and reported, where the device would cut the loop off. Lanes run in step: a round of one is a round of all.\n";
+    text += "bool " + s.another_round + "(" + place_parameters(p) + ") {\n";
+    text += "    if (" + s.limit + " == 0u) return true;\n";
+    text += "    uint rounds = " + s.rounds + "[gl_SubgroupID] + 1u;\n";
+    text += "    " + s.rounds + "[gl_SubgroupID] = rounds;\n";
+    text += "    if (rounds < " + s.limit + ") return true;\n";
+    text += "    if (atomicCompSwap(" + s.block + ".code, 0u, 1u) == 0u) " + place_assigned(p) + "\n";
+    return text + "    return false;\n}\n\n";
+}
+
+}  // namespace
+
+void name_status(Printer& p) {
+    if (!p.pass.reports) return;
+    p.names.declare("Status");
+    p.status.block = p.names.declare("status");
+    if (!p.pass.counts_rounds()) return;
+    p.status.limit = p.names.declare("loop_round_limit");
+    p.status.rounds = p.names.declare("loop_rounds");
+    p.status.another_round = p.names.declare("another_round");
+}
+
+std::string status_definitions(Printer& p) {
+    if (!p.pass.reports) return "";
+    if (p.pass.counts_rounds()) p.extensions.insert("GL_KHR_shader_subgroup_basic");
+    return record_text(p) + (p.pass.counts_rounds() ? count_text(p) : "");
+}
+
+std::string place_parameters(const Printer& p) { return names_files(p) ? "uint line, uint file" : "uint line"; }
+
+std::string place_arguments(const Printer& p, Span span) {
+    std::string line = std::to_string(span ? p.sources.position(span).line : 0) + "u";
+    if (!names_files(p)) return line;
+    auto file = std::find(p.pass.files.begin(), p.pass.files.end(), span.file);
+    std::size_t index = span && file != p.pass.files.end() ? static_cast<std::size_t>(file - p.pass.files.begin()) : 0;
+    return line + ", " + std::to_string(index) + "u";
+}
+
+std::string round_test(const Printer& p, const std::string& place) {
+    return p.status.another_round.empty() ? "" : p.status.another_round + "(" + place + ")";
+}
+
+void print_round_start(Printer& p) {
+    if (p.pass.counts_rounds()) line(p, "if (" + p.status.limit + " != 0u) " + p.status.rounds + "[gl_SubgroupID] = 0u;");
+}
+
+}  // namespace gliftc::glsl

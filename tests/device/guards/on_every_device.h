@@ -1,0 +1,41 @@
+// Tests on the host device and on Vulkan (lavapipe unless GLIFT_TEST_DEVICE says otherwise), the latter under the validation
+// layer.
+#pragma once
+
+#include <glift/glift.h>
+
+#include <gmock/gmock.h>
+
+#include <cstdlib>
+#include <optional>
+#include <string>
+
+class OnEveryDevice : public testing::TestWithParam<const char*> {
+protected:
+    OnEveryDevice() : device(glift::Device::open(name())) {}
+    ~OnEveryDevice() override {
+        for (const std::string& message : device.validation_messages()) ADD_FAILURE() << message;
+    }
+
+    static std::string name() {
+        const char* vulkan = std::getenv("GLIFT_TEST_DEVICE");
+        return GetParam() == std::string("host") ? "host" : vulkan ? vulkan : "lavapipe";
+    }
+
+    glift::Device device;
+};
+
+#define GLIFT_ON_EVERY_DEVICE(Fixture)                                                                    \
+    INSTANTIATE_TEST_SUITE_P(, Fixture, testing::Values("host", "vulkan"),                                \
+                             [](const testing::TestParamInfo<const char*>& which) { return which.param; })
+
+/// The Error that the action throws, if it throws one.
+template <class Action>
+std::optional<glift::Error> thrown_by(Action action) {
+    try {
+        action();
+    } catch (const glift::Error& error) {
+        return error;
+    }
+    return std::nullopt;
+}
