@@ -1,13 +1,16 @@
-# glift_compile(TARGET target SOURCES file.glift… [IMPORT_DIRS dir…] [DEFINES name=value…] [OPTIONS option…])
+# glift_compile(TARGET target SOURCES file.glift… [IMPORT_DIRS dir…] [DEFINES name=value…] [OPTIONS option…]
+#               [CHECKED])
 #
 # Compiles each file with gliftc and adds what comes out (<name>.glift.hpp, <name>.glift.cpp) to the target, with its
 # include directory, the runtime it calls and the threads (oneTBB) of its host kernels. Works the same beside add_subdirectory and after find_package(glift).
+#
+# CHECKED: kernels report accesses by address outside a structure (docs/language.md, "Checked builds").
 #
 # gliftc rewrites an output only when its bytes change. The stamp is what says that it ran; the outputs are byproducts,
 # so an import that was only touched compiles no C++, and a second build does nothing.
 
 function(glift_compile)
-    cmake_parse_arguments(PARSE_ARGV 0 arg "" "TARGET" "SOURCES;IMPORT_DIRS;DEFINES;OPTIONS")
+    cmake_parse_arguments(PARSE_ARGV 0 arg "CHECKED" "TARGET" "SOURCES;IMPORT_DIRS;DEFINES;OPTIONS")
     if(arg_UNPARSED_ARGUMENTS)
         message(FATAL_ERROR "glift_compile: unknown arguments: ${arg_UNPARSED_ARGUMENTS}")
     endif()
@@ -28,6 +31,9 @@ function(glift_compile)
     foreach(define IN LISTS arg_DEFINES)
         list(APPEND arguments -D ${define})
     endforeach()
+    if(arg_CHECKED)
+        list(APPEND arguments --checked)
+    endif()
     list(APPEND arguments ${arg_OPTIONS})
 
     foreach(source IN LISTS arg_SOURCES)

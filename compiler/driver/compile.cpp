@@ -69,7 +69,7 @@ Result compile(const Options& options, const FileSystem& files, Compilation& c) 
     if (options.dump == Stage::sema) result.dump = ir::print(c.program);
     if (stops_after(Stage::sema)) return result;
 
-    c.lowered = lower::lower(c.program, c.diagnostics);
+    c.lowered = lower::lower(c.program, c.diagnostics, options.checked ? lower::Checks::ranges : lower::Checks::none);
     if (options.wants(Target::glsl)) c.lowered.libraries = lower::lower_libraries(c.program, c.diagnostics);
     clock.lap("lower");
     if (stops_after(Stage::lower) && options.dump != Stage::lower) return result;

@@ -152,7 +152,12 @@ enum class StmtOp : std::uint8_t {
     store,           // bindings[slot][target] = value
     image_store,     // bindings[slot] at texel target = value
     atomic,          // combine(bindings[slot][target], value)
+    report,          // says that virtual address `target` lies outside the structure of bindings[slot]; without a binding: slot is
+                     // no_binding, the structure is a view
 };
+
+/// StmtOp::report: the structure has no memory.
+inline constexpr std::uint32_t no_binding = 0xffffffffu;
 
 /// How scatter combines what is written to one address.
 enum class Combine : std::uint8_t { replace, min, max, add, bit_and, bit_or, bit_xor };

@@ -78,12 +78,14 @@ struct Pass {
     std::uint64_t loop_rounds = 0;      ///< bound on the rounds of one invocation's loops, with the tests that end them;
                                         ///< UINT64_MAX: not known at compile time. The same in all forms
     Span longest_loop;
-    bool reports = false;               ///< has a status record after its bindings: it has `report`s or counts rounds
+    bool has_reports = false;           ///< some statement is a `report`. The same in all forms
     std::vector<std::uint32_t> files;   ///< that reports name: the kernel's, then others. The same in all forms
     bool exact = true;                  ///< calls no inexact intrinsic: devices agree bit for bit
 
     /// Whether shaders count the rounds of every loop, for devices that cut loops off.
     bool counts_rounds() const { return loop_rounds == UINT64_MAX; }
+    /// Whether a status record stands after the bindings.
+    bool has_status() const { return has_reports || counts_rounds(); }
 };
 
 /// A function for shaders that are not Glift's. Its body ends in `evaluate result`, or the function gives nothing.

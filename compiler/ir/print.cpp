@@ -273,6 +273,9 @@ void Printer::stmt(const Stmt& stmt) {
         line("atomic_" + std::string(name_of(stmt.combine)) + "(" + binding(stmt.slot) + "[" + expr(stmt.target) + "], " +
              expr(stmt.value) + ");");
         break;
+    case StmtOp::report:
+        line("report(" + (stmt.slot == no_binding ? "view" : binding(stmt.slot)) + ", " + expr(stmt.target) + ");");
+        break;
     default: host_stmt(stmt); break;
     }
 }
@@ -357,7 +360,7 @@ void Printer::pass() {
     for (const PassParameter& of : pass.parameters)
         line("parameter " + of.name + ": " + to_text(p, of.type) + " = " + source_text(of, of.value ? expr(of.value) : ""));
     if (pass.loop_rounds) line("loops " + (pass.loop_rounds == ~0ull ? std::string("unbounded") : std::to_string(pass.loop_rounds)));
-    if (pass.reports) line("reports");
+    if (pass.has_status()) line("has status");
     if (!pass.exact) line("inexact");
     for (FunctionId of : pass.functions) function(of);
     line("prologue");

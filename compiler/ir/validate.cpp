@@ -146,6 +146,9 @@ void Validator::stmt(const Stmt& stmt) {
         if (stmt.slot >= pass_.bindings.size()) return fail("no such binding");
         if (pass_.bindings[stmt.slot].access == Access::read) fail("a store to memory that is only read");
         return expect_type(stmt.value, pass_.bindings[stmt.slot].element, "a store");
+    case StmtOp::report:
+        if (stmt.slot >= pass_.bindings.size() && stmt.slot != no_binding) return fail("no such binding");
+        return;
     case StmtOp::set_element:
     case StmtOp::write:
     case StmtOp::temp:

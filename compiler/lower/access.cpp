@@ -79,8 +79,10 @@ ExprId Expander::view(const Place& place, ExprId address) {
     frame.places = {place};
     frame.prefix = cx.name_of(place);
     std::vector<Pair> arguments{{address, {}}};
-    if (is_inlinable(structure.at)) return inlined(structure.at, std::move(arguments), std::move(frame)).value;
-    return call_instance(structure.at, std::move(arguments), std::move(frame)).value;
+    return within([&] {
+        if (is_inlinable(structure.at)) return inlined(structure.at, std::move(arguments), std::move(frame)).value;
+        return call_instance(structure.at, std::move(arguments), std::move(frame)).value;
+    });
 }
 
 ExprId Expander::element(std::uint32_t root, Span) {
@@ -225,6 +227,7 @@ void Expander::write(const Stmt& stmt) {
     std::string name = cx.name_of(place);
     ExprId address = named(name + "_address", value_of(stmt.target));
     ExprId value = stored(expand(stmt.value), structure.element);
+    check_range(place, address, stmt.combine == Combine::replace ? Access::write : Access::read_write, stmt.span);
     Pair physical = translated(place, address, name);
     ExprId guard = is_total(structure) ? inside_domain(place, address) : ExprId{};
     store(place, physical, guard, stmt, value);

@@ -4,6 +4,7 @@
 #include "diag/diagnostics.h"
 #include "ir/pass.h"
 #include "lower/flat_map.h"
+#include "lower/lower.h"
 #include "lower/make.h"
 
 #include <map>
@@ -20,17 +21,19 @@ struct FunctionKey {
     ir::FunctionId function;
     std::vector<std::vector<std::uint32_t>> places;   ///< of each structure: root, then members
     std::vector<std::uint32_t> state;                 ///< translators: place of the structure, then the stage
+    bool is_within = false;                           ///< called by a translator or view, whose accesses are not checked
     auto operator<=>(const FunctionKey&) const = default;
 };
 
 struct Context {
-    Context(ir::Program& program, const ir::Kernel& kernel, ir::Pass& pass, Diagnostics& diagnostics)
-        : p(program), kernel(kernel), pass(pass), diagnostics(diagnostics), make(program) {}
+    Context(ir::Program& program, const ir::Kernel& kernel, ir::Pass& pass, Diagnostics& diagnostics, Checks checks)
+        : p(program), kernel(kernel), pass(pass), diagnostics(diagnostics), checks(checks), make(program) {}
 
     ir::Program& p;
     const ir::Kernel& kernel;
     ir::Pass& pass;
     Diagnostics& diagnostics;
+    Checks checks;
     Make make;
 
     /// The value of each immutable local that a `let` of this pass declares.

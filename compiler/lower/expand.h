@@ -127,6 +127,16 @@ private:
     ExprId near_guard(std::uint32_t root, const std::vector<std::int64_t>& offset);
     void note_near_guard(std::uint32_t root);
 
+    // check.cpp
+    bool checks_range(const ir::Place& place);
+    void check_range(const ir::Place& place, ExprId address, ir::Access access, Span span);
+    template <class F> auto within(F&& work) {        ///< what a translator or view does is not checked
+        ++within_;
+        auto result = work();
+        --within_;
+        return result;
+    }
+
     // inside.cpp
     bool is_asking_inside(std::uint32_t root, ExprId condition, ExprId address);
     ExprId without_inside(std::uint32_t root, ExprId condition, ExprId address, bool& asked);
@@ -178,6 +188,7 @@ private:
     std::unordered_map<ir::FunctionId, bool> windows_;
     std::unordered_map<StmtId, bool> returning_;
     unsigned depth_ = 0;
+    unsigned within_ = 0;                             ///< translators and views around what is being expanded
 };
 
 }  // namespace gliftc::lower

@@ -115,6 +115,8 @@ Pair Expander::expand(ExprId id) {
     case Op::read: {
         Place place = resolved(node.place);
         ExprId address = value_of(node.operands[0]);
+        if (checks_range(place)) address = named(cx.name_of(place) + "_address", address);
+        check_range(place, address, Access::read, node.span);
         return {read(place, address, cx.name_of(place)), {}};
     }
     case Op::sample: return {sample(node), {}};

@@ -66,7 +66,8 @@ void Expander::expand_statement(StmtId id) {
     case StmtOp::barrier:
     case StmtOp::store:
     case StmtOp::image_store:
-    case StmtOp::atomic: append(stmt); break;
+    case StmtOp::atomic:
+    case StmtOp::report: append(stmt); break;
     case StmtOp::set_element: set_element(stmt); break;
     case StmtOp::write: write(stmt); break;
     case StmtOp::temp:

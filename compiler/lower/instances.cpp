@@ -73,6 +73,7 @@ FunctionId Expander::instance(FunctionId id, Frame frame) {
         const auto& via = cx.structure_at(frame.structure).via;
         key.state.push_back(static_cast<std::uint32_t>(frame.stage - via.data()));
     }
+    key.is_within = within_ > 0;
     if (auto found = cx.instances.find(key); found != cx.instances.end()) return found->second;
 
     Function made = original;

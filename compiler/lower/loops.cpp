@@ -81,7 +81,7 @@ void add_files(const Program& program, const Pass& pass, std::vector<std::uint32
     const auto add = [&](const std::vector<StmtId>& body) {
         for_each_statement(program, body, [&](const Stmt& stmt) {
             const bool is_loop = stmt.op == StmtOp::for_ || stmt.op == StmtOp::while_ || stmt.op == StmtOp::atomic;
-            if (!stmt.span || !(is_loop && pass.counts_rounds())) return;
+            if (!stmt.span || !(stmt.op == StmtOp::report || (is_loop && pass.counts_rounds()))) return;
             if (std::find(files.begin(), files.end(), stmt.span.file) == files.end()) files.push_back(stmt.span.file);
         });
     };
@@ -106,6 +106,12 @@ void add_functions(Context& cx, const std::vector<StmtId>& body) {
     });
 }
 
+bool has_reports(const Program& program, const std::vector<StmtId>& body) {
+    bool found = false;
+    for_each_statement(program, body, [&](const Stmt& stmt) { found = found || stmt.op == StmtOp::report; });
+    return found;
+}
+
 }  // namespace
 
 void summarize(Context& cx) {
@@ -113,6 +119,9 @@ void summarize(Context& cx) {
     add_functions(cx, cx.pass.prologue);
     add_functions(cx, cx.pass.body);
     add_functions(cx, cx.pass.interior_body);
+    cx.pass.has_reports = has_reports(cx.p, cx.pass.body);
+    for (FunctionId function : cx.pass.functions)
+        cx.pass.has_reports = cx.pass.has_reports || has_reports(cx.p, cx.p.functions[function].body);
     for (const PassBinding& binding : cx.pass.bindings) cx.pass.exact = cx.pass.exact && !rounds_freely(binding.format);
 }
 
@@ -120,8 +129,8 @@ void agree(const Program& program, Pass& direct, Pass& general) {
     Pass& longer = direct.loop_rounds > general.loop_rounds ? direct : general;
     direct.loop_rounds = general.loop_rounds = longer.loop_rounds;
     direct.longest_loop = general.longest_loop = longer.longest_loop;
-    direct.reports = general.reports = direct.counts_rounds();
-    if (!direct.reports) return;
+    direct.has_reports = general.has_reports = direct.has_reports || general.has_reports;
+    if (!direct.has_status()) return;
     std::vector<std::uint32_t> files{program.kernels[direct.kernel].span.file};
     add_files(program, direct, files);
     add_files(program, general, files);

@@ -5,10 +5,10 @@
 
 namespace gliftc::lower {
 
-/// Fills loop_rounds, longest_loop, functions and exact.
+/// Fills loop_rounds, longest_loop, has_reports, functions and exact.
 void summarize(Context& cx);
 
-/// What the forms of a kernel have in common: the bound of its loops, whether it reports, the files that reports name.
+/// What the forms of a kernel have in common: the bound of its loops, whether it has reports, the files that reports name.
 void agree(const ir::Program& program, ir::Pass& direct, ir::Pass& general);
 
 }  // namespace gliftc::lower

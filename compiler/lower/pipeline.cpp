@@ -111,11 +111,11 @@ void check_whole([[maybe_unused]] const Context& cx) {
 #endif
 }
 
-Pass lowered(Program& program, Diagnostics& diagnostics, std::uint32_t kernel, Form form) {
+Pass lowered(Program& program, Diagnostics& diagnostics, std::uint32_t kernel, Form form, Checks checks) {
     Pass pass;
     pass.kernel = kernel;
     pass.form = form;
-    Context cx(program, program.kernels[kernel], pass, diagnostics);
+    Context cx(program, program.kernels[kernel], pass, diagnostics, checks);
     choose_dispatch(cx);
     Expander expander(cx, Guards::checked);
     cx.size = expander.iteration_size();
@@ -150,7 +150,7 @@ Pass lowered(Program& program, Diagnostics& diagnostics, std::uint32_t kernel, F
 Pass lower_function(Program& program, Diagnostics& diagnostics, const Kernel& kernel) {
     Pass pass;
     pass.kernel = no_kernel;
-    Context cx(program, kernel, pass, diagnostics);
+    Context cx(program, kernel, pass, diagnostics, Checks::none);
     choose_dispatch(cx);
     Expander expander(cx, Guards::checked);
     std::vector<StmtId> body = expander.kernel_body();
@@ -164,13 +164,13 @@ Pass lower_function(Program& program, Diagnostics& diagnostics, const Kernel& ke
     return pass;
 }
 
-Lowered lower(Program& program, Diagnostics& diagnostics) {
+Lowered lower(Program& program, Diagnostics& diagnostics, Checks checks) {
     mark_affine(program);
     Lowered result;
     for (std::uint32_t i = 0; i < program.kernels.size(); ++i) {
         Lowered::Forms forms;
-        forms.direct = lowered(program, diagnostics, i, Form::direct);
-        forms.general = lowered(program, diagnostics, i, Form::general);
+        forms.direct = lowered(program, diagnostics, i, Form::direct, checks);
+        forms.general = lowered(program, diagnostics, i, Form::general, checks);
         agree(program, forms.direct, forms.general);
         forms.wide = widened(program, forms.general);
         result.passes.push_back(std::move(forms));

@@ -20,8 +20,10 @@ Pair Expander::translated(const Place& place, ExprId address, const std::string&
             frame.places.push_back(std::move(nested));
         }
         std::vector<Pair> arguments{{at.value, {}}};
-        Pair next = is_inlinable(translator.translate) ? inlined(translator.translate, std::move(arguments), std::move(frame))
-                                                       : call_instance(translator.translate, std::move(arguments), std::move(frame));
+        Pair next = within([&] {
+            return is_inlinable(translator.translate) ? inlined(translator.translate, std::move(arguments), std::move(frame))
+                                                      : call_instance(translator.translate, std::move(arguments), std::move(frame));
+        });
         at = {next.value, make.both(at.has, next.has)};
     }
     return at;

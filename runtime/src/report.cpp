@@ -10,7 +10,8 @@ namespace glift::detail {
 
 void throw_report(const Kernel& kernel, const StatusRecord& record) {
     if (record.code == StatusRecord::fine) return;
-    const char* file = record.file && record.file <= kernel.other_files.size() ? kernel.other_files[record.file - 1] : kernel.file;
+    const bool is_other = record.file != 0 && record.file <= kernel.other_files.size();
+    const char* file = is_other ? kernel.other_files[record.file - 1] : kernel.file;
     const std::string where = std::string(file) + ":" + std::to_string(record.line) + ", " + kernel_text(kernel);
     if (record.code == StatusRecord::loop_limit) {
         throw Error(ErrorCode::loop_limit, "a loop ran longer than this device allows; the results are not complete",
@@ -24,7 +25,7 @@ void throw_report(const Kernel& kernel, const StatusRecord& record) {
     const char* name = record.binding < kernel.bindings.size() ? kernel.bindings[record.binding].name : "a structure";
     throw Error(ErrorCode::out_of_range, "an access outside a structure", where,
                 std::string(name) + " at virtual address " + address + ")",
-                "test the address first, with inside() and the structure's domain(), or make the structure larger");
+                "ask first, with contains() or find(); or make the structure larger, or give it an edge");
 }
 
 void throw_not_in_recording(const char* call) {

@@ -311,7 +311,7 @@ void print_kernel_code(Unit& unit, Writer& out, std::uint32_t index) {
     out.line(".general = " + (forms.general.exists ? form_text(forms.general, words.general, general) : "{}") + ",");
     out.line(".wide = " + (words.wide.empty() ? "{}" : form_text(forms.wide, words.wide, "")) + ",");
     if (has_parameters) out.line(".parameters = " + name + "_parameters,");
-    if (any.reports) out.line(".reports = true,");
+    if (any.has_status()) out.line(".reports = true,");
     if (any.loop_rounds != 0 && any.longest_loop)
         out.line(".longest_loop = {\"" + file_name(unit.sources, any.longest_loop.file) + "\", " +
                  std::to_string(unit.sources.position(any.longest_loop).line) + "},");

@@ -102,6 +102,13 @@ std::string header_of(Unit& unit, const std::string& stem) {
     return out.take();
 }
 
+bool has_reports(const Unit& unit) {
+    for (std::uint32_t kernel : unit.reach.kernels) {
+        if (unit.lowered.passes[kernel].general.has_reports) return true;
+    }
+    return false;
+}
+
 std::string source_of(Unit& unit, const std::string& stem) {
     Writer types, code, functions, members, pipelines;
     for (std::uint32_t structure : unit.reach.structures) {
@@ -135,6 +142,7 @@ std::string source_of(Unit& unit, const std::string& stem) {
     out.line("#include <glift/host/image.h>");
     out.line("#include <glift/host/math.h>");
     out.line("#include <glift/host/parallel.h>");
+    if (has_reports(unit)) out.line("#include <glift/host/report.h>");
     if (unit.options.tests) out.line("#include <glift/testing.h>");
     out.gap();
     out.line("#include <optional>");

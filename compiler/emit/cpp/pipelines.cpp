@@ -172,7 +172,8 @@ void PipelinePrinter::statement(const Stmt& stmt) {
     case StmtOp::host_assign: return p.out.line(print_any(p, stmt.target) + " = " + print_any(p, stmt.value) + ";");
     case StmtOp::let: case StmtOp::assign: case StmtOp::if_: case StmtOp::for_: case StmtOp::while_: case StmtOp::break_:
     case StmtOp::continue_: case StmtOp::return_: case StmtOp::block: case StmtOp::evaluate: case StmtOp::barrier:
-    case StmtOp::set_element: case StmtOp::write: case StmtOp::store: case StmtOp::image_store: case StmtOp::atomic: break;
+    case StmtOp::set_element: case StmtOp::write: case StmtOp::store: case StmtOp::image_store: case StmtOp::atomic:
+    case StmtOp::report: break;
     }
     p.out.line("/* not a host statement */");
 }

@@ -172,7 +172,7 @@ void print_statement(Printer& p, ir::StmtId id) {
     case StmtOp::evaluate: return p.out.line(print_any(p, stmt.value) + ";");
     case StmtOp::barrier: case StmtOp::set_element: case StmtOp::write: case StmtOp::temp: case StmtOp::release:
     case StmtOp::dispatch: case StmtOp::expect: case StmtOp::expect_near: case StmtOp::expect_same: case StmtOp::host_assign:
-    case StmtOp::store: case StmtOp::image_store: case StmtOp::atomic: break;
+    case StmtOp::store: case StmtOp::image_store: case StmtOp::atomic: case StmtOp::report: break;
     }
     p.outer_statement(stmt);
 }
@@ -181,7 +181,7 @@ bool is_pure(const ir::Program& program, ir::FunctionId id) {
     bool pure = true;
     const ir::Function& function = program.functions[id];
     for_each_statement(program, function.body, [&](const Stmt& stmt) {
-        if (stmt.op == StmtOp::store || stmt.op == StmtOp::image_store || stmt.op == StmtOp::atomic) pure = false;
+        if (stmt.op == StmtOp::store || stmt.op == StmtOp::image_store || stmt.op == StmtOp::atomic || stmt.op == StmtOp::report) pure = false;
     });
     for_each_expression(program, function.body, [&](const Expr& expr) {
         if (expr.op == Op::load || expr.op == Op::image_load || expr.op == Op::image_sample || expr.op == Op::parameter ||

@@ -41,7 +41,7 @@ struct AtomicUse {
 
 /// What shaders that report declare beside the bindings; see status.cpp.
 struct StatusNames {
-    std::string block, limit, rounds, another_round;
+    std::string block, limit, rounds, another_round, report;
 };
 
 /// Bounds of a loop's variable, [low, high).
@@ -60,7 +60,7 @@ struct Printer {
     std::vector<std::string> binding_names;      ///< as expressions: f_data, or f_data.at in the wide form
     std::vector<std::string> block_names;        ///< of buffer bindings
     std::vector<std::string> parameter_names;
-    StatusNames status;                          ///< named only where the pass reports
+    StatusNames status;                          ///< named only where the pass has a status record
     std::vector<std::string> struct_names;       ///< of Program::structs
     std::vector<std::vector<std::string>> field_names;
     std::unordered_map<ir::FunctionId, std::string> function_names;
@@ -131,6 +131,7 @@ std::string place_parameters(const Printer& p);                 ///< of function
 std::string place_arguments(const Printer& p, Span span);
 std::string round_test(const Printer& p, const std::string& place);   ///< `another_round(9u)`, empty where rounds are not counted (a library never counts)
 void print_round_start(Printer& p);
+std::string report_text(Printer& p, const ir::Stmt& stmt);
 
 // statements.cpp
 void print_body(Printer& p, const std::vector<ir::StmtId>& body);

@@ -209,6 +209,7 @@ void print_statement(Printer& p, StmtId id) {
     case StmtOp::store:
     case StmtOp::image_store: return line(p, store_text(p, stmt));
     case StmtOp::atomic: return line(p, atomic_text(p, stmt));
+    case StmtOp::report: return line(p, report_text(p, stmt));
     case StmtOp::set_element:
     case StmtOp::write:
     case StmtOp::temp:

@@ -21,6 +21,16 @@ std::string place_assigned(const Printer& p) {
     return names_files(p) ? "{\n        " + line + "\n        " + p.status.block + ".file = file;\n    }" : line;
 }
 
+std::string report_definition(const Printer& p) {
+    const std::string& status = p.status.block;
+    std::string text = "// An access outside a structure: the first one is told.\n";
+    text += "void " + p.status.report + "(" + place_parameters(p) + ", uint memory, uint rank, uvec4 address) {\n";
+    text += "    if (atomicCompSwap(" + status + ".code, 0u, 2u) != 0u) return;\n    " + status + ".line = line;\n";
+    if (names_files(p)) text += "    " + status + ".file = file;\n";
+    text += "    " + status + ".memory = memory;\n    " + status + ".rank = rank;\n";
+    return text + "    for (int i = 0; i < 4; ++i) " + status + ".address[i] = address[i];\n}\n\n";
+}
+
 std::string record_text(const Printer& p) {
     std::string binding = std::to_string(p.pass.bindings.size() + 1);
     return "layout(scalar, set = 0, binding = " + binding +
@@ -47,9 +57,10 @@ std::string count_text(const Printer& p) {
 }  // namespace
 
 void name_status(Printer& p) {
-    if (!p.pass.reports) return;
+    if (!p.pass.has_status()) return;
     p.names.declare("Status");
     p.status.block = p.names.declare("status");
+    if (p.pass.has_reports) p.status.report = p.names.declare("report_outside");
     if (!p.pass.counts_rounds()) return;
     p.status.limit = p.names.declare("loop_round_limit");
     p.status.rounds = p.names.declare("loop_rounds");
@@ -57,9 +68,9 @@ void name_status(Printer& p) {
 }
 
 std::string status_definitions(Printer& p) {
-    if (!p.pass.reports) return "";
+    if (!p.pass.has_status()) return "";
     if (p.pass.counts_rounds()) p.extensions.insert("GL_KHR_shader_subgroup_basic");
-    return record_text(p) + (p.pass.counts_rounds() ? count_text(p) : "");
+    return record_text(p) + (p.pass.has_reports ? report_definition(p) : "") + (p.pass.counts_rounds() ? count_text(p) : "");
 }
 
 std::string place_parameters(const Printer& p) { return names_files(p) ? "uint line, uint file" : "uint line"; }
@@ -74,6 +85,15 @@ std::string place_arguments(const Printer& p, Span span) {
 
 std::string round_test(const Printer& p, const std::string& place) {
     return p.status.another_round.empty() ? "" : p.status.another_round + "(" + place + ")";
+}
+
+std::string report_text(Printer& p, const ir::Stmt& stmt) {
+    std::uint32_t rank = p.program.types.components(p.program.exprs[stmt.target].type);
+    static constexpr const char* zeros[] = {"", ", 0u, 0u, 0u", ", 0u, 0u", ", 0u", ""};
+    std::string address = print_any(p, stmt.target);
+    if (rank < 4) address = "uvec4(" + address + zeros[rank] + ")";
+    std::string memory = stmt.slot == ir::no_binding ? "0xffffffffu" : std::to_string(stmt.slot) + "u";
+    return p.status.report + "(" + place_arguments(p, stmt.span) + ", " + memory + ", " + std::to_string(rank) + "u, " + address + ");";
 }
 
 void print_round_start(Printer& p) {

@@ -221,7 +221,7 @@ bool Affine::run(const std::vector<ir::StmtId>& body, std::optional<Slopes>& res
         case StmtOp::if_: case StmtOp::while_: case StmtOp::break_: case StmtOp::continue_: case StmtOp::evaluate:
         case StmtOp::barrier: case StmtOp::set_element: case StmtOp::write: case StmtOp::temp: case StmtOp::release:
         case StmtOp::dispatch: case StmtOp::expect: case StmtOp::expect_near: case StmtOp::expect_same: case StmtOp::host_assign:
-        case StmtOp::store: case StmtOp::image_store: case StmtOp::atomic: return false;
+        case StmtOp::store: case StmtOp::image_store: case StmtOp::atomic: case StmtOp::report: return false;
         }
     }
     return true;

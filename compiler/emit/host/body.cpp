@@ -2,6 +2,8 @@
 
 #include "emit/cpp/visit.h"
 
+#include <algorithm>
+
 namespace gliftc::host {
 
 namespace {
@@ -84,6 +86,16 @@ std::string_view combine_name(ir::Combine combine) {
     return "";
 }
 
+/// glift::host::report_outside(call, {.line = 9, .binding = 0}, f_address);
+std::string report_text(Body& body, const Stmt& stmt) {
+    const std::vector<std::uint32_t>& files = body.pass.files;
+    const auto file = std::find(files.begin(), files.end(), stmt.span.file);
+    std::string record = ".line = " + std::to_string(stmt.span ? body.p.globals.sources.position(stmt.span).line : 0) + ", .binding = " +
+                         (stmt.slot == ir::no_binding ? "UINT32_MAX" : std::to_string(stmt.slot));
+    if (stmt.span && file != files.end() && file != files.begin()) record += ", .file = " + std::to_string(file - files.begin());
+    return "glift::host::report_outside(call, {" + record + "}, " + cpp::print_any(body.p, stmt.target) + ");";
+}
+
 void print_outer(Body& body, const Stmt& stmt) {
     cpp::Printer& p = body.p;
     switch (stmt.op) {
@@ -111,6 +123,7 @@ void print_outer(Body& body, const Stmt& stmt) {
         }
         return;
     }
+    case StmtOp::report: return p.out.line(report_text(body, stmt));
     case StmtOp::let: case StmtOp::assign: case StmtOp::if_: case StmtOp::for_: case StmtOp::while_: case StmtOp::break_:
     case StmtOp::continue_: case StmtOp::return_: case StmtOp::block: case StmtOp::evaluate: case StmtOp::barrier:
     case StmtOp::set_element: case StmtOp::write: case StmtOp::temp: case StmtOp::release: case StmtOp::dispatch:

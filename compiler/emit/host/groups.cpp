@@ -184,7 +184,7 @@ void Groups::run_uniform(const Stmt& stmt, bool in_loop) {
     case StmtOp::let: case StmtOp::assign: case StmtOp::return_: case StmtOp::evaluate: case StmtOp::set_element:
     case StmtOp::write: case StmtOp::temp: case StmtOp::release: case StmtOp::dispatch: case StmtOp::expect:
     case StmtOp::expect_near: case StmtOp::expect_same: case StmtOp::host_assign: case StmtOp::store: case StmtOp::image_store:
-    case StmtOp::atomic: return;
+    case StmtOp::atomic: case StmtOp::report: return;
     }
 }
 

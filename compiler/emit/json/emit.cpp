@@ -164,7 +164,7 @@ Json Writer::form(const ir::Pass& pass, const std::vector<Root>& roots) const {
     Json json = {{"group", pass.group}, {"parameters", parameters(pass, roots)}, {"bindings", bindings(pass, roots)}};
     json["loop_rounds"] = pass.loop_rounds == UINT64_MAX ? Json(nullptr) : Json(pass.loop_rounds);
     json["exact"] = pass.exact;
-    if (pass.reports) json["status_binding"] = pass.bindings.size() + 1;
+    if (pass.has_status()) json["status_binding"] = pass.bindings.size() + 1;
     return json;
 }
 
