@@ -45,7 +45,9 @@ struct Objects {
     PFN_vkGetInstanceProcAddr get_instance_proc_addr = nullptr;    ///< null: the system's loader
 };
 
-/// A device over the user's own. Throws unsupported_version, missing_feature, no_loader.
+/// A device over the user's own. Throws unsupported_version, missing_feature, no_loader, wrong_argument. Vulkan does not
+/// tell which features a VkDevice was made with: those of the physical device are asked for, and that they were enabled
+/// (DeviceFeatures) is taken on trust.
 GLIFT_API Device adopt(const Objects& objects);
 
 /// Records into the user's command buffer, which is in the recording state. Before its first command everything

@@ -20,6 +20,25 @@ std::uint32_t choose_queue_family(const Instance& instance, VkPhysicalDevice phy
                 "choose another device with GLIFT_DEVICE=lavapipe or GLIFT_DEVICE=host");
 }
 
+[[noreturn]] void refuse_adoption(std::string why, std::string remedy) {
+    throw Error(ErrorCode::wrong_argument, "these Vulkan objects cannot be adopted", "glift::vulkan::adopt", std::move(why),
+                std::move(remedy));
+}
+
+void check_objects(const Context::Adopted& objects) {
+    if (!objects.instance || !objects.physical || !objects.device || !objects.queue) {
+        refuse_adoption("one of the handles is null", "pass instance, physical device, device and queue");
+    }
+}
+
+void check_queue_family(const Instance& instance, const Context::Adopted& objects) {
+    const auto families = queue_families(instance, objects.physical);
+    if (objects.queue_family >= families.size() || !(families[objects.queue_family].queueFlags & VK_QUEUE_COMPUTE_BIT)) {
+        refuse_adoption("queue family " + std::to_string(objects.queue_family) + " does not exist or cannot compute",
+                        "pass a queue of a family with VK_QUEUE_COMPUTE_BIT");
+    }
+}
+
 }  // namespace
 
 std::unique_ptr<Context> Context::open(std::string_view which) {
@@ -37,6 +56,7 @@ std::unique_ptr<Context> Context::open(std::string_view which) {
 }
 
 std::unique_ptr<Context> Context::adopt(const Adopted& objects) {
+    check_objects(objects);
     std::unique_ptr<Context> context(new Context);
     context->instance = Instance::adopt(objects.instance, objects.entry);
     context->physical = objects.physical;
@@ -46,8 +66,13 @@ std::unique_ptr<Context> Context::adopt(const Adopted& objects) {
     context->extensions = objects.extensions;
     const FeatureChain features(*context->instance, context->physical);
     features.require();
+    check_queue_family(*context->instance, objects);
     context->vk = load_device_table(context->instance->vk(), context->device);
     context->read_limits(features);
+    if (context->properties.push_descriptors && !context->vk.vkCmdPushDescriptorSetWithTemplateKHR) {
+        refuse_adoption("the device was made without " VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME ", which is named",
+                        "name the extensions of VkDeviceCreateInfo::ppEnabledExtensionNames and no others");
+    }
     return context;
 }
 

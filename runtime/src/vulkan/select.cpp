@@ -54,7 +54,8 @@ bool matches(const Candidate& candidate, const std::string& which) {
                 present.empty()
                     ? "install a driver (Debian, on the CPU: apt install mesa-vulkan-drivers), look at VK_DRIVER_FILES "
                       "and VK_ICD_FILENAMES, or run on the host device: GLIFT_DEVICE=host"
-                    : "ask for gpu, lavapipe, host or part of one of those names");
+                    : "ask for one of those: GLIFT_DEVICE=host, or part of another's name; a GPU shows up there once its "
+                      "driver is installed");
 }
 
 }  // namespace

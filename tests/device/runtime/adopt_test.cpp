@@ -73,6 +73,30 @@ TEST(Adopt, OldAndPoorDevicesAreRefused) {
     EXPECT_NE(poor.why().find("timelineSemaphore"), std::string::npos) << poor.what();
 }
 
+// These would crash in the first call that uses what is not there.
+TEST(Adopt, ObjectsThatDoNotFitAreRefused) {
+    const PlainVulkan mine;
+    const auto refused = [](const glift::vulkan::Objects& objects, const char* why) {
+        const auto error = error_of([&] { glift::vulkan::adopt(objects); });
+        EXPECT_EQ(error.code(), glift::ErrorCode::wrong_argument) << error.what();
+        EXPECT_NE(error.why().find(why), std::string::npos) << error.what();
+        EXPECT_FALSE(error.where().empty());
+        EXPECT_FALSE(error.remedy().empty());
+    };
+    auto objects = mine.objects();
+    objects.device = VK_NULL_HANDLE;
+    refused(objects, "null");
+    objects = mine.objects();
+    objects.queue_family = 77;
+    refused(objects, "queue family 77");
+    objects = mine.objects();
+    objects.get_instance_proc_addr = pretending_loader;
+    pretence = {.no_push_descriptors = true};
+    refused(objects, "VK_KHR_push_descriptor");
+    objects.extensions = {};
+    EXPECT_FALSE(glift::vulkan::adopt(objects).properties().push_descriptors);
+}
+
 TEST(Adopt, ALostDeviceIsAnErrorFromThenOn) {
     const PlainVulkan mine;
     auto objects = mine.objects();

@@ -61,6 +61,19 @@ TEST(OpenErrors, NoSuchDevice) {
     EXPECT_EQ(error_of([] { glift::Device::open(); }).code(), ErrorCode::no_device);
 }
 
+TEST(OpenErrors, NoGpu) {
+    const char* lavapipe = "/usr/share/vulkan/icd.d/lvp_icd.x86_64.json";
+    if (!std::filesystem::exists(lavapipe)) GTEST_SKIP() << "needs lavapipe as the only driver";
+    const Environment files("VK_DRIVER_FILES", lavapipe), old_name("VK_ICD_FILENAMES", lavapipe);
+    const Environment wanted("GLIFT_DEVICE", "gpu");
+    const auto error = error_of([] { glift::Device::open(); });
+    expect_complete(error, ErrorCode::no_device);
+    EXPECT_NE(error.where().find("GLIFT_DEVICE"), std::string::npos) << error.what();
+    EXPECT_NE(error.problem().find("gpu"), std::string::npos) << error.what();
+    EXPECT_NE(error.why().find("llvmpipe"), std::string::npos) << error.what();
+    EXPECT_NE(error.remedy().find("GLIFT_DEVICE=host"), std::string::npos) << error.what();
+}
+
 TEST(OpenErrors, NoValidationLayer) {
     const Environment path("VK_LAYER_PATH", "/nowhere");
     const Environment wanted("GLIFT_VALIDATE", "1");

@@ -41,6 +41,7 @@ PFN_vkVoidFunction VKAPI_CALL device_function(VkDevice device, const char* name)
     if (!std::strcmp(name, "vkQueueSubmit2")) return erased(submit);
     if (!std::strcmp(name, "vkWaitSemaphores")) return erased(wait);
     if (!std::strcmp(name, "vkAllocateMemory")) return erased(allocate);
+    if (pretence.no_push_descriptors && std::strstr(name, "PushDescriptorSet")) return nullptr;
     return vkGetDeviceProcAddr(device, name);
 }
 

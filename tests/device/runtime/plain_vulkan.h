@@ -15,6 +15,7 @@ struct Pretence {
     bool no_timeline = false;
     bool lost = false;          ///< the next submission and every wait
     bool no_memory = false;
+    bool no_push_descriptors = false;   ///< the device was made without the extension
 };
 extern Pretence pretence;
 PFN_vkVoidFunction VKAPI_CALL pretending_loader(VkInstance instance, const char* name);
