@@ -1,9 +1,9 @@
 // Checked builds: accesses by address that miss their structure are reported.
 //
-// What is a mistake: a read or write by address, in a kernel or a function that it calls, outside the domain of a structure that
-// says nothing about its outside. A structure says something by `otherwise` or by a first translator that itself tells some
-// addresses to be nowhere (a border, a page table). Translators and views may rely on zeros outside; so may `near`, `sample`,
-// `find` and `contains`, which exist to be asked about neighbours.
+// What is a mistake: a read or write by address, in a kernel or a function that it calls, outside the domain of a
+// structure that says nothing about its outside. A structure says something by `otherwise` or by a first translator
+// that itself tells some addresses to be nowhere (a border, a page table). Translators and views may rely on zeros
+// outside; so may `near`, `sample`, `find` and `contains`, which exist to be asked about neighbours.
 #include "lower/expand.h"
 
 namespace gliftc::lower {

@@ -6,8 +6,9 @@
 namespace glift::detail {
 
 /// What to do about loops that a device cuts off.
-inline constexpr const char* loop_remedy = "split the work over more invocations or dispatches, or run on another device "
-                                           "(GLIFT_DEVICE=gpu or GLIFT_DEVICE=host)";
+inline constexpr const char* loop_remedy =
+    "split the work over more invocations or dispatches, or run on another device "
+    "(GLIFT_DEVICE=gpu or GLIFT_DEVICE=host)";
 
 /// Throws loop_limit or out_of_range if the record says so.
 void throw_report(const Kernel& kernel, const StatusRecord& record);

@@ -1,8 +1,9 @@
 // The record in which a shader tells the runtime what it could not do, and the count of its loops' rounds.
 //
-// Some devices cut the loops of an invocation off after a number of rounds, without a word. They run the lanes of a subgroup in
-// step, so a round of one lane is a round of all: the count is the subgroup's, and each test of a loop's condition adds one to
-// it. Specialisation constant 101 is the device's limit; where it is 0 nothing is counted and the driver drops all of this.
+// Some devices cut the loops of an invocation off after a number of rounds, without a word. They run the lanes of a
+// subgroup in step, so a round of one lane is a round of all: the count is the subgroup's, and each test of a loop's
+// condition adds one to it. Specialisation constant 101 is the device's limit; where it is 0 nothing is counted and the
+// driver drops all of this.
 #include "emit/glsl/printer.h"
 
 #include <algorithm>
@@ -44,7 +45,8 @@ std::string count_text(const Printer& p) {
     std::string text = "layout(constant_id = 101) const uint " + s.limit +
                        " = 0u;   // after so many rounds the device cuts loops off; 0: never\n";
     text += "shared uint " + s.rounds + "[" + s.limit + " == 0u ? 1u : " + std::to_string(subgroups) + "u];\n\n";
-    text += "// False, and reported, where the device would cut the loop off. Lanes run in step: a round of one is a round of all.\n";
+    text += "// False, and reported, where the device would cut the loop off. Lanes run in step: a round of one is a "
+            "round of all.\n";
     text += "bool " + s.another_round + "(" + place_parameters(p) + ") {\n";
     text += "    if (" + s.limit + " == 0u) return true;\n";
     text += "    uint rounds = " + s.rounds + "[gl_SubgroupID] + 1u;\n";
@@ -70,7 +72,8 @@ void name_status(Printer& p) {
 std::string status_definitions(Printer& p) {
     if (!p.pass.has_status()) return "";
     if (p.pass.counts_rounds()) p.extensions.insert("GL_KHR_shader_subgroup_basic");
-    return record_text(p) + (p.pass.has_reports ? report_definition(p) : "") + (p.pass.counts_rounds() ? count_text(p) : "");
+    return record_text(p) + (p.pass.has_reports ? report_definition(p) : "") +
+           (p.pass.counts_rounds() ? count_text(p) : "");
 }
 
 std::string place_parameters(const Printer& p) { return names_files(p) ? "uint line, uint file" : "uint line"; }
@@ -93,11 +96,13 @@ std::string report_text(Printer& p, const ir::Stmt& stmt) {
     std::string address = print_any(p, stmt.target);
     if (rank < 4) address = "uvec4(" + address + zeros[rank] + ")";
     std::string memory = stmt.slot == ir::no_binding ? "0xffffffffu" : std::to_string(stmt.slot) + "u";
-    return p.status.report + "(" + place_arguments(p, stmt.span) + ", " + memory + ", " + std::to_string(rank) + "u, " + address + ");";
+    return p.status.report + "(" + place_arguments(p, stmt.span) + ", " + memory + ", " + std::to_string(rank) + "u, " +
+           address + ");";
 }
 
 void print_round_start(Printer& p) {
-    if (p.pass.counts_rounds()) line(p, "if (" + p.status.limit + " != 0u) " + p.status.rounds + "[gl_SubgroupID] = 0u;");
+    if (p.pass.counts_rounds())
+        line(p, "if (" + p.status.limit + " != 0u) " + p.status.rounds + "[gl_SubgroupID] = 0u;");
 }
 
 }  // namespace gliftc::glsl

@@ -21,7 +21,8 @@ std::vector<std::uint32_t> origins() {
 }
 
 TEST_P(Large, AGibibyteIsWrittenComputedOnAndReadBack) {
-    if (name() == "lavapipe") ASSERT_LT(device.properties().max_storage_buffer_range, 4ull * count);   // the wide form runs
+    if (name() == "lavapipe")
+        ASSERT_LT(device.properties().max_storage_buffer_range, 4ull * count);  // the wide form runs
     large::Line line(device, count);
     EXPECT_EQ(line.read({count - 1}, {1})[0], 0.0f);
     large::number(device, line);
@@ -63,7 +64,7 @@ TEST_P(Large, AddressesFarApartAreGatheredAndScattered) {
 }
 
 TEST_P(Large, SmallElementsInThreeDimensions) {
-    const glift::uint3 extent{512, 512, 300};   // 150 MiB each
+    const glift::uint3 extent{512, 512, 300};  // 150 MiB each
     large::Halves from(device, extent), to(device, extent);
     large::number_halves(device, from);
     large::slope(device, from, to);

@@ -14,10 +14,10 @@ class Loops : public OnEveryDevice {
 protected:
     bool is_cut() const { return device.properties().loop_round_limit != glift::unlimited; }
 
-    /// Runs on a line of `elements`, then expects all of them to be `expected`; or, `beyond` the limit of a device that has
-    /// one, an error that names both.
-    template <class Run>
-    void expect(const char* kernel, const char* loop, bool beyond, std::uint32_t elements, std::uint32_t expected, Run run) {
+    /// Runs on a line of `elements`, then expects all of them to be `expected`; or, `beyond` the limit of a device that
+    /// has one, an error that names both.
+    template <class Run> void expect(const char* kernel, const char* loop, bool beyond, std::uint32_t elements,
+                                     std::uint32_t expected, Run run) {
         Line line(device, elements);
         std::vector<std::uint32_t> values;
         const auto error = thrown_by([&] {
@@ -90,12 +90,15 @@ TEST_P(Loops, KnownToRunTooLongAreRefusedBeforeTheyRun) {
         EXPECT_EQ(error.has_value(), is_cut()) << "not refused by the call itself";
         if (error) throw *error;
     });
-    expect("nearly", "loops.glift:52", true, 4, [] {
-        std::uint32_t n = 0;
-        for (std::uint32_t i = 0; i < 1000; ++i)
-            for (std::uint32_t j = 0; j < 64; ++j) n += i ^ j;
-        return n;
-    }(), [&](Line& to) { loops::nearly(device, to); });
+    expect(
+        "nearly", "loops.glift:52", true, 4,
+        [] {
+            std::uint32_t n = 0;
+            for (std::uint32_t i = 0; i < 1000; ++i)
+                for (std::uint32_t j = 0; j < 64; ++j) n += i ^ j;
+            return n;
+        }(),
+        [&](Line& to) { loops::nearly(device, to); });
     if (is_cut()) {
         EXPECT_EQ(device.statistics().passes, passes);
     }
@@ -113,7 +116,7 @@ TEST_P(Loops, OfAtomicUpdatesAreCountedToo) {
         loops::add_up(device, from, 20000, sum);
         result = sum.read({0}, {1});
     });
-    ASSERT_EQ(error.has_value(), is_cut());   // 20 000 rounds of eight tries each
+    ASSERT_EQ(error.has_value(), is_cut());  // 20 000 rounds of eight tries each
     if (error) {
         EXPECT_EQ(error->code(), glift::ErrorCode::loop_limit) << error->what();
     } else {

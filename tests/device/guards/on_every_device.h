@@ -1,5 +1,5 @@
-// Tests on the host device and on Vulkan (lavapipe unless GLIFT_TEST_DEVICE says otherwise), the latter under the validation
-// layer.
+// Tests on the host device and on Vulkan (lavapipe unless GLIFT_TEST_DEVICE says otherwise), the latter under the
+// validation layer.
 #pragma once
 
 #include <glift/glift.h>
@@ -25,13 +25,12 @@ protected:
     glift::Device device;
 };
 
-#define GLIFT_ON_EVERY_DEVICE(Fixture)                                                                    \
-    INSTANTIATE_TEST_SUITE_P(, Fixture, testing::Values("host", "vulkan"),                                \
+#define GLIFT_ON_EVERY_DEVICE(Fixture)                                                                                 \
+    INSTANTIATE_TEST_SUITE_P(, Fixture, testing::Values("host", "vulkan"),                                             \
                              [](const testing::TestParamInfo<const char*>& which) { return which.param; })
 
 /// The Error that the action throws, if it throws one.
-template <class Action>
-std::optional<glift::Error> thrown_by(Action action) {
+template <class Action> std::optional<glift::Error> thrown_by(Action action) {
     try {
         action();
     } catch (const glift::Error& error) {

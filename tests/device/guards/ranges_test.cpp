@@ -10,8 +10,7 @@ using testing::HasSubstr;
 class Ranges : public OnEveryDevice {
 protected:
     /// Runs and waits; the error says line, kernel, memory and virtual address.
-    template <class Run>
-    void expect_report(Run run, const char* line, const char* kernel, const char* why) {
+    template <class Run> void expect_report(Run run, const char* line, const char* kernel, const char* why) {
         const auto error = thrown_by([&] {
             run();
             device.wait();
@@ -22,11 +21,10 @@ protected:
         EXPECT_THAT(error->where(), HasSubstr(std::string("kernel ") + kernel));
         EXPECT_THAT(error->why(), HasSubstr(why));
         EXPECT_FALSE(error->remedy().empty());
-        device.wait();   // told once
+        device.wait();  // told once
     }
 
-    template <class Run>
-    void expect_silence(Run run) {
+    template <class Run> void expect_silence(Run run) {
         const auto error = thrown_by([&] {
             run();
             device.wait();
@@ -40,10 +38,18 @@ GLIFT_ON_EVERY_DEVICE(Ranges);
 
 TEST_P(Ranges, AReadOutsideIsReported) {
     expect_silence([&] { ranges::shifted(device, from, {0, 0}, to); });
-    expect_report([&] { ranges::shifted(device, from, {0, 3}, to); }, "ranges.glift:19", "shifted", "from.data at virtual address (");
+    expect_report(
+        [&] {
+            ranges::shifted(device, from, {0, 3}, to);
+        },
+        "ranges.glift:19", "shifted", "from.data at virtual address (");
     ranges::Grid one(device, {1, 1});
     expect_report([&] { ranges::shifted(device, from, {7, 2}, one); }, "ranges.glift:19", "shifted", "(7, 2)");
-    expect_report([&] { ranges::shifted(device, from, {0xffffffffu, 0}, one); }, "ranges.glift:19", "shifted", "(-1, 0)");
+    expect_report(
+        [&] {
+            ranges::shifted(device, from, {0xffffffffu, 0}, one);
+        },
+        "ranges.glift:19", "shifted", "(-1, 0)");
 }
 
 TEST_P(Ranges, WhatTheStructureDefinesIsNot) {
@@ -65,14 +71,22 @@ TEST_P(Ranges, WhatIsAskedForIsNot) {
 
 TEST_P(Ranges, AViewReadOutsideIsReported) {
     expect_silence([&] { ranges::view_shifted(device, from, {0, 0}, to); });
-    expect_report([&] { ranges::view_shifted(device, from, {5, 0}, to); }, "ranges.glift:51", "viewed", "at virtual address (");
+    expect_report(
+        [&] {
+            ranges::view_shifted(device, from, {5, 0}, to);
+        },
+        "ranges.glift:51", "viewed", "at virtual address (");
 }
 
 TEST_P(Ranges, AWriteOutsideIsReported) {
     ranges::Volume a(device, {3, 3, 3}), b(device, {3, 3, 3});
     a.fill(7);
     expect_silence([&] { ranges::put(device, a, {0, 0, 0}, b); });
-    expect_report([&] { ranges::put(device, a, {0, 0, 2}, b); }, "ranges.glift:60", "put", "to.data at virtual address (");
+    expect_report(
+        [&] {
+            ranges::put(device, a, {0, 0, 2}, b);
+        },
+        "ranges.glift:60", "put", "to.data at virtual address (");
     EXPECT_EQ(b.read({0, 0, 2}, {1, 1, 1})[0], 7u);
 }
 
@@ -82,7 +96,8 @@ TEST_P(Ranges, AnAtomicWriteOutsideIsReported) {
     expect_silence([&] { ranges::histogram(device, values, bins); });
     EXPECT_THAT(bins.read({0}, {3}), testing::ElementsAre(1, 2, 1));
     values.write({0}, {4}, std::vector<std::uint32_t>{0, 9, 2, 1});
-    expect_report([&] { ranges::histogram(device, values, bins); }, "ranges.glift:64", "histogram", "to.data at virtual address (9)");
+    expect_report([&] { ranges::histogram(device, values, bins); }, "ranges.glift:64", "histogram",
+                  "to.data at virtual address (9)");
 }
 
 TEST_P(Ranges, AReadInAFunctionOfAnotherFileNamesThatFile) {
@@ -90,14 +105,18 @@ TEST_P(Ranges, AReadInAFunctionOfAnotherFileNamesThatFile) {
     links.write({0}, {3}, std::vector<std::uint32_t>{1, 2, 11});
     expect_silence([&] { ranges::followed(device, start, links, 3, end); });
     EXPECT_THAT(end.read({0}, {2}), testing::ElementsAre(11, 11));
-    expect_report([&] { ranges::followed(device, start, links, 4, end); }, "chains.glift:11", "followed (ranges.glift:67)",
-                  "links.data at virtual address (11)");
+    expect_report([&] { ranges::followed(device, start, links, 4, end); }, "chains.glift:11",
+                  "followed (ranges.glift:67)", "links.data at virtual address (11)");
 }
 
 TEST_P(Ranges, SlicesAreReportedWithWholeAddresses) {
     ranges::Grid large(device, {8, 8});
     expect_silence([&] { ranges::shifted(device, from, {0, 0}, large.range({0, 0}, {2, 2})); });
-    expect_report([&] { ranges::shifted(device, from, {0, 0}, large.range({6, 1}, {1, 1})); }, "ranges.glift:19", "shifted", "(6, 1)");
+    expect_report(
+        [&] {
+            ranges::shifted(device, from, {0, 0}, large.range({6, 1}, {1, 1}));
+        },
+        "ranges.glift:19", "shifted", "(6, 1)");
 }
 
 TEST_P(Ranges, InvocationsThatFillUpAGroupDoNotCount) {
@@ -107,8 +126,9 @@ TEST_P(Ranges, InvocationsThatFillUpAGroupDoNotCount) {
 }
 
 TEST_P(Ranges, ARecordingReportsWhenItRuns) {
-    const glift::Recording recording =
-        device.record([&](const glift::Commands& commands) { ranges::shifted(commands, from, {5, 0}, to); });
+    const glift::Recording recording = device.record([&](const glift::Commands& commands) {
+        ranges::shifted(commands, from, {5, 0}, to);
+    });
     device.wait();
     for (int round = 0; round < 2; ++round)
         expect_report([&] { recording.submit(); }, "ranges.glift:19", "shifted", "from.data");

@@ -24,24 +24,29 @@ TEST(Checks, ReadsByAddress) {
 }
 
 TEST(Checks, WritesByAddress) {
-    const std::string text = checked("kernel k(f: in each<Field>, a: at<Field>, g: out scatter<Field>) { g[a * 2u] = f; }");
+    const std::string text =
+        checked("kernel k(f: in each<Field>, a: at<Field>, g: out scatter<Field>) { g[a * 2u] = f; }");
     EXPECT_THAT(text, HasSubstr("report(g_data, g_address);"));
     EXPECT_THAT(text, HasSubstr("binding g_data: buffer<float> write"));
 }
 
 TEST(Checks, NotWhereTheTranslatorDecides) {
-    EXPECT_THAT(checked("kernel k(a: at<Field>, f: in any<Edged>, g: out each<Field>) { g = f[a * 2u]; }"), Not(HasSubstr("report(")));
-    EXPECT_THAT(checked("kernel k(a: at<Field>, f: in any<Sparse>, g: out each<Field>) { g = f[a * 2u]; }"), Not(HasSubstr("report(")));
+    EXPECT_THAT(checked("kernel k(a: at<Field>, f: in any<Edged>, g: out each<Field>) { g = f[a * 2u]; }"),
+                Not(HasSubstr("report(")));
+    EXPECT_THAT(checked("kernel k(a: at<Field>, f: in any<Sparse>, g: out each<Field>) { g = f[a * 2u]; }"),
+                Not(HasSubstr("report(")));
 }
 
 TEST(Checks, NotWhereTheKernelAsks) {
-    EXPECT_THAT(checked("kernel k(f: in near<Field, 1>, g: out each<Field>) { g = f[int3(1, 0, 0)]; }"), Not(HasSubstr("report(")));
+    EXPECT_THAT(checked("kernel k(f: in near<Field, 1>, g: out each<Field>) { g = f[int3(1, 0, 0)]; }"),
+                Not(HasSubstr("report(")));
     EXPECT_THAT(checked("kernel k(a: at<Field>, f: in any<Field>, g: out each<Field>) { g = f.find(a * 2u) ?? 0.0; }"),
                 Not(HasSubstr("report(")));
 }
 
 TEST(Checks, KnowTheFilesOfTheirKernel) {
-    const Lowering lowering("kernel k(a: at<Field>, f: in any<Field>, g: out each<Field>) { g = f[a * 2u]; }", lower::Checks::ranges);
+    const Lowering lowering("kernel k(a: at<Field>, f: in any<Field>, g: out each<Field>) { g = f[a * 2u]; }",
+                            lower::Checks::ranges);
     EXPECT_EQ(lowering.forms("k").direct.files.size(), 1u);
     EXPECT_EQ(lowering.forms("k").general.files, lowering.forms("k").direct.files);
 }

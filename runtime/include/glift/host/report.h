@@ -8,7 +8,8 @@
 
 namespace glift::host {
 
-/// An access outside a structure, at the place that `record` names. The first one is told, from whichever thread it comes.
+/// An access outside a structure, at the place that `record` names. The first one is told, from whichever thread it
+/// comes.
 inline void report_outside(const HostCall& call, const StatusRecord& record, const uint* address, uint rank) {
     std::uint32_t fine = StatusRecord::fine;
     if (!std::atomic_ref(call.status->code).compare_exchange_strong(fine, StatusRecord::out_of_range)) return;
