@@ -1,5 +1,7 @@
 #include "measure.h"
 
+#include "median.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,19 +11,15 @@ namespace {
 
 using Pass = std::function<void(const glift::Commands&)>;
 
-/// Seconds of one pass, by the device's clock.
+/// Seconds of one pass, by the device's clock. The first pass, which finds the other's data in the caches, is not counted.
 double time_of(const glift::Device& device, const Pass& pass, int repeats) {
     glift::Commands commands = device.commands();
+    pass(commands);
     glift::Timestamp before = commands.timestamp();
     for (int i = 0; i < repeats; ++i) pass(commands);
     glift::Timestamp after = commands.timestamp();
     commands.wait();
     return (after - before) / repeats;
-}
-
-double median(std::vector<double> values) {
-    std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
-    return values[values.size() / 2];
 }
 
 }  // namespace

@@ -5,8 +5,6 @@
 
 #include <benchmark/benchmark.h>
 
-#include <cstdio>
-
 namespace {
 
 const glift::Binding bindings[] = {
@@ -92,5 +90,3 @@ void submit_a_recording(benchmark::State& state) {
 BENCHMARK(submit_a_recording)->Unit(benchmark::kMicrosecond)->Iterations(200);
 
 }  // namespace
-
-BENCHMARK_MAIN();

@@ -117,8 +117,13 @@ struct Rows {
     void print_inside(const std::vector<StmtId>& statements, const std::set<ExprId>& clamps, const std::string& begin,
                       const std::string& end);
     void print_plain_loop(const std::vector<StmtId>& statements, const std::string& begin, const std::string& end);
+    void print_blocks(const std::vector<StmtId>& statements, const std::string& begin, const std::string& end);
+    void print_middle(const std::vector<StmtId>& statements, const std::string& begin, const std::string& end);
+    void open_sections(const std::string& name, const std::string& begin, const std::string& middle, const std::string& end);
+    void close_sections();
     void print_loop(const std::vector<StmtId>& statements, const std::string& begin, const std::string& end);
     bool is_independent(const std::vector<StmtId>& statements) const;
+    bool fills_blocks(const std::vector<StmtId>& statements) const;
 };
 
 void Rows::print_address(const std::string& x) {
@@ -162,7 +167,7 @@ void Rows::print_row_pointers(const std::vector<StmtId>& statements, const std::
             name = p.names.declare(body.binding_names[access.binding] + "_row");
             body.used_bindings.insert(access.binding);
             p.out.line((binding.access == ir::Access::read ? "const " : "") + cpp::storage_text(p.globals, binding.element) + "* " +
-                       name + " = " + body.binding_names[access.binding] + " + " + index + ";");
+                       name + " = glift::host::row_pointer(" + body.binding_names[access.binding] + " + " + index + ");");
         }
         body.row_pointers[{access.binding, access.index}] = name;
     }
@@ -246,10 +251,56 @@ void Rows::print_plain_loop(const std::vector<StmtId>& statements, const std::st
     p.names.leave();
 }
 
+/// True if some elements may be worked on twice: no memory is read that is written, and nothing but memory is changed. And
+/// if all elements do the same, so that it pays.
+bool Rows::fills_blocks(const std::vector<StmtId>& statements) const {
+    if (!is_independent(statements)) return false;
+    for (const ir::PassBinding& binding : pass.bindings) {
+        if (binding.access == ir::Access::read_write) return false;
+    }
+    bool straight = true;
+    cpp::for_each_statement(program, statements, [&](const Stmt& stmt) {
+        straight = straight && (stmt.op == StmtOp::let || stmt.op == StmtOp::assign || stmt.op == StmtOp::store ||
+                                stmt.op == StmtOp::block);
+    });
+    return straight;
+}
+
+/// A loop over the elements with x in [begin, end), which are none or fill a block, in blocks that may overlap.
+void Rows::print_blocks(const std::vector<StmtId>& statements, const std::string& begin, const std::string& end) {
+    const std::vector<RowAccess> accesses = row_accesses(program, pass, statements, p.identities);
+    body.row_pointers.clear();
+    p.marked_line = 0;
+    p.names.enter();
+    p.out.open("if (" + begin + " < " + end + ")");
+    print_row_pointers(statements, accesses, begin);
+    std::set<ir::LocalId> read;
+    const std::vector<StmtId> kept = without_unused(statements, read);
+    p.out.line("const std::size_t count = " + end + " - " + begin + ";");
+    p.out.open("for (std::size_t block = 0; block < count; block += glift::host::block_elements)");
+    p.out.line("const std::size_t first = std::min(block, count - glift::host::block_elements);");
+    p.out.line("GLIFT_BLOCK");
+    p.out.open("for (std::size_t lane = 0; lane < glift::host::block_elements; ++lane)");
+    p.out.line("const std::size_t i = first + lane;");
+    if (read.contains(pass.address)) print_address(begin + " + static_cast<uint>(i)");
+    p.marked_line = 0;
+    print_element(kept);
+    p.out.close();
+    p.out.close();
+    p.out.close();
+    p.names.leave();
+}
+
+/// The loop over the middle of a row; the elements are none or fill a block where that can be.
+void Rows::print_middle(const std::vector<StmtId>& statements, const std::string& begin, const std::string& end) {
+    if (fills_blocks(statements)) print_blocks(statements, begin, end);
+    else print_plain_loop(statements, begin, end);
+}
+
 /// Declares `inside`: where none of the clamps changes anything.
 void Rows::print_inside(const std::vector<StmtId>& statements, const std::set<ExprId>& clamps, const std::string& begin,
                         const std::string& end) {
-    p.out.line("glift::host::Part inside{" + begin + ", " + end + "};");
+    p.out.line("glift::host::Unclamped unclamped;");
     p.out.open("");
     p.names.enter();
     std::vector<ExprId> wanted;
@@ -264,10 +315,25 @@ void Rows::print_inside(const std::vector<StmtId>& statements, const std::set<Ex
         std::string low = "INT32_MIN", high = "INT32_MAX";
         if (expr.intrinsic == ir::Intrinsic::clamp) low = operand(1), high = operand(2);
         else (expr.intrinsic == ir::Intrinsic::min ? high : low) = operand(1);
-        const std::string line = "inside = glift::host::unclamped(inside, " + begin + ", " + operand(0) + ", " + low + ", " + high + ");";
+        const std::string line = "unclamped.keep(" + operand(0) + ", " + low + ", " + high + ");";
         if (printed.insert(line).second) p.out.line(line);
     }
     p.names.leave();
+    p.out.close();
+    const std::string inside = "unclamped.of(" + begin + ", " + end + ")";
+    p.out.line("const glift::host::Part inside = " +
+               (fills_blocks(statements) ? "glift::host::in_blocks(" + inside + ", " + end + ")" : inside) + ";");
+}
+
+/// A loop over what lies before the middle, the middle, and what lies behind it; the middle comes first in the text. One
+/// function holds them all: a lambda of its own would be compiled for the narrowest vectors.
+void Rows::open_sections(const std::string& name, const std::string& begin, const std::string& middle, const std::string& end) {
+    p.out.open("for (const glift::host::Section& " + name + " : glift::host::sections(" + begin + ", " + middle + ", " + end + "))");
+    p.out.open("if (" + name + ".is_middle)");
+}
+
+void Rows::close_sections() {
+    p.out.close();
     p.out.close();
 }
 
@@ -277,16 +343,14 @@ void Rows::print_loop(const std::vector<StmtId>& statements, const std::string& 
     const std::set<ExprId> clamps = row_clamps(program, pass, statements);
     if (clamps.empty() || row_accesses(program, pass, statements, clamps).empty()) return print_plain_loop(statements, begin, end);
     print_inside(statements, clamps, begin, end);
-    p.out.line("// At the ends of the row.");
-    p.out.open("const auto at_ends = [&](const glift::host::Part& end)");
-    print_plain_loop(statements, "end.begin", "end.end");
-    p.out.close(";");
-    p.out.line("at_ends({" + begin + ", inside.begin});");
-    p.out.line("// Between them, where neither end matters.");
+    open_sections("stretch", begin, "inside", end);
     p.identities = clamps;
-    print_plain_loop(statements, "inside.begin", "inside.end");
+    print_middle(statements, "stretch.begin", "stretch.end");
     p.identities.clear();
-    p.out.line("at_ends({inside.end, " + end + "});");
+    p.out.dedent();
+    p.out.open("} else");
+    print_plain_loop(statements, "stretch.begin", "stretch.end");
+    close_sections();
 }
 
 void print_parts(Rows& rows) {
@@ -304,19 +368,21 @@ void print_parts(Rows& rows) {
     const std::string origin = pass.interior_origin < pass.parameters.size() ? parameter(pass.interior_origin)
                                : pass.rank == 1                              ? "0u"
                                                                              : "uint" + std::to_string(pass.rank) + "()";
-    out.line("const glift::host::Part interior = glift::host::interior_of(row, " + origin + ", " + domain + ", " +
-             std::to_string(pass.interior_radius) + ");");
-    out.gap();
+    const std::string interior = "glift::host::interior_of(row, " + origin + ", " + domain + ", " + std::to_string(pass.interior_radius) + ")";
+    rows.p.local_names[pass.address] = "address";
+    const bool is_plain = row_clamps(rows.program, pass, pass.interior_body).empty() &&
+                          !row_accesses(rows.program, pass, pass.interior_body, {}).empty();
+    const bool in_blocks = is_plain && rows.fills_blocks(pass.interior_body);
+    out.line("const glift::host::Part interior = " + (in_blocks ? "glift::host::in_blocks(" + interior + ", row.end)" : interior) + ";");
+    rows.open_sections("part", "row.begin", "interior", "row.end");
+    out.line("// All neighbours exist.");
+    if (in_blocks) rows.print_blocks(pass.interior_body, "part.begin", "part.end");
+    else rows.print_loop(pass.interior_body, "part.begin", "part.end");
+    out.dedent();
+    out.open("} else");
     out.line("// Near the sides of the domain.");
-    out.open("const auto near_sides = [&](const glift::host::Part& part)");
     rows.print_loop(pass.body, "part.begin", "part.end");
-    out.close(";");
-    out.line("near_sides({row.begin, interior.begin});");
-    out.gap();
-    out.line("// Where all neighbours exist.");
-    rows.print_loop(pass.interior_body, "interior.begin", "interior.end");
-    out.gap();
-    out.line("near_sides({interior.end, row.end});");
+    rows.close_sections();
 }
 
 }  // namespace
@@ -325,20 +391,22 @@ std::string row_kernel(cpp::Globals& globals, const ir::Pass& pass, const std::s
     Rows rows(globals, pass);
     rows.p.out.indent();
     print_local_functions(rows.body);
+    rows.p.out.open("for (const glift::host::Row row : rows)");
     print_parts(rows);
+    rows.p.out.close();
     const std::string text = rows.p.out.take();
 
     const ir::Kernel& kernel = globals.program.kernels[pass.kernel];
     cpp::Writer out;
-    out.line("// " + cpp::place_text(globals.sources, kernel.span) + ": " + kernel.display + ", one row.");
+    out.line("// " + cpp::place_text(globals.sources, kernel.span) + ": " + kernel.display + ", some rows.");
     out.line("GLIFT_HOST_KERNEL");
-    out.open("static void " + name + "_row(const glift::HostCall& call, const glift::host::Row& row)");
+    out.open("static void " + name + "_rows(const glift::HostCall& call, const glift::host::Rows& rows)");
     declare_used(rows.body, out, name);
     out.raw(text);
     out.close();
     out.gap();
     out.open("static void " + name + "(const glift::HostCall& call)");
-    out.line("glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { " + name + "_row(call, row); });");
+    out.line("glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { " + name + "_rows(call, rows); });");
     out.close();
     return out.take();
 }

@@ -21,6 +21,8 @@ VKAPI_ATTR void VKAPI_CALL get_features(VkPhysicalDevice physical, VkPhysicalDev
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL submit(VkQueue queue, std::uint32_t count, const VkSubmitInfo2* infos, VkFence fence) {
+    pretence.submissions += count;
+    for (std::uint32_t k = 0; k < count; ++k) pretence.command_buffers += infos[k].commandBufferInfoCount;
     return pretence.lost ? VK_ERROR_DEVICE_LOST : vkQueueSubmit2(queue, count, infos, fence);
 }
 
@@ -33,12 +35,20 @@ VKAPI_ATTR VkResult VKAPI_CALL allocate(VkDevice device, const VkMemoryAllocateI
     return pretence.no_memory ? VK_ERROR_OUT_OF_DEVICE_MEMORY : vkAllocateMemory(device, info, callbacks, memory);
 }
 
+// The runtime submits in the new way only; a submission in the old one would be missed.
+VKAPI_ATTR VkResult VKAPI_CALL submit_in_the_old_way(VkQueue queue, std::uint32_t count, const VkSubmitInfo* infos,
+                                                     VkFence fence) {
+    ADD_FAILURE() << "vkQueueSubmit";
+    return vkQueueSubmit(queue, count, infos, fence);
+}
+
 template <class Function> PFN_vkVoidFunction erased(Function function) {
     return reinterpret_cast<PFN_vkVoidFunction>(function);
 }
 
 PFN_vkVoidFunction VKAPI_CALL device_function(VkDevice device, const char* name) {
     if (!std::strcmp(name, "vkQueueSubmit2")) return erased(submit);
+    if (!std::strcmp(name, "vkQueueSubmit")) return erased(submit_in_the_old_way);
     if (!std::strcmp(name, "vkWaitSemaphores")) return erased(wait);
     if (!std::strcmp(name, "vkAllocateMemory")) return erased(allocate);
     if (pretence.no_push_descriptors && std::strstr(name, "PushDescriptorSet")) return nullptr;

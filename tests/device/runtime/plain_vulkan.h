@@ -9,13 +9,16 @@
 #include <memory>
 #include <vector>
 
-/// What the loader pretends. Reset at the start of each test.
+/// What the loader pretends, and what it saw. Reset at the start of each test.
 struct Pretence {
     bool vulkan_1_2 = false;
     bool no_timeline = false;
     bool lost = false;          ///< the next submission and every wait
     bool no_memory = false;
     bool no_push_descriptors = false;   ///< the device was made without the extension
+
+    std::uint64_t submissions = 0;       ///< of the device
+    std::uint64_t command_buffers = 0;   ///< in them
 };
 extern Pretence pretence;
 PFN_vkVoidFunction VKAPI_CALL pretending_loader(VkInstance instance, const char* name);

@@ -134,42 +134,44 @@ struct control_flow_direct_parameters {
 static_assert(offsetof(control_flow_direct_parameters, a_extent) == 0);
 static_assert(offsetof(control_flow_direct_parameters, mode_value_0) == 4);
 
-// control_flow.glift:40: control_flow, one row.
+// control_flow.glift:40: control_flow, some rows.
 GLIFT_HOST_KERNEL
-static void control_flow_direct_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void control_flow_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const control_flow_direct_parameters*>(call.parameters);
     const bool mode_value_0 = parameters.mode_value_0;
     float* f_data = glift::host::elements<float>(call.memories[0]);
     uint* n_data = glift::host::elements<uint>(call.memories[1]);
-    if (row.begin < row.end) {
-        const uint address = row.begin;
-        float* f_data_row = f_data + address;
-        uint* n_data_row = n_data + address;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
-            const uint address = row.begin + static_cast<uint>(i);
-            // control_flow.glift:41
-            const Interval i_2 = Interval{1.0f, float(address)};
-            // control_flow.glift:42
-            float x_2 = i_2.high - i_2.low + halves(i_2.high);
-            // control_flow.glift:43
-            const uint found = address / 2u;
-            const bool found_found = !(address % 2u == 0u);
-            if (found_found) {
-                x_2 += float(found);
-            } else {
-                x_2 = -x_2;
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint address = row.begin;
+            float* f_data_row = glift::host::row_pointer(f_data + address);
+            uint* n_data_row = glift::host::row_pointer(n_data + address);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                const uint address = row.begin + static_cast<uint>(i);
+                // control_flow.glift:41
+                const Interval i_2 = Interval{1.0f, float(address)};
+                // control_flow.glift:42
+                float x_2 = i_2.high - i_2.low + halves(i_2.high);
+                // control_flow.glift:43
+                const uint found = address / 2u;
+                const bool found_found = !(address % 2u == 0u);
+                if (found_found) {
+                    x_2 += float(found);
+                } else {
+                    x_2 = -x_2;
+                }
+                // control_flow.glift:44
+                f_data_row[i] = mode_value_0 ? x_2 : glift::sqrt(glift::abs(x_2));
+                // control_flow.glift:45
+                n_data_row[i] = collatz(address) + (found_found ? found : 7u);
             }
-            // control_flow.glift:44
-            f_data_row[i] = mode_value_0 ? x_2 : glift::sqrt(glift::abs(x_2));
-            // control_flow.glift:45
-            n_data_row[i] = collatz(address) + (found_found ? found : 7u);
         }
     }
 }
 
 static void control_flow_direct(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { control_flow_direct_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { control_flow_direct_rows(call, rows); });
 }
 
 struct control_flow_general_parameters {
@@ -185,9 +187,9 @@ static_assert(offsetof(control_flow_general_parameters, f_origin) == 8);
 static_assert(offsetof(control_flow_general_parameters, n_origin) == 12);
 static_assert(offsetof(control_flow_general_parameters, mode_value_0) == 16);
 
-// control_flow.glift:40: control_flow, one row.
+// control_flow.glift:40: control_flow, some rows.
 GLIFT_HOST_KERNEL
-static void control_flow_general_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void control_flow_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const control_flow_general_parameters*>(call.parameters);
     const uint a_origin = parameters.a_origin;
     const uint f_origin = parameters.f_origin;
@@ -195,40 +197,42 @@ static void control_flow_general_row(const glift::HostCall& call, const glift::h
     const bool mode_value_0 = parameters.mode_value_0;
     float* f_data = glift::host::elements<float>(call.memories[0]);
     uint* n_data = glift::host::elements<uint>(call.memories[1]);
-    if (row.begin < row.end) {
-        const uint address = row.begin;
-        // control_flow.glift:44
-        const uint f_address = f_origin + address;
-        // control_flow.glift:45
-        const uint n_address = n_origin + address;
-        float* f_data_row = f_data + f_address;
-        uint* n_data_row = n_data + n_address;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
-            const uint address = row.begin + static_cast<uint>(i);
-            // control_flow.glift:41
-            const uint a_address = a_origin + address;
-            const Interval i_2 = Interval{1.0f, float(a_address)};
-            // control_flow.glift:42
-            float x_2 = i_2.high - i_2.low + halves(i_2.high);
-            // control_flow.glift:43
-            const uint found = a_address / 2u;
-            const bool found_found = !(a_address % 2u == 0u);
-            if (found_found) {
-                x_2 += float(found);
-            } else {
-                x_2 = -x_2;
-            }
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint address = row.begin;
             // control_flow.glift:44
-            f_data_row[i] = mode_value_0 ? x_2 : glift::sqrt(glift::abs(x_2));
+            const uint f_address = f_origin + address;
             // control_flow.glift:45
-            n_data_row[i] = collatz(a_address) + (found_found ? found : 7u);
+            const uint n_address = n_origin + address;
+            float* f_data_row = glift::host::row_pointer(f_data + f_address);
+            uint* n_data_row = glift::host::row_pointer(n_data + n_address);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                const uint address = row.begin + static_cast<uint>(i);
+                // control_flow.glift:41
+                const uint a_address = a_origin + address;
+                const Interval i_2 = Interval{1.0f, float(a_address)};
+                // control_flow.glift:42
+                float x_2 = i_2.high - i_2.low + halves(i_2.high);
+                // control_flow.glift:43
+                const uint found = a_address / 2u;
+                const bool found_found = !(a_address % 2u == 0u);
+                if (found_found) {
+                    x_2 += float(found);
+                } else {
+                    x_2 = -x_2;
+                }
+                // control_flow.glift:44
+                f_data_row[i] = mode_value_0 ? x_2 : glift::sqrt(glift::abs(x_2));
+                // control_flow.glift:45
+                n_data_row[i] = collatz(a_address) + (found_found ? found : 7u);
+            }
         }
     }
 }
 
 static void control_flow_general(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { control_flow_general_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { control_flow_general_rows(call, rows); });
 }
 
 const glift::Binding control_flow_bindings[] = {
@@ -263,25 +267,27 @@ struct read_box_direct_parameters {
 };
 static_assert(offsetof(read_box_direct_parameters, from_extent) == 0);
 
-// transfer.glift:15: read_box<Array<1, float, none, buffer>, Box<1, float>>, one row.
+// transfer.glift:15: read_box<Array<1, float, none, buffer>, Box<1, float>>, some rows.
 GLIFT_HOST_KERNEL
-static void read_box_direct_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void read_box_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const float* from_data = glift::host::elements<const float>(call.memories[0]);
     float* to_data = glift::host::elements<float>(call.memories[1]);
-    if (row.begin < row.end) {
-        const uint address = row.begin;
-        const float* from_data_row = from_data + address;
-        float* to_data_row = to_data + address;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
-            // transfer.glift:16
-            to_data_row[i] = from_data_row[i];
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint address = row.begin;
+            const float* from_data_row = glift::host::row_pointer(from_data + address);
+            float* to_data_row = glift::host::row_pointer(to_data + address);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:16
+                to_data_row[i] = from_data_row[i];
+            }
         }
     }
 }
 
 static void read_box_direct(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { read_box_direct_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { read_box_direct_rows(call, rows); });
 }
 
 struct read_box_general_parameters {
@@ -293,31 +299,33 @@ static_assert(offsetof(read_box_general_parameters, size) == 0);
 static_assert(offsetof(read_box_general_parameters, from_origin) == 4);
 static_assert(offsetof(read_box_general_parameters, to_origin) == 8);
 
-// transfer.glift:15: read_box<Array<1, float, none, buffer>, Box<1, float>>, one row.
+// transfer.glift:15: read_box<Array<1, float, none, buffer>, Box<1, float>>, some rows.
 GLIFT_HOST_KERNEL
-static void read_box_general_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void read_box_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_general_parameters*>(call.parameters);
     const uint from_origin = parameters.from_origin;
     const uint to_origin = parameters.to_origin;
     const float* from_data = glift::host::elements<const float>(call.memories[0]);
     float* to_data = glift::host::elements<float>(call.memories[1]);
-    if (row.begin < row.end) {
-        const uint address = row.begin;
-        // transfer.glift:16
-        const uint from_address = from_origin + address;
-        const uint to_address = to_origin + address;
-        const float* from_data_row = from_data + from_address;
-        float* to_data_row = to_data + to_address;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint address = row.begin;
             // transfer.glift:16
-            to_data_row[i] = from_data_row[i];
+            const uint from_address = from_origin + address;
+            const uint to_address = to_origin + address;
+            const float* from_data_row = glift::host::row_pointer(from_data + from_address);
+            float* to_data_row = glift::host::row_pointer(to_data + to_address);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:16
+                to_data_row[i] = from_data_row[i];
+            }
         }
     }
 }
 
 static void read_box_general(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { read_box_general_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { read_box_general_rows(call, rows); });
 }
 
 const glift::Binding read_box_bindings[] = {
@@ -349,25 +357,27 @@ struct write_box_direct_parameters {
 };
 static_assert(offsetof(write_box_direct_parameters, from_extent) == 0);
 
-// transfer.glift:20: write_box<Box<1, float>, Array<1, float, none, buffer>>, one row.
+// transfer.glift:20: write_box<Box<1, float>, Array<1, float, none, buffer>>, some rows.
 GLIFT_HOST_KERNEL
-static void write_box_direct_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void write_box_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const float* from_data = glift::host::elements<const float>(call.memories[0]);
     float* to_data = glift::host::elements<float>(call.memories[1]);
-    if (row.begin < row.end) {
-        const uint address = row.begin;
-        const float* from_data_row = from_data + address;
-        float* to_data_row = to_data + address;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
-            // transfer.glift:21
-            to_data_row[i] = from_data_row[i];
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint address = row.begin;
+            const float* from_data_row = glift::host::row_pointer(from_data + address);
+            float* to_data_row = glift::host::row_pointer(to_data + address);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:21
+                to_data_row[i] = from_data_row[i];
+            }
         }
     }
 }
 
 static void write_box_direct(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { write_box_direct_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { write_box_direct_rows(call, rows); });
 }
 
 struct write_box_general_parameters {
@@ -379,31 +389,33 @@ static_assert(offsetof(write_box_general_parameters, size) == 0);
 static_assert(offsetof(write_box_general_parameters, from_origin) == 4);
 static_assert(offsetof(write_box_general_parameters, to_origin) == 8);
 
-// transfer.glift:20: write_box<Box<1, float>, Array<1, float, none, buffer>>, one row.
+// transfer.glift:20: write_box<Box<1, float>, Array<1, float, none, buffer>>, some rows.
 GLIFT_HOST_KERNEL
-static void write_box_general_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void write_box_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_general_parameters*>(call.parameters);
     const uint from_origin = parameters.from_origin;
     const uint to_origin = parameters.to_origin;
     const float* from_data = glift::host::elements<const float>(call.memories[0]);
     float* to_data = glift::host::elements<float>(call.memories[1]);
-    if (row.begin < row.end) {
-        const uint address = row.begin;
-        // transfer.glift:21
-        const uint from_address = from_origin + address;
-        const uint to_address = to_origin + address;
-        const float* from_data_row = from_data + from_address;
-        float* to_data_row = to_data + to_address;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint address = row.begin;
             // transfer.glift:21
-            to_data_row[i] = from_data_row[i];
+            const uint from_address = from_origin + address;
+            const uint to_address = to_origin + address;
+            const float* from_data_row = glift::host::row_pointer(from_data + from_address);
+            float* to_data_row = glift::host::row_pointer(to_data + to_address);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:21
+                to_data_row[i] = from_data_row[i];
+            }
         }
     }
 }
 
 static void write_box_general(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { write_box_general_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { write_box_general_rows(call, rows); });
 }
 
 const glift::Binding write_box_bindings[] = {
@@ -437,25 +449,27 @@ struct fill_box_direct_parameters {
 static_assert(offsetof(fill_box_direct_parameters, to_extent) == 0);
 static_assert(offsetof(fill_box_direct_parameters, value) == 4);
 
-// transfer.glift:25: fill_box<Array<1, float, none, buffer>, float>, one row.
+// transfer.glift:25: fill_box<Array<1, float, none, buffer>, float>, some rows.
 GLIFT_HOST_KERNEL
-static void fill_box_direct_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void fill_box_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_direct_parameters*>(call.parameters);
     const float value = parameters.value;
     float* to_data = glift::host::elements<float>(call.memories[0]);
-    if (row.begin < row.end) {
-        const uint address = row.begin;
-        float* to_data_row = to_data + address;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
-            // transfer.glift:26
-            to_data_row[i] = value;
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint address = row.begin;
+            float* to_data_row = glift::host::row_pointer(to_data + address);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:26
+                to_data_row[i] = value;
+            }
         }
     }
 }
 
 static void fill_box_direct(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { fill_box_direct_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { fill_box_direct_rows(call, rows); });
 }
 
 struct fill_box_general_parameters {
@@ -467,28 +481,30 @@ static_assert(offsetof(fill_box_general_parameters, size) == 0);
 static_assert(offsetof(fill_box_general_parameters, to_origin) == 4);
 static_assert(offsetof(fill_box_general_parameters, value) == 8);
 
-// transfer.glift:25: fill_box<Array<1, float, none, buffer>, float>, one row.
+// transfer.glift:25: fill_box<Array<1, float, none, buffer>, float>, some rows.
 GLIFT_HOST_KERNEL
-static void fill_box_general_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void fill_box_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_general_parameters*>(call.parameters);
     const uint to_origin = parameters.to_origin;
     const float value = parameters.value;
     float* to_data = glift::host::elements<float>(call.memories[0]);
-    if (row.begin < row.end) {
-        const uint address = row.begin;
-        // transfer.glift:26
-        const uint to_address = to_origin + address;
-        float* to_data_row = to_data + to_address;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint address = row.begin;
             // transfer.glift:26
-            to_data_row[i] = value;
+            const uint to_address = to_origin + address;
+            float* to_data_row = glift::host::row_pointer(to_data + to_address);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:26
+                to_data_row[i] = value;
+            }
         }
     }
 }
 
 static void fill_box_general(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { fill_box_general_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { fill_box_general_rows(call, rows); });
 }
 
 const glift::Binding fill_box_bindings[] = {
@@ -520,25 +536,27 @@ struct read_box_2_direct_parameters {
 };
 static_assert(offsetof(read_box_2_direct_parameters, from_extent) == 0);
 
-// transfer.glift:15: read_box<Array<1, uint, none, buffer>, Box<1, uint>>, one row.
+// transfer.glift:15: read_box<Array<1, uint, none, buffer>, Box<1, uint>>, some rows.
 GLIFT_HOST_KERNEL
-static void read_box_2_direct_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void read_box_2_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const uint* from_data = glift::host::elements<const uint>(call.memories[0]);
     uint* to_data = glift::host::elements<uint>(call.memories[1]);
-    if (row.begin < row.end) {
-        const uint address = row.begin;
-        const uint* from_data_row = from_data + address;
-        uint* to_data_row = to_data + address;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
-            // transfer.glift:16
-            to_data_row[i] = from_data_row[i];
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint address = row.begin;
+            const uint* from_data_row = glift::host::row_pointer(from_data + address);
+            uint* to_data_row = glift::host::row_pointer(to_data + address);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:16
+                to_data_row[i] = from_data_row[i];
+            }
         }
     }
 }
 
 static void read_box_2_direct(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { read_box_2_direct_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { read_box_2_direct_rows(call, rows); });
 }
 
 struct read_box_2_general_parameters {
@@ -550,31 +568,33 @@ static_assert(offsetof(read_box_2_general_parameters, size) == 0);
 static_assert(offsetof(read_box_2_general_parameters, from_origin) == 4);
 static_assert(offsetof(read_box_2_general_parameters, to_origin) == 8);
 
-// transfer.glift:15: read_box<Array<1, uint, none, buffer>, Box<1, uint>>, one row.
+// transfer.glift:15: read_box<Array<1, uint, none, buffer>, Box<1, uint>>, some rows.
 GLIFT_HOST_KERNEL
-static void read_box_2_general_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void read_box_2_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_2_general_parameters*>(call.parameters);
     const uint from_origin = parameters.from_origin;
     const uint to_origin = parameters.to_origin;
     const uint* from_data = glift::host::elements<const uint>(call.memories[0]);
     uint* to_data = glift::host::elements<uint>(call.memories[1]);
-    if (row.begin < row.end) {
-        const uint address = row.begin;
-        // transfer.glift:16
-        const uint from_address = from_origin + address;
-        const uint to_address = to_origin + address;
-        const uint* from_data_row = from_data + from_address;
-        uint* to_data_row = to_data + to_address;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint address = row.begin;
             // transfer.glift:16
-            to_data_row[i] = from_data_row[i];
+            const uint from_address = from_origin + address;
+            const uint to_address = to_origin + address;
+            const uint* from_data_row = glift::host::row_pointer(from_data + from_address);
+            uint* to_data_row = glift::host::row_pointer(to_data + to_address);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:16
+                to_data_row[i] = from_data_row[i];
+            }
         }
     }
 }
 
 static void read_box_2_general(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { read_box_2_general_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { read_box_2_general_rows(call, rows); });
 }
 
 const glift::Binding read_box_2_bindings[] = {
@@ -606,25 +626,27 @@ struct write_box_2_direct_parameters {
 };
 static_assert(offsetof(write_box_2_direct_parameters, from_extent) == 0);
 
-// transfer.glift:20: write_box<Box<1, uint>, Array<1, uint, none, buffer>>, one row.
+// transfer.glift:20: write_box<Box<1, uint>, Array<1, uint, none, buffer>>, some rows.
 GLIFT_HOST_KERNEL
-static void write_box_2_direct_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void write_box_2_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const uint* from_data = glift::host::elements<const uint>(call.memories[0]);
     uint* to_data = glift::host::elements<uint>(call.memories[1]);
-    if (row.begin < row.end) {
-        const uint address = row.begin;
-        const uint* from_data_row = from_data + address;
-        uint* to_data_row = to_data + address;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
-            // transfer.glift:21
-            to_data_row[i] = from_data_row[i];
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint address = row.begin;
+            const uint* from_data_row = glift::host::row_pointer(from_data + address);
+            uint* to_data_row = glift::host::row_pointer(to_data + address);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:21
+                to_data_row[i] = from_data_row[i];
+            }
         }
     }
 }
 
 static void write_box_2_direct(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { write_box_2_direct_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { write_box_2_direct_rows(call, rows); });
 }
 
 struct write_box_2_general_parameters {
@@ -636,31 +658,33 @@ static_assert(offsetof(write_box_2_general_parameters, size) == 0);
 static_assert(offsetof(write_box_2_general_parameters, from_origin) == 4);
 static_assert(offsetof(write_box_2_general_parameters, to_origin) == 8);
 
-// transfer.glift:20: write_box<Box<1, uint>, Array<1, uint, none, buffer>>, one row.
+// transfer.glift:20: write_box<Box<1, uint>, Array<1, uint, none, buffer>>, some rows.
 GLIFT_HOST_KERNEL
-static void write_box_2_general_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void write_box_2_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_2_general_parameters*>(call.parameters);
     const uint from_origin = parameters.from_origin;
     const uint to_origin = parameters.to_origin;
     const uint* from_data = glift::host::elements<const uint>(call.memories[0]);
     uint* to_data = glift::host::elements<uint>(call.memories[1]);
-    if (row.begin < row.end) {
-        const uint address = row.begin;
-        // transfer.glift:21
-        const uint from_address = from_origin + address;
-        const uint to_address = to_origin + address;
-        const uint* from_data_row = from_data + from_address;
-        uint* to_data_row = to_data + to_address;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint address = row.begin;
             // transfer.glift:21
-            to_data_row[i] = from_data_row[i];
+            const uint from_address = from_origin + address;
+            const uint to_address = to_origin + address;
+            const uint* from_data_row = glift::host::row_pointer(from_data + from_address);
+            uint* to_data_row = glift::host::row_pointer(to_data + to_address);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:21
+                to_data_row[i] = from_data_row[i];
+            }
         }
     }
 }
 
 static void write_box_2_general(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { write_box_2_general_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { write_box_2_general_rows(call, rows); });
 }
 
 const glift::Binding write_box_2_bindings[] = {
@@ -694,25 +718,27 @@ struct fill_box_2_direct_parameters {
 static_assert(offsetof(fill_box_2_direct_parameters, to_extent) == 0);
 static_assert(offsetof(fill_box_2_direct_parameters, value) == 4);
 
-// transfer.glift:25: fill_box<Array<1, uint, none, buffer>, uint>, one row.
+// transfer.glift:25: fill_box<Array<1, uint, none, buffer>, uint>, some rows.
 GLIFT_HOST_KERNEL
-static void fill_box_2_direct_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void fill_box_2_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_2_direct_parameters*>(call.parameters);
     const uint value = parameters.value;
     uint* to_data = glift::host::elements<uint>(call.memories[0]);
-    if (row.begin < row.end) {
-        const uint address = row.begin;
-        uint* to_data_row = to_data + address;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
-            // transfer.glift:26
-            to_data_row[i] = value;
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint address = row.begin;
+            uint* to_data_row = glift::host::row_pointer(to_data + address);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:26
+                to_data_row[i] = value;
+            }
         }
     }
 }
 
 static void fill_box_2_direct(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { fill_box_2_direct_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { fill_box_2_direct_rows(call, rows); });
 }
 
 struct fill_box_2_general_parameters {
@@ -724,28 +750,30 @@ static_assert(offsetof(fill_box_2_general_parameters, size) == 0);
 static_assert(offsetof(fill_box_2_general_parameters, to_origin) == 4);
 static_assert(offsetof(fill_box_2_general_parameters, value) == 8);
 
-// transfer.glift:25: fill_box<Array<1, uint, none, buffer>, uint>, one row.
+// transfer.glift:25: fill_box<Array<1, uint, none, buffer>, uint>, some rows.
 GLIFT_HOST_KERNEL
-static void fill_box_2_general_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void fill_box_2_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_2_general_parameters*>(call.parameters);
     const uint to_origin = parameters.to_origin;
     const uint value = parameters.value;
     uint* to_data = glift::host::elements<uint>(call.memories[0]);
-    if (row.begin < row.end) {
-        const uint address = row.begin;
-        // transfer.glift:26
-        const uint to_address = to_origin + address;
-        uint* to_data_row = to_data + to_address;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint address = row.begin;
             // transfer.glift:26
-            to_data_row[i] = value;
+            const uint to_address = to_origin + address;
+            uint* to_data_row = glift::host::row_pointer(to_data + to_address);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:26
+                to_data_row[i] = value;
+            }
         }
     }
 }
 
 static void fill_box_2_general(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { fill_box_2_general_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { fill_box_2_general_rows(call, rows); });
 }
 
 const glift::Binding fill_box_2_bindings[] = {

@@ -97,31 +97,33 @@ struct gather_direct_parameters {
 static_assert(offsetof(gather_direct_parameters, index_extent) == 0);
 static_assert(offsetof(gather_direct_parameters, values_extent) == 4);
 
-// any.glift:9: gather, one row.
+// any.glift:9: gather, some rows.
 GLIFT_HOST_KERNEL
-static void gather_direct_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void gather_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const gather_direct_parameters*>(call.parameters);
     const uint values_extent = parameters.values_extent;
     const uint* index_data = glift::host::elements<const uint>(call.memories[0]);
     const float* values_data = glift::host::elements<const float>(call.memories[1]);
     float* g_data = glift::host::elements<float>(call.memories[2]);
-    if (row.begin < row.end) {
-        const uint address = row.begin;
-        const uint* index_data_row = index_data + address;
-        float* g_data_row = g_data + address;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
-            // any.glift:9
-            const uint values_address = index_data_row[i];
-            const bool values_value_inside = values_address < values_extent;
-            const float values_value = values_data[values_value_inside ? values_address : 0u];
-            g_data_row[i] = values_value_inside ? values_value : 0.0f;
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint address = row.begin;
+            const uint* index_data_row = glift::host::row_pointer(index_data + address);
+            float* g_data_row = glift::host::row_pointer(g_data + address);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // any.glift:9
+                const uint values_address = index_data_row[i];
+                const bool values_value_inside = values_address < values_extent;
+                const float values_value = values_data[values_value_inside ? values_address : 0u];
+                g_data_row[i] = values_value_inside ? values_value : 0.0f;
+            }
         }
     }
 }
 
 static void gather_direct(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { gather_direct_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { gather_direct_rows(call, rows); });
 }
 
 struct gather_general_parameters {
@@ -135,9 +137,9 @@ static_assert(offsetof(gather_general_parameters, index_origin) == 4);
 static_assert(offsetof(gather_general_parameters, g_origin) == 8);
 static_assert(offsetof(gather_general_parameters, values_extent) == 12);
 
-// any.glift:9: gather, one row.
+// any.glift:9: gather, some rows.
 GLIFT_HOST_KERNEL
-static void gather_general_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void gather_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const gather_general_parameters*>(call.parameters);
     const uint index_origin = parameters.index_origin;
     const uint g_origin = parameters.g_origin;
@@ -145,26 +147,28 @@ static void gather_general_row(const glift::HostCall& call, const glift::host::R
     const uint* index_data = glift::host::elements<const uint>(call.memories[0]);
     const float* values_data = glift::host::elements<const float>(call.memories[1]);
     float* g_data = glift::host::elements<float>(call.memories[2]);
-    if (row.begin < row.end) {
-        const uint address = row.begin;
-        // any.glift:9
-        const uint index_address = index_origin + address;
-        const uint g_address = g_origin + address;
-        const uint* index_data_row = index_data + index_address;
-        float* g_data_row = g_data + g_address;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint address = row.begin;
             // any.glift:9
-            const uint values_address = index_data_row[i];
-            const bool values_value_inside = values_address < values_extent;
-            const float values_value = values_data[values_value_inside ? values_address : 0u];
-            g_data_row[i] = values_value_inside ? values_value : 0.0f;
+            const uint index_address = index_origin + address;
+            const uint g_address = g_origin + address;
+            const uint* index_data_row = glift::host::row_pointer(index_data + index_address);
+            float* g_data_row = glift::host::row_pointer(g_data + g_address);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // any.glift:9
+                const uint values_address = index_data_row[i];
+                const bool values_value_inside = values_address < values_extent;
+                const float values_value = values_data[values_value_inside ? values_address : 0u];
+                g_data_row[i] = values_value_inside ? values_value : 0.0f;
+            }
         }
     }
 }
 
 static void gather_general(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { gather_general_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { gather_general_rows(call, rows); });
 }
 
 const glift::Binding gather_bindings[] = {
@@ -198,25 +202,27 @@ struct read_box_direct_parameters {
 };
 static_assert(offsetof(read_box_direct_parameters, from_extent) == 0);
 
-// transfer.glift:15: read_box<Array<1, float, none, buffer>, Box<1, float>>, one row.
+// transfer.glift:15: read_box<Array<1, float, none, buffer>, Box<1, float>>, some rows.
 GLIFT_HOST_KERNEL
-static void read_box_direct_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void read_box_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const float* from_data = glift::host::elements<const float>(call.memories[0]);
     float* to_data = glift::host::elements<float>(call.memories[1]);
-    if (row.begin < row.end) {
-        const uint address = row.begin;
-        const float* from_data_row = from_data + address;
-        float* to_data_row = to_data + address;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
-            // transfer.glift:16
-            to_data_row[i] = from_data_row[i];
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint address = row.begin;
+            const float* from_data_row = glift::host::row_pointer(from_data + address);
+            float* to_data_row = glift::host::row_pointer(to_data + address);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:16
+                to_data_row[i] = from_data_row[i];
+            }
         }
     }
 }
 
 static void read_box_direct(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { read_box_direct_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { read_box_direct_rows(call, rows); });
 }
 
 struct read_box_general_parameters {
@@ -228,31 +234,33 @@ static_assert(offsetof(read_box_general_parameters, size) == 0);
 static_assert(offsetof(read_box_general_parameters, from_origin) == 4);
 static_assert(offsetof(read_box_general_parameters, to_origin) == 8);
 
-// transfer.glift:15: read_box<Array<1, float, none, buffer>, Box<1, float>>, one row.
+// transfer.glift:15: read_box<Array<1, float, none, buffer>, Box<1, float>>, some rows.
 GLIFT_HOST_KERNEL
-static void read_box_general_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void read_box_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_general_parameters*>(call.parameters);
     const uint from_origin = parameters.from_origin;
     const uint to_origin = parameters.to_origin;
     const float* from_data = glift::host::elements<const float>(call.memories[0]);
     float* to_data = glift::host::elements<float>(call.memories[1]);
-    if (row.begin < row.end) {
-        const uint address = row.begin;
-        // transfer.glift:16
-        const uint from_address = from_origin + address;
-        const uint to_address = to_origin + address;
-        const float* from_data_row = from_data + from_address;
-        float* to_data_row = to_data + to_address;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint address = row.begin;
             // transfer.glift:16
-            to_data_row[i] = from_data_row[i];
+            const uint from_address = from_origin + address;
+            const uint to_address = to_origin + address;
+            const float* from_data_row = glift::host::row_pointer(from_data + from_address);
+            float* to_data_row = glift::host::row_pointer(to_data + to_address);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:16
+                to_data_row[i] = from_data_row[i];
+            }
         }
     }
 }
 
 static void read_box_general(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { read_box_general_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { read_box_general_rows(call, rows); });
 }
 
 const glift::Binding read_box_bindings[] = {
@@ -284,25 +292,27 @@ struct write_box_direct_parameters {
 };
 static_assert(offsetof(write_box_direct_parameters, from_extent) == 0);
 
-// transfer.glift:20: write_box<Box<1, float>, Array<1, float, none, buffer>>, one row.
+// transfer.glift:20: write_box<Box<1, float>, Array<1, float, none, buffer>>, some rows.
 GLIFT_HOST_KERNEL
-static void write_box_direct_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void write_box_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const float* from_data = glift::host::elements<const float>(call.memories[0]);
     float* to_data = glift::host::elements<float>(call.memories[1]);
-    if (row.begin < row.end) {
-        const uint address = row.begin;
-        const float* from_data_row = from_data + address;
-        float* to_data_row = to_data + address;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
-            // transfer.glift:21
-            to_data_row[i] = from_data_row[i];
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint address = row.begin;
+            const float* from_data_row = glift::host::row_pointer(from_data + address);
+            float* to_data_row = glift::host::row_pointer(to_data + address);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:21
+                to_data_row[i] = from_data_row[i];
+            }
         }
     }
 }
 
 static void write_box_direct(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { write_box_direct_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { write_box_direct_rows(call, rows); });
 }
 
 struct write_box_general_parameters {
@@ -314,31 +324,33 @@ static_assert(offsetof(write_box_general_parameters, size) == 0);
 static_assert(offsetof(write_box_general_parameters, from_origin) == 4);
 static_assert(offsetof(write_box_general_parameters, to_origin) == 8);
 
-// transfer.glift:20: write_box<Box<1, float>, Array<1, float, none, buffer>>, one row.
+// transfer.glift:20: write_box<Box<1, float>, Array<1, float, none, buffer>>, some rows.
 GLIFT_HOST_KERNEL
-static void write_box_general_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void write_box_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_general_parameters*>(call.parameters);
     const uint from_origin = parameters.from_origin;
     const uint to_origin = parameters.to_origin;
     const float* from_data = glift::host::elements<const float>(call.memories[0]);
     float* to_data = glift::host::elements<float>(call.memories[1]);
-    if (row.begin < row.end) {
-        const uint address = row.begin;
-        // transfer.glift:21
-        const uint from_address = from_origin + address;
-        const uint to_address = to_origin + address;
-        const float* from_data_row = from_data + from_address;
-        float* to_data_row = to_data + to_address;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint address = row.begin;
             // transfer.glift:21
-            to_data_row[i] = from_data_row[i];
+            const uint from_address = from_origin + address;
+            const uint to_address = to_origin + address;
+            const float* from_data_row = glift::host::row_pointer(from_data + from_address);
+            float* to_data_row = glift::host::row_pointer(to_data + to_address);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:21
+                to_data_row[i] = from_data_row[i];
+            }
         }
     }
 }
 
 static void write_box_general(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { write_box_general_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { write_box_general_rows(call, rows); });
 }
 
 const glift::Binding write_box_bindings[] = {
@@ -372,25 +384,27 @@ struct fill_box_direct_parameters {
 static_assert(offsetof(fill_box_direct_parameters, to_extent) == 0);
 static_assert(offsetof(fill_box_direct_parameters, value) == 4);
 
-// transfer.glift:25: fill_box<Array<1, float, none, buffer>, float>, one row.
+// transfer.glift:25: fill_box<Array<1, float, none, buffer>, float>, some rows.
 GLIFT_HOST_KERNEL
-static void fill_box_direct_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void fill_box_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_direct_parameters*>(call.parameters);
     const float value = parameters.value;
     float* to_data = glift::host::elements<float>(call.memories[0]);
-    if (row.begin < row.end) {
-        const uint address = row.begin;
-        float* to_data_row = to_data + address;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
-            // transfer.glift:26
-            to_data_row[i] = value;
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint address = row.begin;
+            float* to_data_row = glift::host::row_pointer(to_data + address);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:26
+                to_data_row[i] = value;
+            }
         }
     }
 }
 
 static void fill_box_direct(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { fill_box_direct_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { fill_box_direct_rows(call, rows); });
 }
 
 struct fill_box_general_parameters {
@@ -402,28 +416,30 @@ static_assert(offsetof(fill_box_general_parameters, size) == 0);
 static_assert(offsetof(fill_box_general_parameters, to_origin) == 4);
 static_assert(offsetof(fill_box_general_parameters, value) == 8);
 
-// transfer.glift:25: fill_box<Array<1, float, none, buffer>, float>, one row.
+// transfer.glift:25: fill_box<Array<1, float, none, buffer>, float>, some rows.
 GLIFT_HOST_KERNEL
-static void fill_box_general_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void fill_box_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_general_parameters*>(call.parameters);
     const uint to_origin = parameters.to_origin;
     const float value = parameters.value;
     float* to_data = glift::host::elements<float>(call.memories[0]);
-    if (row.begin < row.end) {
-        const uint address = row.begin;
-        // transfer.glift:26
-        const uint to_address = to_origin + address;
-        float* to_data_row = to_data + to_address;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint address = row.begin;
             // transfer.glift:26
-            to_data_row[i] = value;
+            const uint to_address = to_origin + address;
+            float* to_data_row = glift::host::row_pointer(to_data + to_address);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:26
+                to_data_row[i] = value;
+            }
         }
     }
 }
 
 static void fill_box_general(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { fill_box_general_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { fill_box_general_rows(call, rows); });
 }
 
 const glift::Binding fill_box_bindings[] = {
@@ -455,25 +471,27 @@ struct read_box_2_direct_parameters {
 };
 static_assert(offsetof(read_box_2_direct_parameters, from_extent) == 0);
 
-// transfer.glift:15: read_box<Array<1, uint, none, buffer>, Box<1, uint>>, one row.
+// transfer.glift:15: read_box<Array<1, uint, none, buffer>, Box<1, uint>>, some rows.
 GLIFT_HOST_KERNEL
-static void read_box_2_direct_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void read_box_2_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const uint* from_data = glift::host::elements<const uint>(call.memories[0]);
     uint* to_data = glift::host::elements<uint>(call.memories[1]);
-    if (row.begin < row.end) {
-        const uint address = row.begin;
-        const uint* from_data_row = from_data + address;
-        uint* to_data_row = to_data + address;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
-            // transfer.glift:16
-            to_data_row[i] = from_data_row[i];
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint address = row.begin;
+            const uint* from_data_row = glift::host::row_pointer(from_data + address);
+            uint* to_data_row = glift::host::row_pointer(to_data + address);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:16
+                to_data_row[i] = from_data_row[i];
+            }
         }
     }
 }
 
 static void read_box_2_direct(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { read_box_2_direct_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { read_box_2_direct_rows(call, rows); });
 }
 
 struct read_box_2_general_parameters {
@@ -485,31 +503,33 @@ static_assert(offsetof(read_box_2_general_parameters, size) == 0);
 static_assert(offsetof(read_box_2_general_parameters, from_origin) == 4);
 static_assert(offsetof(read_box_2_general_parameters, to_origin) == 8);
 
-// transfer.glift:15: read_box<Array<1, uint, none, buffer>, Box<1, uint>>, one row.
+// transfer.glift:15: read_box<Array<1, uint, none, buffer>, Box<1, uint>>, some rows.
 GLIFT_HOST_KERNEL
-static void read_box_2_general_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void read_box_2_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_2_general_parameters*>(call.parameters);
     const uint from_origin = parameters.from_origin;
     const uint to_origin = parameters.to_origin;
     const uint* from_data = glift::host::elements<const uint>(call.memories[0]);
     uint* to_data = glift::host::elements<uint>(call.memories[1]);
-    if (row.begin < row.end) {
-        const uint address = row.begin;
-        // transfer.glift:16
-        const uint from_address = from_origin + address;
-        const uint to_address = to_origin + address;
-        const uint* from_data_row = from_data + from_address;
-        uint* to_data_row = to_data + to_address;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint address = row.begin;
             // transfer.glift:16
-            to_data_row[i] = from_data_row[i];
+            const uint from_address = from_origin + address;
+            const uint to_address = to_origin + address;
+            const uint* from_data_row = glift::host::row_pointer(from_data + from_address);
+            uint* to_data_row = glift::host::row_pointer(to_data + to_address);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:16
+                to_data_row[i] = from_data_row[i];
+            }
         }
     }
 }
 
 static void read_box_2_general(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { read_box_2_general_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { read_box_2_general_rows(call, rows); });
 }
 
 const glift::Binding read_box_2_bindings[] = {
@@ -541,25 +561,27 @@ struct write_box_2_direct_parameters {
 };
 static_assert(offsetof(write_box_2_direct_parameters, from_extent) == 0);
 
-// transfer.glift:20: write_box<Box<1, uint>, Array<1, uint, none, buffer>>, one row.
+// transfer.glift:20: write_box<Box<1, uint>, Array<1, uint, none, buffer>>, some rows.
 GLIFT_HOST_KERNEL
-static void write_box_2_direct_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void write_box_2_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const uint* from_data = glift::host::elements<const uint>(call.memories[0]);
     uint* to_data = glift::host::elements<uint>(call.memories[1]);
-    if (row.begin < row.end) {
-        const uint address = row.begin;
-        const uint* from_data_row = from_data + address;
-        uint* to_data_row = to_data + address;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
-            // transfer.glift:21
-            to_data_row[i] = from_data_row[i];
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint address = row.begin;
+            const uint* from_data_row = glift::host::row_pointer(from_data + address);
+            uint* to_data_row = glift::host::row_pointer(to_data + address);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:21
+                to_data_row[i] = from_data_row[i];
+            }
         }
     }
 }
 
 static void write_box_2_direct(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { write_box_2_direct_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { write_box_2_direct_rows(call, rows); });
 }
 
 struct write_box_2_general_parameters {
@@ -571,31 +593,33 @@ static_assert(offsetof(write_box_2_general_parameters, size) == 0);
 static_assert(offsetof(write_box_2_general_parameters, from_origin) == 4);
 static_assert(offsetof(write_box_2_general_parameters, to_origin) == 8);
 
-// transfer.glift:20: write_box<Box<1, uint>, Array<1, uint, none, buffer>>, one row.
+// transfer.glift:20: write_box<Box<1, uint>, Array<1, uint, none, buffer>>, some rows.
 GLIFT_HOST_KERNEL
-static void write_box_2_general_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void write_box_2_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_2_general_parameters*>(call.parameters);
     const uint from_origin = parameters.from_origin;
     const uint to_origin = parameters.to_origin;
     const uint* from_data = glift::host::elements<const uint>(call.memories[0]);
     uint* to_data = glift::host::elements<uint>(call.memories[1]);
-    if (row.begin < row.end) {
-        const uint address = row.begin;
-        // transfer.glift:21
-        const uint from_address = from_origin + address;
-        const uint to_address = to_origin + address;
-        const uint* from_data_row = from_data + from_address;
-        uint* to_data_row = to_data + to_address;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint address = row.begin;
             // transfer.glift:21
-            to_data_row[i] = from_data_row[i];
+            const uint from_address = from_origin + address;
+            const uint to_address = to_origin + address;
+            const uint* from_data_row = glift::host::row_pointer(from_data + from_address);
+            uint* to_data_row = glift::host::row_pointer(to_data + to_address);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:21
+                to_data_row[i] = from_data_row[i];
+            }
         }
     }
 }
 
 static void write_box_2_general(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { write_box_2_general_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { write_box_2_general_rows(call, rows); });
 }
 
 const glift::Binding write_box_2_bindings[] = {
@@ -629,25 +653,27 @@ struct fill_box_2_direct_parameters {
 static_assert(offsetof(fill_box_2_direct_parameters, to_extent) == 0);
 static_assert(offsetof(fill_box_2_direct_parameters, value) == 4);
 
-// transfer.glift:25: fill_box<Array<1, uint, none, buffer>, uint>, one row.
+// transfer.glift:25: fill_box<Array<1, uint, none, buffer>, uint>, some rows.
 GLIFT_HOST_KERNEL
-static void fill_box_2_direct_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void fill_box_2_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_2_direct_parameters*>(call.parameters);
     const uint value = parameters.value;
     uint* to_data = glift::host::elements<uint>(call.memories[0]);
-    if (row.begin < row.end) {
-        const uint address = row.begin;
-        uint* to_data_row = to_data + address;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
-            // transfer.glift:26
-            to_data_row[i] = value;
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint address = row.begin;
+            uint* to_data_row = glift::host::row_pointer(to_data + address);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:26
+                to_data_row[i] = value;
+            }
         }
     }
 }
 
 static void fill_box_2_direct(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { fill_box_2_direct_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { fill_box_2_direct_rows(call, rows); });
 }
 
 struct fill_box_2_general_parameters {
@@ -659,28 +685,30 @@ static_assert(offsetof(fill_box_2_general_parameters, size) == 0);
 static_assert(offsetof(fill_box_2_general_parameters, to_origin) == 4);
 static_assert(offsetof(fill_box_2_general_parameters, value) == 8);
 
-// transfer.glift:25: fill_box<Array<1, uint, none, buffer>, uint>, one row.
+// transfer.glift:25: fill_box<Array<1, uint, none, buffer>, uint>, some rows.
 GLIFT_HOST_KERNEL
-static void fill_box_2_general_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void fill_box_2_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_2_general_parameters*>(call.parameters);
     const uint to_origin = parameters.to_origin;
     const uint value = parameters.value;
     uint* to_data = glift::host::elements<uint>(call.memories[0]);
-    if (row.begin < row.end) {
-        const uint address = row.begin;
-        // transfer.glift:26
-        const uint to_address = to_origin + address;
-        uint* to_data_row = to_data + to_address;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint address = row.begin;
             // transfer.glift:26
-            to_data_row[i] = value;
+            const uint to_address = to_origin + address;
+            uint* to_data_row = glift::host::row_pointer(to_data + to_address);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:26
+                to_data_row[i] = value;
+            }
         }
     }
 }
 
 static void fill_box_2_general(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { fill_box_2_general_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { fill_box_2_general_rows(call, rows); });
 }
 
 const glift::Binding fill_box_2_bindings[] = {

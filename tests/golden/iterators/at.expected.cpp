@@ -71,28 +71,30 @@ struct ramp_direct_parameters {
 };
 static_assert(offsetof(ramp_direct_parameters, a_extent) == 0);
 
-// at.glift:8: ramp, one row.
+// at.glift:8: ramp, some rows.
 GLIFT_HOST_KERNEL
-static void ramp_direct_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void ramp_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const ramp_direct_parameters*>(call.parameters);
     const uint2 a_extent = parameters.a_extent;
     float* f_data = glift::host::elements<float>(call.memories[0]);
-    if (row.begin < row.end) {
-        const uint2 address{row.begin, row.y};
-        // at.glift:8
-        const uint a_at = address.y * a_extent.x + address.x;
-        float* f_data_row = f_data + a_at;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
-            const uint2 address{row.begin + static_cast<uint>(i), row.y};
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint2 address{row.begin, row.y};
             // at.glift:8
-            f_data_row[i] = float(address.x) + 10.0f * float(address.y);
+            const uint a_at = address.y * a_extent.x + address.x;
+            float* f_data_row = glift::host::row_pointer(f_data + a_at);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                const uint2 address{row.begin + static_cast<uint>(i), row.y};
+                // at.glift:8
+                f_data_row[i] = float(address.x) + 10.0f * float(address.y);
+            }
         }
     }
 }
 
 static void ramp_direct(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { ramp_direct_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { ramp_direct_rows(call, rows); });
 }
 
 struct ramp_general_parameters {
@@ -106,32 +108,34 @@ static_assert(offsetof(ramp_general_parameters, a_origin) == 8);
 static_assert(offsetof(ramp_general_parameters, f_origin) == 16);
 static_assert(offsetof(ramp_general_parameters, f_extent_x) == 24);
 
-// at.glift:8: ramp, one row.
+// at.glift:8: ramp, some rows.
 GLIFT_HOST_KERNEL
-static void ramp_general_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void ramp_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const ramp_general_parameters*>(call.parameters);
     const uint2 a_origin = parameters.a_origin;
     const uint2 f_origin = parameters.f_origin;
     const uint f_extent_x = parameters.f_extent_x;
     float* f_data = glift::host::elements<float>(call.memories[0]);
-    if (row.begin < row.end) {
-        const uint2 address{row.begin, row.y};
-        // at.glift:8
-        const uint2 f_address = f_origin + address;
-        const uint f_at = f_address.y * f_extent_x + f_address.x;
-        float* f_data_row = f_data + f_at;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
-            const uint2 address{row.begin + static_cast<uint>(i), row.y};
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint2 address{row.begin, row.y};
             // at.glift:8
-            const uint2 a_address = a_origin + address;
-            f_data_row[i] = float(a_address.x) + 10.0f * float(a_address.y);
+            const uint2 f_address = f_origin + address;
+            const uint f_at = f_address.y * f_extent_x + f_address.x;
+            float* f_data_row = glift::host::row_pointer(f_data + f_at);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                const uint2 address{row.begin + static_cast<uint>(i), row.y};
+                // at.glift:8
+                const uint2 a_address = a_origin + address;
+                f_data_row[i] = float(a_address.x) + 10.0f * float(a_address.y);
+            }
         }
     }
 }
 
 static void ramp_general(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { ramp_general_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { ramp_general_rows(call, rows); });
 }
 
 const glift::Binding ramp_bindings[] = {
@@ -164,31 +168,33 @@ struct read_box_direct_parameters {
 static_assert(offsetof(read_box_direct_parameters, from_extent) == 0);
 static_assert(offsetof(read_box_direct_parameters, to_extent_x) == 8);
 
-// transfer.glift:15: read_box<Array<2, float, none, buffer>, Box<2, float>>, one row.
+// transfer.glift:15: read_box<Array<2, float, none, buffer>, Box<2, float>>, some rows.
 GLIFT_HOST_KERNEL
-static void read_box_direct_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void read_box_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_direct_parameters*>(call.parameters);
     const uint2 from_extent = parameters.from_extent;
     const uint to_extent_x = parameters.to_extent_x;
     const float* from_data = glift::host::elements<const float>(call.memories[0]);
     float* to_data = glift::host::elements<float>(call.memories[1]);
-    if (row.begin < row.end) {
-        const uint2 address{row.begin, row.y};
-        // transfer.glift:15
-        const uint from_at = address.y * from_extent.x + address.x;
-        const uint to_at = address.y * to_extent_x + address.x;
-        const float* from_data_row = from_data + from_at;
-        float* to_data_row = to_data + to_at;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
-            // transfer.glift:16
-            to_data_row[i] = from_data_row[i];
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint2 address{row.begin, row.y};
+            // transfer.glift:15
+            const uint from_at = address.y * from_extent.x + address.x;
+            const uint to_at = address.y * to_extent_x + address.x;
+            const float* from_data_row = glift::host::row_pointer(from_data + from_at);
+            float* to_data_row = glift::host::row_pointer(to_data + to_at);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:16
+                to_data_row[i] = from_data_row[i];
+            }
         }
     }
 }
 
 static void read_box_direct(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { read_box_direct_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { read_box_direct_rows(call, rows); });
 }
 
 struct read_box_general_parameters {
@@ -204,9 +210,9 @@ static_assert(offsetof(read_box_general_parameters, to_origin) == 16);
 static_assert(offsetof(read_box_general_parameters, from_extent_x) == 24);
 static_assert(offsetof(read_box_general_parameters, to_extent_x) == 28);
 
-// transfer.glift:15: read_box<Array<2, float, none, buffer>, Box<2, float>>, one row.
+// transfer.glift:15: read_box<Array<2, float, none, buffer>, Box<2, float>>, some rows.
 GLIFT_HOST_KERNEL
-static void read_box_general_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void read_box_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_general_parameters*>(call.parameters);
     const uint2 from_origin = parameters.from_origin;
     const uint2 to_origin = parameters.to_origin;
@@ -214,28 +220,30 @@ static void read_box_general_row(const glift::HostCall& call, const glift::host:
     const uint to_extent_x = parameters.to_extent_x;
     const float* from_data = glift::host::elements<const float>(call.memories[0]);
     float* to_data = glift::host::elements<float>(call.memories[1]);
-    if (row.begin < row.end) {
-        const uint2 address{row.begin, row.y};
-        // transfer.glift:16
-        const uint2 from_address = from_origin + address;
-        // transfer.glift:15
-        const uint from_at = from_address.y * from_extent_x + from_address.x;
-        // transfer.glift:16
-        const uint2 to_address = to_origin + address;
-        // transfer.glift:15
-        const uint to_at = to_address.y * to_extent_x + to_address.x;
-        const float* from_data_row = from_data + from_at;
-        float* to_data_row = to_data + to_at;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint2 address{row.begin, row.y};
             // transfer.glift:16
-            to_data_row[i] = from_data_row[i];
+            const uint2 from_address = from_origin + address;
+            // transfer.glift:15
+            const uint from_at = from_address.y * from_extent_x + from_address.x;
+            // transfer.glift:16
+            const uint2 to_address = to_origin + address;
+            // transfer.glift:15
+            const uint to_at = to_address.y * to_extent_x + to_address.x;
+            const float* from_data_row = glift::host::row_pointer(from_data + from_at);
+            float* to_data_row = glift::host::row_pointer(to_data + to_at);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:16
+                to_data_row[i] = from_data_row[i];
+            }
         }
     }
 }
 
 static void read_box_general(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { read_box_general_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { read_box_general_rows(call, rows); });
 }
 
 const glift::Binding read_box_bindings[] = {
@@ -270,31 +278,33 @@ struct write_box_direct_parameters {
 static_assert(offsetof(write_box_direct_parameters, from_extent) == 0);
 static_assert(offsetof(write_box_direct_parameters, to_extent_x) == 8);
 
-// transfer.glift:20: write_box<Box<2, float>, Array<2, float, none, buffer>>, one row.
+// transfer.glift:20: write_box<Box<2, float>, Array<2, float, none, buffer>>, some rows.
 GLIFT_HOST_KERNEL
-static void write_box_direct_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void write_box_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_direct_parameters*>(call.parameters);
     const uint2 from_extent = parameters.from_extent;
     const uint to_extent_x = parameters.to_extent_x;
     const float* from_data = glift::host::elements<const float>(call.memories[0]);
     float* to_data = glift::host::elements<float>(call.memories[1]);
-    if (row.begin < row.end) {
-        const uint2 address{row.begin, row.y};
-        // transfer.glift:20
-        const uint from_at = address.y * from_extent.x + address.x;
-        const uint to_at = address.y * to_extent_x + address.x;
-        const float* from_data_row = from_data + from_at;
-        float* to_data_row = to_data + to_at;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
-            // transfer.glift:21
-            to_data_row[i] = from_data_row[i];
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint2 address{row.begin, row.y};
+            // transfer.glift:20
+            const uint from_at = address.y * from_extent.x + address.x;
+            const uint to_at = address.y * to_extent_x + address.x;
+            const float* from_data_row = glift::host::row_pointer(from_data + from_at);
+            float* to_data_row = glift::host::row_pointer(to_data + to_at);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:21
+                to_data_row[i] = from_data_row[i];
+            }
         }
     }
 }
 
 static void write_box_direct(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { write_box_direct_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { write_box_direct_rows(call, rows); });
 }
 
 struct write_box_general_parameters {
@@ -310,9 +320,9 @@ static_assert(offsetof(write_box_general_parameters, to_origin) == 16);
 static_assert(offsetof(write_box_general_parameters, from_extent_x) == 24);
 static_assert(offsetof(write_box_general_parameters, to_extent_x) == 28);
 
-// transfer.glift:20: write_box<Box<2, float>, Array<2, float, none, buffer>>, one row.
+// transfer.glift:20: write_box<Box<2, float>, Array<2, float, none, buffer>>, some rows.
 GLIFT_HOST_KERNEL
-static void write_box_general_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void write_box_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_general_parameters*>(call.parameters);
     const uint2 from_origin = parameters.from_origin;
     const uint2 to_origin = parameters.to_origin;
@@ -320,28 +330,30 @@ static void write_box_general_row(const glift::HostCall& call, const glift::host
     const uint to_extent_x = parameters.to_extent_x;
     const float* from_data = glift::host::elements<const float>(call.memories[0]);
     float* to_data = glift::host::elements<float>(call.memories[1]);
-    if (row.begin < row.end) {
-        const uint2 address{row.begin, row.y};
-        // transfer.glift:21
-        const uint2 from_address = from_origin + address;
-        // transfer.glift:20
-        const uint from_at = from_address.y * from_extent_x + from_address.x;
-        // transfer.glift:21
-        const uint2 to_address = to_origin + address;
-        // transfer.glift:20
-        const uint to_at = to_address.y * to_extent_x + to_address.x;
-        const float* from_data_row = from_data + from_at;
-        float* to_data_row = to_data + to_at;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint2 address{row.begin, row.y};
             // transfer.glift:21
-            to_data_row[i] = from_data_row[i];
+            const uint2 from_address = from_origin + address;
+            // transfer.glift:20
+            const uint from_at = from_address.y * from_extent_x + from_address.x;
+            // transfer.glift:21
+            const uint2 to_address = to_origin + address;
+            // transfer.glift:20
+            const uint to_at = to_address.y * to_extent_x + to_address.x;
+            const float* from_data_row = glift::host::row_pointer(from_data + from_at);
+            float* to_data_row = glift::host::row_pointer(to_data + to_at);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:21
+                to_data_row[i] = from_data_row[i];
+            }
         }
     }
 }
 
 static void write_box_general(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { write_box_general_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { write_box_general_rows(call, rows); });
 }
 
 const glift::Binding write_box_bindings[] = {
@@ -376,28 +388,30 @@ struct fill_box_direct_parameters {
 static_assert(offsetof(fill_box_direct_parameters, to_extent) == 0);
 static_assert(offsetof(fill_box_direct_parameters, value) == 8);
 
-// transfer.glift:25: fill_box<Array<2, float, none, buffer>, float>, one row.
+// transfer.glift:25: fill_box<Array<2, float, none, buffer>, float>, some rows.
 GLIFT_HOST_KERNEL
-static void fill_box_direct_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void fill_box_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_direct_parameters*>(call.parameters);
     const uint2 to_extent = parameters.to_extent;
     const float value = parameters.value;
     float* to_data = glift::host::elements<float>(call.memories[0]);
-    if (row.begin < row.end) {
-        const uint2 address{row.begin, row.y};
-        // transfer.glift:25
-        const uint to_at = address.y * to_extent.x + address.x;
-        float* to_data_row = to_data + to_at;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
-            // transfer.glift:26
-            to_data_row[i] = value;
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint2 address{row.begin, row.y};
+            // transfer.glift:25
+            const uint to_at = address.y * to_extent.x + address.x;
+            float* to_data_row = glift::host::row_pointer(to_data + to_at);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:26
+                to_data_row[i] = value;
+            }
         }
     }
 }
 
 static void fill_box_direct(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { fill_box_direct_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { fill_box_direct_rows(call, rows); });
 }
 
 struct fill_box_general_parameters {
@@ -411,31 +425,33 @@ static_assert(offsetof(fill_box_general_parameters, to_origin) == 8);
 static_assert(offsetof(fill_box_general_parameters, to_extent_x) == 16);
 static_assert(offsetof(fill_box_general_parameters, value) == 20);
 
-// transfer.glift:25: fill_box<Array<2, float, none, buffer>, float>, one row.
+// transfer.glift:25: fill_box<Array<2, float, none, buffer>, float>, some rows.
 GLIFT_HOST_KERNEL
-static void fill_box_general_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void fill_box_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_general_parameters*>(call.parameters);
     const uint2 to_origin = parameters.to_origin;
     const uint to_extent_x = parameters.to_extent_x;
     const float value = parameters.value;
     float* to_data = glift::host::elements<float>(call.memories[0]);
-    if (row.begin < row.end) {
-        const uint2 address{row.begin, row.y};
-        // transfer.glift:26
-        const uint2 to_address = to_origin + address;
-        // transfer.glift:25
-        const uint to_at = to_address.y * to_extent_x + to_address.x;
-        float* to_data_row = to_data + to_at;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint2 address{row.begin, row.y};
             // transfer.glift:26
-            to_data_row[i] = value;
+            const uint2 to_address = to_origin + address;
+            // transfer.glift:25
+            const uint to_at = to_address.y * to_extent_x + to_address.x;
+            float* to_data_row = glift::host::row_pointer(to_data + to_at);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:26
+                to_data_row[i] = value;
+            }
         }
     }
 }
 
 static void fill_box_general(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { fill_box_general_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { fill_box_general_rows(call, rows); });
 }
 
 const glift::Binding fill_box_bindings[] = {

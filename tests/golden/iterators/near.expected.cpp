@@ -71,95 +71,105 @@ struct smooth_direct_parameters {
 };
 static_assert(offsetof(smooth_direct_parameters, f_extent) == 0);
 
-// near.glift:9: smooth, one row.
+// near.glift:9: smooth, some rows.
 GLIFT_HOST_KERNEL
-static void smooth_direct_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void smooth_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const smooth_direct_parameters*>(call.parameters);
     const uint3 f_extent = parameters.f_extent;
     const float* f_data = glift::host::elements<const float>(call.memories[0]);
     float* g_data = glift::host::elements<float>(call.memories[1]);
-    const glift::host::Part interior = glift::host::interior_of(row, uint3(), f_extent, 1);
-
-    // Near the sides of the domain.
-    const auto near_sides = [&](const glift::host::Part& part) {
-        if (part.begin < part.end) {
-            const uint3 address{part.begin, row.y, row.z};
-            // near.glift:9
-            const uint f_extent_yx = f_extent.y * f_extent.x;
-            const uint f_at = (address.z * f_extent.y + address.y) * f_extent.x + address.x;
-            // near.glift:11
-            const bool f_yp1_inside = address.y + 1u < f_extent.y;
-            const bool f_ym1_inside = address.y >= 1u;
-            const bool f_zp1_inside = address.z + 1u < f_extent.z;
-            const bool f_zm1_inside = address.z >= 1u;
-            const float* f_data_row = f_data + f_at;
-            const float* f_data_row_2 = f_data + (f_at + (f_yp1_inside ? f_extent.x : 0u));
-            const float* f_data_row_3 = f_data + (f_at - (f_ym1_inside ? f_extent.x : 0u));
-            const float* f_data_row_4 = f_data + (f_at + (f_zp1_inside ? f_extent_yx : 0u));
-            const float* f_data_row_5 = f_data + (f_at - (f_zm1_inside ? f_extent_yx : 0u));
-            float* g_data_row = g_data + f_at;
-            GLIFT_INDEPENDENT
-            for (std::size_t i = 0, count = part.end - part.begin; i < count; ++i) {
-                const uint3 address{part.begin + static_cast<uint>(i), row.y, row.z};
-                // near.glift:9
-                const uint f_at_2 = (address.z * f_extent.y + address.y) * f_extent.x + address.x;
-                // near.glift:10
-                float sum = -6.0f * f_data_row[i];
-                // near.glift:11
-                const bool f_xp1_inside = address.x + 1u < f_extent.x;
-                const float f_xp1 = f_data[f_at_2 + (f_xp1_inside ? 1u : 0u)];
-                const bool f_xm1_inside = address.x >= 1u;
-                const float f_xm1 = f_data[f_at_2 - (f_xm1_inside ? 1u : 0u)];
-                sum += (f_xp1_inside ? f_xp1 : 0.0f) + (f_xm1_inside ? f_xm1 : 0.0f);
-                const bool f_yp1_inside_2 = address.y + 1u < f_extent.y;
-                const float f_yp1 = f_data_row_2[i];
-                const bool f_ym1_inside_2 = address.y >= 1u;
-                const float f_ym1 = f_data_row_3[i];
-                sum += (f_yp1_inside_2 ? f_yp1 : 0.0f) + (f_ym1_inside_2 ? f_ym1 : 0.0f);
-                const bool f_zp1_inside_2 = address.z + 1u < f_extent.z;
-                const float f_zp1 = f_data_row_4[i];
-                const bool f_zm1_inside_2 = address.z >= 1u;
-                const float f_zm1 = f_data_row_5[i];
-                sum += (f_zp1_inside_2 ? f_zp1 : 0.0f) + (f_zm1_inside_2 ? f_zm1 : 0.0f);
-                // near.glift:12
-                g_data_row[i] = sum;
+    for (const glift::host::Row row : rows) {
+        const glift::host::Part interior = glift::host::in_blocks(glift::host::interior_of(row, uint3(), f_extent, 1),
+            row.end);
+        for (const glift::host::Section& part : glift::host::sections(row.begin, interior, row.end)) {
+            if (part.is_middle) {
+                // All neighbours exist.
+                if (part.begin < part.end) {
+                    const uint3 address{part.begin, row.y, row.z};
+                    // near.glift:9
+                    const uint f_extent_yx = f_extent.y * f_extent.x;
+                    const uint f_at = (address.z * f_extent.y + address.y) * f_extent.x + address.x;
+                    const float* f_data_row = glift::host::row_pointer(f_data + f_at);
+                    const float* f_data_row_2 = glift::host::row_pointer(f_data + (f_at + 1u));
+                    const float* f_data_row_3 = glift::host::row_pointer(f_data + (f_at - 1u));
+                    const float* f_data_row_4 = glift::host::row_pointer(f_data + (f_at + f_extent.x));
+                    const float* f_data_row_5 = glift::host::row_pointer(f_data + (f_at - f_extent.x));
+                    const float* f_data_row_6 = glift::host::row_pointer(f_data + (f_at + f_extent_yx));
+                    const float* f_data_row_7 = glift::host::row_pointer(f_data + (f_at - f_extent_yx));
+                    float* g_data_row = glift::host::row_pointer(g_data + f_at);
+                    const std::size_t count = part.end - part.begin;
+                    for (std::size_t block = 0; block < count; block += glift::host::block_elements) {
+                        const std::size_t first = std::min(block, count - glift::host::block_elements);
+                        GLIFT_BLOCK
+                        for (std::size_t lane = 0; lane < glift::host::block_elements; ++lane) {
+                            const std::size_t i = first + lane;
+                            // near.glift:10
+                            float sum = -6.0f * f_data_row[i];
+                            // near.glift:11
+                            sum += f_data_row_2[i] + f_data_row_3[i];
+                            sum += f_data_row_4[i] + f_data_row_5[i];
+                            sum += f_data_row_6[i] + f_data_row_7[i];
+                            // near.glift:12
+                            g_data_row[i] = sum;
+                        }
+                    }
+                }
+            } else {
+                // Near the sides of the domain.
+                if (part.begin < part.end) {
+                    const uint3 address{part.begin, row.y, row.z};
+                    // near.glift:9
+                    const uint f_extent_yx = f_extent.y * f_extent.x;
+                    const uint f_at = (address.z * f_extent.y + address.y) * f_extent.x + address.x;
+                    // near.glift:11
+                    const bool f_yp1_inside = address.y + 1u < f_extent.y;
+                    const bool f_ym1_inside = address.y >= 1u;
+                    const bool f_zp1_inside = address.z + 1u < f_extent.z;
+                    const bool f_zm1_inside = address.z >= 1u;
+                    const float* f_data_row = glift::host::row_pointer(f_data + f_at);
+                    const float* f_data_row_2 = glift::host::row_pointer(f_data
+                        + (f_at + (f_yp1_inside ? f_extent.x : 0u)));
+                    const float* f_data_row_3 = glift::host::row_pointer(f_data
+                        + (f_at - (f_ym1_inside ? f_extent.x : 0u)));
+                    const float* f_data_row_4 = glift::host::row_pointer(f_data
+                        + (f_at + (f_zp1_inside ? f_extent_yx : 0u)));
+                    const float* f_data_row_5 = glift::host::row_pointer(f_data
+                        + (f_at - (f_zm1_inside ? f_extent_yx : 0u)));
+                    float* g_data_row = glift::host::row_pointer(g_data + f_at);
+                    GLIFT_INDEPENDENT
+                    for (std::size_t i = 0, count = part.end - part.begin; i < count; ++i) {
+                        const uint3 address{part.begin + static_cast<uint>(i), row.y, row.z};
+                        // near.glift:9
+                        const uint f_at_2 = (address.z * f_extent.y + address.y) * f_extent.x + address.x;
+                        // near.glift:10
+                        float sum = -6.0f * f_data_row[i];
+                        // near.glift:11
+                        const bool f_xp1_inside = address.x + 1u < f_extent.x;
+                        const float f_xp1 = f_data[f_at_2 + (f_xp1_inside ? 1u : 0u)];
+                        const bool f_xm1_inside = address.x >= 1u;
+                        const float f_xm1 = f_data[f_at_2 - (f_xm1_inside ? 1u : 0u)];
+                        sum += (f_xp1_inside ? f_xp1 : 0.0f) + (f_xm1_inside ? f_xm1 : 0.0f);
+                        const bool f_yp1_inside_2 = address.y + 1u < f_extent.y;
+                        const float f_yp1 = f_data_row_2[i];
+                        const bool f_ym1_inside_2 = address.y >= 1u;
+                        const float f_ym1 = f_data_row_3[i];
+                        sum += (f_yp1_inside_2 ? f_yp1 : 0.0f) + (f_ym1_inside_2 ? f_ym1 : 0.0f);
+                        const bool f_zp1_inside_2 = address.z + 1u < f_extent.z;
+                        const float f_zp1 = f_data_row_4[i];
+                        const bool f_zm1_inside_2 = address.z >= 1u;
+                        const float f_zm1 = f_data_row_5[i];
+                        sum += (f_zp1_inside_2 ? f_zp1 : 0.0f) + (f_zm1_inside_2 ? f_zm1 : 0.0f);
+                        // near.glift:12
+                        g_data_row[i] = sum;
+                    }
+                }
             }
         }
-    };
-    near_sides({row.begin, interior.begin});
-
-    // Where all neighbours exist.
-    if (interior.begin < interior.end) {
-        const uint3 address{interior.begin, row.y, row.z};
-        // near.glift:9
-        const uint f_extent_yx = f_extent.y * f_extent.x;
-        const uint f_at = (address.z * f_extent.y + address.y) * f_extent.x + address.x;
-        const float* f_data_row = f_data + f_at;
-        const float* f_data_row_2 = f_data + (f_at + 1u);
-        const float* f_data_row_3 = f_data + (f_at - 1u);
-        const float* f_data_row_4 = f_data + (f_at + f_extent.x);
-        const float* f_data_row_5 = f_data + (f_at - f_extent.x);
-        const float* f_data_row_6 = f_data + (f_at + f_extent_yx);
-        const float* f_data_row_7 = f_data + (f_at - f_extent_yx);
-        float* g_data_row = g_data + f_at;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = interior.end - interior.begin; i < count; ++i) {
-            // near.glift:10
-            float sum = -6.0f * f_data_row[i];
-            // near.glift:11
-            sum += f_data_row_2[i] + f_data_row_3[i];
-            sum += f_data_row_4[i] + f_data_row_5[i];
-            sum += f_data_row_6[i] + f_data_row_7[i];
-            // near.glift:12
-            g_data_row[i] = sum;
-        }
     }
-
-    near_sides({interior.end, row.end});
 }
 
 static void smooth_direct(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { smooth_direct_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { smooth_direct_rows(call, rows); });
 }
 
 struct smooth_general_parameters {
@@ -175,9 +185,9 @@ static_assert(offsetof(smooth_general_parameters, g_origin) == 24);
 static_assert(offsetof(smooth_general_parameters, f_extent) == 36);
 static_assert(offsetof(smooth_general_parameters, g_extent) == 48);
 
-// near.glift:9: smooth, one row.
+// near.glift:9: smooth, some rows.
 GLIFT_HOST_KERNEL
-static void smooth_general_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void smooth_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const smooth_general_parameters*>(call.parameters);
     const uint3 f_origin = parameters.f_origin;
     const uint3 g_origin = parameters.g_origin;
@@ -185,104 +195,114 @@ static void smooth_general_row(const glift::HostCall& call, const glift::host::R
     const uint3 g_extent = parameters.g_extent;
     const float* f_data = glift::host::elements<const float>(call.memories[0]);
     float* g_data = glift::host::elements<float>(call.memories[1]);
-    const glift::host::Part interior = glift::host::interior_of(row, f_origin, f_extent, 1);
-
-    // Near the sides of the domain.
-    const auto near_sides = [&](const glift::host::Part& part) {
-        if (part.begin < part.end) {
-            const uint3 address{part.begin, row.y, row.z};
-            // near.glift:9
-            const uint f_extent_yx = f_extent.y * f_extent.x;
-            // near.glift:10
-            const uint3 f_address = f_origin + address;
-            // near.glift:9
-            const uint f_at = (f_address.z * f_extent.y + f_address.y) * f_extent.x + f_address.x;
-            // near.glift:12
-            const uint3 g_address = g_origin + address;
-            // near.glift:9
-            const uint g_at = (g_address.z * g_extent.y + g_address.y) * g_extent.x + g_address.x;
-            // near.glift:11
-            const bool f_yp1_inside = f_address.y + 1u < f_extent.y;
-            const bool f_ym1_inside = f_address.y >= 1u;
-            const bool f_zp1_inside = f_address.z + 1u < f_extent.z;
-            const bool f_zm1_inside = f_address.z >= 1u;
-            const float* f_data_row = f_data + f_at;
-            const float* f_data_row_2 = f_data + (f_at + (f_yp1_inside ? f_extent.x : 0u));
-            const float* f_data_row_3 = f_data + (f_at - (f_ym1_inside ? f_extent.x : 0u));
-            const float* f_data_row_4 = f_data + (f_at + (f_zp1_inside ? f_extent_yx : 0u));
-            const float* f_data_row_5 = f_data + (f_at - (f_zm1_inside ? f_extent_yx : 0u));
-            float* g_data_row = g_data + g_at;
-            GLIFT_INDEPENDENT
-            for (std::size_t i = 0, count = part.end - part.begin; i < count; ++i) {
-                const uint3 address{part.begin + static_cast<uint>(i), row.y, row.z};
-                // near.glift:10
-                const uint3 f_address_2 = f_origin + address;
-                // near.glift:9
-                const uint f_at_2 = (f_address_2.z * f_extent.y + f_address_2.y) * f_extent.x + f_address_2.x;
-                // near.glift:10
-                float sum = -6.0f * f_data_row[i];
-                // near.glift:11
-                const bool f_xp1_inside = f_address_2.x + 1u < f_extent.x;
-                const float f_xp1 = f_data[f_at_2 + (f_xp1_inside ? 1u : 0u)];
-                const bool f_xm1_inside = f_address_2.x >= 1u;
-                const float f_xm1 = f_data[f_at_2 - (f_xm1_inside ? 1u : 0u)];
-                sum += (f_xp1_inside ? f_xp1 : 0.0f) + (f_xm1_inside ? f_xm1 : 0.0f);
-                const bool f_yp1_inside_2 = f_address_2.y + 1u < f_extent.y;
-                const float f_yp1 = f_data_row_2[i];
-                const bool f_ym1_inside_2 = f_address_2.y >= 1u;
-                const float f_ym1 = f_data_row_3[i];
-                sum += (f_yp1_inside_2 ? f_yp1 : 0.0f) + (f_ym1_inside_2 ? f_ym1 : 0.0f);
-                const bool f_zp1_inside_2 = f_address_2.z + 1u < f_extent.z;
-                const float f_zp1 = f_data_row_4[i];
-                const bool f_zm1_inside_2 = f_address_2.z >= 1u;
-                const float f_zm1 = f_data_row_5[i];
-                sum += (f_zp1_inside_2 ? f_zp1 : 0.0f) + (f_zm1_inside_2 ? f_zm1 : 0.0f);
-                // near.glift:12
-                g_data_row[i] = sum;
+    for (const glift::host::Row row : rows) {
+        const glift::host::Part interior = glift::host::in_blocks(glift::host::interior_of(row, f_origin, f_extent, 1),
+            row.end);
+        for (const glift::host::Section& part : glift::host::sections(row.begin, interior, row.end)) {
+            if (part.is_middle) {
+                // All neighbours exist.
+                if (part.begin < part.end) {
+                    const uint3 address{part.begin, row.y, row.z};
+                    // near.glift:9
+                    const uint f_extent_yx = f_extent.y * f_extent.x;
+                    // near.glift:10
+                    const uint3 f_address = f_origin + address;
+                    // near.glift:9
+                    const uint f_at = (f_address.z * f_extent.y + f_address.y) * f_extent.x + f_address.x;
+                    // near.glift:12
+                    const uint3 g_address = g_origin + address;
+                    // near.glift:9
+                    const uint g_at = (g_address.z * g_extent.y + g_address.y) * g_extent.x + g_address.x;
+                    const float* f_data_row = glift::host::row_pointer(f_data + f_at);
+                    const float* f_data_row_2 = glift::host::row_pointer(f_data + (f_at + 1u));
+                    const float* f_data_row_3 = glift::host::row_pointer(f_data + (f_at - 1u));
+                    const float* f_data_row_4 = glift::host::row_pointer(f_data + (f_at + f_extent.x));
+                    const float* f_data_row_5 = glift::host::row_pointer(f_data + (f_at - f_extent.x));
+                    const float* f_data_row_6 = glift::host::row_pointer(f_data + (f_at + f_extent_yx));
+                    const float* f_data_row_7 = glift::host::row_pointer(f_data + (f_at - f_extent_yx));
+                    float* g_data_row = glift::host::row_pointer(g_data + g_at);
+                    const std::size_t count = part.end - part.begin;
+                    for (std::size_t block = 0; block < count; block += glift::host::block_elements) {
+                        const std::size_t first = std::min(block, count - glift::host::block_elements);
+                        GLIFT_BLOCK
+                        for (std::size_t lane = 0; lane < glift::host::block_elements; ++lane) {
+                            const std::size_t i = first + lane;
+                            // near.glift:10
+                            float sum = -6.0f * f_data_row[i];
+                            // near.glift:11
+                            sum += f_data_row_2[i] + f_data_row_3[i];
+                            sum += f_data_row_4[i] + f_data_row_5[i];
+                            sum += f_data_row_6[i] + f_data_row_7[i];
+                            // near.glift:12
+                            g_data_row[i] = sum;
+                        }
+                    }
+                }
+            } else {
+                // Near the sides of the domain.
+                if (part.begin < part.end) {
+                    const uint3 address{part.begin, row.y, row.z};
+                    // near.glift:9
+                    const uint f_extent_yx = f_extent.y * f_extent.x;
+                    // near.glift:10
+                    const uint3 f_address = f_origin + address;
+                    // near.glift:9
+                    const uint f_at = (f_address.z * f_extent.y + f_address.y) * f_extent.x + f_address.x;
+                    // near.glift:12
+                    const uint3 g_address = g_origin + address;
+                    // near.glift:9
+                    const uint g_at = (g_address.z * g_extent.y + g_address.y) * g_extent.x + g_address.x;
+                    // near.glift:11
+                    const bool f_yp1_inside = f_address.y + 1u < f_extent.y;
+                    const bool f_ym1_inside = f_address.y >= 1u;
+                    const bool f_zp1_inside = f_address.z + 1u < f_extent.z;
+                    const bool f_zm1_inside = f_address.z >= 1u;
+                    const float* f_data_row = glift::host::row_pointer(f_data + f_at);
+                    const float* f_data_row_2 = glift::host::row_pointer(f_data
+                        + (f_at + (f_yp1_inside ? f_extent.x : 0u)));
+                    const float* f_data_row_3 = glift::host::row_pointer(f_data
+                        + (f_at - (f_ym1_inside ? f_extent.x : 0u)));
+                    const float* f_data_row_4 = glift::host::row_pointer(f_data
+                        + (f_at + (f_zp1_inside ? f_extent_yx : 0u)));
+                    const float* f_data_row_5 = glift::host::row_pointer(f_data
+                        + (f_at - (f_zm1_inside ? f_extent_yx : 0u)));
+                    float* g_data_row = glift::host::row_pointer(g_data + g_at);
+                    GLIFT_INDEPENDENT
+                    for (std::size_t i = 0, count = part.end - part.begin; i < count; ++i) {
+                        const uint3 address{part.begin + static_cast<uint>(i), row.y, row.z};
+                        // near.glift:10
+                        const uint3 f_address_2 = f_origin + address;
+                        // near.glift:9
+                        const uint f_at_2 = (f_address_2.z * f_extent.y + f_address_2.y) * f_extent.x + f_address_2.x;
+                        // near.glift:10
+                        float sum = -6.0f * f_data_row[i];
+                        // near.glift:11
+                        const bool f_xp1_inside = f_address_2.x + 1u < f_extent.x;
+                        const float f_xp1 = f_data[f_at_2 + (f_xp1_inside ? 1u : 0u)];
+                        const bool f_xm1_inside = f_address_2.x >= 1u;
+                        const float f_xm1 = f_data[f_at_2 - (f_xm1_inside ? 1u : 0u)];
+                        sum += (f_xp1_inside ? f_xp1 : 0.0f) + (f_xm1_inside ? f_xm1 : 0.0f);
+                        const bool f_yp1_inside_2 = f_address_2.y + 1u < f_extent.y;
+                        const float f_yp1 = f_data_row_2[i];
+                        const bool f_ym1_inside_2 = f_address_2.y >= 1u;
+                        const float f_ym1 = f_data_row_3[i];
+                        sum += (f_yp1_inside_2 ? f_yp1 : 0.0f) + (f_ym1_inside_2 ? f_ym1 : 0.0f);
+                        const bool f_zp1_inside_2 = f_address_2.z + 1u < f_extent.z;
+                        const float f_zp1 = f_data_row_4[i];
+                        const bool f_zm1_inside_2 = f_address_2.z >= 1u;
+                        const float f_zm1 = f_data_row_5[i];
+                        sum += (f_zp1_inside_2 ? f_zp1 : 0.0f) + (f_zm1_inside_2 ? f_zm1 : 0.0f);
+                        // near.glift:12
+                        g_data_row[i] = sum;
+                    }
+                }
             }
         }
-    };
-    near_sides({row.begin, interior.begin});
-
-    // Where all neighbours exist.
-    if (interior.begin < interior.end) {
-        const uint3 address{interior.begin, row.y, row.z};
-        // near.glift:9
-        const uint f_extent_yx = f_extent.y * f_extent.x;
-        // near.glift:10
-        const uint3 f_address = f_origin + address;
-        // near.glift:9
-        const uint f_at = (f_address.z * f_extent.y + f_address.y) * f_extent.x + f_address.x;
-        // near.glift:12
-        const uint3 g_address = g_origin + address;
-        // near.glift:9
-        const uint g_at = (g_address.z * g_extent.y + g_address.y) * g_extent.x + g_address.x;
-        const float* f_data_row = f_data + f_at;
-        const float* f_data_row_2 = f_data + (f_at + 1u);
-        const float* f_data_row_3 = f_data + (f_at - 1u);
-        const float* f_data_row_4 = f_data + (f_at + f_extent.x);
-        const float* f_data_row_5 = f_data + (f_at - f_extent.x);
-        const float* f_data_row_6 = f_data + (f_at + f_extent_yx);
-        const float* f_data_row_7 = f_data + (f_at - f_extent_yx);
-        float* g_data_row = g_data + g_at;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = interior.end - interior.begin; i < count; ++i) {
-            // near.glift:10
-            float sum = -6.0f * f_data_row[i];
-            // near.glift:11
-            sum += f_data_row_2[i] + f_data_row_3[i];
-            sum += f_data_row_4[i] + f_data_row_5[i];
-            sum += f_data_row_6[i] + f_data_row_7[i];
-            // near.glift:12
-            g_data_row[i] = sum;
-        }
     }
-
-    near_sides({interior.end, row.end});
 }
 
 static void smooth_general(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { smooth_general_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { smooth_general_rows(call, rows); });
 }
 
 const glift::Binding smooth_bindings[] = {
@@ -316,31 +336,33 @@ struct read_box_direct_parameters {
 static_assert(offsetof(read_box_direct_parameters, from_extent) == 0);
 static_assert(offsetof(read_box_direct_parameters, to_extent) == 12);
 
-// transfer.glift:15: read_box<Array<3, float, none, buffer>, Box<3, float>>, one row.
+// transfer.glift:15: read_box<Array<3, float, none, buffer>, Box<3, float>>, some rows.
 GLIFT_HOST_KERNEL
-static void read_box_direct_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void read_box_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_direct_parameters*>(call.parameters);
     const uint3 from_extent = parameters.from_extent;
     const uint3 to_extent = parameters.to_extent;
     const float* from_data = glift::host::elements<const float>(call.memories[0]);
     float* to_data = glift::host::elements<float>(call.memories[1]);
-    if (row.begin < row.end) {
-        const uint3 address{row.begin, row.y, row.z};
-        // transfer.glift:15
-        const uint from_at = (address.z * from_extent.y + address.y) * from_extent.x + address.x;
-        const uint to_at = (address.z * to_extent.y + address.y) * to_extent.x + address.x;
-        const float* from_data_row = from_data + from_at;
-        float* to_data_row = to_data + to_at;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
-            // transfer.glift:16
-            to_data_row[i] = from_data_row[i];
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint3 address{row.begin, row.y, row.z};
+            // transfer.glift:15
+            const uint from_at = (address.z * from_extent.y + address.y) * from_extent.x + address.x;
+            const uint to_at = (address.z * to_extent.y + address.y) * to_extent.x + address.x;
+            const float* from_data_row = glift::host::row_pointer(from_data + from_at);
+            float* to_data_row = glift::host::row_pointer(to_data + to_at);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:16
+                to_data_row[i] = from_data_row[i];
+            }
         }
     }
 }
 
 static void read_box_direct(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { read_box_direct_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { read_box_direct_rows(call, rows); });
 }
 
 struct read_box_general_parameters {
@@ -356,9 +378,9 @@ static_assert(offsetof(read_box_general_parameters, to_origin) == 24);
 static_assert(offsetof(read_box_general_parameters, from_extent) == 36);
 static_assert(offsetof(read_box_general_parameters, to_extent) == 48);
 
-// transfer.glift:15: read_box<Array<3, float, none, buffer>, Box<3, float>>, one row.
+// transfer.glift:15: read_box<Array<3, float, none, buffer>, Box<3, float>>, some rows.
 GLIFT_HOST_KERNEL
-static void read_box_general_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void read_box_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_general_parameters*>(call.parameters);
     const uint3 from_origin = parameters.from_origin;
     const uint3 to_origin = parameters.to_origin;
@@ -366,28 +388,30 @@ static void read_box_general_row(const glift::HostCall& call, const glift::host:
     const uint3 to_extent = parameters.to_extent;
     const float* from_data = glift::host::elements<const float>(call.memories[0]);
     float* to_data = glift::host::elements<float>(call.memories[1]);
-    if (row.begin < row.end) {
-        const uint3 address{row.begin, row.y, row.z};
-        // transfer.glift:16
-        const uint3 from_address = from_origin + address;
-        // transfer.glift:15
-        const uint from_at = (from_address.z * from_extent.y + from_address.y) * from_extent.x + from_address.x;
-        // transfer.glift:16
-        const uint3 to_address = to_origin + address;
-        // transfer.glift:15
-        const uint to_at = (to_address.z * to_extent.y + to_address.y) * to_extent.x + to_address.x;
-        const float* from_data_row = from_data + from_at;
-        float* to_data_row = to_data + to_at;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint3 address{row.begin, row.y, row.z};
             // transfer.glift:16
-            to_data_row[i] = from_data_row[i];
+            const uint3 from_address = from_origin + address;
+            // transfer.glift:15
+            const uint from_at = (from_address.z * from_extent.y + from_address.y) * from_extent.x + from_address.x;
+            // transfer.glift:16
+            const uint3 to_address = to_origin + address;
+            // transfer.glift:15
+            const uint to_at = (to_address.z * to_extent.y + to_address.y) * to_extent.x + to_address.x;
+            const float* from_data_row = glift::host::row_pointer(from_data + from_at);
+            float* to_data_row = glift::host::row_pointer(to_data + to_at);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:16
+                to_data_row[i] = from_data_row[i];
+            }
         }
     }
 }
 
 static void read_box_general(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { read_box_general_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { read_box_general_rows(call, rows); });
 }
 
 const glift::Binding read_box_bindings[] = {
@@ -422,31 +446,33 @@ struct write_box_direct_parameters {
 static_assert(offsetof(write_box_direct_parameters, from_extent) == 0);
 static_assert(offsetof(write_box_direct_parameters, to_extent) == 12);
 
-// transfer.glift:20: write_box<Box<3, float>, Array<3, float, none, buffer>>, one row.
+// transfer.glift:20: write_box<Box<3, float>, Array<3, float, none, buffer>>, some rows.
 GLIFT_HOST_KERNEL
-static void write_box_direct_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void write_box_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_direct_parameters*>(call.parameters);
     const uint3 from_extent = parameters.from_extent;
     const uint3 to_extent = parameters.to_extent;
     const float* from_data = glift::host::elements<const float>(call.memories[0]);
     float* to_data = glift::host::elements<float>(call.memories[1]);
-    if (row.begin < row.end) {
-        const uint3 address{row.begin, row.y, row.z};
-        // transfer.glift:20
-        const uint from_at = (address.z * from_extent.y + address.y) * from_extent.x + address.x;
-        const uint to_at = (address.z * to_extent.y + address.y) * to_extent.x + address.x;
-        const float* from_data_row = from_data + from_at;
-        float* to_data_row = to_data + to_at;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
-            // transfer.glift:21
-            to_data_row[i] = from_data_row[i];
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint3 address{row.begin, row.y, row.z};
+            // transfer.glift:20
+            const uint from_at = (address.z * from_extent.y + address.y) * from_extent.x + address.x;
+            const uint to_at = (address.z * to_extent.y + address.y) * to_extent.x + address.x;
+            const float* from_data_row = glift::host::row_pointer(from_data + from_at);
+            float* to_data_row = glift::host::row_pointer(to_data + to_at);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:21
+                to_data_row[i] = from_data_row[i];
+            }
         }
     }
 }
 
 static void write_box_direct(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { write_box_direct_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { write_box_direct_rows(call, rows); });
 }
 
 struct write_box_general_parameters {
@@ -462,9 +488,9 @@ static_assert(offsetof(write_box_general_parameters, to_origin) == 24);
 static_assert(offsetof(write_box_general_parameters, from_extent) == 36);
 static_assert(offsetof(write_box_general_parameters, to_extent) == 48);
 
-// transfer.glift:20: write_box<Box<3, float>, Array<3, float, none, buffer>>, one row.
+// transfer.glift:20: write_box<Box<3, float>, Array<3, float, none, buffer>>, some rows.
 GLIFT_HOST_KERNEL
-static void write_box_general_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void write_box_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_general_parameters*>(call.parameters);
     const uint3 from_origin = parameters.from_origin;
     const uint3 to_origin = parameters.to_origin;
@@ -472,28 +498,30 @@ static void write_box_general_row(const glift::HostCall& call, const glift::host
     const uint3 to_extent = parameters.to_extent;
     const float* from_data = glift::host::elements<const float>(call.memories[0]);
     float* to_data = glift::host::elements<float>(call.memories[1]);
-    if (row.begin < row.end) {
-        const uint3 address{row.begin, row.y, row.z};
-        // transfer.glift:21
-        const uint3 from_address = from_origin + address;
-        // transfer.glift:20
-        const uint from_at = (from_address.z * from_extent.y + from_address.y) * from_extent.x + from_address.x;
-        // transfer.glift:21
-        const uint3 to_address = to_origin + address;
-        // transfer.glift:20
-        const uint to_at = (to_address.z * to_extent.y + to_address.y) * to_extent.x + to_address.x;
-        const float* from_data_row = from_data + from_at;
-        float* to_data_row = to_data + to_at;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint3 address{row.begin, row.y, row.z};
             // transfer.glift:21
-            to_data_row[i] = from_data_row[i];
+            const uint3 from_address = from_origin + address;
+            // transfer.glift:20
+            const uint from_at = (from_address.z * from_extent.y + from_address.y) * from_extent.x + from_address.x;
+            // transfer.glift:21
+            const uint3 to_address = to_origin + address;
+            // transfer.glift:20
+            const uint to_at = (to_address.z * to_extent.y + to_address.y) * to_extent.x + to_address.x;
+            const float* from_data_row = glift::host::row_pointer(from_data + from_at);
+            float* to_data_row = glift::host::row_pointer(to_data + to_at);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:21
+                to_data_row[i] = from_data_row[i];
+            }
         }
     }
 }
 
 static void write_box_general(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { write_box_general_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { write_box_general_rows(call, rows); });
 }
 
 const glift::Binding write_box_bindings[] = {
@@ -528,28 +556,30 @@ struct fill_box_direct_parameters {
 static_assert(offsetof(fill_box_direct_parameters, to_extent) == 0);
 static_assert(offsetof(fill_box_direct_parameters, value) == 12);
 
-// transfer.glift:25: fill_box<Array<3, float, none, buffer>, float>, one row.
+// transfer.glift:25: fill_box<Array<3, float, none, buffer>, float>, some rows.
 GLIFT_HOST_KERNEL
-static void fill_box_direct_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void fill_box_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_direct_parameters*>(call.parameters);
     const uint3 to_extent = parameters.to_extent;
     const float value = parameters.value;
     float* to_data = glift::host::elements<float>(call.memories[0]);
-    if (row.begin < row.end) {
-        const uint3 address{row.begin, row.y, row.z};
-        // transfer.glift:25
-        const uint to_at = (address.z * to_extent.y + address.y) * to_extent.x + address.x;
-        float* to_data_row = to_data + to_at;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
-            // transfer.glift:26
-            to_data_row[i] = value;
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint3 address{row.begin, row.y, row.z};
+            // transfer.glift:25
+            const uint to_at = (address.z * to_extent.y + address.y) * to_extent.x + address.x;
+            float* to_data_row = glift::host::row_pointer(to_data + to_at);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:26
+                to_data_row[i] = value;
+            }
         }
     }
 }
 
 static void fill_box_direct(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { fill_box_direct_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { fill_box_direct_rows(call, rows); });
 }
 
 struct fill_box_general_parameters {
@@ -563,31 +593,33 @@ static_assert(offsetof(fill_box_general_parameters, to_origin) == 12);
 static_assert(offsetof(fill_box_general_parameters, to_extent) == 24);
 static_assert(offsetof(fill_box_general_parameters, value) == 36);
 
-// transfer.glift:25: fill_box<Array<3, float, none, buffer>, float>, one row.
+// transfer.glift:25: fill_box<Array<3, float, none, buffer>, float>, some rows.
 GLIFT_HOST_KERNEL
-static void fill_box_general_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void fill_box_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_general_parameters*>(call.parameters);
     const uint3 to_origin = parameters.to_origin;
     const uint3 to_extent = parameters.to_extent;
     const float value = parameters.value;
     float* to_data = glift::host::elements<float>(call.memories[0]);
-    if (row.begin < row.end) {
-        const uint3 address{row.begin, row.y, row.z};
-        // transfer.glift:26
-        const uint3 to_address = to_origin + address;
-        // transfer.glift:25
-        const uint to_at = (to_address.z * to_extent.y + to_address.y) * to_extent.x + to_address.x;
-        float* to_data_row = to_data + to_at;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint3 address{row.begin, row.y, row.z};
             // transfer.glift:26
-            to_data_row[i] = value;
+            const uint3 to_address = to_origin + address;
+            // transfer.glift:25
+            const uint to_at = (to_address.z * to_extent.y + to_address.y) * to_extent.x + to_address.x;
+            float* to_data_row = glift::host::row_pointer(to_data + to_at);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:26
+                to_data_row[i] = value;
+            }
         }
     }
 }
 
 static void fill_box_general(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { fill_box_general_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { fill_box_general_rows(call, rows); });
 }
 
 const glift::Binding fill_box_bindings[] = {

@@ -243,25 +243,27 @@ struct read_box_direct_parameters {
 };
 static_assert(offsetof(read_box_direct_parameters, from_extent) == 0);
 
-// transfer.glift:15: read_box<Array<1, uint, none, buffer>, Box<1, uint>>, one row.
+// transfer.glift:15: read_box<Array<1, uint, none, buffer>, Box<1, uint>>, some rows.
 GLIFT_HOST_KERNEL
-static void read_box_direct_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void read_box_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const uint* from_data = glift::host::elements<const uint>(call.memories[0]);
     uint* to_data = glift::host::elements<uint>(call.memories[1]);
-    if (row.begin < row.end) {
-        const uint address = row.begin;
-        const uint* from_data_row = from_data + address;
-        uint* to_data_row = to_data + address;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
-            // transfer.glift:16
-            to_data_row[i] = from_data_row[i];
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint address = row.begin;
+            const uint* from_data_row = glift::host::row_pointer(from_data + address);
+            uint* to_data_row = glift::host::row_pointer(to_data + address);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:16
+                to_data_row[i] = from_data_row[i];
+            }
         }
     }
 }
 
 static void read_box_direct(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { read_box_direct_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { read_box_direct_rows(call, rows); });
 }
 
 struct read_box_general_parameters {
@@ -273,31 +275,33 @@ static_assert(offsetof(read_box_general_parameters, size) == 0);
 static_assert(offsetof(read_box_general_parameters, from_origin) == 4);
 static_assert(offsetof(read_box_general_parameters, to_origin) == 8);
 
-// transfer.glift:15: read_box<Array<1, uint, none, buffer>, Box<1, uint>>, one row.
+// transfer.glift:15: read_box<Array<1, uint, none, buffer>, Box<1, uint>>, some rows.
 GLIFT_HOST_KERNEL
-static void read_box_general_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void read_box_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_general_parameters*>(call.parameters);
     const uint from_origin = parameters.from_origin;
     const uint to_origin = parameters.to_origin;
     const uint* from_data = glift::host::elements<const uint>(call.memories[0]);
     uint* to_data = glift::host::elements<uint>(call.memories[1]);
-    if (row.begin < row.end) {
-        const uint address = row.begin;
-        // transfer.glift:16
-        const uint from_address = from_origin + address;
-        const uint to_address = to_origin + address;
-        const uint* from_data_row = from_data + from_address;
-        uint* to_data_row = to_data + to_address;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint address = row.begin;
             // transfer.glift:16
-            to_data_row[i] = from_data_row[i];
+            const uint from_address = from_origin + address;
+            const uint to_address = to_origin + address;
+            const uint* from_data_row = glift::host::row_pointer(from_data + from_address);
+            uint* to_data_row = glift::host::row_pointer(to_data + to_address);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:16
+                to_data_row[i] = from_data_row[i];
+            }
         }
     }
 }
 
 static void read_box_general(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { read_box_general_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { read_box_general_rows(call, rows); });
 }
 
 const glift::Binding read_box_bindings[] = {
@@ -329,25 +333,27 @@ struct write_box_direct_parameters {
 };
 static_assert(offsetof(write_box_direct_parameters, from_extent) == 0);
 
-// transfer.glift:20: write_box<Box<1, uint>, Array<1, uint, none, buffer>>, one row.
+// transfer.glift:20: write_box<Box<1, uint>, Array<1, uint, none, buffer>>, some rows.
 GLIFT_HOST_KERNEL
-static void write_box_direct_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void write_box_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const uint* from_data = glift::host::elements<const uint>(call.memories[0]);
     uint* to_data = glift::host::elements<uint>(call.memories[1]);
-    if (row.begin < row.end) {
-        const uint address = row.begin;
-        const uint* from_data_row = from_data + address;
-        uint* to_data_row = to_data + address;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
-            // transfer.glift:21
-            to_data_row[i] = from_data_row[i];
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint address = row.begin;
+            const uint* from_data_row = glift::host::row_pointer(from_data + address);
+            uint* to_data_row = glift::host::row_pointer(to_data + address);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:21
+                to_data_row[i] = from_data_row[i];
+            }
         }
     }
 }
 
 static void write_box_direct(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { write_box_direct_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { write_box_direct_rows(call, rows); });
 }
 
 struct write_box_general_parameters {
@@ -359,31 +365,33 @@ static_assert(offsetof(write_box_general_parameters, size) == 0);
 static_assert(offsetof(write_box_general_parameters, from_origin) == 4);
 static_assert(offsetof(write_box_general_parameters, to_origin) == 8);
 
-// transfer.glift:20: write_box<Box<1, uint>, Array<1, uint, none, buffer>>, one row.
+// transfer.glift:20: write_box<Box<1, uint>, Array<1, uint, none, buffer>>, some rows.
 GLIFT_HOST_KERNEL
-static void write_box_general_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void write_box_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_general_parameters*>(call.parameters);
     const uint from_origin = parameters.from_origin;
     const uint to_origin = parameters.to_origin;
     const uint* from_data = glift::host::elements<const uint>(call.memories[0]);
     uint* to_data = glift::host::elements<uint>(call.memories[1]);
-    if (row.begin < row.end) {
-        const uint address = row.begin;
-        // transfer.glift:21
-        const uint from_address = from_origin + address;
-        const uint to_address = to_origin + address;
-        const uint* from_data_row = from_data + from_address;
-        uint* to_data_row = to_data + to_address;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint address = row.begin;
             // transfer.glift:21
-            to_data_row[i] = from_data_row[i];
+            const uint from_address = from_origin + address;
+            const uint to_address = to_origin + address;
+            const uint* from_data_row = glift::host::row_pointer(from_data + from_address);
+            uint* to_data_row = glift::host::row_pointer(to_data + to_address);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:21
+                to_data_row[i] = from_data_row[i];
+            }
         }
     }
 }
 
 static void write_box_general(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { write_box_general_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { write_box_general_rows(call, rows); });
 }
 
 const glift::Binding write_box_bindings[] = {
@@ -417,25 +425,27 @@ struct fill_box_direct_parameters {
 static_assert(offsetof(fill_box_direct_parameters, to_extent) == 0);
 static_assert(offsetof(fill_box_direct_parameters, value) == 4);
 
-// transfer.glift:25: fill_box<Array<1, uint, none, buffer>, uint>, one row.
+// transfer.glift:25: fill_box<Array<1, uint, none, buffer>, uint>, some rows.
 GLIFT_HOST_KERNEL
-static void fill_box_direct_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void fill_box_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_direct_parameters*>(call.parameters);
     const uint value = parameters.value;
     uint* to_data = glift::host::elements<uint>(call.memories[0]);
-    if (row.begin < row.end) {
-        const uint address = row.begin;
-        uint* to_data_row = to_data + address;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
-            // transfer.glift:26
-            to_data_row[i] = value;
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint address = row.begin;
+            uint* to_data_row = glift::host::row_pointer(to_data + address);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:26
+                to_data_row[i] = value;
+            }
         }
     }
 }
 
 static void fill_box_direct(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { fill_box_direct_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { fill_box_direct_rows(call, rows); });
 }
 
 struct fill_box_general_parameters {
@@ -447,28 +457,30 @@ static_assert(offsetof(fill_box_general_parameters, size) == 0);
 static_assert(offsetof(fill_box_general_parameters, to_origin) == 4);
 static_assert(offsetof(fill_box_general_parameters, value) == 8);
 
-// transfer.glift:25: fill_box<Array<1, uint, none, buffer>, uint>, one row.
+// transfer.glift:25: fill_box<Array<1, uint, none, buffer>, uint>, some rows.
 GLIFT_HOST_KERNEL
-static void fill_box_general_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void fill_box_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_general_parameters*>(call.parameters);
     const uint to_origin = parameters.to_origin;
     const uint value = parameters.value;
     uint* to_data = glift::host::elements<uint>(call.memories[0]);
-    if (row.begin < row.end) {
-        const uint address = row.begin;
-        // transfer.glift:26
-        const uint to_address = to_origin + address;
-        uint* to_data_row = to_data + to_address;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint address = row.begin;
             // transfer.glift:26
-            to_data_row[i] = value;
+            const uint to_address = to_origin + address;
+            uint* to_data_row = glift::host::row_pointer(to_data + to_address);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:26
+                to_data_row[i] = value;
+            }
         }
     }
 }
 
 static void fill_box_general(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { fill_box_general_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { fill_box_general_rows(call, rows); });
 }
 
 const glift::Binding fill_box_bindings[] = {

@@ -71,24 +71,26 @@ struct ramp_direct_parameters {
 };
 static_assert(offsetof(ramp_direct_parameters, a_extent) == 0);
 
-// steps.glift:8: ramp, one row.
+// steps.glift:8: ramp, some rows.
 GLIFT_HOST_KERNEL
-static void ramp_direct_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void ramp_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     float* f_data = glift::host::elements<float>(call.memories[0]);
-    if (row.begin < row.end) {
-        const uint address = row.begin;
-        float* f_data_row = f_data + address;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
-            const uint address = row.begin + static_cast<uint>(i);
-            // steps.glift:8
-            f_data_row[i] = float(address);
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint address = row.begin;
+            float* f_data_row = glift::host::row_pointer(f_data + address);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                const uint address = row.begin + static_cast<uint>(i);
+                // steps.glift:8
+                f_data_row[i] = float(address);
+            }
         }
     }
 }
 
 static void ramp_direct(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { ramp_direct_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { ramp_direct_rows(call, rows); });
 }
 
 struct ramp_general_parameters {
@@ -100,30 +102,32 @@ static_assert(offsetof(ramp_general_parameters, size) == 0);
 static_assert(offsetof(ramp_general_parameters, a_origin) == 4);
 static_assert(offsetof(ramp_general_parameters, f_origin) == 8);
 
-// steps.glift:8: ramp, one row.
+// steps.glift:8: ramp, some rows.
 GLIFT_HOST_KERNEL
-static void ramp_general_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void ramp_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const ramp_general_parameters*>(call.parameters);
     const uint a_origin = parameters.a_origin;
     const uint f_origin = parameters.f_origin;
     float* f_data = glift::host::elements<float>(call.memories[0]);
-    if (row.begin < row.end) {
-        const uint address = row.begin;
-        // steps.glift:8
-        const uint f_address = f_origin + address;
-        float* f_data_row = f_data + f_address;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
-            const uint address = row.begin + static_cast<uint>(i);
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint address = row.begin;
             // steps.glift:8
-            const uint a_address = a_origin + address;
-            f_data_row[i] = float(a_address);
+            const uint f_address = f_origin + address;
+            float* f_data_row = glift::host::row_pointer(f_data + f_address);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                const uint address = row.begin + static_cast<uint>(i);
+                // steps.glift:8
+                const uint a_address = a_origin + address;
+                f_data_row[i] = float(a_address);
+            }
         }
     }
 }
 
 static void ramp_general(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { ramp_general_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { ramp_general_rows(call, rows); });
 }
 
 const glift::Binding ramp_bindings[] = {
@@ -154,55 +158,61 @@ struct smooth_direct_parameters {
 };
 static_assert(offsetof(smooth_direct_parameters, f_extent) == 0);
 
-// steps.glift:9: smooth, one row.
+// steps.glift:9: smooth, some rows.
 GLIFT_HOST_KERNEL
-static void smooth_direct_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void smooth_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const smooth_direct_parameters*>(call.parameters);
     const uint f_extent = parameters.f_extent;
     const float* f_data = glift::host::elements<const float>(call.memories[0]);
     float* g_data = glift::host::elements<float>(call.memories[1]);
-    const glift::host::Part interior = glift::host::interior_of(row, 0u, f_extent, 1);
-
-    // Near the sides of the domain.
-    const auto near_sides = [&](const glift::host::Part& part) {
-        if (part.begin < part.end) {
-            const uint address = part.begin;
-            const float* f_data_row = f_data + address;
-            float* g_data_row = g_data + address;
-            GLIFT_INDEPENDENT
-            for (std::size_t i = 0, count = part.end - part.begin; i < count; ++i) {
-                const uint address = part.begin + static_cast<uint>(i);
-                // steps.glift:9
-                const bool f_xm1_inside = address >= 1u;
-                const float f_xm1 = f_data[address - (f_xm1_inside ? 1u : 0u)];
-                const bool f_xp1_inside = address + 1u < f_extent;
-                const float f_xp1 = f_data[address + (f_xp1_inside ? 1u : 0u)];
-                g_data_row[i] = 0.25f * ((f_xm1_inside ? f_xm1 : 0.0f) + 2.0f * f_data_row[i]
-                    + (f_xp1_inside ? f_xp1 : 0.0f));
+    for (const glift::host::Row row : rows) {
+        const glift::host::Part interior = glift::host::in_blocks(glift::host::interior_of(row, 0u, f_extent, 1),
+            row.end);
+        for (const glift::host::Section& part : glift::host::sections(row.begin, interior, row.end)) {
+            if (part.is_middle) {
+                // All neighbours exist.
+                if (part.begin < part.end) {
+                    const uint address = part.begin;
+                    const float* f_data_row = glift::host::row_pointer(f_data + (address - 1u));
+                    const float* f_data_row_2 = glift::host::row_pointer(f_data + address);
+                    const float* f_data_row_3 = glift::host::row_pointer(f_data + (address + 1u));
+                    float* g_data_row = glift::host::row_pointer(g_data + address);
+                    const std::size_t count = part.end - part.begin;
+                    for (std::size_t block = 0; block < count; block += glift::host::block_elements) {
+                        const std::size_t first = std::min(block, count - glift::host::block_elements);
+                        GLIFT_BLOCK
+                        for (std::size_t lane = 0; lane < glift::host::block_elements; ++lane) {
+                            const std::size_t i = first + lane;
+                            // steps.glift:9
+                            g_data_row[i] = 0.25f * (f_data_row[i] + 2.0f * f_data_row_2[i] + f_data_row_3[i]);
+                        }
+                    }
+                }
+            } else {
+                // Near the sides of the domain.
+                if (part.begin < part.end) {
+                    const uint address = part.begin;
+                    const float* f_data_row = glift::host::row_pointer(f_data + address);
+                    float* g_data_row = glift::host::row_pointer(g_data + address);
+                    GLIFT_INDEPENDENT
+                    for (std::size_t i = 0, count = part.end - part.begin; i < count; ++i) {
+                        const uint address = part.begin + static_cast<uint>(i);
+                        // steps.glift:9
+                        const bool f_xm1_inside = address >= 1u;
+                        const float f_xm1 = f_data[address - (f_xm1_inside ? 1u : 0u)];
+                        const bool f_xp1_inside = address + 1u < f_extent;
+                        const float f_xp1 = f_data[address + (f_xp1_inside ? 1u : 0u)];
+                        g_data_row[i] = 0.25f * ((f_xm1_inside ? f_xm1 : 0.0f) + 2.0f * f_data_row[i]
+                            + (f_xp1_inside ? f_xp1 : 0.0f));
+                    }
+                }
             }
         }
-    };
-    near_sides({row.begin, interior.begin});
-
-    // Where all neighbours exist.
-    if (interior.begin < interior.end) {
-        const uint address = interior.begin;
-        const float* f_data_row = f_data + (address - 1u);
-        const float* f_data_row_2 = f_data + address;
-        const float* f_data_row_3 = f_data + (address + 1u);
-        float* g_data_row = g_data + address;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = interior.end - interior.begin; i < count; ++i) {
-            // steps.glift:9
-            g_data_row[i] = 0.25f * (f_data_row[i] + 2.0f * f_data_row_2[i] + f_data_row_3[i]);
-        }
     }
-
-    near_sides({interior.end, row.end});
 }
 
 static void smooth_direct(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { smooth_direct_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { smooth_direct_rows(call, rows); });
 }
 
 struct smooth_general_parameters {
@@ -216,64 +226,70 @@ static_assert(offsetof(smooth_general_parameters, f_origin) == 4);
 static_assert(offsetof(smooth_general_parameters, g_origin) == 8);
 static_assert(offsetof(smooth_general_parameters, f_extent) == 12);
 
-// steps.glift:9: smooth, one row.
+// steps.glift:9: smooth, some rows.
 GLIFT_HOST_KERNEL
-static void smooth_general_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void smooth_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const smooth_general_parameters*>(call.parameters);
     const uint f_origin = parameters.f_origin;
     const uint g_origin = parameters.g_origin;
     const uint f_extent = parameters.f_extent;
     const float* f_data = glift::host::elements<const float>(call.memories[0]);
     float* g_data = glift::host::elements<float>(call.memories[1]);
-    const glift::host::Part interior = glift::host::interior_of(row, f_origin, f_extent, 1);
-
-    // Near the sides of the domain.
-    const auto near_sides = [&](const glift::host::Part& part) {
-        if (part.begin < part.end) {
-            const uint address = part.begin;
-            // steps.glift:9
-            const uint f_address = f_origin + address;
-            const uint g_address = g_origin + address;
-            const float* f_data_row = f_data + f_address;
-            float* g_data_row = g_data + g_address;
-            GLIFT_INDEPENDENT
-            for (std::size_t i = 0, count = part.end - part.begin; i < count; ++i) {
-                const uint address = part.begin + static_cast<uint>(i);
-                // steps.glift:9
-                const uint f_address_2 = f_origin + address;
-                const bool f_xm1_inside = f_address_2 >= 1u;
-                const float f_xm1 = f_data[f_address_2 - (f_xm1_inside ? 1u : 0u)];
-                const bool f_xp1_inside = f_address_2 + 1u < f_extent;
-                const float f_xp1 = f_data[f_address_2 + (f_xp1_inside ? 1u : 0u)];
-                g_data_row[i] = 0.25f * ((f_xm1_inside ? f_xm1 : 0.0f) + 2.0f * f_data_row[i]
-                    + (f_xp1_inside ? f_xp1 : 0.0f));
+    for (const glift::host::Row row : rows) {
+        const glift::host::Part interior = glift::host::in_blocks(glift::host::interior_of(row, f_origin, f_extent, 1),
+            row.end);
+        for (const glift::host::Section& part : glift::host::sections(row.begin, interior, row.end)) {
+            if (part.is_middle) {
+                // All neighbours exist.
+                if (part.begin < part.end) {
+                    const uint address = part.begin;
+                    // steps.glift:9
+                    const uint f_address = f_origin + address;
+                    const uint g_address = g_origin + address;
+                    const float* f_data_row = glift::host::row_pointer(f_data + (f_address - 1u));
+                    const float* f_data_row_2 = glift::host::row_pointer(f_data + f_address);
+                    const float* f_data_row_3 = glift::host::row_pointer(f_data + (f_address + 1u));
+                    float* g_data_row = glift::host::row_pointer(g_data + g_address);
+                    const std::size_t count = part.end - part.begin;
+                    for (std::size_t block = 0; block < count; block += glift::host::block_elements) {
+                        const std::size_t first = std::min(block, count - glift::host::block_elements);
+                        GLIFT_BLOCK
+                        for (std::size_t lane = 0; lane < glift::host::block_elements; ++lane) {
+                            const std::size_t i = first + lane;
+                            // steps.glift:9
+                            g_data_row[i] = 0.25f * (f_data_row[i] + 2.0f * f_data_row_2[i] + f_data_row_3[i]);
+                        }
+                    }
+                }
+            } else {
+                // Near the sides of the domain.
+                if (part.begin < part.end) {
+                    const uint address = part.begin;
+                    // steps.glift:9
+                    const uint f_address = f_origin + address;
+                    const uint g_address = g_origin + address;
+                    const float* f_data_row = glift::host::row_pointer(f_data + f_address);
+                    float* g_data_row = glift::host::row_pointer(g_data + g_address);
+                    GLIFT_INDEPENDENT
+                    for (std::size_t i = 0, count = part.end - part.begin; i < count; ++i) {
+                        const uint address = part.begin + static_cast<uint>(i);
+                        // steps.glift:9
+                        const uint f_address_2 = f_origin + address;
+                        const bool f_xm1_inside = f_address_2 >= 1u;
+                        const float f_xm1 = f_data[f_address_2 - (f_xm1_inside ? 1u : 0u)];
+                        const bool f_xp1_inside = f_address_2 + 1u < f_extent;
+                        const float f_xp1 = f_data[f_address_2 + (f_xp1_inside ? 1u : 0u)];
+                        g_data_row[i] = 0.25f * ((f_xm1_inside ? f_xm1 : 0.0f) + 2.0f * f_data_row[i]
+                            + (f_xp1_inside ? f_xp1 : 0.0f));
+                    }
+                }
             }
         }
-    };
-    near_sides({row.begin, interior.begin});
-
-    // Where all neighbours exist.
-    if (interior.begin < interior.end) {
-        const uint address = interior.begin;
-        // steps.glift:9
-        const uint f_address = f_origin + address;
-        const uint g_address = g_origin + address;
-        const float* f_data_row = f_data + (f_address - 1u);
-        const float* f_data_row_2 = f_data + f_address;
-        const float* f_data_row_3 = f_data + (f_address + 1u);
-        float* g_data_row = g_data + g_address;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = interior.end - interior.begin; i < count; ++i) {
-            // steps.glift:9
-            g_data_row[i] = 0.25f * (f_data_row[i] + 2.0f * f_data_row_2[i] + f_data_row_3[i]);
-        }
     }
-
-    near_sides({interior.end, row.end});
 }
 
 static void smooth_general(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { smooth_general_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { smooth_general_rows(call, rows); });
 }
 
 const glift::Binding smooth_bindings[] = {
@@ -305,25 +321,27 @@ struct read_box_direct_parameters {
 };
 static_assert(offsetof(read_box_direct_parameters, from_extent) == 0);
 
-// transfer.glift:15: read_box<Array<1, float, none, buffer>, Box<1, float>>, one row.
+// transfer.glift:15: read_box<Array<1, float, none, buffer>, Box<1, float>>, some rows.
 GLIFT_HOST_KERNEL
-static void read_box_direct_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void read_box_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const float* from_data = glift::host::elements<const float>(call.memories[0]);
     float* to_data = glift::host::elements<float>(call.memories[1]);
-    if (row.begin < row.end) {
-        const uint address = row.begin;
-        const float* from_data_row = from_data + address;
-        float* to_data_row = to_data + address;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
-            // transfer.glift:16
-            to_data_row[i] = from_data_row[i];
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint address = row.begin;
+            const float* from_data_row = glift::host::row_pointer(from_data + address);
+            float* to_data_row = glift::host::row_pointer(to_data + address);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:16
+                to_data_row[i] = from_data_row[i];
+            }
         }
     }
 }
 
 static void read_box_direct(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { read_box_direct_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { read_box_direct_rows(call, rows); });
 }
 
 struct read_box_general_parameters {
@@ -335,31 +353,33 @@ static_assert(offsetof(read_box_general_parameters, size) == 0);
 static_assert(offsetof(read_box_general_parameters, from_origin) == 4);
 static_assert(offsetof(read_box_general_parameters, to_origin) == 8);
 
-// transfer.glift:15: read_box<Array<1, float, none, buffer>, Box<1, float>>, one row.
+// transfer.glift:15: read_box<Array<1, float, none, buffer>, Box<1, float>>, some rows.
 GLIFT_HOST_KERNEL
-static void read_box_general_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void read_box_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_general_parameters*>(call.parameters);
     const uint from_origin = parameters.from_origin;
     const uint to_origin = parameters.to_origin;
     const float* from_data = glift::host::elements<const float>(call.memories[0]);
     float* to_data = glift::host::elements<float>(call.memories[1]);
-    if (row.begin < row.end) {
-        const uint address = row.begin;
-        // transfer.glift:16
-        const uint from_address = from_origin + address;
-        const uint to_address = to_origin + address;
-        const float* from_data_row = from_data + from_address;
-        float* to_data_row = to_data + to_address;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint address = row.begin;
             // transfer.glift:16
-            to_data_row[i] = from_data_row[i];
+            const uint from_address = from_origin + address;
+            const uint to_address = to_origin + address;
+            const float* from_data_row = glift::host::row_pointer(from_data + from_address);
+            float* to_data_row = glift::host::row_pointer(to_data + to_address);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:16
+                to_data_row[i] = from_data_row[i];
+            }
         }
     }
 }
 
 static void read_box_general(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { read_box_general_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { read_box_general_rows(call, rows); });
 }
 
 const glift::Binding read_box_bindings[] = {
@@ -391,25 +411,27 @@ struct write_box_direct_parameters {
 };
 static_assert(offsetof(write_box_direct_parameters, from_extent) == 0);
 
-// transfer.glift:20: write_box<Box<1, float>, Array<1, float, none, buffer>>, one row.
+// transfer.glift:20: write_box<Box<1, float>, Array<1, float, none, buffer>>, some rows.
 GLIFT_HOST_KERNEL
-static void write_box_direct_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void write_box_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const float* from_data = glift::host::elements<const float>(call.memories[0]);
     float* to_data = glift::host::elements<float>(call.memories[1]);
-    if (row.begin < row.end) {
-        const uint address = row.begin;
-        const float* from_data_row = from_data + address;
-        float* to_data_row = to_data + address;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
-            // transfer.glift:21
-            to_data_row[i] = from_data_row[i];
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint address = row.begin;
+            const float* from_data_row = glift::host::row_pointer(from_data + address);
+            float* to_data_row = glift::host::row_pointer(to_data + address);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:21
+                to_data_row[i] = from_data_row[i];
+            }
         }
     }
 }
 
 static void write_box_direct(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { write_box_direct_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { write_box_direct_rows(call, rows); });
 }
 
 struct write_box_general_parameters {
@@ -421,31 +443,33 @@ static_assert(offsetof(write_box_general_parameters, size) == 0);
 static_assert(offsetof(write_box_general_parameters, from_origin) == 4);
 static_assert(offsetof(write_box_general_parameters, to_origin) == 8);
 
-// transfer.glift:20: write_box<Box<1, float>, Array<1, float, none, buffer>>, one row.
+// transfer.glift:20: write_box<Box<1, float>, Array<1, float, none, buffer>>, some rows.
 GLIFT_HOST_KERNEL
-static void write_box_general_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void write_box_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_general_parameters*>(call.parameters);
     const uint from_origin = parameters.from_origin;
     const uint to_origin = parameters.to_origin;
     const float* from_data = glift::host::elements<const float>(call.memories[0]);
     float* to_data = glift::host::elements<float>(call.memories[1]);
-    if (row.begin < row.end) {
-        const uint address = row.begin;
-        // transfer.glift:21
-        const uint from_address = from_origin + address;
-        const uint to_address = to_origin + address;
-        const float* from_data_row = from_data + from_address;
-        float* to_data_row = to_data + to_address;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint address = row.begin;
             // transfer.glift:21
-            to_data_row[i] = from_data_row[i];
+            const uint from_address = from_origin + address;
+            const uint to_address = to_origin + address;
+            const float* from_data_row = glift::host::row_pointer(from_data + from_address);
+            float* to_data_row = glift::host::row_pointer(to_data + to_address);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:21
+                to_data_row[i] = from_data_row[i];
+            }
         }
     }
 }
 
 static void write_box_general(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { write_box_general_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { write_box_general_rows(call, rows); });
 }
 
 const glift::Binding write_box_bindings[] = {
@@ -479,25 +503,27 @@ struct fill_box_direct_parameters {
 static_assert(offsetof(fill_box_direct_parameters, to_extent) == 0);
 static_assert(offsetof(fill_box_direct_parameters, value) == 4);
 
-// transfer.glift:25: fill_box<Array<1, float, none, buffer>, float>, one row.
+// transfer.glift:25: fill_box<Array<1, float, none, buffer>, float>, some rows.
 GLIFT_HOST_KERNEL
-static void fill_box_direct_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void fill_box_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_direct_parameters*>(call.parameters);
     const float value = parameters.value;
     float* to_data = glift::host::elements<float>(call.memories[0]);
-    if (row.begin < row.end) {
-        const uint address = row.begin;
-        float* to_data_row = to_data + address;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
-            // transfer.glift:26
-            to_data_row[i] = value;
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint address = row.begin;
+            float* to_data_row = glift::host::row_pointer(to_data + address);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:26
+                to_data_row[i] = value;
+            }
         }
     }
 }
 
 static void fill_box_direct(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { fill_box_direct_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { fill_box_direct_rows(call, rows); });
 }
 
 struct fill_box_general_parameters {
@@ -509,28 +535,30 @@ static_assert(offsetof(fill_box_general_parameters, size) == 0);
 static_assert(offsetof(fill_box_general_parameters, to_origin) == 4);
 static_assert(offsetof(fill_box_general_parameters, value) == 8);
 
-// transfer.glift:25: fill_box<Array<1, float, none, buffer>, float>, one row.
+// transfer.glift:25: fill_box<Array<1, float, none, buffer>, float>, some rows.
 GLIFT_HOST_KERNEL
-static void fill_box_general_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void fill_box_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_general_parameters*>(call.parameters);
     const uint to_origin = parameters.to_origin;
     const float value = parameters.value;
     float* to_data = glift::host::elements<float>(call.memories[0]);
-    if (row.begin < row.end) {
-        const uint address = row.begin;
-        // transfer.glift:26
-        const uint to_address = to_origin + address;
-        float* to_data_row = to_data + to_address;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint address = row.begin;
             // transfer.glift:26
-            to_data_row[i] = value;
+            const uint to_address = to_origin + address;
+            float* to_data_row = glift::host::row_pointer(to_data + to_address);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:26
+                to_data_row[i] = value;
+            }
         }
     }
 }
 
 static void fill_box_general(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { fill_box_general_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { fill_box_general_rows(call, rows); });
 }
 
 const glift::Binding fill_box_bindings[] = {

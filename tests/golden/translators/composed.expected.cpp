@@ -58,24 +58,26 @@ struct copy_direct_parameters {
 };
 static_assert(offsetof(copy_direct_parameters, f_extent) == 0);
 
-// composed.glift:24: copy, one row.
+// composed.glift:24: copy, some rows.
 GLIFT_HOST_KERNEL
-static void copy_direct_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void copy_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const copy_direct_parameters*>(call.parameters);
     const uint2 f_extent = parameters.f_extent;
     const float* f_data = glift::host::elements<const float>(call.memories[0]);
     float* g_data = glift::host::elements<float>(call.memories[1]);
-    GLIFT_INDEPENDENT
-    for (uint x = row.begin; x < row.end; ++x) {
-        const uint2 address{x, row.y};
-        // composed.glift:24
-        const uint f_at = address.x * f_extent.y + address.y;
-        g_data[f_at] = f_data[f_at];
+    for (const glift::host::Row row : rows) {
+        GLIFT_INDEPENDENT
+        for (uint x = row.begin; x < row.end; ++x) {
+            const uint2 address{x, row.y};
+            // composed.glift:24
+            const uint f_at = address.x * f_extent.y + address.y;
+            g_data[f_at] = f_data[f_at];
+        }
     }
 }
 
 static void copy_direct(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { copy_direct_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { copy_direct_rows(call, rows); });
 }
 
 struct copy_general_parameters {
@@ -91,9 +93,9 @@ static_assert(offsetof(copy_general_parameters, g_origin) == 16);
 static_assert(offsetof(copy_general_parameters, f_extent_y) == 24);
 static_assert(offsetof(copy_general_parameters, g_extent_y) == 28);
 
-// composed.glift:24: copy, one row.
+// composed.glift:24: copy, some rows.
 GLIFT_HOST_KERNEL
-static void copy_general_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void copy_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const copy_general_parameters*>(call.parameters);
     const uint2 f_origin = parameters.f_origin;
     const uint2 g_origin = parameters.g_origin;
@@ -101,20 +103,22 @@ static void copy_general_row(const glift::HostCall& call, const glift::host::Row
     const uint g_extent_y = parameters.g_extent_y;
     const float* f_data = glift::host::elements<const float>(call.memories[0]);
     float* g_data = glift::host::elements<float>(call.memories[1]);
-    GLIFT_INDEPENDENT
-    for (uint x = row.begin; x < row.end; ++x) {
-        const uint2 address{x, row.y};
-        // composed.glift:24
-        const uint2 f_address = f_origin + address;
-        const uint f_at = f_address.x * f_extent_y + f_address.y;
-        const uint2 g_address = g_origin + address;
-        const uint g_at = g_address.x * g_extent_y + g_address.y;
-        g_data[g_at] = f_data[f_at];
+    for (const glift::host::Row row : rows) {
+        GLIFT_INDEPENDENT
+        for (uint x = row.begin; x < row.end; ++x) {
+            const uint2 address{x, row.y};
+            // composed.glift:24
+            const uint2 f_address = f_origin + address;
+            const uint f_at = f_address.x * f_extent_y + f_address.y;
+            const uint2 g_address = g_origin + address;
+            const uint g_at = g_address.x * g_extent_y + g_address.y;
+            g_data[g_at] = f_data[f_at];
+        }
     }
 }
 
 static void copy_general(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { copy_general_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { copy_general_rows(call, rows); });
 }
 
 const glift::Binding copy_bindings[] = {
@@ -148,32 +152,34 @@ struct read_box_direct_parameters {
 static_assert(offsetof(read_box_direct_parameters, from_extent) == 0);
 static_assert(offsetof(read_box_direct_parameters, to_extent_x) == 8);
 
-// transfer.glift:15: read_box<Turned, Box<2, float>>, one row.
+// transfer.glift:15: read_box<Turned, Box<2, float>>, some rows.
 GLIFT_HOST_KERNEL
-static void read_box_direct_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void read_box_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_direct_parameters*>(call.parameters);
     const uint2 from_extent = parameters.from_extent;
     const uint to_extent_x = parameters.to_extent_x;
     const float* from_data = glift::host::elements<const float>(call.memories[0]);
     float* to_data = glift::host::elements<float>(call.memories[1]);
-    if (row.begin < row.end) {
-        const uint2 address{row.begin, row.y};
-        // transfer.glift:15
-        const uint to_at = address.y * to_extent_x + address.x;
-        float* to_data_row = to_data + to_at;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
-            const uint2 address{row.begin + static_cast<uint>(i), row.y};
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint2 address{row.begin, row.y};
             // transfer.glift:15
-            const uint from_at = address.x * from_extent.y + address.y;
-            // transfer.glift:16
-            to_data_row[i] = from_data[from_at];
+            const uint to_at = address.y * to_extent_x + address.x;
+            float* to_data_row = glift::host::row_pointer(to_data + to_at);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                const uint2 address{row.begin + static_cast<uint>(i), row.y};
+                // transfer.glift:15
+                const uint from_at = address.x * from_extent.y + address.y;
+                // transfer.glift:16
+                to_data_row[i] = from_data[from_at];
+            }
         }
     }
 }
 
 static void read_box_direct(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { read_box_direct_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { read_box_direct_rows(call, rows); });
 }
 
 struct read_box_general_parameters {
@@ -189,9 +195,9 @@ static_assert(offsetof(read_box_general_parameters, to_origin) == 16);
 static_assert(offsetof(read_box_general_parameters, from_extent_y) == 24);
 static_assert(offsetof(read_box_general_parameters, to_extent_x) == 28);
 
-// transfer.glift:15: read_box<Turned, Box<2, float>>, one row.
+// transfer.glift:15: read_box<Turned, Box<2, float>>, some rows.
 GLIFT_HOST_KERNEL
-static void read_box_general_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void read_box_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_general_parameters*>(call.parameters);
     const uint2 from_origin = parameters.from_origin;
     const uint2 to_origin = parameters.to_origin;
@@ -199,28 +205,30 @@ static void read_box_general_row(const glift::HostCall& call, const glift::host:
     const uint to_extent_x = parameters.to_extent_x;
     const float* from_data = glift::host::elements<const float>(call.memories[0]);
     float* to_data = glift::host::elements<float>(call.memories[1]);
-    if (row.begin < row.end) {
-        const uint2 address{row.begin, row.y};
-        // transfer.glift:16
-        const uint2 to_address = to_origin + address;
-        // transfer.glift:15
-        const uint to_at = to_address.y * to_extent_x + to_address.x;
-        float* to_data_row = to_data + to_at;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
-            const uint2 address{row.begin + static_cast<uint>(i), row.y};
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint2 address{row.begin, row.y};
             // transfer.glift:16
-            const uint2 from_address = from_origin + address;
+            const uint2 to_address = to_origin + address;
             // transfer.glift:15
-            const uint from_at = from_address.x * from_extent_y + from_address.y;
-            // transfer.glift:16
-            to_data_row[i] = from_data[from_at];
+            const uint to_at = to_address.y * to_extent_x + to_address.x;
+            float* to_data_row = glift::host::row_pointer(to_data + to_at);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                const uint2 address{row.begin + static_cast<uint>(i), row.y};
+                // transfer.glift:16
+                const uint2 from_address = from_origin + address;
+                // transfer.glift:15
+                const uint from_at = from_address.x * from_extent_y + from_address.y;
+                // transfer.glift:16
+                to_data_row[i] = from_data[from_at];
+            }
         }
     }
 }
 
 static void read_box_general(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { read_box_general_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { read_box_general_rows(call, rows); });
 }
 
 const glift::Binding read_box_bindings[] = {
@@ -255,32 +263,34 @@ struct write_box_direct_parameters {
 static_assert(offsetof(write_box_direct_parameters, from_extent) == 0);
 static_assert(offsetof(write_box_direct_parameters, to_extent_y) == 8);
 
-// transfer.glift:20: write_box<Box<2, float>, Turned>, one row.
+// transfer.glift:20: write_box<Box<2, float>, Turned>, some rows.
 GLIFT_HOST_KERNEL
-static void write_box_direct_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void write_box_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_direct_parameters*>(call.parameters);
     const uint2 from_extent = parameters.from_extent;
     const uint to_extent_y = parameters.to_extent_y;
     const float* from_data = glift::host::elements<const float>(call.memories[0]);
     float* to_data = glift::host::elements<float>(call.memories[1]);
-    if (row.begin < row.end) {
-        const uint2 address{row.begin, row.y};
-        // transfer.glift:20
-        const uint from_at = address.y * from_extent.x + address.x;
-        const float* from_data_row = from_data + from_at;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
-            const uint2 address{row.begin + static_cast<uint>(i), row.y};
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint2 address{row.begin, row.y};
             // transfer.glift:20
-            const uint to_at = address.x * to_extent_y + address.y;
-            // transfer.glift:21
-            to_data[to_at] = from_data_row[i];
+            const uint from_at = address.y * from_extent.x + address.x;
+            const float* from_data_row = glift::host::row_pointer(from_data + from_at);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                const uint2 address{row.begin + static_cast<uint>(i), row.y};
+                // transfer.glift:20
+                const uint to_at = address.x * to_extent_y + address.y;
+                // transfer.glift:21
+                to_data[to_at] = from_data_row[i];
+            }
         }
     }
 }
 
 static void write_box_direct(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { write_box_direct_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { write_box_direct_rows(call, rows); });
 }
 
 struct write_box_general_parameters {
@@ -296,9 +306,9 @@ static_assert(offsetof(write_box_general_parameters, to_origin) == 16);
 static_assert(offsetof(write_box_general_parameters, from_extent_x) == 24);
 static_assert(offsetof(write_box_general_parameters, to_extent_y) == 28);
 
-// transfer.glift:20: write_box<Box<2, float>, Turned>, one row.
+// transfer.glift:20: write_box<Box<2, float>, Turned>, some rows.
 GLIFT_HOST_KERNEL
-static void write_box_general_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void write_box_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_general_parameters*>(call.parameters);
     const uint2 from_origin = parameters.from_origin;
     const uint2 to_origin = parameters.to_origin;
@@ -306,28 +316,30 @@ static void write_box_general_row(const glift::HostCall& call, const glift::host
     const uint to_extent_y = parameters.to_extent_y;
     const float* from_data = glift::host::elements<const float>(call.memories[0]);
     float* to_data = glift::host::elements<float>(call.memories[1]);
-    if (row.begin < row.end) {
-        const uint2 address{row.begin, row.y};
-        // transfer.glift:21
-        const uint2 from_address = from_origin + address;
-        // transfer.glift:20
-        const uint from_at = from_address.y * from_extent_x + from_address.x;
-        const float* from_data_row = from_data + from_at;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
-            const uint2 address{row.begin + static_cast<uint>(i), row.y};
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint2 address{row.begin, row.y};
             // transfer.glift:21
-            const uint2 to_address = to_origin + address;
+            const uint2 from_address = from_origin + address;
             // transfer.glift:20
-            const uint to_at = to_address.x * to_extent_y + to_address.y;
-            // transfer.glift:21
-            to_data[to_at] = from_data_row[i];
+            const uint from_at = from_address.y * from_extent_x + from_address.x;
+            const float* from_data_row = glift::host::row_pointer(from_data + from_at);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                const uint2 address{row.begin + static_cast<uint>(i), row.y};
+                // transfer.glift:21
+                const uint2 to_address = to_origin + address;
+                // transfer.glift:20
+                const uint to_at = to_address.x * to_extent_y + to_address.y;
+                // transfer.glift:21
+                to_data[to_at] = from_data_row[i];
+            }
         }
     }
 }
 
 static void write_box_general(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { write_box_general_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { write_box_general_rows(call, rows); });
 }
 
 const glift::Binding write_box_bindings[] = {
@@ -362,25 +374,27 @@ struct fill_box_direct_parameters {
 static_assert(offsetof(fill_box_direct_parameters, to_extent) == 0);
 static_assert(offsetof(fill_box_direct_parameters, value) == 8);
 
-// transfer.glift:25: fill_box<Turned, float>, one row.
+// transfer.glift:25: fill_box<Turned, float>, some rows.
 GLIFT_HOST_KERNEL
-static void fill_box_direct_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void fill_box_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_direct_parameters*>(call.parameters);
     const uint2 to_extent = parameters.to_extent;
     const float value = parameters.value;
     float* to_data = glift::host::elements<float>(call.memories[0]);
-    GLIFT_INDEPENDENT
-    for (uint x = row.begin; x < row.end; ++x) {
-        const uint2 address{x, row.y};
-        // transfer.glift:25
-        const uint to_at = address.x * to_extent.y + address.y;
-        // transfer.glift:26
-        to_data[to_at] = value;
+    for (const glift::host::Row row : rows) {
+        GLIFT_INDEPENDENT
+        for (uint x = row.begin; x < row.end; ++x) {
+            const uint2 address{x, row.y};
+            // transfer.glift:25
+            const uint to_at = address.x * to_extent.y + address.y;
+            // transfer.glift:26
+            to_data[to_at] = value;
+        }
     }
 }
 
 static void fill_box_direct(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { fill_box_direct_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { fill_box_direct_rows(call, rows); });
 }
 
 struct fill_box_general_parameters {
@@ -394,28 +408,30 @@ static_assert(offsetof(fill_box_general_parameters, to_origin) == 8);
 static_assert(offsetof(fill_box_general_parameters, to_extent_y) == 16);
 static_assert(offsetof(fill_box_general_parameters, value) == 20);
 
-// transfer.glift:25: fill_box<Turned, float>, one row.
+// transfer.glift:25: fill_box<Turned, float>, some rows.
 GLIFT_HOST_KERNEL
-static void fill_box_general_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void fill_box_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_general_parameters*>(call.parameters);
     const uint2 to_origin = parameters.to_origin;
     const uint to_extent_y = parameters.to_extent_y;
     const float value = parameters.value;
     float* to_data = glift::host::elements<float>(call.memories[0]);
-    GLIFT_INDEPENDENT
-    for (uint x = row.begin; x < row.end; ++x) {
-        const uint2 address{x, row.y};
-        // transfer.glift:26
-        const uint2 to_address = to_origin + address;
-        // transfer.glift:25
-        const uint to_at = to_address.x * to_extent_y + to_address.y;
-        // transfer.glift:26
-        to_data[to_at] = value;
+    for (const glift::host::Row row : rows) {
+        GLIFT_INDEPENDENT
+        for (uint x = row.begin; x < row.end; ++x) {
+            const uint2 address{x, row.y};
+            // transfer.glift:26
+            const uint2 to_address = to_origin + address;
+            // transfer.glift:25
+            const uint to_at = to_address.x * to_extent_y + to_address.y;
+            // transfer.glift:26
+            to_data[to_at] = value;
+        }
     }
 }
 
 static void fill_box_general(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { fill_box_general_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { fill_box_general_rows(call, rows); });
 }
 
 const glift::Binding fill_box_bindings[] = {

@@ -58,26 +58,28 @@ struct twice_direct_parameters {
 };
 static_assert(offsetof(twice_direct_parameters, f_extent) == 0);
 
-// fold.glift:31: twice, one row.
+// fold.glift:31: twice, some rows.
 GLIFT_HOST_KERNEL
-static void twice_direct_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void twice_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const twice_direct_parameters*>(call.parameters);
     const uint3 f_extent = parameters.f_extent;
     const glift::HostMemory& f_data = call.memories[0];
-    GLIFT_INDEPENDENT
-    for (uint x = row.begin; x < row.end; ++x) {
-        const uint3 address{x, row.y, row.z};
-        // fold.glift:31
-        const uint f_i = (address.z * f_extent.y + address.y) * f_extent.x + address.x;
-        const uint2 f_at = uint2(f_i % 64u, f_i / 64u);
-        const int2 value = int2(f_at);
-        const float f_value = glift::host::load_texel<glift::Format::r32f, float>(f_data, value);
-        glift::host::store_texel<glift::Format::r32f, float>(f_data, value, 2.0f * f_value);
+    for (const glift::host::Row row : rows) {
+        GLIFT_INDEPENDENT
+        for (uint x = row.begin; x < row.end; ++x) {
+            const uint3 address{x, row.y, row.z};
+            // fold.glift:31
+            const uint f_i = (address.z * f_extent.y + address.y) * f_extent.x + address.x;
+            const uint2 f_at = uint2(f_i % 64u, f_i / 64u);
+            const int2 value = int2(f_at);
+            const float f_value = glift::host::load_texel<glift::Format::r32f, float>(f_data, value);
+            glift::host::store_texel<glift::Format::r32f, float>(f_data, value, 2.0f * f_value);
+        }
     }
 }
 
 static void twice_direct(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { twice_direct_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { twice_direct_rows(call, rows); });
 }
 
 struct twice_general_parameters {
@@ -89,28 +91,30 @@ static_assert(offsetof(twice_general_parameters, size) == 0);
 static_assert(offsetof(twice_general_parameters, f_origin) == 12);
 static_assert(offsetof(twice_general_parameters, f_extent) == 24);
 
-// fold.glift:31: twice, one row.
+// fold.glift:31: twice, some rows.
 GLIFT_HOST_KERNEL
-static void twice_general_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void twice_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const twice_general_parameters*>(call.parameters);
     const uint3 f_origin = parameters.f_origin;
     const uint3 f_extent = parameters.f_extent;
     const glift::HostMemory& f_data = call.memories[0];
-    GLIFT_INDEPENDENT
-    for (uint x = row.begin; x < row.end; ++x) {
-        const uint3 address{x, row.y, row.z};
-        // fold.glift:31
-        const uint3 f_address = f_origin + address;
-        const uint f_i = (f_address.z * f_extent.y + f_address.y) * f_extent.x + f_address.x;
-        const uint2 f_at = uint2(f_i % 64u, f_i / 64u);
-        const int2 value = int2(f_at);
-        const float f_value = glift::host::load_texel<glift::Format::r32f, float>(f_data, value);
-        glift::host::store_texel<glift::Format::r32f, float>(f_data, value, 2.0f * f_value);
+    for (const glift::host::Row row : rows) {
+        GLIFT_INDEPENDENT
+        for (uint x = row.begin; x < row.end; ++x) {
+            const uint3 address{x, row.y, row.z};
+            // fold.glift:31
+            const uint3 f_address = f_origin + address;
+            const uint f_i = (f_address.z * f_extent.y + f_address.y) * f_extent.x + f_address.x;
+            const uint2 f_at = uint2(f_i % 64u, f_i / 64u);
+            const int2 value = int2(f_at);
+            const float f_value = glift::host::load_texel<glift::Format::r32f, float>(f_data, value);
+            glift::host::store_texel<glift::Format::r32f, float>(f_data, value, 2.0f * f_value);
+        }
     }
 }
 
 static void twice_general(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { twice_general_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { twice_general_rows(call, rows); });
 }
 
 const glift::Binding twice_bindings[] = {
@@ -143,33 +147,35 @@ struct read_box_direct_parameters {
 static_assert(offsetof(read_box_direct_parameters, from_extent) == 0);
 static_assert(offsetof(read_box_direct_parameters, to_extent) == 12);
 
-// transfer.glift:15: read_box<Field, Box<3, float>>, one row.
+// transfer.glift:15: read_box<Field, Box<3, float>>, some rows.
 GLIFT_HOST_KERNEL
-static void read_box_direct_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void read_box_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_direct_parameters*>(call.parameters);
     const uint3 from_extent = parameters.from_extent;
     const uint3 to_extent = parameters.to_extent;
     const glift::HostMemory& from_data = call.memories[0];
     float* to_data = glift::host::elements<float>(call.memories[1]);
-    if (row.begin < row.end) {
-        const uint3 address{row.begin, row.y, row.z};
-        // transfer.glift:15
-        const uint to_at = (address.z * to_extent.y + address.y) * to_extent.x + address.x;
-        float* to_data_row = to_data + to_at;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
-            const uint3 address{row.begin + static_cast<uint>(i), row.y, row.z};
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint3 address{row.begin, row.y, row.z};
             // transfer.glift:15
-            const uint from_i = (address.z * from_extent.y + address.y) * from_extent.x + address.x;
-            const uint2 from_at = uint2(from_i % 64u, from_i / 64u);
-            // transfer.glift:16
-            to_data_row[i] = glift::host::load_texel<glift::Format::r32f, float>(from_data, int2(from_at));
+            const uint to_at = (address.z * to_extent.y + address.y) * to_extent.x + address.x;
+            float* to_data_row = glift::host::row_pointer(to_data + to_at);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                const uint3 address{row.begin + static_cast<uint>(i), row.y, row.z};
+                // transfer.glift:15
+                const uint from_i = (address.z * from_extent.y + address.y) * from_extent.x + address.x;
+                const uint2 from_at = uint2(from_i % 64u, from_i / 64u);
+                // transfer.glift:16
+                to_data_row[i] = glift::host::load_texel<glift::Format::r32f, float>(from_data, int2(from_at));
+            }
         }
     }
 }
 
 static void read_box_direct(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { read_box_direct_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { read_box_direct_rows(call, rows); });
 }
 
 struct read_box_general_parameters {
@@ -185,9 +191,9 @@ static_assert(offsetof(read_box_general_parameters, to_origin) == 24);
 static_assert(offsetof(read_box_general_parameters, from_extent) == 36);
 static_assert(offsetof(read_box_general_parameters, to_extent) == 48);
 
-// transfer.glift:15: read_box<Field, Box<3, float>>, one row.
+// transfer.glift:15: read_box<Field, Box<3, float>>, some rows.
 GLIFT_HOST_KERNEL
-static void read_box_general_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void read_box_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const read_box_general_parameters*>(call.parameters);
     const uint3 from_origin = parameters.from_origin;
     const uint3 to_origin = parameters.to_origin;
@@ -195,29 +201,31 @@ static void read_box_general_row(const glift::HostCall& call, const glift::host:
     const uint3 to_extent = parameters.to_extent;
     const glift::HostMemory& from_data = call.memories[0];
     float* to_data = glift::host::elements<float>(call.memories[1]);
-    if (row.begin < row.end) {
-        const uint3 address{row.begin, row.y, row.z};
-        // transfer.glift:16
-        const uint3 to_address = to_origin + address;
-        // transfer.glift:15
-        const uint to_at = (to_address.z * to_extent.y + to_address.y) * to_extent.x + to_address.x;
-        float* to_data_row = to_data + to_at;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
-            const uint3 address{row.begin + static_cast<uint>(i), row.y, row.z};
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint3 address{row.begin, row.y, row.z};
             // transfer.glift:16
-            const uint3 from_address = from_origin + address;
+            const uint3 to_address = to_origin + address;
             // transfer.glift:15
-            const uint from_i = (from_address.z * from_extent.y + from_address.y) * from_extent.x + from_address.x;
-            const uint2 from_at = uint2(from_i % 64u, from_i / 64u);
-            // transfer.glift:16
-            to_data_row[i] = glift::host::load_texel<glift::Format::r32f, float>(from_data, int2(from_at));
+            const uint to_at = (to_address.z * to_extent.y + to_address.y) * to_extent.x + to_address.x;
+            float* to_data_row = glift::host::row_pointer(to_data + to_at);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                const uint3 address{row.begin + static_cast<uint>(i), row.y, row.z};
+                // transfer.glift:16
+                const uint3 from_address = from_origin + address;
+                // transfer.glift:15
+                const uint from_i = (from_address.z * from_extent.y + from_address.y) * from_extent.x + from_address.x;
+                const uint2 from_at = uint2(from_i % 64u, from_i / 64u);
+                // transfer.glift:16
+                to_data_row[i] = glift::host::load_texel<glift::Format::r32f, float>(from_data, int2(from_at));
+            }
         }
     }
 }
 
 static void read_box_general(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { read_box_general_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { read_box_general_rows(call, rows); });
 }
 
 const glift::Binding read_box_bindings[] = {
@@ -252,33 +260,35 @@ struct write_box_direct_parameters {
 static_assert(offsetof(write_box_direct_parameters, from_extent) == 0);
 static_assert(offsetof(write_box_direct_parameters, to_extent) == 12);
 
-// transfer.glift:20: write_box<Box<3, float>, Field>, one row.
+// transfer.glift:20: write_box<Box<3, float>, Field>, some rows.
 GLIFT_HOST_KERNEL
-static void write_box_direct_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void write_box_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_direct_parameters*>(call.parameters);
     const uint3 from_extent = parameters.from_extent;
     const uint3 to_extent = parameters.to_extent;
     const float* from_data = glift::host::elements<const float>(call.memories[0]);
     const glift::HostMemory& to_data = call.memories[1];
-    if (row.begin < row.end) {
-        const uint3 address{row.begin, row.y, row.z};
-        // transfer.glift:20
-        const uint from_at = (address.z * from_extent.y + address.y) * from_extent.x + address.x;
-        const float* from_data_row = from_data + from_at;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
-            const uint3 address{row.begin + static_cast<uint>(i), row.y, row.z};
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint3 address{row.begin, row.y, row.z};
             // transfer.glift:20
-            const uint to_i = (address.z * to_extent.y + address.y) * to_extent.x + address.x;
-            const uint2 to_at = uint2(to_i % 64u, to_i / 64u);
-            // transfer.glift:21
-            glift::host::store_texel<glift::Format::r32f, float>(to_data, int2(to_at), from_data_row[i]);
+            const uint from_at = (address.z * from_extent.y + address.y) * from_extent.x + address.x;
+            const float* from_data_row = glift::host::row_pointer(from_data + from_at);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                const uint3 address{row.begin + static_cast<uint>(i), row.y, row.z};
+                // transfer.glift:20
+                const uint to_i = (address.z * to_extent.y + address.y) * to_extent.x + address.x;
+                const uint2 to_at = uint2(to_i % 64u, to_i / 64u);
+                // transfer.glift:21
+                glift::host::store_texel<glift::Format::r32f, float>(to_data, int2(to_at), from_data_row[i]);
+            }
         }
     }
 }
 
 static void write_box_direct(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { write_box_direct_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { write_box_direct_rows(call, rows); });
 }
 
 struct write_box_general_parameters {
@@ -294,9 +304,9 @@ static_assert(offsetof(write_box_general_parameters, to_origin) == 24);
 static_assert(offsetof(write_box_general_parameters, from_extent) == 36);
 static_assert(offsetof(write_box_general_parameters, to_extent) == 48);
 
-// transfer.glift:20: write_box<Box<3, float>, Field>, one row.
+// transfer.glift:20: write_box<Box<3, float>, Field>, some rows.
 GLIFT_HOST_KERNEL
-static void write_box_general_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void write_box_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const write_box_general_parameters*>(call.parameters);
     const uint3 from_origin = parameters.from_origin;
     const uint3 to_origin = parameters.to_origin;
@@ -304,29 +314,31 @@ static void write_box_general_row(const glift::HostCall& call, const glift::host
     const uint3 to_extent = parameters.to_extent;
     const float* from_data = glift::host::elements<const float>(call.memories[0]);
     const glift::HostMemory& to_data = call.memories[1];
-    if (row.begin < row.end) {
-        const uint3 address{row.begin, row.y, row.z};
-        // transfer.glift:21
-        const uint3 from_address = from_origin + address;
-        // transfer.glift:20
-        const uint from_at = (from_address.z * from_extent.y + from_address.y) * from_extent.x + from_address.x;
-        const float* from_data_row = from_data + from_at;
-        GLIFT_INDEPENDENT
-        for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
-            const uint3 address{row.begin + static_cast<uint>(i), row.y, row.z};
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint3 address{row.begin, row.y, row.z};
             // transfer.glift:21
-            const uint3 to_address = to_origin + address;
+            const uint3 from_address = from_origin + address;
             // transfer.glift:20
-            const uint to_i = (to_address.z * to_extent.y + to_address.y) * to_extent.x + to_address.x;
-            const uint2 to_at = uint2(to_i % 64u, to_i / 64u);
-            // transfer.glift:21
-            glift::host::store_texel<glift::Format::r32f, float>(to_data, int2(to_at), from_data_row[i]);
+            const uint from_at = (from_address.z * from_extent.y + from_address.y) * from_extent.x + from_address.x;
+            const float* from_data_row = glift::host::row_pointer(from_data + from_at);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                const uint3 address{row.begin + static_cast<uint>(i), row.y, row.z};
+                // transfer.glift:21
+                const uint3 to_address = to_origin + address;
+                // transfer.glift:20
+                const uint to_i = (to_address.z * to_extent.y + to_address.y) * to_extent.x + to_address.x;
+                const uint2 to_at = uint2(to_i % 64u, to_i / 64u);
+                // transfer.glift:21
+                glift::host::store_texel<glift::Format::r32f, float>(to_data, int2(to_at), from_data_row[i]);
+            }
         }
     }
 }
 
 static void write_box_general(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { write_box_general_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { write_box_general_rows(call, rows); });
 }
 
 const glift::Binding write_box_bindings[] = {
@@ -361,26 +373,28 @@ struct fill_box_direct_parameters {
 static_assert(offsetof(fill_box_direct_parameters, to_extent) == 0);
 static_assert(offsetof(fill_box_direct_parameters, value) == 12);
 
-// transfer.glift:25: fill_box<Field, float>, one row.
+// transfer.glift:25: fill_box<Field, float>, some rows.
 GLIFT_HOST_KERNEL
-static void fill_box_direct_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void fill_box_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_direct_parameters*>(call.parameters);
     const uint3 to_extent = parameters.to_extent;
     const float value = parameters.value;
     const glift::HostMemory& to_data = call.memories[0];
-    GLIFT_INDEPENDENT
-    for (uint x = row.begin; x < row.end; ++x) {
-        const uint3 address{x, row.y, row.z};
-        // transfer.glift:25
-        const uint to_i = (address.z * to_extent.y + address.y) * to_extent.x + address.x;
-        const uint2 to_at = uint2(to_i % 64u, to_i / 64u);
-        // transfer.glift:26
-        glift::host::store_texel<glift::Format::r32f, float>(to_data, int2(to_at), value);
+    for (const glift::host::Row row : rows) {
+        GLIFT_INDEPENDENT
+        for (uint x = row.begin; x < row.end; ++x) {
+            const uint3 address{x, row.y, row.z};
+            // transfer.glift:25
+            const uint to_i = (address.z * to_extent.y + address.y) * to_extent.x + address.x;
+            const uint2 to_at = uint2(to_i % 64u, to_i / 64u);
+            // transfer.glift:26
+            glift::host::store_texel<glift::Format::r32f, float>(to_data, int2(to_at), value);
+        }
     }
 }
 
 static void fill_box_direct(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { fill_box_direct_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { fill_box_direct_rows(call, rows); });
 }
 
 struct fill_box_general_parameters {
@@ -394,29 +408,31 @@ static_assert(offsetof(fill_box_general_parameters, to_origin) == 12);
 static_assert(offsetof(fill_box_general_parameters, to_extent) == 24);
 static_assert(offsetof(fill_box_general_parameters, value) == 36);
 
-// transfer.glift:25: fill_box<Field, float>, one row.
+// transfer.glift:25: fill_box<Field, float>, some rows.
 GLIFT_HOST_KERNEL
-static void fill_box_general_row(const glift::HostCall& call, const glift::host::Row& row) {
+static void fill_box_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const fill_box_general_parameters*>(call.parameters);
     const uint3 to_origin = parameters.to_origin;
     const uint3 to_extent = parameters.to_extent;
     const float value = parameters.value;
     const glift::HostMemory& to_data = call.memories[0];
-    GLIFT_INDEPENDENT
-    for (uint x = row.begin; x < row.end; ++x) {
-        const uint3 address{x, row.y, row.z};
-        // transfer.glift:26
-        const uint3 to_address = to_origin + address;
-        // transfer.glift:25
-        const uint to_i = (to_address.z * to_extent.y + to_address.y) * to_extent.x + to_address.x;
-        const uint2 to_at = uint2(to_i % 64u, to_i / 64u);
-        // transfer.glift:26
-        glift::host::store_texel<glift::Format::r32f, float>(to_data, int2(to_at), value);
+    for (const glift::host::Row row : rows) {
+        GLIFT_INDEPENDENT
+        for (uint x = row.begin; x < row.end; ++x) {
+            const uint3 address{x, row.y, row.z};
+            // transfer.glift:26
+            const uint3 to_address = to_origin + address;
+            // transfer.glift:25
+            const uint to_i = (to_address.z * to_extent.y + to_address.y) * to_extent.x + to_address.x;
+            const uint2 to_at = uint2(to_i % 64u, to_i / 64u);
+            // transfer.glift:26
+            glift::host::store_texel<glift::Format::r32f, float>(to_data, int2(to_at), value);
+        }
     }
 }
 
 static void fill_box_general(const glift::HostCall& call) {
-    glift::host::for_each_row(call.size, [&](const glift::host::Row& row) { fill_box_general_row(call, row); });
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { fill_box_general_rows(call, rows); });
 }
 
 const glift::Binding fill_box_bindings[] = {

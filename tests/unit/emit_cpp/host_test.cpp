@@ -30,7 +30,7 @@ TEST(HostKernel, RunsInsideThroughPointersToTheRow) {
     cpp::Globals globals = cpp::make_globals(b.program, b.sources);
     const std::string text = host::kernel_of(globals, pass, "heat_direct");
     EXPECT_THAT(text, HasSubstr("glift::host::interior_of(row, uint3(), f_extent, 1)"));
-    EXPECT_THAT(text, HasSubstr("const float* f_data_row = f_data + f_index;"));
+    EXPECT_THAT(text, HasSubstr("const float* f_data_row = glift::host::row_pointer(f_data + f_index);"));
     EXPECT_THAT(text, HasSubstr("g_data_row[i] = f_data_row[i] + k * sum;"));
     EXPECT_THAT(text, HasSubstr("static void heat_direct(const glift::HostCall& call)"));
     EXPECT_THAT(text, Not(HasSubstr("not lowered")));

@@ -11,9 +11,11 @@ TEST(Rows, CoverEveryElementOnce) {
     for (const std::array<std::uint32_t, 4> size : {std::array<std::uint32_t, 4>{1, 1, 1, 1}, {100000, 3, 1, 1}, {300000, 1, 1, 1},
                                                     {5, 7, 11, 3}, {256, 64, 9, 1}, {0, 5, 1, 1}, {3, 100000, 1, 1}}) {
         std::vector<std::uint8_t> seen(std::size_t{size[0]} * size[1] * size[2] * size[3]);
-        host::for_each_row(size, [&](const host::Row& row) {
-            const std::size_t first = ((std::size_t{row.w} * size[2] + row.z) * size[1] + row.y) * size[0];
-            for (uint x = row.begin; x < row.end; ++x) ++seen[first + x];
+        host::for_rows(size, [&](const host::Rows& rows) {
+            for (const host::Row row : rows) {
+                const std::size_t first = ((std::size_t{row.w} * size[2] + row.z) * size[1] + row.y) * size[0];
+                for (uint x = row.begin; x < row.end; ++x) ++seen[first + x];
+            }
         });
         for (std::uint8_t count : seen) ASSERT_EQ(count, 1);
     }
@@ -32,14 +34,31 @@ TEST(Rows, KnowTheirInterior) {
 }
 
 TEST(Rows, KnowWhereAClampChangesNothing) {
-    const host::Part part = host::unclamped({0, 10}, 0, -1, 0, 9);
-    EXPECT_EQ(part.begin, 1u);
-    EXPECT_EQ(part.end, 10u);
-    const host::Part above = host::unclamped({4, 10}, 4, 5, 0, 9);
-    EXPECT_EQ(above.begin, 4u);
-    EXPECT_EQ(above.end, 9u);
-    const host::Part nowhere = host::unclamped({0, 4}, 0, 0, 5, 3);
-    EXPECT_EQ(nowhere.begin, nowhere.end);
+    host::Unclamped low;
+    low.keep(-1, 0, 9);
+    EXPECT_EQ(low.of(0, 10).begin, 1u);
+    EXPECT_EQ(low.of(0, 10).end, 10u);
+    host::Unclamped both;
+    both.keep(5, 0, 9);
+    both.keep(-2, 0, 9);
+    EXPECT_EQ(both.of(4, 10).begin, 6u);
+    EXPECT_EQ(both.of(4, 10).end, 9u);
+    host::Unclamped nowhere;
+    nowhere.keep(0, 5, 3);
+    EXPECT_EQ(nowhere.of(0, 4).begin, nowhere.of(0, 4).end);
+}
+
+TEST(Rows, LeaveAMiddleWithoutABlockToTheEnds) {
+    const host::Part enough = host::in_blocks({3, 19}, 30);
+    EXPECT_EQ(enough.begin, 3u);
+    EXPECT_EQ(enough.end, 19u);
+    const host::Part few = host::in_blocks({3, 18}, 30);
+    EXPECT_EQ(few.begin, 30u);
+    EXPECT_EQ(few.end, 30u);
+    const auto sections = host::sections(2, few, 30);
+    EXPECT_EQ(sections[0].begin, 2u);
+    EXPECT_EQ(sections[0].end, 30u);
+    EXPECT_EQ(sections[2].begin, sections[2].end);
 }
 
 TEST(Atomics, CombineFloats) {

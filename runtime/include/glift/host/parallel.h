@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <iterator>
 
 // Compiled once for each width of vectors; the dynamic linker takes the widest that this machine has.
 #if !defined(GLIFT_HOST_KERNEL)
@@ -30,12 +31,55 @@
 #define GLIFT_INDEPENDENT
 #endif
 
+// Before a loop over one block of independent rounds: a few vectors, with nothing left over.
+#if defined(__clang__)
+#define GLIFT_BLOCK _Pragma("clang loop vectorize(assume_safety)")
+#elif defined(__GNUC__)
+#define GLIFT_BLOCK _Pragma("GCC ivdep") _Pragma("GCC unroll 1")
+#else
+#define GLIFT_BLOCK
+#endif
+
 namespace glift::host {
 
 /// Elements [begin, end) along x of the row at y, z, w.
 struct Row {
     uint begin, end;
     uint y, z, w;
+};
+
+/// Rows one after the other, all with the same begin and end.
+class Rows {
+public:
+    Rows(const Row& first, std::size_t count, const std::array<std::uint32_t, 4>& size)
+        : first_(first), size_y_(size[1]), size_z_(size[2]), count_(count) {}
+
+    class Iterator {
+    public:
+        explicit Iterator(const Rows& rows) : row_(rows.first_), size_y_(rows.size_y_), size_z_(rows.size_z_), left_(rows.count_) {}
+        Row operator*() const { return row_; }
+        Iterator& operator++() {
+            --left_;
+            if (++row_.y == size_y_) {
+                row_.y = 0;
+                if (++row_.z == size_z_) row_.z = 0, ++row_.w;
+            }
+            return *this;
+        }
+        bool operator!=(std::default_sentinel_t) const { return left_ != 0; }
+
+    private:
+        Row row_;
+        uint size_y_, size_z_;
+        std::size_t left_;
+    };
+    Iterator begin() const { return Iterator(*this); }
+    std::default_sentinel_t end() const { return {}; }
+
+private:
+    Row first_;
+    uint size_y_, size_z_;
+    std::size_t count_;
 };
 
 namespace detail {
@@ -45,38 +89,32 @@ inline constexpr std::size_t task_elements = 1 << 14;
 
 }  // namespace detail
 
-/// Calls `body(const Row&)` for rows that together cover `size` once. Rows run in parallel, neighbours mostly in turn.
+/// Calls `body(const Rows&)` for rows that together cover `size` once. Blocks of rows run in parallel.
 template <class Body>
-void for_each_row(const std::array<std::uint32_t, 4>& size, const Body& body) {
+void for_rows(const std::array<std::uint32_t, 4>& size, const Body& body) {
     const std::size_t rows = std::size_t{size[1]} * size[2] * size[3];
     if (rows == 0 || size[0] == 0) return;
+    const auto run = [&](uint begin, uint end, std::size_t first, std::size_t count) {
+        const Row row{begin, end, static_cast<uint>(first % size[1]), static_cast<uint>(first / size[1] % size[2]),
+                      static_cast<uint>(first / size[1] / size[2])};
+        body(Rows(row, count, size));
+    };
     const std::size_t all = rows * size[0];
     if (rows == 1 || size[0] > 16 * detail::task_elements) {  // long rows: split them
         const std::size_t pieces = (size[0] + detail::task_elements - 1) / detail::task_elements;
         const auto piece = [&](std::size_t i) {
-            const std::size_t row = i / pieces, begin = i % pieces * detail::task_elements;
+            const std::size_t begin = i % pieces * detail::task_elements;
             const std::size_t end = std::min<std::size_t>(begin + detail::task_elements, size[0]);
-            body(Row{static_cast<uint>(begin), static_cast<uint>(end), static_cast<uint>(row % size[1]),
-                     static_cast<uint>(row / size[1] % size[2]), static_cast<uint>(row / size[1] / size[2])});
+            run(static_cast<uint>(begin), static_cast<uint>(end), i / pieces, 1);
         };
         tbb::parallel_for(std::size_t{0}, rows * pieces, piece);
         return;
     }
-    const auto run = [&](std::size_t first, std::size_t last) {
-        uint y = static_cast<uint>(first % size[1]), z = static_cast<uint>(first / size[1] % size[2]),
-             w = static_cast<uint>(first / size[1] / size[2]);
-        for (std::size_t row = first; row < last; ++row) {
-            body(Row{0, size[0], y, z, w});
-            if (++y == size[1]) {
-                y = 0;
-                if (++z == size[2]) z = 0, ++w;
-            }
-        }
-    };
-    if (all <= detail::task_elements) return run(0, rows);
+    if (all <= detail::task_elements) return run(0, size[0], 0, rows);
     const std::size_t grain = std::max<std::size_t>(1, detail::task_elements / size[0]);
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rows, grain),
-                      [&](const tbb::blocked_range<std::size_t>& range) { run(range.begin(), range.end()); });
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rows, grain), [&](const tbb::blocked_range<std::size_t>& range) {
+        run(0, size[0], range.begin(), range.size());
+    });
 }
 
 /// Calls `body(group id, group count)` for the workgroups that cover `size`, in parallel.
@@ -122,11 +160,52 @@ inline Part interior_of(const Row& row, uint first, uint domain, uint radius) {
     return interior_of(flat, uint2{first, radius}, uint2{domain, 2 * radius + 1}, radius);
 }
 
-/// What of `part` keeps a value within [low, high] that is `value` at element `first` and advances by one.
-inline Part unclamped(const Part& part, uint first, std::int32_t value, std::int32_t low, std::int32_t high) {
-    const std::int64_t begin = std::int64_t{first} + low - value, end = std::int64_t{first} + high - value + 1;
-    const std::int64_t from = std::clamp<std::int64_t>(begin, part.begin, part.end);
-    return {static_cast<uint>(from), static_cast<uint>(std::clamp<std::int64_t>(end, from, part.end))};
+/// The part of a row where values that advance by one all stay within their bounds.
+class Unclamped {
+public:
+    /// A value that is `value` at the row's first element.
+    void keep(std::int32_t value, std::int32_t low, std::int32_t high) {
+        from_ = std::max(from_, std::int64_t{low} - value);
+        to_ = std::min(to_, std::int64_t{high} - value + 1);
+    }
+    Part of(uint begin, uint end) const {
+        const std::int64_t count = std::int64_t{end} - begin;
+        const std::int64_t from = std::min(from_, count), to = std::max(from, std::min(to_, count));
+        return {begin + static_cast<uint>(from), begin + static_cast<uint>(to)};
+    }
+
+private:
+    std::int64_t from_ = 0, to_ = INT64_MAX;
+};
+
+/// Elements that are worked on together: a vector of the widest kind, or a few narrow ones. What is left over at the end
+/// of a part is not worked on one by one: the last block overlaps the one before it.
+inline constexpr std::size_t block_elements = 16;
+
+/// The part where it has a block, else nothing, at `end`.
+inline Part in_blocks(const Part& part, uint end) {
+    return part.end - part.begin < block_elements ? Part{end, end} : part;
+}
+
+/// A part of a row: its middle, or what lies before or after.
+struct Section {
+    uint begin, end;
+    bool is_middle;
+};
+
+/// In the order of their addresses.
+inline std::array<Section, 3> sections(uint begin, const Part& middle, uint end) {
+    return {Section{begin, middle.begin, false}, Section{middle.begin, middle.end, true}, Section{middle.end, end, false}};
+}
+
+/// The pointer, and nothing known of where it came from: so it stays in a register of its own in the loop that follows, where
+/// the compiler would compute it anew for each element from all that it was computed from.
+template <class T>
+T* row_pointer(T* pointer) {
+#if defined(__GNUC__)
+    asm("" : "+r"(pointer));
+#endif
+    return pointer;
 }
 
 // ---------------------------------------------------------------------------------- scatter: combine with what is there

@@ -1,0 +1,133 @@
+#!/usr/bin/env python3
+"""How fast gliftc is, from the start of the process to its exit, with all outputs but SPIR-V.
+
+    bench/compile_speed.py GLIFTC [--runs N] [--json FILE]
+
+A small file (bench/small.glift), and generated files of 100,000 and 200,000 lines: of functions, and of kernels.
+"""
+import argparse
+import json
+import os
+import statistics
+import subprocess
+import tempfile
+import time
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+OUTPUTS = ["--host-only", "--target=glsl", "--target=cpp", "--target=host", "--target=json"]
+
+FUNCTION = """
+pub fn f{k}(a: float, b: uint) -> float {{
+    var x = a;
+    for i in 0..b {{
+        x += sqrt(a) * {k}.0;
+    }}
+    return x;
+}}
+"""
+
+KERNEL = """
+/// Kernel {k}.
+pub kernel k{k}(f: in near<Volume, 1>, g: out each<Volume>, dt: float) {{
+    var sum = -6.0 * f[0];
+    for axis in 0..3 {{
+        sum += f[+unit(axis)] + f[-unit(axis)];
+    }}
+    if sum > {k}.0 {{
+        sum = sum * 2.0;
+    }} else {{
+        sum = sum + dt;
+    }}
+    let a = sum * dt;
+    let b = a + {k}.0;
+    var d = sqrt(abs(b));
+    for j in 0..10 {{
+        d += sin(a * float(j)) + b;
+        d = d * 0.5;
+    }}
+    g = f[0] + dt * d;
+}}
+"""
+
+HEADERS = {
+    "functions": "module large;\n",
+    "kernels": "module large;\n\nuse std.address;\nuse std.array;\n\npub structure Volume = Array<3, float>;\n",
+}
+BODIES = {"functions": FUNCTION, "kernels": KERNEL}
+
+
+def generated(kind, lines):
+    text = [HEADERS[kind]]
+    count = text[0].count("\n")
+    per_body = BODIES[kind].count("\n")
+    k = 0
+    while count + per_body <= lines:
+        text.append(BODIES[kind].format(k=k))
+        count += per_body
+        k += 1
+    text.append("//\n" * (lines - count))
+    return "".join(text)
+
+
+def seconds(gliftc, file, folder):
+    start = time.perf_counter()
+    subprocess.run([gliftc, *OUTPUTS, "-o", folder, file], check=True)
+    return time.perf_counter() - start
+
+
+def median_seconds(gliftc, file, runs):
+    with tempfile.TemporaryDirectory() as folder:
+        seconds(gliftc, file, folder)
+        return statistics.median(seconds(gliftc, file, folder) for _ in range(runs))
+
+
+def small(gliftc, runs):
+    file = os.path.join(HERE, "small.glift")
+    with open(file, encoding="utf-8") as source:
+        lines = sum(1 for _ in source)
+    return {"lines": lines, "seconds": median_seconds(gliftc, file, runs), "runs": runs}
+
+
+def large(gliftc, kind, runs):
+    result = {"kind": kind, "runs": runs}
+    with tempfile.TemporaryDirectory() as folder:
+        file = os.path.join(folder, "large.glift")
+        for lines in (100_000, 200_000):
+            with open(file, "w", encoding="utf-8") as out:
+                out.write(generated(kind, lines))
+            result[f"seconds_{lines}"] = median_seconds(gliftc, file, runs)
+    result["lines_per_second"] = 100_000 / result["seconds_100000"]
+    result["growth"] = result["seconds_200000"] / result["seconds_100000"]
+    return result
+
+
+def measure(gliftc, runs=40, large_runs=5):
+    return {"small": small(gliftc, runs), "large": [large(gliftc, kind, large_runs) for kind in BODIES]}
+
+
+def table(result):
+    lines = ["| file | lines | seconds | lines/s | twice the lines |", "| --- | ---: | ---: | ---: | ---: |"]
+    one = result["small"]
+    lines.append(f"| small.glift | {one['lines']} | {one['seconds']:.4f} | | |")
+    for one in result["large"]:
+        lines.append(f"| generated {one['kind']} | 100000 | {one['seconds_100000']:.3f} | "
+                     f"{one['lines_per_second']:,.0f} | {one['growth']:.2f} times the time |")
+    return "\n".join(lines)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("gliftc")
+    parser.add_argument("--runs", type=int, default=40)
+    parser.add_argument("--json")
+    options = parser.parse_args()
+    result = measure(options.gliftc, options.runs)
+    print(table(result))
+    if options.json:
+        with open(options.json, "w", encoding="utf-8") as out:
+            json.dump(result, out, indent=2)
+            out.write("\n")
+
+
+if __name__ == "__main__":
+    main()
