@@ -18,26 +18,58 @@ namespace {
 using glift::Access;
 using glift::MemoryKind;
 
-constexpr glift::Binding buffer(const char* name, Access access) { return {.name = name, .kind = MemoryKind::buffer, .access = access}; }
+constexpr glift::Binding buffer(const char* name, Access access) {
+    return {.name = name, .kind = MemoryKind::buffer, .access = access};
+}
 
 constexpr glift::Binding f_and_g[] = {buffer("f", Access::read), buffer("g", Access::write)};
-constexpr glift::Binding images[] = {{.name = "f", .kind = MemoryKind::image2d, .access = Access::read, .sampled = true},
-                                     {.name = "g", .kind = MemoryKind::image2d, .access = Access::write}};
-constexpr glift::Binding p_f_and_g[] = {buffer("p", Access::read), buffer("f", Access::read), buffer("g", Access::write)};
+constexpr glift::Binding images[] = {
+    {.name = "f", .kind = MemoryKind::image2d, .access = Access::read, .sampled = true},
+    {.name = "g", .kind = MemoryKind::image2d, .access = Access::write}};
+constexpr glift::Binding p_f_and_g[] = {buffer("p", Access::read), buffer("f", Access::read),
+                                        buffer("g", Access::write)};
 
-const glift::Kernel laplacian_twin = {.name = "laplacian by hand", .file = "laplacian.comp", .line = 1, .rank = 4, .group = {32, 4, 2}, .loop_rounds = 0,
-    .bindings = f_and_g, .direct = {.spirv = laplacian, .parameter_bytes = 16, .push_constants = true}};
-const glift::Kernel stream_twin = {.name = "stream by hand", .file = "stream.comp", .line = 1, .rank = 1, .group = {256, 1, 1}, .loop_rounds = 0,
-    .bindings = images, .direct = {.spirv = stream, .parameter_bytes = 8, .push_constants = true}};
-const glift::Kernel stencil_twin = {.name = "stencil by hand", .file = "stencil.comp", .line = 1, .rank = 2, .group = {32, 8, 1}, .loop_rounds = 0,
-    .bindings = f_and_g, .direct = {.spirv = stencil, .parameter_bytes = 12, .push_constants = true}};
-const glift::Kernel gather_twin = {.name = "gather by hand", .file = "gather_places.comp", .line = 1, .rank = 1, .group = {256, 1, 1}, .loop_rounds = 0,
-    .bindings = p_f_and_g, .direct = {.spirv = gather_places, .parameter_bytes = 16, .push_constants = true}};
+const glift::Kernel laplacian_twin = {.name = "laplacian by hand",
+                                      .file = "laplacian.comp",
+                                      .line = 1,
+                                      .rank = 4,
+                                      .group = {32, 4, 2},
+                                      .loop_rounds = 0,
+                                      .bindings = f_and_g,
+                                      .direct = {.spirv = laplacian, .parameter_bytes = 16, .push_constants = true}};
+const glift::Kernel stream_twin = {.name = "stream by hand",
+                                   .file = "stream.comp",
+                                   .line = 1,
+                                   .rank = 1,
+                                   .group = {256, 1, 1},
+                                   .loop_rounds = 0,
+                                   .bindings = images,
+                                   .direct = {.spirv = stream, .parameter_bytes = 8, .push_constants = true}};
+const glift::Kernel stencil_twin = {.name = "stencil by hand",
+                                    .file = "stencil.comp",
+                                    .line = 1,
+                                    .rank = 2,
+                                    .group = {32, 8, 1},
+                                    .loop_rounds = 0,
+                                    .bindings = f_and_g,
+                                    .direct = {.spirv = stencil, .parameter_bytes = 12, .push_constants = true}};
+const glift::Kernel gather_twin = {.name = "gather by hand",
+                                   .file = "gather_places.comp",
+                                   .line = 1,
+                                   .rank = 1,
+                                   .group = {256, 1, 1},
+                                   .loop_rounds = 0,
+                                   .bindings = p_f_and_g,
+                                   .direct = {.spirv = gather_places, .parameter_bytes = 16, .push_constants = true}};
 
 /// One call of a twin.
-template <class Block, std::size_t n>
-void dispatch(const glift::Commands& commands, const glift::Kernel& kernel, const Block& block, const glift::Memory (&memories)[n], glift::Extent size) {
-    commands.dispatch(kernel, {.form = glift::FormName::direct, .memories = memories, .parameters = std::as_bytes(std::span(&block, 1)), .size = size});
+template <class Block, std::size_t n> void dispatch(const glift::Commands& commands, const glift::Kernel& kernel,
+                                                    const Block& block, const glift::Memory (&memories)[n],
+                                                    glift::Extent size) {
+    commands.dispatch(kernel, {.form = glift::FormName::direct,
+                               .memories = memories,
+                               .parameters = std::as_bytes(std::span(&block, 1)),
+                               .size = size});
 }
 
 std::vector<float> random_floats(std::uint64_t count) {
@@ -47,8 +79,7 @@ std::vector<float> random_floats(std::uint64_t count) {
     return values;
 }
 
-template <class S>
-std::function<std::vector<std::byte>()> reader(std::shared_ptr<S> s) {
+template <class S> std::function<std::vector<std::byte>()> reader(std::shared_ptr<S> s) {
     return [s] {
         const auto values = s->read({}, s->domain());
         const auto bytes = std::as_bytes(std::span(values));
@@ -117,7 +148,7 @@ Case gather_case(const glift::Device& device, std::uint32_t scale) {
     std::mt19937 engine(11);
     const auto below = [&](std::uint32_t limit) { return static_cast<std::uint32_t>(engine() % limit); };
     std::vector<glift::uint3> places(count);
-    for (glift::uint3& place : places) place = {below(side), below(side), below(side + 1)};   // some lie outside
+    for (glift::uint3& place : places) place = {below(side), below(side), below(side + 1)};  // some lie outside
     p->write({}, count, places);
     Case one = begin("gather_places", count, g, gather_places);
     one.generated = [=](const glift::Commands& commands) { cases::gather_places(commands, *f, *p, *g); };
@@ -131,7 +162,8 @@ Case gather_case(const glift::Device& device, std::uint32_t scale) {
 }  // namespace
 
 std::vector<Case> make_cases(const glift::Device& device, std::uint32_t scale) {
-    return {laplacian_case(device, scale), stream_case(device, scale), stencil_case(device, scale), gather_case(device, scale)};
+    return {laplacian_case(device, scale), stream_case(device, scale), stencil_case(device, scale),
+            gather_case(device, scale)};
 }
 
 }  // namespace bench

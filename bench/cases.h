@@ -14,8 +14,8 @@ struct Case {
     std::string name;
     std::uint64_t elements = 0;
     std::function<void(const glift::Commands&)> generated, handwritten;
-    std::function<std::vector<std::byte>()> result;         ///< what the last pass wrote
-    std::function<void()> clear;                            ///< forgets it
+    std::function<std::vector<std::byte>()> result;  ///< what the last pass wrote
+    std::function<void()> clear;                     ///< forgets it
     std::vector<std::uint32_t> generated_spirv, handwritten_spirv;
 };
 

@@ -5,7 +5,7 @@
 
 namespace {
 
-constexpr int kernel_passes = 500;   // below the size at which the device's own stream submits by itself
+constexpr int kernel_passes = 500;  // below the size at which the device's own stream submits by itself
 constexpr glift::uint pipeline_passes = 1000;
 
 void per_pass(benchmark::State& state, int passes) {

@@ -24,7 +24,7 @@ constexpr float rate = 0.125f;
 struct Options {
     int runs = 20;
     std::uint32_t size = 256;
-    int steps = 8;   ///< pairs of them in one run
+    int steps = 8;  ///< pairs of them in one run
     std::string json;
 };
 
@@ -72,7 +72,7 @@ double seconds_of(const std::function<void()>& work) {
 }
 
 struct Measured {
-    double generated, handwritten, ratio;   ///< seconds of one step, medians; the median of the ratios
+    double generated, handwritten, ratio;  ///< seconds of one step, medians; the median of the ratios
     bool agree;
 };
 
@@ -111,7 +111,8 @@ Measured measure(const Options& options) {
         ratios.push_back(one / other);
     }
     const std::vector<float> outcome = u.read();
-    return {bench::median(first), bench::median(second), bench::median(ratios), std::memcmp(outcome.data(), p.data(), count * sizeof(float)) == 0};
+    return {bench::median(first), bench::median(second), bench::median(ratios),
+            std::memcmp(outcome.data(), p.data(), count * sizeof(float)) == 0};
 }
 
 }  // namespace
@@ -120,11 +121,16 @@ int main(int count, char** arguments) {
     const Options options = parse(count, arguments);
     try {
         const Measured measured = measure(options);
-        std::printf("| host diffusion, %u^3 | %.4f ms | %.4f ms | %.3f | %s |\n", options.size, measured.generated * 1e3,
-                    measured.handwritten * 1e3, measured.ratio, measured.agree ? "yes" : "NO");
-        const nlohmann::ordered_json json = {{"name", "diffusion"}, {"elements", std::uint64_t{options.size} * options.size * options.size},
-            {"runs", options.runs}, {"generated_seconds", measured.generated}, {"handwritten_seconds", measured.handwritten},
-            {"ratio", measured.ratio}, {"agree", measured.agree}};
+        std::printf("| host diffusion, %u^3 | %.4f ms | %.4f ms | %.3f | %s |\n", options.size,
+                    measured.generated * 1e3, measured.handwritten * 1e3, measured.ratio,
+                    measured.agree ? "yes" : "NO");
+        const nlohmann::ordered_json json = {{"name", "diffusion"},
+                                             {"elements", std::uint64_t{options.size} * options.size * options.size},
+                                             {"runs", options.runs},
+                                             {"generated_seconds", measured.generated},
+                                             {"handwritten_seconds", measured.handwritten},
+                                             {"ratio", measured.ratio},
+                                             {"agree", measured.agree}};
         if (!options.json.empty()) std::ofstream(options.json) << json.dump(2) << "\n";
         return measured.agree ? 0 : 1;
     } catch (const std::exception& error) {

@@ -27,7 +27,7 @@ std::size_t instructions_of(const std::vector<std::uint32_t>& spirv) {
     spvtools::Optimizer optimizer(SPV_ENV_UNIVERSAL_1_6);
     optimizer.RegisterPerformancePasses();
     spvtools::OptimizerOptions options;
-    options.set_run_validator(false);   // it does not take scalar layout for granted
+    options.set_run_validator(false);  // it does not take scalar layout for granted
     std::vector<std::uint32_t> words;
     if (!optimizer.Run(spirv.data(), spirv.size(), &words, options)) throw std::runtime_error("spirv-opt failed");
     std::size_t count = 0;

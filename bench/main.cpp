@@ -14,12 +14,14 @@ namespace {
 struct Options {
     std::string device, json, only;
     int runs = 20;
-    double seconds = 0;      ///< of one run; 0: by the kind of device
-    std::uint32_t scale = 0; ///< 0: by the kind of device
+    double seconds = 0;       ///< of one run; 0: by the kind of device
+    std::uint32_t scale = 0;  ///< 0: by the kind of device
 };
 
 [[noreturn]] void usage() {
-    std::fprintf(stderr, "usage: glift_bench [--device NAME] [--runs N] [--seconds S] [--scale N] [--only CASE] [--json FILE]\n");
+    std::fprintf(
+        stderr,
+        "usage: glift_bench [--device NAME] [--runs N] [--seconds S] [--scale N] [--only CASE] [--json FILE]\n");
     std::exit(2);
 }
 
@@ -49,7 +51,8 @@ int run(const Options& options) {
     for (const bench::Case& one : bench::make_cases(device, scale)) {
         if (!options.only.empty() && one.name != options.only) continue;
         bench::Measured measured = bench::measure(device, one, options.runs, seconds);
-        rows.push_back({one.name, one.elements, measured, bench::instructions_of(one.generated_spirv), bench::instructions_of(one.handwritten_spirv)});
+        rows.push_back({one.name, one.elements, measured, bench::instructions_of(one.generated_spirv),
+                        bench::instructions_of(one.handwritten_spirv)});
         all_agree = all_agree && measured.agree;
     }
     bench::print_table(device.properties().name, rows);

@@ -11,17 +11,21 @@ const glift::Binding bindings[] = {
     {.name = "f.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read},
     {.name = "g.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write}};
 
-const glift::Kernel kernel = {
-    .name = "scale", .file = "runtime_dispatch.cpp", .line = 1, .rank = 1, .group = {64, 1, 1}, .loop_rounds = 0,
-    .bindings = bindings,
-    .direct = {.spirv = runtime_dispatch, .parameter_bytes = 8, .push_constants = true}};
+const glift::Kernel kernel = {.name = "scale",
+                              .file = "runtime_dispatch.cpp",
+                              .line = 1,
+                              .rank = 1,
+                              .group = {64, 1, 1},
+                              .loop_rounds = 0,
+                              .bindings = bindings,
+                              .direct = {.spirv = runtime_dispatch, .parameter_bytes = 8, .push_constants = true}};
 
 struct Parameters {
     std::uint32_t size;
     float factor;
 };
 
-constexpr int passes = 500;   // below the size at which the device's own stream submits by itself
+constexpr int passes = 500;  // below the size at which the device's own stream submits by itself
 
 // Ping and pong: each pass depends on the one before, so each needs a barrier. That is the dear case.
 void record_chain(const glift::Commands& commands, const glift::Memory (&memories)[3]) {

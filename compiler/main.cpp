@@ -19,10 +19,11 @@ int run(const gliftc::Options& options) {
 }
 
 int internal_error(const char* what) {
-    std::fprintf(stderr,
-                 "gliftc: internal error: %s\n"
-                 "This is a bug in gliftc, not in your program. Please report it with the .glift file and this message.\n",
-                 what);
+    std::fprintf(
+        stderr,
+        "gliftc: internal error: %s\n"
+        "This is a bug in gliftc, not in your program. Please report it with the .glift file and this message.\n",
+        what);
     return static_cast<int>(gliftc::ExitCode::internal_error);
 }
 

@@ -25,8 +25,8 @@ inline float diffused(const Rows& rows, std::size_t x, float right, float left, 
 }
 
 // For each width of vectors, as the generated code is.
-__attribute__((target_clones("default", "avx2", "avx512f")))
-void diffuse_row(const Rows& rows, std::size_t count, float rate) {
+__attribute__((target_clones("default", "avx2", "avx512f"))) void diffuse_row(const Rows& rows, std::size_t count,
+                                                                              float rate) {
     const float* const u = rows.centre;
     rows.target[0] = diffused(rows, 0, u[count > 1], u[0], rate);
 #pragma GCC ivdep

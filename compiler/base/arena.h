@@ -13,8 +13,7 @@
 namespace gliftc {
 
 /// An index into an Arena<T>. A default Id refers to nothing.
-template <class T>
-struct Id {
+template <class T> struct Id {
     static constexpr std::uint32_t none = 0xffffffffu;
     std::uint32_t index = none;
 
@@ -23,14 +22,12 @@ struct Id {
     auto operator<=>(const Id&) const = default;
 };
 
-/// Owns values of one type; ids and references stay valid as it grows. Values lie in blocks of equal size, so that finding one is a
-/// shift and a mask.
-template <class T>
-class Arena {
+/// Owns values of one type; ids and references stay valid as it grows. Values lie in blocks of equal size, so that
+/// finding one is a shift and a mask.
+template <class T> class Arena {
     static constexpr std::uint32_t shift = 8, block_size = 1u << shift, mask = block_size - 1;
 
-    template <class A, class V>
-    class Iterator {
+    template <class A, class V> class Iterator {
     public:
         using value_type = T;
         using difference_type = std::ptrdiff_t;
@@ -103,7 +100,6 @@ private:
 
 }  // namespace gliftc
 
-template <class T>
-struct std::hash<gliftc::Id<T>> {
+template <class T> struct std::hash<gliftc::Id<T>> {
     std::size_t operator()(gliftc::Id<T> id) const noexcept { return id.index; }
 };

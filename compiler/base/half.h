@@ -1,4 +1,5 @@
-// Numbers as a 16-bit floating value holds them. Not by _Float16: clang has it only for processors that compute with it.
+// Numbers as a 16-bit floating value holds them. Not by _Float16: clang has it only for processors that compute with
+// it.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +13,8 @@ inline double round_to_half(double number) {
     if (number == 0 || !std::isfinite(number)) return number;
     constexpr int smallest_exponent = -14, fraction_bits = 10;
     const int exponent = std::max(std::ilogb(number), smallest_exponent);
-    const double rounded = std::ldexp(std::nearbyint(std::ldexp(number, fraction_bits - exponent)), exponent - fraction_bits);
+    const double rounded =
+        std::ldexp(std::nearbyint(std::ldexp(number, fraction_bits - exponent)), exponent - fraction_bits);
     constexpr double largest = 65504;
     return std::abs(rounded) > largest ? std::copysign(std::numeric_limits<double>::infinity(), number) : rounded;
 }

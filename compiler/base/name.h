@@ -18,8 +18,8 @@ struct Name {
     auto operator<=>(const Name&) const = default;
 };
 
-/// Owns the text of all names of one compilation. Every identifier of the source passes through intern(), so it has its own
-/// table: open addressing, never more than half full.
+/// Owns the text of all names of one compilation. Every identifier of the source passes through intern(), so it has its
+/// own table: open addressing, never more than half full.
 class Names {
 public:
     Names() : slots_(1024) { intern(""); }
@@ -72,7 +72,6 @@ private:
 
 }  // namespace gliftc
 
-template <>
-struct std::hash<gliftc::Name> {
+template <> struct std::hash<gliftc::Name> {
     std::size_t operator()(gliftc::Name name) const noexcept { return name.index; }
 };

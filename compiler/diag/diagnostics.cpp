@@ -39,7 +39,8 @@ const Entry& entry_of(Diag id) { return entries[static_cast<std::size_t>(id)]; }
 std::string fill(std::string_view text, std::initializer_list<std::string_view> arguments) {
     std::string filled;
     for (std::size_t i = 0; i < text.size(); ++i) {
-        bool place = text[i] == '{' && i + 2 < text.size() && text[i + 2] == '}' && text[i + 1] >= '0' && text[i + 1] <= '9';
+        bool place =
+            text[i] == '{' && i + 2 < text.size() && text[i + 2] == '}' && text[i + 1] >= '0' && text[i + 1] <= '9';
         if (!place) {
             filled += text[i];
             continue;
@@ -60,7 +61,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
         for (std::size_t j = 1; j <= b.size(); ++j) {
             std::size_t replaced = row[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
             next[j] = std::min({row[j] + 1, next[j - 1] + 1, replaced});
-            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) next[j] = std::min(next[j], before[j - 2] + 1);
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+                next[j] = std::min(next[j], before[j - 2] + 1);
         }
         std::swap(before, row);
         std::swap(row, next);
@@ -108,7 +110,8 @@ std::string_view did_you_mean(std::string_view name, const std::vector<std::stri
     std::size_t limit = std::max<std::size_t>(1, name.size() / 3);
     std::string_view best;
     for (std::string_view candidate : candidates) {
-        std::size_t difference = candidate.size() > name.size() ? candidate.size() - name.size() : name.size() - candidate.size();
+        std::size_t difference =
+            candidate.size() > name.size() ? candidate.size() - name.size() : name.size() - candidate.size();
         if (difference > limit || candidate == name || candidate.empty()) continue;
         std::size_t distance = edit_distance(name, candidate);
         if (distance > limit || distance >= std::max(name.size(), candidate.size())) continue;

@@ -14,8 +14,8 @@ namespace gliftc {
 
 enum class Severity : std::uint8_t { note, warning, error };
 
-/// One enumerator a line of diagnostics.def: DIAGNOSTIC(name, severity, "text with {0} {1}"). The id shown to users is the
-/// enumerator with '-' for '_': [unknown-name].
+/// One enumerator a line of diagnostics.def: DIAGNOSTIC(name, severity, "text with {0} {1}"). The id shown to users is
+/// the enumerator with '-' for '_': [unknown-name].
 enum class Diag : std::uint16_t {
 #define DIAGNOSTIC(name, severity, text) name,
 #include "diag/diagnostics.def"
@@ -23,11 +23,11 @@ enum class Diag : std::uint16_t {
 };
 
 Severity severity_of(Diag id);
-std::string_view id_of(Diag id);      ///< "unknown-name"
-std::string_view text_of(Diag id);    ///< with {0}, {1} … in it
+std::string_view id_of(Diag id);    ///< "unknown-name"
+std::string_view text_of(Diag id);  ///< with {0}, {1} … in it
 
 struct Note {
-    Span span;          ///< may be empty: a remark without a place
+    Span span;  ///< may be empty: a remark without a place
     std::string text;
 };
 
@@ -39,7 +39,8 @@ struct Diagnostic {
     std::vector<Note> notes;
 };
 
-/// Collects diagnostics in the order reported. One mistake gives one error: a second error at the very same span is dropped.
+/// Collects diagnostics in the order reported. One mistake gives one error: a second error at the very same span is
+/// dropped.
 class Diagnostics {
 public:
     /// Reports `id` at `span`; returns where notes can be added (valid until the next report).
@@ -50,9 +51,9 @@ public:
     const std::vector<Diagnostic>& all() const { return all_; }
 
     bool warnings_are_errors = false;
-    std::vector<Diag> silenced;                   ///< warnings left out (-Wno-…)
-    std::vector<Diag> promoted;                   ///< warnings that are errors (-Werror=…)
-    std::size_t error_limit = 50;                 ///< errors kept; 0 is no limit
+    std::vector<Diag> silenced;    ///< warnings left out (-Wno-…)
+    std::vector<Diag> promoted;    ///< warnings that are errors (-Werror=…)
+    std::size_t error_limit = 50;  ///< errors kept; 0 is no limit
     bool at_limit() const { return error_limit != 0 && errors_ >= error_limit; }
 
 private:

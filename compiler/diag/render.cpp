@@ -6,8 +6,8 @@ namespace gliftc {
 
 namespace {
 
-constexpr std::string_view bold = "\x1b[1m", red = "\x1b[1;31m", magenta = "\x1b[1;35m", cyan = "\x1b[1;36m", green = "\x1b[1;32m",
-                           reset = "\x1b[0m";
+constexpr std::string_view bold = "\x1b[1m", red = "\x1b[1;31m", magenta = "\x1b[1;35m", cyan = "\x1b[1;36m",
+                           green = "\x1b[1;32m", reset = "\x1b[0m";
 
 std::string_view word_of(Severity severity) {
     switch (severity) {
@@ -75,8 +75,8 @@ Shown show_line(Span span, const Sources& sources) {
     return shown;
 }
 
-void append(std::string& out, Severity severity, Span span, std::string_view text, std::string_view id, const Sources& sources,
-            Painter paint) {
+void append(std::string& out, Severity severity, Span span, std::string_view text, std::string_view id,
+            const Sources& sources, Painter paint) {
     if (span) out += paint(bold, place(span, sources));
     out += paint(colour_of(severity), std::string(word_of(severity)) + ": ");
     out += severity == Severity::note ? std::string(text) : paint(bold, text);
@@ -142,8 +142,8 @@ std::string render_json(const Diagnostics& diagnostics, const Sources& sources) 
     for (const Diagnostic& diagnostic : diagnostics.all()) {
         out += first ? "\n" : ",\n";
         first = false;
-        out += "  {\"severity\": " + quoted(word_of(diagnostic.severity)) + ", \"id\": " + quoted(id_of(diagnostic.id)) +
-               ", \"text\": " + quoted(diagnostic.text);
+        out += "  {\"severity\": " + quoted(word_of(diagnostic.severity)) +
+               ", \"id\": " + quoted(id_of(diagnostic.id)) + ", \"text\": " + quoted(diagnostic.text);
         append_json_place(out, diagnostic.span, sources);
         out += ", \"notes\": [";
         for (std::size_t i = 0; i < diagnostic.notes.size(); ++i) {

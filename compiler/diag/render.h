@@ -16,7 +16,8 @@ std::string render_text(const Diagnostic& diagnostic, const Sources& sources, Co
 /// All of them, and a last line that counts errors where the limit cut them off.
 std::string render_text(const Diagnostics& diagnostics, const Sources& sources, Colour colour);
 
-/// One JSON array; an object a diagnostic: id, severity, text, and where known file, line, column, end_line, end_column; notes alike.
+/// One JSON array; an object a diagnostic: id, severity, text, and where known file, line, column, end_line,
+/// end_column; notes alike.
 std::string render_json(const Diagnostics& diagnostics, const Sources& sources);
 
 }  // namespace gliftc

@@ -15,9 +15,13 @@ const std::map<std::string, Target> target_names{{"glsl", Target::glsl},
                                                  {"cpp", Target::cpp},
                                                  {"host", Target::host},
                                                  {"json", Target::json}};
-const std::map<std::string, Stage> stage_names{
-    {"syntax", Stage::syntax}, {"sema", Stage::sema}, {"ir", Stage::sema}, {"lower", Stage::lower}, {"layout", Stage::layout}};
-const std::map<std::string, DiagnosticsFormat> format_names{{"text", DiagnosticsFormat::text}, {"json", DiagnosticsFormat::json}};
+const std::map<std::string, Stage> stage_names{{"syntax", Stage::syntax},
+                                               {"sema", Stage::sema},
+                                               {"ir", Stage::sema},
+                                               {"lower", Stage::lower},
+                                               {"layout", Stage::layout}};
+const std::map<std::string, DiagnosticsFormat> format_names{{"text", DiagnosticsFormat::text},
+                                                            {"json", DiagnosticsFormat::json}};
 const std::map<std::string, ColourChoice> colour_names{
     {"auto", ColourChoice::automatic}, {"always", ColourChoice::always}, {"never", ColourChoice::never}};
 
@@ -46,7 +50,8 @@ void read_warning(Options& options, const std::string& word) {
     bool silence = word.starts_with("no-"), promote = word.starts_with("error=");
     std::string id = silence ? word.substr(3) : promote ? word.substr(6) : word;
     auto diag = find_diagnostic(id);
-    if (!diag || severity_of(*diag) != Severity::warning) throw CLI::ValidationError("-W" + word, "there is no warning '" + id + "'");
+    if (!diag || severity_of(*diag) != Severity::warning)
+        throw CLI::ValidationError("-W" + word, "there is no warning '" + id + "'");
     if (silence) options.silenced.push_back(*diag);
     if (promote) options.promoted.push_back(*diag);
 }
@@ -60,42 +65,57 @@ void finish(Options& options, const Typed& typed) {
     for (const std::string& word : typed.warnings) read_warning(options, word);
     for (const std::string& define : typed.defines) {
         std::size_t equal = define.find('=');
-        if (equal == 0 || equal == std::string::npos) throw CLI::ValidationError("-D", "'" + define + "' is not 'name=value'");
+        if (equal == 0 || equal == std::string::npos)
+            throw CLI::ValidationError("-D", "'" + define + "' is not 'name=value'");
         options.defines.emplace_back(define.substr(0, equal), define.substr(equal + 1));
     }
 }
 
 void add_output_options(CLI::App& app, Options& options, Typed& typed) {
-    app.add_option("-o,--output", options.output_folder, "Write outputs into this folder")->type_name("DIR")->group("Output");
+    app.add_option("-o,--output", options.output_folder, "Write outputs into this folder")
+        ->type_name("DIR")
+        ->group("Output");
     app.add_option("--target", typed.targets, "What to write, repeatable: glsl, spirv, cpp, host, json (default: all)")
         ->type_name("NAME")
         ->allow_extra_args(false)
         ->group("Output");
-    app.add_option("--depfile", options.depfile, "Write a Makefile rule with every file that was read")->type_name("FILE")->group("Output");
-    app.add_flag("--list-outputs", options.list_outputs, "Print the names of the outputs and write nothing")->group("Output");
+    app.add_option("--depfile", options.depfile, "Write a Makefile rule with every file that was read")
+        ->type_name("FILE")
+        ->group("Output");
+    app.add_flag("--list-outputs", options.list_outputs, "Print the names of the outputs and write nothing")
+        ->group("Output");
     app.add_option("--style", options.style, "Format generated C++: a .clang-format file, or a name such as LLVM")
         ->type_name("FILE|NAME")
         ->group("Output");
     app.add_flag("--checked", options.checked, "Generated code reports accesses out of range")->group("Output");
-    app.add_flag("--host-only", options.host_only, "Generated C++ holds no SPIR-V: it runs on the host device only")->group("Output");
+    app.add_flag("--host-only", options.host_only, "Generated C++ holds no SPIR-V: it runs on the host device only")
+        ->group("Output");
     app.add_flag("-O,--optimize", options.optimize, "Optimise SPIR-V with spirv-opt")->group("Output");
 }
 
 void add_stage_options(CLI::App& app, Options& options, Typed& typed) {
     app.add_flag("--check", options.check_only, "Report errors and write nothing")->group("Stages");
-    app.add_option("--stop-after", typed.stop_after, "Stop after a stage: syntax, sema, lower, layout")->type_name("STAGE")->group("Stages");
-    app.add_option("--dump", typed.dump, "Print what a stage made: syntax, sema, lower")->type_name("STAGE")->group("Stages");
+    app.add_option("--stop-after", typed.stop_after, "Stop after a stage: syntax, sema, lower, layout")
+        ->type_name("STAGE")
+        ->group("Stages");
+    app.add_option("--dump", typed.dump, "Print what a stage made: syntax, sema, lower")
+        ->type_name("STAGE")
+        ->group("Stages");
     app.add_flag("--time-report", options.time_report, "Say how long each stage took")->group("Stages");
 }
 
 void add_diagnostics_options(CLI::App& app, Options& options, Typed& typed) {
-    app.add_option("--diagnostics-format", typed.format, "text (default) or json")->type_name("FORMAT")->group("Diagnostics");
+    app.add_option("--diagnostics-format", typed.format, "text (default) or json")
+        ->type_name("FORMAT")
+        ->group("Diagnostics");
     app.add_option("--color", typed.colour, "auto (default), always or never")->type_name("WHEN")->group("Diagnostics");
     app.add_option("-W", typed.warnings, "-Wno-ID leaves a warning out, -Werror makes all errors, -Werror=ID one")
         ->type_name("ID")
         ->allow_extra_args(false)
         ->group("Diagnostics");
-    app.add_option("--error-limit", options.error_limit, "Stop after so many errors; 0 is no limit")->type_name("N")->group("Diagnostics");
+    app.add_option("--error-limit", options.error_limit, "Stop after so many errors; 0 is no limit")
+        ->type_name("N")
+        ->group("Diagnostics");
 }
 
 void add_input_options(CLI::App& app, Options& options, Typed& typed) {
@@ -107,7 +127,9 @@ void add_input_options(CLI::App& app, Options& options, Typed& typed) {
         ->type_name("NAME=VALUE")
         ->allow_extra_args(false)
         ->group("Input");
-    app.add_option("--library", options.library_folder, "The folder of the standard library")->type_name("DIR")->group("Input");
+    app.add_option("--library", options.library_folder, "The folder of the standard library")
+        ->type_name("DIR")
+        ->group("Input");
 }
 
 /// `gliftc NAME file.glift…`; the options of gliftc stand before or after the name.
@@ -133,12 +155,15 @@ std::variant<Options, ExitCode> read_command_line(int argc, char** argv) {
     add_input_options(app, options, typed);
     add_stage_options(app, options, typed);
     add_diagnostics_options(app, options, typed);
-    CLI::App* test = add_command(app, options, "test", "Build and run the tests in the files, on the CPU and on a device", Command::test);
-    test->add_option("--device", options.device, "The device to compare with the host: gpu, lavapipe, host or a name")->type_name("NAME");
+    CLI::App* test = add_command(app, options, "test",
+                                 "Build and run the tests in the files, on the CPU and on a device", Command::test);
+    test->add_option("--device", options.device, "The device to compare with the host: gpu, lavapipe, host or a name")
+        ->type_name("NAME");
     test->add_option("--filter", options.test_filter, "Only the tests with this in their title")->type_name("TEXT");
     test->add_flag("!--no-validate", options.validate, "Without Vulkan's validation layer");
     add_command(app, options, "explain", "Print what is inferred of every translator and structure", Command::explain);
-    add_command(app, options, "fmt", "Format the files in place; with --check, say which are not formatted", Command::fmt);
+    add_command(app, options, "fmt", "Format the files in place; with --check, say which are not formatted",
+                Command::fmt);
     app.require_subcommand(0, 1);
     try {
         app.parse(argc, argv);

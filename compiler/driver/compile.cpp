@@ -77,7 +77,8 @@ Result compile(const Options& options, const FileSystem& files, Compilation& c) 
     layout::lay_out(c.program, c.lowered);
     clock.lap("layout");
     if (options.dump == Stage::lower || options.dump == Stage::layout) result.dump = ir::print(c.program, c.lowered);
-    if (stops_after(Stage::layout) || options.dump || options.check_only || options.command == Command::explain) return result;
+    if (stops_after(Stage::layout) || options.dump || options.check_only || options.command == Command::explain)
+        return result;
 
     result.outputs = emit(options, c);
     clock.lap("emit");
@@ -100,7 +101,8 @@ std::string make_depfile(const Options& options, const Result& result, const Com
     }
     rule += ":";
     for (std::uint32_t file = 0; file < compilation.sources.size(); ++file)
-        if (compilation.sources[file].path != "<stdin>") rule += " \\\n  " + escape_for_make(compilation.sources[file].path);
+        if (compilation.sources[file].path != "<stdin>")
+            rule += " \\\n  " + escape_for_make(compilation.sources[file].path);
     for (const std::string& path : compilation.read_files) rule += " \\\n  " + escape_for_make(path);
     return rule + "\n";
 }

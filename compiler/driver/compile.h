@@ -12,8 +12,8 @@
 
 namespace gliftc {
 
-/// Everything one compilation owns. Kept apart from compile() so that its caller can read diagnostics against the sources, and
-/// may let the process end without taking it down.
+/// Everything one compilation owns. Kept apart from compile() so that its caller can read diagnostics against the
+/// sources, and may let the process end without taking it down.
 struct Compilation {
     Sources sources;
     Names names;
@@ -26,7 +26,7 @@ struct Compilation {
 };
 
 struct Output {
-    std::string name;   ///< of the file, in the output folder
+    std::string name;  ///< of the file, in the output folder
     std::string bytes;
 };
 
@@ -36,8 +36,8 @@ struct StageTime {
 };
 
 struct Result {
-    std::vector<Output> outputs;   ///< empty where there are errors
-    std::string dump;              ///< of `--dump=`
+    std::vector<Output> outputs;  ///< empty where there are errors
+    std::string dump;             ///< of `--dump=`
     std::vector<StageTime> times;
 };
 

@@ -12,8 +12,8 @@ void print_times(const Result& result) {
     double all = 0;
     for (const StageTime& time : result.times) all += time.milliseconds;
     for (const StageTime& time : result.times)
-        std::fprintf(stderr, "%-10.*s %9.3f ms %5.1f %%\n", static_cast<int>(time.stage.size()), time.stage.data(), time.milliseconds,
-                     all > 0 ? 100 * time.milliseconds / all : 0.0);
+        std::fprintf(stderr, "%-10.*s %9.3f ms %5.1f %%\n", static_cast<int>(time.stage.size()), time.stage.data(),
+                     time.milliseconds, all > 0 ? 100 * time.milliseconds / all : 0.0);
     std::fprintf(stderr, "%-10s %9.3f ms\n", "all", all);
 }
 
@@ -34,7 +34,8 @@ std::string depfile_of(const Options& options, const Result& result) {
 
 bool write_outputs(const Options& options, const Result& result, const Compilation& compilation) {
     bool written = true;
-    for (const Output& output : result.outputs) written &= write_output(options.output_folder + "/" + output.name, output.bytes);
+    for (const Output& output : result.outputs)
+        written &= write_output(options.output_folder + "/" + output.name, output.bytes);
     std::string depfile = depfile_of(options, result);
     if (!depfile.empty()) written &= write_output(depfile, make_depfile(options, result, compilation));
     return written;

@@ -3,8 +3,8 @@
 #include "driver/shaders.h"
 #include "emit/cpp/emit.h"
 #include "emit/glsl/emit.h"
-#include "emit/host/emit.h"
 #include "emit/glsl/library.h"
+#include "emit/host/emit.h"
 #include "emit/json/emit.h"
 #include "interop/interop.h"
 
@@ -16,7 +16,8 @@ namespace gliftc {
 
 namespace {
 
-/// What the module's outputs are called: its file without the extension; from standard input, the last part of its name.
+/// What the module's outputs are called: its file without the extension; from standard input, the last part of its
+/// name.
 std::string base_name(const Compilation& c, const ir::Module& module) {
     const std::string& path = c.sources[module.file].path;
     if (path != "<stdin>") return std::filesystem::path(path).stem().string();
@@ -81,7 +82,8 @@ void emit_libraries(const Compilation& c, std::uint32_t module, const std::strin
 }
 
 /// The kernels whose SPIR-V some output of the module holds.
-std::set<std::uint32_t> kernels_with_code(const Options& options, const Compilation& c, std::uint32_t module, const cpp::Options& cpp) {
+std::set<std::uint32_t> kernels_with_code(const Options& options, const Compilation& c, std::uint32_t module,
+                                          const cpp::Options& cpp) {
     std::set<std::uint32_t> kernels;
     if (options.wants(Target::spirv))
         for (std::uint32_t k = 0; k < c.program.kernels.size(); ++k)
@@ -101,17 +103,20 @@ void check_style(const Options& options, Diagnostics& diagnostics) {
 
 std::vector<Output> emit(const Options& options, const Compilation& c) {
     std::vector<Output> outputs;
-    cpp::Options cpp{.tests = options.command == Command::test, .host_kernel = options.wants(Target::host) ? &host::kernel_of : nullptr};
+    cpp::Options cpp{.tests = options.command == Command::test,
+                     .host_kernel = options.wants(Target::host) ? &host::kernel_of : nullptr};
     std::set<std::string> bases;
     for (std::uint32_t m = 0; m < c.program.modules.size(); ++m) {
         const ir::Module& module = c.program.modules[m];
         if (!module.is_root) continue;
         std::string base = base_name(c, module);
-        if (!bases.insert(base).second) throw std::runtime_error("two files on the command line are called '" + base + "'");
+        if (!bases.insert(base).second)
+            throw std::runtime_error("two files on the command line are called '" + base + "'");
         std::vector<ShaderSet> shaders = compile_shaders(c, kernels_with_code(options, c, m, cpp), options.optimize);
         if (options.wants(Target::cpp) || options.wants(Target::host)) {
             std::vector<cpp::KernelCode> code(shaders.size());
-            for (std::size_t k = 0; k < shaders.size(); ++k) code[k] = {shaders[k].direct, shaders[k].general, shaders[k].wide};
+            for (std::size_t k = 0; k < shaders.size(); ++k)
+                code[k] = {shaders[k].direct, shaders[k].general, shaders[k].wide};
             if (options.host_only || !options.wants(Target::cpp)) code.clear();
             cpp::Module written = cpp::module_of(c.program, c.lowered, c.sources, m, code, cpp);
             outputs.push_back({base + ".glift.hpp", styled(options, std::move(written.header))});

@@ -5,7 +5,8 @@
 
 namespace gliftc {
 
-/// The outputs of every root module for the targets asked for. Throws std::runtime_error where generated GLSL is no valid GLSL.
+/// The outputs of every root module for the targets asked for. Throws std::runtime_error where generated GLSL is no
+/// valid GLSL.
 std::vector<Output> emit(const Options& options, const Compilation& compilation);
 
 /// Reports a --style that clang does not know.

@@ -26,7 +26,8 @@ public:
 
 private:
     std::string place(Span span) const {
-        return span ? c_.sources[span.file].path + ":" + std::to_string(c_.sources.position(span).line) : std::string("built in");
+        return span ? c_.sources[span.file].path + ":" + std::to_string(c_.sources.position(span).line)
+                    : std::string("built in");
     }
 
     void line(const std::string& indent, const std::string& what, const std::string& value) {
@@ -37,10 +38,12 @@ private:
         if (!program_.modules[structure.module].is_root && !structure.is_pub && !structure.alias) return;
         bool is_view = structure.kind == ir::StructureKind::view;
         std::string name = structure.alias ? c_.names[structure.alias] + " = " : "";
-        text_ += std::string(is_view ? "view " : "structure ") + name + structure.display + "  (" + place(structure.span) + ")\n";
+        text_ += std::string(is_view ? "view " : "structure ") + name + structure.display + "  (" +
+                 place(structure.span) + ")\n";
         line("", "addresses", to_text(program_, structure.domain_type));
         line("", "elements", to_text(program_, structure.element) + (is_view ? ", computed" : ""));
-        for (const ir::Memory& memory : structure.memories) line("", "memory " + c_.names[memory.name], shape_of(memory));
+        for (const ir::Memory& memory : structure.memories)
+            line("", "memory " + c_.names[memory.name], shape_of(memory));
         for (const ir::Stage& stage : structure.via) {
             shown_.insert(stage.translator);
             explain(program_.translators[stage.translator], "  ");
@@ -62,12 +65,14 @@ private:
 
     void explain(const ir::Translator& translator, const std::string& indent) {
         const ir::Properties& p = translator.properties;
-        text_ += indent + "translator " + translator.display + " : " + to_text(program_, translator.virtual_type) + " -> " +
-                 to_text(program_, translator.physical_type) + (p.partial ? "?" : "") + "  (" + place(translator.span) + ")\n";
+        text_ += indent + "translator " + translator.display + " : " + to_text(program_, translator.virtual_type) +
+                 " -> " + to_text(program_, translator.physical_type) + (p.partial ? "?" : "") + "  (" +
+                 place(translator.span) + ")\n";
         line(indent, "memory", p.memory_complexity);
         line(indent, "access", p.access_complexity + (p.uniform ? ", uniform" : ", not uniform"));
         line(indent, "location", p.location);
-        line(indent, "mapping", std::string(p.partial ? "partial" : "total") + (p.one_to_one ? ", one to one" : ", many to one"));
+        line(indent, "mapping",
+             std::string(p.partial ? "partial" : "total") + (p.one_to_one ? ", one to one" : ", many to one"));
         line(indent, "invertible", p.invertible ? "yes" : "no");
         line(indent, "affine", p.affine ? "yes" : "no");
         if (indent.empty()) text_ += "\n";

@@ -77,7 +77,8 @@ FileSystem only_text(std::string text) {
                 return path == name ? ReadResult{text, {}} : ReadResult{{}, "there is no such file"};
             },
             [name](const std::string& path) { return path == name; },
-            [](const std::string&) { return std::vector<std::string>{}; }, [](const std::string& path) { return path; }};
+            [](const std::string&) { return std::vector<std::string>{}; },
+            [](const std::string& path) { return path; }};
 }
 
 std::optional<std::string> write_if_changed(const std::string& path, const std::string& bytes) {

@@ -14,10 +14,11 @@ struct ReadResult {
 };
 
 struct FileSystem {
-    std::function<ReadResult(const std::string& path)> read;                      ///< "-" is standard input
-    std::function<bool(const std::string& path)> exists;                          ///< as a file
-    std::function<std::vector<std::string>(const std::string& folder)> list;      ///< names of the files in a folder, sorted
-    std::function<std::string(const std::string& path)> identity;                 ///< the same for two paths to one file
+    std::function<ReadResult(const std::string& path)> read;  ///< "-" is standard input
+    std::function<bool(const std::string& path)> exists;      ///< as a file
+    std::function<std::vector<std::string>(const std::string& folder)>
+        list;                                                      ///< names of the files in a folder, sorted
+    std::function<std::string(const std::string& path)> identity;  ///< the same for two paths to one file
 };
 
 /// The disk.

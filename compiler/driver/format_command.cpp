@@ -11,7 +11,8 @@ namespace gliftc {
 namespace {
 
 /// Puts the formatted text where it belongs; true where the file was not formatted already.
-bool put(const Options& options, const std::string& path, const std::string& before, const std::string& after, int& code) {
+bool put(const Options& options, const std::string& path, const std::string& before, const std::string& after,
+         int& code) {
     if (path == "-" && !options.check_only) std::fwrite(after.data(), 1, after.size(), stdout);
     if (before == after) return false;
     if (options.check_only) {

@@ -33,7 +33,8 @@ std::string last_part(const std::string& name) {
 
 class Importer {
 public:
-    Importer(const Options& options, const FileSystem& files, Compilation& c) : options_(options), files_(files), c_(c) {}
+    Importer(const Options& options, const FileSystem& files, Compilation& c)
+        : options_(options), files_(files), c_(c) {}
 
     void complete(ast::Module& module) {
         // Imports add declarations to the module; those need no completing.
@@ -52,7 +53,8 @@ private:
         request.name = c_.names[decl.name.name];
         request.include_dirs = options_.import_folders;
         request.header = find_header(record.extern_header, module.file);
-        if (request.header.empty()) return fail(record, request.name, "there is no such file beside this one or in a folder given by -I");
+        if (request.header.empty())
+            return fail(record, request.name, "there is no such file beside this one or in a folder given by -I");
         ImportResult imported = import_struct(request);
         if (!imported.error.empty()) {
             std::string place = imported.error_file;
@@ -113,7 +115,8 @@ private:
 
     ast::ExprId type_of(const ImportedType& type, Span span, const ImportResult& imported) {
         bool is_struct = type.scalar == ImportedScalar::Struct;
-        std::string name = is_struct ? last_part(imported.structs[type.record].name) : std::string(scalar_name(type.scalar));
+        std::string name =
+            is_struct ? last_part(imported.structs[type.record].name) : std::string(scalar_name(type.scalar));
         if (type.components > 1) name += std::to_string(type.components);
         ast::Expr element;
         element.kind = ast::ExprKind::name;

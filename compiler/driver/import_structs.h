@@ -5,8 +5,8 @@
 
 namespace gliftc {
 
-/// Completes every such struct of the loaded modules; the structs that it contains become declarations of the module too. Headers
-/// are looked for beside the .glift file, then in the -I folders.
+/// Completes every such struct of the loaded modules; the structs that it contains become declarations of the module
+/// too. Headers are looked for beside the .glift file, then in the -I folders.
 void import_structs(const Options& options, const FileSystem& files, Compilation& compilation);
 
 }  // namespace gliftc

@@ -14,12 +14,14 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::uint32_t not_found = ~0u;
-constexpr std::array<std::string_view, 5> library_folders{"math", "translators", "structures", "adaptors", "algorithms"};
+constexpr std::array<std::string_view, 5> library_folders{"math", "translators", "structures", "adaptors",
+                                                          "algorithms"};
 constexpr std::string_view library_prefix = "std.", extension = ".glift";
 
 class Loader {
 public:
-    Loader(const Options& options, const FileSystem& files, Sources& sources, Names& names, ast::Tree& tree, Diagnostics& diagnostics)
+    Loader(const Options& options, const FileSystem& files, Sources& sources, Names& names, ast::Tree& tree,
+           Diagnostics& diagnostics)
         : options_(options), files_(files), sources_(sources), names_(names), tree_(tree), diagnostics_(diagnostics) {
         library_ = options.library_folder.empty() ? library_beside_executable() : options.library_folder;
     }
@@ -29,7 +31,8 @@ public:
             std::uint32_t index = load(file, {}, {});
             if (index != not_found) loaded_.modules[index].is_root = true;
         }
-        if (std::string path = find_in_library(sema::transfer_module); !path.empty()) load(path, {}, std::string(sema::transfer_module));
+        if (std::string path = find_in_library(sema::transfer_module); !path.empty())
+            load(path, {}, std::string(sema::transfer_module));
         return std::move(loaded_);
     }
 
@@ -39,7 +42,8 @@ private:
         std::uint32_t index = not_found;
     };
 
-    /// The module's index, loading it if it is new. `use` is where it was asked for; `name` what it must be called, or empty.
+    /// The module's index, loading it if it is new. `use` is where it was asked for; `name` what it must be called, or
+    /// empty.
     std::uint32_t load(const std::string& path, Span use, const std::string& name) {
         std::string shown = path == "-" ? path : fs::path(path).lexically_normal().generic_string();
         auto [entry, is_new] = known_.try_emplace(files_.identity(shown));
@@ -77,7 +81,9 @@ private:
         return not_found;
     }
 
-    static fs::path folder_of(const std::string& file) { return file == "-" ? fs::path() : fs::path(file).parent_path(); }
+    static fs::path folder_of(const std::string& file) {
+        return file == "-" ? fs::path() : fs::path(file).parent_path();
+    }
 
     static std::string as_path(std::string_view dotted) {
         std::string path(dotted);
@@ -111,14 +117,16 @@ private:
         return if_there(fs::path(library_) / path);
     }
 
-    /// The module's name is the one it was asked for by; a file named by path holds a module that ends in the file's name.
+    /// The module's name is the one it was asked for by; a file named by path holds a module that ends in the file's
+    /// name.
     void check_name(const ast::Module& module, const std::string& path, const std::string& asked) {
         const std::string& name = names_[module.name.name];
         if (name.empty()) return;
         std::string stem = fs::path(path).filename().string();
         if (stem.ends_with(extension)) stem.resize(stem.size() - extension.size());
         std::string_view last = std::string_view(name).substr(name.rfind('.') + 1);
-        bool fits = asked.empty() ? last == stem || last == stem.substr(0, stem.find('.')) || name == stem : name == asked;
+        bool fits =
+            asked.empty() ? last == stem || last == stem.substr(0, stem.find('.')) || name == stem : name == asked;
         if (!fits) diagnostics_.report(Diag::module_name, module.name.span, {name, asked.empty() ? stem : asked});
     }
 
@@ -145,7 +153,8 @@ private:
         } else if (use.path.starts_with(library_prefix)) {
             error.notes.push_back({{}, "the standard library is looked for in '" + library_ + "'"});
         } else if (!use.path.starts_with(".")) {
-            error.notes.push_back({{}, "it would be '" + as_path(use.path) + "' beside this file or in a folder given by -I"});
+            error.notes.push_back(
+                {{}, "it would be '" + as_path(use.path) + "' beside this file or in a folder given by -I"});
         }
     }
 
@@ -156,7 +165,8 @@ private:
             for (const std::string& name : files_.list(folder.empty() ? "." : folder.string()))
                 if (name.ends_with(extension)) names.push_back(prefix + name.substr(0, name.size() - extension.size()));
         };
-        for (std::string_view folder : library_folders) add_folder(fs::path(library_) / folder, std::string(library_prefix));
+        for (std::string_view folder : library_folders)
+            add_folder(fs::path(library_) / folder, std::string(library_prefix));
         if (use.path.starts_with("./") || use.path.starts_with("../")) {
             std::string prefix = use.path.substr(0, use.path.rfind('/') + 1);
             add_folder((folder_of(from) / prefix).lexically_normal(), prefix);
@@ -186,8 +196,8 @@ private:
 
 }  // namespace
 
-LoadedModules load_modules(const Options& options, const FileSystem& files, Sources& sources, Names& names, ast::Tree& tree,
-                           Diagnostics& diagnostics) {
+LoadedModules load_modules(const Options& options, const FileSystem& files, Sources& sources, Names& names,
+                           ast::Tree& tree, Diagnostics& diagnostics) {
     return Loader(options, files, sources, names, tree, diagnostics).run();
 }
 

@@ -1,7 +1,7 @@
 // Finds, reads and parses the files of a compilation and all that they import.
 //
-// `use std.a` is <library>/<folder>/a.glift in the first of its folders that has it; `use ./a` is beside the file; `use a.b` is
-// a/b.glift beside the file that names it, else in the first -I folder that has it.
+// `use std.a` is <library>/<folder>/a.glift in the first of its folders that has it; `use ./a` is beside the file; `use
+// a.b` is a/b.glift beside the file that names it, else in the first -I folder that has it.
 #pragma once
 
 #include "driver/file_system.h"
@@ -18,7 +18,7 @@ struct LoadedModules {
     std::vector<sema::LoadedModule> modules;  ///< imports before importers, each once
 };
 
-LoadedModules load_modules(const Options& options, const FileSystem& files, Sources& sources, Names& names, ast::Tree& tree,
-                           Diagnostics& diagnostics);
+LoadedModules load_modules(const Options& options, const FileSystem& files, Sources& sources, Names& names,
+                           ast::Tree& tree, Diagnostics& diagnostics);
 
 }  // namespace gliftc

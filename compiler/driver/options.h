@@ -23,29 +23,29 @@ enum class ColourChoice : std::uint8_t { automatic, always, never };
 
 struct Options {
     Command command = Command::compile;
-    std::vector<std::string> files;              ///< "-" is standard input
+    std::vector<std::string> files;  ///< "-" is standard input
     std::string output_folder = ".";
     std::vector<std::string> import_folders;
-    std::string library_folder;                  ///< of the standard library; empty: beside the executable
+    std::string library_folder;  ///< of the standard library; empty: beside the executable
     std::vector<std::pair<std::string, std::string>> defines;
-    std::vector<Target> targets;                 ///< empty: all
+    std::vector<Target> targets;  ///< empty: all
     std::optional<Stage> stop_after, dump;
-    bool check_only = false;                     ///< --check: report, write nothing (fmt: say what is not formatted)
-    bool checked = false;                        ///< --checked: generated code reports accesses out of range
-    bool optimize = false;                       ///< -O: SPIR-V through spirv-opt
-    bool host_only = false;                      ///< --host-only: C++ without SPIR-V inside
+    bool check_only = false;  ///< --check: report, write nothing (fmt: say what is not formatted)
+    bool checked = false;     ///< --checked: generated code reports accesses out of range
+    bool optimize = false;    ///< -O: SPIR-V through spirv-opt
+    bool host_only = false;   ///< --host-only: C++ without SPIR-V inside
     bool list_outputs = false;
     bool time_report = false;
-    std::string depfile;                         ///< empty: none, but see writes_depfile()
-    std::string style;                           ///< of the generated C++: a .clang-format file or a name; empty: ours
+    std::string depfile;  ///< empty: none, but see writes_depfile()
+    std::string style;    ///< of the generated C++: a .clang-format file or a name; empty: ours
     DiagnosticsFormat diagnostics_format = DiagnosticsFormat::text;
     ColourChoice colour = ColourChoice::automatic;
     bool warnings_are_errors = false;
     std::vector<Diag> silenced, promoted;
     std::size_t error_limit = 50;
-    std::string device;                          ///< test: which device to compare with the host; empty: GLIFT_DEVICE, else any
-    std::string test_filter;                     ///< test: only tests with this in their title
-    bool validate = true;                        ///< test: with Vulkan's validation layer
+    std::string device;       ///< test: which device to compare with the host; empty: GLIFT_DEVICE, else any
+    std::string test_filter;  ///< test: only tests with this in their title
+    bool validate = true;     ///< test: with Vulkan's validation layer
 
     bool wants(Target target) const {
         for (Target each : targets)

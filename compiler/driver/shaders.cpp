@@ -17,7 +17,8 @@ struct Job {
     std::string error;
 };
 
-std::vector<Job> list_jobs(const Compilation& c, const std::set<std::uint32_t>& kernels, std::vector<ShaderSet>& shaders) {
+std::vector<Job> list_jobs(const Compilation& c, const std::set<std::uint32_t>& kernels,
+                           std::vector<ShaderSet>& shaders) {
     std::vector<Job> jobs;
     for (std::uint32_t k : kernels) {
         const auto& forms = c.lowered.passes[k];
@@ -29,7 +30,8 @@ std::vector<Job> list_jobs(const Compilation& c, const std::set<std::uint32_t>& 
 }
 
 void run(Job& job, const Compilation& c, spirv::Optimise optimise) {
-    std::string text = glsl::glsl_of(c.program, c.sources, *job.pass, {.lines = glsl::LineMarks::directives, .rounding = glsl::Rounding::correct});
+    std::string text = glsl::glsl_of(c.program, c.sources, *job.pass,
+                                     {.lines = glsl::LineMarks::directives, .rounding = glsl::Rounding::correct});
     spirv::Spirv made = spirv::spirv_of(text, optimise);
     *job.words = std::move(made.words);
     job.error = std::move(made.error);

@@ -12,8 +12,9 @@ struct ShaderSet {
     std::vector<std::uint32_t> direct, general, wide;
 };
 
-/// Indexed as Program::kernels; filled for `kernels`. Throws std::runtime_error, with the .glift line, where glslang refuses what we
-/// wrote.
-std::vector<ShaderSet> compile_shaders(const Compilation& compilation, const std::set<std::uint32_t>& kernels, bool optimize);
+/// Indexed as Program::kernels; filled for `kernels`. Throws std::runtime_error, with the .glift line, where glslang
+/// refuses what we wrote.
+std::vector<ShaderSet> compile_shaders(const Compilation& compilation, const std::set<std::uint32_t>& kernels,
+                                       bool optimize);
 
 }  // namespace gliftc

@@ -1,5 +1,5 @@
-// `gliftc test`: a file with its test blocks becomes a C++ program, which the system's compiler builds and which runs every
-// test on the host device and on another.
+// `gliftc test`: a file with its test blocks becomes a C++ program, which the system's compiler builds and which runs
+// every test on the host device and on another.
 #include "driver/command_line.h"
 #include "driver/commands.h"
 #include "driver/compile.h"
@@ -27,9 +27,11 @@ struct RuntimePaths {
 RuntimePaths find_runtime() {
     const fs::path root = fs::canonical("/proc/self/exe").parent_path().parent_path();
     RuntimePaths paths{root / "include", {}};
-    if (!fs::exists(paths.include / "glift" / "testing.h")) throw std::runtime_error("no glift/testing.h in " + paths.include.string());
+    if (!fs::exists(paths.include / "glift" / "testing.h"))
+        throw std::runtime_error("no glift/testing.h in " + paths.include.string());
     for (const char* folder : {"lib", "lib64", "lib/x86_64-linux-gnu", "lib/aarch64-linux-gnu"}) {
-        if (fs::exists(root / folder / "libglift.so") || fs::exists(root / folder / "libglift.a")) paths.library = root / folder;
+        if (fs::exists(root / folder / "libglift.so") || fs::exists(root / folder / "libglift.a"))
+            paths.library = root / folder;
     }
     if (paths.library.empty()) throw std::runtime_error("no libglift in " + (root / "lib").string());
     return paths;
@@ -40,7 +42,8 @@ class TemporaryFolder {
 public:
     TemporaryFolder() {
         std::string pattern = (fs::temp_directory_path() / "gliftc-test-XXXXXX").string();
-        if (!mkdtemp(pattern.data())) throw std::runtime_error("cannot make a folder in " + fs::temp_directory_path().string());
+        if (!mkdtemp(pattern.data()))
+            throw std::runtime_error("cannot make a folder in " + fs::temp_directory_path().string());
         path_ = pattern;
     }
     ~TemporaryFolder() {
@@ -80,7 +83,7 @@ std::vector<std::string> compiler_command() {
     const char* chosen = std::getenv("CXX");
     std::string text = chosen && *chosen ? chosen : "c++";
     std::size_t begin = 0;
-    while (begin < text.size()) {   // CXX may hold a launcher: "ccache g++"
+    while (begin < text.size()) {  // CXX may hold a launcher: "ccache g++"
         const std::size_t end = std::min(text.find(' ', begin), text.size());
         if (end > begin) words.push_back(text.substr(begin, end - begin));
         begin = end + 1;
@@ -94,12 +97,15 @@ int build_and_run(const Options& options, const RuntimePaths& runtime, const fs:
     std::vector<std::string> build = compiler_command();
     const std::string library = runtime.library.string();
     for (const std::string& word :
-         {std::string("-std=c++20"), std::string("-O1"), std::string("-ffp-contract=off"), std::string("-fwrapv"), std::string("-fno-math-errno"),
-          std::string("-fno-trapping-math"), "-I" + runtime.include.string(), "-I" + source.parent_path().string(), source.string(),
-          "-L" + library, "-Wl,-rpath," + library, std::string("-lglift"), std::string("-ltbb"), std::string("-o"), program})
+         {std::string("-std=c++20"), std::string("-O1"), std::string("-ffp-contract=off"), std::string("-fwrapv"),
+          std::string("-fno-math-errno"), std::string("-fno-trapping-math"), "-I" + runtime.include.string(),
+          "-I" + source.parent_path().string(), source.string(), "-L" + library, "-Wl,-rpath," + library,
+          std::string("-lglift"), std::string("-ltbb"), std::string("-o"), program})
         build.push_back(word);
-    for (const std::string& file : options.files) build.insert(build.end() - 2, "-I" + fs::absolute(file).parent_path().string());
-    if (run(build) != 0) throw std::runtime_error("the C++ compiler refused what gliftc wrote for " + source.stem().string());
+    for (const std::string& file : options.files)
+        build.insert(build.end() - 2, "-I" + fs::absolute(file).parent_path().string());
+    if (run(build) != 0)
+        throw std::runtime_error("the C++ compiler refused what gliftc wrote for " + source.stem().string());
     std::vector<std::string> words{program};
     if (!options.test_filter.empty()) words.insert(words.end(), {"--filter", options.test_filter});
     if (!options.device.empty()) words.insert(words.end(), {"--device", options.device});
@@ -114,7 +120,7 @@ int run_tests(const Options& given) {
     options.targets = {Target::cpp, Target::host};
     options.host_only = options.device == "host";
     const RuntimePaths runtime = find_runtime();
-    auto& compilation = *new Compilation;   // never taken down: see run_compile
+    auto& compilation = *new Compilation;  // never taken down: see run_compile
     configure(compilation.diagnostics, options);
     const Result result = compile(options, disk(), compilation);
     if (const int code = report(compilation, options); code != 0) return code;

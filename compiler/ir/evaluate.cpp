@@ -16,9 +16,9 @@ constexpr unsigned depth_limit = 200;
 
 double round_to(const Types& types, TypeId scalar, double number) {
     switch (types.kind(scalar)) {
-        case TypeKind::float_: return static_cast<float>(number);
-        case TypeKind::half: return round_to_half(static_cast<float>(number));
-        default: return number;
+    case TypeKind::float_: return static_cast<float>(number);
+    case TypeKind::half: return round_to_half(static_cast<float>(number));
+    default: return number;
     }
 }
 
@@ -31,12 +31,12 @@ Lane of_bool(bool value) { return {.bits = value ? 1u : 0u}; }
 Lane compare(const Types& types, BinaryOp op, TypeId type, Lane a, Lane b) {
     auto by = [op](auto x, auto y) {
         switch (op) {
-            case BinaryOp::less: return x < y;
-            case BinaryOp::less_equal: return x <= y;
-            case BinaryOp::greater: return x > y;
-            case BinaryOp::greater_equal: return x >= y;
-            case BinaryOp::equal: return x == y;
-            default: return x != y;
+        case BinaryOp::less: return x < y;
+        case BinaryOp::less_equal: return x <= y;
+        case BinaryOp::greater: return x > y;
+        case BinaryOp::greater_equal: return x >= y;
+        case BinaryOp::equal: return x == y;
+        default: return x != y;
         }
     };
     if (types.is_floating(type)) return of_bool(by(a.number, b.number));
@@ -47,12 +47,12 @@ Lane compare(const Types& types, BinaryOp op, TypeId type, Lane a, Lane b) {
 Lane apply_floating(const Types& types, BinaryOp op, TypeId type, Lane a, Lane b) {
     double result = 0;
     switch (op) {
-        case BinaryOp::multiply: result = a.number * b.number; break;
-        case BinaryOp::divide: result = a.number / b.number; break;
-        case BinaryOp::remainder: result = a.number - b.number * std::floor(a.number / b.number); break;
-        case BinaryOp::add: result = a.number + b.number; break;
-        case BinaryOp::subtract: result = a.number - b.number; break;
-        default: break;
+    case BinaryOp::multiply: result = a.number * b.number; break;
+    case BinaryOp::divide: result = a.number / b.number; break;
+    case BinaryOp::remainder: result = a.number - b.number * std::floor(a.number / b.number); break;
+    case BinaryOp::add: result = a.number + b.number; break;
+    case BinaryOp::subtract: result = a.number - b.number; break;
+    default: break;
     }
     return {.number = round_to(types, type, result)};
 }
@@ -63,27 +63,27 @@ Lane apply_integer(const Types& types, BinaryOp op, TypeId type, Lane a, Lane b)
     std::uint64_t width = is_64_bit(types, type) ? 64 : 32;
     std::uint64_t result = 0;
     switch (op) {
-        case BinaryOp::multiply: result = x * y; break;
-        case BinaryOp::divide:
-            if (y == 0) result = x;  // by zero divides by one
-            else if (types.is_signed(type)) result = sy == -1 ? 0 - x : static_cast<std::uint64_t>(sx / sy);
-            else result = x / y;
-            break;
-        case BinaryOp::remainder:
-            if (y == 0) result = 0;
-            else if (types.is_signed(type)) result = sy == -1 ? 0 : static_cast<std::uint64_t>(sx % sy);
-            else result = x % y;
-            break;
-        case BinaryOp::add: result = x + y; break;
-        case BinaryOp::subtract: result = x - y; break;
-        case BinaryOp::shift_left: result = x << (y & (width - 1)); break;
-        case BinaryOp::shift_right:
-            result = types.is_signed(type) ? static_cast<std::uint64_t>(sx >> (y & (width - 1))) : x >> (y & (width - 1));
-            break;
-        case BinaryOp::bit_and: result = x & y; break;
-        case BinaryOp::bit_xor: result = x ^ y; break;
-        case BinaryOp::bit_or: result = x | y; break;
-        default: break;
+    case BinaryOp::multiply: result = x * y; break;
+    case BinaryOp::divide:
+        if (y == 0) result = x;  // by zero divides by one
+        else if (types.is_signed(type)) result = sy == -1 ? 0 - x : static_cast<std::uint64_t>(sx / sy);
+        else result = x / y;
+        break;
+    case BinaryOp::remainder:
+        if (y == 0) result = 0;
+        else if (types.is_signed(type)) result = sy == -1 ? 0 : static_cast<std::uint64_t>(sx % sy);
+        else result = x % y;
+        break;
+    case BinaryOp::add: result = x + y; break;
+    case BinaryOp::subtract: result = x - y; break;
+    case BinaryOp::shift_left: result = x << (y & (width - 1)); break;
+    case BinaryOp::shift_right:
+        result = types.is_signed(type) ? static_cast<std::uint64_t>(sx >> (y & (width - 1))) : x >> (y & (width - 1));
+        break;
+    case BinaryOp::bit_and: result = x & y; break;
+    case BinaryOp::bit_xor: result = x ^ y; break;
+    case BinaryOp::bit_or: result = x | y; break;
+    default: break;
     }
     return normalize(types, type, {.bits = result});
 }
@@ -123,75 +123,76 @@ std::optional<Value> Interpreter::value_of(ExprId id) {
     if (!id || ++steps_ > step_limit) return std::nullopt;
     const Expr& expr = program_.exprs[id];
     switch (expr.op) {
-        case Op::constant: return Value{expr.type, {normalize(types_, expr.type, {expr.bits, expr.number})}};
-        case Op::local:
-            if (frame_)
-                if (auto found = frame_->find(expr.local); found != frame_->end()) return found->second;
-            return std::nullopt;
-        case Op::construct: return construct(expr);
-        case Op::convert: {
-            auto value = value_of(expr.operands[0]);
-            if (!value) return std::nullopt;
-            TypeId from = types_.scalar_of(value->type), to = types_.scalar_of(expr.type);
-            for (Lane& lane : value->lanes) lane = convert(types_, from, to, lane);
-            value->type = expr.type;
-            return value;
+    case Op::constant: return Value{expr.type, {normalize(types_, expr.type, {expr.bits, expr.number})}};
+    case Op::local:
+        if (frame_)
+            if (auto found = frame_->find(expr.local); found != frame_->end()) return found->second;
+        return std::nullopt;
+    case Op::construct: return construct(expr);
+    case Op::convert: {
+        auto value = value_of(expr.operands[0]);
+        if (!value) return std::nullopt;
+        TypeId from = types_.scalar_of(value->type), to = types_.scalar_of(expr.type);
+        for (Lane& lane : value->lanes) lane = convert(types_, from, to, lane);
+        value->type = expr.type;
+        return value;
+    }
+    case Op::unary: {
+        auto value = value_of(expr.operands[0]);
+        if (!value) return std::nullopt;
+        TypeId scalar = types_.scalar_of(expr.type);
+        for (Lane& lane : value->lanes) {
+            if (expr.unary == UnaryOp::logical_not) lane.bits = lane.bits ? 0 : 1;
+            else if (expr.unary == UnaryOp::bit_not) lane.bits = ~lane.bits;
+            else lane = {0 - lane.bits, -lane.number};
+            lane = normalize(types_, scalar, lane);
         }
-        case Op::unary: {
-            auto value = value_of(expr.operands[0]);
-            if (!value) return std::nullopt;
-            TypeId scalar = types_.scalar_of(expr.type);
-            for (Lane& lane : value->lanes) {
-                if (expr.unary == UnaryOp::logical_not) lane.bits = lane.bits ? 0 : 1;
-                else if (expr.unary == UnaryOp::bit_not) lane.bits = ~lane.bits;
-                else lane = {0 - lane.bits, -lane.number};
-                lane = normalize(types_, scalar, lane);
-            }
-            return value;
-        }
-        case Op::binary: return binary(expr);
-        case Op::select: {
-            auto condition = value_of(expr.operands[0]);
-            if (!condition) return std::nullopt;
-            return value_of(expr.operands[condition->bits() ? 1 : 2]);
-        }
-        case Op::swizzle: {
-            auto value = value_of(expr.operands[0]);
-            if (!value) return std::nullopt;
-            Value result{expr.type, {}};
-            for (std::uint32_t i = 0; i < types_.components(expr.type); ++i) result.lanes.push_back(value->lanes[expr.lanes[i]]);
-            return result;
-        }
-        case Op::index:
-        case Op::field: {
-            auto value = value_of(expr.operands[0]);
-            if (!value) return std::nullopt;
-            auto part = part_of(expr, value->type);
-            if (!part) return std::nullopt;
-            auto first = value->lanes.begin() + static_cast<std::ptrdiff_t>(part->first);
-            return Value{expr.type, {first, first + static_cast<std::ptrdiff_t>(part->second)}};
-        }
-        case Op::call: return call(expr);
-        case Op::intrinsic: return intrinsic(expr);
-        case Op::none: return zero(expr.type);
-        case Op::some: {
-            auto value = value_of(expr.operands[0]);
-            if (!value) return std::nullopt;
-            Value result{expr.type, {Lane{.bits = 1}}};
-            result.lanes.insert(result.lanes.end(), value->lanes.begin(), value->lanes.end());
-            return result;
-        }
-        case Op::has_value: {
-            auto value = value_of(expr.operands[0]);
-            if (!value) return std::nullopt;
-            return Value{types_.bool_, {value->lanes[0]}};
-        }
-        case Op::value: {
-            auto value = value_of(expr.operands[0]);
-            if (!value) return std::nullopt;
-            return Value{expr.type, {value->lanes.begin() + 1, value->lanes.end()}};
-        }
-        default: return std::nullopt;
+        return value;
+    }
+    case Op::binary: return binary(expr);
+    case Op::select: {
+        auto condition = value_of(expr.operands[0]);
+        if (!condition) return std::nullopt;
+        return value_of(expr.operands[condition->bits() ? 1 : 2]);
+    }
+    case Op::swizzle: {
+        auto value = value_of(expr.operands[0]);
+        if (!value) return std::nullopt;
+        Value result{expr.type, {}};
+        for (std::uint32_t i = 0; i < types_.components(expr.type); ++i)
+            result.lanes.push_back(value->lanes[expr.lanes[i]]);
+        return result;
+    }
+    case Op::index:
+    case Op::field: {
+        auto value = value_of(expr.operands[0]);
+        if (!value) return std::nullopt;
+        auto part = part_of(expr, value->type);
+        if (!part) return std::nullopt;
+        auto first = value->lanes.begin() + static_cast<std::ptrdiff_t>(part->first);
+        return Value{expr.type, {first, first + static_cast<std::ptrdiff_t>(part->second)}};
+    }
+    case Op::call: return call(expr);
+    case Op::intrinsic: return intrinsic(expr);
+    case Op::none: return zero(expr.type);
+    case Op::some: {
+        auto value = value_of(expr.operands[0]);
+        if (!value) return std::nullopt;
+        Value result{expr.type, {Lane{.bits = 1}}};
+        result.lanes.insert(result.lanes.end(), value->lanes.begin(), value->lanes.end());
+        return result;
+    }
+    case Op::has_value: {
+        auto value = value_of(expr.operands[0]);
+        if (!value) return std::nullopt;
+        return Value{types_.bool_, {value->lanes[0]}};
+    }
+    case Op::value: {
+        auto value = value_of(expr.operands[0]);
+        if (!value) return std::nullopt;
+        return Value{expr.type, {value->lanes.begin() + 1, value->lanes.end()}};
+    }
+    default: return std::nullopt;
     }
 }
 
@@ -203,7 +204,8 @@ std::optional<Value> Interpreter::construct(const Expr& expr) {
         result.lanes.insert(result.lanes.end(), value->lanes.begin(), value->lanes.end());
     }
     std::size_t wanted = lane_count(program_, expr.type);
-    if (result.lanes.size() == 1 && wanted > 1 && types_.is_vector(expr.type)) result.lanes.assign(wanted, Lane{result.lanes[0]});
+    if (result.lanes.size() == 1 && wanted > 1 && types_.is_vector(expr.type))
+        result.lanes.assign(wanted, Lane{result.lanes[0]});
     if (result.lanes.size() != wanted) return std::nullopt;
     return result;
 }
@@ -239,36 +241,41 @@ std::optional<Lane> apply_intrinsic(const Types& types, Intrinsic intrinsic, Typ
     bool floating = types.is_floating(type), is_signed = types.is_signed(type);
     auto signed_bits = static_cast<std::int64_t>(a.bits);
     switch (intrinsic) {
-        case Intrinsic::min: return less(b, a) ? b : a;
-        case Intrinsic::max: return less(a, b) ? b : a;
-        case Intrinsic::clamp: return less(a, b) ? b : less(c, a) ? c : a;
-        case Intrinsic::abs:
-            if (floating) return number(std::fabs(a.number));
-            return normalize(types, type, {.bits = is_signed && signed_bits < 0 ? 0 - a.bits : a.bits});
-        case Intrinsic::sign:
-            if (floating) return number(a.number > 0 ? 1 : a.number < 0 ? -1 : 0);
-            return normalize(types, type, {.bits = static_cast<std::uint64_t>(signed_bits > 0 ? 1 : signed_bits < 0 ? -1 : 0)});
-        case Intrinsic::floor: return number(std::floor(a.number));
-        case Intrinsic::ceil: return number(std::ceil(a.number));
-        case Intrinsic::trunc: return number(std::trunc(a.number));
-        case Intrinsic::round: return number(std::nearbyint(a.number));
-        case Intrinsic::sqrt: return number(std::sqrt(a.number));
-        case Intrinsic::bitCount: return Lane{.bits = static_cast<std::uint64_t>(std::popcount(static_cast<std::uint32_t>(a.bits)))};
-        case Intrinsic::findLSB:
-            return Lane{.bits = static_cast<std::uint64_t>(
-                            static_cast<std::uint32_t>(a.bits) ? std::countr_zero(static_cast<std::uint32_t>(a.bits)) : -1)};
-        case Intrinsic::findMSB: {
-            auto word = static_cast<std::uint32_t>(a.bits);
-            if (is_signed && signed_bits < 0) word = ~word;
-            return Lane{.bits = static_cast<std::uint64_t>(std::int64_t{31} - std::countl_zero(word))};
-        }
-        case Intrinsic::lessThan: return of_bool(less(a, b));
-        case Intrinsic::greaterThan: return of_bool(less(b, a));
-        case Intrinsic::lessThanEqual: return compare(types, BinaryOp::less_equal, type, a, b);
-        case Intrinsic::greaterThanEqual: return compare(types, BinaryOp::greater_equal, type, a, b);
-        case Intrinsic::equal: return compare(types, BinaryOp::equal, type, a, b);
-        case Intrinsic::notEqual: return compare(types, BinaryOp::not_equal, type, a, b);
-        default: return std::nullopt;
+    case Intrinsic::min: return less(b, a) ? b : a;
+    case Intrinsic::max: return less(a, b) ? b : a;
+    case Intrinsic::clamp: return less(a, b) ? b : less(c, a) ? c : a;
+    case Intrinsic::abs:
+        if (floating) return number(std::fabs(a.number));
+        return normalize(types, type, {.bits = is_signed && signed_bits < 0 ? 0 - a.bits : a.bits});
+    case Intrinsic::sign:
+        if (floating) return number(a.number > 0 ? 1 : a.number < 0 ? -1 : 0);
+        return normalize(types, type,
+                         {.bits = static_cast<std::uint64_t>(signed_bits > 0   ? 1
+                                                             : signed_bits < 0 ? -1
+                                                                               : 0)});
+    case Intrinsic::floor: return number(std::floor(a.number));
+    case Intrinsic::ceil: return number(std::ceil(a.number));
+    case Intrinsic::trunc: return number(std::trunc(a.number));
+    case Intrinsic::round: return number(std::nearbyint(a.number));
+    case Intrinsic::sqrt: return number(std::sqrt(a.number));
+    case Intrinsic::bitCount:
+        return Lane{.bits = static_cast<std::uint64_t>(std::popcount(static_cast<std::uint32_t>(a.bits)))};
+    case Intrinsic::findLSB:
+        return Lane{.bits = static_cast<std::uint64_t>(static_cast<std::uint32_t>(a.bits)
+                                                           ? std::countr_zero(static_cast<std::uint32_t>(a.bits))
+                                                           : -1)};
+    case Intrinsic::findMSB: {
+        auto word = static_cast<std::uint32_t>(a.bits);
+        if (is_signed && signed_bits < 0) word = ~word;
+        return Lane{.bits = static_cast<std::uint64_t>(std::int64_t{31} - std::countl_zero(word))};
+    }
+    case Intrinsic::lessThan: return of_bool(less(a, b));
+    case Intrinsic::greaterThan: return of_bool(less(b, a));
+    case Intrinsic::lessThanEqual: return compare(types, BinaryOp::less_equal, type, a, b);
+    case Intrinsic::greaterThanEqual: return compare(types, BinaryOp::greater_equal, type, a, b);
+    case Intrinsic::equal: return compare(types, BinaryOp::equal, type, a, b);
+    case Intrinsic::notEqual: return compare(types, BinaryOp::not_equal, type, a, b);
+    default: return std::nullopt;
     }
 }
 
@@ -291,7 +298,8 @@ std::optional<Value> Interpreter::intrinsic(const Expr& expr) {
     Value result{expr.type, {}};
     for (std::size_t i = 0; i < count; ++i) {
         Lane lanes[3];
-        for (std::size_t k = 0; k < operands.size(); ++k) lanes[k] = operands[k].lanes[operands[k].lanes.size() == 1 ? 0 : i];
+        for (std::size_t k = 0; k < operands.size(); ++k)
+            lanes[k] = operands[k].lanes[operands[k].lanes.size() == 1 ? 0 : i];
         auto lane = apply_intrinsic(types_, expr.intrinsic, types_.scalar_of(operands[0].type), lanes);
         if (!lane) return std::nullopt;
         result.lanes.push_back(*lane);
@@ -327,7 +335,8 @@ std::optional<std::pair<std::size_t, std::size_t>> Interpreter::part_of(const Ex
         return std::pair{offset, size};
     }
     auto index = value_of(expr.operands[1]);
-    if (!index || index->bits() >= std::max<std::uint64_t>(1, lane_count(program_, whole) / std::max<std::size_t>(1, size)))
+    if (!index ||
+        index->bits() >= std::max<std::uint64_t>(1, lane_count(program_, whole) / std::max<std::size_t>(1, size)))
         return std::nullopt;
     return std::pair{static_cast<std::size_t>(index->bits()) * size, size};
 }
@@ -374,38 +383,38 @@ Interpreter::Flow Interpreter::run_for(const Stmt& stmt) {
 Interpreter::Flow Interpreter::run(const Stmt& stmt) {
     if (!frame_ || ++steps_ > step_limit) return Flow::stuck;
     switch (stmt.op) {
-        case StmtOp::let: {
-            auto value = stmt.value ? value_of(stmt.value) : std::optional(zero(program_.locals[stmt.local].type));
-            if (!value) return Flow::stuck;
-            (*frame_)[stmt.local] = std::move(*value);
-            return Flow::next;
-        }
-        case StmtOp::assign: return assign(stmt) ? Flow::next : Flow::stuck;
-        case StmtOp::if_: {
+    case StmtOp::let: {
+        auto value = stmt.value ? value_of(stmt.value) : std::optional(zero(program_.locals[stmt.local].type));
+        if (!value) return Flow::stuck;
+        (*frame_)[stmt.local] = std::move(*value);
+        return Flow::next;
+    }
+    case StmtOp::assign: return assign(stmt) ? Flow::next : Flow::stuck;
+    case StmtOp::if_: {
+        auto condition = value_of(stmt.value);
+        if (!condition) return Flow::stuck;
+        return run(condition->bits() ? stmt.body : stmt.otherwise);
+    }
+    case StmtOp::for_: return run_for(stmt);
+    case StmtOp::while_:
+        for (;;) {
             auto condition = value_of(stmt.value);
             if (!condition) return Flow::stuck;
-            return run(condition->bits() ? stmt.body : stmt.otherwise);
+            if (!condition->bits()) return Flow::next;
+            Flow flow = run(stmt.body);
+            if (flow == Flow::break_) return Flow::next;
+            if (flow == Flow::return_ || flow == Flow::stuck) return flow;
         }
-        case StmtOp::for_: return run_for(stmt);
-        case StmtOp::while_:
-            for (;;) {
-                auto condition = value_of(stmt.value);
-                if (!condition) return Flow::stuck;
-                if (!condition->bits()) return Flow::next;
-                Flow flow = run(stmt.body);
-                if (flow == Flow::break_) return Flow::next;
-                if (flow == Flow::return_ || flow == Flow::stuck) return flow;
-            }
-        case StmtOp::break_: return Flow::break_;
-        case StmtOp::continue_: return Flow::continue_;
-        case StmtOp::return_: {
-            auto value = stmt.value ? value_of(stmt.value) : std::nullopt;
-            if (!value) return Flow::stuck;
-            returned_ = std::move(*value);
-            return Flow::return_;
-        }
-        case StmtOp::block: return run(stmt.body);
-        default: return Flow::stuck;
+    case StmtOp::break_: return Flow::break_;
+    case StmtOp::continue_: return Flow::continue_;
+    case StmtOp::return_: {
+        auto value = stmt.value ? value_of(stmt.value) : std::nullopt;
+        if (!value) return Flow::stuck;
+        returned_ = std::move(*value);
+        return Flow::return_;
+    }
+    case StmtOp::block: return run(stmt.body);
+    default: return Flow::stuck;
     }
 }
 
@@ -421,24 +430,29 @@ Interpreter::Flow Interpreter::run(const std::vector<StmtId>& body) {
 
 Lane normalize(const Types& types, TypeId scalar, Lane lane) {
     switch (types.kind(scalar)) {
-        case TypeKind::bool_: return {.bits = lane.bits ? 1u : 0u};
-        case TypeKind::int_: return {.bits = static_cast<std::uint64_t>(static_cast<std::int64_t>(static_cast<std::int32_t>(lane.bits)))};
-        case TypeKind::uint:
-        case TypeKind::enum_: return {.bits = static_cast<std::uint32_t>(lane.bits)};
-        case TypeKind::float_:
-        case TypeKind::half:
-        case TypeKind::double_: return {.number = round_to(types, scalar, lane.number)};
-        default: return lane;
+    case TypeKind::bool_: return {.bits = lane.bits ? 1u : 0u};
+    case TypeKind::int_:
+        return {.bits = static_cast<std::uint64_t>(static_cast<std::int64_t>(static_cast<std::int32_t>(lane.bits)))};
+    case TypeKind::uint:
+    case TypeKind::enum_: return {.bits = static_cast<std::uint32_t>(lane.bits)};
+    case TypeKind::float_:
+    case TypeKind::half:
+    case TypeKind::double_: return {.number = round_to(types, scalar, lane.number)};
+    default: return lane;
     }
 }
 
 Lane apply(const Types& types, BinaryOp op, TypeId type, Lane a, Lane b) {
     switch (op) {
-        case BinaryOp::less: case BinaryOp::less_equal: case BinaryOp::greater: case BinaryOp::greater_equal:
-        case BinaryOp::equal: case BinaryOp::not_equal: return compare(types, op, type, a, b);
-        case BinaryOp::logical_and: return of_bool(a.bits && b.bits);
-        case BinaryOp::logical_or: return of_bool(a.bits || b.bits);
-        default: break;
+    case BinaryOp::less:
+    case BinaryOp::less_equal:
+    case BinaryOp::greater:
+    case BinaryOp::greater_equal:
+    case BinaryOp::equal:
+    case BinaryOp::not_equal: return compare(types, op, type, a, b);
+    case BinaryOp::logical_and: return of_bool(a.bits && b.bits);
+    case BinaryOp::logical_or: return of_bool(a.bits || b.bits);
+    default: break;
     }
     return types.is_floating(type) ? apply_floating(types, op, type, a, b) : apply_integer(types, op, type, a, b);
 }
@@ -448,37 +462,49 @@ Lane convert(const Types& types, TypeId from, TypeId to, Lane lane) {
     if (types.kind(to) == TypeKind::bool_) return of_bool(floating_from ? lane.number != 0 : lane.bits != 0);
     if (floating_from && floating_to) return normalize(types, to, lane);
     if (floating_to)
-        return normalize(types, to, {.number = types.is_signed(from) ? static_cast<double>(static_cast<std::int64_t>(lane.bits))
-                                                                     : static_cast<double>(lane.bits)});
+        return normalize(types, to,
+                         {.number = types.is_signed(from) ? static_cast<double>(static_cast<std::int64_t>(lane.bits))
+                                                          : static_cast<double>(lane.bits)});
     if (!floating_from) return normalize(types, to, lane);
     // Out of range saturates, not-a-number is zero: docs/language.md, "Conversions".
     double low = types.is_signed(to) ? (types.kind(to) == TypeKind::int64 ? -0x1p63 : -0x1p31) : 0;
-    double high = types.kind(to) == TypeKind::int_ ? 0x1p31 : types.kind(to) == TypeKind::uint ? 0x1p32
-                  : types.kind(to) == TypeKind::int64 ? 0x1p63 : 0x1p64;
+    double high = types.kind(to) == TypeKind::int_    ? 0x1p31
+                  : types.kind(to) == TypeKind::uint  ? 0x1p32
+                  : types.kind(to) == TypeKind::int64 ? 0x1p63
+                                                      : 0x1p64;
     double whole = std::trunc(lane.number);
     if (std::isnan(whole)) return {};
     if (whole < low) whole = low;
-    if (whole >= high) return normalize(types, to, {.bits = types.kind(to) == TypeKind::int_ ? 0x7fffffffu : types.kind(to) == TypeKind::uint
-                                           ? 0xffffffffu : types.kind(to) == TypeKind::int64 ? 0x7fffffffffffffffu : ~std::uint64_t{0}});
-    return normalize(types, to, {.bits = whole < 0 ? static_cast<std::uint64_t>(static_cast<std::int64_t>(whole))
-                                                   : static_cast<std::uint64_t>(whole)});
+    if (whole >= high)
+        return normalize(types, to,
+                         {.bits = types.kind(to) == TypeKind::int_    ? 0x7fffffffu
+                                  : types.kind(to) == TypeKind::uint  ? 0xffffffffu
+                                  : types.kind(to) == TypeKind::int64 ? 0x7fffffffffffffffu
+                                                                      : ~std::uint64_t{0}});
+    return normalize(types, to,
+                     {.bits = whole < 0 ? static_cast<std::uint64_t>(static_cast<std::int64_t>(whole))
+                                        : static_cast<std::uint64_t>(whole)});
 }
 
 std::size_t lane_count(const Program& program, TypeId id) {
     const Type& type = program.types[id];
     switch (type.kind) {
-        case TypeKind::vector: return type.count;
-        case TypeKind::matrix: return std::size_t{type.count} * type.rows;
-        case TypeKind::array: return std::size_t{type.count} * lane_count(program, type.element);
-        case TypeKind::optional: return 1 + lane_count(program, type.element);
-        case TypeKind::struct_: {
-            std::size_t count = 0;
-            for (const StructField& field : program.structs[type.index].fields) count += lane_count(program, field.type);
-            return count;
-        }
-        case TypeKind::error: case TypeKind::void_: case TypeKind::range: case TypeKind::structure: case TypeKind::slice:
-        case TypeKind::device: return 0;
-        default: return 1;
+    case TypeKind::vector: return type.count;
+    case TypeKind::matrix: return std::size_t{type.count} * type.rows;
+    case TypeKind::array: return std::size_t{type.count} * lane_count(program, type.element);
+    case TypeKind::optional: return 1 + lane_count(program, type.element);
+    case TypeKind::struct_: {
+        std::size_t count = 0;
+        for (const StructField& field : program.structs[type.index].fields) count += lane_count(program, field.type);
+        return count;
+    }
+    case TypeKind::error:
+    case TypeKind::void_:
+    case TypeKind::range:
+    case TypeKind::structure:
+    case TypeKind::slice:
+    case TypeKind::device: return 0;
+    default: return 1;
     }
 }
 

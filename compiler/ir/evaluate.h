@@ -41,7 +41,8 @@ std::string to_text(const Program& program, const Value& value);
 /// The name of a type as written in the language: uint3, float?, Array<4, float>.
 std::string to_text(const Program& program, TypeId type);
 
-/// One scalar operation with the exact semantics of the language (wraparound, float rounding, defined division by zero).
+/// One scalar operation with the exact semantics of the language (wraparound, float rounding, defined division by
+/// zero).
 Lane apply(const Types& types, BinaryOp op, TypeId operand_type, Lane a, Lane b);
 /// The lane rounded or wrapped to what a scalar of the type can hold.
 Lane normalize(const Types& types, TypeId scalar, Lane lane);

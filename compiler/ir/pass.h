@@ -16,44 +16,45 @@ enum class Access : std::uint8_t { read, write, read_write };
 
 /// One memory that the kernel touches.
 struct PassBinding {
-    std::string name;                   ///< unique in the pass and readable: f_data, f_table_data
-    Place place;                        ///< root: kernel parameter
-    std::uint32_t memory = 0;           ///< of the structure at `place`
+    std::string name;          ///< unique in the pass and readable: f_data, f_table_data
+    Place place;               ///< root: kernel parameter
+    std::uint32_t memory = 0;  ///< of the structure at `place`
     MemoryShape shape = MemoryShape::buffer;
-    TypeId element;                     ///< of a buffer: any type; of an image: what a load gives
+    TypeId element;  ///< of a buffer: any type; of an image: what a load gives
     Format format = Format::none;
     Access access = Access::read;
-    bool sampled = false;               ///< images: a combined image sampler (read only), else a storage image
+    bool sampled = false;  ///< images: a combined image sampler (read only), else a storage image
     bool linear = false;
-    bool atomic = false;                ///< some access is atomic
-    std::uint32_t address_parameter = 0xffffffffu;   ///< wide form, buffers: the parameter that holds the address
+    bool atomic = false;                            ///< some access is atomic
+    std::uint32_t address_parameter = 0xffffffffu;  ///< wide form, buffers: the parameter that holds the address
 };
 
 enum class ParameterSource : std::uint8_t {
-    uniform,         // `value`: an expression over the kernel's structures and value parameters, evaluated on the host for each call:
-                     // constants, arithmetic, calls, and member / memory_extent / domain with Place roots = kernel parameters, and
-                     // locals that are the kernel's value parameters
-    origin,          // first virtual address of the range of kernel parameter `param`
-    size,            // the iteration size (uint or vector of uint)
-    range_size,      // size of the range of kernel parameter `param`
-    address,         // uint64: device address of binding `param`
+    uniform,  // `value`: an expression over the kernel's structures and value parameters, evaluated on the host for
+              // each call: constants, arithmetic, calls, and member / memory_extent / domain with Place roots = kernel
+              // parameters, and locals that are the kernel's value parameters
+    origin,      // first virtual address of the range of kernel parameter `param`
+    size,        // the iteration size (uint or vector of uint)
+    range_size,  // size of the range of kernel parameter `param`
+    address,     // uint64: device address of binding `param`
 };
 
 struct PassParameter {
-    std::string name;                   ///< unique in the pass and readable: f_extent, g_origin, size, dt
-    TypeId type;                        ///< bool is stored as uint
+    std::string name;  ///< unique in the pass and readable: f_extent, g_origin, size, dt
+    TypeId type;       ///< bool is stored as uint
     ParameterSource source = ParameterSource::uniform;
-    ExprId value;                       ///< uniform
-    std::uint32_t param = 0;            ///< origin, range_size: kernel parameter; address: binding
-    std::uint32_t offset = 0;           ///< bytes, scalar layout; set by layout/
+    ExprId value;              ///< uniform
+    std::uint32_t param = 0;   ///< origin, range_size: kernel parameter; address: binding
+    std::uint32_t offset = 0;  ///< bytes, scalar layout; set by layout/
 };
 
 inline constexpr std::uint32_t no_kernel = 0xffffffffu;
 
 struct Pass {
-    std::uint32_t kernel = 0;           ///< Program::kernels; no_kernel: a function of a library
+    std::uint32_t kernel = 0;  ///< Program::kernels; no_kernel: a function of a library
     Form form = Form::direct;
-    bool exists = true;                 ///< false: nothing in this form differs from what cannot be had (a structure without memory, say)
+    bool exists =
+        true;  ///< false: nothing in this form differs from what cannot be had (a structure without memory, say)
     std::array<std::uint32_t, 3> group = {64, 1, 1};
     std::uint32_t rank = 1;
     std::vector<PassBinding> bindings;
@@ -61,26 +62,27 @@ struct Pass {
     std::uint32_t parameter_bytes = 0;  ///< set by layout/
     bool push_constants = false;        ///< set by layout/
 
-    /// The invocation's address relative to the range (uint or vector of uint). Shaders compute it in `prologue`; host code
-    /// makes it a loop nest, x innermost.
+    /// The invocation's address relative to the range (uint or vector of uint). Shaders compute it in `prologue`; host
+    /// code makes it a loop nest, x innermost.
     LocalId address;
-    std::vector<StmtId> prologue;       ///< shaders only: declares `address` from builtins, and `in_range`
-    LocalId in_range;                   ///< bool. Kernels without a group return where it is false; grouped ones guard with it
+    std::vector<StmtId> prologue;  ///< shaders only: declares `address` from builtins, and `in_range`
+    LocalId in_range;  ///< bool. Kernels without a group return where it is false; grouped ones guard with it
     std::vector<StmtId> body;
-    /// Host only: the same body where every `near` access is known to stay inside the domain; empty if there is no difference.
-    /// Valid where interior_low <= virtual address of the centre < domain - interior_high, each axis. Parameters give the domain.
+    /// Host only: the same body where every `near` access is known to stay inside the domain; empty if there is no
+    /// difference. Valid where interior_low <= virtual address of the centre < domain - interior_high, each axis.
+    /// Parameters give the domain.
     std::vector<StmtId> interior_body;
     std::uint32_t interior_radius = 0;
-    std::uint32_t interior_domain = 0xffffffffu;   ///< parameter that holds the domain's extent
-    std::uint32_t interior_origin = 0xffffffffu;   ///< parameter that holds the origin of the centre's range; none: zero
-    std::vector<FunctionId> functions;  ///< called by the body, callees first, all low level
+    std::uint32_t interior_domain = 0xffffffffu;  ///< parameter that holds the domain's extent
+    std::uint32_t interior_origin = 0xffffffffu;  ///< parameter that holds the origin of the centre's range; none: zero
+    std::vector<FunctionId> functions;            ///< called by the body, callees first, all low level
     std::vector<LocalId> shared;
-    std::uint64_t loop_rounds = 0;      ///< bound on the rounds of one invocation's loops, with the tests that end them;
-                                        ///< UINT64_MAX: not known at compile time. The same in all forms
+    std::uint64_t loop_rounds = 0;  ///< bound on the rounds of one invocation's loops, with the tests that end them;
+                                    ///< UINT64_MAX: not known at compile time. The same in all forms
     Span longest_loop;
-    bool has_reports = false;           ///< some statement is a `report`. The same in all forms
-    std::vector<std::uint32_t> files;   ///< that reports name: the kernel's, then others. The same in all forms
-    bool exact = true;                  ///< calls no inexact intrinsic: devices agree bit for bit
+    bool has_reports = false;          ///< some statement is a `report`. The same in all forms
+    std::vector<std::uint32_t> files;  ///< that reports name: the kernel's, then others. The same in all forms
+    bool exact = true;                 ///< calls no inexact intrinsic: devices agree bit for bit
 
     /// Whether shaders count the rounds of every loop, for devices that cut loops off.
     bool counts_rounds() const { return loop_rounds == UINT64_MAX; }
@@ -93,7 +95,7 @@ struct LibraryFunction {
     std::string name;
     TypeId result;
     std::vector<LocalId> params;
-    Pass pass;                          ///< parameters are the structure's state, nothing computed from it
+    Pass pass;  ///< parameters are the structure's state, nothing computed from it
 };
 
 /// The functions of one public structure.
@@ -105,7 +107,9 @@ struct Library {
 
 /// A program with its kernels lowered. passes[k] are the forms of Program::kernels[k].
 struct Lowered {
-    struct Forms { Pass direct, general, wide; };
+    struct Forms {
+        Pass direct, general, wide;
+    };
     std::vector<Forms> passes;
     std::vector<Library> libraries;
 };

@@ -83,7 +83,8 @@ std::string_view name_of(Combine combine) {
 
 class Printer {
 public:
-    Printer(const Program& program, const Pass* pass, const Kernel* kernel = nullptr) : p(program), pass_(pass), kernel_(kernel) {
+    Printer(const Program& program, const Pass* pass, const Kernel* kernel = nullptr)
+        : p(program), pass_(pass), kernel_(kernel) {
         if (pass != nullptr && pass->kernel != no_kernel) kernel_ = &program.kernels[pass->kernel];
     }
 
@@ -103,7 +104,9 @@ private:
     std::string local(LocalId id);
     std::string low(const Expr& node);
     std::string operand(ExprId id);
-    std::string binding(std::uint32_t slot) { return pass_ ? pass_->bindings[slot].name : "binding" + std::to_string(slot); }
+    std::string binding(std::uint32_t slot) {
+        return pass_ ? pass_->bindings[slot].name : "binding" + std::to_string(slot);
+    }
     void stmt(const Stmt& stmt);
     void host_stmt(const Stmt& stmt);
     std::string name(Name name) const { return (*p.names)[name]; }
@@ -133,7 +136,8 @@ std::string Printer::local(LocalId id) {
 }
 
 std::string Printer::place(const Place& place) {
-    std::string text = kernel_ && place.root < kernel_->params.size() ? name(kernel_->params[place.root].name) : "@" + std::to_string(place.root);
+    std::string text = kernel_ && place.root < kernel_->params.size() ? name(kernel_->params[place.root].name)
+                                                                      : "@" + std::to_string(place.root);
     const Structure* structure =
         kernel_ && place.root < kernel_->params.size() ? &p.structures[kernel_->params[place.root].structure] : nullptr;
     for (std::uint32_t member : place.members) {
@@ -164,7 +168,8 @@ std::string Printer::expr(ExprId id) {
     const Expr& node = p.exprs[id];
     const auto& o = node.operands;
     switch (node.op) {
-    case Op::constant: return to_text(p, Value{node.type, {Lane{node.bits, node.number}}}) + (node.type == p.types.uint ? "u" : "");
+    case Op::constant:
+        return to_text(p, Value{node.type, {Lane{node.bits, node.number}}}) + (node.type == p.types.uint ? "u" : "");
     case Op::local: return local(node.local);
     case Op::construct:
     case Op::convert: return to_text(p, node.type) + "(" + list(o) + ")";
@@ -177,7 +182,8 @@ std::string Printer::expr(ExprId id) {
         return text;
     }
     case Op::index: return operand(o[0]) + "[" + expr(o[1]) + "]";
-    case Op::field: return operand(o[0]) + "." + name(p.structs[p.types[p.exprs[o[0]].type].index].fields[node.slot].name);
+    case Op::field:
+        return operand(o[0]) + "." + name(p.structs[p.types[p.exprs[o[0]].type].index].fields[node.slot].name);
     case Op::call: {
         std::string text = name(p.functions[node.function].name) + "(" + list(o);
         for (const Place& at : node.places) text += (text.back() == '(' ? "" : ", ") + place(at);
@@ -268,10 +274,12 @@ void Printer::stmt(const Stmt& stmt) {
              (stmt.combine == Combine::replace ? "" : "  // " + std::string(name_of(stmt.combine))));
         break;
     case StmtOp::store: line(binding(stmt.slot) + "[" + expr(stmt.target) + "] = " + expr(stmt.value) + ";"); break;
-    case StmtOp::image_store: line("store(" + binding(stmt.slot) + ", " + expr(stmt.target) + ", " + expr(stmt.value) + ");"); break;
+    case StmtOp::image_store:
+        line("store(" + binding(stmt.slot) + ", " + expr(stmt.target) + ", " + expr(stmt.value) + ");");
+        break;
     case StmtOp::atomic:
-        line("atomic_" + std::string(name_of(stmt.combine)) + "(" + binding(stmt.slot) + "[" + expr(stmt.target) + "], " +
-             expr(stmt.value) + ");");
+        line("atomic_" + std::string(name_of(stmt.combine)) + "(" + binding(stmt.slot) + "[" + expr(stmt.target) +
+             "], " + expr(stmt.value) + ");");
         break;
     case StmtOp::report:
         line("report(" + (stmt.slot == no_binding ? "view" : binding(stmt.slot)) + ", " + expr(stmt.target) + ");");
@@ -282,14 +290,19 @@ void Printer::stmt(const Stmt& stmt) {
 
 void Printer::host_stmt(const Stmt& stmt) {
     switch (stmt.op) {
-    case StmtOp::temp: line("temp " + local(stmt.local) + " = " + to_text(p, p.locals[stmt.local].type) + "(" + list(stmt.arguments) + ");"); break;
+    case StmtOp::temp:
+        line("temp " + local(stmt.local) + " = " + to_text(p, p.locals[stmt.local].type) + "(" + list(stmt.arguments) +
+             ");");
+        break;
     case StmtOp::release: {
         std::string text = "release";
         for (LocalId id : stmt.locals) text += " " + local(id);
         line(text + ";");
         break;
     }
-    case StmtOp::dispatch: line("dispatch " + name(p.kernels[stmt.slot].name) + "(" + list(stmt.arguments) + ");"); break;
+    case StmtOp::dispatch:
+        line("dispatch " + name(p.kernels[stmt.slot].name) + "(" + list(stmt.arguments) + ");");
+        break;
     case StmtOp::expect: line("expect(" + expr(stmt.value) + ");"); break;
     case StmtOp::expect_near: line("expect_near(" + list(stmt.arguments) + ");"); break;
     case StmtOp::expect_same: line("expect_same(" + list(stmt.arguments) + ");"); break;
@@ -352,14 +365,16 @@ void Printer::pass() {
     const Pass& pass = *pass_;
     line("pass " + name(kernel_->name) + " " + std::string(form_name(pass.form)) + " {");
     ++indent_;
-    line("group " + std::to_string(pass.group[0]) + " " + std::to_string(pass.group[1]) + " " + std::to_string(pass.group[2]) + ", rank " +
-         std::to_string(pass.rank));
+    line("group " + std::to_string(pass.group[0]) + " " + std::to_string(pass.group[1]) + " " +
+         std::to_string(pass.group[2]) + ", rank " + std::to_string(pass.rank));
     for (const PassBinding& of : pass.bindings)
         line("binding " + of.name + ": " + std::string(shape_name(of.shape)) + "<" + to_text(p, of.element) + "> " +
              std::string(access_name(of.access)) + (of.sampled ? " sampled" : "") + (of.atomic ? " atomic" : ""));
     for (const PassParameter& of : pass.parameters)
-        line("parameter " + of.name + ": " + to_text(p, of.type) + " = " + source_text(of, of.value ? expr(of.value) : ""));
-    if (pass.loop_rounds) line("loops " + (pass.loop_rounds == ~0ull ? std::string("unbounded") : std::to_string(pass.loop_rounds)));
+        line("parameter " + of.name + ": " + to_text(p, of.type) + " = " +
+             source_text(of, of.value ? expr(of.value) : ""));
+    if (pass.loop_rounds)
+        line("loops " + (pass.loop_rounds == ~0ull ? std::string("unbounded") : std::to_string(pass.loop_rounds)));
     if (pass.has_status()) line("has status");
     if (!pass.exact) line("inexact");
     for (FunctionId of : pass.functions) function(of);

@@ -28,36 +28,37 @@ ExprId materialize_part(Program& program, TypeId type, const Lane*& lanes, Span 
     Types& types = program.types;
     Expr expr{.op = Op::construct, .type = type, .span = span};
     switch (types.kind(type)) {
-        case TypeKind::vector:
-            for (std::uint32_t i = 0; i < types[type].count; ++i)
-                expr.operands.push_back(materialize_part(program, types[type].element, lanes, span));
-            break;
-        case TypeKind::matrix:
-            for (std::uint32_t i = 0; i < types[type].count; ++i)
-                expr.operands.push_back(materialize_part(program, types.vector(types[type].element, types[type].rows), lanes, span));
-            break;
-        case TypeKind::array:
-            for (std::uint32_t i = 0; i < types[type].count; ++i)
-                expr.operands.push_back(materialize_part(program, types[type].element, lanes, span));
-            break;
-        case TypeKind::struct_: {
-            std::vector<TypeId> fields;
-            for (const StructField& field : program.structs[types[type].index].fields) fields.push_back(field.type);
-            for (TypeId field : fields) expr.operands.push_back(materialize_part(program, field, lanes, span));
-            break;
-        }
-        case TypeKind::optional: {
-            bool has = (lanes++)->bits != 0;
-            ExprId value = materialize_part(program, types[type].element, lanes, span);
-            expr.op = has ? Op::some : Op::none;
-            if (has) expr.operands.push_back(value);
-            break;
-        }
-        default:
-            expr.op = Op::constant;
-            expr.bits = lanes->bits;
-            expr.number = lanes->number;
-            ++lanes;
+    case TypeKind::vector:
+        for (std::uint32_t i = 0; i < types[type].count; ++i)
+            expr.operands.push_back(materialize_part(program, types[type].element, lanes, span));
+        break;
+    case TypeKind::matrix:
+        for (std::uint32_t i = 0; i < types[type].count; ++i)
+            expr.operands.push_back(
+                materialize_part(program, types.vector(types[type].element, types[type].rows), lanes, span));
+        break;
+    case TypeKind::array:
+        for (std::uint32_t i = 0; i < types[type].count; ++i)
+            expr.operands.push_back(materialize_part(program, types[type].element, lanes, span));
+        break;
+    case TypeKind::struct_: {
+        std::vector<TypeId> fields;
+        for (const StructField& field : program.structs[types[type].index].fields) fields.push_back(field.type);
+        for (TypeId field : fields) expr.operands.push_back(materialize_part(program, field, lanes, span));
+        break;
+    }
+    case TypeKind::optional: {
+        bool has = (lanes++)->bits != 0;
+        ExprId value = materialize_part(program, types[type].element, lanes, span);
+        expr.op = has ? Op::some : Op::none;
+        if (has) expr.operands.push_back(value);
+        break;
+    }
+    default:
+        expr.op = Op::constant;
+        expr.bits = lanes->bits;
+        expr.number = lanes->number;
+        ++lanes;
     }
     return program.exprs.add(std::move(expr));
 }
@@ -79,33 +80,35 @@ std::string to_text(const Program& program, const Value& value) {
     TypeId scalar = types.scalar_of(value.type);
     if (value.lanes.size() == 1) return lane_text(types, scalar, value.lanes[0]);
     std::string text = to_text(program, value.type) + "(";
-    for (std::size_t i = 0; i < value.lanes.size(); ++i) text += (i ? ", " : "") + lane_text(types, scalar, value.lanes[i]);
+    for (std::size_t i = 0; i < value.lanes.size(); ++i)
+        text += (i ? ", " : "") + lane_text(types, scalar, value.lanes[i]);
     return text + ")";
 }
 
 std::string to_text(const Program& program, TypeId id) {
     const Type& type = program.types[id];
     switch (type.kind) {
-        case TypeKind::error: return "?";
-        case TypeKind::void_: return "nothing";
-        case TypeKind::bool_: return "bool";
-        case TypeKind::int_: return "int";
-        case TypeKind::uint: return "uint";
-        case TypeKind::float_: return "float";
-        case TypeKind::half: return "half";
-        case TypeKind::double_: return "double";
-        case TypeKind::int64: return "int64";
-        case TypeKind::uint64: return "uint64";
-        case TypeKind::vector: return to_text(program, type.element) + std::to_string(type.count);
-        case TypeKind::matrix: return to_text(program, type.element) + std::to_string(type.count) + "x" + std::to_string(type.rows);
-        case TypeKind::array: return to_text(program, type.element) + "[" + std::to_string(type.count) + "]";
-        case TypeKind::struct_: return program.structs[type.index].display;
-        case TypeKind::enum_: return (*program.names)[program.enums[type.index].name];
-        case TypeKind::optional: return to_text(program, type.element) + "?";
-        case TypeKind::range: return "range of " + to_text(program, type.element);
-        case TypeKind::structure: return program.structures[type.index].display;
-        case TypeKind::slice: return "slice of " + to_text(program, type.element);
-        case TypeKind::device: return to_text(program, type.element) + " on the device";
+    case TypeKind::error: return "?";
+    case TypeKind::void_: return "nothing";
+    case TypeKind::bool_: return "bool";
+    case TypeKind::int_: return "int";
+    case TypeKind::uint: return "uint";
+    case TypeKind::float_: return "float";
+    case TypeKind::half: return "half";
+    case TypeKind::double_: return "double";
+    case TypeKind::int64: return "int64";
+    case TypeKind::uint64: return "uint64";
+    case TypeKind::vector: return to_text(program, type.element) + std::to_string(type.count);
+    case TypeKind::matrix:
+        return to_text(program, type.element) + std::to_string(type.count) + "x" + std::to_string(type.rows);
+    case TypeKind::array: return to_text(program, type.element) + "[" + std::to_string(type.count) + "]";
+    case TypeKind::struct_: return program.structs[type.index].display;
+    case TypeKind::enum_: return (*program.names)[program.enums[type.index].name];
+    case TypeKind::optional: return to_text(program, type.element) + "?";
+    case TypeKind::range: return "range of " + to_text(program, type.element);
+    case TypeKind::structure: return program.structures[type.index].display;
+    case TypeKind::slice: return "slice of " + to_text(program, type.element);
+    case TypeKind::device: return to_text(program, type.element) + " on the device";
     }
     return "?";
 }

@@ -13,19 +13,26 @@
 namespace gliftc::ir {
 
 enum class TypeKind : std::uint8_t {
-    error,       // reported already; agrees with everything
+    error,  // reported already; agrees with everything
     void_,
-    bool_, int_, uint, float_, half, double_, int64, uint64,   // scalars
-    vector,      // element × count (2, 3, 4)
-    matrix,      // element × columns (count) × rows (rows)
-    array,       // element × count
-    struct_,     // Program::structs
-    enum_,       // Program::enums; its values are uints
-    optional,    // element?
-    range,       // lo..hi of element (int or uint): only in `for` and slices
-    structure,   // Program::structures: an instance of a structure, view or adaptor
-    slice,       // pipelines: a box of a structure (element is the structure type)
-    device,      // pipelines: a value of `element` that lives on the device until awaited
+    bool_,
+    int_,
+    uint,
+    float_,
+    half,
+    double_,
+    int64,
+    uint64,     // scalars
+    vector,     // element × count (2, 3, 4)
+    matrix,     // element × columns (count) × rows (rows)
+    array,      // element × count
+    struct_,    // Program::structs
+    enum_,      // Program::enums; its values are uints
+    optional,   // element?
+    range,      // lo..hi of element (int or uint): only in `for` and slices
+    structure,  // Program::structures: an instance of a structure, view or adaptor
+    slice,      // pipelines: a box of a structure (element is the structure type)
+    device,     // pipelines: a value of `element` that lives on the device until awaited
 };
 
 struct Type;
@@ -36,7 +43,7 @@ struct Type {
     TypeId element{};
     std::uint32_t count = 0;
     std::uint32_t rows = 0;
-    std::uint32_t index = 0;     ///< struct_, enum_, structure: index in the Program's table
+    std::uint32_t index = 0;  ///< struct_, enum_, structure: index in the Program's table
     bool operator==(const Type&) const = default;
 };
 
@@ -49,7 +56,7 @@ public:
 
     TypeId error, void_, bool_, int_, uint, float_, half, double_, int64, uint64;
 
-    TypeId vector(TypeId element, std::uint32_t count);          ///< count 1 is the element itself
+    TypeId vector(TypeId element, std::uint32_t count);  ///< count 1 is the element itself
     TypeId matrix(TypeId element, std::uint32_t columns, std::uint32_t rows);
     TypeId array(TypeId element, std::uint32_t count);
     TypeId optional(TypeId element);
@@ -61,16 +68,16 @@ public:
     TypeId of_structure(std::uint32_t index);
 
     TypeKind kind(TypeId id) const { return arena_[id].kind; }
-    bool is_scalar(TypeId id) const;                              ///< bool to uint64
-    bool is_number(TypeId id) const;                              ///< a scalar that is not bool
-    bool is_integer(TypeId id) const;                             ///< int uint int64 uint64
-    bool is_signed(TypeId id) const;                              ///< int int64
-    bool is_floating(TypeId id) const;                            ///< float half double
+    bool is_scalar(TypeId id) const;    ///< bool to uint64
+    bool is_number(TypeId id) const;    ///< a scalar that is not bool
+    bool is_integer(TypeId id) const;   ///< int uint int64 uint64
+    bool is_signed(TypeId id) const;    ///< int int64
+    bool is_floating(TypeId id) const;  ///< float half double
     bool is_vector(TypeId id) const { return kind(id) == TypeKind::vector; }
     bool is_matrix(TypeId id) const { return kind(id) == TypeKind::matrix; }
-    TypeId scalar_of(TypeId id) const;                            ///< the element of a vector or matrix, else itself
-    std::uint32_t components(TypeId id) const;                    ///< of a vector; 1 for a scalar
-    TypeId with_scalar(TypeId shape, TypeId scalar);              ///< bool4 from (float4, bool)
+    TypeId scalar_of(TypeId id) const;                ///< the element of a vector or matrix, else itself
+    std::uint32_t components(TypeId id) const;        ///< of a vector; 1 for a scalar
+    TypeId with_scalar(TypeId shape, TypeId scalar);  ///< bool4 from (float4, bool)
 
 private:
     TypeId intern(Type type);

@@ -13,7 +13,8 @@ enum class Uniforms { allowed, moved };
 
 class Validator {
 public:
-    Validator(const Program& program, const Pass& pass, Uniforms uniforms) : p(program), pass_(pass), uniforms_(uniforms) {
+    Validator(const Program& program, const Pass& pass, Uniforms uniforms)
+        : p(program), pass_(pass), uniforms_(uniforms) {
         for (LocalId local : pass.shared) known_.insert(local);
         if (pass.address) known_.insert(pass.address);
         if (pass.in_range) known_.insert(pass.in_range);
@@ -33,7 +34,8 @@ private:
     void stmt(const Stmt& stmt);
     void expr(ExprId id);
     void expect_type(ExprId id, TypeId type, const char* where) {
-        if (p.exprs[id].type != type) fail(std::string(where) + " is " + to_text(p, p.exprs[id].type) + ", not " + to_text(p, type), id);
+        if (p.exprs[id].type != type)
+            fail(std::string(where) + " is " + to_text(p, p.exprs[id].type) + ", not " + to_text(p, type), id);
     }
     void low_level(ExprId id);
     void operand_types(ExprId id);
@@ -56,7 +58,8 @@ void Validator::low_level(ExprId id) {
     case Op::image_sample: {
         if (node.slot >= pass_.bindings.size()) return fail("no such binding");
         const PassBinding& binding = pass_.bindings[node.slot];
-        if ((binding.shape == MemoryShape::buffer) != (node.op == Op::load)) fail("load from another kind of memory", id);
+        if ((binding.shape == MemoryShape::buffer) != (node.op == Op::load))
+            fail("load from another kind of memory", id);
         return expect_type(id, binding.element, "a load");
     }
     case Op::member:
@@ -106,7 +109,8 @@ void Validator::operand_types(ExprId id) {
     case Op::call: {
         const auto& params = p.functions[node.function].params;
         if (params.size() != node.operands.size()) return fail("a call with other arguments", id);
-        for (std::size_t i = 0; i < params.size(); ++i) expect_type(node.operands[i], p.locals[params[i]].type, "an argument");
+        for (std::size_t i = 0; i < params.size(); ++i)
+            expect_type(node.operands[i], p.locals[params[i]].type, "an argument");
         if (!node.places.empty()) fail("a structure is passed in a lowered kernel", id);
         return;
     }

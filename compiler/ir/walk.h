@@ -8,8 +8,7 @@
 namespace gliftc::ir {
 
 /// Calls visit(const Stmt&) for every statement, outer before inner.
-template <class Visit>
-void for_each_statement(const Program& program, const std::vector<StmtId>& body, Visit&& visit) {
+template <class Visit> void for_each_statement(const Program& program, const std::vector<StmtId>& body, Visit&& visit) {
     for (StmtId id : body) {
         const Stmt& stmt = program.stmts[id];
         visit(stmt);
@@ -28,15 +27,13 @@ void walk_nodes(const Program& program, ExprId id, std::unordered_set<ExprId>& s
 }  // namespace detail
 
 /// Calls visit(ExprId) once for every node of an expression.
-template <class Visit>
-void for_each_node(const Program& program, ExprId id, Visit&& visit) {
+template <class Visit> void for_each_node(const Program& program, ExprId id, Visit&& visit) {
     std::unordered_set<ExprId> seen;
     detail::walk_nodes(program, id, seen, visit);
 }
 
 /// Calls visit(ExprId) for the root of every expression of one statement, without the statements inside it.
-template <class Visit>
-void for_each_root(const Stmt& stmt, Visit&& visit) {
+template <class Visit> void for_each_root(const Stmt& stmt, Visit&& visit) {
     if (stmt.value) visit(stmt.value);
     if (stmt.target) visit(stmt.target);
     if (stmt.limit) visit(stmt.limit);

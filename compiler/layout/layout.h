@@ -1,5 +1,5 @@
-// layout: sizes, alignments and offsets, decided once and read by every target. Scalar layout: everything is aligned to its
-// largest scalar, as GL_EXT_scalar_block_layout has it and as C++ lays structs out.
+// layout: sizes, alignments and offsets, decided once and read by every target. Scalar layout: everything is aligned to
+// its largest scalar, as GL_EXT_scalar_block_layout has it and as C++ lays structs out.
 #pragma once
 
 #include "ir/pass.h"

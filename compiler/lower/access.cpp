@@ -52,9 +52,10 @@ ExprId Expander::otherwise_of(const Place& place) {
     return inside(std::move(frame), [&] { return value_of(structure.otherwise); });
 }
 
-/// The element where `guard` and the translation's own condition hold, else the structure's otherwise. Numbers and vectors are
-/// loaded without a branch, from `other_address` where the guard fails; it must lie in the memory.
-ExprId Expander::guarded_load(const Place& place, const Pair& physical, ExprId guard, ExprId other_address, const std::string& name) {
+/// The element where `guard` and the translation's own condition hold, else the structure's otherwise. Numbers and
+/// vectors are loaded without a branch, from `other_address` where the guard fails; it must lie in the memory.
+ExprId Expander::guarded_load(const Place& place, const Pair& physical, ExprId guard, ExprId other_address,
+                              const std::string& name) {
     ExprId condition = make.both(guard, physical.has);
     if (!condition || make.is_true(condition)) return load(place, physical.value);
     ExprId otherwise = otherwise_of(place);
@@ -64,7 +65,8 @@ ExprId Expander::guarded_load(const Place& place, const Pair& physical, ExprId g
         condition = named(name + "_inside", condition);
         ExprId other = other_address ? other_address : make.zero(make.type(physical.value));
         // Locals on both sides, so that no branch is made of the choice.
-        ExprId at = is_trivial(cx, physical.value) ? physical.value : make.local(let(name + "_at", physical.value, span_));
+        ExprId at =
+            is_trivial(cx, physical.value) ? physical.value : make.local(let(name + "_at", physical.value, span_));
         ExprId value = make.local(let(name, load(place, make.select(condition, at, other)), span_));
         return make.select(condition, value, otherwise);
     }
@@ -109,9 +111,11 @@ ExprId Expander::read(const Place& place, ExprId address, const std::string& nam
 std::optional<std::vector<std::int64_t>> Expander::offset_of(const Expr& node) {
     ExprId offset = value_of(node.operands[0]);
     if (!make.is_constant(offset)) {
-        auto& report = cx.diagnostics.report(Diag::near_offset, node.span, {(*p.names)[cx.kernel.params[resolved(node.place).root].name]});
-        report.notes.push_back({{}, "make the offset a constant, or loop over constant bounds without break or continue; "
-                                    "for offsets known only when the kernel runs, take the structure as any<…>"});
+        auto& report = cx.diagnostics.report(Diag::near_offset, node.span,
+                                             {(*p.names)[cx.kernel.params[resolved(node.place).root].name]});
+        report.notes.push_back({{},
+                                "make the offset a constant, or loop over constant bounds without break or continue; "
+                                "for offsets known only when the kernel runs, take the structure as any<…>"});
         return std::nullopt;
     }
     auto value = evaluate(p, offset);
@@ -125,7 +129,8 @@ std::optional<std::vector<std::int64_t>> Expander::offset_of(const Expr& node) {
         const auto& param = cx.kernel.params[resolved(node.place).root];
         auto& report = cx.diagnostics.report(Diag::near_radius, node.span,
                                              {std::to_string(part), (*p.names)[param.name], std::to_string(radius)});
-        report.notes.push_back({param.span, "declare the radius that the kernel reaches: near<…, " + std::to_string(std::abs(part)) + ">"});
+        report.notes.push_back({param.span, "declare the radius that the kernel reaches: near<…, " +
+                                                std::to_string(std::abs(part)) + ">"});
         return std::nullopt;
     }
     return result;
@@ -137,10 +142,11 @@ ExprId Expander::near_guard(std::uint32_t root, const std::vector<std::int64_t>&
     for (std::uint32_t axis = 0; axis < offset.size(); ++axis) {
         if (offset[axis] == 0) continue;
         ExprId at = make.component(address, axis);
-        ExprId inside = offset[axis] < 0
-                            ? make.binary(BinaryOp::greater_equal, at, make.uint(static_cast<std::uint64_t>(-offset[axis])))
-                            : make.binary(BinaryOp::less, make.add(at, make.uint(static_cast<std::uint64_t>(offset[axis]))),
-                                          make.component(domain, axis));
+        ExprId inside =
+            offset[axis] < 0
+                ? make.binary(BinaryOp::greater_equal, at, make.uint(static_cast<std::uint64_t>(-offset[axis])))
+                : make.binary(BinaryOp::less, make.add(at, make.uint(static_cast<std::uint64_t>(offset[axis]))),
+                              make.component(domain, axis));
         guard = make.both(guard, inside);
     }
     return guard;
@@ -152,7 +158,8 @@ std::string offset_name(const std::vector<std::int64_t>& offset) {
     std::string name;
     for (std::size_t axis = 0; axis < offset.size(); ++axis) {
         if (offset[axis] == 0) continue;
-        name += std::string("_") + "xyzw"[axis] + (offset[axis] < 0 ? "m" : "p") + std::to_string(std::abs(offset[axis]));
+        name +=
+            std::string("_") + "xyzw"[axis] + (offset[axis] < 0 ? "m" : "p") + std::to_string(std::abs(offset[axis]));
     }
     return name;
 }

@@ -20,7 +20,7 @@ enum class Degree : std::uint8_t { uniform, affine, other };
 
 struct Part {
     Degree degree = Degree::uniform;
-    std::optional<std::uint64_t> value;   ///< a known integer
+    std::optional<std::uint64_t> value;  ///< a known integer
 };
 using Parts = std::vector<Part>;
 
@@ -38,7 +38,9 @@ private:
     Parts of_binary(const Expr& node);
     Parts of_construct(const Expr& node);
     Parts joined(const Expr& node);
-    Parts all(TypeId type, Degree degree) { return Parts(std::max<std::size_t>(1, lane_count(p, type)), Part{degree, {}}); }
+    Parts all(TypeId type, Degree degree) {
+        return Parts(std::max<std::size_t>(1, lane_count(p, type)), Part{degree, {}});
+    }
     bool run(const std::vector<StmtId>& body);
     bool run_if(const Stmt& stmt);
     void assign(ExprId target, const Parts& value);
@@ -60,7 +62,8 @@ Parts Degrees::call(FunctionId id, std::vector<Parts> arguments) {
     const Function& function = p.functions[id];
     if (++depth_ > 32) return all(function.result, Degree::other);
     Frame frame;
-    for (std::size_t i = 0; i < function.params.size() && i < arguments.size(); ++i) frame[function.params[i]] = std::move(arguments[i]);
+    for (std::size_t i = 0; i < function.params.size() && i < arguments.size(); ++i)
+        frame[function.params[i]] = std::move(arguments[i]);
     Frame* outer = std::exchange(frame_, &frame);
     auto outer_returned = std::exchange(returned_, std::nullopt);
     bool followed = run(function.body);
@@ -102,7 +105,8 @@ Parts Degrees::of_binary(const Expr& node) {
         if (x.degree == Degree::uniform && y.degree == Degree::uniform) {
             part.degree = Degree::uniform;
             TypeId scalar = p.types.scalar_of(p.exprs[node.operands[0]].type);
-            if (x.value && y.value) part.value = apply(p.types, node.binary, scalar, {.bits = *x.value}, {.bits = *y.value}).bits;
+            if (x.value && y.value)
+                part.value = apply(p.types, node.binary, scalar, {.bits = *x.value}, {.bits = *y.value}).bits;
         } else if (is_sum && x.degree != Degree::other && y.degree != Degree::other) {
             part.degree = Degree::affine;
         } else if (is_product && std::min(x.degree, y.degree) == Degree::uniform) {
@@ -112,7 +116,8 @@ Parts Degrees::of_binary(const Expr& node) {
         }
         result.push_back(part);
     }
-    if (p.types.components(node.type) != result.size()) return all(node.type, highest(result) == Degree::uniform ? Degree::uniform : Degree::other);
+    if (p.types.components(node.type) != result.size())
+        return all(node.type, highest(result) == Degree::uniform ? Degree::uniform : Degree::other);
     return result;
 }
 
@@ -151,7 +156,8 @@ Parts Degrees::of(ExprId id) {
         Parts whole = of(node.operands[0]);
         std::size_t count = std::max<std::size_t>(1, lane_count(p, node.type));
         auto at = index_of(node);
-        if (!at || (*at + 1) * count > whole.size()) return all(node.type, highest(whole) == Degree::uniform ? Degree::uniform : Degree::other);
+        if (!at || (*at + 1) * count > whole.size())
+            return all(node.type, highest(whole) == Degree::uniform ? Degree::uniform : Degree::other);
         auto begin = whole.begin() + static_cast<std::ptrdiff_t>(*at * count);
         return {begin, begin + static_cast<std::ptrdiff_t>(count)};
     }
@@ -226,11 +232,11 @@ bool Degrees::run(const std::vector<StmtId>& body) {
     for (StmtId id : body) {
         const Stmt& stmt = p.stmts[id];
         switch (stmt.op) {
-        case StmtOp::let: (*frame_)[stmt.local] = stmt.value ? of(stmt.value) : all(p.locals[stmt.local].type, Degree::uniform); break;
+        case StmtOp::let:
+            (*frame_)[stmt.local] = stmt.value ? of(stmt.value) : all(p.locals[stmt.local].type, Degree::uniform);
+            break;
         case StmtOp::assign: assign(stmt.target, of(stmt.value)); break;
-        case StmtOp::return_:
-            returned_ = stmt.value ? of(stmt.value) : Parts{};
-            return true;
+        case StmtOp::return_: returned_ = stmt.value ? of(stmt.value) : Parts{}; return true;
         case StmtOp::if_:
             if (!run_if(stmt)) return false;
             if (returned_) return true;

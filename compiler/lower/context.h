@@ -19,9 +19,9 @@ namespace gliftc::lower {
 /// A function made for this pass: a function or a stage's translate, with its structures and state at these places.
 struct FunctionKey {
     ir::FunctionId function;
-    std::vector<std::vector<std::uint32_t>> places;   ///< of each structure: root, then members
-    std::vector<std::uint32_t> state;                 ///< translators: place of the structure, then the stage
-    bool is_within = false;                           ///< called by a translator or view, whose accesses are not checked
+    std::vector<std::vector<std::uint32_t>> places;  ///< of each structure: root, then members
+    std::vector<std::uint32_t> state;                ///< translators: place of the structure, then the stage
+    bool is_within = false;                          ///< called by a translator or view, whose accesses are not checked
     auto operator<=>(const FunctionKey&) const = default;
 };
 
@@ -44,11 +44,11 @@ struct Context {
     /// Locals that no source names: made for values used more than once.
     std::unordered_set<LocalId> made;
     std::map<FunctionKey, ir::FunctionId> instances;
-    std::unordered_set<ir::FunctionId> made_functions;   ///< the values of instances: they may load
-    std::vector<LocalId> params;                      ///< of the function whose body is being simplified
-    ExprId size;                                      ///< the iteration's size
+    std::unordered_set<ir::FunctionId> made_functions;  ///< the values of instances: they may load
+    std::vector<LocalId> params;                        ///< of the function whose body is being simplified
+    ExprId size;                                        ///< the iteration's size
     FlatMap<ExprId, bool> uniform;
-    FlatMap<ExprId, std::uint8_t> traits;             ///< of number.h; valid once the bindings' access is settled
+    FlatMap<ExprId, std::uint8_t> traits;  ///< of number.h; valid once the bindings' access is settled
 
     bool is_direct() const { return pass.form == ir::Form::direct; }
     std::uint32_t parameter(ir::ParameterSource source, const std::string& name, TypeId type, std::uint32_t param);
@@ -56,7 +56,7 @@ struct Context {
     StmtId add(ir::Stmt stmt) { return p.stmts.add(std::move(stmt)); }
     LocalId new_local(std::string_view name, TypeId type, Span span, bool is_mutable = false);
     const ir::Structure& structure_at(const ir::Place& place) const;
-    std::string name_of(const ir::Place& place) const;    ///< f, f_table
+    std::string name_of(const ir::Place& place) const;  ///< f, f_table
 };
 
 /// Whether the value is the same for all invocations and the host can compute it before the pass runs.

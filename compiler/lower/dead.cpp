@@ -31,12 +31,15 @@ std::vector<StmtId> kept(Context& cx, const std::vector<StmtId>& body, std::unor
     for (std::size_t i = body.size(); i-- > 0;) {
         const Stmt stmt = cx.p.stmts[body[i]];
         if (stmt.op == StmtOp::if_ && stmt.otherwise.empty() && cx.make.is_false(stmt.value)) continue;
-        if (stmt.op == StmtOp::let && !used.contains(stmt.local) && !(stmt.value && has_effect(cx.p, stmt.value))) continue;
+        if (stmt.op == StmtOp::let && !used.contains(stmt.local) && !(stmt.value && has_effect(cx.p, stmt.value)))
+            continue;
         Stmt copy = stmt;
         copy.body = kept(cx, stmt.body, used);
         copy.otherwise = kept(cx, stmt.otherwise, used);
         bool is_empty = copy.body.empty() && copy.otherwise.empty();
-        if ((stmt.op == StmtOp::if_ || stmt.op == StmtOp::block) && is_empty && !(stmt.value && has_effect(cx.p, stmt.value))) continue;
+        if ((stmt.op == StmtOp::if_ || stmt.op == StmtOp::block) && is_empty &&
+            !(stmt.value && has_effect(cx.p, stmt.value)))
+            continue;
         for_each_root(stmt, use);
         bool same = copy.body == stmt.body && copy.otherwise == stmt.otherwise;
         result.push_back(same ? body[i] : cx.add(std::move(copy)));

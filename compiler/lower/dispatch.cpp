@@ -27,7 +27,8 @@ ExprId in_range_condition(Context& cx) {
     ExprId at = cx.make.local(cx.pass.address);
     if (cx.pass.rank == 1) return cx.make.binary(BinaryOp::less, at, cx.size);
     TypeId truths = cx.p.types.with_scalar(cx.kernel.domain_type, cx.p.types.bool_);
-    return cx.make.intrinsic(Intrinsic::all, cx.p.types.bool_, {cx.make.intrinsic(Intrinsic::lessThan, truths, {at, cx.size})});
+    return cx.make.intrinsic(Intrinsic::all, cx.p.types.bool_,
+                             {cx.make.intrinsic(Intrinsic::lessThan, truths, {at, cx.size})});
 }
 
 std::vector<StmtId> dispatch_prologue(Context& cx) {

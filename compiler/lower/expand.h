@@ -1,9 +1,9 @@
 // From structures to memory: makes the body of a kernel that speaks of loads and stores only.
 //
-// Needs: a checked kernel. Guarantees: no high-level operation is left; near offsets are constants inside the radius; every
-// access that could leave a structure is guarded; optionals are pairs (has, value) wherever they need no storage; functions are
-// inlined where that is straight-line code. Values are shared by node, so a body is a graph until share.h has named what is
-// used twice.
+// Needs: a checked kernel. Guarantees: no high-level operation is left; near offsets are constants inside the radius;
+// every access that could leave a structure is guarded; optionals are pairs (has, value) wherever they need no storage;
+// functions are inlined where that is straight-line code. Values are shared by node, so a body is a graph until share.h
+// has named what is used twice.
 #pragma once
 
 #include "lower/context.h"
@@ -24,12 +24,12 @@ enum class Guards { checked, interior };
 
 /// One function (or the kernel) being expanded.
 struct Frame {
-    std::vector<ir::Place> places;                    ///< of each Place root, as seen from the kernel
+    std::vector<ir::Place> places;  ///< of each Place root, as seen from the kernel
     std::unordered_map<LocalId, Pair> locals;
-    const ir::Stage* stage = nullptr;                 ///< in a translator's functions: whose state
-    ir::Place structure;                              ///< … and the structure that the stage belongs to
-    std::string prefix;                               ///< of names made here
-    TypeId result;                                    ///< of a function expanded as statements
+    const ir::Stage* stage = nullptr;  ///< in a translator's functions: whose state
+    ir::Place structure;               ///< … and the structure that the stage belongs to
+    std::string prefix;                ///< of names made here
+    TypeId result;                     ///< of a function expanded as statements
 };
 
 class Expander {
@@ -59,8 +59,8 @@ private:
     Pair expand_select(const ir::Expr& node);
     Pair expand_logical(const ir::Expr& node);
     Pair expand_again(ExprId id, const ir::Expr& node);
-    Pair of_optional(ExprId whole);                   ///< the pair of an optional that has storage
-    ExprId stored(const Pair& pair, TypeId type);     ///< the value as its type stores it
+    Pair of_optional(ExprId whole);                ///< the pair of an optional that has storage
+    ExprId stored(const Pair& pair, TypeId type);  ///< the value as its type stores it
     ExprId expand_member(const ir::Expr& node);
     ExprId expand_invocation(const ir::Expr& node);
 
@@ -104,18 +104,19 @@ private:
 
     // translate.cpp
     Pair translated(const ir::Place& place, ExprId address, const std::string& name);
-    Pair centre(std::uint32_t root);                  ///< physical address of the current element
-    ExprId centre_address(std::uint32_t root);        ///< its virtual address
+    Pair centre(std::uint32_t root);            ///< physical address of the current element
+    ExprId centre_address(std::uint32_t root);  ///< its virtual address
     ExprId domain_of(const ir::Place& place);
     ExprId inside_domain(const ir::Place& place, ExprId address);
-    bool is_total(const ir::Structure& structure);    ///< the first translator maps every address of the domain
+    bool is_total(const ir::Structure& structure);  ///< the first translator maps every address of the domain
 
     // access.cpp
     ExprId element(std::uint32_t root, Span span);
     ExprId near(const ir::Expr& node);
     ExprId read(const ir::Place& place, ExprId address, const std::string& name);
     ExprId view(const ir::Place& place, ExprId address);
-    ExprId guarded_load(const ir::Place& place, const Pair& physical, ExprId guard, ExprId other_address, const std::string& name);
+    ExprId guarded_load(const ir::Place& place, const Pair& physical, ExprId guard, ExprId other_address,
+                        const std::string& name);
     ExprId load(const ir::Place& place, ExprId physical);
     ExprId otherwise_of(const ir::Place& place);
     void set_element(const ir::Stmt& stmt);
@@ -130,7 +131,7 @@ private:
     // check.cpp
     bool checks_range(const ir::Place& place);
     void check_range(const ir::Place& place, ExprId address, ir::Access access, Span span);
-    template <class F> auto within(F&& work) {        ///< what a translator or view does is not checked
+    template <class F> auto within(F&& work) {  ///< what a translator or view does is not checked
         ++within_;
         auto result = work();
         --within_;
@@ -148,9 +149,9 @@ private:
 
     // shared
     ir::Place resolved(const ir::Place& place) const;
-    ir::Place canonical(const ir::Place& place) const;   ///< of what parameters of one structure share
+    ir::Place canonical(const ir::Place& place) const;  ///< of what parameters of one structure share
     std::uint32_t canonical_root(std::uint32_t root) const;
-    ExprId named(const std::string& name, ExprId value); ///< a let, unless trivial
+    ExprId named(const std::string& name, ExprId value);  ///< a let, unless trivial
     LocalId let(const std::string& name, ExprId value, Span span);
     LocalId variable(const std::string& name, TypeId type, ExprId value);
     void assign(LocalId local, ExprId value);
@@ -180,15 +181,15 @@ private:
     Guards guards_;
     Frame* frame_ = nullptr;
     Block* out_ = nullptr;
-    Block prelude_;                                   ///< comes before the body: the centre's addresses
-    Span span_;                                       ///< of the statement being expanded
+    Block prelude_;  ///< comes before the body: the centre's addresses
+    Span span_;      ///< of the statement being expanded
     std::unordered_map<std::uint32_t, Pair> centres_;
     std::unordered_map<std::uint32_t, ExprId> addresses_;
     std::unordered_map<ir::FunctionId, bool> inlinable_;
     std::unordered_map<ir::FunctionId, bool> windows_;
     std::unordered_map<StmtId, bool> returning_;
     unsigned depth_ = 0;
-    unsigned within_ = 0;                             ///< translators and views around what is being expanded
+    unsigned within_ = 0;  ///< translators and views around what is being expanded
 };
 
 }  // namespace gliftc::lower

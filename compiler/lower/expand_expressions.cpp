@@ -87,7 +87,8 @@ ExprId Expander::stored(const Pair& pair, TypeId type) {
     if (p.types.kind(type) != TypeKind::optional || !pair.has) return pair.value;
     const Expr& has = p.exprs[pair.has];
     const Expr& value = p.exprs[pair.value];
-    if (has.op == Op::has_value && value.op == Op::value && has.operands[0] == value.operands[0]) return has.operands[0];
+    if (has.op == Op::has_value && value.op == Op::value && has.operands[0] == value.operands[0])
+        return has.operands[0];
     Expr some;
     some.op = Op::some;
     some.type = type;
@@ -130,7 +131,9 @@ Pair Expander::expand(ExprId id) {
     case Op::range_size: {
         Place place = resolved(node.place);
         if (cx.is_direct()) return {domain_of(place), {}};
-        return {cx.parameter_expr(cx.parameter(ParameterSource::range_size, cx.name_of(place) + "_size", node.type, place.root)), {}};
+        return {cx.parameter_expr(
+                    cx.parameter(ParameterSource::range_size, cx.name_of(place) + "_size", node.type, place.root)),
+                {}};
     }
     case Op::state: {
         Frame frame;
@@ -173,7 +176,7 @@ Pair Expander::expand(ExprId id) {
 
 Pair Expander::expand_local(const Expr& node) {
     if (auto found = frame_->locals.find(node.local); found != frame_->locals.end()) return found->second;
-    return {make.local(node.local), {}};   // a value parameter or workgroup memory of the kernel
+    return {make.local(node.local), {}};  // a value parameter or workgroup memory of the kernel
 }
 
 Pair Expander::expand_again(ExprId id, const Expr& node) {

@@ -24,7 +24,8 @@ ExprId Expander::iteration_size() {
     return inside(std::move(frame), [&]() -> ExprId {
         for (std::uint32_t i = 0; cx.is_direct() && i < cx.kernel.params.size(); ++i) {
             Pattern pattern = cx.kernel.params[i].pattern;
-            if (pattern == Pattern::each || pattern == Pattern::near || pattern == Pattern::at) return domain_of({i, {}});
+            if (pattern == Pattern::each || pattern == Pattern::near || pattern == Pattern::at)
+                return domain_of({i, {}});
         }
         return cx.parameter_expr(cx.parameter(ParameterSource::size, "size", cx.kernel.domain_type, 0));
     });

@@ -1,4 +1,5 @@
-// A hash map from ids to small values: one array, no allocation an entry. Lowering asks it several times for every node.
+// A hash map from ids to small values: one array, no allocation an entry. Lowering asks it several times for every
+// node.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +9,7 @@
 namespace gliftc::lower {
 
 /// Keys are Ids or numbers below 2^32 - 1.
-template <class Key, class Value>
-class FlatMap {
+template <class Key, class Value> class FlatMap {
 public:
     Value* find(Key key) {
         if (slots_.empty()) return nullptr;

@@ -10,9 +10,9 @@ using namespace ir;
 
 namespace {
 
-constexpr std::size_t inline_limit = 4000;        ///< nodes that inlining one call may make, loops unrolled
+constexpr std::size_t inline_limit = 4000;  ///< nodes that inlining one call may make, loops unrolled
 constexpr std::uint64_t inline_rounds = 64;
-constexpr std::size_t plain_call_limit = 40;      ///< nodes of a user's function that is not worth a call
+constexpr std::size_t plain_call_limit = 40;  ///< nodes of a user's function that is not worth a call
 constexpr unsigned depth_limit = 64;
 
 /// Whether an index of an assignment's target is known when the function is inlined: constants and loop variables.
@@ -39,7 +39,8 @@ bool has_known_target(const Program& p, ExprId target, const std::vector<LocalId
 }
 
 /// The nodes that running `body` symbolically makes; nothing if it cannot be run so.
-std::optional<std::size_t> straight_size(const Program& p, const std::vector<StmtId>& body, std::vector<LocalId>& loops) {
+std::optional<std::size_t> straight_size(const Program& p, const std::vector<StmtId>& body,
+                                         std::vector<LocalId>& loops) {
     std::size_t size = 0;
     for (StmtId id : body) {
         const Stmt& stmt = p.stmts[id];
@@ -59,7 +60,8 @@ std::optional<std::size_t> straight_size(const Program& p, const std::vector<Stm
         }
         case StmtOp::for_: {
             auto rounds = rounds_of(p, stmt.value, stmt.limit);
-            if (!rounds || rounds->count > inline_rounds || leaves_loop(p, stmt.body) || returns(p, stmt.body)) return std::nullopt;
+            if (!rounds || rounds->count > inline_rounds || leaves_loop(p, stmt.body) || returns(p, stmt.body))
+                return std::nullopt;
             loops.push_back(stmt.local);
             auto inner = straight_size(p, stmt.body, loops);
             loops.pop_back();
@@ -117,14 +119,15 @@ Pair Expander::expand_call(const Expr& node) {
                 ExprId known = materialize(p, *value, node.span);
                 return is_optional ? of_optional(known) : Pair{known, {}};
             }
-        if (uniform && !is_optional) return {id, {}};   // the host computes it once
+        if (uniform && !is_optional) return {id, {}};  // the host computes it once
     }
     Frame frame;
     for (const Place& place : node.places) frame.places.push_back(resolved(place));
     if (!function.structures.empty() || frame_->stage != nullptr) frame.prefix = frame_->prefix;
     bool wanted = is_optional || !function.structures.empty() || frame_->stage != nullptr || !frame_->prefix.empty() ||
                   is_short(p, function);
-    if (wanted && depth_ < depth_limit && is_inlinable(node.function)) return inlined(node.function, std::move(arguments), std::move(frame));
+    if (wanted && depth_ < depth_limit && is_inlinable(node.function))
+        return inlined(node.function, std::move(arguments), std::move(frame));
     return call_instance(node.function, std::move(arguments), std::move(frame));
 }
 
@@ -147,7 +150,9 @@ Pair Expander::run(const std::vector<StmtId>& body) {
         case StmtOp::let: {
             TypeId type = p.locals[stmt.local].type;
             bool is_optional = p.types.kind(type) == TypeKind::optional;
-            Pair value = stmt.value ? expand(stmt.value) : is_optional ? of_optional(make.zero(type)) : Pair{make.zero(type), {}};
+            Pair value = stmt.value    ? expand(stmt.value)
+                         : is_optional ? of_optional(make.zero(type))
+                                       : Pair{make.zero(type), {}};
             cx.name(value.value, prefixed((*p.names)[p.locals[stmt.local].name]));
             frame_->locals[stmt.local] = value;
             break;
@@ -283,7 +288,8 @@ ExprId Expander::replaced(ExprId target, ExprId value) {
         }
     } else {
         std::uint64_t at = make.bits_of(value_of(node.operands[1])).value_or(0);
-        for (std::uint32_t i = 0; i < p.types[type].count; ++i) parts.push_back(i == at ? value : make.index(whole, make.uint(i)));
+        for (std::uint32_t i = 0; i < p.types[type].count; ++i)
+            parts.push_back(i == at ? value : make.index(whole, make.uint(i)));
     }
     return replaced(node.operands[0], make.construct(type, std::move(parts)));
 }

@@ -1,5 +1,5 @@
-// What is known of the current element: it lies in the domain. A translator that asks so itself (one that maps nothing beyond
-// the edge) gets its answer here, and a neighbour is asked only about the sides that it moves towards.
+// What is known of the current element: it lies in the domain. A translator that asks so itself (one that maps nothing
+// beyond the edge) gets its answer here, and a neighbour is asked only about the sides that it moves towards.
 #include "lower/expand.h"
 
 namespace gliftc::lower {

@@ -41,7 +41,8 @@ Expander::Current Expander::enter_window(Function& made) {
     Current outer{cx.pass.address, cx.pass.in_range, std::move(prelude_), std::move(centres_), std::move(addresses_)};
     cx.pass.address = cx.new_local("address", p.locals[outer.address].type, made.span);
     made.params.push_back(cx.pass.address);
-    if (cx.kernel.grouped()) made.params.push_back(cx.pass.in_range = cx.new_local("in_range", p.types.bool_, made.span));
+    if (cx.kernel.grouped())
+        made.params.push_back(cx.pass.in_range = cx.new_local("in_range", p.types.bool_, made.span));
     prelude_ = {};
     centres_ = {};
     addresses_ = {};

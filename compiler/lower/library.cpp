@@ -49,25 +49,29 @@ struct Maker {
         return made;
     }
 
-    void add(const std::string& function, TypeId result, std::vector<LocalId> params, KernelParam of_structure, Stmt body) {
+    void add(const std::string& function, TypeId result, std::vector<LocalId> params, KernelParam of_structure,
+             Stmt body) {
         Kernel kernel;
         kernel.name = program.names->intern(library.name + "_" + function);
         kernel.params = {std::move(of_structure), param("at", Pattern::at, Direction::in)};
         kernel.domain_type = program.structures[library.structure].domain_type;
         kernel.body = {program.stmts.add(std::move(body))};
-        library.functions.push_back({function, result, std::move(params), lower_function(program, diagnostics, kernel)});
+        library.functions.push_back(
+            {function, result, std::move(params), lower_function(program, diagnostics, kernel)});
     }
 
     void add_value(const std::string& function, ExprId result) {
         Stmt stmt;
         stmt.op = StmtOp::evaluate;
         stmt.value = result;
-        add(function, program.exprs[result].type, {address}, param(library.name, Pattern::any, Direction::in), std::move(stmt));
+        add(function, program.exprs[result].type, {address}, param(library.name, Pattern::any, Direction::in),
+            std::move(stmt));
     }
 };
 
 bool is_partial(const Program& program, const Structure& s) {
-    return std::any_of(s.via.begin(), s.via.end(), [&](const Stage& stage) { return program.translators[stage.translator].properties.partial; });
+    return std::any_of(s.via.begin(), s.via.end(),
+                       [&](const Stage& stage) { return program.translators[stage.translator].properties.partial; });
 }
 
 void add_translate(Maker& k) {
@@ -84,7 +88,8 @@ void add_write(Maker& k) {
     stmt.op = StmtOp::write;
     stmt.target = k.use(k.address);
     stmt.value = k.use(k.value);
-    k.add("write", k.program.types.void_, {k.address, k.value}, k.param(k.library.name, Pattern::scatter, Direction::out), std::move(stmt));
+    k.add("write", k.program.types.void_, {k.address, k.value},
+          k.param(k.library.name, Pattern::scatter, Direction::out), std::move(stmt));
 }
 
 Library library_of(Program& program, std::uint32_t structure, Diagnostics& diagnostics) {
@@ -106,7 +111,8 @@ std::vector<Library> lower_libraries(Program& program, Diagnostics& diagnostics)
     for (std::uint32_t i = 0; i < program.structures.size(); ++i) {
         const Structure& s = program.structures[i];
         bool has_functions = s.is_pub && s.kind != StructureKind::adaptor;
-        if (has_functions && program.modules[s.pub_module].is_root) libraries.push_back(library_of(program, i, diagnostics));
+        if (has_functions && program.modules[s.pub_module].is_root)
+            libraries.push_back(library_of(program, i, diagnostics));
     }
     return libraries;
 }

@@ -44,7 +44,8 @@ private:
             });
         });
         std::uint64_t inside = plus(rounds(stmt.body), rounds(stmt.otherwise));
-        if (stmt.op == StmtOp::while_ || (stmt.op == StmtOp::atomic && is_retried(cx.p, cx.pass, stmt))) inside = note(stmt, unknown);
+        if (stmt.op == StmtOp::while_ || (stmt.op == StmtOp::atomic && is_retried(cx.p, cx.pass, stmt)))
+            inside = note(stmt, unknown);
         if (stmt.op == StmtOp::for_) {
             // The test that ends the loop is a round too.
             auto known = rounds_of(cx.p, stmt.value, stmt.limit);
@@ -102,7 +103,8 @@ void add_functions(Context& cx, const std::vector<StmtId>& body) {
         auto& functions = cx.pass.functions;
         if (std::find(functions.begin(), functions.end(), node.function) != functions.end()) return;
         add_functions(cx, cx.p.functions[node.function].body);
-        if (std::find(functions.begin(), functions.end(), node.function) == functions.end()) functions.push_back(node.function);
+        if (std::find(functions.begin(), functions.end(), node.function) == functions.end())
+            functions.push_back(node.function);
     });
 }
 

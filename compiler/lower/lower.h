@@ -9,11 +9,11 @@ namespace gliftc::lower {
 /// What kernels find out about themselves when they run.
 enum class Checks : std::uint8_t {
     none,
-    ranges,   ///< reads and writes by address outside a structure that says nothing about its outside: see check_range
+    ranges,  ///< reads and writes by address outside a structure that says nothing about its outside: see check_range
 };
 
-/// Lowers every kernel. Adds to the program's arenas; kernels stay as they were. Also ends the life of pipelines' temporaries
-/// (release statements) and marks affine translators.
+/// Lowers every kernel. Adds to the program's arenas; kernels stay as they were. Also ends the life of pipelines'
+/// temporaries (release statements) and marks affine translators.
 ir::Lowered lower(ir::Program& program, Diagnostics& diagnostics, Checks checks = Checks::none);
 
 /// One kernel as the body of a function that reaches the structures' state and memory by name: no dispatch, no range.

@@ -20,8 +20,7 @@ bool is_component_wise(const Types& types, const Expr& node) {
     case Op::unary:
     case Op::convert: return true;
     case Op::select: return !types.is_vector(node.type) ? false : true;
-    case Op::binary:
-        return node.binary != BinaryOp::equal && node.binary != BinaryOp::not_equal;
+    case Op::binary: return node.binary != BinaryOp::equal && node.binary != BinaryOp::not_equal;
     default: return false;
     }
 }
@@ -79,7 +78,9 @@ ExprId Make::binary(BinaryOp op, ExprId a, ExprId b) {
     Expr node;
     node.op = Op::binary;
     bool compares = op >= BinaryOp::less && op <= BinaryOp::not_equal;
-    node.type = compares ? p.types.bool_ : p.types.is_vector(type(b)) && !p.types.is_matrix(type(a)) ? type(b) : type(a);
+    node.type = compares                                                    ? p.types.bool_
+                : p.types.is_vector(type(b)) && !p.types.is_matrix(type(a)) ? type(b)
+                                                                            : type(a);
     node.binary = op;
     return again(node, {a, b});
 }
@@ -258,10 +259,11 @@ std::optional<ExprId> Make::simpler_component(ExprId vector, std::uint32_t lane)
     if (node.op == Op::select && p.types.is_vector(type(node.operands[1]))) {
         bool cheap = p.exprs[node.operands[1]].op == Op::construct || p.exprs[node.operands[2]].op == Op::construct;
         if (!cheap) return std::nullopt;
-        return select(component(node.operands[0], lane), component(node.operands[1], lane), component(node.operands[2], lane));
+        return select(component(node.operands[0], lane), component(node.operands[1], lane),
+                      component(node.operands[2], lane));
     }
-    if (node.op == Op::intrinsic && (node.intrinsic == Intrinsic::min || node.intrinsic == Intrinsic::max ||
-                                     node.intrinsic == Intrinsic::clamp)) {
+    if (node.op == Op::intrinsic &&
+        (node.intrinsic == Intrinsic::min || node.intrinsic == Intrinsic::max || node.intrinsic == Intrinsic::clamp)) {
         std::vector<ExprId> parts;
         for (ExprId operand : node.operands) parts.push_back(component(operand, lane));
         return intrinsic(node.intrinsic, p.types.scalar_of(node.type), std::move(parts));
@@ -342,11 +344,13 @@ ExprId Make::again(const Expr& original, std::vector<ExprId> operands) {
         ExprId whole;
         for (std::uint32_t i = 0; i < node.operands.size(); ++i) {
             const Expr& part = p.exprs[node.operands[i]];
-            if (part.op != Op::swizzle || p.types.is_vector(part.type) || part.lanes[0] != i) return make(std::move(node));
+            if (part.op != Op::swizzle || p.types.is_vector(part.type) || part.lanes[0] != i)
+                return make(std::move(node));
             const Expr& from = p.exprs[part.operands[0]];
             if (!whole) whole = part.operands[0];
             const Expr& first = p.exprs[whole];
-            bool same = whole == part.operands[0] || (from.op == Op::local && first.op == Op::local && from.local == first.local);
+            bool same = whole == part.operands[0] ||
+                        (from.op == Op::local && first.op == Op::local && from.local == first.local);
             if (!same || from.type != node.type) return make(std::move(node));
         }
         return whole;

@@ -1,5 +1,5 @@
-// Makes expressions and folds them as they are made: constants are computed, x + 0, x * 1 and selects on a constant vanish,
-// components are taken out of constructions and pushed through component-wise operations.
+// Makes expressions and folds them as they are made: constants are computed, x + 0, x * 1 and selects on a constant
+// vanish, components are taken out of constructions and pushed through component-wise operations.
 #pragma once
 
 #include "ir/evaluate.h"
@@ -31,7 +31,7 @@ public:
     ExprId binary(ir::BinaryOp op, ExprId a, ExprId b);
     ExprId add(ExprId a, ExprId b) { return binary(ir::BinaryOp::add, a, b); }
     ExprId multiply(ExprId a, ExprId b) { return binary(ir::BinaryOp::multiply, a, b); }
-    ExprId both(ExprId a, ExprId b);                       ///< a && b; an absent one is true
+    ExprId both(ExprId a, ExprId b);  ///< a && b; an absent one is true
     ExprId negate(ExprId a) { return unary(ir::UnaryOp::logical_not, a); }
     ExprId select(ExprId condition, ExprId yes, ExprId no);
     ExprId construct(TypeId type, std::vector<ExprId> parts);

@@ -18,8 +18,8 @@ public:
 private:
     struct Use {
         unsigned count = 0;
-        unsigned loops = 0;      ///< around the use
-        unsigned declared = 0;   ///< loops around the let
+        unsigned loops = 0;     ///< around the use
+        unsigned declared = 0;  ///< loops around the let
     };
 
     void count(ExprId id, unsigned loops);

@@ -115,7 +115,8 @@ void Numbers::change_all(const std::vector<StmtId>& body) {
             while (cx.p.exprs[root].op != Op::local) root = cx.p.exprs[root].operands[0];
             change(cx.p.exprs[root].local);
         }
-        if (stmt.op == StmtOp::store || stmt.op == StmtOp::image_store || stmt.op == StmtOp::atomic) change_binding(stmt.slot);
+        if (stmt.op == StmtOp::store || stmt.op == StmtOp::image_store || stmt.op == StmtOp::atomic)
+            change_binding(stmt.slot);
         if (stmt.op == StmtOp::barrier) {
             for (std::uint32_t i = 0; i < cx.pass.bindings.size(); ++i) change_binding(i);
             for (LocalId local : cx.pass.shared) change(local);

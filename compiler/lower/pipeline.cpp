@@ -20,7 +20,8 @@ using namespace ir;
 namespace {
 
 /// Development builds stop at the pass that broke something.
-void check([[maybe_unused]] const Context& cx, [[maybe_unused]] const std::vector<StmtId>& body, [[maybe_unused]] const char* pass) {
+void check([[maybe_unused]] const Context& cx, [[maybe_unused]] const std::vector<StmtId>& body,
+           [[maybe_unused]] const char* pass) {
 #ifndef NDEBUG
     std::vector<std::string> problems = validate(cx.p, cx.pass, body, cx.params);
     for (const std::string& problem : problems)
@@ -64,7 +65,7 @@ void finish_images(Pass& pass) {
 Pass widened(const Program& program, const Pass& general) {
     Pass wide = general;
     wide.form = Form::wide;
-    wide.exists = false;   // without buffers there is nothing to reach
+    wide.exists = false;  // without buffers there is nothing to reach
     for (std::uint32_t i = 0; i < wide.bindings.size(); ++i) {
         PassBinding& binding = wide.bindings[i];
         if (binding.shape != MemoryShape::buffer) continue;
@@ -81,7 +82,8 @@ Pass widened(const Program& program, const Pass& general) {
 }
 
 /// The host's body for centres whose neighbours all lie inside; `domain` becomes the parameter it is valid for.
-std::vector<StmtId> interior(Context& cx, Expander& checked, const std::vector<ExprId>& facts, std::vector<StmtId>& holders) {
+std::vector<StmtId> interior(Context& cx, Expander& checked, const std::vector<ExprId>& facts,
+                             std::vector<StmtId>& holders) {
     if (!checked.has_near_guards || !checked.near_domains_agree) return {};
     Expander expander(cx, Guards::interior);
     std::vector<StmtId> body = expander.kernel_body();
@@ -137,7 +139,8 @@ Pass lowered(Program& program, Diagnostics& diagnostics, std::uint32_t kernel, F
         pass.interior_domain = parameter_of(cx, program.stmts[holders[0]].value);
         if (pass.interior_domain == 0xffffffffu) pass.interior_body.clear();
         if (form != Form::direct)
-            pass.interior_origin = cx.parameter(ParameterSource::origin, {}, cx.kernel.domain_type, *expander.near_root);
+            pass.interior_origin =
+                cx.parameter(ParameterSource::origin, {}, cx.kernel.domain_type, *expander.near_root);
     }
     finish_images(pass);
     summarize(cx);

@@ -69,7 +69,8 @@ std::optional<Polynomial> Polynomials::of(ExprId id) {
     } else if (node.op == Op::binary && node.binary == BinaryOp::multiply) {
         auto a = of(node.operands[0]), b = of(node.operands[1]);
         if (a && b) result = product_of(*a, *b);
-    } else if (node.op == Op::binary && node.binary == BinaryOp::shift_left && cx.make.bits_of(node.operands[1]).value_or(32) < 32) {
+    } else if (node.op == Op::binary && node.binary == BinaryOp::shift_left &&
+               cx.make.bits_of(node.operands[1]).value_or(32) < 32) {
         auto a = of(node.operands[0]);
         if (a) result = product_of(*a, {{{}, 1u << *cx.make.bits_of(node.operands[1])}});
     } else {
@@ -92,7 +93,8 @@ Polynomials::Difference Polynomials::difference(const Polynomial& a, const Polyn
     Polynomial apart = scaled_sum(a, b, ~0u);
     Difference result;
     auto is_minus = [](std::uint32_t factor) { return factor > 0x80000000u; };
-    result.is_negative = !apart.empty() && std::all_of(apart.begin(), apart.end(), [&](auto& term) { return is_minus(term.second); });
+    result.is_negative =
+        !apart.empty() && std::all_of(apart.begin(), apart.end(), [&](auto& term) { return is_minus(term.second); });
     for (const auto& [product, signed_factor] : apart) {
         std::uint32_t factor = result.is_negative ? 0 - signed_factor : signed_factor;
         ExprId term;

@@ -24,7 +24,7 @@ public:
 
     /// a - b, which must have no varying term, as an expression; and whether it is better subtracted than added.
     struct Difference {
-        ExprId amount;                  ///< absent: zero
+        ExprId amount;  ///< absent: zero
         bool is_negative = false;
         unsigned operations = 0;
     };

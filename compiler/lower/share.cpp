@@ -15,16 +15,17 @@ namespace {
 /// One value that may be used more than once.
 struct Record {
     std::uint32_t uses = 0;
-    LocalId local;              ///< that holds it, once it is declared
+    LocalId local;  ///< that holds it, once it is declared
     std::string name;
-    bool is_let = false;        ///< the source gives it a local
+    bool is_let = false;  ///< the source gives it a local
 };
 
-/// Walks a body twice in the same way: first counting, then rewriting. Records are told apart by the order in which they are
-/// made, which is the same in both walks.
+/// Walks a body twice in the same way: first counting, then rewriting. Records are told apart by the order in which
+/// they are made, which is the same in both walks.
 class Sharing {
 public:
-    Sharing(Context& context, Numbers& numbers, std::vector<Record>& records, const std::vector<ExprId>& facts, bool rewrites)
+    Sharing(Context& context, Numbers& numbers, std::vector<Record>& records, const std::vector<ExprId>& facts,
+            bool rewrites)
         : cx(context), numbers_(numbers), records_(records), rewrites_(rewrites) {
         for (ExprId fact : facts) known_.emplace(numbers_.of(fact), true);
     }
@@ -63,7 +64,8 @@ private:
     ExprId visit_target(ExprId id);
     std::uint32_t new_record(ValueNumber number);
     std::uint32_t& available(ValueNumber number) {
-        if (number >= available_.size()) available_.resize(std::max<std::size_t>(number + 1, available_.size() * 2), none);
+        if (number >= available_.size())
+            available_.resize(std::max<std::size_t>(number + 1, available_.size() * 2), none);
         return available_[number];
     }
     void append(Stmt stmt) {
@@ -80,10 +82,10 @@ private:
     bool rewrites_;
     std::uint32_t made_ = 0;
     static constexpr std::uint32_t none = 0xffffffffu;
-    std::vector<std::uint32_t> available_;          ///< the record of each number in scope, or none
+    std::vector<std::uint32_t> available_;  ///< the record of each number in scope, or none
     std::vector<std::pair<ValueNumber, std::uint32_t>> undo_;
     std::unordered_map<LocalId, LocalId> renamed_;
-    std::unordered_map<ValueNumber, bool> known_;   ///< conditions that are decided here
+    std::unordered_map<ValueNumber, bool> known_;  ///< conditions that are decided here
     std::vector<StmtId>* out_ = nullptr;
     Span span_;
 };
@@ -126,7 +128,8 @@ std::vector<StmtId> Sharing::run_knowing(const std::vector<StmtId>& body, ExprId
 
 std::optional<bool> Sharing::known(ExprId id) {
     const Expr& node = cx.p.exprs[id];
-    if (known_.empty() || node.type != cx.p.types.bool_ || node.op == Op::constant || !numbers_.is_fixed(id)) return std::nullopt;
+    if (known_.empty() || node.type != cx.p.types.bool_ || node.op == Op::constant || !numbers_.is_fixed(id))
+        return std::nullopt;
     auto found = known_.find(numbers_.of(id));
     return found == known_.end() ? std::nullopt : std::optional(found->second);
 }
@@ -225,7 +228,8 @@ void Sharing::let_(const Stmt& stmt) {
     if (std::uint32_t found = available(number); found != none) {
         Record& record = records_[found];
         ++record.uses;
-        if (!record.is_let && !rewrites_) record.name = (*cx.p.names)[cx.p.locals[stmt.local].name], record.is_let = true;
+        if (!record.is_let && !rewrites_)
+            record.name = (*cx.p.names)[cx.p.locals[stmt.local].name], record.is_let = true;
         numbers_.define(stmt.local, number);
         if (rewrites_ && record.local) {
             renamed_[stmt.local] = record.local;
@@ -279,7 +283,8 @@ void Sharing::statement_(StmtId id) {
     }
     Stmt copy = stmt;
     if (stmt.value) copy.value = visit(stmt.value, Where::before);
-    if (stmt.target) copy.target = stmt.op == StmtOp::assign ? visit_target(stmt.target) : visit(stmt.target, Where::before);
+    if (stmt.target)
+        copy.target = stmt.op == StmtOp::assign ? visit_target(stmt.target) : visit(stmt.target, Where::before);
     if (stmt.op == StmtOp::if_ || stmt.op == StmtOp::block) {
         bool is_if = stmt.op == StmtOp::if_;
         copy.body = is_if ? run_knowing(stmt.body, stmt.value, true) : run(stmt.body);

@@ -1,8 +1,8 @@
-// Computes what is equal once: expressions that are used more than once in a scope become named locals before their first use,
-// and lets that repeat an earlier one become that one.
+// Computes what is equal once: expressions that are used more than once in a scope become named locals before their
+// first use, and lets that repeat an earlier one become that one.
 //
-// Needs: low-level statements, whose expressions may share nodes. Guarantees: expressions are trees small enough to print;
-// nothing is moved past a write that it depends on, and no load is moved out of a condition.
+// Needs: low-level statements, whose expressions may share nodes. Guarantees: expressions are trees small enough to
+// print; nothing is moved past a write that it depends on, and no load is moved out of a condition.
 #pragma once
 
 #include "lower/context.h"

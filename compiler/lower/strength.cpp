@@ -75,7 +75,8 @@ ExprId Strength::around_select(const Expr& node, std::vector<ExprId> operands) {
     const ExprId* definition = named->op == Op::local ? cx.definitions.find(named->local) : nullptr;
     const Expr& moved = definition ? cx.p.exprs[*definition] : *named;
     const Expr& other = cx.p.exprs[operands[2]];
-    if (moved.op == Op::binary && (moved.binary == BinaryOp::add || moved.binary == BinaryOp::subtract) && other.op == Op::local) {
+    if (moved.op == Op::binary && (moved.binary == BinaryOp::add || moved.binary == BinaryOp::subtract) &&
+        other.op == Op::local) {
         const Expr& base = cx.p.exprs[moved.operands[0]];
         ExprId step = moved.operands[1];
         if (base.op == Op::local && base.local == other.local && is_uniform(cx, step)) {

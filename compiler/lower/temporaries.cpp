@@ -43,7 +43,8 @@ std::vector<LocalId> aliases(const Program& p, const std::vector<StmtId>& body, 
             if (kind != TypeKind::slice && kind != TypeKind::structure && kind != TypeKind::device) return;
             bool found = false;
             for_each_node(p, stmt.value, [&](ExprId part) { found = found || p.exprs[part].local == result[i]; });
-            if (found && std::find(result.begin(), result.end(), stmt.local) == result.end()) result.push_back(stmt.local);
+            if (found && std::find(result.begin(), result.end(), stmt.local) == result.end())
+                result.push_back(stmt.local);
         });
     }
     return result;

@@ -21,8 +21,9 @@ Pair Expander::translated(const Place& place, ExprId address, const std::string&
         }
         std::vector<Pair> arguments{{at.value, {}}};
         Pair next = within([&] {
-            return is_inlinable(translator.translate) ? inlined(translator.translate, std::move(arguments), std::move(frame))
-                                                      : call_instance(translator.translate, std::move(arguments), std::move(frame));
+            return is_inlinable(translator.translate)
+                       ? inlined(translator.translate, std::move(arguments), std::move(frame))
+                       : call_instance(translator.translate, std::move(arguments), std::move(frame));
         });
         at = {next.value, make.both(at.has, next.has)};
     }
@@ -54,7 +55,8 @@ ExprId Expander::inside_domain(const Place& place, ExprId address) {
     ExprId domain = domain_of(place);
     if (!p.types.is_vector(make.type(address))) return make.binary(BinaryOp::less, address, domain);
     TypeId truths = p.types.with_scalar(make.type(address), p.types.bool_);
-    return make.intrinsic(Intrinsic::all, p.types.bool_, {make.intrinsic(Intrinsic::lessThan, truths, {address, domain})});
+    return make.intrinsic(Intrinsic::all, p.types.bool_,
+                          {make.intrinsic(Intrinsic::lessThan, truths, {address, domain})});
 }
 
 ExprId Expander::centre_address(std::uint32_t root) {
@@ -64,7 +66,8 @@ ExprId Expander::centre_address(std::uint32_t root) {
     std::string name = cx.name_of({root, {}});
     std::uint32_t slot = cx.parameter(ParameterSource::origin, name + "_origin", cx.kernel.domain_type, root);
     Block made = collect([&] {
-        addresses_[root] = make.local(let(name + "_address", make.add(cx.parameter_expr(slot), address), cx.kernel.span));
+        addresses_[root] =
+            make.local(let(name + "_address", make.add(cx.parameter_expr(slot), address), cx.kernel.span));
     });
     prelude_.insert(prelude_.end(), made.begin(), made.end());
     return addresses_[root];

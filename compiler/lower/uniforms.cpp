@@ -11,7 +11,8 @@ using namespace ir;
 
 namespace {
 
-constexpr unsigned shader_operations = 3;   ///< uniform operations on known parameters that cost less than one more parameter
+constexpr unsigned shader_operations =
+    3;  ///< uniform operations on known parameters that cost less than one more parameter
 
 std::string word_for(BinaryOp op) {
     switch (op) {
@@ -56,14 +57,14 @@ private:
     Context& cx;
     Lifted lifted_;
     Numbers numbers_;
-    std::map<ValueNumber, std::uint32_t> leaves_;           ///< leaves that are used, and which of their components
+    std::map<ValueNumber, std::uint32_t> leaves_;  ///< leaves that are used, and which of their components
     FlatMap<ExprId, bool> seen_;
     std::unordered_map<ValueNumber, std::uint32_t> slots_;
     // of one body
     FlatMap<ExprId, ExprId> visited_;
-    std::unordered_map<ValueNumber, unsigned> counts_;      ///< uses of what stays in the shader
-    std::unordered_map<ValueNumber, LocalId> locals_;       ///< that hold them
-    std::vector<StmtId> top_;                               ///< their lets
+    std::unordered_map<ValueNumber, unsigned> counts_;  ///< uses of what stays in the shader
+    std::unordered_map<ValueNumber, LocalId> locals_;   ///< that hold them
+    std::vector<StmtId> top_;                           ///< their lets
     FlatMap<ExprId, ExprId> closed_;
 };
 
@@ -95,7 +96,7 @@ std::uint32_t Uniforms::lanes_of(ExprId part) const {
 /// One component of a leaf of which no other is used: a parameter by itself.
 bool Uniforms::is_single(ExprId part) {
     const Expr& node = cx.p.exprs[part];
-    if (lifted_ == Lifted::state) return false;   // who fills in the state does not look at what is used of it
+    if (lifted_ == Lifted::state) return false;  // who fills in the state does not look at what is used of it
     if (node.op != Op::swizzle || !is_leaf(node.operands[0]) || cx.p.types.is_vector(node.type)) return false;
     return leaves_[numbers_.of(node.operands[0])] == lanes_of(part);
 }
@@ -173,11 +174,16 @@ std::string Uniforms::name_of(ExprId id) {
     const Expr& node = cx.p.exprs[id];
     const auto text = [&](Name name) { return (*cx.p.names)[name]; };
     switch (node.op) {
-    case Op::member: return cx.name_of(node.place) + "_" + text(cx.p.locals[cx.structure_at(node.place).constructor[node.slot]].name);
-    case Op::memory_extent: return cx.name_of(node.place) + "_" + text(cx.structure_at(node.place).memories[node.slot].name) + "_extent";
+    case Op::member:
+        return cx.name_of(node.place) + "_" +
+               text(cx.p.locals[cx.structure_at(node.place).constructor[node.slot]].name);
+    case Op::memory_extent:
+        return cx.name_of(node.place) + "_" + text(cx.structure_at(node.place).memories[node.slot].name) + "_extent";
     case Op::domain: return cx.name_of(node.place) + "_domain";
     case Op::local: return text(cx.p.locals[node.local].name);
-    case Op::field: return name_of(node.operands[0]) + "_" + text(cx.p.structs[cx.p.types[cx.make.type(node.operands[0])].index].fields[node.slot].name);
+    case Op::field:
+        return name_of(node.operands[0]) + "_" +
+               text(cx.p.structs[cx.p.types[cx.make.type(node.operands[0])].index].fields[node.slot].name);
     case Op::swizzle: {
         std::string name = name_of(node.operands[0]) + "_";
         for (std::uint32_t i = 0; i < cx.p.types.components(node.type); ++i) name += "xyzw"[node.lanes[i]];
@@ -205,7 +211,8 @@ std::string Uniforms::name_of(ExprId id) {
             std::string part = name_of(operand);
             // f_extent_x times f_extent_y is f_extent_xy.
             std::size_t stem = part.find_last_of('_');
-            bool joins = !name.empty() && stem != std::string::npos && name.compare(0, stem + 1, part, 0, stem + 1) == 0 &&
+            bool joins = !name.empty() && stem != std::string::npos &&
+                         name.compare(0, stem + 1, part, 0, stem + 1) == 0 &&
                          name.find('_', stem + 1) == std::string::npos && part.size() <= stem + 5;
             if (name.empty()) name = part;
             else if (joins) name += part.substr(stem + 1);
@@ -299,7 +306,8 @@ std::vector<StmtId> Uniforms::rewrite(const std::vector<StmtId>& body) {
     std::vector<StmtId> result;
     for (StmtId id : body) {
         Stmt copy = cx.p.stmts[id];
-        if (copy.op == StmtOp::let && copy.value && !cx.p.locals[copy.local].is_mutable && is_lifted(copy.value)) continue;
+        if (copy.op == StmtOp::let && copy.value && !cx.p.locals[copy.local].is_mutable && is_lifted(copy.value))
+            continue;
         if (copy.value) copy.value = visit(copy.value);
         if (copy.target) copy.target = visit(copy.target);
         if (copy.limit) copy.limit = visit(copy.limit);
@@ -316,7 +324,8 @@ std::vector<StmtId> Uniforms::moved(const std::vector<StmtId>& body) {
     locals_.clear();
     top_.clear();
     for_each_statement(cx.p, body, [&](const Stmt& stmt) {
-        bool vanishes = stmt.op == StmtOp::let && stmt.value && !cx.p.locals[stmt.local].is_mutable && is_lifted(stmt.value);
+        bool vanishes =
+            stmt.op == StmtOp::let && stmt.value && !cx.p.locals[stmt.local].is_mutable && is_lifted(stmt.value);
         if (!vanishes) for_each_root(stmt, [&](ExprId root) { count(root); });
     });
     std::vector<StmtId> result = rewrite(body);
@@ -332,7 +341,9 @@ void rewrite(Context& cx, const std::vector<std::vector<StmtId>*>& bodies, Lifte
 
 }  // namespace
 
-void move_uniforms(Context& cx, const std::vector<std::vector<StmtId>*>& bodies) { rewrite(cx, bodies, Lifted::values); }
+void move_uniforms(Context& cx, const std::vector<std::vector<StmtId>*>& bodies) {
+    rewrite(cx, bodies, Lifted::values);
+}
 
 void name_state(Context& cx, const std::vector<std::vector<StmtId>*>& bodies) { rewrite(cx, bodies, Lifted::state); }
 

@@ -10,11 +10,11 @@
 namespace gliftc::sema {
 
 enum class BodyKind : std::uint8_t {
-    constant,    // compile-time values
-    function,    // functions and methods
-    structure,   // sizes, arguments and defaults in a structure's declaration: evaluated on the host when one is made
+    constant,   // compile-time values
+    function,   // functions and methods
+    structure,  // sizes, arguments and defaults in a structure's declaration: evaluated on the host when one is made
     kernel,
-    pipeline,    // tests too
+    pipeline,  // tests too
 };
 
 enum class SymbolKind : std::uint8_t { local, structure, state, member, memory, iterator, host_state };
@@ -28,7 +28,7 @@ struct Symbol {
     ir::Place place;
     std::uint32_t structure = 0;
     std::uint32_t slot = 0;
-    std::uint32_t window = 0;        ///< structure: the radius that a function sees around the current address; 0: all of it
+    std::uint32_t window = 0;  ///< structure: the radius that a function sees around the current address; 0: all of it
     bool used = false;
     bool warn_unused = false;
 };
@@ -39,15 +39,15 @@ enum class OperandKind : std::uint8_t { error, value, meta, structure, memory, i
 struct Operand {
     OperandKind kind = OperandKind::error;
     Span span;
-    ir::ExprId expr;                 ///< value
-    ir::TypeId type;                 ///< value
-    Meta meta;                       ///< meta
-    ir::Place place;                 ///< structure, memory
-    ir::LocalId local;               ///< structure, in pipelines: where `place` starts
-    std::uint32_t structure = 0;     ///< structure: its instance
-    std::uint32_t slot = 0;          ///< memory: which; iterator: which kernel parameter
-    std::uint32_t window = 0;        ///< structure: as in Symbol
-    bool is_slice = false;           ///< structure: `local` is a slice
+    ir::ExprId expr;              ///< value
+    ir::TypeId type;              ///< value
+    Meta meta;                    ///< meta
+    ir::Place place;              ///< structure, memory
+    ir::LocalId local;            ///< structure, in pipelines: where `place` starts
+    std::uint32_t structure = 0;  ///< structure: its instance
+    std::uint32_t slot = 0;       ///< memory: which; iterator: which kernel parameter
+    std::uint32_t window = 0;     ///< structure: as in Symbol
+    bool is_slice = false;        ///< structure: `local` is a slice
 };
 
 struct Body {
@@ -55,12 +55,12 @@ struct Body {
     const Env& env;
     BodyKind kind = BodyKind::function;
     std::vector<std::unordered_map<Name, Symbol>> scopes = {{}};
-    std::vector<ir::StmtId>* block = nullptr;   ///< where statements go; null: expressions only
-    ir::TypeId result;                          ///< of return
+    std::vector<ir::StmtId>* block = nullptr;  ///< where statements go; null: expressions only
+    ir::TypeId result;                         ///< of return
     unsigned loops = 0;
     unsigned depth = 0;
     ir::Kernel* kernel = nullptr;
-    std::vector<std::uint32_t> structures;      ///< functions: structure parameters so far (Place roots)
+    std::vector<std::uint32_t> structures;  ///< functions: structure parameters so far (Place roots)
     bool in_test = false;
     bool allow_await = false;
 
@@ -70,8 +70,8 @@ struct Body {
 
 // scopes
 void open_scope(Body&);
-void close_scope(Body&);                        ///< warns of what was never used
-void declare(Body&, ast::Identifier, Symbol);   ///< reports duplicates in the same scope
+void close_scope(Body&);                       ///< warns of what was never used
+void declare(Body&, ast::Identifier, Symbol);  ///< reports duplicates in the same scope
 Symbol* find_symbol(Body&, Name);
 ir::LocalId declare_local(Body&, ast::Identifier, ir::TypeId, bool is_mutable, bool warn_unused = true);
 /// A local that the user did not write, holding `value`.
@@ -103,10 +103,11 @@ ir::ExprId check_compound(Body&, const ast::Stmt&, ir::ExprId before);
 Operand make_swizzle_of(Body&, ir::ExprId, ast::Identifier);
 
 // calls
-Operand call_function(Body&, const std::vector<ast::DeclId>& overloads, const Env* owner, const std::vector<ast::ExprId>& explicit_generics,
-                      const std::vector<ast::ExprId>& arguments, const ast::Expr& call, ir::TypeId wanted,
-                      const Operand* self = nullptr);
-Operand call_intrinsic(Body&, ir::Intrinsic, const std::vector<ast::ExprId>& arguments, const ast::Expr& call, ir::TypeId wanted);
+Operand call_function(Body&, const std::vector<ast::DeclId>& overloads, const Env* owner,
+                      const std::vector<ast::ExprId>& explicit_generics, const std::vector<ast::ExprId>& arguments,
+                      const ast::Expr& call, ir::TypeId wanted, const Operand* self = nullptr);
+Operand call_intrinsic(Body&, ir::Intrinsic, const std::vector<ast::ExprId>& arguments, const ast::Expr& call,
+                       ir::TypeId wanted);
 Operand construct_value(Body&, ir::TypeId, const ast::Expr& call);
 Operand call_method(Body&, const Operand& self, ast::Identifier method, const ast::Expr& call, ir::TypeId wanted);
 std::optional<ir::Intrinsic> find_intrinsic(std::string_view name);
@@ -114,8 +115,9 @@ std::optional<ir::Intrinsic> find_intrinsic(std::string_view name);
 // structures as seen by code
 Operand structure_member(Body&, const Operand& structure, ast::Identifier member);
 ir::ExprId make_read(Body&, const Operand& structure, ir::ExprId address, Span);
-ir::ExprId structure_operation(Body&, ir::Op, ir::TypeId, const Operand& structure, Span, std::vector<ir::ExprId> operands = {});
-ir::TypeId signed_address(ir::Types&, ir::TypeId domain);   ///< int, int2 … for uint, uint2 …
+ir::ExprId structure_operation(Body&, ir::Op, ir::TypeId, const Operand& structure, Span,
+                               std::vector<ir::ExprId> operands = {});
+ir::TypeId signed_address(ir::Types&, ir::TypeId domain);  ///< int, int2 … for uint, uint2 …
 
 // statements
 void check_block(Body&, const std::vector<ast::StmtId>&);
@@ -130,9 +132,10 @@ bool check_iterator_assignment(Body&, const ast::Stmt&);
 Operand iterator_value(Body&, const Operand&);
 
 // pipelines
-bool check_pipeline_statement(Body&, const ast::Stmt&);       ///< false: not one of theirs
-std::optional<Operand> check_pipeline_call(Body&, const std::vector<ast::DeclId>&, const std::vector<ast::ExprId>& generics,
-                                           const ast::Expr& call, const Operand* owner = nullptr);
+bool check_pipeline_statement(Body&, const ast::Stmt&);  ///< false: not one of theirs
+std::optional<Operand> check_pipeline_call(Body&, const std::vector<ast::DeclId>&,
+                                           const std::vector<ast::ExprId>& generics, const ast::Expr& call,
+                                           const Operand* owner = nullptr);
 std::optional<Operand> check_pipeline_builtin(Body&, std::string_view name, const ast::Expr& call);
 Operand check_pipeline_index(Body&, const Operand& structure, const ast::Expr& index);
 Operand construct_structure(Body&, ir::TypeId, const ast::Expr& call);

@@ -52,7 +52,8 @@ inline ir::StmtId add(ir::Program& p, ir::StmtOp op, Span span) {
 }
 
 inline ir::LocalId add_local(ir::Program& p, Name name, ir::TypeId type, Span span, bool is_mutable = false) {
-    return p.locals.add({.name = name, .type = type, .span = span, .is_mutable = is_mutable, .storage = ir::Storage::value});
+    return p.locals.add(
+        {.name = name, .type = type, .span = span, .is_mutable = is_mutable, .storage = ir::Storage::value});
 }
 
 }  // namespace gliftc::sema

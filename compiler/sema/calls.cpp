@@ -20,7 +20,7 @@ struct Candidate {
 };
 
 struct CheckedArguments {
-    std::vector<Operand> operands;          ///< kind error and no span for those that wait for their parameter's type
+    std::vector<Operand> operands;  ///< kind error and no span for those that wait for their parameter's type
     std::vector<bool> waits;
     bool failed = false;
 };
@@ -42,7 +42,9 @@ CheckedArguments check_arguments(Body& body, const std::vector<ast::ExprId>& arg
                 const ir::KernelParam& param = body.kernel->params[operand.slot];
                 if (param.pattern != ir::Pattern::near && param.pattern != ir::Pattern::scatter)
                     operand = value_operand(body, to_value(body, operand), operand.span);
-                else operand.kind = OperandKind::structure, operand.place.root = operand.slot, operand.window = param.radius;
+                else
+                    operand.kind = OperandKind::structure, operand.place.root = operand.slot,
+                    operand.window = param.radius;
             }
             if (operand.kind == OperandKind::error) result.failed = true;
         }
@@ -53,8 +55,9 @@ CheckedArguments check_arguments(Body& body, const std::vector<ast::ExprId>& arg
 }
 
 /// Binds the generics of an overload; null if it does not fit. With `report`, says why.
-std::unique_ptr<Env> match(Body& body, ast::DeclId id, const Env* owner, const std::vector<ast::ExprId>& explicit_generics,
-                           const CheckedArguments& arguments, const ast::Expr& call, ir::TypeId wanted, bool report) {
+std::unique_ptr<Env> match(Body& body, ast::DeclId id, const Env* owner,
+                           const std::vector<ast::ExprId>& explicit_generics, const CheckedArguments& arguments,
+                           const ast::Expr& call, ir::TypeId wanted, bool report) {
     Context& c = body.context;
     const ast::Decl& decl = c[id];
     const auto& function = std::get<ast::Function>(decl.body);
@@ -63,8 +66,9 @@ std::unique_ptr<Env> match(Body& body, ast::DeclId id, const Env* owner, const s
     env->module = c.module_of.at(id);
     if (function.params.size() != arguments.operands.size()) {
         if (report)
-            note(c.error(Diag::argument_count, call.span, {c.text(decl.name.name), std::to_string(function.params.size()),
-                                                           std::to_string(arguments.operands.size())}),
+            note(c.error(Diag::argument_count, call.span,
+                         {c.text(decl.name.name), std::to_string(function.params.size()),
+                          std::to_string(arguments.operands.size())}),
                  decl.name.span, "declared here");
         return nullptr;
     }
@@ -74,7 +78,8 @@ std::unique_ptr<Env> match(Body& body, ast::DeclId id, const Env* owner, const s
         if (arguments.waits[i]) continue;
         if (arguments.operands[i].kind == OperandKind::structure)
             generics.infer_structure(function.params[i].type, arguments.operands[i].structure);
-        else if (ir::TypeId type = operand_type(body, arguments.operands[i])) generics.infer(function.params[i].type, type);
+        else if (ir::TypeId type = operand_type(body, arguments.operands[i]))
+            generics.infer(function.params[i].type, type);
     }
     if (wanted && function.result) generics.infer(function.result, wanted);
     for (std::size_t i = 0; i < function.params.size(); ++i)
@@ -85,12 +90,15 @@ std::unique_ptr<Env> match(Body& body, ast::DeclId id, const Env* owner, const s
         ir::TypeId parameter = type_of(c, *env, function.params[i].type);
         ir::TypeId actual = operand_type(body, arguments.operands[i]);
         if (parameter == actual || parameter == body.types().error) continue;
-        if (body.types().kind(parameter) == ir::TypeKind::optional && body.types()[parameter].element == actual) continue;
+        if (body.types().kind(parameter) == ir::TypeKind::optional && body.types()[parameter].element == actual)
+            continue;
         if (!report) return nullptr;
-        if (!actual) to_value(body, arguments.operands[i]);   // reports that it is no value
+        if (!actual) to_value(body, arguments.operands[i]);  // reports that it is no value
         else {
-            Diagnostic& diagnostic = c.error(Diag::type_mismatch, arguments.operands[i].span, {c.text(parameter), c.text(actual)});
-            note(diagnostic, function.params[i].name.span, "parameter '" + c.text(function.params[i].name.name) + "' is declared here");
+            Diagnostic& diagnostic =
+                c.error(Diag::type_mismatch, arguments.operands[i].span, {c.text(parameter), c.text(actual)});
+            note(diagnostic, function.params[i].name.span,
+                 "parameter '" + c.text(function.params[i].name.name) + "' is declared here");
         }
         return nullptr;
     }
@@ -109,8 +117,8 @@ bool fits_window(Body& body, const Env& env, const ast::Param& param, const Oper
 }
 
 /// Finishes a call of a matched function: the waiting arguments, then the call node.
-Operand finish_call(Body& body, ast::DeclId id, const Env& env, CheckedArguments& arguments, const std::vector<ast::ExprId>& written,
-                    const ast::Expr& call, const Operand* self) {
+Operand finish_call(Body& body, ast::DeclId id, const Env& env, CheckedArguments& arguments,
+                    const std::vector<ast::ExprId>& written, const ast::Expr& call, const Operand* self) {
     Context& c = body.context;
     const auto& function = std::get<ast::Function>(c[id].body);
     std::vector<ir::ExprId> values;
@@ -135,7 +143,8 @@ Operand finish_call(Body& body, ast::DeclId id, const Env& env, CheckedArguments
     }
     auto instance = instantiate_function(c, id, env, structures, call.span);
     if (!instance) return error_operand(call.span);
-    ir::ExprId result = add(body.program(), ir::Op::call, body.program().functions[*instance].result, call.span, std::move(values));
+    ir::ExprId result =
+        add(body.program(), ir::Op::call, body.program().functions[*instance].result, call.span, std::move(values));
     body.program().exprs[result].function = *instance;
     body.program().exprs[result].places = std::move(places);
     return value_operand(body, result, call.span);
@@ -158,7 +167,9 @@ std::optional<ir::Invocation> find_invocation(std::string_view name) {
     return std::nullopt;
 }
 
-std::vector<ast::ExprId> arguments_of(const ast::Expr& call) { return {call.operands.begin() + 1, call.operands.end()}; }
+std::vector<ast::ExprId> arguments_of(const ast::Expr& call) {
+    return {call.operands.begin() + 1, call.operands.end()};
+}
 
 Operand call_select(Body& body, const ast::Expr& call, ir::TypeId wanted) {
     if (call.operands.size() != 4) {
@@ -170,8 +181,10 @@ Operand call_select(Body& body, const ast::Expr& call, ir::TypeId wanted) {
     ir::ExprId first = check_value(body, call.operands[flexible ? 3 : 2], wanted);
     ir::TypeId type = body.program().exprs[first].type;
     ir::ExprId second = check_value(body, call.operands[flexible ? 2 : 3], type);
-    return value_operand(body, add(body.program(), ir::Op::select, type, call.span,
-                                   {condition, flexible ? second : first, flexible ? first : second}), call.span);
+    return value_operand(body,
+                         add(body.program(), ir::Op::select, type, call.span,
+                             {condition, flexible ? second : first, flexible ? first : second}),
+                         call.span);
 }
 
 /// Functions that the language has and no module declares.
@@ -179,15 +192,18 @@ std::optional<Operand> call_builtin(Body& body, const std::string& name, const a
     if (name == "select") return call_select(body, call, wanted);
     if (auto invocation = find_invocation(name)) {
         if (!body.kernel || !body.kernel->grouped()) {
-            note(body.context.error(Diag::needs_group, call.span, {name}), call.span, "write 'group(size)' after the kernel's parameters");
+            note(body.context.error(Diag::needs_group, call.span, {name}), call.span,
+                 "write 'group(size)' after the kernel's parameters");
             return error_operand(call.span);
         }
         ir::ExprId id = add(body.program(), ir::Op::invocation, body.types().uint, call.span);
         body.program().exprs[id].invocation = *invocation;
         return value_operand(body, id, call.span);
     }
-    if (auto intrinsic = find_intrinsic(name)) return call_intrinsic(body, *intrinsic, arguments_of(call), call, wanted);
-    if (body.kind == BodyKind::pipeline || body.kind == BodyKind::structure) return check_pipeline_builtin(body, name, call);
+    if (auto intrinsic = find_intrinsic(name))
+        return call_intrinsic(body, *intrinsic, arguments_of(call), call, wanted);
+    if (body.kind == BodyKind::pipeline || body.kind == BodyKind::structure)
+        return check_pipeline_builtin(body, name, call);
     return std::nullopt;
 }
 
@@ -249,9 +265,11 @@ Operand construct_value(Body& body, ir::TypeId id, const ast::Expr& call) {
     if (type.kind == ir::TypeKind::struct_ || type.kind == ir::TypeKind::array) {
         std::vector<ir::TypeId> parts;
         if (type.kind == ir::TypeKind::array) parts.assign(type.count, type.element);
-        else for (const auto& field : body.program().structs[type.index].fields) parts.push_back(field.type);
+        else
+            for (const auto& field : body.program().structs[type.index].fields) parts.push_back(field.type);
         if (parts.size() != written.size()) {
-            c.error(Diag::argument_count, call.span, {c.text(id), std::to_string(parts.size()), std::to_string(written.size())});
+            c.error(Diag::argument_count, call.span,
+                    {c.text(id), std::to_string(parts.size()), std::to_string(written.size())});
             return error_operand(call.span);
         }
         for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -267,7 +285,8 @@ Operand construct_value(Body& body, ir::TypeId id, const ast::Expr& call) {
             operands.push_back(check_value(body, written[at], parts[i]));
             if (is_error(body, operands.back())) return error_operand(call.span);
         }
-        return value_operand(body, add(body.program(), ir::Op::construct, id, call.span, std::move(operands)), call.span);
+        return value_operand(body, add(body.program(), ir::Op::construct, id, call.span, std::move(operands)),
+                             call.span);
     }
     if (!types.is_scalar(id) && !types.is_vector(id) && !types.is_matrix(id)) {
         if (id != types.error) c.error(Diag::not_callable, call.span, {"the type " + c.text(id)});
@@ -292,7 +311,8 @@ Operand construct_value(Body& body, ir::TypeId id, const ast::Expr& call) {
         }
         have += ir::lane_count(body.program(), from);
         if (types.scalar_of(from) != scalar)
-            value = add(body.program(), ir::Op::convert, types.is_matrix(from) ? id : types.with_scalar(from, scalar), c[argument].span, {value});
+            value = add(body.program(), ir::Op::convert, types.is_matrix(from) ? id : types.with_scalar(from, scalar),
+                        c[argument].span, {value});
         operands.push_back(value);
     }
     bool splat = operands.size() == 1 && have == 1;
@@ -343,10 +363,12 @@ Operand call_method(Body& body, const Operand& self, ast::Identifier method, con
         ir::ExprId at = address(body.types().with_scalar(domain, body.types().float_));
         if (is_error(body, at)) return error_operand(call.span);
         if (!body.types().is_floating(body.types().scalar_of(element))) {
-            c.error(Diag::sample_element, call.span, {body.program().structures[self.structure].display, c.text(element)});
+            c.error(Diag::sample_element, call.span,
+                    {body.program().structures[self.structure].display, c.text(element)});
             return error_operand(call.span);
         }
-        return value_operand(body, structure_operation(body, ir::Op::sample, element, self, call.span, {at}), call.span);
+        return value_operand(body, structure_operation(body, ir::Op::sample, element, self, call.span, {at}),
+                             call.span);
     }
     bool stored = body.program().structures[self.structure].kind == ir::StructureKind::stored;
     if ((name == "find" || name == "translate" || name == "contains") && stored) {
@@ -360,14 +382,17 @@ Operand call_method(Body& body, const Operand& self, ast::Identifier method, con
         ir::ExprId has = add(body.program(), ir::Op::has_value, body.types().bool_, call.span, {translated});
         if (name == "contains") return value_operand(body, has, call.span);
         ir::TypeId optional = body.types().optional(element);
-        ir::ExprId some = add(body.program(), ir::Op::some, optional, call.span, {make_read(body, self, at, call.span)});
+        ir::ExprId some =
+            add(body.program(), ir::Op::some, optional, call.span, {make_read(body, self, at, call.span)});
         ir::ExprId none = add(body.program(), ir::Op::none, optional, call.span);
-        return value_operand(body, add(body.program(), ir::Op::select, optional, call.span, {has, some, none}), call.span);
+        return value_operand(body, add(body.program(), ir::Op::select, optional, call.span, {has, some, none}),
+                             call.span);
     }
     std::vector<std::string_view> known = {"domain", "sample", "find", "translate", "contains"};
     for (const ast::Item& item : *items)
         if (item.decl) known.push_back(c.text(c[item.decl].name.name));
-    Diagnostic& diagnostic = c.error(Diag::unknown_member, method.span, {body.program().structures[self.structure].display, name});
+    Diagnostic& diagnostic =
+        c.error(Diag::unknown_member, method.span, {body.program().structures[self.structure].display, name});
     std::string_view meant = did_you_mean(name, known);
     if (!meant.empty()) note(diagnostic, method.span, "did you mean '" + std::string(meant) + "'?");
     return error_operand(call.span);
@@ -384,7 +409,8 @@ static Operand check_unnamed_call(Body& body, ast::ExprId id, ir::TypeId wanted)
             ir::Pattern pattern = body.kernel->params[left.slot].pattern;
             if (pattern == ir::Pattern::near || pattern == ir::Pattern::scatter) left.kind = OperandKind::structure;
         }
-        if (left.kind == OperandKind::structure) return call_method(body, left, {callee.name, callee.name_span}, call, wanted);
+        if (left.kind == OperandKind::structure)
+            return call_method(body, left, {callee.name, callee.name_span}, call, wanted);
         if (left.kind != OperandKind::meta || left.meta.kind != MetaKind::module) {
             c.error(Diag::not_callable, callee.span, {"this"});
             return error_operand(call.span);
@@ -400,7 +426,8 @@ static Operand check_unnamed_call(Body& body, ast::ExprId id, ir::TypeId wanted)
     const ast::Expr& name = generic ? c[callee.operands[0]] : callee;
     if (name.kind != ast::ExprKind::name) {
         Operand operand = check(body, call.operands[0]);
-        if (operand.kind == OperandKind::meta && operand.meta.kind == MetaKind::type) return call_type(body, operand.meta.type, call);
+        if (operand.kind == OperandKind::meta && operand.meta.kind == MetaKind::type)
+            return call_type(body, operand.meta.type, call);
         if (operand.kind != OperandKind::error) c.error(Diag::not_callable, callee.span, {"this"});
         return error_operand(call.span);
     }
@@ -433,7 +460,8 @@ Operand check_call(Body& body, ast::ExprId id, ir::TypeId wanted) {
     if (node.op == ir::Op::construct && body.types().kind(node.type) == ir::TypeKind::struct_) return result;
     for (const ast::Identifier& label : call.labels) {
         if (!label.name) continue;
-        note(body.context.error(Diag::named_argument, label.span, {body.context.text(label.name)}), call.span, "only the fields of a struct are named where it is made");
+        note(body.context.error(Diag::named_argument, label.span, {body.context.text(label.name)}), call.span,
+             "only the fields of a struct are named where it is made");
         break;
     }
     return error_operand(call.span);

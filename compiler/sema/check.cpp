@@ -22,7 +22,8 @@ void check_constant(Context& c, ast::DeclId id) {
     const ast::Decl& decl = c[id];
     ir::ExprId value = constant_declaration(c, id);
     if (!value) return;
-    c.program.constants.push_back({decl.name.name, c.program.exprs[value].type, value, c.module_of.at(id), decl.is_pub, decl.doc});
+    c.program.constants.push_back(
+        {decl.name.name, c.program.exprs[value].type, value, c.module_of.at(id), decl.is_pub, decl.doc});
 }
 
 /// A pipeline over ranges is made for every public structure of the module that fits each of its ranges.
@@ -40,7 +41,8 @@ void check_pipeline(Context& c, ast::DeclId id, const Env& env, std::optional<st
             ir::TypeId domain = c.types().vector(c.types().uint, *n);
             for (std::uint32_t i = 0; i < c.program.structures.size(); ++i) {
                 const ir::Structure& structure = c.program.structures[i];
-                if (structure.is_pub && structure.kind == ir::StructureKind::stored && structure.domain_type == domain && structure.element == element)
+                if (structure.is_pub && structure.kind == ir::StructureKind::stored &&
+                    structure.domain_type == domain && structure.element == element)
                     fitting.push_back(i);
             }
         }
@@ -75,7 +77,8 @@ void check_types(Context& c, std::uint32_t module, const std::vector<ast::DeclId
         else if (std::holds_alternative<ast::Translator>(decl.body)) instantiate_translator(c, id, env, decl.name.span);
         else if (std::holds_alternative<ast::Const>(decl.body)) check_constant(c, id);
         else if (std::holds_alternative<ast::Alias>(decl.body)) {
-            // A plain use of the name follows the alias, marks what it names as public, and reports what is wrong with it.
+            // A plain use of the name follows the alias, marks what it names as public, and reports what is wrong with
+            // it.
             const auto& alias = std::get<ast::Alias>(decl.body);
             Meta meta = meta_of(c, env, alias.target);
             if (meta.kind != MetaKind::type || c.types().kind(meta.type) != ir::TypeKind::structure) continue;
@@ -115,11 +118,16 @@ Diagnostic& Context::error(Diag id, Span span, std::initializer_list<std::string
     return diagnostic;
 }
 
-ir::Program check(const std::vector<LoadedModule>& modules, const ast::Tree& tree, Names& names, Diagnostics& diagnostics,
-                  const Settings& settings) {
+ir::Program check(const std::vector<LoadedModule>& modules, const ast::Tree& tree, Names& names,
+                  Diagnostics& diagnostics, const Settings& settings) {
     ir::Program program;
     program.names = &names;
-    Context c{.modules = modules, .tree = tree, .names = names, .diagnostics = diagnostics, .settings = settings, .program = program};
+    Context c{.modules = modules,
+              .tree = tree,
+              .names = names,
+              .diagnostics = diagnostics,
+              .settings = settings,
+              .program = program};
     collect_modules(c);
     check_defines(c);
     for (std::uint32_t i = 0; i < modules.size(); ++i)

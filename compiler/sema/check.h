@@ -21,16 +21,17 @@ struct Settings {
 /// A parsed module and how it was found.
 struct LoadedModule {
     const ast::Module* tree = nullptr;
-    bool is_root = false;                   ///< named on the command line
-    std::vector<std::uint32_t> uses;        ///< for each tree->uses[i]: its index in the list, or ~0u where it was not found
+    bool is_root = false;             ///< named on the command line
+    std::vector<std::uint32_t> uses;  ///< for each tree->uses[i]: its index in the list, or ~0u where it was not found
 };
 
 /// The module whose structure and kernels move boxes of elements between host and device; the loader always loads it.
 inline constexpr std::string_view transfer_module = "std.transfer";
 
 /// Checks all modules (imports before importers). Kernels, pipelines, tests and public structures of root modules are
-/// instantiated, everything else as they need it. Errors go to `diagnostics`; the program is whole only if there are none.
-ir::Program check(const std::vector<LoadedModule>& modules, const ast::Tree& tree, Names& names, Diagnostics& diagnostics,
-                  const Settings& settings = {});
+/// instantiated, everything else as they need it. Errors go to `diagnostics`; the program is whole only if there are
+/// none.
+ir::Program check(const std::vector<LoadedModule>& modules, const ast::Tree& tree, Names& names,
+                  Diagnostics& diagnostics, const Settings& settings = {});
 
 }  // namespace gliftc::sema

@@ -9,7 +9,8 @@ ir::TypeId make_structure(Context&, ast::DeclId, const Env&);
 ir::TypeId make_view(Context&, ast::DeclId, const Env&);
 ir::TypeId make_adaptor(Context&, ast::DeclId, const Env&);
 
-/// The names that a structure's own functions see: constructor arguments, members, memories, host state, at Place root 0.
+/// The names that a structure's own functions see: constructor arguments, members, memories, host state, at Place root
+/// 0.
 void bring_members_into_scope(Body&, std::uint32_t structure);
 
 /// Declares scalar constructor parameters as locals of the structure, and structure parameters as members by reference.
@@ -34,6 +35,6 @@ ir::ExprId substitute_state(Context&, ir::ExprId, const ir::Stage&);
 /// The value of a function that is one `return`: absent if it is anything else.
 ir::ExprId single_return(const ir::Program&, ir::FunctionId);
 
-bool is_address(const ir::Types&, ir::TypeId);   ///< uint, uint2, uint3, uint4
+bool is_address(const ir::Types&, ir::TypeId);  ///< uint, uint2, uint3, uint4
 
 }  // namespace gliftc::sema

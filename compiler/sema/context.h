@@ -45,7 +45,7 @@ struct Meta {
 struct Env {
     std::uint32_t module = 0;
     std::vector<std::pair<Name, Meta>> bindings;
-    ir::TypeId self;                       ///< inside interfaces and their checks: what `Self` means
+    ir::TypeId self;  ///< inside interfaces and their checks: what `Self` means
 
     const Meta* find(Name name) const {
         for (const auto& [bound, meta] : bindings)
@@ -63,7 +63,7 @@ struct ModuleScope {
 struct Instance {
     enum class State : std::uint8_t { in_progress, done, failed } state = State::in_progress;
     std::uint32_t index = 0;
-    std::vector<std::uint32_t> stages;     ///< translator aliases that compose several
+    std::vector<std::uint32_t> stages;  ///< translator aliases that compose several
     ir::TypeId type;
 };
 
@@ -82,17 +82,17 @@ struct Context {
     ir::Program& program;
 
     std::vector<ModuleScope> scopes;
-    std::unordered_map<ast::DeclId, std::uint32_t> module_of;          ///< of every declaration, members too
+    std::unordered_map<ast::DeclId, std::uint32_t> module_of;  ///< of every declaration, members too
     std::unordered_map<std::string, Instance> instances;
-    std::unordered_map<ast::DeclId, ir::ExprId> constants;             ///< checked `const`s
+    std::unordered_map<ast::DeclId, ir::ExprId> constants;  ///< checked `const`s
     std::vector<ast::DeclId> constants_under_way;
-    std::vector<Request> requests;                                     ///< the instantiations under way, outermost first
+    std::vector<Request> requests;  ///< the instantiations under way, outermost first
     std::vector<std::unique_ptr<Env>> environments;
-    std::unordered_map<std::uint32_t, const Env*> structure_env;       ///< of structure instances
+    std::unordered_map<std::uint32_t, const Env*> structure_env;  ///< of structure instances
     std::unordered_map<std::uint32_t, ast::DeclId> structure_decl;
     std::unordered_map<std::uint32_t, const Env*> translator_env;
     std::unordered_map<std::uint32_t, ast::DeclId> translator_decl;
-    std::unordered_map<std::uint32_t, std::vector<Meta>> arguments_of; ///< generic arguments of structure instances
+    std::unordered_map<std::uint32_t, std::vector<Meta>> arguments_of;  ///< generic arguments of structure instances
     std::unordered_map<std::uint32_t, std::vector<Meta>> struct_arguments;
     std::unordered_map<std::uint32_t, std::vector<Meta>> translator_arguments;
     std::unordered_map<std::uint32_t, ast::DeclId> struct_decl;
@@ -112,6 +112,8 @@ struct Context {
 };
 
 /// Adds a note to a diagnostic.
-inline void note(Diagnostic& diagnostic, Span span, std::string text) { diagnostic.notes.push_back({span, std::move(text)}); }
+inline void note(Diagnostic& diagnostic, Span span, std::string text) {
+    diagnostic.notes.push_back({span, std::move(text)});
+}
 
 }  // namespace gliftc::sema

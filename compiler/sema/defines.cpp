@@ -9,8 +9,7 @@ namespace gliftc::sema {
 
 namespace {
 
-template <class Number>
-std::optional<Number> read(std::string_view text, auto... format) {
+template <class Number> std::optional<Number> read(std::string_view text, auto... format) {
     Number number{};
     auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number, format...);
     if (failure != std::errc{} || end != text.data() + text.size()) return std::nullopt;
@@ -59,7 +58,8 @@ bool is_root_constant(const Context& c, const std::string& name) {
     for (std::size_t i = 0; i < c.modules.size(); ++i) {
         if (!c.modules[i].is_root) continue;
         auto found = c.scopes[i].names.find(c.names.intern(name));
-        if (found != c.scopes[i].names.end() && std::holds_alternative<ast::Const>(c[found->second[0]].body)) return true;
+        if (found != c.scopes[i].names.end() && std::holds_alternative<ast::Const>(c[found->second[0]].body))
+            return true;
     }
     return false;
 }
@@ -68,7 +68,9 @@ bool is_root_constant(const Context& c, const std::string& name) {
 
 void check_defines(Context& c) {
     for (const auto& [name, value] : c.settings.defines)
-        if (!is_root_constant(c, name)) note(c.error(Diag::unknown_define, {}, {name}), {}, "'-D name=value' replaces the value of 'const name' in the files on the command line");
+        if (!is_root_constant(c, name))
+            note(c.error(Diag::unknown_define, {}, {name}), {},
+                 "'-D name=value' replaces the value of 'const name' in the files on the command line");
 }
 
 ir::ExprId defined_value(Context& c, ast::DeclId id, ir::ExprId written) {

@@ -30,10 +30,10 @@ ir::TypeId suffix_type(ir::Types& types, std::string_view suffix) {
 
 bool fits(const ir::Types& types, ir::TypeId type, std::uint64_t value, bool negative) {
     switch (types.kind(type)) {
-        case ir::TypeKind::int_: return value <= 0x7fffffffu + (negative ? 1u : 0u);
-        case ir::TypeKind::uint: return value <= 0xffffffffu;
-        case ir::TypeKind::int64: return value <= 0x7fffffffffffffffu + (negative ? 1u : 0u);
-        default: return true;
+    case ir::TypeKind::int_: return value <= 0x7fffffffu + (negative ? 1u : 0u);
+    case ir::TypeKind::uint: return value <= 0xffffffffu;
+    case ir::TypeKind::int64: return value <= 0x7fffffffffffffffu + (negative ? 1u : 0u);
+    default: return true;
     }
 }
 
@@ -43,7 +43,8 @@ ir::ExprId number_literal(Body& body, const ast::Expr& literal, ir::TypeId wante
     if (!type) type = literal_type(body, literal, wanted);
     bool is_integer = literal.kind == ast::ExprKind::int_literal;
     if (is_integer && !fits(types, type, literal.value, negative))
-        body.context.error(Diag::number_too_large, literal.span, {std::to_string(literal.value), body.context.text(type)});
+        body.context.error(Diag::number_too_large, literal.span,
+                           {std::to_string(literal.value), body.context.text(type)});
     ir::Lane lane;
     if (types.is_floating(type)) {
         double number = is_integer ? static_cast<double>(literal.value) : literal.number;
@@ -64,44 +65,45 @@ Operand symbol_operand(Body& body, Symbol& symbol, const ast::Expr& name) {
     Operand operand;
     operand.span = name.span;
     switch (symbol.kind) {
-        case SymbolKind::local: {
-            if (body.types().kind(symbol.type) == ir::TypeKind::structure || body.types().kind(symbol.type) == ir::TypeKind::slice) {
-                operand.kind = OperandKind::structure;
-                operand.local = symbol.local;
-                operand.is_slice = body.types().kind(symbol.type) == ir::TypeKind::slice;
-                const ir::Type& type = body.types()[symbol.type];
-                operand.structure = operand.is_slice ? body.types()[type.element].index : type.index;
-                operand.type = symbol.type;
-                return operand;
-            }
-            return value_operand(body, make_local(program, symbol.local, name.span), name.span);
-        }
-        case SymbolKind::structure:
-        case SymbolKind::memory:
-            operand.kind = symbol.kind == SymbolKind::structure ? OperandKind::structure : OperandKind::memory;
-            operand.place = symbol.place;
-            operand.structure = symbol.structure;
-            operand.slot = symbol.slot;
-            operand.window = symbol.window;
+    case SymbolKind::local: {
+        if (body.types().kind(symbol.type) == ir::TypeKind::structure ||
+            body.types().kind(symbol.type) == ir::TypeKind::slice) {
+            operand.kind = OperandKind::structure;
             operand.local = symbol.local;
+            operand.is_slice = body.types().kind(symbol.type) == ir::TypeKind::slice;
+            const ir::Type& type = body.types()[symbol.type];
+            operand.structure = operand.is_slice ? body.types()[type.element].index : type.index;
+            operand.type = symbol.type;
             return operand;
-        case SymbolKind::state:
-        case SymbolKind::member:
-        case SymbolKind::host_state: {
-            ir::Op op = symbol.kind == SymbolKind::state    ? ir::Op::state
-                        : symbol.kind == SymbolKind::member ? ir::Op::member
-                                                            : ir::Op::host_state;
-            ir::ExprId id = add(program, op, symbol.type, name.span);
-            program.exprs[id].slot = symbol.slot;
-            program.exprs[id].place = symbol.place;
-            return value_operand(body, id, name.span);
         }
-        case SymbolKind::iterator:
-            operand.kind = OperandKind::iterator;
-            operand.slot = symbol.slot;
-            operand.structure = symbol.structure;
-            operand.place = symbol.place;
-            return operand;
+        return value_operand(body, make_local(program, symbol.local, name.span), name.span);
+    }
+    case SymbolKind::structure:
+    case SymbolKind::memory:
+        operand.kind = symbol.kind == SymbolKind::structure ? OperandKind::structure : OperandKind::memory;
+        operand.place = symbol.place;
+        operand.structure = symbol.structure;
+        operand.slot = symbol.slot;
+        operand.window = symbol.window;
+        operand.local = symbol.local;
+        return operand;
+    case SymbolKind::state:
+    case SymbolKind::member:
+    case SymbolKind::host_state: {
+        ir::Op op = symbol.kind == SymbolKind::state    ? ir::Op::state
+                    : symbol.kind == SymbolKind::member ? ir::Op::member
+                                                        : ir::Op::host_state;
+        ir::ExprId id = add(program, op, symbol.type, name.span);
+        program.exprs[id].slot = symbol.slot;
+        program.exprs[id].place = symbol.place;
+        return value_operand(body, id, name.span);
+    }
+    case SymbolKind::iterator:
+        operand.kind = OperandKind::iterator;
+        operand.slot = symbol.slot;
+        operand.structure = symbol.structure;
+        operand.place = symbol.place;
+        return operand;
     }
     return error_operand(name.span);
 }
@@ -111,7 +113,8 @@ Operand check_name(Body& body, ast::ExprId id) {
     const ast::Expr& expr = c[id];
     if (Symbol* symbol = find_symbol(body, expr.name)) return symbol_operand(body, *symbol, expr);
     Meta meta = find_meta(c, body.env, {expr.name, expr.span});
-    if (meta.kind == MetaKind::value) return value_operand(body, ir::materialize(body.program(), meta.value, expr.span), expr.span);
+    if (meta.kind == MetaKind::value)
+        return value_operand(body, ir::materialize(body.program(), meta.value, expr.span), expr.span);
     if (meta.kind == MetaKind::declarations && meta.declarations.size() == 1 &&
         std::holds_alternative<ast::Const>(c[meta.declarations[0]].body)) {
         ir::ExprId value = constant_declaration(c, meta.declarations[0]);
@@ -148,7 +151,9 @@ Operand check_conditional(Body& body, const ast::Expr& expr, ir::TypeId wanted) 
         yes = check_value(body, expr.operands[1], wanted);
         no = check_value(body, expr.operands[2], body.program().exprs[yes].type);
     }
-    return value_operand(body, add(body.program(), ir::Op::select, body.program().exprs[yes].type, expr.span, {condition, yes, no}), expr.span);
+    return value_operand(
+        body, add(body.program(), ir::Op::select, body.program().exprs[yes].type, expr.span, {condition, yes, no}),
+        expr.span);
 }
 
 /// `{ a, b }` as an array or struct of the wanted type.
@@ -172,7 +177,8 @@ Operand check_await(Body& body, const ast::Expr& expr) {
     if (is_error(body, value)) return error_operand(expr.span);
     ir::Expr& node = body.program().exprs[value];
     if (body.types().kind(node.type) != ir::TypeKind::device) {
-        note(c.error(Diag::await_host_value, expr.span), expr.span, "this value is known to the host already: leave out 'await'");
+        note(c.error(Diag::await_host_value, expr.span), expr.span,
+             "this value is known to the host already: leave out 'await'");
         return error_operand(expr.span);
     }
     ir::TypeId type = body.types()[node.type].element;
@@ -188,39 +194,38 @@ Operand check_kind(Body& body, ast::ExprId id, ir::TypeId wanted) {
     Context& c = body.context;
     const ast::Expr& expr = c[id];
     switch (expr.kind) {
-        case ast::ExprKind::error: return error_operand(expr.span);
-        case ast::ExprKind::int_literal:
-        case ast::ExprKind::float_literal: return value_operand(body, number_literal(body, expr, wanted, false), expr.span);
-        case ast::ExprKind::bool_literal: return value_operand(body, make_bool(body.program(), expr.value != 0, expr.span), expr.span);
-        case ast::ExprKind::string_literal:
-            c.error(Diag::not_a_value, expr.span, {"a string"});
+    case ast::ExprKind::error: return error_operand(expr.span);
+    case ast::ExprKind::int_literal:
+    case ast::ExprKind::float_literal: return value_operand(body, number_literal(body, expr, wanted, false), expr.span);
+    case ast::ExprKind::bool_literal:
+        return value_operand(body, make_bool(body.program(), expr.value != 0, expr.span), expr.span);
+    case ast::ExprKind::string_literal:
+        c.error(Diag::not_a_value, expr.span, {"a string"});
+        return error_operand(expr.span);
+    case ast::ExprKind::none_literal:
+        if (!wanted || body.types().kind(wanted) != ir::TypeKind::optional) {
+            if (wanted != body.types().error) c.error(Diag::none_type, expr.span);
             return error_operand(expr.span);
-        case ast::ExprKind::none_literal:
-            if (!wanted || body.types().kind(wanted) != ir::TypeKind::optional) {
-                if (wanted != body.types().error) c.error(Diag::none_type, expr.span);
-                return error_operand(expr.span);
-            }
-            return value_operand(body, add(body.program(), ir::Op::none, wanted, expr.span), expr.span);
-        case ast::ExprKind::name: return check_name(body, id);
-        case ast::ExprKind::generic:
-        case ast::ExprKind::optional: {
-            Operand operand;
-            operand.meta = meta_of(c, body.env, id);
-            operand.kind = operand.meta.kind == MetaKind::none ? OperandKind::error : OperandKind::meta;
-            operand.span = expr.span;
-            return operand;
         }
-        case ast::ExprKind::member: return check_member(body, id);
-        case ast::ExprKind::index: return check_index(body, id, wanted);
-        case ast::ExprKind::call: return check_call(body, id, wanted);
-        case ast::ExprKind::unary: return check_unary(body, id, wanted);
-        case ast::ExprKind::binary: return check_binary(body, id, wanted);
-        case ast::ExprKind::conditional: return check_conditional(body, expr, wanted);
-        case ast::ExprKind::range:
-            c.error(Diag::not_a_value, expr.span, {"a range"});
-            return error_operand(expr.span);
-        case ast::ExprKind::await: return check_await(body, expr);
-        case ast::ExprKind::tuple: return check_tuple(body, expr, wanted);
+        return value_operand(body, add(body.program(), ir::Op::none, wanted, expr.span), expr.span);
+    case ast::ExprKind::name: return check_name(body, id);
+    case ast::ExprKind::generic:
+    case ast::ExprKind::optional: {
+        Operand operand;
+        operand.meta = meta_of(c, body.env, id);
+        operand.kind = operand.meta.kind == MetaKind::none ? OperandKind::error : OperandKind::meta;
+        operand.span = expr.span;
+        return operand;
+    }
+    case ast::ExprKind::member: return check_member(body, id);
+    case ast::ExprKind::index: return check_index(body, id, wanted);
+    case ast::ExprKind::call: return check_call(body, id, wanted);
+    case ast::ExprKind::unary: return check_unary(body, id, wanted);
+    case ast::ExprKind::binary: return check_binary(body, id, wanted);
+    case ast::ExprKind::conditional: return check_conditional(body, expr, wanted);
+    case ast::ExprKind::range: c.error(Diag::not_a_value, expr.span, {"a range"}); return error_operand(expr.span);
+    case ast::ExprKind::await: return check_await(body, expr);
+    case ast::ExprKind::tuple: return check_tuple(body, expr, wanted);
     }
     return error_operand(expr.span);
 }
@@ -228,15 +233,15 @@ Operand check_kind(Body& body, ast::ExprId id, ir::TypeId wanted) {
 std::string describe(const Body& body, const Operand& operand) {
     const Context& c = body.context;
     switch (operand.kind) {
-        case OperandKind::structure: return "the structure " + c.program.structures[operand.structure].display;
-        case OperandKind::memory: return "memory";
-        case OperandKind::iterator: return "the iterator '" + c.text(body.kernel->params[operand.slot].name) + "'";
-        case OperandKind::meta:
-            if (operand.meta.kind == MetaKind::type) return "the type " + c.text(operand.meta.type);
-            if (operand.meta.kind == MetaKind::declarations)
-                return "'" + c.text(c[operand.meta.declarations[0]].name.name) + "'";
-            return "this";
-        default: return "this";
+    case OperandKind::structure: return "the structure " + c.program.structures[operand.structure].display;
+    case OperandKind::memory: return "memory";
+    case OperandKind::iterator: return "the iterator '" + c.text(body.kernel->params[operand.slot].name) + "'";
+    case OperandKind::meta:
+        if (operand.meta.kind == MetaKind::type) return "the type " + c.text(operand.meta.type);
+        if (operand.meta.kind == MetaKind::declarations)
+            return "'" + c.text(c[operand.meta.declarations[0]].name.name) + "'";
+        return "this";
+    default: return "this";
     }
 }
 
@@ -248,7 +253,9 @@ Operand error_operand(Span span) {
     return operand;
 }
 
-ir::ExprId error_value(Body& body, Span span) { return add(body.program(), ir::Op::constant, body.types().error, span); }
+ir::ExprId error_value(Body& body, Span span) {
+    return add(body.program(), ir::Op::constant, body.types().error, span);
+}
 
 bool is_error(const Body& body, ir::ExprId id) {
     return !id || body.context.program.exprs[id].type == body.context.program.types.error;
@@ -266,11 +273,11 @@ Operand value_operand(Body& body, ir::ExprId expr, Span span) {
 bool is_flexible(const Context& c, ast::ExprId id) {
     const ast::Expr& expr = c[id];
     switch (expr.kind) {
-        case ast::ExprKind::int_literal:
-        case ast::ExprKind::float_literal: return expr.suffix[0] == 0;
-        case ast::ExprKind::unary: return is_flexible(c, expr.operands[0]);
-        case ast::ExprKind::binary: return is_flexible(c, expr.operands[0]) && is_flexible(c, expr.operands[1]);
-        default: return false;
+    case ast::ExprKind::int_literal:
+    case ast::ExprKind::float_literal: return expr.suffix[0] == 0;
+    case ast::ExprKind::unary: return is_flexible(c, expr.operands[0]);
+    case ast::ExprKind::binary: return is_flexible(c, expr.operands[0]) && is_flexible(c, expr.operands[1]);
+    default: return false;
     }
 }
 
@@ -281,21 +288,22 @@ Operand check(Body& body, ast::ExprId id, ir::TypeId wanted) {
 
 ir::ExprId to_value(Body& body, const Operand& operand) {
     switch (operand.kind) {
-        case OperandKind::value: return operand.expr;
-        case OperandKind::error: return error_value(body, operand.span);
-        case OperandKind::iterator: {
-            Operand value = iterator_value(body, operand);
-            return value.kind == OperandKind::value ? value.expr : error_value(body, operand.span);
+    case OperandKind::value: return operand.expr;
+    case OperandKind::error: return error_value(body, operand.span);
+    case OperandKind::iterator: {
+        Operand value = iterator_value(body, operand);
+        return value.kind == OperandKind::value ? value.expr : error_value(body, operand.span);
+    }
+    case OperandKind::structure:
+        if (body.kind == BodyKind::pipeline || body.kind == BodyKind::structure) {
+            if (operand.is_slice && operand.place.members.empty())
+                return make_local(body.program(), operand.local, operand.span);
+            ir::TypeId type = body.types().of_structure(operand.structure);
+            return structure_operation(body, ir::Op::structure_value, type, operand, operand.span);
         }
-        case OperandKind::structure:
-            if (body.kind == BodyKind::pipeline || body.kind == BodyKind::structure) {
-                if (operand.is_slice && operand.place.members.empty()) return make_local(body.program(), operand.local, operand.span);
-                ir::TypeId type = body.types().of_structure(operand.structure);
-                return structure_operation(body, ir::Op::structure_value, type, operand, operand.span);
-            }
-            [[fallthrough]];
-        case OperandKind::memory:
-        case OperandKind::meta: body.context.error(Diag::not_a_value, operand.span, {describe(body, operand)}); break;
+        [[fallthrough]];
+    case OperandKind::memory:
+    case OperandKind::meta: body.context.error(Diag::not_a_value, operand.span, {describe(body, operand)}); break;
     }
     return error_value(body, operand.span);
 }
@@ -306,7 +314,8 @@ ir::ExprId coerce(Body& body, ir::ExprId expr, ir::TypeId wanted, Span span) {
     if (!wanted || have == wanted || have == types.error || wanted == types.error) return expr;
     if (types.kind(wanted) == ir::TypeKind::optional && types[wanted].element == have)
         return add(body.program(), ir::Op::some, wanted, span, {expr});
-    Diagnostic& diagnostic = body.context.error(Diag::type_mismatch, span, {body.context.text(wanted), body.context.text(have)});
+    Diagnostic& diagnostic =
+        body.context.error(Diag::type_mismatch, span, {body.context.text(wanted), body.context.text(have)});
     if (types.kind(have) == ir::TypeKind::device && types[have].element == wanted)
         note(diagnostic, span, "the value lives on the device: 'await' brings it to the host");
     else if (types.is_number(types.scalar_of(have)) && types.is_number(types.scalar_of(wanted)) &&
@@ -328,22 +337,27 @@ Operand check_unary(Body& body, ast::ExprId id, ir::TypeId wanted) {
     bool literal = inner.kind == ast::ExprKind::int_literal || inner.kind == ast::ExprKind::float_literal;
     if (expr.unary == ast::UnaryOp::minus && literal) {
         ir::ExprId value = number_literal(body, inner, wanted, true);
-        if (!body.types().is_floating(body.program().exprs[value].type) && !body.types().is_signed(body.program().exprs[value].type) &&
-            inner.value != 0) {
+        if (!body.types().is_floating(body.program().exprs[value].type) &&
+            !body.types().is_signed(body.program().exprs[value].type) && inner.value != 0) {
             note(c.error(Diag::negative_unsigned, expr.span, {c.text(body.program().exprs[value].type)}), expr.span,
                  "write int(…), or subtract");
             return error_operand(expr.span);
         }
         return value_operand(body, value, expr.span);
     }
-    ir::ExprId value = check_value(body, expr.operands[0], expr.unary == ast::UnaryOp::logical_not ? body.types().bool_ : wanted);
+    ir::ExprId value =
+        check_value(body, expr.operands[0], expr.unary == ast::UnaryOp::logical_not ? body.types().bool_ : wanted);
     if (is_error(body, value)) return error_operand(expr.span);
     ir::TypeId type = body.program().exprs[value].type, scalar = body.types().scalar_of(type);
     bool right = expr.unary == ast::UnaryOp::logical_not ? type == body.types().bool_
                  : expr.unary == ast::UnaryOp::bit_not   ? body.types().is_integer(scalar)
                                                          : body.types().is_number(scalar);
     if (!right) {
-        c.error(Diag::unary_operand, expr.span, {expr.unary == ast::UnaryOp::logical_not ? "!" : expr.unary == ast::UnaryOp::bit_not ? "~" : "-", c.text(type)});
+        c.error(Diag::unary_operand, expr.span,
+                {expr.unary == ast::UnaryOp::logical_not ? "!"
+                 : expr.unary == ast::UnaryOp::bit_not   ? "~"
+                                                         : "-",
+                 c.text(type)});
         return error_operand(expr.span);
     }
     if (expr.unary == ast::UnaryOp::plus) return value_operand(body, value, expr.span);

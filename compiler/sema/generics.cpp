@@ -19,18 +19,22 @@ bool takes_type(Context& c, const Env& env, ast::ExprId constraint) {
 std::string key_part(const Meta& meta) {
     std::string key;
     switch (meta.kind) {
-        case MetaKind::type: return "t" + std::to_string(meta.type.index);
-        case MetaKind::value:
-            key = "v" + std::to_string(meta.value.type.index);
-            for (const ir::Lane& lane : meta.value.lanes) key += "," + std::to_string(lane.bits) + (lane.number != 0 ? "f" + std::to_string(lane.number) : "");
-            return key;
-        case MetaKind::translator:
-            key = "r";
-            for (std::uint32_t i : meta.translators) key += std::to_string(i) + ",";
-            return key;
-        case MetaKind::format: return "x" + std::to_string(static_cast<int>(meta.format));
-        case MetaKind::none: case MetaKind::declarations: case MetaKind::module: case MetaKind::memory_shape:
-        case MetaKind::constraint: return "?";
+    case MetaKind::type: return "t" + std::to_string(meta.type.index);
+    case MetaKind::value:
+        key = "v" + std::to_string(meta.value.type.index);
+        for (const ir::Lane& lane : meta.value.lanes)
+            key += "," + std::to_string(lane.bits) + (lane.number != 0 ? "f" + std::to_string(lane.number) : "");
+        return key;
+    case MetaKind::translator:
+        key = "r";
+        for (std::uint32_t i : meta.translators) key += std::to_string(i) + ",";
+        return key;
+    case MetaKind::format: return "x" + std::to_string(static_cast<int>(meta.format));
+    case MetaKind::none:
+    case MetaKind::declarations:
+    case MetaKind::module:
+    case MetaKind::memory_shape:
+    case MetaKind::constraint: return "?";
     }
     return key;
 }
@@ -52,15 +56,19 @@ bool satisfies_interface(Context& c, const Env& env, ast::DeclId id, ir::TypeId 
         bool found = false;
         Name name = c[member].name.name;
         std::vector<std::uint32_t> modules = {env.module};
-        if (auto decl = c.types().kind(type) == ir::TypeKind::struct_ ? c.struct_decl.find(c.types()[type].index) : c.struct_decl.end(); decl != c.struct_decl.end())
+        if (auto decl = c.types().kind(type) == ir::TypeKind::struct_ ? c.struct_decl.find(c.types()[type].index)
+                                                                      : c.struct_decl.end();
+            decl != c.struct_decl.end())
             modules.push_back(c.module_of.at(decl->second));
         for (std::uint32_t module : modules) {
             for (ast::DeclId candidate : find_declarations(c, module, {name, c[member].name.span})) {
                 const auto* function = std::get_if<ast::Function>(&c[candidate].body);
-                if (!function || !c[candidate].generics.empty() || function->params.size() != wanted->params.size()) continue;
+                if (!function || !c[candidate].generics.empty() || function->params.size() != wanted->params.size())
+                    continue;
                 Env other;
                 other.module = c.module_of.at(candidate);
-                bool fits = function->result ? wanted->result && type_of(c, other, function->result) == type_of(c, inside, wanted->result)
+                bool fits = function->result ? wanted->result && type_of(c, other, function->result) ==
+                                                                     type_of(c, inside, wanted->result)
                                              : !wanted->result;
                 for (std::size_t i = 0; fits && i < function->params.size(); ++i)
                     fits = type_of(c, other, function->params[i].type) == type_of(c, inside, wanted->params[i].type);
@@ -109,13 +117,16 @@ bool satisfies(Context& c, const Env& env, ast::ExprId constraint, const Meta& m
     const ast::Expr& expr = c[constraint];
     const ast::Expr& name = expr.kind == ast::ExprKind::generic ? c[expr.operands[0]] : expr;
     Meta wanted = name.kind == ast::ExprKind::name ? find_meta(c, env, {name.name, name.span}) : Meta{};
-    bool interface = wanted.kind == MetaKind::declarations && std::holds_alternative<ast::Interface>(c[wanted.declarations[0]].body);
+    bool interface =
+        wanted.kind == MetaKind::declarations && std::holds_alternative<ast::Interface>(c[wanted.declarations[0]].body);
     if (wanted.kind == MetaKind::constraint || interface) {
         if (wanted.kind == MetaKind::constraint && wanted.constraint == Constraint::translator) {
             why = "a translator is wanted";
             return meta.kind == MetaKind::translator;
         }
-        if (meta.kind == MetaKind::format && wanted.kind == MetaKind::constraint && wanted.constraint == Constraint::texel) return true;
+        if (meta.kind == MetaKind::format && wanted.kind == MetaKind::constraint &&
+            wanted.constraint == Constraint::texel)
+            return true;
         if (meta.kind != MetaKind::type) {
             why = "a type is wanted here";
             return false;
@@ -124,19 +135,25 @@ bool satisfies(Context& c, const Env& env, ast::ExprId constraint, const Meta& m
         ir::TypeId scalar = c.types().scalar_of(meta.type);
         bool shaped = c.types().is_scalar(meta.type) || c.types().is_vector(meta.type);
         switch (wanted.constraint) {
-            case Constraint::type:
-                why = "a structure is not a type of values";
-                return c.types().kind(meta.type) != ir::TypeKind::structure;
-            case Constraint::texel: why = c.text(meta.type) + " has no texel format"; return is_texel(c.types(), meta.type);
-            case Constraint::number: why = c.text(meta.type) + " is not a number"; return shaped && c.types().is_number(scalar);
-            case Constraint::integer: why = c.text(meta.type) + " is not an integer"; return shaped && c.types().is_integer(scalar);
-            case Constraint::floating: why = c.text(meta.type) + " is not floating"; return shaped && c.types().is_floating(scalar);
-            case Constraint::structure: return satisfies_structure(c, env, expr, meta.type, why);
-            case Constraint::translator: return false;
+        case Constraint::type:
+            why = "a structure is not a type of values";
+            return c.types().kind(meta.type) != ir::TypeKind::structure;
+        case Constraint::texel: why = c.text(meta.type) + " has no texel format"; return is_texel(c.types(), meta.type);
+        case Constraint::number:
+            why = c.text(meta.type) + " is not a number";
+            return shaped && c.types().is_number(scalar);
+        case Constraint::integer:
+            why = c.text(meta.type) + " is not an integer";
+            return shaped && c.types().is_integer(scalar);
+        case Constraint::floating:
+            why = c.text(meta.type) + " is not floating";
+            return shaped && c.types().is_floating(scalar);
+        case Constraint::structure: return satisfies_structure(c, env, expr, meta.type, why);
+        case Constraint::translator: return false;
         }
     }
     ir::TypeId type = type_of(c, env, constraint);
-    if (type == c.types().error) return true;   // reported
+    if (type == c.types().error) return true;  // reported
     if (meta.kind != MetaKind::value) {
         why = "a value of type " + c.text(type) + " is wanted";
         return false;
@@ -146,12 +163,15 @@ bool satisfies(Context& c, const Env& env, ast::ExprId constraint, const Meta& m
 }
 
 Arguments::Arguments(Context& context, const ast::Decl& declaration, Env& environment, Span at)
-    : context(context), decl(declaration), env(environment), use(at), found(declaration.generics.size()), spans(declaration.generics.size(), at) {}
+    : context(context), decl(declaration), env(environment), use(at), found(declaration.generics.size()),
+      spans(declaration.generics.size(), at) {}
 
 bool Arguments::give(const Env& user, const std::vector<ast::ExprId>& written, std::size_t first) {
     Context& c = context;
     if (written.size() - first > decl.generics.size()) {
-        note(c.error(Diag::generic_count, use, {c.text(decl.name.name), std::to_string(decl.generics.size()), std::to_string(written.size() - first)}),
+        note(c.error(Diag::generic_count, use,
+                     {c.text(decl.name.name), std::to_string(decl.generics.size()),
+                      std::to_string(written.size() - first)}),
              decl.name.span, "declared here");
         return false;
     }
@@ -175,9 +195,11 @@ bool Arguments::give(const Env& user, const std::vector<ast::ExprId>& written, s
         if (type == c.types().error) return false;
         // `border` for `Boundary.border`: where an enum is wanted its enumerators may stand alone.
         const ast::Expr& expr = c[argument];
-        if (c.types().kind(type) == ir::TypeKind::enum_ && (expr.kind == ast::ExprKind::name || expr.kind == ast::ExprKind::none_literal)) {
+        if (c.types().kind(type) == ir::TypeKind::enum_ &&
+            (expr.kind == ast::ExprKind::name || expr.kind == ast::ExprKind::none_literal)) {
             const ir::Enum& declared = c.program.enums[c.types()[type].index];
-            std::string_view text = expr.kind == ast::ExprKind::none_literal ? std::string_view("none") : std::string_view(c.text(expr.name));
+            std::string_view text = expr.kind == ast::ExprKind::none_literal ? std::string_view("none")
+                                                                             : std::string_view(c.text(expr.name));
             for (std::size_t k = 0; k < declared.enumerators.size() && !found[i]; ++k)
                 if (c.text(declared.enumerators[k]) == text) {
                     Meta meta;
@@ -255,7 +277,8 @@ void Arguments::infer(ast::ExprId pattern, ir::TypeId actual) {
     }
     if (expr.kind != ast::ExprKind::generic || c[expr.operands[0]].kind != ast::ExprKind::name) return;
     const std::string& name = c.text(c[expr.operands[0]].name);
-    if (name == "vec" && expr.operands.size() == 3 && (type.kind == ir::TypeKind::vector || c.types().is_scalar(actual))) {
+    if (name == "vec" && expr.operands.size() == 3 &&
+        (type.kind == ir::TypeKind::vector || c.types().is_scalar(actual))) {
         infer_value(expr.operands[1], {c.types().uint, {ir::Lane{.bits = c.types().components(actual)}}});
         infer(expr.operands[2], c.types().scalar_of(actual));
         return;
@@ -264,9 +287,11 @@ void Arguments::infer(ast::ExprId pattern, ir::TypeId actual) {
     const std::vector<Meta>* arguments = nullptr;
     ast::DeclId instance_decl;
     if (type.kind == ir::TypeKind::structure) {
-        if (auto at = c.arguments_of.find(type.index); at != c.arguments_of.end()) arguments = &at->second, instance_decl = c.structure_decl.at(type.index);
+        if (auto at = c.arguments_of.find(type.index); at != c.arguments_of.end())
+            arguments = &at->second, instance_decl = c.structure_decl.at(type.index);
     } else if (type.kind == ir::TypeKind::struct_) {
-        if (auto at = c.struct_arguments.find(type.index); at != c.struct_arguments.end()) arguments = &at->second, instance_decl = c.struct_decl.at(type.index);
+        if (auto at = c.struct_arguments.find(type.index); at != c.struct_arguments.end())
+            arguments = &at->second, instance_decl = c.struct_decl.at(type.index);
     }
     if (!arguments || c[instance_decl].name.name != c[expr.operands[0]].name) return;
     for (std::size_t i = 0; i + 1 < expr.operands.size() && i < arguments->size(); ++i) {
@@ -293,7 +318,8 @@ bool Arguments::finish(bool quiet) {
         }
         if (!found[i]) {
             if (!quiet) {
-                Diagnostic& diagnostic = c.error(Diag::generic_unknown, use, {c.text(param.name.name), c.text(decl.name.name)});
+                Diagnostic& diagnostic =
+                    c.error(Diag::generic_unknown, use, {c.text(param.name.name), c.text(decl.name.name)});
                 note(diagnostic, param.name.span, "declared here; write it: " + c.text(decl.name.name) + "<…>");
             }
             return false;
@@ -301,7 +327,8 @@ bool Arguments::finish(bool quiet) {
         std::string why;
         if (!satisfies(c, env, param.constraint, *found[i], why)) {
             if (!quiet) {
-                Diagnostic& diagnostic = c.error(Diag::constraint, spans[i], {to_text(c, *found[i]), c.text(param.name.name), why});
+                Diagnostic& diagnostic =
+                    c.error(Diag::constraint, spans[i], {to_text(c, *found[i]), c.text(param.name.name), why});
                 note(diagnostic, param.name.span, "the constraint is declared here");
             }
             return false;

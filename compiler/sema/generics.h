@@ -9,8 +9,8 @@ namespace gliftc::sema {
 struct Arguments {
     Context& context;
     const ast::Decl& decl;
-    Env& env;                            ///< receives the bindings
-    Span use;                            ///< where the arguments are given or inferred
+    Env& env;  ///< receives the bindings
+    Span use;  ///< where the arguments are given or inferred
     std::vector<std::optional<Meta>> found;
     std::vector<Span> spans;
 

@@ -8,7 +8,9 @@ namespace gliftc::sema {
 
 namespace {
 
-std::vector<ast::ExprId> arguments_of(const ast::Expr& call) { return {call.operands.begin() + 1, call.operands.end()}; }
+std::vector<ast::ExprId> arguments_of(const ast::Expr& call) {
+    return {call.operands.begin() + 1, call.operands.end()};
+}
 
 /// The structure instance of an operand: a structure, a slice of one, or a value of slice type.
 std::optional<std::uint32_t> structure_of(Body& body, const Operand& operand) {
@@ -21,7 +23,7 @@ std::optional<std::uint32_t> structure_of(Body& body, const Operand& operand) {
 struct Argument {
     ast::ExprId written;
     Operand operand;
-    bool waits = false;       // a literal: checked once its type is known
+    bool waits = false;  // a literal: checked once its type is known
     std::optional<std::uint32_t> structure;
 };
 
@@ -31,7 +33,8 @@ std::vector<Argument> check_arguments(Body& body, const ast::Expr& call, bool& f
         Argument argument;
         argument.written = id;
         ast::ExprKind kind = body.context[id].kind;
-        argument.waits = is_flexible(body.context, id) || kind == ast::ExprKind::tuple || kind == ast::ExprKind::none_literal;
+        argument.waits =
+            is_flexible(body.context, id) || kind == ast::ExprKind::tuple || kind == ast::ExprKind::none_literal;
         if (!argument.waits) {
             argument.operand = check(body, id);
             failed |= argument.operand.kind == OperandKind::error;
@@ -42,12 +45,14 @@ std::vector<Argument> check_arguments(Body& body, const ast::Expr& call, bool& f
     return result;
 }
 
-void infer_arguments(Arguments& generics, const std::vector<ast::Param>& params, const std::vector<Argument>& arguments, Body& body) {
+void infer_arguments(Arguments& generics, const std::vector<ast::Param>& params, const std::vector<Argument>& arguments,
+                     Body& body) {
     for (std::size_t i = 0; i < params.size() && i < arguments.size(); ++i) {
         if (arguments[i].waits) continue;
         if (params[i].pattern == ast::Pattern::range && arguments[i].structure) {
             const ir::Structure structure = body.program().structures[*arguments[i].structure];
-            generics.infer_value(params[i].type, {body.types().uint, {ir::Lane{.bits = body.types().components(structure.domain_type)}}});
+            generics.infer_value(params[i].type, {body.types().uint,
+                                                  {ir::Lane{.bits = body.types().components(structure.domain_type)}}});
             if (!params[i].extra.empty()) generics.infer(params[i].extra[0], structure.element);
         } else if (arguments[i].structure) {
             generics.infer_structure(params[i].type, *arguments[i].structure);
@@ -73,11 +78,16 @@ ir::ExprId value_argument(Body& body, const Argument& argument, ir::TypeId wante
 }
 
 /// What a pass or a check gives: nothing that could be used.
-Operand no_value(Body& body, Span span) { return value_operand(body, add(body.program(), ir::Op::constant, body.types().void_, span), span); }
+Operand no_value(Body& body, Span span) {
+    return value_operand(body, add(body.program(), ir::Op::constant, body.types().void_, span), span);
+}
 
-bool is_iteration(const ir::KernelParam& param) { return param.pattern == ir::Pattern::each || param.pattern == ir::Pattern::at; }
+bool is_iteration(const ir::KernelParam& param) {
+    return param.pattern == ir::Pattern::each || param.pattern == ir::Pattern::at;
+}
 
-std::optional<std::vector<ir::ExprId>> kernel_arguments(Body& body, std::uint32_t kernel_index, std::vector<Argument>& arguments) {
+std::optional<std::vector<ir::ExprId>> kernel_arguments(Body& body, std::uint32_t kernel_index,
+                                                        std::vector<Argument>& arguments) {
     Context& c = body.context;
     std::vector<ir::ExprId> values;
     for (std::size_t i = 0; i < arguments.size(); ++i) {
@@ -88,15 +98,17 @@ std::optional<std::vector<ir::ExprId>> kernel_arguments(Body& body, std::uint32_
         } else {
             if (!arguments[i].structure || *arguments[i].structure != param.structure) {
                 std::string have = arguments[i].structure ? body.program().structures[*arguments[i].structure].display
-                                   : arguments[i].waits  ? "a number" : c.text(arguments[i].operand.type);
-                note(c.error(Diag::type_mismatch, span, {body.program().structures[param.structure].display, have}), param.span,
-                     "parameter '" + c.text(param.name) + "' is declared here");
+                                   : arguments[i].waits   ? "a number"
+                                                          : c.text(arguments[i].operand.type);
+                note(c.error(Diag::type_mismatch, span, {body.program().structures[param.structure].display, have}),
+                     param.span, "parameter '" + c.text(param.name) + "' is declared here");
                 return std::nullopt;
             }
             values.push_back(to_value(body, arguments[i].operand));
             bool slice = body.types().kind(body.program().exprs[values.back()].type) == ir::TypeKind::slice;
             if (slice && !is_iteration(param) && param.pattern != ir::Pattern::near) {
-                note(c.error(Diag::slice_not_iterated, span, {c.text(param.name)}), param.span, "'any' and 'scatter' take the whole structure: addresses are its own");
+                note(c.error(Diag::slice_not_iterated, span, {c.text(param.name)}), param.span,
+                     "'any' and 'scatter' take the whole structure: addresses are its own");
                 return std::nullopt;
             }
         }
@@ -119,13 +131,16 @@ std::optional<std::ptrdiff_t> only_address(const std::vector<ast::Param>& params
 /// Gives the left-out `at` parameter the argument of the first each-parameter over the same structure.
 void insert_address(const std::vector<ir::KernelParam>& params, std::ptrdiff_t at, std::vector<Argument>& arguments) {
     for (std::size_t i = 0; i < params.size(); ++i) {
-        if (params[i].pattern != ir::Pattern::each || params[i].structure != params[static_cast<std::size_t>(at)].structure) continue;
+        if (params[i].pattern != ir::Pattern::each ||
+            params[i].structure != params[static_cast<std::size_t>(at)].structure)
+            continue;
         arguments.insert(arguments.begin() + at, arguments[i < static_cast<std::size_t>(at) ? i : i - 1]);
         return;
     }
 }
 
-std::optional<Operand> call_kernel(Body& body, ast::DeclId id, const std::vector<ast::ExprId>& explicit_generics, const ast::Expr& call) {
+std::optional<Operand> call_kernel(Body& body, ast::DeclId id, const std::vector<ast::ExprId>& explicit_generics,
+                                   const ast::Expr& call) {
     Context& c = body.context;
     if (body.kind != BodyKind::pipeline) {
         c.error(Diag::pass_outside_pipeline, call.span, {c.text(c[id].name.name)});
@@ -148,7 +163,8 @@ std::optional<Operand> call_kernel(Body& body, ast::DeclId id, const std::vector
     const std::vector<ir::KernelParam> params = body.program().kernels[*kernel].params;
     if (left_out) insert_address(params, *left_out, arguments);
     if (arguments.size() != params.size()) {
-        note(c.error(Diag::argument_count, call.span, {c.text(c[id].name.name), std::to_string(params.size()), std::to_string(arguments.size())}),
+        note(c.error(Diag::argument_count, call.span,
+                     {c.text(c[id].name.name), std::to_string(params.size()), std::to_string(arguments.size())}),
              c[id].name.span, "declared here");
         return std::nullopt;
     }
@@ -161,8 +177,8 @@ std::optional<Operand> call_kernel(Body& body, ast::DeclId id, const std::vector
     return no_value(body, call.span);
 }
 
-std::optional<Operand> call_pipeline(Body& body, ast::DeclId id, const std::vector<ast::ExprId>& explicit_generics, const ast::Expr& call,
-                                     const Operand* owner) {
+std::optional<Operand> call_pipeline(Body& body, ast::DeclId id, const std::vector<ast::ExprId>& explicit_generics,
+                                     const ast::Expr& call, const Operand* owner) {
     Context& c = body.context;
     if (body.kind != BodyKind::pipeline) {
         c.error(Diag::pass_outside_pipeline, call.span, {c.text(c[id].name.name)});
@@ -173,8 +189,10 @@ std::optional<Operand> call_pipeline(Body& body, ast::DeclId id, const std::vect
     std::vector<Argument> arguments = check_arguments(body, call, failed);
     if (failed) return std::nullopt;
     if (arguments.size() != written.params.size()) {
-        note(c.error(Diag::argument_count, call.span, {c.text(c[id].name.name), std::to_string(written.params.size()), std::to_string(arguments.size())}),
-             c[id].name.span, "declared here");
+        note(
+            c.error(Diag::argument_count, call.span,
+                    {c.text(c[id].name.name), std::to_string(written.params.size()), std::to_string(arguments.size())}),
+            c[id].name.span, "declared here");
         return std::nullopt;
     }
     Env& env = c.new_env(c.module_of.at(id));
@@ -192,13 +210,15 @@ std::optional<Operand> call_pipeline(Body& body, ast::DeclId id, const std::vect
         }
         structures.push_back(range ? *arguments[i].structure : 0);
     }
-    auto pipeline = instantiate_pipeline(c, id, env, structures, owner ? std::optional(owner->structure) : std::nullopt, call.span);
+    auto pipeline =
+        instantiate_pipeline(c, id, env, structures, owner ? std::optional(owner->structure) : std::nullopt, call.span);
     if (!pipeline) return std::nullopt;
     std::vector<ir::ExprId> values;
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         const ir::PipelineParam param = body.program().pipelines[*pipeline].params[i];
         ir::TypeId wanted = body.program().locals[param.local].type;
-        if (param.pattern == ir::HostPattern::value) values.push_back(value_argument(body, arguments[i], wanted, false));
+        if (param.pattern == ir::HostPattern::value)
+            values.push_back(value_argument(body, arguments[i], wanted, false));
         else {
             values.push_back(to_value(body, arguments[i].operand));
             ir::TypeId have = body.program().exprs[values.back()].type;
@@ -207,7 +227,8 @@ std::optional<Operand> call_pipeline(Body& body, ast::DeclId id, const std::vect
         }
         if (is_error(body, values.back())) return std::nullopt;
     }
-    ir::ExprId result = add(body.program(), ir::Op::pipeline_call, body.program().pipelines[*pipeline].result, call.span, std::move(values));
+    ir::ExprId result = add(body.program(), ir::Op::pipeline_call, body.program().pipelines[*pipeline].result,
+                            call.span, std::move(values));
     body.program().exprs[result].slot = *pipeline;
     if (owner) body.program().exprs[result].place = owner->place, body.program().exprs[result].local = owner->local;
     return value_operand(body, result, call.span);
@@ -218,7 +239,8 @@ ir::ExprId slice_of(Body& body, const Operand& structure, ir::ExprId low, ir::Ex
     ir::ExprId size = high;
     auto known = ir::evaluate(body.program(), low);
     bool from_zero = known.has_value();
-    if (known) for (const ir::Lane& lane : known->lanes) from_zero &= lane.bits == 0;
+    if (known)
+        for (const ir::Lane& lane : known->lanes) from_zero &= lane.bits == 0;
     if (!from_zero) size = make_binary(body.program(), ir::BinaryOp::subtract, domain, high, low, span);
     ir::TypeId type = body.types().slice(body.types().of_structure(structure.structure));
     return structure_operation(body, ir::Op::slice, type, structure, span, {low, size});
@@ -235,7 +257,8 @@ Operand check_slice(Body& body, const Operand& structure, const ast::Expr& range
     if (on_device && body.types()[high_type].element == domain) {
         auto known = ir::evaluate(body.program(), low);
         if (!known || known->bits() != 0) {
-            note(c.error(Diag::device_slice_origin, span), span, "a slice with a length on the device begins at 0: a[0 .. n]");
+            note(c.error(Diag::device_slice_origin, span), span,
+                 "a slice with a length on the device begins at 0: a[0 .. n]");
             return error_operand(span);
         }
     } else {
@@ -314,10 +337,12 @@ std::optional<Operand> check_expect(Body& body, std::string_view name, const ast
         structures.push_back(*structure);
         values.push_back(to_value(body, operand));
     }
-    bool comparable = body.program().structures[structures[0]].element == body.program().structures[structures[1]].element &&
-                      body.program().structures[structures[0]].domain_type == body.program().structures[structures[1]].domain_type;
+    bool comparable =
+        body.program().structures[structures[0]].element == body.program().structures[structures[1]].element &&
+        body.program().structures[structures[0]].domain_type == body.program().structures[structures[1]].domain_type;
     if (!comparable) {
-        c.error(Diag::type_mismatch, c[arguments[1]].span, {body.program().structures[structures[0]].display, body.program().structures[structures[1]].display});
+        c.error(Diag::type_mismatch, c[arguments[1]].span,
+                {body.program().structures[structures[0]].display, body.program().structures[structures[1]].display});
         return error_operand(call.span);
     }
     if (arguments.size() == 3) values.push_back(check_value(body, arguments[2], body.types().float_));
@@ -348,7 +373,8 @@ bool check_structure_declaration(Body& body, const ast::Stmt& stmt) {
     }
     bool made = node.op == ir::Op::construct && body.types().kind(node.type) == ir::TypeKind::structure;
     if (is_temp && !made) {
-        note(c.error(Diag::temp_value, c[stmt.value].span), c[stmt.value].span, "'temp' makes a structure: temp name = Structure(arguments); for values write 'let'");
+        note(c.error(Diag::temp_value, c[stmt.value].span), c[stmt.value].span,
+             "'temp' makes a structure: temp name = Structure(arguments); for values write 'let'");
         return true;
     }
     ir::LocalId local = declare_local(body, stmt.name, node.type, stmt.binding == ast::Binding::var);
@@ -364,7 +390,8 @@ bool check_structure_declaration(Body& body, const ast::Stmt& stmt) {
 bool is_structure_value(Body& body, ast::ExprId id) {
     const Context& c = body.context;
     const ast::Expr& expr = c[id];
-    return expr.kind == ast::ExprKind::call || (expr.kind == ast::ExprKind::index && expr.operands.size() == 2 && c[expr.operands[1]].kind == ast::ExprKind::range);
+    return expr.kind == ast::ExprKind::call || (expr.kind == ast::ExprKind::index && expr.operands.size() == 2 &&
+                                                c[expr.operands[1]].kind == ast::ExprKind::range);
 }
 
 }  // namespace
@@ -372,7 +399,8 @@ bool is_structure_value(Body& body, ast::ExprId id) {
 Operand construct_structure(Body& body, ir::TypeId type, const ast::Expr& call) {
     Context& c = body.context;
     if (body.kind != BodyKind::pipeline) {
-        note(c.error(Diag::structure_made_here, call.span, {c.text(type)}), call.span, "structures are made by 'temp' in a pipeline, by 'structure' in another structure, or in C++");
+        note(c.error(Diag::structure_made_here, call.span, {c.text(type)}), call.span,
+             "structures are made by 'temp' in a pipeline, by 'structure' in another structure, or in C++");
         return error_operand(call.span);
     }
     std::uint32_t index = body.types()[type].index;
@@ -383,7 +411,9 @@ Operand construct_structure(Body& body, ir::TypeId type, const ast::Expr& call) 
     if (auto* adaptor = std::get_if<ast::Adaptor>(&c[decl].body)) params = &adaptor->constructor;
     std::vector<ast::ExprId> written = arguments_of(call);
     if (params->size() != written.size()) {
-        note(c.error(Diag::argument_count, call.span, {c.text(type), std::to_string(params->size()), std::to_string(written.size())}), c[decl].name.span, "declared here");
+        note(c.error(Diag::argument_count, call.span,
+                     {c.text(type), std::to_string(params->size()), std::to_string(written.size())}),
+             c[decl].name.span, "declared here");
         return error_operand(call.span);
     }
     std::vector<ir::ExprId> values;
@@ -411,12 +441,17 @@ Operand check_pipeline_index(Body& body, const Operand& structure, const ast::Ex
         return error_operand(expr.span);
     }
     require_transfers(c, structure.structure, expr.span);
-    return value_operand(body, structure_operation(body, ir::Op::device_read, body.types().device(instance.element), structure, expr.span, {address}), expr.span);
+    return value_operand(body,
+                         structure_operation(body, ir::Op::device_read, body.types().device(instance.element),
+                                             structure, expr.span, {address}),
+                         expr.span);
 }
 
-std::optional<Operand> check_pipeline_call(Body& body, const std::vector<ast::DeclId>& decls, const std::vector<ast::ExprId>& generics,
-                                           const ast::Expr& call, const Operand* owner) {
-    if (std::holds_alternative<ast::Kernel>(body.context[decls[0]].body)) return call_kernel(body, decls[0], generics, call);
+std::optional<Operand> check_pipeline_call(Body& body, const std::vector<ast::DeclId>& decls,
+                                           const std::vector<ast::ExprId>& generics, const ast::Expr& call,
+                                           const Operand* owner) {
+    if (std::holds_alternative<ast::Kernel>(body.context[decls[0]].body))
+        return call_kernel(body, decls[0], generics, call);
     return call_pipeline(body, decls[0], generics, call, owner);
 }
 
@@ -442,26 +477,28 @@ std::optional<Operand> check_pipeline_builtin(Body& body, std::string_view name,
 bool check_pipeline_statement(Body& body, const ast::Stmt& stmt) {
     Context& c = body.context;
     switch (stmt.kind) {
-        case ast::StmtKind::temp: return check_structure_declaration(body, stmt);
-        case ast::StmtKind::let:
-            // Views and slices have no type that a user could write; values go the ordinary way.
-            if (stmt.type || !stmt.value || stmt.binding == ast::Binding::const_ || !is_structure_value(body, stmt.value)) return false;
-            return check_structure_declaration(body, stmt);
-        case ast::StmtKind::expression: {
-            const ast::Expr& call = c[stmt.value];
-            if (call.kind != ast::ExprKind::call) return false;
-            Operand operand = check(body, stmt.value);
-            if (operand.kind == OperandKind::value) {
-                const ir::Expr& node = body.program().exprs[operand.expr];
-                if (node.op == ir::Op::constant && node.type == body.types().void_) return true;   // a pass or a check: emitted already
-                if (node.op != ir::Op::call && node.op != ir::Op::pipeline_call) c.error(Diag::no_effect, call.span);
-                ir::StmtId id = add(body.program(), ir::StmtOp::evaluate, stmt.span);
-                body.program().stmts[id].value = operand.expr;
-                emit(body, id);
-            }
-            return true;
+    case ast::StmtKind::temp: return check_structure_declaration(body, stmt);
+    case ast::StmtKind::let:
+        // Views and slices have no type that a user could write; values go the ordinary way.
+        if (stmt.type || !stmt.value || stmt.binding == ast::Binding::const_ || !is_structure_value(body, stmt.value))
+            return false;
+        return check_structure_declaration(body, stmt);
+    case ast::StmtKind::expression: {
+        const ast::Expr& call = c[stmt.value];
+        if (call.kind != ast::ExprKind::call) return false;
+        Operand operand = check(body, stmt.value);
+        if (operand.kind == OperandKind::value) {
+            const ir::Expr& node = body.program().exprs[operand.expr];
+            if (node.op == ir::Op::constant && node.type == body.types().void_)
+                return true;  // a pass or a check: emitted already
+            if (node.op != ir::Op::call && node.op != ir::Op::pipeline_call) c.error(Diag::no_effect, call.span);
+            ir::StmtId id = add(body.program(), ir::StmtOp::evaluate, stmt.span);
+            body.program().stmts[id].value = operand.expr;
+            emit(body, id);
         }
-        default: return false;
+        return true;
+    }
+    default: return false;
     }
 }
 

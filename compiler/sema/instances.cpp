@@ -39,10 +39,12 @@ ir::TypeId make_struct(Context& c, ast::DeclId id, const Env& env, const std::st
             type = c.types().error;
         }
         for (const ir::StructField& other : fields)
-            if (other.name == field.name.name) c.error(Diag::duplicate_name, field.name.span, {c.text(field.name.name)});
+            if (other.name == field.name.name)
+                c.error(Diag::duplicate_name, field.name.span, {c.text(field.name.name)});
         fields.push_back({field.name.name, type, {}, field.doc});
     }
-    if (fields.empty() && written.extern_header.empty()) c.error(Diag::empty_struct, decl.name.span, {c.text(decl.name.name)});
+    if (fields.empty() && written.extern_header.empty())
+        c.error(Diag::empty_struct, decl.name.span, {c.text(decl.name.name)});
     c.program.structs[index].fields = std::move(fields);
     return c.types().of_struct(index);
 }
@@ -60,7 +62,8 @@ ir::TypeId make_enum(Context& c, ast::DeclId id) {
     std::uint32_t next = 0;
     for (const ast::Enumerator& enumerator : std::get<ast::Enum>(decl.body).enumerators) {
         if (enumerator.value)
-            if (auto value = constant_of(c, env, enumerator.value, c.types().uint)) next = static_cast<std::uint32_t>(value->bits());
+            if (auto value = constant_of(c, env, enumerator.value, c.types().uint))
+                next = static_cast<std::uint32_t>(value->bits());
         for (Name other : made.enumerators)
             if (other == enumerator.name.name) c.error(Diag::duplicate_name, enumerator.name.span, {c.text(other)});
         made.enumerators.push_back(enumerator.name.name);
@@ -108,15 +111,16 @@ ir::TypeId instantiate_type(Context& c, ast::DeclId id, const Env& env, Span use
     return type;
 }
 
-static void declare_params(Body& body, const std::vector<ast::Param>& params, ir::Function& function, std::size_t first_structure,
-                          const std::vector<std::uint32_t>& structures) {
+static void declare_params(Body& body, const std::vector<ast::Param>& params, ir::Function& function,
+                           std::size_t first_structure, const std::vector<std::uint32_t>& structures) {
     Context& c = body.context;
     for (const ast::Param& param : params) {
         ir::TypeId type = param.type ? type_of(c, body.env, param.type) : c.types().error;
         if (!param.type) c.error(Diag::param_type, param.name.span, {c.text(param.name.name)});
         if (param.direction == ast::Direction::out || param.direction == ast::Direction::inout)
             c.error(Diag::function_out, param.direction_span);
-        bool seen = param.pattern == ast::Pattern::none || param.pattern == ast::Pattern::near || param.pattern == ast::Pattern::any;
+        bool seen = param.pattern == ast::Pattern::none || param.pattern == ast::Pattern::near ||
+                    param.pattern == ast::Pattern::any;
         if (!seen) c.error(Diag::function_pattern, param.pattern_span);
         if (c.types().kind(type) != ir::TypeKind::structure) {
             function.params.push_back(declare_local(body, param.name, type, false, false));
@@ -131,8 +135,8 @@ static void declare_params(Body& body, const std::vector<ast::Param>& params, ir
     }
 }
 
-std::optional<ir::FunctionId> instantiate_function(Context& c, ast::DeclId id, const Env& env, const std::vector<std::uint32_t>& structures,
-                                                   Span use) {
+std::optional<ir::FunctionId> instantiate_function(Context& c, ast::DeclId id, const Env& env,
+                                                   const std::vector<std::uint32_t>& structures, Span use) {
     const ast::Decl& decl = c[id];
     const auto& written = std::get<ast::Function>(decl.body);
     std::string key = key_of(c, id, env);
@@ -140,7 +144,8 @@ std::optional<ir::FunctionId> instantiate_function(Context& c, ast::DeclId id, c
     if (auto found = c.instances.find(key); found != c.instances.end()) {
         if (found->second.state == Instance::State::failed) return std::nullopt;
         if (found->second.state == Instance::State::in_progress) {
-            note(c.error(Diag::recursion, use, {c.text(decl.name.name)}), decl.name.span, "shaders have no call stack: use a loop");
+            note(c.error(Diag::recursion, use, {c.text(decl.name.name)}), decl.name.span,
+                 "shaders have no call stack: use a loop");
             return std::nullopt;
         }
         return ir::FunctionId{found->second.index};

@@ -12,16 +12,18 @@ ir::TypeId instantiate_type(Context&, ast::DeclId, const Env&, Span use);
 std::optional<std::vector<std::uint32_t>> instantiate_translator(Context&, ast::DeclId, const Env&, Span use);
 
 /// A function with its argument places' structure instances, in `structures`.
-std::optional<ir::FunctionId> instantiate_function(Context&, ast::DeclId, const Env&, const std::vector<std::uint32_t>& structures,
-                                                   Span use);
+std::optional<ir::FunctionId> instantiate_function(Context&, ast::DeclId, const Env&,
+                                                   const std::vector<std::uint32_t>& structures, Span use);
 
 std::optional<std::uint32_t> instantiate_kernel(Context&, ast::DeclId, const Env&, Span use);
 
 /// The radius of a parameter `near<S, r>`; reports one that is missing or out of range.
 std::uint32_t window_radius(Context&, const Env&, const ast::Param&);
 
-/// `ranges`: for each parameter of pattern range, the structure instance passed (others 0). `owner`: an adaptor's instance.
-std::optional<std::uint32_t> instantiate_pipeline(Context&, ast::DeclId, const Env&, const std::vector<std::uint32_t>& structures,
+/// `ranges`: for each parameter of pattern range, the structure instance passed (others 0). `owner`: an adaptor's
+/// instance.
+std::optional<std::uint32_t> instantiate_pipeline(Context&, ast::DeclId, const Env&,
+                                                  const std::vector<std::uint32_t>& structures,
                                                   std::optional<std::uint32_t> owner, Span use);
 
 /// Makes sure that boxes of the structure can be moved between host and device: Program::transfers.

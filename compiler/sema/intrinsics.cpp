@@ -10,14 +10,14 @@ namespace {
 /// One parameter of a signature.
 struct Shape {
     char letter;
-    bool or_scalar;    // "Nn": a scalar of the element type is taken too
+    bool or_scalar;  // "Nn": a scalar of the element type is taken too
 };
 
 struct Signature {
     std::vector<Shape> params;
     char result;
     bool subgroup = false;
-    bool atomic = false;      // the first parameter is a place in workgroup memory
+    bool atomic = false;  // the first parameter is a place in workgroup memory
 };
 
 Signature read(std::string_view text) {
@@ -25,7 +25,8 @@ Signature read(std::string_view text) {
     std::size_t i = 0;
     if (text.starts_with('@')) signature.atomic = true, i = 1;
     for (; text[i] != ':'; ++i) {
-        bool follows_capital = !signature.params.empty() && text[i] == 'n' && std::string_view("NF").find(signature.params.back().letter) != std::string_view::npos;
+        bool follows_capital = !signature.params.empty() && text[i] == 'n' &&
+                               std::string_view("NF").find(signature.params.back().letter) != std::string_view::npos;
         if (follows_capital && !signature.params.back().or_scalar) signature.params.back().or_scalar = true;
         else signature.params.push_back({text[i], false});
     }
@@ -38,41 +39,42 @@ bool accepts(const ir::Types& types, char letter, ir::TypeId type) {
     ir::TypeId scalar = types.scalar_of(type);
     bool shaped = types.is_scalar(type) || types.is_vector(type);
     switch (letter) {
-        case 'F': return shaped && types.is_floating(scalar);
-        case 'V': return (types.is_vector(type) || types.is_scalar(type)) && types.is_floating(scalar);
-        case 'N': return shaped && types.is_number(scalar);
-        case 'I': return shaped && types.is_integer(scalar);
-        case 'U': return shaped && types.kind(scalar) == ir::TypeKind::uint;
-        case 'S': return shaped && types.kind(scalar) == ir::TypeKind::int_;
-        case 'B': return shaped && types.kind(scalar) == ir::TypeKind::bool_;
-        case 'M': return types.is_matrix(type);
-        case 'f': return type == types.float_;
-        case 'u': return type == types.uint;
-        case 'i': return type == types.int_;
-        case 'b': return type == types.bool_;
-        case '2': return types.is_vector(type) && types.components(type) == 2 && scalar == types.float_;
-        case '4': return types.is_vector(type) && types.components(type) == 4 && scalar == types.float_;
-        default: return false;
+    case 'F': return shaped && types.is_floating(scalar);
+    case 'V': return (types.is_vector(type) || types.is_scalar(type)) && types.is_floating(scalar);
+    case 'N': return shaped && types.is_number(scalar);
+    case 'I': return shaped && types.is_integer(scalar);
+    case 'U': return shaped && types.kind(scalar) == ir::TypeKind::uint;
+    case 'S': return shaped && types.kind(scalar) == ir::TypeKind::int_;
+    case 'B': return shaped && types.kind(scalar) == ir::TypeKind::bool_;
+    case 'M': return types.is_matrix(type);
+    case 'f': return type == types.float_;
+    case 'u': return type == types.uint;
+    case 'i': return type == types.int_;
+    case 'b': return type == types.bool_;
+    case '2': return types.is_vector(type) && types.components(type) == 2 && scalar == types.float_;
+    case '4': return types.is_vector(type) && types.components(type) == 4 && scalar == types.float_;
+    default: return false;
     }
 }
 
 ir::TypeId result_of(ir::Types& types, char letter, ir::TypeId argument) {
     switch (letter) {
-        case 'b': return types.bool_;
-        case 'u': return types.uint;
-        case '2': return types.vector(types.float_, 2);
-        case '4': return types.vector(types.float_, 4);
-        case '=': return types.scalar_of(argument);
-        case 'B': return types.with_scalar(argument, types.bool_);
-        case 'S': return types.with_scalar(argument, types.int_);
-        case 'U': return types.with_scalar(argument, types.uint);
-        default: return argument;
+    case 'b': return types.bool_;
+    case 'u': return types.uint;
+    case '2': return types.vector(types.float_, 2);
+    case '4': return types.vector(types.float_, 4);
+    case '=': return types.scalar_of(argument);
+    case 'B': return types.with_scalar(argument, types.bool_);
+    case 'S': return types.with_scalar(argument, types.int_);
+    case 'U': return types.with_scalar(argument, types.uint);
+    default: return argument;
     }
 }
 
 /// Where the result is the bits of another type, its letter differs from the first parameter's.
 ir::TypeId result_type(ir::Types& types, const Signature& signature, ir::TypeId argument) {
-    if (signature.result == 'F' && !signature.params.empty() && (signature.params[0].letter == 'U' || signature.params[0].letter == 'S'))
+    if (signature.result == 'F' && !signature.params.empty() &&
+        (signature.params[0].letter == 'U' || signature.params[0].letter == 'S'))
         return types.with_scalar(argument, types.float_);
     return result_of(types, signature.result, argument);
 }
@@ -81,13 +83,13 @@ bool is_generic_letter(char letter) { return std::string_view("FVNIUSBM").find(l
 
 ir::TypeId fixed_type(ir::Types& types, char letter) {
     switch (letter) {
-        case 'f': return types.float_;
-        case 'u': return types.uint;
-        case 'i': return types.int_;
-        case 'b': return types.bool_;
-        case '2': return types.vector(types.float_, 2);
-        case '4': return types.vector(types.float_, 4);
-        default: return {};
+    case 'f': return types.float_;
+    case 'u': return types.uint;
+    case 'i': return types.int_;
+    case 'b': return types.bool_;
+    case '2': return types.vector(types.float_, 2);
+    case '4': return types.vector(types.float_, 4);
+    default: return {};
     }
 }
 
@@ -118,18 +120,20 @@ std::optional<ir::Intrinsic> find_intrinsic(std::string_view name) {
     return found == table.end() ? std::nullopt : std::optional(found->second);
 }
 
-Operand call_intrinsic(Body& body, ir::Intrinsic intrinsic, const std::vector<ast::ExprId>& arguments, const ast::Expr& call,
-                       ir::TypeId wanted) {
+Operand call_intrinsic(Body& body, ir::Intrinsic intrinsic, const std::vector<ast::ExprId>& arguments,
+                       const ast::Expr& call, ir::TypeId wanted) {
     Context& c = body.context;
     ir::Types& types = body.types();
     Signature signature = read(ir::signature_of(intrinsic));
     std::string name(ir::name_of(intrinsic));
     if (signature.params.size() != arguments.size()) {
-        c.error(Diag::argument_count, call.span, {name, std::to_string(signature.params.size()), std::to_string(arguments.size())});
+        c.error(Diag::argument_count, call.span,
+                {name, std::to_string(signature.params.size()), std::to_string(arguments.size())});
         return error_operand(call.span);
     }
     if ((signature.subgroup || signature.atomic) && !(body.kernel && body.kernel->grouped())) {
-        note(c.error(Diag::needs_group, call.span, {name}), call.span, "write 'group(size)' after the kernel's parameters");
+        note(c.error(Diag::needs_group, call.span, {name}), call.span,
+             "write 'group(size)' after the kernel's parameters");
         return error_operand(call.span);
     }
     std::vector<ir::ExprId> operands(arguments.size());
@@ -142,12 +146,14 @@ Operand call_intrinsic(Body& body, ir::Intrinsic intrinsic, const std::vector<as
             ir::TypeId hint = fixed_type(types, shape.letter);
             if (!hint && flexible) hint = literal_hint(types, shape.letter, common, wanted);
             if (!hint && !flexible) hint = common ? common : wanted;
-            operands[i] = hint == fixed_type(types, shape.letter) && hint ? check_value(body, arguments[i], hint)
-                                                                         : to_value(body, check(body, arguments[i], hint));
+            operands[i] = hint == fixed_type(types, shape.letter) && hint
+                              ? check_value(body, arguments[i], hint)
+                              : to_value(body, check(body, arguments[i], hint));
             if (is_error(body, operands[i])) return error_operand(call.span);
             ir::TypeId type = body.program().exprs[operands[i]].type;
             if (!accepts(types, shape.letter, type)) return wrong_argument(body, intrinsic, c[arguments[i]].span, type);
-            if (is_generic_letter(shape.letter) && (!common || types.components(type) > types.components(common))) common = type;
+            if (is_generic_letter(shape.letter) && (!common || types.components(type) > types.components(common)))
+                common = type;
         }
     }
     ir::TypeId first = operands.empty() ? types.bool_ : body.program().exprs[operands[0]].type;
@@ -159,7 +165,8 @@ Operand call_intrinsic(Body& body, ir::Intrinsic intrinsic, const std::vector<as
         if (type == common) continue;
         bool scalar = types.is_scalar(type) && type == types.scalar_of(common);
         // A literal among vectors stands for all components; so does a scalar where GLSL takes one.
-        if (!scalar || !(shape.or_scalar || is_flexible(c, arguments[i]))) return wrong_argument(body, intrinsic, c[arguments[i]].span, type);
+        if (!scalar || !(shape.or_scalar || is_flexible(c, arguments[i])))
+            return wrong_argument(body, intrinsic, c[arguments[i]].span, type);
         operands[i] = add(body.program(), ir::Op::construct, common, call.span, {operands[i]});
     }
     if (signature.atomic) {
@@ -171,7 +178,9 @@ Operand call_intrinsic(Body& body, ir::Intrinsic intrinsic, const std::vector<as
             return error_operand(call.span);
         }
     }
-    ir::TypeId type = result_type(types, signature, common && !operands.empty() && is_generic_letter(signature.params[0].letter) ? common : first);
+    ir::TypeId type =
+        result_type(types, signature,
+                    common && !operands.empty() && is_generic_letter(signature.params[0].letter) ? common : first);
     ir::ExprId result = add(body.program(), ir::Op::intrinsic, type, call.span, std::move(operands));
     body.program().exprs[result].intrinsic = intrinsic;
     return value_operand(body, result, call.span);

@@ -6,7 +6,8 @@ namespace gliftc::sema {
 namespace {
 
 ir::ExprId element_of(Body& body, std::uint32_t param, Span span) {
-    ir::ExprId id = add(body.program(), ir::Op::element, body.program().structures[body.kernel->params[param].structure].element, span);
+    ir::ExprId id = add(body.program(), ir::Op::element,
+                        body.program().structures[body.kernel->params[param].structure].element, span);
     body.program().exprs[id].place.root = param;
     return id;
 }
@@ -26,7 +27,8 @@ ir::ExprId combined(Body& body, const ast::Stmt& stmt, ir::ExprId before) {
 void assign_element(Body& body, const ast::Stmt& stmt, const Symbol& symbol) {
     const ir::KernelParam& param = body.kernel->params[symbol.slot];
     if (stmt.op && param.direction == ir::Direction::out) {
-        note(body.context.error(Diag::out_read, stmt.span, {body.context.text(param.name)}), param.span, "'inout' reads and writes");
+        note(body.context.error(Diag::out_read, stmt.span, {body.context.text(param.name)}), param.span,
+             "'inout' reads and writes");
         return;
     }
     ir::ExprId value = combined(body, stmt, element_of(body, symbol.slot, stmt.span));
@@ -41,7 +43,8 @@ void assign_part(Body& body, const ast::Stmt& stmt, Symbol& symbol, ast::ExprId 
              "changing a part keeps the rest, which must be read: 'inout' reads and writes");
         return;
     }
-    ir::LocalId copy = emit_temporary(body, body.context.text(param.name), element_of(body, symbol.slot, stmt.span), stmt.span);
+    ir::LocalId copy =
+        emit_temporary(body, body.context.text(param.name), element_of(body, symbol.slot, stmt.span), stmt.span);
     body.program().locals[copy].is_mutable = true;
     open_scope(body);
     Symbol local;
@@ -62,11 +65,13 @@ void assign_part(Body& body, const ast::Stmt& stmt, Symbol& symbol, ast::ExprId 
 
 bool combines(const ir::Types& types, ir::Combine combine, ir::TypeId element) {
     switch (combine) {
-        case ir::Combine::replace: return true;
-        case ir::Combine::min: case ir::Combine::max: case ir::Combine::add:
-            return element == types.int_ || element == types.uint || element == types.float_;
-        case ir::Combine::bit_and: case ir::Combine::bit_or: case ir::Combine::bit_xor:
-            return element == types.int_ || element == types.uint;
+    case ir::Combine::replace: return true;
+    case ir::Combine::min:
+    case ir::Combine::max:
+    case ir::Combine::add: return element == types.int_ || element == types.uint || element == types.float_;
+    case ir::Combine::bit_and:
+    case ir::Combine::bit_or:
+    case ir::Combine::bit_xor: return element == types.int_ || element == types.uint;
     }
     return false;
 }
@@ -81,14 +86,15 @@ void write_scatter(Body& body, const ast::Stmt& stmt, const Symbol& symbol) {
         return;
     }
     if (stmt.op) {
-        note(c.error(Diag::scatter_read, stmt.span, {c.text(param.name)}), param.span, "the parameter's own operation combines: write '='");
+        note(c.error(Diag::scatter_read, stmt.span, {c.text(param.name)}), param.span,
+             "the parameter's own operation combines: write '='");
         return;
     }
     ir::TypeId element = structure.element;
     ir::ExprId address = check_value(body, target.operands[1], structure.domain_type);
     ir::ExprId value = check_value(body, stmt.value, element);
     if (is_error(body, address) || is_error(body, value)) return;
-    if (!combines(body.types(), param.combine, element)) return;   // reported at the parameter
+    if (!combines(body.types(), param.combine, element)) return;  // reported at the parameter
     ir::StmtId id = add(body.program(), ir::StmtOp::write, stmt.span);
     ir::Stmt& write = body.program().stmts[id];
     write.place.root = symbol.slot;
@@ -105,24 +111,25 @@ Operand iterator_value(Body& body, const Operand& iterator) {
     const ir::KernelParam& param = body.kernel->params[iterator.slot];
     const std::string& name = c.text(param.name);
     switch (param.pattern) {
-        case ir::Pattern::each:
-            if (param.direction == ir::Direction::out) {
-                note(c.error(Diag::out_read, iterator.span, {name}), param.span, "'inout' reads and writes");
-                return error_operand(iterator.span);
-            }
-            return value_operand(body, element_of(body, iterator.slot, iterator.span), iterator.span);
-        case ir::Pattern::at: {
-            ir::ExprId id = add(body.program(), ir::Op::address, body.program().structures[param.structure].domain_type, iterator.span);
-            body.program().exprs[id].place.root = iterator.slot;
-            return value_operand(body, id, iterator.span);
-        }
-        case ir::Pattern::near:
-            note(c.error(Diag::not_a_value, iterator.span, {"the iterator '" + name + "'"}), iterator.span,
-                 "the current element is " + name + "[0]");
+    case ir::Pattern::each:
+        if (param.direction == ir::Direction::out) {
+            note(c.error(Diag::out_read, iterator.span, {name}), param.span, "'inout' reads and writes");
             return error_operand(iterator.span);
-        case ir::Pattern::scatter:
-        case ir::Pattern::any:
-        case ir::Pattern::value: c.error(Diag::not_a_value, iterator.span, {"the iterator '" + name + "'"}); break;
+        }
+        return value_operand(body, element_of(body, iterator.slot, iterator.span), iterator.span);
+    case ir::Pattern::at: {
+        ir::ExprId id =
+            add(body.program(), ir::Op::address, body.program().structures[param.structure].domain_type, iterator.span);
+        body.program().exprs[id].place.root = iterator.slot;
+        return value_operand(body, id, iterator.span);
+    }
+    case ir::Pattern::near:
+        note(c.error(Diag::not_a_value, iterator.span, {"the iterator '" + name + "'"}), iterator.span,
+             "the current element is " + name + "[0]");
+        return error_operand(iterator.span);
+    case ir::Pattern::scatter:
+    case ir::Pattern::any:
+    case ir::Pattern::value: c.error(Diag::not_a_value, iterator.span, {"the iterator '" + name + "'"}); break;
     }
     return error_operand(iterator.span);
 }
@@ -138,15 +145,19 @@ bool check_iterator_assignment(Body& body, const ast::Stmt& stmt) {
     if (symbol->kind != SymbolKind::iterator && !is_read_place) return false;
     symbol->used = true;
     const ir::KernelParam* param = symbol->kind == SymbolKind::iterator ? &body.kernel->params[symbol->slot] : nullptr;
-    bool writable = param && param->direction != ir::Direction::in && param->pattern != ir::Pattern::near && param->pattern != ir::Pattern::at;
+    bool writable = param && param->direction != ir::Direction::in && param->pattern != ir::Pattern::near &&
+                    param->pattern != ir::Pattern::at;
     if (!writable) {
         Diagnostic& diagnostic = c.error(Diag::in_written, c[stmt.target].span, {c.text(c[root].name)});
         if (param) note(diagnostic, param->span, "declared 'in' here");
         return true;
     }
     if (param->pattern == ir::Pattern::scatter) {
-        if (c[stmt.target].kind == ast::ExprKind::index && c[stmt.target].operands[0] == root) write_scatter(body, stmt, *symbol);
-        else note(c.error(Diag::not_assignable, c[stmt.target].span), param->span, "a scatter parameter is written as name[address] = value");
+        if (c[stmt.target].kind == ast::ExprKind::index && c[stmt.target].operands[0] == root)
+            write_scatter(body, stmt, *symbol);
+        else
+            note(c.error(Diag::not_assignable, c[stmt.target].span), param->span,
+                 "a scatter parameter is written as name[address] = value");
         return true;
     }
     if (root == stmt.target) assign_element(body, stmt, *symbol);

@@ -8,13 +8,13 @@ namespace {
 
 ir::Pattern lowered(ast::Pattern pattern) {
     switch (pattern) {
-        case ast::Pattern::none:
-        case ast::Pattern::range: return ir::Pattern::value;
-        case ast::Pattern::each: return ir::Pattern::each;
-        case ast::Pattern::near: return ir::Pattern::near;
-        case ast::Pattern::any: return ir::Pattern::any;
-        case ast::Pattern::at: return ir::Pattern::at;
-        case ast::Pattern::scatter: return ir::Pattern::scatter;
+    case ast::Pattern::none:
+    case ast::Pattern::range: return ir::Pattern::value;
+    case ast::Pattern::each: return ir::Pattern::each;
+    case ast::Pattern::near: return ir::Pattern::near;
+    case ast::Pattern::any: return ir::Pattern::any;
+    case ast::Pattern::at: return ir::Pattern::at;
+    case ast::Pattern::scatter: return ir::Pattern::scatter;
     }
     return ir::Pattern::value;
 }
@@ -31,23 +31,28 @@ std::optional<ir::Combine> combine_of(std::string_view name) {
 
 /// Is the direction one that the pattern allows?
 void check_direction(Context& c, const ast::Param& param, ir::KernelParam& made) {
-    bool reads_only = made.pattern == ir::Pattern::near || made.pattern == ir::Pattern::any || made.pattern == ir::Pattern::at;
+    bool reads_only =
+        made.pattern == ir::Pattern::near || made.pattern == ir::Pattern::any || made.pattern == ir::Pattern::at;
     bool writes_only = made.pattern == ir::Pattern::scatter;
     switch (param.direction) {
-        case ast::Direction::none:
-            // inout, so that the body's own use of it is no second mistake.
-            made.direction = writes_only ? ir::Direction::out : reads_only ? ir::Direction::in : ir::Direction::inout;
-            if (made.pattern == ir::Pattern::each || writes_only)
-                note(c.error(Diag::direction_missing, param.name.span, {c.text(param.name.name)}), param.name.span, "write 'in', 'out' or 'inout' before the pattern");
-            break;
-        case ast::Direction::in: made.direction = ir::Direction::in; break;
-        case ast::Direction::out: made.direction = ir::Direction::out; break;
-        case ast::Direction::inout: made.direction = ir::Direction::inout; break;
+    case ast::Direction::none:
+        // inout, so that the body's own use of it is no second mistake.
+        made.direction = writes_only ? ir::Direction::out : reads_only ? ir::Direction::in : ir::Direction::inout;
+        if (made.pattern == ir::Pattern::each || writes_only)
+            note(c.error(Diag::direction_missing, param.name.span, {c.text(param.name.name)}), param.name.span,
+                 "write 'in', 'out' or 'inout' before the pattern");
+        break;
+    case ast::Direction::in: made.direction = ir::Direction::in; break;
+    case ast::Direction::out: made.direction = ir::Direction::out; break;
+    case ast::Direction::inout: made.direction = ir::Direction::inout; break;
     }
-    bool wrong = (reads_only && made.direction != ir::Direction::in) || (writes_only && made.direction != ir::Direction::out);
+    bool wrong =
+        (reads_only && made.direction != ir::Direction::in) || (writes_only && made.direction != ir::Direction::out);
     if (wrong) {
         Diagnostic& diagnostic = c.error(Diag::direction, param.direction_span, {c.text(param.name.name)});
-        note(diagnostic, param.pattern_span, reads_only ? "near, any and at only read: 'in'; scatter<S> writes anywhere" : "scatter only writes: 'out'");
+        note(diagnostic, param.pattern_span,
+             reads_only ? "near, any and at only read: 'in'; scatter<S> writes anywhere"
+                        : "scatter only writes: 'out'");
     }
 }
 
@@ -55,11 +60,13 @@ void check_direction(Context& c, const ast::Param& param, ir::KernelParam& made)
 
 std::uint32_t window_radius(Context& c, const Env& env, const ast::Param& param) {
     if (param.extra.empty()) {
-        note(c.error(Diag::near_without_radius, param.pattern_span), param.pattern_span, "write near<S, 1> for a window of radius 1");
+        note(c.error(Diag::near_without_radius, param.pattern_span), param.pattern_span,
+             "write near<S, 1> for a window of radius 1");
         return 1;
     }
     auto radius = count_of(c, env, param.extra[0]);
-    if (radius && (*radius == 0 || *radius > 32)) c.error(Diag::radius_range, c[param.extra[0]].span, {std::to_string(*radius)});
+    if (radius && (*radius == 0 || *radius > 32))
+        c.error(Diag::radius_range, c[param.extra[0]].span, {std::to_string(*radius)});
     return radius.value_or(1);
 }
 
@@ -78,15 +85,15 @@ void check_extra(Context& c, const Env& env, const ast::Param& param, ir::Kernel
     const ast::Expr& op = c[param.extra[0]];
     auto combine = op.kind == ast::ExprKind::name ? combine_of(c.text(op.name)) : std::nullopt;
     if (!combine) {
-        note(c.error(Diag::scatter_operation, op.span), op.span, "one of min, max, add, and, or, xor; none: the writes must not meet");
+        note(c.error(Diag::scatter_operation, op.span), op.span,
+             "one of min, max, add, and, or, xor; none: the writes must not meet");
         return;
     }
     made.combine = *combine;
     ir::TypeId element = c.program.structures[made.structure].element;
     bool bits = made.combine >= ir::Combine::bit_and;
     bool fits = element == c.types().int_ || element == c.types().uint || (element == c.types().float_ && !bits);
-    if (!fits)
-        c.error(Diag::scatter_element, op.span, {c.text(op.name), c.text(element)});
+    if (!fits) c.error(Diag::scatter_element, op.span, {c.text(op.name), c.text(element)});
 }
 
 void add_param(Body& body, const ast::Param& param, ir::Kernel& kernel) {
@@ -102,8 +109,8 @@ void add_param(Body& body, const ast::Param& param, ir::Kernel& kernel) {
     if (made.pattern == ir::Pattern::value) {
         bool is_structure = c.types().kind(type) == ir::TypeKind::structure;
         if (is_structure)
-            note(c.error(Diag::structure_needs_pattern, c[param.type].span, {c.text(param.name.name)}), c[param.type].span,
-                 "say how the kernel touches it: each<…>, near<…, r>, any<…>, at<…> or scatter<…>");
+            note(c.error(Diag::structure_needs_pattern, c[param.type].span, {c.text(param.name.name)}),
+                 c[param.type].span, "say how the kernel touches it: each<…>, near<…, r>, any<…>, at<…> or scatter<…>");
         made.local = declare_local(body, param.name, is_structure ? c.types().error : type, false, false);
         kernel.params.push_back(std::move(made));
         return;
@@ -120,12 +127,15 @@ void add_param(Body& body, const ast::Param& param, ir::Kernel& kernel) {
     }
     made.structure = c.types()[type].index;
     const ir::Structure structure = c.program.structures[made.structure];
-    if (structure.kind == ir::StructureKind::adaptor) c.error(Diag::adaptor_in_kernel, c[param.type].span, {structure.display});
+    if (structure.kind == ir::StructureKind::adaptor)
+        c.error(Diag::adaptor_in_kernel, c[param.type].span, {structure.display});
     check_direction(c, param, made);
     check_extra(c, body.env, param, made);
-    if (structure.kind == ir::StructureKind::view && made.direction != ir::Direction::in) c.error(Diag::view_written, param.name.span, {structure.display});
+    if (structure.kind == ir::StructureKind::view && made.direction != ir::Direction::in)
+        c.error(Diag::view_written, param.name.span, {structure.display});
     bool iterates = made.pattern == ir::Pattern::each || made.pattern == ir::Pattern::at;
-    if (iterates && !structure.domain && structure.kind != ir::StructureKind::adaptor) c.error(Diag::no_domain, param.name.span, {structure.display});
+    if (iterates && !structure.domain && structure.kind != ir::StructureKind::adaptor)
+        c.error(Diag::no_domain, param.name.span, {structure.display});
     Symbol symbol;
     symbol.kind = made.pattern == ir::Pattern::any ? SymbolKind::structure : SymbolKind::iterator;
     symbol.place.root = index;
@@ -143,7 +153,8 @@ void find_domain(Context& c, ir::Kernel& kernel, bool parameters_are_good) {
         ir::TypeId domain = c.program.structures[param.structure].domain_type;
         if (!first) first = &param, kernel.domain_type = domain;
         else if (domain != kernel.domain_type) {
-            note(c.error(Diag::domain_mismatch, param.span, {c.text(param.name), c.text(domain), c.text(first->name), c.text(kernel.domain_type)}),
+            note(c.error(Diag::domain_mismatch, param.span,
+                         {c.text(param.name), c.text(domain), c.text(first->name), c.text(kernel.domain_type)}),
                  first->span, "the iteration follows this one");
         }
     }
@@ -156,7 +167,8 @@ void find_domain(Context& c, ir::Kernel& kernel, bool parameters_are_good) {
         if (param.pattern != ir::Pattern::near) continue;
         ir::TypeId domain = c.program.structures[param.structure].domain_type;
         if (domain != kernel.domain_type)
-            note(c.error(Diag::domain_mismatch, param.span, {c.text(param.name), c.text(domain), c.text(first->name), c.text(kernel.domain_type)}),
+            note(c.error(Diag::domain_mismatch, param.span,
+                         {c.text(param.name), c.text(domain), c.text(first->name), c.text(kernel.domain_type)}),
                  first->span, "the iteration follows this one");
     }
 }
@@ -172,7 +184,8 @@ void read_group(Context& c, const Env& env, const ast::Kernel& written, ir::Kern
         product *= *count;
     }
     Span span = c[written.group[0]].span;
-    if (written.group.size() > 3 || product == 0 || product > 1024) c.error(Diag::group_range, span, {std::to_string(product)});
+    if (written.group.size() > 3 || product == 0 || product > 1024)
+        c.error(Diag::group_range, span, {std::to_string(product)});
 }
 
 }  // namespace
@@ -195,7 +208,12 @@ std::optional<std::uint32_t> instantiate_kernel(Context& c, ast::DeclId id, cons
     kernel.is_pub = decl.is_pub && decl.generics.empty();
     kernel.doc = decl.doc;
     read_group(c, env, written, kernel);
-    Body body{.context = c, .env = env, .kind = BodyKind::kernel, .block = &kernel.body, .result = c.types().void_, .kernel = &kernel};
+    Body body{.context = c,
+              .env = env,
+              .kind = BodyKind::kernel,
+              .block = &kernel.body,
+              .result = c.types().void_,
+              .kernel = &kernel};
     for (const ast::Param& param : written.params) add_param(body, param, kernel);
     find_domain(c, kernel, c.diagnostics.error_count() == errors);
     open_scope(body);

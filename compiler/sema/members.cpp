@@ -9,15 +9,24 @@ namespace {
 
 int lane_of(char letter) {
     switch (letter) {
-        case 'x': case 'r': case 's': return 0;
-        case 'y': case 'g': case 't': return 1;
-        case 'z': case 'b': case 'p': return 2;
-        case 'w': case 'a': case 'q': return 3;
-        default: return -1;
+    case 'x':
+    case 'r':
+    case 's': return 0;
+    case 'y':
+    case 'g':
+    case 't': return 1;
+    case 'z':
+    case 'b':
+    case 'p': return 2;
+    case 'w':
+    case 'a':
+    case 'q': return 3;
+    default: return -1;
     }
 }
 
-Operand unknown_member(Body& body, std::string_view what, ast::Identifier member, const std::vector<std::string_view>& known) {
+Operand unknown_member(Body& body, std::string_view what, ast::Identifier member,
+                       const std::vector<std::string_view>& known) {
     Context& c = body.context;
     Diagnostic& diagnostic = c.error(Diag::unknown_member, member.span, {what, c.text(member.name)});
     std::string_view meant = did_you_mean(c.text(member.name), known);
@@ -85,11 +94,11 @@ Operand meta_member(Body& body, const Operand& left, const ast::Expr& expr) {
 /// The vector type of an image's extent: uint, uint2, uint3.
 ir::TypeId extent_type(ir::Types& types, ir::MemoryShape shape) {
     switch (shape) {
-        case ir::MemoryShape::buffer:
-        case ir::MemoryShape::image1d: return types.uint;
-        case ir::MemoryShape::image2d:
-        case ir::MemoryShape::imagecube: return types.vector(types.uint, 2);
-        case ir::MemoryShape::image3d: return types.vector(types.uint, 3);
+    case ir::MemoryShape::buffer:
+    case ir::MemoryShape::image1d: return types.uint;
+    case ir::MemoryShape::image2d:
+    case ir::MemoryShape::imagecube: return types.vector(types.uint, 2);
+    case ir::MemoryShape::image3d: return types.vector(types.uint, 3);
     }
     return types.uint;
 }
@@ -124,9 +133,10 @@ Operand index_part(Body& body, ir::ExprId value, const ast::Expr& expr) {
     ir::TypeId part = type.kind == ir::TypeKind::matrix ? body.types().vector(type.element, type.rows) : type.element;
     std::uint32_t count = type.count;
     if (body.types().is_scalar(body.program().exprs[value].type)) {
-        part = body.program().exprs[value].type;   // a vector of one component
+        part = body.program().exprs[value].type;  // a vector of one component
         count = 1;
-    } else if (type.kind != ir::TypeKind::vector && type.kind != ir::TypeKind::matrix && type.kind != ir::TypeKind::array) {
+    } else if (type.kind != ir::TypeKind::vector && type.kind != ir::TypeKind::matrix &&
+               type.kind != ir::TypeKind::array) {
         c.error(Diag::not_indexable, expr.span, {c.text(body.program().exprs[value].type)});
         return error_operand(expr.span);
     }
@@ -134,13 +144,16 @@ Operand index_part(Body& body, ir::ExprId value, const ast::Expr& expr) {
     if (is_error(body, index)) return error_operand(expr.span);
     if (auto known = ir::evaluate(body.program(), index)) {
         if (known->bits() >= count) {
-            c.error(Diag::index_range, c[expr.operands[1]].span,
-                    {ir::to_text(body.program(), *known), c.text(body.program().exprs[value].type), std::to_string(count)});
+            c.error(
+                Diag::index_range, c[expr.operands[1]].span,
+                {ir::to_text(body.program(), *known), c.text(body.program().exprs[value].type), std::to_string(count)});
             return error_operand(expr.span);
         }
         if (count == 1 && type.kind != ir::TypeKind::array) return value_operand(body, value, expr.span);
         if (type.kind == ir::TypeKind::vector)
-            return value_operand(body, make_swizzle(body.program(), value, static_cast<std::uint8_t>(known->bits()), expr.span), expr.span);
+            return value_operand(
+                body, make_swizzle(body.program(), value, static_cast<std::uint8_t>(known->bits()), expr.span),
+                expr.span);
     }
     if (count == 1 && type.kind != ir::TypeKind::array) return value_operand(body, value, expr.span);
     return value_operand(body, add(body.program(), ir::Op::index, part, expr.span, {value, index}), expr.span);
@@ -169,7 +182,8 @@ Operand index_iterator(Body& body, const Operand& left, const ast::Expr& expr) {
     Context& c = body.context;
     const ir::KernelParam& param = body.kernel->params[left.slot];
     if (param.pattern == ir::Pattern::scatter) {
-        note(c.error(Diag::scatter_read, expr.span, {c.text(param.name)}), param.span, "a scatter parameter is only written: name[address] = value");
+        note(c.error(Diag::scatter_read, expr.span, {c.text(param.name)}), param.span,
+             "a scatter parameter is only written: name[address] = value");
         return error_operand(expr.span);
     }
     if (param.pattern != ir::Pattern::near) return index_part(body, to_value(body, left), expr);
@@ -191,7 +205,8 @@ ir::ExprId structure_operation(Body& body, ir::Op op, ir::TypeId type, const Ope
 }
 
 ir::ExprId make_read(Body& body, const Operand& structure, ir::ExprId address, Span span) {
-    return structure_operation(body, ir::Op::read, body.program().structures[structure.structure].element, structure, span, {address});
+    return structure_operation(body, ir::Op::read, body.program().structures[structure.structure].element, structure,
+                               span, {address});
 }
 
 Operand make_swizzle_of(Body& body, ir::ExprId value, ast::Identifier member) {
@@ -210,9 +225,12 @@ Operand make_swizzle_of(Body& body, ir::ExprId value, ast::Identifier member) {
     auto count = static_cast<std::uint32_t>(letters.size());
     if (components == 1) {
         if (count == 1) return value_operand(body, value, member.span);
-        return value_operand(body, add(body.program(), ir::Op::construct, body.types().vector(type, count), member.span, {value}), member.span);
+        return value_operand(
+            body, add(body.program(), ir::Op::construct, body.types().vector(type, count), member.span, {value}),
+            member.span);
     }
-    ir::ExprId swizzle = add(body.program(), ir::Op::swizzle, body.types().vector(body.types().scalar_of(type), count), member.span, {value});
+    ir::ExprId swizzle = add(body.program(), ir::Op::swizzle, body.types().vector(body.types().scalar_of(type), count),
+                             member.span, {value});
     body.program().exprs[swizzle].lanes = lanes;
     return value_operand(body, swizzle, member.span);
 }
@@ -263,26 +281,29 @@ Operand check_member(Body& body, ast::ExprId id) {
     ast::Identifier member{expr.name, expr.name_span};
     Operand left = check(body, expr.operands[0]);
     switch (left.kind) {
-        case OperandKind::error: return error_operand(expr.span);
-        case OperandKind::meta: return meta_member(body, left, expr);
-        case OperandKind::structure: return structure_member(body, left, member);
-        case OperandKind::memory: return memory_member(body, left, member);
-        case OperandKind::iterator: {
-            const ir::KernelParam& param = body.kernel->params[left.slot];
-            if (param.pattern == ir::Pattern::near || param.pattern == ir::Pattern::scatter) return structure_member(body, left, member);
-            break;
-        }
-        case OperandKind::value: break;
+    case OperandKind::error: return error_operand(expr.span);
+    case OperandKind::meta: return meta_member(body, left, expr);
+    case OperandKind::structure: return structure_member(body, left, member);
+    case OperandKind::memory: return memory_member(body, left, member);
+    case OperandKind::iterator: {
+        const ir::KernelParam& param = body.kernel->params[left.slot];
+        if (param.pattern == ir::Pattern::near || param.pattern == ir::Pattern::scatter)
+            return structure_member(body, left, member);
+        break;
+    }
+    case OperandKind::value: break;
     }
     ir::ExprId value = to_value(body, left);
     if (is_error(body, value)) return error_operand(expr.span);
     ir::TypeId type = body.program().exprs[value].type;
     Operand result;
     if (body.types().kind(type) == ir::TypeKind::struct_) result = struct_field(body, value, member);
-    else if (body.types().is_vector(type) || body.types().is_scalar(type)) result = make_swizzle_of(body, value, member);
+    else if (body.types().is_vector(type) || body.types().is_scalar(type))
+        result = make_swizzle_of(body, value, member);
     else if (body.types().kind(type) == ir::TypeKind::device) {
-        note(body.context.error(Diag::unknown_member, member.span, {body.context.text(type), body.context.text(member.name)}), expr.span,
-             "'await' brings the value to the host");
+        note(body.context.error(Diag::unknown_member, member.span,
+                                {body.context.text(type), body.context.text(member.name)}),
+             expr.span, "'await' brings the value to the host");
         return error_operand(expr.span);
     } else result = unknown_member(body, body.context.text(type), member, {});
     result.span = expr.span;
@@ -297,7 +318,7 @@ Operand check_index(Body& body, ast::ExprId id, ir::TypeId) {
     if (left.kind == OperandKind::error) return error_operand(expr.span);
     if (left.kind == OperandKind::meta) {
         Operand operand;
-        operand.meta = meta_of(c, body.env, id);   // T[n] as a type
+        operand.meta = meta_of(c, body.env, id);  // T[n] as a type
         operand.kind = operand.meta.kind == MetaKind::none ? OperandKind::error : OperandKind::meta;
         operand.span = expr.span;
         return operand;

@@ -12,44 +12,65 @@ namespace gliftc::sema {
 
 namespace {
 
-struct FormatName { std::string_view name; ir::Format format; };
+struct FormatName {
+    std::string_view name;
+    ir::Format format;
+};
 constexpr std::array formats = {
-    FormatName{"r8", ir::Format::r8}, FormatName{"rg8", ir::Format::rg8}, FormatName{"rgba8", ir::Format::rgba8},
-    FormatName{"r16f", ir::Format::r16f}, FormatName{"rg16f", ir::Format::rg16f}, FormatName{"rgba16f", ir::Format::rgba16f},
-    FormatName{"r32f", ir::Format::r32f}, FormatName{"rg32f", ir::Format::rg32f}, FormatName{"rgba32f", ir::Format::rgba32f},
-    FormatName{"r8ui", ir::Format::r8ui}, FormatName{"r16ui", ir::Format::r16ui}, FormatName{"r32ui", ir::Format::r32ui},
-    FormatName{"rg32ui", ir::Format::rg32ui}, FormatName{"rgba32ui", ir::Format::rgba32ui}, FormatName{"r32i", ir::Format::r32i},
-    FormatName{"rg32i", ir::Format::rg32i}, FormatName{"rgba32i", ir::Format::rgba32i}, FormatName{"rgba8ui", ir::Format::rgba8ui},
+    FormatName{"r8", ir::Format::r8},           FormatName{"rg8", ir::Format::rg8},
+    FormatName{"rgba8", ir::Format::rgba8},     FormatName{"r16f", ir::Format::r16f},
+    FormatName{"rg16f", ir::Format::rg16f},     FormatName{"rgba16f", ir::Format::rgba16f},
+    FormatName{"r32f", ir::Format::r32f},       FormatName{"rg32f", ir::Format::rg32f},
+    FormatName{"rgba32f", ir::Format::rgba32f}, FormatName{"r8ui", ir::Format::r8ui},
+    FormatName{"r16ui", ir::Format::r16ui},     FormatName{"r32ui", ir::Format::r32ui},
+    FormatName{"rg32ui", ir::Format::rg32ui},   FormatName{"rgba32ui", ir::Format::rgba32ui},
+    FormatName{"r32i", ir::Format::r32i},       FormatName{"rg32i", ir::Format::rg32i},
+    FormatName{"rgba32i", ir::Format::rgba32i}, FormatName{"rgba8ui", ir::Format::rgba8ui},
     FormatName{"d32", ir::Format::d32},
 };
 
-struct ShapeName { std::string_view name; ir::MemoryShape shape; };
+struct ShapeName {
+    std::string_view name;
+    ir::MemoryShape shape;
+};
 constexpr std::array shapes = {
-    ShapeName{"buffer", ir::MemoryShape::buffer}, ShapeName{"image1d", ir::MemoryShape::image1d},
-    ShapeName{"image2d", ir::MemoryShape::image2d}, ShapeName{"image3d", ir::MemoryShape::image3d},
+    ShapeName{"buffer", ir::MemoryShape::buffer},       ShapeName{"image1d", ir::MemoryShape::image1d},
+    ShapeName{"image2d", ir::MemoryShape::image2d},     ShapeName{"image3d", ir::MemoryShape::image3d},
     ShapeName{"imagecube", ir::MemoryShape::imagecube},
 };
 
-struct ConstraintName { std::string_view name; Constraint constraint; };
+struct ConstraintName {
+    std::string_view name;
+    Constraint constraint;
+};
 constexpr std::array constraints = {
-    ConstraintName{"type", Constraint::type}, ConstraintName{"Texel", Constraint::texel}, ConstraintName{"Number", Constraint::number},
-    ConstraintName{"Integer", Constraint::integer}, ConstraintName{"Floating", Constraint::floating},
-    ConstraintName{"Structure", Constraint::structure}, ConstraintName{"Translator", Constraint::translator},
+    ConstraintName{"type", Constraint::type},
+    ConstraintName{"Texel", Constraint::texel},
+    ConstraintName{"Number", Constraint::number},
+    ConstraintName{"Integer", Constraint::integer},
+    ConstraintName{"Floating", Constraint::floating},
+    ConstraintName{"Structure", Constraint::structure},
+    ConstraintName{"Translator", Constraint::translator},
 };
 
 /// Scalars, `float3`, `float4x4`; the error id (absent) if the text names none.
 ir::TypeId builtin_type(ir::Types& types, std::string_view text) {
-    struct ScalarName { std::string_view name; ir::TypeId type; };
-    const std::array scalars = {ScalarName{"bool", types.bool_},   ScalarName{"int64", types.int64}, ScalarName{"uint64", types.uint64},
-                                ScalarName{"int", types.int_},     ScalarName{"uint", types.uint},   ScalarName{"float", types.float_},
-                                ScalarName{"half", types.half},    ScalarName{"double", types.double_}};
+    struct ScalarName {
+        std::string_view name;
+        ir::TypeId type;
+    };
+    const std::array scalars = {ScalarName{"bool", types.bool_},    ScalarName{"int64", types.int64},
+                                ScalarName{"uint64", types.uint64}, ScalarName{"int", types.int_},
+                                ScalarName{"uint", types.uint},     ScalarName{"float", types.float_},
+                                ScalarName{"half", types.half},     ScalarName{"double", types.double_}};
     for (const ScalarName& scalar : scalars) {
         if (!text.starts_with(scalar.name)) continue;
         std::string_view rest = text.substr(scalar.name.size());
         if (rest.empty()) return scalar.type;
         auto digit = [](char c) { return c >= '2' && c <= '4' ? static_cast<std::uint32_t>(c - '0') : 0u; };
         if (rest.size() == 1 && digit(rest[0])) return types.vector(scalar.type, digit(rest[0]));
-        bool matrix = rest.size() == 3 && rest[1] == 'x' && digit(rest[0]) && digit(rest[2]) && types.is_floating(scalar.type);
+        bool matrix =
+            rest.size() == 3 && rest[1] == 'x' && digit(rest[0]) && digit(rest[2]) && types.is_floating(scalar.type);
         if (matrix) return types.matrix(scalar.type, digit(rest[0]), digit(rest[2]));
     }
     return {};
@@ -229,7 +250,8 @@ std::vector<ast::DeclId> find_declarations(Context& c, std::uint32_t module, ast
     }
     if (found.empty() && !hidden.empty()) {
         std::string_view owner = c.text(c.modules[c.module_of.at(hidden[0])].tree->name.name);
-        note(c.error(Diag::not_public, name.span, {c.text(name.name), owner}), c[hidden[0]].name.span, "write 'pub' before it to export it");
+        note(c.error(Diag::not_public, name.span, {c.text(name.name), owner}), c[hidden[0]].name.span,
+             "write 'pub' before it to export it");
         return hidden;
     }
     return found;
@@ -259,41 +281,41 @@ Meta find_meta(Context& c, const Env& env, ast::Identifier name) {
 Meta meta_of(Context& c, const Env& env, ast::ExprId id) {
     const ast::Expr& expr = c[id];
     switch (expr.kind) {
-        case ast::ExprKind::error: return {};
-        case ast::ExprKind::name: return meta_of_name(c, env, expr);
-        case ast::ExprKind::generic: return meta_of_generic(c, env, expr);
-        case ast::ExprKind::index: return meta_of_array(c, env, expr);
-        case ast::ExprKind::optional: {
-            ir::TypeId element = type_of(c, env, expr.operands[0]);
-            return element == c.types().error ? Meta{} : of_type(c.types().optional(element));
-        }
-        case ast::ExprKind::member: {
-            const ast::Expr& left = c[expr.operands[0]];
-            if (left.kind == ast::ExprKind::name) {
-                Meta module = find_meta(c, env, {left.name, left.span});
-                if (module.kind == MetaKind::module) {
-                    Env inside;
-                    inside.module = module.module;
-                    ast::Expr inner = expr;
-                    inner.kind = ast::ExprKind::name;
-                    return meta_of_name(c, inside, inner);
-                }
+    case ast::ExprKind::error: return {};
+    case ast::ExprKind::name: return meta_of_name(c, env, expr);
+    case ast::ExprKind::generic: return meta_of_generic(c, env, expr);
+    case ast::ExprKind::index: return meta_of_array(c, env, expr);
+    case ast::ExprKind::optional: {
+        ir::TypeId element = type_of(c, env, expr.operands[0]);
+        return element == c.types().error ? Meta{} : of_type(c.types().optional(element));
+    }
+    case ast::ExprKind::member: {
+        const ast::Expr& left = c[expr.operands[0]];
+        if (left.kind == ast::ExprKind::name) {
+            Meta module = find_meta(c, env, {left.name, left.span});
+            if (module.kind == MetaKind::module) {
+                Env inside;
+                inside.module = module.module;
+                ast::Expr inner = expr;
+                inner.kind = ast::ExprKind::name;
+                return meta_of_name(c, inside, inner);
             }
-            break;
         }
-        case ast::ExprKind::binary:
-            if (expr.binary == ast::BinaryOp::then) {
-                Meta left = meta_of(c, env, expr.operands[0]), right = meta_of(c, env, expr.operands[1]);
-                if (left.kind == MetaKind::none || right.kind == MetaKind::none) return {};
-                if (left.kind != MetaKind::translator || right.kind != MetaKind::translator) {
-                    c.error(Diag::not_a_translator, expr.span);
-                    return {};
-                }
-                left.translators.insert(left.translators.end(), right.translators.begin(), right.translators.end());
-                return left;
+        break;
+    }
+    case ast::ExprKind::binary:
+        if (expr.binary == ast::BinaryOp::then) {
+            Meta left = meta_of(c, env, expr.operands[0]), right = meta_of(c, env, expr.operands[1]);
+            if (left.kind == MetaKind::none || right.kind == MetaKind::none) return {};
+            if (left.kind != MetaKind::translator || right.kind != MetaKind::translator) {
+                c.error(Diag::not_a_translator, expr.span);
+                return {};
             }
-            break;
-        default: break;
+            left.translators.insert(left.translators.end(), right.translators.begin(), right.translators.end());
+            return left;
+        }
+        break;
+    default: break;
     }
     auto value = constant_of(c, env, id);
     Meta meta;
@@ -352,7 +374,8 @@ std::optional<std::uint32_t> count_of(Context& c, const Env& env, ast::ExprId id
     return std::nullopt;
 }
 
-std::string suggestion_for(Context& c, const Env& env, std::string_view name, const std::vector<std::string_view>& more) {
+std::string suggestion_for(Context& c, const Env& env, std::string_view name,
+                           const std::vector<std::string_view>& more) {
     std::vector<std::string_view> candidates = more;
     for (const auto& [bound, meta] : env.bindings) candidates.push_back(c.text(bound));
     for (const auto& [declared, decls] : c.scopes[env.module].names) candidates.push_back(c.text(declared));
@@ -362,7 +385,8 @@ std::string suggestion_for(Context& c, const Env& env, std::string_view name, co
 #define INTRINSIC(name, signature, exactness) candidates.push_back(#name);
 #include "ir/intrinsics.def"
 #undef INTRINSIC
-    for (std::string_view type : {"bool", "int", "uint", "float", "float2", "float3", "float4", "uint2", "uint3", "uint4", "int2", "int3", "int4"})
+    for (std::string_view type : {"bool", "int", "uint", "float", "float2", "float3", "float4", "uint2", "uint3",
+                                  "uint4", "int2", "int3", "int4"})
         candidates.push_back(type);
     std::sort(candidates.begin(), candidates.end());
     return std::string(did_you_mean(name, candidates));
@@ -378,32 +402,39 @@ void report_unknown(Context& c, const Env& env, ast::Identifier name, const std:
     for (std::uint32_t i = 0; i < c.scopes.size(); ++i) {
         auto found = c.scopes[i].names.find(name.name);
         if (found == c.scopes[i].names.end() || !c[found->second[0]].is_pub) continue;
-        note(diagnostic, name.span, "module " + c.text(c.modules[i].tree->name.name) + " has it: 'use " + c.text(c.modules[i].tree->name.name) + ";'");
+        note(diagnostic, name.span,
+             "module " + c.text(c.modules[i].tree->name.name) + " has it: 'use " +
+                 c.text(c.modules[i].tree->name.name) + ";'");
         return;
     }
 }
 
 std::string to_text(const Context& c, const Meta& meta) {
     switch (meta.kind) {
-        case MetaKind::type: return c.text(meta.type);
-        case MetaKind::value: return ir::to_text(c.program, meta.value);
-        case MetaKind::translator: {
-            std::string text;
-            for (std::uint32_t i : meta.translators) text += (text.empty() ? "" : " then ") + c.program.translators[i].display;
-            return text;
-        }
-        case MetaKind::format:
-            for (const auto& [name, format] : formats)
-                if (format == meta.format) return std::string(name);
-            return "?";
-        case MetaKind::none: case MetaKind::declarations: case MetaKind::module: case MetaKind::memory_shape:
-        case MetaKind::constraint: return "?";
+    case MetaKind::type: return c.text(meta.type);
+    case MetaKind::value: return ir::to_text(c.program, meta.value);
+    case MetaKind::translator: {
+        std::string text;
+        for (std::uint32_t i : meta.translators)
+            text += (text.empty() ? "" : " then ") + c.program.translators[i].display;
+        return text;
+    }
+    case MetaKind::format:
+        for (const auto& [name, format] : formats)
+            if (format == meta.format) return std::string(name);
+        return "?";
+    case MetaKind::none:
+    case MetaKind::declarations:
+    case MetaKind::module:
+    case MetaKind::memory_shape:
+    case MetaKind::constraint: return "?";
     }
     return "?";
 }
 
 bool same(const Meta& a, const Meta& b) {
-    return a.kind == b.kind && a.type == b.type && a.value == b.value && a.translators == b.translators && a.format == b.format;
+    return a.kind == b.kind && a.type == b.type && a.value == b.value && a.translators == b.translators &&
+           a.format == b.format;
 }
 
 }  // namespace gliftc::sema

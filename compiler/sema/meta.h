@@ -5,7 +5,8 @@
 
 namespace gliftc::sema {
 
-/// The declarations that `name` means in a module, its own before those it imports. Reports ambiguity; empty if unknown.
+/// The declarations that `name` means in a module, its own before those it imports. Reports ambiguity; empty if
+/// unknown.
 std::vector<ast::DeclId> find_declarations(Context&, std::uint32_t module, ast::Identifier name);
 
 /// What a name means in an instance of a module: generic argument, declaration, built-in type. kind none if unknown.

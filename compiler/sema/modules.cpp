@@ -16,12 +16,12 @@ void own_items(Context& c, const std::vector<ast::Item>& items, std::uint32_t mo
 }
 
 /// Reports names given twice in a list of names with their places.
-template <class Things>
-void report_duplicates(Context& c, const Things& things) {
+template <class Things> void report_duplicates(Context& c, const Things& things) {
     for (std::size_t i = 0; i < things.size(); ++i)
         for (std::size_t k = 0; k < i; ++k)
             if (things[i].name.name == things[k].name.name && things[i].name.name) {
-                note(c.error(Diag::duplicate_name, things[i].name.span, {c.text(things[i].name.name)}), things[k].name.span, "first declared here");
+                note(c.error(Diag::duplicate_name, things[i].name.span, {c.text(things[i].name.name)}),
+                     things[k].name.span, "first declared here");
                 break;
             }
 }
@@ -48,11 +48,12 @@ void own_members(Context& c, ast::DeclId id, std::uint32_t module) {
 
 void declare(Context& c, ModuleScope& scope, ast::DeclId id) {
     const ast::Decl& decl = c[id];
-    if (!decl.name.name) return;   // tests
+    if (!decl.name.name) return;  // tests
     auto& same = scope.names[decl.name.name];
     bool is_function = std::holds_alternative<ast::Function>(decl.body);
     if (!same.empty() && !(is_function && std::holds_alternative<ast::Function>(c[same[0]].body))) {
-        note(c.error(Diag::duplicate_name, decl.name.span, {c.text(decl.name.name)}), c[same[0]].name.span, "first declared here");
+        note(c.error(Diag::duplicate_name, decl.name.span, {c.text(decl.name.name)}), c[same[0]].name.span,
+             "first declared here");
         return;
     }
     same.push_back(id);

@@ -7,26 +7,26 @@ namespace {
 
 std::string_view text_of(ast::BinaryOp op) {
     switch (op) {
-        case ast::BinaryOp::multiply: return "*";
-        case ast::BinaryOp::divide: return "/";
-        case ast::BinaryOp::remainder: return "%";
-        case ast::BinaryOp::add: return "+";
-        case ast::BinaryOp::subtract: return "-";
-        case ast::BinaryOp::shift_left: return "<<";
-        case ast::BinaryOp::shift_right: return ">>";
-        case ast::BinaryOp::less: return "<";
-        case ast::BinaryOp::less_equal: return "<=";
-        case ast::BinaryOp::greater: return ">";
-        case ast::BinaryOp::greater_equal: return ">=";
-        case ast::BinaryOp::equal: return "==";
-        case ast::BinaryOp::not_equal: return "!=";
-        case ast::BinaryOp::bit_and: return "&";
-        case ast::BinaryOp::bit_xor: return "^";
-        case ast::BinaryOp::bit_or: return "|";
-        case ast::BinaryOp::logical_and: return "&&";
-        case ast::BinaryOp::logical_or: return "||";
-        case ast::BinaryOp::otherwise: return "??";
-        case ast::BinaryOp::then: return "then";
+    case ast::BinaryOp::multiply: return "*";
+    case ast::BinaryOp::divide: return "/";
+    case ast::BinaryOp::remainder: return "%";
+    case ast::BinaryOp::add: return "+";
+    case ast::BinaryOp::subtract: return "-";
+    case ast::BinaryOp::shift_left: return "<<";
+    case ast::BinaryOp::shift_right: return ">>";
+    case ast::BinaryOp::less: return "<";
+    case ast::BinaryOp::less_equal: return "<=";
+    case ast::BinaryOp::greater: return ">";
+    case ast::BinaryOp::greater_equal: return ">=";
+    case ast::BinaryOp::equal: return "==";
+    case ast::BinaryOp::not_equal: return "!=";
+    case ast::BinaryOp::bit_and: return "&";
+    case ast::BinaryOp::bit_xor: return "^";
+    case ast::BinaryOp::bit_or: return "|";
+    case ast::BinaryOp::logical_and: return "&&";
+    case ast::BinaryOp::logical_or: return "||";
+    case ast::BinaryOp::otherwise: return "??";
+    case ast::BinaryOp::then: return "then";
     }
     return "";
 }
@@ -35,15 +35,26 @@ enum class Family : std::uint8_t { arithmetic, shift, ordering, equality, bits, 
 
 Family family_of(ast::BinaryOp op) {
     switch (op) {
-        case ast::BinaryOp::multiply: case ast::BinaryOp::divide: case ast::BinaryOp::remainder: case ast::BinaryOp::add:
-        case ast::BinaryOp::subtract: return Family::arithmetic;
-        case ast::BinaryOp::shift_left: case ast::BinaryOp::shift_right: return Family::shift;
-        case ast::BinaryOp::less: case ast::BinaryOp::less_equal: case ast::BinaryOp::greater:
-        case ast::BinaryOp::greater_equal: return Family::ordering;
-        case ast::BinaryOp::equal: case ast::BinaryOp::not_equal: return Family::equality;
-        case ast::BinaryOp::bit_and: case ast::BinaryOp::bit_xor: case ast::BinaryOp::bit_or: return Family::bits;
-        case ast::BinaryOp::logical_and: case ast::BinaryOp::logical_or: case ast::BinaryOp::otherwise:
-        case ast::BinaryOp::then: return Family::logic;
+    case ast::BinaryOp::multiply:
+    case ast::BinaryOp::divide:
+    case ast::BinaryOp::remainder:
+    case ast::BinaryOp::add:
+    case ast::BinaryOp::subtract: return Family::arithmetic;
+    case ast::BinaryOp::shift_left:
+    case ast::BinaryOp::shift_right: return Family::shift;
+    case ast::BinaryOp::less:
+    case ast::BinaryOp::less_equal:
+    case ast::BinaryOp::greater:
+    case ast::BinaryOp::greater_equal: return Family::ordering;
+    case ast::BinaryOp::equal:
+    case ast::BinaryOp::not_equal: return Family::equality;
+    case ast::BinaryOp::bit_and:
+    case ast::BinaryOp::bit_xor:
+    case ast::BinaryOp::bit_or: return Family::bits;
+    case ast::BinaryOp::logical_and:
+    case ast::BinaryOp::logical_or:
+    case ast::BinaryOp::otherwise:
+    case ast::BinaryOp::then: return Family::logic;
     }
     return Family::logic;
 }
@@ -85,10 +96,12 @@ Operand mismatch(Body& body, const ast::Expr& expr, Pair sides) {
     Diagnostic& diagnostic = c.error(Diag::binary_operands, expr.name_span ? expr.name_span : expr.span,
                                      {text_of(expr.binary), c.text(left), c.text(right)});
     if (body.types().kind(left) == ir::TypeKind::device || body.types().kind(right) == ir::TypeKind::device)
-        note(diagnostic, expr.span, "a value that lives on the device can be passed on or awaited: 'await' brings it to the host");
+        note(diagnostic, expr.span,
+             "a value that lives on the device can be passed on or awaited: 'await' brings it to the host");
     else if (body.types().scalar_of(left) != body.types().scalar_of(right))
-        note(diagnostic, expr.span, "values are never converted silently: convert one side, as in " +
-                                        c.text(body.types().scalar_of(left)) + "(…)");
+        note(diagnostic, expr.span,
+             "values are never converted silently: convert one side, as in " + c.text(body.types().scalar_of(left)) +
+                 "(…)");
     else if (family_of(expr.binary) == Family::ordering && body.types().is_vector(left))
         note(diagnostic, expr.span, "vectors are compared by lessThan, greaterThan …, all and any");
     return error_operand(expr.span);
@@ -145,7 +158,8 @@ Operand check_otherwise(Body& body, const ast::Expr& expr, ir::TypeId wanted) {
     ir::ExprId fallback = check_value(body, expr.operands[1], element);
     ir::ExprId has = add(body.program(), ir::Op::has_value, body.types().bool_, expr.span, {optional});
     ir::ExprId value = add(body.program(), ir::Op::value, element, expr.span, {optional});
-    return value_operand(body, add(body.program(), ir::Op::select, element, expr.span, {has, value, fallback}), expr.span);
+    return value_operand(body, add(body.program(), ir::Op::select, element, expr.span, {has, value, fallback}),
+                         expr.span);
 }
 
 }  // namespace
@@ -163,7 +177,8 @@ Operand check_binary(Body& body, ast::ExprId id, ir::TypeId wanted) {
     if (family == Family::logic) {
         ir::ExprId left = check_value(body, expr.operands[0], types.bool_);
         ir::ExprId right = check_value(body, expr.operands[1], types.bool_);
-        return value_operand(body, make_binary(body.program(), lowered(expr.binary), types.bool_, left, right, expr.span), expr.span);
+        return value_operand(
+            body, make_binary(body.program(), lowered(expr.binary), types.bool_, left, right, expr.span), expr.span);
     }
     bool compares = family == Family::ordering || family == Family::equality;
     Pair sides = check_sides(body, expr, compares ? ir::TypeId{} : wanted);
@@ -187,20 +202,24 @@ Operand check_binary(Body& body, ast::ExprId id, ir::TypeId wanted) {
             return error_operand(expr.span);
         }
     }
-    return value_operand(body, make_binary(body.program(), lowered(expr.binary), result, sides.left, sides.right, expr.span), expr.span);
+    return value_operand(
+        body, make_binary(body.program(), lowered(expr.binary), result, sides.left, sides.right, expr.span), expr.span);
 }
 
 ir::ExprId check_compound(Body& body, const ast::Stmt& stmt, ir::ExprId before) {
     Context& c = body.context;
     ir::Types& types = body.types();
     ir::TypeId left = body.program().exprs[before].type;
-    ir::ExprId value = to_value(body, check(body, stmt.value, is_flexible(c, stmt.value) ? types.scalar_of(left) : left));
+    ir::ExprId value =
+        to_value(body, check(body, stmt.value, is_flexible(c, stmt.value) ? types.scalar_of(left) : left));
     if (is_error(body, value)) return value;
     ir::TypeId right = body.program().exprs[value].type;
     if (result_type(types, *stmt.op, left, right) != left) {
-        Diagnostic& diagnostic = c.error(Diag::binary_operands, stmt.op_span, {std::string(text_of(*stmt.op)) + "=", c.text(left), c.text(right)});
+        Diagnostic& diagnostic = c.error(Diag::binary_operands, stmt.op_span,
+                                         {std::string(text_of(*stmt.op)) + "=", c.text(left), c.text(right)});
         if (types.scalar_of(left) != types.scalar_of(right))
-            note(diagnostic, c[stmt.value].span, "values are never converted silently: write " + c.text(types.scalar_of(left)) + "(…)");
+            note(diagnostic, c[stmt.value].span,
+                 "values are never converted silently: write " + c.text(types.scalar_of(left)) + "(…)");
         return error_value(body, stmt.span);
     }
     bool divides = *stmt.op == ast::BinaryOp::divide || *stmt.op == ast::BinaryOp::remainder;

@@ -54,7 +54,8 @@ void add_param(Body& body, const ast::Param& param, std::uint32_t structure, ir:
     pipeline.params.push_back(std::move(made));
 }
 
-ir::TypeId result_type(Context& c, const Env& env, const ast::Pipeline& written, std::optional<std::uint32_t>, bool& deferred) {
+ir::TypeId result_type(Context& c, const Env& env, const ast::Pipeline& written, std::optional<std::uint32_t>,
+                       bool& deferred) {
     deferred = written.result_pattern == ast::Pattern::range;
     if (deferred || !written.result) return c.types().void_;
     return type_of(c, env, written.result);
@@ -83,14 +84,16 @@ void check_return(Body& body, const ast::Stmt& stmt, ir::TypeId& slice) {
 }  // namespace
 
 // A value of type T may be returned where the pipeline's result is T on the device or T: the caller sees what it is.
-std::optional<std::uint32_t> instantiate_pipeline(Context& c, ast::DeclId id, const Env& env, const std::vector<std::uint32_t>& structures,
+std::optional<std::uint32_t> instantiate_pipeline(Context& c, ast::DeclId id, const Env& env,
+                                                  const std::vector<std::uint32_t>& structures,
                                                   std::optional<std::uint32_t> owner, Span use) {
     const ast::Decl& decl = c[id];
     const auto& written = std::get<ast::Pipeline>(decl.body);
     std::string key = key_of(c, id, env) + (owner ? "!" + std::to_string(*owner) : "");
     for (std::uint32_t structure : structures) key += "@" + std::to_string(structure);
     if (auto found = c.instances.find(key); found != c.instances.end()) {
-        if (found->second.state == Instance::State::in_progress) c.error(Diag::recursion, use, {c.text(decl.name.name)});
+        if (found->second.state == Instance::State::in_progress)
+            c.error(Diag::recursion, use, {c.text(decl.name.name)});
         return found->second.state == Instance::State::done ? std::optional(found->second.index) : std::nullopt;
     }
     InstantiationScope scope(c, display_of(c, decl, env), use);
@@ -108,7 +111,8 @@ std::optional<std::uint32_t> instantiate_pipeline(Context& c, ast::DeclId id, co
     Body body{.context = c, .env = env, .kind = BodyKind::pipeline, .block = &pipeline.body};
     if (owner) bring_members_into_scope(body, *owner);
     open_scope(body);
-    for (std::size_t i = 0; i < written.params.size(); ++i) add_param(body, written.params[i], i < structures.size() ? structures[i] : 0, pipeline);
+    for (std::size_t i = 0; i < written.params.size(); ++i)
+        add_param(body, written.params[i], i < structures.size() ? structures[i] : 0, pipeline);
     bool deferred = false;
     pipeline.result = result_type(c, env, written, owner, deferred);
     body.result = pipeline.result;
@@ -123,7 +127,8 @@ std::optional<std::uint32_t> instantiate_pipeline(Context& c, ast::DeclId id, co
     if (deferred) pipeline.result = slice ? slice : c.types().error;
     bool returns = pipeline.result == c.types().void_ || always_returns(c.program, pipeline.body);
     if (!returns && c.diagnostics.error_count() == errors)
-        c.error(Diag::missing_return, decl.name.span, {c.text(decl.name.name), deferred ? "a range" : c.text(pipeline.result)});
+        c.error(Diag::missing_return, decl.name.span,
+                {c.text(decl.name.name), deferred ? "a range" : c.text(pipeline.result)});
     Instance& instance = c.instances[key];
     instance.state = c.diagnostics.error_count() == errors ? Instance::State::done : Instance::State::failed;
     if (instance.state == Instance::State::failed) return std::nullopt;
@@ -144,13 +149,19 @@ void instantiate_test(Context& c, ast::DeclId id) {
     pipeline.module = c.module_of.at(id);
     pipeline.result = c.types().void_;
     Env& env = c.new_env(pipeline.module);
-    Body body{.context = c, .env = env, .kind = BodyKind::pipeline, .block = &pipeline.body, .result = pipeline.result, .in_test = true};
+    Body body{.context = c,
+              .env = env,
+              .kind = BodyKind::pipeline,
+              .block = &pipeline.body,
+              .result = pipeline.result,
+              .in_test = true};
     open_scope(body);
     check_block(body, written.body);
     close_scope(body);
     if (c.diagnostics.error_count() != errors) return;
     c.program.pipelines.push_back(std::move(pipeline));
-    c.program.tests.push_back({written.title, decl.span, c.module_of.at(id), static_cast<std::uint32_t>(c.program.pipelines.size() - 1)});
+    c.program.tests.push_back(
+        {written.title, decl.span, c.module_of.at(id), static_cast<std::uint32_t>(c.program.pipelines.size() - 1)});
 }
 
 }  // namespace gliftc::sema

@@ -38,7 +38,9 @@ void look(const ir::Program& program, const std::vector<ir::StmtId>& body, Flow&
     }
 }
 
-void look(const ir::Program& program, ir::FunctionId id, Flow& flow) { look(program, program.functions[id].body, flow); }
+void look(const ir::Program& program, ir::FunctionId id, Flow& flow) {
+    look(program, program.functions[id].body, flow);
+}
 
 }  // namespace
 
@@ -64,8 +66,8 @@ void infer_properties(Context& c, std::uint32_t index, const ast::Decl& decl) {
         if (name == "many_to_one") {
             properties.one_to_one = false;
             if (properties.invertible)
-                note(c.error(Diag::many_to_one_invertible, attribute.span, {translator.display}), c.program.functions[translator.invert].span,
-                     "a translator with 'invert' is one-to-one");
+                note(c.error(Diag::many_to_one_invertible, attribute.span, {translator.display}),
+                     c.program.functions[translator.invert].span, "a translator with 'invert' is one-to-one");
         } else if (name == "one_to_one") {
             properties.one_to_one = true;
         } else if (name == "access") {

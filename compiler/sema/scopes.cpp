@@ -7,8 +7,8 @@ void open_scope(Body& body) { body.scopes.emplace_back(); }
 void close_scope(Body& body) {
     for (const auto& [name, symbol] : body.scopes.back())
         if (symbol.warn_unused && !symbol.used && !body.context.text(name).starts_with('_'))
-            note(body.context.diagnostics.report(Diag::unused_variable, symbol.span, {body.context.text(name)}), symbol.span,
-                 "a name that begins with '_' may stay unused");
+            note(body.context.diagnostics.report(Diag::unused_variable, symbol.span, {body.context.text(name)}),
+                 symbol.span, "a name that begins with '_' may stay unused");
     body.scopes.pop_back();
 }
 
@@ -16,7 +16,8 @@ void declare(Body& body, ast::Identifier name, Symbol symbol) {
     symbol.span = name.span;
     auto [found, added] = body.scopes.back().emplace(name.name, symbol);
     if (added || !name.name) return;
-    note(body.context.error(Diag::duplicate_name, name.span, {body.context.text(name.name)}), found->second.span, "first declared here");
+    note(body.context.error(Diag::duplicate_name, name.span, {body.context.text(name.name)}), found->second.span,
+         "first declared here");
 }
 
 Symbol* find_symbol(Body& body, Name name) {
@@ -41,7 +42,8 @@ void emit(Body& body, ir::StmtId stmt) {
 }
 
 ir::LocalId emit_temporary(Body& body, std::string_view name, ir::ExprId value, Span span) {
-    ir::LocalId local = add_local(body.program(), body.context.names.intern(name), body.program().exprs[value].type, span);
+    ir::LocalId local =
+        add_local(body.program(), body.context.names.intern(name), body.program().exprs[value].type, span);
     ir::StmtId let = add(body.program(), ir::StmtOp::let, span);
     body.program().stmts[let].local = local;
     body.program().stmts[let].value = value;

@@ -38,7 +38,8 @@ void check_shared(Body& body, const ast::Stmt& stmt) {
     ir::LocalId local = declare_local(body, stmt.name, type, true);
     body.program().locals[local].storage = ir::Storage::shared;
     if (!body.kernel || !body.kernel->grouped()) {
-        note(c.error(Diag::needs_group, stmt.span, {"shared"}), stmt.span, "write 'group(size)' after the kernel's parameters");
+        note(c.error(Diag::needs_group, stmt.span, {"shared"}), stmt.span,
+             "write 'group(size)' after the kernel's parameters");
         return;
     }
     body.kernel->shared.push_back(local);
@@ -69,7 +70,8 @@ void check_assign(Body& body, const ast::Stmt& stmt) {
     }
     const ir::Expr* root = root_of(body, target);
     if (root->op == ir::Op::host_state && root->place.members.empty() && !root->local) {
-        ir::ExprId value = stmt.op ? check_compound(body, stmt, target) : check_value(body, stmt.value, body.program().exprs[target].type);
+        ir::ExprId value = stmt.op ? check_compound(body, stmt, target)
+                                   : check_value(body, stmt.value, body.program().exprs[target].type);
         ir::StmtId assign = add(body.program(), ir::StmtOp::host_assign, stmt.span);
         body.program().stmts[assign].slot = root->slot;
         body.program().stmts[assign].target = target;
@@ -122,7 +124,8 @@ void check_if_let(Body& body, const ast::Stmt& stmt) {
     ir::LocalId local = declare_local(body, stmt.name, element, false);
     ir::StmtId let = add(body.program(), ir::StmtOp::let, stmt.name.span);
     body.program().stmts[let].local = local;
-    body.program().stmts[let].value = add(body.program(), ir::Op::value, element, stmt.span, {make_local(body.program(), found, stmt.span)});
+    body.program().stmts[let].value =
+        add(body.program(), ir::Op::value, element, stmt.span, {make_local(body.program(), found, stmt.span)});
     emit(body, let);
     check_block(body, stmt.body);
     close_scope(body);
@@ -150,7 +153,8 @@ void check_if(Body& body, const ast::Stmt& stmt) {
 std::pair<ir::ExprId, ir::ExprId> check_range(Body& body, const ast::Expr& range) {
     Context& c = body.context;
     bool low_flexible = is_flexible(c, range.operands[0]), high_flexible = is_flexible(c, range.operands[1]);
-    bool negative = c[range.operands[0]].kind == ast::ExprKind::unary || c[range.operands[1]].kind == ast::ExprKind::unary;
+    bool negative =
+        c[range.operands[0]].kind == ast::ExprKind::unary || c[range.operands[1]].kind == ast::ExprKind::unary;
     ir::ExprId low, high;
     if (low_flexible && high_flexible) {
         ir::TypeId type = negative ? body.types().int_ : body.types().uint;
@@ -175,7 +179,8 @@ void check_for(Body& body, const ast::Stmt& stmt) {
     }
     auto [low, high] = check_range(body, range);
     ir::TypeId type = body.program().exprs[low].type;
-    bool wrong = !is_error(body, low) && !is_error(body, high) && type != body.types().int_ && type != body.types().uint;
+    bool wrong =
+        !is_error(body, low) && !is_error(body, high) && type != body.types().int_ && type != body.types().uint;
     if (wrong) c.error(Diag::index_type, range.span, {c.text(type)});
     ir::StmtId id = add(body.program(), ir::StmtOp::for_, stmt.span);
     std::vector<ir::StmtId> inner;
@@ -225,7 +230,8 @@ void check_while(Body& body, const ast::Stmt& stmt) {
 void check_return(Body& body, const ast::Stmt& stmt) {
     Context& c = body.context;
     if (body.kernel && body.kernel->grouped()) {
-        note(c.error(Diag::return_in_group, stmt.span), stmt.span, "invocations of a workgroup reach every barrier together: use 'if'");
+        note(c.error(Diag::return_in_group, stmt.span), stmt.span,
+             "invocations of a workgroup reach every barrier together: use 'if'");
         return;
     }
     ir::StmtId id = add(body.program(), ir::StmtOp::return_, stmt.span);
@@ -249,7 +255,8 @@ void check_expression_statement(Body& body, const ast::Stmt& stmt) {
     if (expr.kind == ast::ExprKind::call && c[expr.operands[0]].kind == ast::ExprKind::name &&
         c.text(c[expr.operands[0]].name) == "barrier" && !find_symbol(body, c[expr.operands[0]].name)) {
         if (!body.kernel || !body.kernel->grouped())
-            note(c.error(Diag::needs_group, stmt.span, {"barrier"}), stmt.span, "write 'group(size)' after the kernel's parameters");
+            note(c.error(Diag::needs_group, stmt.span, {"barrier"}), stmt.span,
+                 "write 'group(size)' after the kernel's parameters");
         else emit(body, add(body.program(), ir::StmtOp::barrier, stmt.span));
         return;
     }
@@ -299,32 +306,33 @@ void check_statement(Body& body, ast::StmtId id) {
     }
     ++body.depth;
     switch (stmt.kind) {
-        case ast::StmtKind::error: break;
-        case ast::StmtKind::let:
-            if (body.kind != BodyKind::pipeline || !check_pipeline_statement(body, stmt)) check_let(body, stmt);
-            break;
-        case ast::StmtKind::shared: check_shared(body, stmt); break;
-        case ast::StmtKind::temp:
-            if (body.kind != BodyKind::pipeline) body.context.error(Diag::temp_outside_pipeline, stmt.span);
-            else check_pipeline_statement(body, stmt);
-            break;
-        case ast::StmtKind::assign: check_assign(body, stmt); break;
-        case ast::StmtKind::expression:
-            if (body.kind != BodyKind::pipeline || !check_pipeline_statement(body, stmt)) check_expression_statement(body, stmt);
-            break;
-        case ast::StmtKind::if_: check_if(body, stmt); break;
-        case ast::StmtKind::for_: check_for(body, stmt); break;
-        case ast::StmtKind::while_: check_while(body, stmt); break;
-        case ast::StmtKind::break_:
-        case ast::StmtKind::continue_: check_jump(body, stmt); break;
-        case ast::StmtKind::return_: check_return(body, stmt); break;
-        case ast::StmtKind::block: {
-            auto inner = check_nested(body, stmt.body);
-            ir::StmtId block = add(body.program(), ir::StmtOp::block, stmt.span);
-            body.program().stmts[block].body = std::move(inner);
-            emit(body, block);
-            break;
-        }
+    case ast::StmtKind::error: break;
+    case ast::StmtKind::let:
+        if (body.kind != BodyKind::pipeline || !check_pipeline_statement(body, stmt)) check_let(body, stmt);
+        break;
+    case ast::StmtKind::shared: check_shared(body, stmt); break;
+    case ast::StmtKind::temp:
+        if (body.kind != BodyKind::pipeline) body.context.error(Diag::temp_outside_pipeline, stmt.span);
+        else check_pipeline_statement(body, stmt);
+        break;
+    case ast::StmtKind::assign: check_assign(body, stmt); break;
+    case ast::StmtKind::expression:
+        if (body.kind != BodyKind::pipeline || !check_pipeline_statement(body, stmt))
+            check_expression_statement(body, stmt);
+        break;
+    case ast::StmtKind::if_: check_if(body, stmt); break;
+    case ast::StmtKind::for_: check_for(body, stmt); break;
+    case ast::StmtKind::while_: check_while(body, stmt); break;
+    case ast::StmtKind::break_:
+    case ast::StmtKind::continue_: check_jump(body, stmt); break;
+    case ast::StmtKind::return_: check_return(body, stmt); break;
+    case ast::StmtKind::block: {
+        auto inner = check_nested(body, stmt.body);
+        ir::StmtId block = add(body.program(), ir::StmtOp::block, stmt.span);
+        body.program().stmts[block].body = std::move(inner);
+        emit(body, block);
+        break;
+    }
     }
     --body.depth;
 }

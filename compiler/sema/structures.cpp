@@ -10,35 +10,51 @@ namespace {
 ir::Format format_of(const ir::Types& types, ir::TypeId type) {
     ir::TypeId scalar = types.scalar_of(type);
     std::uint32_t n = types.components(type);
-    if (scalar == types.float_) return n == 1 ? ir::Format::r32f : n == 2 ? ir::Format::rg32f : n == 4 ? ir::Format::rgba32f : ir::Format::none;
-    if (scalar == types.uint) return n == 1 ? ir::Format::r32ui : n == 2 ? ir::Format::rg32ui : n == 4 ? ir::Format::rgba32ui : ir::Format::none;
-    if (scalar == types.int_) return n == 1 ? ir::Format::r32i : n == 2 ? ir::Format::rg32i : n == 4 ? ir::Format::rgba32i : ir::Format::none;
+    if (scalar == types.float_)
+        return n == 1 ? ir::Format::r32f : n == 2 ? ir::Format::rg32f : n == 4 ? ir::Format::rgba32f : ir::Format::none;
+    if (scalar == types.uint)
+        return n == 1   ? ir::Format::r32ui
+               : n == 2 ? ir::Format::rg32ui
+               : n == 4 ? ir::Format::rgba32ui
+                        : ir::Format::none;
+    if (scalar == types.int_)
+        return n == 1 ? ir::Format::r32i : n == 2 ? ir::Format::rg32i : n == 4 ? ir::Format::rgba32i : ir::Format::none;
     return ir::Format::none;
 }
 
 ir::TypeId element_of(ir::Types& types, ir::Format format) {
     switch (format) {
-        case ir::Format::none: return types.error;
-        case ir::Format::r8: case ir::Format::r16f: case ir::Format::r32f: case ir::Format::d32: return types.float_;
-        case ir::Format::rg8: case ir::Format::rg16f: case ir::Format::rg32f: return types.vector(types.float_, 2);
-        case ir::Format::rgba8: case ir::Format::rgba16f: case ir::Format::rgba32f: return types.vector(types.float_, 4);
-        case ir::Format::r8ui: case ir::Format::r16ui: case ir::Format::r32ui: return types.uint;
-        case ir::Format::rg32ui: return types.vector(types.uint, 2);
-        case ir::Format::rgba32ui: case ir::Format::rgba8ui: return types.vector(types.uint, 4);
-        case ir::Format::r32i: return types.int_;
-        case ir::Format::rg32i: return types.vector(types.int_, 2);
-        case ir::Format::rgba32i: return types.vector(types.int_, 4);
+    case ir::Format::none: return types.error;
+    case ir::Format::r8:
+    case ir::Format::r16f:
+    case ir::Format::r32f:
+    case ir::Format::d32: return types.float_;
+    case ir::Format::rg8:
+    case ir::Format::rg16f:
+    case ir::Format::rg32f: return types.vector(types.float_, 2);
+    case ir::Format::rgba8:
+    case ir::Format::rgba16f:
+    case ir::Format::rgba32f: return types.vector(types.float_, 4);
+    case ir::Format::r8ui:
+    case ir::Format::r16ui:
+    case ir::Format::r32ui: return types.uint;
+    case ir::Format::rg32ui: return types.vector(types.uint, 2);
+    case ir::Format::rgba32ui:
+    case ir::Format::rgba8ui: return types.vector(types.uint, 4);
+    case ir::Format::r32i: return types.int_;
+    case ir::Format::rg32i: return types.vector(types.int_, 2);
+    case ir::Format::rgba32i: return types.vector(types.int_, 4);
     }
     return types.error;
 }
 
 ir::TypeId address_type(ir::Types& types, ir::MemoryShape shape) {
     switch (shape) {
-        case ir::MemoryShape::buffer:
-        case ir::MemoryShape::image1d: return types.uint;
-        case ir::MemoryShape::image2d: return types.vector(types.uint, 2);
-        case ir::MemoryShape::image3d:
-        case ir::MemoryShape::imagecube: return types.vector(types.uint, 3);
+    case ir::MemoryShape::buffer:
+    case ir::MemoryShape::image1d: return types.uint;
+    case ir::MemoryShape::image2d: return types.vector(types.uint, 2);
+    case ir::MemoryShape::image3d:
+    case ir::MemoryShape::imagecube: return types.vector(types.uint, 3);
     }
     return types.uint;
 }
@@ -56,10 +72,12 @@ std::optional<MemoryText> read_memory(Context& c, ast::ExprId id) {
     if (form && c[expr.operands[0]].kind == ast::ExprKind::generic) {
         const ast::Expr& generic = c[expr.operands[0]];
         if (generic.operands.size() == 2 && c[generic.operands[0]].kind == ast::ExprKind::name)
-            return MemoryText{c[generic.operands[0]].name, c[generic.operands[0]].span, generic.operands[1], expr.operands[1]};
+            return MemoryText{c[generic.operands[0]].name, c[generic.operands[0]].span, generic.operands[1],
+                              expr.operands[1]};
     }
     if (expr.kind != ast::ExprKind::error)
-        note(c.error(Diag::memory_form, expr.span), expr.span, "write buffer<T>[n], image1d<F>(n), image2d<F>(extent) or image3d<F>(extent)");
+        note(c.error(Diag::memory_form, expr.span), expr.span,
+             "write buffer<T>[n], image1d<F>(n), image2d<F>(extent) or image3d<F>(extent)");
     return std::nullopt;
 }
 
@@ -69,7 +87,8 @@ void add_memory(Body& body, std::uint32_t index, const ast::Item& item) {
     if (!text) return;
     Meta shape = find_meta(c, body.env, {text->shape, text->shape_span});
     if (shape.kind != MetaKind::memory_shape) {
-        note(c.error(Diag::memory_form, text->shape_span), text->shape_span, "write buffer<T>[n], image1d<F>(n), image2d<F>(extent) or image3d<F>(extent)");
+        note(c.error(Diag::memory_form, text->shape_span), text->shape_span,
+             "write buffer<T>[n], image1d<F>(n), image2d<F>(extent) or image3d<F>(extent)");
         return;
     }
     ir::Memory memory;
@@ -91,7 +110,8 @@ void add_memory(Body& body, std::uint32_t index, const ast::Item& item) {
         memory.element = element.type;
     } else {
         memory.format = element.kind == MetaKind::format ? element.format
-                        : element.kind == MetaKind::type ? format_of(c.types(), element.type) : ir::Format::none;
+                        : element.kind == MetaKind::type ? format_of(c.types(), element.type)
+                                                         : ir::Format::none;
         if (memory.format == ir::Format::none) {
             note(c.error(Diag::memory_element, c[text->element].span), c[text->element].span,
                  "images hold a texel format (r8, rgba8, r16f, r32f …) or one, two or four floats, ints or uints");
@@ -99,7 +119,8 @@ void add_memory(Body& body, std::uint32_t index, const ast::Item& item) {
         }
         memory.element = element_of(c.types(), memory.format);
     }
-    ir::TypeId extent = memory.shape == ir::MemoryShape::imagecube ? c.types().vector(c.types().uint, 2) : address_type(c.types(), memory.shape);
+    ir::TypeId extent = memory.shape == ir::MemoryShape::imagecube ? c.types().vector(c.types().uint, 2)
+                                                                   : address_type(c.types(), memory.shape);
     memory.extent = check_value(body, text->extent, extent);
     if (item.mips) memory.mips = check_value(body, item.mips, c.types().uint);
     c.program.structures[index].memories.push_back(memory);
@@ -136,25 +157,31 @@ void add_member(Body& body, std::uint32_t index, const ast::Item& item) {
     member.span = item.name.span;
     member.structure = c.types()[type].index;
     std::vector<ir::TypeId> wanted;
-    for (ir::LocalId local : c.program.structures[member.structure].constructor) wanted.push_back(c.program.locals[local].type);
+    for (ir::LocalId local : c.program.structures[member.structure].constructor)
+        wanted.push_back(c.program.locals[local].type);
     if (wanted.size() != call.operands.size() - 1) {
-        c.error(Diag::argument_count, call.span, {c.text(type), std::to_string(wanted.size()), std::to_string(call.operands.size() - 1)});
+        c.error(Diag::argument_count, call.span,
+                {c.text(type), std::to_string(wanted.size()), std::to_string(call.operands.size() - 1)});
         return;
     }
-    for (std::size_t i = 0; i < wanted.size(); ++i) member.arguments.push_back(check_value(body, call.operands[i + 1], wanted[i]));
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+        member.arguments.push_back(check_value(body, call.operands[i + 1], wanted[i]));
     c.program.structures[index].members.push_back(std::move(member));
     declare_member(body, index, static_cast<std::uint32_t>(c.program.structures[index].members.size() - 1), item.name);
 }
 
 // ------------------------------------------------------------------------------------------------------------- via
 
-/// `Name<…>(arguments)`: the translators meant, with generic arguments inferred from the arguments and the incoming address.
-std::vector<std::uint32_t> stage_translators(Body& body, const ast::Expr& call, const std::vector<Operand>& arguments, ir::TypeId incoming) {
+/// `Name<…>(arguments)`: the translators meant, with generic arguments inferred from the arguments and the incoming
+/// address.
+std::vector<std::uint32_t> stage_translators(Body& body, const ast::Expr& call, const std::vector<Operand>& arguments,
+                                             ir::TypeId incoming) {
     Context& c = body.context;
     const ast::Expr& callee = c[call.operands[0]];
     const ast::Expr& name = callee.kind == ast::ExprKind::generic ? c[callee.operands[0]] : callee;
     Meta meta = name.kind == ast::ExprKind::name ? find_meta(c, body.env, {name.name, name.span}) : Meta{};
-    bool declared = meta.kind == MetaKind::declarations && std::holds_alternative<ast::Translator>(c[meta.declarations[0]].body);
+    bool declared =
+        meta.kind == MetaKind::declarations && std::holds_alternative<ast::Translator>(c[meta.declarations[0]].body);
     if (!declared) {
         Meta whole = meta_of(c, body.env, call.operands[0]);
         if (whole.kind == MetaKind::translator) return whole.translators;
@@ -166,10 +193,12 @@ std::vector<std::uint32_t> stage_translators(Body& body, const ast::Expr& call, 
     Env& env = c.new_env(c.module_of.at(id));
     Arguments generics(c, c[id], env, callee.span);
     std::vector<ast::ExprId> explicit_generics;
-    if (callee.kind == ast::ExprKind::generic) explicit_generics.assign(callee.operands.begin() + 1, callee.operands.end());
+    if (callee.kind == ast::ExprKind::generic)
+        explicit_generics.assign(callee.operands.begin() + 1, callee.operands.end());
     if (!generics.give(body.env, explicit_generics)) return {};
     for (std::size_t i = 0; i < arguments.size() && i < written.fields.size(); ++i) {
-        if (arguments[i].kind == OperandKind::structure) generics.infer_structure(written.fields[i].type, arguments[i].structure);
+        if (arguments[i].kind == OperandKind::structure)
+            generics.infer_structure(written.fields[i].type, arguments[i].structure);
         if (arguments[i].kind == OperandKind::value) generics.infer(written.fields[i].type, arguments[i].type);
     }
     if (incoming) generics.infer(written.virtual_type, incoming);
@@ -179,13 +208,16 @@ std::vector<std::uint32_t> stage_translators(Body& body, const ast::Expr& call, 
 }
 
 /// Gives the fields of the translators their arguments, in the order declared.
-bool fill_stages(Body& body, const ast::Expr& call, const std::vector<Operand>& arguments, const std::vector<std::uint32_t>& translators,
-                 std::vector<ir::Stage>& stages) {
+bool fill_stages(Body& body, const ast::Expr& call, const std::vector<Operand>& arguments,
+                 const std::vector<std::uint32_t>& translators, std::vector<ir::Stage>& stages) {
     Context& c = body.context;
     std::size_t next = 0, wanted = 0;
-    for (std::uint32_t t : translators) wanted += c.program.translators[t].scalars.size() + c.program.translators[t].structures.size();
+    for (std::uint32_t t : translators)
+        wanted += c.program.translators[t].scalars.size() + c.program.translators[t].structures.size();
     if (wanted != arguments.size()) {
-        c.error(Diag::argument_count, call.span, {c.program.translators[translators[0]].display, std::to_string(wanted), std::to_string(arguments.size())});
+        c.error(
+            Diag::argument_count, call.span,
+            {c.program.translators[translators[0]].display, std::to_string(wanted), std::to_string(arguments.size())});
         return false;
     }
     for (std::uint32_t t : translators) {
@@ -205,8 +237,9 @@ bool fill_stages(Body& body, const ast::Expr& call, const std::vector<Operand>& 
                 stage.structures.push_back(argument.place);
                 continue;
             }
-            ir::ExprId value = argument.kind == OperandKind::error ? check_value(body, written, type)
-                                                                  : coerce(body, to_value(body, argument), type, c[written].span);
+            ir::ExprId value = argument.kind == OperandKind::error
+                                   ? check_value(body, written, type)
+                                   : coerce(body, to_value(body, argument), type, c[written].span);
             if (is_error(body, value)) return false;
             stage.scalars.push_back(value);
         }
@@ -243,7 +276,8 @@ void add_via(Body& body, std::uint32_t index, const ast::Item& item) {
         }
         std::vector<Operand> arguments;
         for (std::size_t i = 1; i < call.operands.size(); ++i)
-            arguments.push_back(is_flexible(c, call.operands[i]) ? error_operand(c[call.operands[i]].span) : check(body, call.operands[i]));
+            arguments.push_back(is_flexible(c, call.operands[i]) ? error_operand(c[call.operands[i]].span)
+                                                                 : check(body, call.operands[i]));
         for (std::size_t i = 0; i < arguments.size(); ++i)
             if (arguments[i].kind == OperandKind::error && !is_flexible(c, call.operands[i + 1])) return;
         auto translators = stage_translators(body, call, arguments, incoming);
@@ -254,7 +288,8 @@ void add_via(Body& body, std::uint32_t index, const ast::Item& item) {
             return;
         }
         for (std::size_t i = 1; i < translators.size(); ++i) {
-            ir::TypeId gives = c.program.translators[translators[i - 1]].physical_type, next = c.program.translators[translators[i]].virtual_type;
+            ir::TypeId gives = c.program.translators[translators[i - 1]].physical_type,
+                       next = c.program.translators[translators[i]].virtual_type;
             if (gives != next) {
                 c.error(Diag::via_mismatch, call.span, {c.text(gives), c.text(next)});
                 return;
@@ -270,7 +305,8 @@ void add_via(Body& body, std::uint32_t index, const ast::Item& item) {
 ir::ExprId domain_from_item(Body& body, const ast::Item& item, ir::TypeId wanted) {
     Context& c = body.context;
     const auto& function = std::get<ast::Function>(c[item.decl].body);
-    bool single = function.body.size() == 1 && c[function.body[0]].kind == ast::StmtKind::return_ && c[function.body[0]].value;
+    bool single =
+        function.body.size() == 1 && c[function.body[0]].kind == ast::StmtKind::return_ && c[function.body[0]].value;
     if (!single) {
         c.error(Diag::domain_form, c[item.decl].name.span);
         return {};
@@ -307,7 +343,8 @@ void finish_structure(Body& body, std::uint32_t index, const ast::Item* domain, 
     ir::TypeId gives = c.program.translators[structure.via.back().translator].physical_type;
     ir::TypeId takes = address_type(c.types(), memory.shape);
     if (gives != takes) {
-        note(c.error(Diag::via_mismatch, at, {c.text(gives), c.text(takes)}), memory.span, "this memory is addressed by " + c.text(takes));
+        note(c.error(Diag::via_mismatch, at, {c.text(gives), c.text(takes)}), memory.span,
+             "this memory is addressed by " + c.text(takes));
         return;
     }
     structure.domain_type = c.program.translators[structure.via.front().translator].virtual_type;
@@ -315,7 +352,8 @@ void finish_structure(Body& body, std::uint32_t index, const ast::Item* domain, 
     ir::TypeId domain_type = structure.domain_type;
     ir::ExprId extent = domain ? domain_from_item(body, *domain, domain_type) : domain_from_translator(c, structure);
     if (!extent && !c.diagnostics.has_errors())
-        note(c.error(Diag::no_domain, at, {display}), at, "write 'domain() { return …; }' in its first translator or in the structure");
+        note(c.error(Diag::no_domain, at, {display}), at,
+             "write 'domain() { return …; }' in its first translator or in the structure");
     c.program.structures[index].domain = extent;
     if (otherwise) {
         ir::ExprId value = check_value(body, otherwise->value, memory.element);
@@ -334,7 +372,8 @@ std::uint32_t begin_structure(Context& c, ast::DeclId id, const Env& env, ir::St
     structure.module = c.module_of.at(id);
     structure.doc = decl.doc;
     structure.domain_type = structure.element = c.types().void_;
-    if (decl.is_pub && decl.generics.empty() && c.modules[structure.module].is_root) structure.is_pub = true, structure.alias = decl.name.name, structure.pub_module = structure.module;
+    if (decl.is_pub && decl.generics.empty() && c.modules[structure.module].is_root)
+        structure.is_pub = true, structure.alias = decl.name.name, structure.pub_module = structure.module;
     c.program.structures.push_back(std::move(structure));
     c.structure_env[index] = &env;
     c.structure_decl[index] = id;
@@ -371,7 +410,8 @@ ir::FunctionId make_at(Context& c, ast::DeclId id, const Env& env, std::uint32_t
 
 }  // namespace
 
-void add_constructor(Context& c, const Env& env, const std::vector<ast::Param>& params, ir::Structure& structure, bool by_reference) {
+void add_constructor(Context& c, const Env& env, const std::vector<ast::Param>& params, ir::Structure& structure,
+                     bool by_reference) {
     for (const ast::Param& param : params) {
         ir::TypeId type = type_of(c, env, param.type);
         if (c.types().kind(type) == ir::TypeKind::structure) {
@@ -432,19 +472,19 @@ ir::TypeId make_structure(Context& c, ast::DeclId id, const Env& env) {
     bool has_via = false;
     for_each_item(c, env, written.items, [&](const ast::Item& item) {
         switch (item.kind) {
-            case ast::ItemKind::memory: add_memory(body, index, item); break;
-            case ast::ItemKind::member: add_member(body, index, item); break;
-            case ast::ItemKind::via:
-                has_via = true;
-                add_via(body, index, item);
-                break;
-            case ast::ItemKind::otherwise: otherwise = &item; break;
-            case ast::ItemKind::function:
-                if (c.text(c[item.decl].name.name) == "domain") domain = &item;
-                break;
-            case ast::ItemKind::host:
-            case ast::ItemKind::pipeline: c.error(Diag::item_not_here, item.span, {"a structure"}); break;
-            case ast::ItemKind::condition: break;
+        case ast::ItemKind::memory: add_memory(body, index, item); break;
+        case ast::ItemKind::member: add_member(body, index, item); break;
+        case ast::ItemKind::via:
+            has_via = true;
+            add_via(body, index, item);
+            break;
+        case ast::ItemKind::otherwise: otherwise = &item; break;
+        case ast::ItemKind::function:
+            if (c.text(c[item.decl].name.name) == "domain") domain = &item;
+            break;
+        case ast::ItemKind::host:
+        case ast::ItemKind::pipeline: c.error(Diag::item_not_here, item.span, {"a structure"}); break;
+        case ast::ItemKind::condition: break;
         }
     });
     // What is wrong with the translator that it names was said where the translator stands.
@@ -497,19 +537,19 @@ ir::TypeId make_adaptor(Context& c, ast::DeclId id, const Env& env) {
     bring_members_into_scope(body, index);
     for_each_item(c, env, written.items, [&](const ast::Item& item) {
         switch (item.kind) {
-            case ast::ItemKind::member: add_member(body, index, item); break;
-            case ast::ItemKind::host: {
-                ir::TypeId type = type_of(c, env, item.type);
-                ir::ExprId initial = item.value ? check_value(body, item.value, type) : ir::ExprId{};
-                c.program.structures[index].host.push_back({item.name.name, type, initial});
-                break;
-            }
-            case ast::ItemKind::function:
-            case ast::ItemKind::pipeline: break;   // when called
-            case ast::ItemKind::memory:
-            case ast::ItemKind::via:
-            case ast::ItemKind::otherwise: c.error(Diag::item_not_here, item.span, {"an adaptor"}); break;
-            case ast::ItemKind::condition: break;
+        case ast::ItemKind::member: add_member(body, index, item); break;
+        case ast::ItemKind::host: {
+            ir::TypeId type = type_of(c, env, item.type);
+            ir::ExprId initial = item.value ? check_value(body, item.value, type) : ir::ExprId{};
+            c.program.structures[index].host.push_back({item.name.name, type, initial});
+            break;
+        }
+        case ast::ItemKind::function:
+        case ast::ItemKind::pipeline: break;  // when called
+        case ast::ItemKind::memory:
+        case ast::ItemKind::via:
+        case ast::ItemKind::otherwise: c.error(Diag::item_not_here, item.span, {"an adaptor"}); break;
+        case ast::ItemKind::condition: break;
         }
     });
     return c.diagnostics.error_count() == errors ? c.types().of_structure(index) : c.types().error;

@@ -56,7 +56,8 @@ void require_transfers(Context& c, std::uint32_t index, Span use) {
     for (const auto& transfer : c.program.transfers)
         if (transfer.structure == index) return;
     const ir::Structure structure = c.program.structures[index];
-    bool addressed = structure.kind == ir::StructureKind::stored || (structure.kind == ir::StructureKind::view && structure.domain);
+    bool addressed =
+        structure.kind == ir::StructureKind::stored || (structure.kind == ir::StructureKind::view && structure.domain);
     if (structure.kind == ir::StructureKind::adaptor) {
         for (const ir::MemberStructure& member : structure.members) require_transfers(c, member.structure, use);
         return;

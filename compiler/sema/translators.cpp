@@ -72,7 +72,7 @@ ir::FunctionId make_method(Context& c, ast::DeclId id, const Env& env, const ir:
 void add_fields(Context& c, const Env& env, const ast::Translator& written, ir::Translator& translator) {
     std::set<Name> seen;
     for (const ast::Field& field : written.fields) {
-        if (!seen.insert(field.name.name).second) continue;   // reported with the module
+        if (!seen.insert(field.name.name).second) continue;  // reported with the module
         ir::TypeId type = type_of(c, env, field.type);
         if (c.types().kind(type) == ir::TypeKind::structure) {
             translator.structures.push_back(c.types()[type].index);
@@ -98,7 +98,8 @@ std::optional<std::uint32_t> make_translator(Context& c, ast::DeclId id, const E
     translator.properties.partial = c.types().kind(physical) == ir::TypeKind::optional;
     translator.physical_type = translator.properties.partial ? c.types()[physical].element : physical;
     auto check_address = [&](ir::TypeId type, ast::ExprId at) {
-        if (type != c.types().error && !is_address(c.types(), type)) c.error(Diag::address_type, c[at].span, {c.text(type)});
+        if (type != c.types().error && !is_address(c.types(), type))
+            c.error(Diag::address_type, c[at].span, {c.text(type)});
     };
     check_address(translator.virtual_type, written.virtual_type);
     check_address(translator.physical_type, written.physical_type);
@@ -108,7 +109,8 @@ std::optional<std::uint32_t> make_translator(Context& c, ast::DeclId id, const E
         const std::string& name = c.text(c[method].name.name);
         ir::TypeId va = translator.virtual_type;
         if (name == "translate") translator.translate = make_method(c, method, env, translator, {va}, physical);
-        else if (name == "invert") translator.invert = make_method(c, method, env, translator, {translator.physical_type}, va);
+        else if (name == "invert")
+            translator.invert = make_method(c, method, env, translator, {translator.physical_type}, va);
         else if (name == "domain") translator.domain = make_method(c, method, env, translator, {}, va);
         else if (name == "ranges")
             note(c.error(Diag::derived_ranges, c[method].name.span), c[method].name.span,
@@ -134,7 +136,8 @@ std::optional<std::uint32_t> make_translator(Context& c, ast::DeclId id, const E
 std::optional<std::vector<std::uint32_t>> instantiate_translator(Context& c, ast::DeclId id, const Env& env, Span use) {
     std::string key = key_of(c, id, env);
     if (auto found = c.instances.find(key); found != c.instances.end()) {
-        if (found->second.state == Instance::State::in_progress) c.error(Diag::recursive_type, use, {c.text(c[id].name.name)});
+        if (found->second.state == Instance::State::in_progress)
+            c.error(Diag::recursive_type, use, {c.text(c[id].name.name)});
         if (found->second.state != Instance::State::done) return std::nullopt;
         return std::vector{found->second.index};
     }
@@ -170,7 +173,8 @@ ir::ExprId substitute_state(Context& c, ir::ExprId id, const ir::Stage& stage) {
 }
 
 bool is_address(const ir::Types& types, ir::TypeId type) {
-    return types.kind(type) == ir::TypeKind::uint || (types.is_vector(type) && types.kind(types.scalar_of(type)) == ir::TypeKind::uint);
+    return types.kind(type) == ir::TypeKind::uint ||
+           (types.is_vector(type) && types.kind(types.scalar_of(type)) == ir::TypeKind::uint);
 }
 
 }  // namespace gliftc::sema

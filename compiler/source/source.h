@@ -34,9 +34,9 @@ struct Position {
 
 /// One file's text with its line starts.
 struct SourceFile {
-    std::string path;                       ///< as given on the command line or as an import resolved to; '/' separators
+    std::string path;  ///< as given on the command line or as an import resolved to; '/' separators
     std::string text;
-    std::vector<std::uint32_t> line_starts; ///< byte offset of each line's first byte
+    std::vector<std::uint32_t> line_starts;  ///< byte offset of each line's first byte
 };
 
 /// All files of one compilation.
@@ -47,7 +47,7 @@ public:
     std::uint32_t size() const { return static_cast<std::uint32_t>(files_.size()); }
 
     std::string_view text(Span span) const;
-    Position position(Span span) const;                      ///< of the span's first byte
+    Position position(Span span) const;                                   ///< of the span's first byte
     std::string_view line(std::uint32_t file, std::uint32_t line) const;  ///< without its end of line
 
 private:

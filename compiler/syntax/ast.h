@@ -1,7 +1,7 @@
 // The tree as written: what the parser makes and sema reads. Nothing here is resolved.
 //
-// Types are expressions: `Array<4, float>`, `float4`, `T[8]`, `vec<N, uint>?` use the same nodes as values, and sema reads
-// an expression as a type or as a value by where it stands.
+// Types are expressions: `Array<4, float>`, `float4`, `T[8]`, `vec<N, uint>?` use the same nodes as values, and sema
+// reads an expression as a type or as a value by where it stands.
 #pragma once
 
 #include "base/arena.h"
@@ -31,48 +31,63 @@ struct Identifier {
 // ---------------------------------------------------------------------------------------------------- expressions
 
 enum class ExprKind : std::uint8_t {
-    error,       // what the parser could not read; reported already
+    error,           // what the parser could not read; reported already
     int_literal,     // value; suffix: u, l (int64), ul (uint64)
     float_literal,   // number; suffix: f, h, d
     bool_literal,    // value 0 or 1
     string_literal,  // text (in `name`)
     none_literal,    // none
-    name,        // name
-    generic,     // operands[0] < operands[1..] >, `Array<4, float>`
-    member,      // operands[0] . name
-    index,       // operands[0] [ operands[1..] ]; as a type: an array; an empty bracket: one operand
-    call,        // operands[0] ( operands[1..] ); named arguments in `labels`
-    unary,       // op operands[0]
-    binary,      // operands[0] op operands[1]; includes ?? and `then`
-    conditional, // operands[0] ? operands[1] : operands[2]
-    range,       // operands[0] .. operands[1]
-    optional,    // operands[0]?, as a type
-    await,       // await operands[0]
-    tuple,       // { operands… }, an array or struct literal; labels where written `x: 1`
+    name,            // name
+    generic,         // operands[0] < operands[1..] >, `Array<4, float>`
+    member,          // operands[0] . name
+    index,           // operands[0] [ operands[1..] ]; as a type: an array; an empty bracket: one operand
+    call,            // operands[0] ( operands[1..] ); named arguments in `labels`
+    unary,           // op operands[0]
+    binary,          // operands[0] op operands[1]; includes ?? and `then`
+    conditional,     // operands[0] ? operands[1] : operands[2]
+    range,           // operands[0] .. operands[1]
+    optional,        // operands[0]?, as a type
+    await,           // await operands[0]
+    tuple,           // { operands… }, an array or struct literal; labels where written `x: 1`
 };
 
 enum class UnaryOp : std::uint8_t { plus, minus, logical_not, bit_not };
 
 enum class BinaryOp : std::uint8_t {
-    multiply, divide, remainder, add, subtract, shift_left, shift_right,
-    less, less_equal, greater, greater_equal, equal, not_equal,
-    bit_and, bit_xor, bit_or, logical_and, logical_or,
-    otherwise,   // a ?? b
-    then,        // translators: A then B
+    multiply,
+    divide,
+    remainder,
+    add,
+    subtract,
+    shift_left,
+    shift_right,
+    less,
+    less_equal,
+    greater,
+    greater_equal,
+    equal,
+    not_equal,
+    bit_and,
+    bit_xor,
+    bit_or,
+    logical_and,
+    logical_or,
+    otherwise,  // a ?? b
+    then,       // translators: A then B
 };
 
 struct Expr {
     ExprKind kind = ExprKind::error;
-    Span span;                          ///< the whole expression
-    Name name;                          ///< name, member, string_literal
-    Span name_span;                     ///< member: the member's name alone; binary, unary: the operator
+    Span span;       ///< the whole expression
+    Name name;       ///< name, member, string_literal
+    Span name_span;  ///< member: the member's name alone; binary, unary: the operator
     UnaryOp unary = {};
     BinaryOp binary = {};
-    char suffix[3] = {};                ///< literals: "u", "ul", "h", …
-    std::uint64_t value = 0;            ///< int_literal, bool_literal
-    double number = 0;                  ///< float_literal
+    char suffix[3] = {};      ///< literals: "u", "ul", "h", …
+    std::uint64_t value = 0;  ///< int_literal, bool_literal
+    double number = 0;        ///< float_literal
     std::vector<ExprId> operands;
-    std::vector<Identifier> labels;     ///< call, tuple: one an argument where any is named, else empty
+    std::vector<Identifier> labels;  ///< call, tuple: one an argument where any is named, else empty
 };
 
 // ----------------------------------------------------------------------------------------------------- statements
@@ -87,9 +102,10 @@ enum class StmtKind : std::uint8_t {
     if_,         // if (value | let name = value) body [else otherwise]
     for_,        // for name in value body
     while_,      // while value body
-    break_, continue_,
-    return_,     // return [value];
-    block,       // { body… }
+    break_,
+    continue_,
+    return_,  // return [value];
+    block,    // { body… }
 };
 
 enum class Binding : std::uint8_t { let, var, const_ };
@@ -98,14 +114,14 @@ struct Stmt {
     StmtKind kind = StmtKind::error;
     Span span;
     Binding binding = Binding::let;
-    Identifier name;                    ///< let, shared, temp, for_, `if let`
-    ExprId type;                        ///< let, shared, temp: as written, or absent
-    ExprId target;                      ///< assign
-    std::optional<BinaryOp> op;         ///< assign: the operator of `+=` and the like
+    Identifier name;             ///< let, shared, temp, for_, `if let`
+    ExprId type;                 ///< let, shared, temp: as written, or absent
+    ExprId target;               ///< assign
+    std::optional<BinaryOp> op;  ///< assign: the operator of `+=` and the like
     Span op_span;
     ExprId value;
-    std::vector<StmtId> body;           ///< if_, for_, while_, block
-    std::vector<StmtId> otherwise;      ///< if_: the else part (one if_ statement for `else if`)
+    std::vector<StmtId> body;       ///< if_, for_, while_, block
+    std::vector<StmtId> otherwise;  ///< if_: the else part (one if_ statement for `else if`)
     bool has_else = false;
 };
 
@@ -114,8 +130,8 @@ struct Stmt {
 /// `<N: uint, T: type = float, S: Structure<uint3, float>>`
 struct GenericParam {
     Identifier name;
-    ExprId constraint;                  ///< `uint`, `type`, `Texel`, `Structure<…>`, an enum; absent only after an error
-    ExprId default_value;               ///< or absent
+    ExprId constraint;     ///< `uint`, `type`, `Texel`, `Structure<…>`, an enum; absent only after an error
+    ExprId default_value;  ///< or absent
 };
 
 /// How a kernel or pipeline parameter, or a function's, is passed.
@@ -124,7 +140,8 @@ enum class Direction : std::uint8_t { none, in, out, inout };
 /// The access pattern of an iterator.
 enum class Pattern : std::uint8_t { none, each, near, any, at, scatter, range };
 
-/// `name: [in|out|inout] [each|near|any|at|scatter|range]<type, extra…> [= default]`, or `name: [in|out|inout] type [= default]`
+/// `name: [in|out|inout] [each|near|any|at|scatter|range]<type, extra…> [= default]`, or `name: [in|out|inout] type [=
+/// default]`
 struct Param {
     Identifier name;
     Direction direction = Direction::none;
@@ -132,7 +149,8 @@ struct Param {
     Pattern pattern = Pattern::none;
     Span pattern_span;
     ExprId type;
-    std::vector<ExprId> extra;          ///< near: the radius; scatter: the operation's name; range<N, T>: type is N, extra[0] is T
+    std::vector<ExprId>
+        extra;  ///< near: the radius; scatter: the operation's name; range<N, T>: type is N, extra[0] is T
     ExprId default_value;
 };
 
@@ -146,9 +164,9 @@ struct Attribute {
 /// `fn name<…>(…) -> type { … }`; methods without `fn` (translate, invert, ranges, domain, at) are functions too.
 struct Function {
     std::vector<Param> params;
-    ExprId result;                      ///< or absent
+    ExprId result;  ///< or absent
     std::vector<StmtId> body;
-    bool has_body = false;              ///< false in interfaces and `extern fn`
+    bool has_body = false;  ///< false in interfaces and `extern fn`
 };
 
 struct Field {
@@ -160,17 +178,17 @@ struct Field {
 
 struct Struct {
     std::vector<Field> fields;
-    std::string extern_header;          ///< `extern struct X from "file.hpp";`, else empty
+    std::string extern_header;  ///< `extern struct X from "file.hpp";`, else empty
     Span extern_span;
     // Filled from the header before sema, with `fields`:
-    std::string extern_name;            ///< as C++ writes it: "sim::Particle"
-    std::vector<std::uint32_t> offsets; ///< bytes, one a field
-    std::uint32_t size = 0;             ///< bytes
+    std::string extern_name;             ///< as C++ writes it: "sim::Particle"
+    std::vector<std::uint32_t> offsets;  ///< bytes, one a field
+    std::uint32_t size = 0;              ///< bytes
 };
 
 struct Enumerator {
     Identifier name;
-    ExprId value;                       ///< or absent
+    ExprId value;  ///< or absent
 };
 struct Enum {
     std::vector<Enumerator> enumerators;
@@ -197,18 +215,18 @@ struct Translator {
     ExprId virtual_type;
     ExprId physical_type;
     std::vector<Field> fields;
-    std::vector<DeclId> methods;        ///< translate, invert, ranges, domain, other fns
+    std::vector<DeclId> methods;  ///< translate, invert, ranges, domain, other fns
 };
 
 enum class ItemKind : std::uint8_t {
-    memory,      // memory name = buffer<T>[n] | image2d<F>(extent) [mips(n)] [filter linear] [compare less];
-    member,      // structure name = Type(arguments…);
-    via,         // via A<…>(…) then B<…>(…);
-    otherwise,   // otherwise value;         the value of an address that maps nowhere
-    host,        // host name: type = value;   adaptors
-    condition,   // if constant { items } [else { items }]
-    function,    // a fn, or a method without fn (domain, at): `decl`
-    pipeline,    // a pipeline: `decl`
+    memory,     // memory name = buffer<T>[n] | image2d<F>(extent) [mips(n)] [filter linear] [compare less];
+    member,     // structure name = Type(arguments…);
+    via,        // via A<…>(…) then B<…>(…);
+    otherwise,  // otherwise value;         the value of an address that maps nowhere
+    host,       // host name: type = value;   adaptors
+    condition,  // if constant { items } [else { items }]
+    function,   // a fn, or a method without fn (domain, at): `decl`
+    pipeline,   // a pipeline: `decl`
 };
 
 /// One item in the body of a structure, view or adaptor.
@@ -216,13 +234,13 @@ struct Item {
     ItemKind kind;
     Span span;
     Identifier name;
-    ExprId type;                        ///< host
-    ExprId value;                       ///< memory, member, via, otherwise, host, condition
-    ExprId mips;                        ///< memory
-    Name filter, compare;               ///< memory: `linear`, `less`, or empty
+    ExprId type;           ///< host
+    ExprId value;          ///< memory, member, via, otherwise, host, condition
+    ExprId mips;           ///< memory
+    Name filter, compare;  ///< memory: `linear`, `less`, or empty
     Span filter_span, compare_span;
-    std::vector<Item> body, alternative;///< condition
-    DeclId decl;                        ///< function, pipeline
+    std::vector<Item> body, alternative;  ///< condition
+    DeclId decl;                          ///< function, pipeline
     std::string doc;
 };
 
@@ -249,7 +267,7 @@ struct Adaptor {
 /// `kernel name<…>(params) [group(x[, y[, z]])] { … }`
 struct Kernel {
     std::vector<Param> params;
-    std::vector<ExprId> group;          ///< empty: the compiler chooses
+    std::vector<ExprId> group;  ///< empty: the compiler chooses
     std::vector<StmtId> body;
 };
 
@@ -269,27 +287,27 @@ struct Test {
 };
 
 struct Decl {
-    Identifier name;                    ///< tests: empty
-    Span span;                          ///< the whole declaration
+    Identifier name;  ///< tests: empty
+    Span span;        ///< the whole declaration
     bool is_pub = false;
     bool is_extern = false;
-    std::string doc;                    ///< the `///` lines before it, joined by '\n', without the slashes
+    std::string doc;  ///< the `///` lines before it, joined by '\n', without the slashes
     std::vector<Attribute> attributes;
     std::vector<GenericParam> generics;
-    std::variant<std::monostate, Function, Struct, Enum, Interface, Const, Alias, Translator, Structure, View, Adaptor, Kernel,
-                 Pipeline, Test>
+    std::variant<std::monostate, Function, Struct, Enum, Interface, Const, Alias, Translator, Structure, View, Adaptor,
+                 Kernel, Pipeline, Test>
         body;
 };
 
 /// `use std.array;` (path by dots: import directories) or `use ./mesh;` (relative to this file)
 struct Use {
-    std::string path;                   ///< "std.array" or "./mesh"
+    std::string path;  ///< "std.array" or "./mesh"
     Span span;
 };
 
 /// One file.
 struct Module {
-    Identifier name;                    ///< a dotted name is one Name: "std.array"
+    Identifier name;  ///< a dotted name is one Name: "std.array"
     std::string doc;
     std::vector<Use> uses;
     std::vector<DeclId> decls;

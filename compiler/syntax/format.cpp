@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::size_t widest = 120, level = 4, widest_alignment = 60;
 
-/// Lays pieces out in lines. A statement is what ends with `;` or with a block; a statement whose blocks all stood on one line, and
-/// that fits, is one line.
+/// Lays pieces out in lines. A statement is what ends with `;` or with a block; a statement whose blocks all stood on
+/// one line, and that fits, is one line.
 class Formatter {
 public:
     explicit Formatter(const std::vector<Piece>& pieces) : pieces_(pieces) {}
@@ -133,7 +133,8 @@ private:
         std::size_t copied = 0;
         for (std::size_t first = 0, end = 0; first < trailing_.size(); first = end) {
             std::size_t column = 0;
-            for (end = first; end < trailing_.size() && (end == first || follows(trailing_[end - 1], trailing_[end])); ++end)
+            for (end = first; end < trailing_.size() && (end == first || follows(trailing_[end - 1], trailing_[end]));
+                 ++end)
                 column = std::max(column, trailing_[end].code_end - trailing_[end].line);
             for (std::size_t i = first; i < end; ++i) {
                 aligned.append(out_, copied, trailing_[i].code_end - copied);
@@ -211,7 +212,8 @@ private:
         std::vector<std::size_t> alignment;
         while (at_ < end) {
             const Piece& piece = pieces_[at_];
-            bool forced = at_ > first && (pieces_[at_ - 1].kind == PieceKind::line_comment || (piece.is_comment() && piece.first_on_line));
+            bool forced = at_ > first && (pieces_[at_ - 1].kind == PieceKind::line_comment ||
+                                          (piece.is_comment() && piece.first_on_line));
             bool over = at_ > first && breaks_before(at_, end, room);
             if (forced || over) {
                 std::size_t aligned = alignment.empty() ? indent + 2 * level : alignment.back();
@@ -226,8 +228,8 @@ private:
         }
     }
 
-    /// Whether the line must end before piece `i`: what follows up to the next place to break, at this depth or further out, is
-    /// too long.
+    /// Whether the line must end before piece `i`: what follows up to the next place to break, at this depth or further
+    /// out, is too long.
     bool breaks_before(std::uint32_t i, std::uint32_t end, std::size_t room) const {
         if (!may_break_between(pieces_[i - 1], pieces_[i])) return false;
         std::size_t length = column() + (space_between(pieces_[i - 1], pieces_[i]) ? 1 : 0);

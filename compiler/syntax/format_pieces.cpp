@@ -17,7 +17,8 @@ constexpr TokenSet ends_value{identifier, close_paren, close_bracket};
 
 class PieceMaker {
 public:
-    PieceMaker(std::string_view text, const TokenList& written, const TokenList& read) : text_(text), written_(written), read_(read) {}
+    PieceMaker(std::string_view text, const TokenList& written, const TokenList& read)
+        : text_(text), written_(written), read_(read) {}
 
     std::vector<Piece> run() {
         std::size_t comment = 0;
@@ -92,13 +93,16 @@ std::vector<Piece> make_pieces(std::string_view text, const TokenList& written, 
 
 bool space_between(const Piece& before, const Piece& after) {
     if (before.is_comment() || after.is_comment() || before.is(kw_use)) return true;
-    if (tight_before.has(after.token) || after.role == Role::close_generic || after.role == Role::optional) return false;
+    if (tight_before.has(after.token) || after.role == Role::close_generic || after.role == Role::optional)
+        return false;
     if (after.role == Role::close_tuple || before.role == Role::open_tuple) return false;
-    if (tight_after.has(before.token) || before.role == Role::open_generic || after.role == Role::open_generic) return false;
+    if (tight_after.has(before.token) || before.role == Role::open_generic || after.role == Role::open_generic)
+        return false;
     if (before.role == Role::unary) return before.token == kw_await;
     if (before.token == dot_dot || after.token == dot_dot) return after.space_before;
     if (after.token == colon) return after.role == Role::spaced;
-    bool behind_value = ends_value.has(before.token) || before.role == Role::close_generic || before.role == Role::optional;
+    bool behind_value =
+        ends_value.has(before.token) || before.role == Role::close_generic || before.role == Role::optional;
     if (after.token == open_paren || after.token == open_bracket) return !behind_value;
     return true;
 }
@@ -107,7 +111,8 @@ bool may_break_between(const Piece& before, const Piece& after) {
     if (before.is(comma)) return true;
     if (after.is_comment() || before.is_comment() || after.role == Role::unary) return false;
     if (after.role == Role::open_generic || after.role == Role::close_generic) return false;
-    bool is_operator = after.kind == PieceKind::token && (loose_operators.has(after.token) || (after.is(question) && after.role == Role::spaced));
+    bool is_operator = after.kind == PieceKind::token &&
+                       (loose_operators.has(after.token) || (after.is(question) && after.role == Role::spaced));
     return is_operator || (after.is(colon) && after.role == Role::spaced);
 }
 

@@ -23,13 +23,18 @@ struct Piece {
     bool is(TokenKind wanted) const { return kind == PieceKind::token && token == wanted; }
     bool is_comment() const { return kind == PieceKind::line_comment || kind == PieceKind::block_comment; }
     bool opens_block() const { return is(TokenKind::open_brace) && role != Role::open_tuple; }
-    bool opens() const { return is(TokenKind::open_paren) || is(TokenKind::open_bracket) || is(TokenKind::open_brace) || role == Role::open_generic; }
+    bool opens() const {
+        return is(TokenKind::open_paren) || is(TokenKind::open_bracket) || is(TokenKind::open_brace) ||
+               role == Role::open_generic;
+    }
     bool closes() const {
-        return is(TokenKind::close_paren) || is(TokenKind::close_bracket) || is(TokenKind::close_brace) || role == Role::close_generic;
+        return is(TokenKind::close_paren) || is(TokenKind::close_bracket) || is(TokenKind::close_brace) ||
+               role == Role::close_generic;
     }
 };
 
-/// The pieces of a file that parsed without errors; the last is `end`. `written` are its tokens, `read` the same after parsing.
+/// The pieces of a file that parsed without errors; the last is `end`. `written` are its tokens, `read` the same after
+/// parsing.
 std::vector<Piece> make_pieces(std::string_view text, const TokenList& written, const TokenList& read);
 
 /// Whether a space stands between two neighbours on one line.

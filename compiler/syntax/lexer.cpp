@@ -63,8 +63,7 @@ public:
     TokenList run() {
         std::size_t bad = find_invalid_utf8(text_);
         valid_ = bad == text_.size();
-        if (!valid_)
-            diagnostics_.report(Diag::not_utf8, {file_, offset(bad), offset(bad + 1)});
+        if (!valid_) diagnostics_.report(Diag::not_utf8, {file_, offset(bad), offset(bad + 1)});
         if (text_.starts_with("\xef\xbb\xbf")) at_ = 3;
         while (at_ < text_.size()) next();
         push(TokenKind::end, at_);
@@ -122,7 +121,8 @@ private:
         std::string shown = "'" + std::string(text_.substr(first, end - first)) + "'";
         if (valid_) {
             auto& error = diagnostics_.report(Diag::bad_character, {file_, offset(first), offset(end)}, {shown});
-            if (any_ascii) error.notes.push_back({{}, "names are made of the letters a to z and A to Z, digits and '_'"});
+            if (any_ascii)
+                error.notes.push_back({{}, "names are made of the letters a to z and A to Z, digits and '_'"});
         }
         if (any_ascii) return push(TokenKind::identifier, begin, names_.intern(text_.substr(begin, at_ - begin)));
         push(TokenKind::bad_character, begin);
@@ -132,14 +132,16 @@ private:
     bool after_value() const {
         if (list_.tokens.empty() || list_.tokens.back().end != at_) return false;
         TokenKind before = list_.tokens.back().kind;
-        return before == TokenKind::identifier || before == TokenKind::close_paren || before == TokenKind::close_bracket;
+        return before == TokenKind::identifier || before == TokenKind::close_paren ||
+               before == TokenKind::close_bracket;
     }
 
     void digits() {
         while (class_of(look()) == digit) ++at_;
     }
 
-    /// integer: (digit+ | "0x" hex+) ["u" | "l" | "ul"];  floating: digit+ ["." digit+] [("e"|"E") ["+"|"-"] digit+] ["f" | "h" | "d"]
+    /// integer: (digit+ | "0x" hex+) ["u" | "l" | "ul"];  floating: digit+ ["." digit+] [("e"|"E") ["+"|"-"] digit+]
+    /// ["f" | "h" | "d"]
     void number() {
         std::size_t begin = at_;
         bool floating = false;
@@ -195,7 +197,8 @@ private:
 
     void string() {
         std::size_t begin = at_++;
-        while (at_ < text_.size() && text_[at_] != '"' && text_[at_] != '\n') at_ += text_[at_] == '\\' && look(1) != '\n' ? 2 : 1;
+        while (at_ < text_.size() && text_[at_] != '"' && text_[at_] != '\n')
+            at_ += text_[at_] == '\\' && look(1) != '\n' ? 2 : 1;
         if (at_ > text_.size()) at_ = text_.size();
         if (look() == '"') {
             ++at_;
@@ -299,7 +302,7 @@ private:
     Diagnostics& diagnostics_;
     std::size_t at_ = 0;
     bool first_on_line_ = true;
-    bool valid_ = true;                // UTF-8; else bytes beyond ASCII are not reported one by one
+    bool valid_ = true;  // UTF-8; else bytes beyond ASCII are not reported one by one
     TokenList list_;
 };
 
@@ -311,8 +314,8 @@ std::size_t sequence_length(std::string_view text, std::size_t at) {
     if (first < 0x80) return 1;
     if (first >= 0xc2 && first <= 0xdf) return continues(1) ? 2 : 0;
     if (first >= 0xe0 && first <= 0xef) {
-        if (first == 0xe0 && byte(1) < 0xa0) return 0;   // overlong
-        if (first == 0xed && byte(1) > 0x9f) return 0;   // surrogate
+        if (first == 0xe0 && byte(1) < 0xa0) return 0;  // overlong
+        if (first == 0xed && byte(1) > 0x9f) return 0;  // surrogate
         return continues(1) && continues(2) ? 3 : 0;
     }
     if (first >= 0xf0 && first <= 0xf4) {
@@ -356,10 +359,11 @@ std::string_view describe(TokenKind kind) {
     case TokenKind::bad_number: return "a number";
     case TokenKind::string: return "a string";
     case TokenKind::bad_character: return "an unexpected character";
-#define PUNCTUATION(name, text) \
-    case TokenKind::name: return "'" text "'";
-#define KEYWORD(text) \
-    case TokenKind::kw_##text: return "'" #text "'";
+#define PUNCTUATION(name, text)                                                                                        \
+    case TokenKind::name: return "'" text "'";                                                                         \
+        #define KEYWORD(text)                                                                                          \
+    case TokenKind::kw_##text:                                                                                         \
+        return "'" #text "'";
 #define WORD(text)
 #include "syntax/tokens.def"
 #undef PUNCTUATION

@@ -6,7 +6,8 @@
 
 namespace gliftc {
 
-/// Never fails: what is no token is reported and stands in the list as a bad character. The list ends with TokenKind::end.
+/// Never fails: what is no token is reported and stands in the list as a bad character. The list ends with
+/// TokenKind::end.
 TokenList lex(std::uint32_t file, const Sources& sources, Names& names, Diagnostics& diagnostics);
 
 /// The offset of the first byte that is not valid UTF-8; the text's size where all is.

@@ -13,7 +13,8 @@ void Parser::parse_translator(ast::Decl& decl) {
         return;
     }
     ast::Translator translator;
-    if (!at(TokenKind::colon)) fail_expected("':'", "a translator says what it maps: 'translator Name : uint3 -> uint'");
+    if (!at(TokenKind::colon))
+        fail_expected("':'", "a translator says what it maps: 'translator Name : uint3 -> uint'");
     set_role(Role::spaced);
     accept(TokenKind::colon);
     translator.virtual_type = parse_type();

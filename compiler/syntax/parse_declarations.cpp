@@ -127,7 +127,8 @@ ast::Alias Parser::parse_type_alias() {
     return alias;
 }
 
-/// kernel = "kernel" name [ generic-parameters ] parameters [ "group" "(" expression [ "," expression [ "," expression ] ] ")" ] block ;
+/// kernel = "kernel" name [ generic-parameters ] parameters [ "group" "(" expression [ "," expression [ "," expression
+/// ] ] ")" ] block ;
 ast::Kernel Parser::parse_kernel() {
     ast::Kernel kernel;
     kernel.params = parse_params();

@@ -25,7 +25,9 @@ constexpr int least_precedence = 1, additive_precedence = 10;
 constexpr auto binary_operators = [] {
     using enum TokenKind;
     std::array<Operator, 128> table{};
-    auto set = [&](TokenKind kind, BinaryOp op, int precedence) { table[static_cast<std::size_t>(kind)] = {op, precedence}; };
+    auto set = [&](TokenKind kind, BinaryOp op, int precedence) {
+        table[static_cast<std::size_t>(kind)] = {op, precedence};
+    };
     set(question_question, BinaryOp::otherwise, least_precedence);
     set(bar_bar, BinaryOp::logical_or, 2);
     set(ampersand_ampersand, BinaryOp::logical_and, 3);

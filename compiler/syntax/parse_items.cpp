@@ -1,4 +1,5 @@
-// What stands in the bodies of structures, views and adaptors. All three are read alike; sema says which item belongs where.
+// What stands in the bodies of structures, views and adaptors. All three are read alike; sema says which item belongs
+// where.
 #include "syntax/parser_state.h"
 
 namespace gliftc {
@@ -50,15 +51,18 @@ Item Parser::parse_item() {
         return item;
     }
     bool declares = at(kw_fn) || at(kw_pub) || at(at_sign) || at_word_before_name(Word::pipeline);
-    if (declares || (at(identifier) && (peek(1).kind == open_paren || peek(1).kind == less))) return parse_nested_declaration();
-    fail_expected("an item", "items are 'memory', 'structure', 'via', 'otherwise', 'host', 'if', functions and pipelines");
+    if (declares || (at(identifier) && (peek(1).kind == open_paren || peek(1).kind == less)))
+        return parse_nested_declaration();
+    fail_expected("an item",
+                  "items are 'memory', 'structure', 'via', 'otherwise', 'host', 'if', functions and pipelines");
     return item;
 }
 
 /// method | [ "pub" ] pipeline
 Item Parser::parse_nested_declaration() {
-    bool is_pipeline = at_word_before_name(Word::pipeline) ||
-                       (at(TokenKind::kw_pub) && peek(1).word == Word::pipeline && peek(2).kind == TokenKind::identifier);
+    bool is_pipeline =
+        at_word_before_name(Word::pipeline) ||
+        (at(TokenKind::kw_pub) && peek(1).word == Word::pipeline && peek(2).kind == TokenKind::identifier);
     Item item = new_item(is_pipeline ? ItemKind::pipeline : ItemKind::function);
     item.decl = is_pipeline ? parse_declaration() : parse_method();
     if (item.decl) item.name = tree_.decls[item.decl].name;

@@ -9,9 +9,9 @@ using ast::Decl;
 
 namespace {
 
-const std::vector<std::string_view> declaration_spellings{"fn",        "struct",     "enum", "interface", "const",  "type",
-                                                          "structure", "translator", "view", "adaptor",   "kernel", "pipeline",
-                                                          "test",      "pub",        "use",  "extern"};
+const std::vector<std::string_view> declaration_spellings{
+    "fn",   "struct",  "enum",   "interface", "const", "type", "structure", "translator",
+    "view", "adaptor", "kernel", "pipeline",  "test",  "pub",  "use",       "extern"};
 
 }  // namespace
 
@@ -71,7 +71,8 @@ ast::Use Parser::parse_use() {
     if (!at(TokenKind::dot) && !at(TokenKind::dot_dot)) {
         if (!parse_path(use.path)) return {};
     } else {
-        while (at(TokenKind::dot) || at(TokenKind::dot_dot) || at(TokenKind::slash) || peek().name) use.path += text_of(advance());
+        while (at(TokenKind::dot) || at(TokenKind::dot_dot) || at(TokenKind::slash) || peek().name)
+            use.path += text_of(advance());
         bool relative = use.path.starts_with("./") || use.path.starts_with("../");
         if (!relative || use.path.back() == '/') {
             fail(Diag::expected, since(first), {"'./name'", "'" + use.path + "'"});
@@ -106,7 +107,8 @@ std::vector<ast::Attribute> Parser::parse_attributes() {
     return attributes;
 }
 
-/// declaration = attributes [ "pub" ] [ "extern" ] ( function | struct | enum | interface | const | alias | translator | structure
+/// declaration = attributes [ "pub" ] [ "extern" ] ( function | struct | enum | interface | const | alias | translator
+/// | structure
 ///             | view | adaptor | kernel | pipeline | test ) ;
 ast::DeclId Parser::parse_declaration() {
     Nesting nesting(*this);
@@ -143,7 +145,8 @@ void Parser::parse_declaration_body(Decl& decl) {
     bool known = at(kw_fn) || at(kw_struct) || at(kw_enum) || at(kw_interface) || at(kw_const) || at_declaration_word();
     if (!known) {
         std::string_view meant = did_you_mean(text_of(peek()), declaration_spellings);
-        fail(Diag::expected_declaration, here(), {shown(peek())}, meant.empty() ? "" : "did you mean '" + std::string(meant) + "'?");
+        fail(Diag::expected_declaration, here(), {shown(peek())},
+             meant.empty() ? "" : "did you mean '" + std::string(meant) + "'?");
         return;
     }
     advance();

@@ -23,7 +23,8 @@ std::vector<ast::Param> Parser::parse_params() {
 }
 
 /// parameter = name [ ":" [ direction ] ( pattern | type ) [ "=" expression ] ] ;
-/// Methods that a component's header types (translate, invert, ranges, at) may leave types out; sema asks for the others.
+/// Methods that a component's header types (translate, invert, ranges, at) may leave types out; sema asks for the
+/// others.
 ast::Param Parser::parse_param() {
     ast::Param param;
     param.name = parse_name("a parameter");
@@ -72,7 +73,8 @@ ast::Pattern Parser::pattern_here() const {
     return Pattern::none;
 }
 
-/// pattern = ( "each" | "near" | "any" | "at" | "scatter" | "range" ) "<" generic-argument { "," generic-argument } ">" ;
+/// pattern = ( "each" | "near" | "any" | "at" | "scatter" | "range" ) "<" generic-argument { "," generic-argument } ">"
+/// ;
 void Parser::parse_pattern(ast::Param& param) {
     param.pattern_span = span_of(advance());
     std::uint32_t open = cursor_;

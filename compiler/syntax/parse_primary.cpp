@@ -15,12 +15,12 @@ namespace {
 using enum TokenKind;
 constexpr TokenSet literal_tokens{integer, floating, bad_number, string, kw_true, kw_false, kw_none};
 /// What stands in generic arguments outside of parentheses, besides `<`, `>`, `>>` and `?`.
-constexpr TokenSet in_generic_arguments{identifier, integer, floating, kw_true, kw_false, kw_none, comma,  dot,
+constexpr TokenSet in_generic_arguments{identifier, integer, floating, kw_true, kw_false, kw_none, comma, dot,
                                         plus,       minus,   star,     slash,   percent,  exclaim, tilde};
 constexpr TokenSet never_in_brackets{semicolon, open_brace, close_brace, end};
-constexpr TokenSet after_generic_arguments{open_paren, close_paren, open_bracket, close_bracket, open_brace,    close_brace,
-                                           comma,      semicolon,   colon,        dot,           dot_dot,       greater,
-                                           question,   equal,       equal_equal,  exclaim_equal, kw_then,       end};
+constexpr TokenSet after_generic_arguments{
+    open_paren, close_paren, open_bracket, close_bracket, open_brace, close_brace, comma,         semicolon, colon,
+    dot,        dot_dot,     greater,      question,      equal,      equal_equal, exclaim_equal, kw_then,   end};
 constexpr TokenSet after_optional{comma, greater, greater_greater, question};
 
 /// The digits and the suffix of a number's text.
@@ -135,7 +135,8 @@ ast::ExprId Parser::parse_integer(Expr expr) {
     std::string_view text = text_of(advance());
     NumberParts parts = split_integer(text);
     set_suffix(expr, parts.suffix);
-    auto result = std::from_chars(parts.digits.data(), parts.digits.data() + parts.digits.size(), expr.value, parts.base);
+    auto result =
+        std::from_chars(parts.digits.data(), parts.digits.data() + parts.digits.size(), expr.value, parts.base);
     std::uint64_t most = parts.suffix == "u"   ? std::numeric_limits<std::uint32_t>::max()
                          : parts.suffix == "l" ? std::numeric_limits<std::int64_t>::max()
                                                : std::numeric_limits<std::uint64_t>::max();
@@ -298,8 +299,8 @@ ast::ExprId Parser::parse_generic_arguments(ExprId base, std::uint32_t first) {
     return add(std::move(expr));
 }
 
-/// Whether the `<` here opens generic arguments: up to its `>` stands only what can be an argument, and behind it what can follow
-/// one. As in C#, `f(a < b, c > (d))` is read as a call with one generic name.
+/// Whether the `<` here opens generic arguments: up to its `>` stands only what can be an argument, and behind it what
+/// can follow one. As in C#, `f(a < b, c > (d))` is read as a call with one generic name.
 bool Parser::generic_arguments_follow() const {
     constexpr std::uint32_t farthest = 512;
     int angles = 0, brackets = 0;

@@ -110,8 +110,9 @@ ast::Identifier Parser::parse_name(std::string_view what) {
 
 /// The `///` lines right before a token, without slashes and the space after them.
 std::string Parser::doc_before(std::uint32_t token) const {
-    auto [begin, end] = std::equal_range(comments_.begin(), comments_.end(), Comment{0, 0, token, false, false},
-                                         [](const Comment& a, const Comment& b) { return a.next_token < b.next_token; });
+    auto [begin, end] =
+        std::equal_range(comments_.begin(), comments_.end(), Comment{0, 0, token, false, false},
+                         [](const Comment& a, const Comment& b) { return a.next_token < b.next_token; });
     std::string doc;
     for (auto comment = begin; comment != end; ++comment) {
         if (!comment->is_doc) continue;

@@ -1,7 +1,7 @@
 // The recursive-descent parser: where it stands, how it reports, how it goes on after a mistake.
 //
-// After a mistake the parser is `lost_`: nothing more is reported and every loop ends, up to the nearest list of statements, items
-// or declarations, which skips to a place where it knows its way again.
+// After a mistake the parser is `lost_`: nothing more is reported and every loop ends, up to the nearest list of
+// statements, items or declarations, which skips to a place where it knows its way again.
 #pragma once
 
 #include "diag/diagnostics.h"
@@ -16,7 +16,8 @@ namespace gliftc {
 
 class Parser {
 public:
-    Parser(TokenList& list, std::uint32_t file, const Sources& sources, Names& names, ast::Tree& tree, Diagnostics& diagnostics);
+    Parser(TokenList& list, std::uint32_t file, const Sources& sources, Names& names, ast::Tree& tree,
+           Diagnostics& diagnostics);
 
     ast::Module parse_module();
 
@@ -183,14 +184,15 @@ private:
     Diagnostics& diagnostics_;
 
     std::uint32_t cursor_ = 0;
-    std::uint32_t previous_end_ = 0;         // of the token, or the front of a split `>>`, that was taken last
+    std::uint32_t previous_end_ = 0;  // of the token, or the front of a split `>>`, that was taken last
     bool lost_ = false;
     int depth_ = 0;
-    int open_angles_ = 0;                    // generic arguments around this place
-    std::uint32_t first_expr_;               // of this file, in the tree
-    std::vector<std::uint16_t> heights_;     // of its expressions
-    std::uint32_t unclosed_at_ = 0xffffffffu;    // the token where a missing `}` was reported: the outer braces lack theirs too
-    std::uint32_t badly_indented_ = 0xffffffffu; // the first `{` whose `}` stands in another column: a likely culprit
+    int open_angles_ = 0;                 // generic arguments around this place
+    std::uint32_t first_expr_;            // of this file, in the tree
+    std::vector<std::uint16_t> heights_;  // of its expressions
+    std::uint32_t unclosed_at_ =
+        0xffffffffu;  // the token where a missing `}` was reported: the outer braces lack theirs too
+    std::uint32_t badly_indented_ = 0xffffffffu;  // the first `{` whose `}` stands in another column: a likely culprit
 };
 
 }  // namespace gliftc

@@ -180,7 +180,8 @@ private:
         case StmtKind::shared: return line("(shared " + typed(s.name, s.type) + ")");
         case StmtKind::temp: return line("(temp " + typed(s.name, s.type) + " " + expr(s.value) + ")");
         case StmtKind::assign:
-            return line("(" + (s.op ? std::string(word_of(*s.op)) : "") + "= " + expr(s.target) + " " + expr(s.value) + ")");
+            return line("(" + (s.op ? std::string(word_of(*s.op)) : "") + "= " + expr(s.target) + " " + expr(s.value) +
+                        ")");
         case StmtKind::expression: return line("(do " + expr(s.value) + ")");
         case StmtKind::if_:
             line("(if " + (s.name.name ? "let " + names_[s.name.name] + " " : "") + expr(s.value));
@@ -191,9 +192,7 @@ private:
             }
             out_ += ")";
             return;
-        case StmtKind::for_:
-            line("(for " + names_[s.name.name] + " " + expr(s.value));
-            break;
+        case StmtKind::for_: line("(for " + names_[s.name.name] + " " + expr(s.value)); break;
         case StmtKind::while_: line("(while " + expr(s.value)); break;
         case StmtKind::break_: return line("(break)");
         case StmtKind::continue_: return line("(continue)");
@@ -205,7 +204,8 @@ private:
     }
 
     void field(const Field& f) {
-        line("(field " + typed(f.name, f.type) + (f.default_value ? " = " + expr(f.default_value) : "") + doc(f.doc) + ")");
+        line("(field " + typed(f.name, f.type) + (f.default_value ? " = " + expr(f.default_value) : "") + doc(f.doc) +
+             ")");
     }
 
     void item(const Item& i) {
@@ -258,7 +258,9 @@ private:
         out_ += ")";
     }
 
-    void print_body(const std::string& head, const std::string& name, const std::monostate&) { line("(" + head + name); }
+    void print_body(const std::string& head, const std::string& name, const std::monostate&) {
+        line("(" + head + name);
+    }
     void print_body(const std::string& head, const std::string& name, const Function& f) {
         line("(" + head + "fn " + name + params(f.params) + (f.result ? " -> " + expr(f.result) : ""));
         block(f.body);
@@ -271,7 +273,8 @@ private:
     }
     void print_body(const std::string& head, const std::string& name, const Enum& e) {
         std::string text = "(" + head + "enum " + name;
-        for (const Enumerator& one : e.enumerators) text += " " + names_[one.name.name] + (one.value ? "=" + expr(one.value) : "");
+        for (const Enumerator& one : e.enumerators)
+            text += " " + names_[one.name.name] + (one.value ? "=" + expr(one.value) : "");
         line(text);
     }
     void print_body(const std::string& head, const std::string& name, const Interface& i) {
@@ -298,7 +301,8 @@ private:
         items(s.items);
     }
     void print_body(const std::string& head, const std::string& name, const View& v) {
-        line("(" + head + "view " + name + params(v.constructor) + " " + expr(v.virtual_type) + " -> " + expr(v.element_type));
+        line("(" + head + "view " + name + params(v.constructor) + " " + expr(v.virtual_type) + " -> " +
+             expr(v.element_type));
         items(v.items);
     }
     void print_body(const std::string& head, const std::string& name, const Adaptor& a) {

@@ -10,15 +10,15 @@ constexpr int deepest = 256;
 using enum TokenKind;
 constexpr TokenSet statement_keywords{kw_let,   kw_var,   kw_const,    kw_if,     kw_for,
                                       kw_while, kw_break, kw_continue, kw_return, kw_fn};
-constexpr WordSet item_words{Word::memory,   Word::via,  Word::structure, Word::translator, Word::pipeline,
-                             Word::host, Word::shared, Word::temp};
+constexpr WordSet item_words{Word::memory,   Word::via,  Word::structure, Word::translator,
+                             Word::pipeline, Word::host, Word::shared,    Word::temp};
 constexpr TokenSet declaration_keywords{kw_pub,       kw_extern, kw_fn,  kw_struct, kw_enum,
                                         kw_interface, kw_const,  kw_use, at_sign};
 constexpr WordSet declaration_words{Word::type,    Word::structure, Word::translator, Word::view,
                                     Word::adaptor, Word::kernel,    Word::pipeline,   Word::raster};
 constexpr TokenSet open_brackets{open_brace, open_paren, open_bracket};
 constexpr TokenSet close_brackets{close_brace, close_paren, close_bracket};
-}
+}  // namespace
 
 Parser::Nesting::Nesting(Parser& outer) : parser(outer), ok(++outer.depth_ <= deepest) {
     if (ok) return;
@@ -59,10 +59,12 @@ void Parser::fail_reserved(std::string_view reason) {
 void Parser::report_unclosed(std::uint32_t open_token) {
     if (lost_ || unclosed_at_ == cursor_) return;
     unclosed_at_ = cursor_;
-    Diagnostic& error = diagnostics_.report(Diag::unclosed, span_of(tokens_[open_token]), {text_of(tokens_[open_token])});
+    Diagnostic& error =
+        diagnostics_.report(Diag::unclosed, span_of(tokens_[open_token]), {text_of(tokens_[open_token])});
     error.notes.push_back({here(), at_end() ? "the file ends here" : "a '}' is missing before this"});
     if (badly_indented_ != 0xffffffffu && badly_indented_ > open_token)
-        error.notes.push_back({span_of(tokens_[badly_indented_]), "by its indentation, this is the one that lacks its '}'"});
+        error.notes.push_back(
+            {span_of(tokens_[badly_indented_]), "by its indentation, this is the one that lacks its '}'"});
 }
 
 /// Called at a `}`: remembers the first one that begins a line in another column than the line of its `{`.
@@ -78,7 +80,8 @@ void Parser::check_indentation(std::uint32_t open_token) {
     if (indentation(tokens_[open_token].begin) != indentation(peek().begin)) badly_indented_ = open_token;
 }
 
-/// From an opening bracket to behind the one that closes it; stops early where a declaration begins in the first column.
+/// From an opening bracket to behind the one that closes it; stops early where a declaration begins in the first
+/// column.
 void Parser::skip_balanced() {
     int open = 0;
     do {

@@ -11,7 +11,7 @@
 namespace gliftc {
 
 enum class TokenKind : std::uint8_t {
-    end,         // of the file; always the last token
+    end,  // of the file; always the last token
     identifier,
     integer,
     floating,
@@ -42,11 +42,13 @@ enum class Word : std::uint8_t {
 /// What a token with several meanings turned out to be. The parser writes it, the formatter reads it.
 enum class Role : std::uint8_t {
     none,
-    open_generic, close_generic,  // `<` and `>` around generic parameters or arguments
-    unary,                        // a prefix operator
-    optional,                     // the `?` of a type
-    open_tuple, close_tuple,      // the braces of `{ 1, 2 }`
-    spaced,                       // the `?` and `:` of a conditional, the `:` before `virtual -> physical`
+    open_generic,
+    close_generic,  // `<` and `>` around generic parameters or arguments
+    unary,          // a prefix operator
+    optional,       // the `?` of a type
+    open_tuple,
+    close_tuple,  // the braces of `{ 1, 2 }`
+    spaced,       // the `?` and `:` of a conditional, the `:` before `virtual -> physical`
 };
 
 struct Token {
@@ -55,7 +57,7 @@ struct Token {
     Role role = Role::none;
     bool first_on_line = false;
     std::uint32_t begin = 0, end = 0;
-    Name name;                         ///< identifiers and keywords
+    Name name;  ///< identifiers and keywords
 };
 
 struct Comment {

@@ -8,8 +8,7 @@
 namespace gliftc {
 
 /// A set of values of an enum with at most 128 of them.
-template <class Enum>
-class EnumSet {
+template <class Enum> class EnumSet {
 public:
     constexpr EnumSet(std::initializer_list<Enum> members) {
         for (Enum member : members) bits_[half(member)] |= bit(member);

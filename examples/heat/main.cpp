@@ -56,12 +56,9 @@ Arguments read_arguments(int argc, char** argv) {
         const std::string word = argv[i];
         if (word == "--steps" || word == "--out" || word == "--save") {
             if (++i == argc) throw WrongUsage(word + " is followed by nothing");
-            if (word == "--steps")
-                arguments.steps = step_count(argv[i]);
-            else if (word == "--out")
-                arguments.folder = argv[i];
-            else
-                arguments.outcome = argv[i];
+            if (word == "--steps") arguments.steps = step_count(argv[i]);
+            else if (word == "--out") arguments.folder = argv[i];
+            else arguments.outcome = argv[i];
         } else if (word.starts_with("-")) {
             throw WrongUsage("there is no option " + word);
         } else if (!arguments.file.empty()) {

@@ -84,10 +84,8 @@ int run(const Arguments& arguments) {
         throw WrongUsage("'" + output + "' must be a " + kind + " file, as the input is");
     }
     const glift::Device device = glift::Device::open(arguments.device);
-    if (kind == ".npy")
-        transform_array(device, input, output);
-    else
-        transform_picture(device, input, output);
+    if (kind == ".npy") transform_array(device, input, output);
+    else transform_picture(device, input, output);
     return 0;
 }
 

@@ -6,13 +6,26 @@ namespace glift {
 
 std::uint32_t texel_bytes(Format format) {
     switch (format) {
-        case Format::none: return 0;
-        case Format::r8: case Format::r8ui: return 1;
-        case Format::rg8: case Format::r16f: case Format::r16ui: return 2;
-        case Format::rgba8: case Format::rgba8ui: case Format::rg16f: case Format::r32f: case Format::r32ui:
-        case Format::r32i: case Format::d32: return 4;
-        case Format::rgba16f: case Format::rg32f: case Format::rg32ui: case Format::rg32i: return 8;
-        case Format::rgba32f: case Format::rgba32ui: case Format::rgba32i: return 16;
+    case Format::none: return 0;
+    case Format::r8:
+    case Format::r8ui: return 1;
+    case Format::rg8:
+    case Format::r16f:
+    case Format::r16ui: return 2;
+    case Format::rgba8:
+    case Format::rgba8ui:
+    case Format::rg16f:
+    case Format::r32f:
+    case Format::r32ui:
+    case Format::r32i:
+    case Format::d32: return 4;
+    case Format::rgba16f:
+    case Format::rg32f:
+    case Format::rg32ui:
+    case Format::rg32i: return 8;
+    case Format::rgba32f:
+    case Format::rgba32ui:
+    case Format::rgba32i: return 16;
     }
     return 0;
 }

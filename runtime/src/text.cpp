@@ -12,7 +12,8 @@ std::string size_text(std::uint64_t bytes) {
     std::size_t unit = 0;
     for (; value >= 1024 && unit + 1 < units.size(); ++unit) value /= 1024;
     char text[64];
-    std::snprintf(text, sizeof text, "%.1f %s (%llu bytes)", value, units[unit], static_cast<unsigned long long>(bytes));
+    std::snprintf(text, sizeof text, "%.1f %s (%llu bytes)", value, units[unit],
+                  static_cast<unsigned long long>(bytes));
     return text;
 }
 
@@ -22,11 +23,11 @@ std::string kernel_text(const Kernel& kernel) {
 
 const char* kind_text(MemoryKind kind) {
     switch (kind) {
-        case MemoryKind::buffer: return "buffer";
-        case MemoryKind::image1d: return "image1d";
-        case MemoryKind::image2d: return "image2d";
-        case MemoryKind::image3d: return "image3d";
-        case MemoryKind::imagecube: return "imagecube";
+    case MemoryKind::buffer: return "buffer";
+    case MemoryKind::image1d: return "image1d";
+    case MemoryKind::image2d: return "image2d";
+    case MemoryKind::image3d: return "image3d";
+    case MemoryKind::imagecube: return "imagecube";
     }
     return "memory";
 }

@@ -17,14 +17,15 @@ struct KernelCode {
 struct Globals;
 
 struct Options {
-    bool tests = false;   ///< also a function for each test of the module, and a table of them
-    /// Prints `static void <name>(const glift::HostCall& call)` for a pass (emit/host); null: no code for the host device.
+    bool tests = false;  ///< also a function for each test of the module, and a table of them
+    /// Prints `static void <name>(const glift::HostCall& call)` for a pass (emit/host); null: no code for the host
+    /// device.
     std::string (*host_kernel)(Globals& globals, const ir::Pass& pass, const std::string& name) = nullptr;
 };
 
 struct Module {
-    std::string header;   ///< <name>.glift.hpp
-    std::string source;   ///< <name>.glift.cpp
+    std::string header;  ///< <name>.glift.hpp
+    std::string source;  ///< <name>.glift.cpp
 };
 
 /// The kernels, as indices, whose code the module's C++ contains: the others need no SPIR-V.

@@ -15,7 +15,7 @@ using ir::TypeKind;
 struct Operator {
     const char* text;
     Level level;
-    Level operand;   ///< how loose an operand may be without parentheses
+    Level operand;  ///< how loose an operand may be without parentheses
 };
 
 Operator operator_of(BinaryOp op) {
@@ -62,7 +62,8 @@ Text print_shift(Printer& p, const Expr& expr, Operator op) {
     const unsigned width = kind == TypeKind::int64 || kind == TypeKind::uint64 ? 64 : 32;
     const std::string left = print(p, expr.operands[0], Level::unary);
     if (amount.op == Op::constant) return {left + op.text + std::to_string(amount.bits & (width - 1)), op.level};
-    return {left + op.text + "(" + print(p, expr.operands[1], Level::unary) + " & " + std::to_string(width - 1) + ")", op.level};
+    return {left + op.text + "(" + print(p, expr.operands[1], Level::unary) + " & " + std::to_string(width - 1) + ")",
+            op.level};
 }
 
 Text print_binary(Printer& p, const Expr& expr) {
@@ -76,17 +77,30 @@ Text print_binary(Printer& p, const Expr& expr) {
         if (!p.program.types.is_vector(expr.type) && !(scalar && is_safe_divisor(p, expr.operands[1])))
             return function_call(p, "glift::remainder", expr.operands);
         break;
-    case BinaryOp::shift_left: case BinaryOp::shift_right:
+    case BinaryOp::shift_left:
+    case BinaryOp::shift_right:
         if (scalar) return print_shift(p, expr, op);
         break;
-    case BinaryOp::multiply: case BinaryOp::add: case BinaryOp::subtract: case BinaryOp::less: case BinaryOp::less_equal:
-    case BinaryOp::greater: case BinaryOp::greater_equal: case BinaryOp::equal: case BinaryOp::not_equal: case BinaryOp::bit_and:
-    case BinaryOp::bit_xor: case BinaryOp::bit_or: case BinaryOp::logical_and: case BinaryOp::logical_or: break;
+    case BinaryOp::multiply:
+    case BinaryOp::add:
+    case BinaryOp::subtract:
+    case BinaryOp::less:
+    case BinaryOp::less_equal:
+    case BinaryOp::greater:
+    case BinaryOp::greater_equal:
+    case BinaryOp::equal:
+    case BinaryOp::not_equal:
+    case BinaryOp::bit_and:
+    case BinaryOp::bit_xor:
+    case BinaryOp::bit_or:
+    case BinaryOp::logical_and:
+    case BinaryOp::logical_or: break;
     }
     // a && b && c, a + b + c: the left operand may be of the same operator without parentheses.
     const Text left = print(p, expr.operands[0]);
     const Expr& first = p.program.exprs[expr.operands[0]];
-    const bool chain = first.op == Op::binary && left.level == op.level && operator_of(first.binary).level == op.level &&
+    const bool chain = first.op == Op::binary && left.level == op.level &&
+                       operator_of(first.binary).level == op.level &&
                        (first.binary == expr.binary || op.level == Level::sum || op.level == Level::term) &&
                        op.level != Level::shift && op.level != Level::relation && op.level != Level::equality;
     const Level right = static_cast<Level>(static_cast<int>(op.operand) + (op.operand == op.level ? 1 : 0));
@@ -123,10 +137,23 @@ Text print_construct(Printer& p, const Expr& expr) {
         }
         return {name + "{{" + columns + "}}"};
     }
-    case TypeKind::error: case TypeKind::void_: case TypeKind::bool_: case TypeKind::int_: case TypeKind::uint:
-    case TypeKind::float_: case TypeKind::half: case TypeKind::double_: case TypeKind::int64: case TypeKind::uint64:
-    case TypeKind::vector: case TypeKind::enum_: case TypeKind::optional: case TypeKind::range: case TypeKind::structure:
-    case TypeKind::slice: case TypeKind::device: break;
+    case TypeKind::error:
+    case TypeKind::void_:
+    case TypeKind::bool_:
+    case TypeKind::int_:
+    case TypeKind::uint:
+    case TypeKind::float_:
+    case TypeKind::half:
+    case TypeKind::double_:
+    case TypeKind::int64:
+    case TypeKind::uint64:
+    case TypeKind::vector:
+    case TypeKind::enum_:
+    case TypeKind::optional:
+    case TypeKind::range:
+    case TypeKind::structure:
+    case TypeKind::slice:
+    case TypeKind::device: break;
     }
     return {name + "(" + join_arguments(p, expr.operands) + ")"};
 }
@@ -159,9 +186,7 @@ Text print_index(Printer& p, const Expr& expr) {
     return {base + "[" + print_any(p, expr.operands[1]) + "]"};
 }
 
-bool is_workgroup_atomic(ir::Intrinsic intrinsic) {
-    return ir::name_of(intrinsic).starts_with("atomic");
-}
+bool is_workgroup_atomic(ir::Intrinsic intrinsic) { return ir::name_of(intrinsic).starts_with("atomic"); }
 
 /// Structures are passed before the values.
 Text print_call(Printer& p, const Expr& expr) {
@@ -188,17 +213,11 @@ Text print_local(Printer& p, ir::LocalId local) {
 
 }  // namespace
 
-std::string wrap(Text text, Level least) {
-    return text.level < least ? "(" + text.text + ")" : std::move(text.text);
-}
+std::string wrap(Text text, Level least) { return text.level < least ? "(" + text.text + ")" : std::move(text.text); }
 
-std::string print(Printer& p, ExprId expr, Level least) {
-    return wrap(print(p, expr), least);
-}
+std::string print(Printer& p, ExprId expr, Level least) { return wrap(print(p, expr), least); }
 
-std::string print_any(Printer& p, ExprId expr) {
-    return print(p, expr).text;
-}
+std::string print_any(Printer& p, ExprId expr) { return print(p, expr).text; }
 
 std::string join_arguments(Printer& p, const std::vector<ExprId>& arguments) {
     std::string text;
@@ -225,8 +244,8 @@ Text print(Printer& p, ExprId id) {
     }
     case Op::binary: return print_binary(p, expr);
     case Op::select:
-        return {print(p, expr.operands[0], Level::logical_or) + " ? " + print(p, expr.operands[1], Level::logical_or) + " : " +
-                    print(p, expr.operands[2], Level::ternary),
+        return {print(p, expr.operands[0], Level::logical_or) + " ? " + print(p, expr.operands[1], Level::logical_or) +
+                    " : " + print(p, expr.operands[2], Level::ternary),
                 Level::ternary};
     case Op::swizzle: return print_swizzle(p, expr);
     case Op::index: return print_index(p, expr);
@@ -248,10 +267,31 @@ Text print(Printer& p, ExprId id) {
     case Op::some: return function_call(p, type_text(p.globals, expr.type, p.use_namespaces), expr.operands);
     case Op::has_value: return {print(p, expr.operands[0], Level::postfix) + ".has_value()"};
     case Op::value: return {"*" + print(p, expr.operands[0], Level::unary), Level::unary};
-    case Op::element: case Op::address: case Op::near: case Op::read: case Op::sample: case Op::member: case Op::memory_extent:
-    case Op::domain: case Op::range_size: case Op::state: case Op::translate: case Op::invocation: case Op::host_read:
-    case Op::device_read: case Op::await_value: case Op::slice: case Op::structure_value: case Op::pipeline_call: case Op::host_state: case Op::element_count:
-    case Op::parameter: case Op::load: case Op::image_load: case Op::image_sample: case Op::builtin: break;
+    case Op::element:
+    case Op::address:
+    case Op::near:
+    case Op::read:
+    case Op::sample:
+    case Op::member:
+    case Op::memory_extent:
+    case Op::domain:
+    case Op::range_size:
+    case Op::state:
+    case Op::translate:
+    case Op::invocation:
+    case Op::host_read:
+    case Op::device_read:
+    case Op::await_value:
+    case Op::slice:
+    case Op::structure_value:
+    case Op::pipeline_call:
+    case Op::host_state:
+    case Op::element_count:
+    case Op::parameter:
+    case Op::load:
+    case Op::image_load:
+    case Op::image_sample:
+    case Op::builtin: break;
     }
     return p.outer_expression(expr);
 }

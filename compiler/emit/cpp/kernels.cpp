@@ -89,7 +89,8 @@ std::string form_text(const Pass& pass, const std::string& spirv, const std::str
     if (pass.parameter_bytes != 0) also(".parameter_bytes = " + std::to_string(pass.parameter_bytes));
     if (pass.push_constants) also(".push_constants = true");
     for (const PassParameter& parameter : pass.parameters) {
-        if (parameter.source == ParameterSource::size && parameter.offset != 0) also(".size_offset = " + std::to_string(parameter.offset));
+        if (parameter.source == ParameterSource::size && parameter.offset != 0)
+            also(".size_offset = " + std::to_string(parameter.offset));
     }
     return "{" + text + "}";
 }
@@ -98,22 +99,26 @@ std::string form_text(const Pass& pass, const std::string& spirv, const std::str
 void print_other_files(Unit& unit, Writer& out, const Pass& pass, const std::string& name) {
     if (pass.files.size() < 2) return;
     std::string list;
-    for (std::size_t i = 1; i < pass.files.size(); ++i) list += (list.empty() ? "\"" : ", \"") + file_name(unit.sources, pass.files[i]) + "\"";
+    for (std::size_t i = 1; i < pass.files.size(); ++i)
+        list += (list.empty() ? "\"" : ", \"") + file_name(unit.sources, pass.files[i]) + "\"";
     out.line("const char* const " + name + "_other_files[] = {" + list + "};");
 }
 
-void print_bindings(Unit& unit, Writer& out, const ir::Lowered::Forms& forms, const Kernel& kernel, const std::string& name) {
+void print_bindings(Unit& unit, Writer& out, const ir::Lowered::Forms& forms, const Kernel& kernel,
+                    const std::string& name) {
     if (forms.general.bindings.empty()) return;
     out.line("const glift::Binding " + name + "_bindings[] = {");
     out.indent();
     for (std::size_t i = 0; i < forms.general.bindings.size(); ++i) {
         const PassBinding& binding = forms.general.bindings[i];
-        std::string text = "{.name = \"" + display_of(unit, kernel, binding) + "\", .kind = glift::MemoryKind::" +
-                           memory_kind(binding.shape) + ", .access = glift::Access::" + access_text(binding);
+        std::string text = "{.name = \"" + display_of(unit, kernel, binding) +
+                           "\", .kind = glift::MemoryKind::" + memory_kind(binding.shape) +
+                           ", .access = glift::Access::" + access_text(binding);
         if (binding.sampled) text += ", .sampled = true";
         if (binding.sampled && binding.linear) text += ", .sampler = {.filter = glift::Filter::linear}";
         if (i < forms.wide.bindings.size() && forms.wide.bindings[i].address_parameter < forms.wide.parameters.size())
-            text += ", .address_offset = " + std::to_string(forms.wide.parameters[forms.wide.bindings[i].address_parameter].offset);
+            text += ", .address_offset = " +
+                    std::to_string(forms.wide.parameters[forms.wide.bindings[i].address_parameter].offset);
         out.line(text + "},");
     }
     out.dedent();
@@ -133,7 +138,8 @@ std::string memories_text(Unit& unit, const Kernel& kernel, const Pass& pass) {
             object += class_names(unit.program, structure).members[member] + "().";
             structure = unit.program.structures[structure].members[member].structure;
         }
-        text += (text.empty() ? "" : ", ") + object + class_names(unit.program, structure).memories[binding.memory] + "()";
+        text +=
+            (text.empty() ? "" : ", ") + object + class_names(unit.program, structure).memories[binding.memory] + "()";
     }
     return text;
 }
@@ -178,7 +184,8 @@ std::string value_of(Unit& unit, const Kernel& kernel, const PassParameter& para
 }
 
 /// Declares `parameters` and dispatches one form.
-void print_dispatch(Unit& unit, Writer& out, const Kernel& kernel, const Pass& pass, const std::string& name, const char* form) {
+void print_dispatch(Unit& unit, Writer& out, const Kernel& kernel, const Pass& pass, const std::string& name,
+                    const char* form) {
     std::vector<const PassParameter*> ordered;
     for (const PassParameter& parameter : pass.parameters) ordered.push_back(&parameter);
     std::ranges::stable_sort(ordered, {}, &PassParameter::offset);
@@ -189,16 +196,18 @@ void print_dispatch(Unit& unit, Writer& out, const Kernel& kernel, const Pass& p
             out.line("." + identifier(parameter->name) + " = " + value_of(unit, kernel, *parameter) + ",");
         out.close(";");
     }
-    std::string call = std::string("{.form = glift::FormName::") + form + ", .memories = " +
-                       (pass.bindings.empty() ? "{}" : "memories") + ", .parameters = " +
-                       (ordered.empty() ? "{}" : "glift::bytes_of(parameters)") + ", .size = iteration.size()";
+    std::string call = std::string("{.form = glift::FormName::") + form +
+                       ", .memories = " + (pass.bindings.empty() ? "{}" : "memories") +
+                       ", .parameters = " + (ordered.empty() ? "{}" : "glift::bytes_of(parameters)") +
+                       ", .size = iteration.size()";
     std::string counted;
     if (pass.form == ir::Form::general) {
         for (const PassParameter* parameter : ordered) {
-            const bool of_first = parameter->source == ParameterSource::range_size &&
-                                  is_visited(kernel.params[parameter->param].pattern);
+            const bool of_first =
+                parameter->source == ParameterSource::range_size && is_visited(kernel.params[parameter->param].pattern);
             if (parameter->source == ParameterSource::size || of_first)
-                counted += (counted.empty() ? "" : ", ") + ("offsetof(" + block + ", " + identifier(parameter->name) + ")");
+                counted +=
+                    (counted.empty() ? "" : ", ") + ("offsetof(" + block + ", " + identifier(parameter->name) + ")");
         }
     }
     if (!counted.empty()) call += ", .patches = iteration.patches({" + counted + "})";
@@ -213,11 +222,13 @@ std::string direct_condition(Unit& unit, const Kernel& kernel, const Pass& pass,
         for (std::size_t k = i + 1; k < kernel.params.size(); ++k) {
             if (kernel.params[k].pattern == Pattern::value) continue;
             if (kernel.params[k].structure != kernel.params[i].structure) continue;
-            condition += " && " + param_name(unit, kernel.params[i]) + "->same_state(" + param_name(unit, kernel.params[k]) + ".structure())";
+            condition += " && " + param_name(unit, kernel.params[i]) + "->same_state(" +
+                         param_name(unit, kernel.params[k]) + ".structure())";
             break;
         }
     }
-    return condition + " && !commands.needs_general(" + name + "_kernel, " + (pass.bindings.empty() ? "{}" : "memories") + ", iteration.size())";
+    return condition + " && !commands.needs_general(" + name + "_kernel, " +
+           (pass.bindings.empty() ? "{}" : "memories") + ", iteration.size())";
 }
 
 /// What Commands::specialised can name.
@@ -255,7 +266,8 @@ std::string parameters_of(const Globals& globals, const ir::Pass& pass, const st
 std::optional<std::size_t> range_of_first_at(const Kernel& kernel) {
     if (kernel.params.empty() || kernel.params[0].pattern != Pattern::at) return std::nullopt;
     for (std::size_t i = 1; i < kernel.params.size(); ++i) {
-        if (kernel.params[i].pattern == Pattern::each && kernel.params[i].structure == kernel.params[0].structure) return i;
+        if (kernel.params[i].pattern == Pattern::each && kernel.params[i].structure == kernel.params[0].structure)
+            return i;
     }
     return std::nullopt;
 }
@@ -265,7 +277,8 @@ std::string kernel_signature(Unit& unit, std::uint32_t index, bool qualified, st
     std::string parameters = "const glift::Commands& commands";
     for (std::size_t i = first; i < kernel.params.size(); ++i) {
         const KernelParam& param = kernel.params[i];
-        if (param.pattern == Pattern::value) parameters += ", " + unit.type(unit.program.locals[param.local].type, qualified) + " ";
+        if (param.pattern == Pattern::value)
+            parameters += ", " + unit.type(unit.program.locals[param.local].type, qualified) + " ";
         else parameters += ", const glift::Range<" + unit.class_name(param.structure) + ">& ";
         parameters += param_name(unit, param);
     }
@@ -304,8 +317,10 @@ void print_kernel_code(Unit& unit, Writer& out, std::uint32_t index) {
     out.line(".file = \"" + (colon == std::string::npos ? "" : place.substr(0, colon)) + "\",");
     out.line(".line = " + (colon == std::string::npos ? "0" : place.substr(colon + 1)) + ",");
     out.line(".rank = " + std::to_string(any.rank) + ",");
-    out.line(".group = {" + std::to_string(any.group[0]) + ", " + std::to_string(any.group[1]) + ", " + std::to_string(any.group[2]) + "},");
-    out.line(".loop_rounds = " + (any.loop_rounds == UINT64_MAX ? "UINT64_MAX" : std::to_string(any.loop_rounds)) + ",");
+    out.line(".group = {" + std::to_string(any.group[0]) + ", " + std::to_string(any.group[1]) + ", " +
+             std::to_string(any.group[2]) + "},");
+    out.line(".loop_rounds = " + (any.loop_rounds == UINT64_MAX ? "UINT64_MAX" : std::to_string(any.loop_rounds)) +
+             ",");
     out.line(".bindings = " + (any.bindings.empty() ? "{}" : name + "_bindings") + ",");
     out.line(".direct = " + (forms.direct.exists ? form_text(forms.direct, words.direct, direct) : "{}") + ",");
     out.line(".general = " + (forms.general.exists ? form_text(forms.general, words.general, general) : "{}") + ",");
@@ -331,9 +346,12 @@ void print_kernel_function(Unit& unit, Writer& out, std::uint32_t index) {
         for (std::size_t i = 0; i < kernel.params.size(); ++i) {
             const KernelParam& param = kernel.params[i];
             const std::string argument = param_name(unit, param);
-            if (!near && is_visited(param.pattern)) out.line("iteration.each(\"" + unit.name(param.name) + "\", " + argument + ");");
-            if (near && param.pattern == Pattern::near) out.line("iteration.near(\"" + unit.name(param.name) + "\", " + argument + ");");
-            if (near && (param.pattern == Pattern::any || param.pattern == Pattern::scatter)) out.line("iteration.any(" + argument + ");");
+            if (!near && is_visited(param.pattern))
+                out.line("iteration.each(\"" + unit.name(param.name) + "\", " + argument + ");");
+            if (near && param.pattern == Pattern::near)
+                out.line("iteration.near(\"" + unit.name(param.name) + "\", " + argument + ");");
+            if (near && (param.pattern == Pattern::any || param.pattern == Pattern::scatter))
+                out.line("iteration.any(" + argument + ");");
         }
     }
     if (!any.bindings.empty()) out.line("const glift::Memory memories[] = {" + memories_text(unit, kernel, any) + "};");

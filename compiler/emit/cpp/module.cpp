@@ -11,15 +11,16 @@ namespace {
 std::string space_of(const std::string& module) {
     std::string text;
     std::size_t begin = 0;
-    while (begin <= module.size()) {   // std.array → std_array: "std" is not ours to open
+    while (begin <= module.size()) {  // std.array → std_array: "std" is not ours to open
         const std::size_t dot = std::min(module.find('.', begin), module.size());
         text += (text.empty() ? "" : "_") + module.substr(begin, dot - begin);
         begin = dot + 1;
     }
     // The C library has functions of these names in the global namespace.
-    for (std::string_view taken : {"abs", "clock", "cos", "exp", "floor", "gamma", "index", "link", "log", "pipe", "pow", "rand",
-                                   "random", "read", "remove", "rename", "round", "select", "signal", "sin", "sqrt", "sync", "tan",
-                                   "time", "truncate", "wait", "write"}) {
+    for (std::string_view taken :
+         {"abs",    "clock", "cos",  "exp",    "floor", "gamma",  "index",    "link",  "log",
+          "pipe",   "pow",   "rand", "random", "read",  "remove", "rename",   "round", "select",
+          "signal", "sin",   "sqrt", "sync",   "tan",   "time",   "truncate", "wait",  "write"}) {
         if (text == taken) return text + '_';
     }
     return identifier(text);
@@ -44,7 +45,9 @@ void name_functions(Unit& unit) {
     // Several pipelines may share a name and differ in the structures that they take: overloads.
     std::set<std::string> taken;
     for (std::uint32_t kernel : unit.reach.kernels) {
-        if (is_public(unit, kernel)) unit.globals.kernel_names[kernel] = unit.globals.names.declare(unit.name(unit.program.kernels[kernel].name));
+        if (is_public(unit, kernel))
+            unit.globals.kernel_names[kernel] =
+                unit.globals.names.declare(unit.name(unit.program.kernels[kernel].name));
     }
     std::map<std::uint32_t, std::string> overloads;
     for (std::uint32_t pipeline : unit.reach.pipelines) {
@@ -54,11 +57,14 @@ void name_functions(Unit& unit) {
             continue;
         }
         std::string& name = overloads[p.name.index];
-        if (name.empty()) name = p.name ? unit.globals.names.declare(unit.name(p.name)) : unit.globals.names.declare("test");
+        if (name.empty())
+            name = p.name ? unit.globals.names.declare(unit.name(p.name)) : unit.globals.names.declare("test");
         unit.globals.pipeline_names[pipeline] = p.name ? name : unit.globals.names.declare("test");
     }
     for (std::uint32_t kernel : unit.reach.kernels) {
-        if (!is_public(unit, kernel)) unit.globals.kernel_names[kernel] = unit.globals.names.declare(unit.name(unit.program.kernels[kernel].name));
+        if (!is_public(unit, kernel))
+            unit.globals.kernel_names[kernel] =
+                unit.globals.names.declare(unit.name(unit.program.kernels[kernel].name));
     }
 }
 
@@ -153,8 +159,8 @@ std::string source_of(Unit& unit, const std::string& stem) {
     out.gap();
     out.line("namespace {");
     out.raw("\n");
-    for (const std::string& part : {types.take(), unit.globals.functions, code.take(), hidden_functions.take(), declarations,
-                                    hidden_members.take(), hidden_pipelines.take()}) {
+    for (const std::string& part : {types.take(), unit.globals.functions, code.take(), hidden_functions.take(),
+                                    declarations, hidden_members.take(), hidden_pipelines.take()}) {
         out.raw(part);
         out.gap();
     }
@@ -185,7 +191,14 @@ std::uint32_t structure_at(const ir::Program& program, std::uint32_t structure, 
 
 Module module_of(const ir::Program& program, const ir::Lowered& lowered, const Sources& sources, std::uint32_t module,
                  const std::vector<KernelCode>& code, const Options& options) {
-    Unit unit{program, lowered, sources, module, code, options, reach_of(program, module, options), make_globals(program, sources),
+    Unit unit{program,
+              lowered,
+              sources,
+              module,
+              code,
+              options,
+              reach_of(program, module, options),
+              make_globals(program, sources),
               space_of((*program.names)[program.modules[module].name])};
     add_inner_structs(unit.reach, program, lowered);
     name_functions(unit);

@@ -17,7 +17,7 @@ struct PipelinePrinter {
     Unit& unit;
     const Pipeline& pipeline;
     Printer p;
-    bool tracks = false;   ///< a test: notes which structures passes write
+    bool tracks = false;  ///< a test: notes which structures passes write
 
     PipelinePrinter(Unit& unit, const Pipeline& pipeline) : unit(unit), pipeline(pipeline), p(unit.globals) {
         p.outer_expression = [this](const Expr& expr) { return expression(expr); };
@@ -26,7 +26,9 @@ struct PipelinePrinter {
     PipelinePrinter(const PipelinePrinter&) = delete;
 
     TypeKind kind(ir::TypeId type) const { return unit.program.types.kind(type); }
-    bool is_slice(const Expr& expr) const { return expr.local && kind(unit.program.locals[expr.local].type) == TypeKind::slice; }
+    bool is_slice(const Expr& expr) const {
+        return expr.local && kind(unit.program.locals[expr.local].type) == TypeKind::slice;
+    }
     std::string object(const Expr& expr);
     std::uint32_t root_structure(const Expr& expr) const;
     Text property(const Expr& expr);
@@ -69,7 +71,8 @@ std::string PipelinePrinter::base(const Expr& expr) {
 
 Text PipelinePrinter::slice(const Expr& expr) {
     const std::string origin = print_any(p, expr.operands[0]), size = print_any(p, expr.operands[1]);
-    if (kind(unit.program.exprs[expr.operands[1]].type) == TypeKind::device) return {base(expr) + ".first(" + size + ")"};
+    if (kind(unit.program.exprs[expr.operands[1]].type) == TypeKind::device)
+        return {base(expr) + ".first(" + size + ")"};
     return {base(expr) + ".range(" + origin + ", " + size + ")"};
 }
 
@@ -86,7 +89,9 @@ Text PipelinePrinter::call(const Expr& expr) {
 
 Text PipelinePrinter::expression(const Expr& expr) {
     switch (expr.op) {
-    case Op::member: case Op::memory_extent: case Op::host_state: return property(expr);
+    case Op::member:
+    case Op::memory_extent:
+    case Op::host_state: return property(expr);
     case Op::structure_value:
         if (is_slice(expr) && expr.place.members.empty()) return {p.local_names.at(expr.local)};
         return property(expr);
@@ -95,15 +100,41 @@ Text PipelinePrinter::expression(const Expr& expr) {
         return property(expr);
     case Op::element_count: return {"glift::element_count(" + base(expr) + ")"};
     case Op::device_read: return {base(expr) + ".element(commands, " + print_any(p, expr.operands[0]) + ")"};
-    case Op::host_read: return {base(expr) + ".element(commands, " + print_any(p, expr.operands[0]) + ").await(commands)"};
+    case Op::host_read:
+        return {base(expr) + ".element(commands, " + print_any(p, expr.operands[0]) + ").await(commands)"};
     case Op::await_value: return {print(p, expr.operands[0], Level::postfix) + ".await(commands)"};
     case Op::slice: return slice(expr);
     case Op::pipeline_call: return call(expr);
-    case Op::constant: case Op::local: case Op::construct: case Op::convert: case Op::unary: case Op::binary: case Op::select:
-    case Op::swizzle: case Op::index: case Op::field: case Op::call: case Op::intrinsic: case Op::none: case Op::some:
-    case Op::has_value: case Op::value: case Op::element: case Op::address: case Op::near: case Op::read: case Op::sample:
-    case Op::range_size: case Op::state: case Op::translate: case Op::invocation: case Op::parameter: case Op::load:
-    case Op::image_load: case Op::image_sample: case Op::builtin: break;
+    case Op::constant:
+    case Op::local:
+    case Op::construct:
+    case Op::convert:
+    case Op::unary:
+    case Op::binary:
+    case Op::select:
+    case Op::swizzle:
+    case Op::index:
+    case Op::field:
+    case Op::call:
+    case Op::intrinsic:
+    case Op::none:
+    case Op::some:
+    case Op::has_value:
+    case Op::value:
+    case Op::element:
+    case Op::address:
+    case Op::near:
+    case Op::read:
+    case Op::sample:
+    case Op::range_size:
+    case Op::state:
+    case Op::translate:
+    case Op::invocation:
+    case Op::parameter:
+    case Op::load:
+    case Op::image_load:
+    case Op::image_sample:
+    case Op::builtin: break;
     }
     return {"/* not a host expression */"};
 }
@@ -129,7 +160,8 @@ void PipelinePrinter::dispatch(const Stmt& stmt) {
         const ir::TypeId type = unit.program.exprs[stmt.arguments[i]].type;
         std::string argument = print(p, stmt.arguments[i], Level::postfix);
         // A value that a kernel takes is part of its parameters, which the host packs.
-        if (kernel.params[i].pattern == ir::Pattern::value && kind(type) == TypeKind::device) argument += ".await(commands)";
+        if (kernel.params[i].pattern == ir::Pattern::value && kind(type) == TypeKind::device)
+            argument += ".await(commands)";
         arguments += ", " + argument;
     }
     p.out.line(unit.globals.kernel_names.at(stmt.slot) + "(commands" + arguments + ");");
@@ -139,8 +171,9 @@ void PipelinePrinter::expect_same(const Stmt& stmt) {
     const ir::Type& type = unit.program.types[unit.program.exprs[stmt.arguments[0]].type];
     const std::uint32_t structure = type.kind == TypeKind::slice ? unit.program.types[type.element].index : type.index;
     p.out.line("test.expect_same(" + print_any(p, stmt.arguments[0]) + ", " + print_any(p, stmt.arguments[1]) + ", \"" +
-               scalars_of(unit.program, unit.program.structures[structure].element) + "\", \"" + place_text(unit.sources, stmt.span) +
-               "\"" + (stmt.arguments.size() > 2 ? ", " + print_any(p, stmt.arguments[2]) : "") + ");");
+               scalars_of(unit.program, unit.program.structures[structure].element) + "\", \"" +
+               place_text(unit.sources, stmt.span) + "\"" +
+               (stmt.arguments.size() > 2 ? ", " + print_any(p, stmt.arguments[2]) : "") + ");");
 }
 
 /// Keeps the structures of a test, to be compared between devices.
@@ -148,7 +181,8 @@ void PipelinePrinter::keep_all() {
     for (ir::StmtId id : pipeline.body) {
         const Stmt& stmt = unit.program.stmts[id];
         if (stmt.op != StmtOp::temp) continue;
-        const ir::Structure& made = unit.program.structures[unit.program.types[unit.program.locals[stmt.local].type].index];
+        const ir::Structure& made =
+            unit.program.structures[unit.program.types[unit.program.locals[stmt.local].type].index];
         if (made.kind != ir::StructureKind::stored || !made.copyable) continue;
         const std::string& name = p.local_names.at(stmt.local);
         p.out.line("test.keep(\"" + name + "\", " + name + ", \"" + scalars_of(unit.program, made.element) + "\");");
@@ -166,13 +200,26 @@ void PipelinePrinter::statement(const Stmt& stmt) {
         return;
     case StmtOp::dispatch: return dispatch(stmt);
     case StmtOp::expect: return p.out.line("test.expect(" + print_any(p, stmt.value) + ", " + place() + ");");
-    case StmtOp::expect_near: return p.out.line("test.expect_near(" + join_arguments(p, stmt.arguments) + ", " + place() + ");");
-    case StmtOp::expect_same:
-        return expect_same(stmt);
+    case StmtOp::expect_near:
+        return p.out.line("test.expect_near(" + join_arguments(p, stmt.arguments) + ", " + place() + ");");
+    case StmtOp::expect_same: return expect_same(stmt);
     case StmtOp::host_assign: return p.out.line(print_any(p, stmt.target) + " = " + print_any(p, stmt.value) + ";");
-    case StmtOp::let: case StmtOp::assign: case StmtOp::if_: case StmtOp::for_: case StmtOp::while_: case StmtOp::break_:
-    case StmtOp::continue_: case StmtOp::return_: case StmtOp::block: case StmtOp::evaluate: case StmtOp::barrier:
-    case StmtOp::set_element: case StmtOp::write: case StmtOp::store: case StmtOp::image_store: case StmtOp::atomic:
+    case StmtOp::let:
+    case StmtOp::assign:
+    case StmtOp::if_:
+    case StmtOp::for_:
+    case StmtOp::while_:
+    case StmtOp::break_:
+    case StmtOp::continue_:
+    case StmtOp::return_:
+    case StmtOp::block:
+    case StmtOp::evaluate:
+    case StmtOp::barrier:
+    case StmtOp::set_element:
+    case StmtOp::write:
+    case StmtOp::store:
+    case StmtOp::image_store:
+    case StmtOp::atomic:
     case StmtOp::report: break;
     }
     p.out.line("/* not a host statement */");
@@ -191,8 +238,9 @@ std::string param_type(const Unit& unit, const ir::PipelineParam& param, bool qu
     case ir::HostPattern::value: return unit.type(type, qualified) + " ";
     case ir::HostPattern::range: return "const " + unit.type(type, qualified) + "& ";
     case ir::HostPattern::structure: {
-        const bool changes = unit.program.structures[unit.program.types[type].index].kind == ir::StructureKind::adaptor &&
-                             param.direction != ir::Direction::in;
+        const bool changes =
+            unit.program.structures[unit.program.types[type].index].kind == ir::StructureKind::adaptor &&
+            param.direction != ir::Direction::in;
         return (changes ? "" : "const ") + unit.type(type, qualified) + "& ";
     }
     }
@@ -205,7 +253,8 @@ std::string signature(Unit& unit, std::uint32_t index, const std::string& owner,
     if (is_test(unit, index)) parameters = "glift::Test& test, const glift::Commands& commands";
     for (const ir::PipelineParam& param : pipeline.params)
         parameters += ", " + param_type(unit, param, qualified) + identifier(unit.name(param.name));
-    return unit.type(pipeline.result, qualified) + " " + owner + unit.globals.pipeline_names.at(index) + "(" + parameters + ")";
+    return unit.type(pipeline.result, qualified) + " " + owner + unit.globals.pipeline_names.at(index) + "(" +
+           parameters + ")";
 }
 
 }  // namespace

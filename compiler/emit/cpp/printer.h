@@ -14,7 +14,19 @@ namespace gliftc::cpp {
 
 /// How tightly an expression holds together; the operators of C++ from loose to tight.
 enum class Level : std::uint8_t {
-    ternary, logical_or, logical_and, bit_or, bit_xor, bit_and, equality, relation, shift, sum, term, unary, postfix,
+    ternary,
+    logical_or,
+    logical_and,
+    bit_or,
+    bit_xor,
+    bit_and,
+    equality,
+    relation,
+    shift,
+    sum,
+    term,
+    unary,
+    postfix,
 };
 
 struct Text {
@@ -26,12 +38,12 @@ struct Text {
 struct Globals {
     const ir::Program& program;
     const Sources& sources;
-    Scopes names;                                              ///< of the module's namespace
-    std::vector<std::string> struct_names;                     ///< of Program::structs
-    std::vector<std::string> structure_names;                  ///< of Program::structures
+    Scopes names;                              ///< of the module's namespace
+    std::vector<std::string> struct_names;     ///< of Program::structs
+    std::vector<std::string> structure_names;  ///< of Program::structures
     std::unordered_map<ir::FunctionId, std::string> function_names;
-    std::string functions;                                     ///< printed so far, callees first
-    std::unordered_map<std::uint32_t, std::string> kernel_names;   ///< of Program::kernels
+    std::string functions;                                        ///< printed so far, callees first
+    std::unordered_map<std::uint32_t, std::string> kernel_names;  ///< of Program::kernels
     std::unordered_map<std::uint32_t, std::string> pipeline_names;
 
     Globals(const ir::Program& program, const Sources& sources) : program(program), sources(sources) {}
@@ -56,7 +68,7 @@ struct Printer {
     std::function<std::string(ir::LocalId)> outer_local;
     /// Intrinsics that are printed as their first operand.
     std::set<ir::ExprId> identities;
-    bool use_namespaces = false;   ///< headers: glift::uint4, else uint4
+    bool use_namespaces = false;  ///< headers: glift::uint4, else uint4
     std::uint32_t marked_file = 0xffffffffu, marked_line = 0;
 
     explicit Printer(Globals& globals) : globals(globals), program(globals.program) {}
@@ -72,14 +84,16 @@ bool holds_bool(const ir::Program& program, ir::TypeId type);
 
 // expressions.cpp
 Text print(Printer& p, ir::ExprId expr);
-std::string print(Printer& p, ir::ExprId expr, Level least);   ///< in parentheses if looser than `least`
+std::string print(Printer& p, ir::ExprId expr, Level least);  ///< in parentheses if looser than `least`
 std::string print_any(Printer& p, ir::ExprId expr);
 std::string join_arguments(Printer& p, const std::vector<ir::ExprId>& arguments);
 std::string wrap(Text text, Level least);
 
 // surroundings.cpp
-/// member, memory_extent or domain of a structure spelled `object`, as in `f->` or `table.`; empty: within its own class.
-Text structure_property(const Globals& globals, const ir::Expr& expr, std::uint32_t root_structure, const std::string& object);
+/// member, memory_extent or domain of a structure spelled `object`, as in `f->` or `table.`; empty: within its own
+/// class.
+Text structure_property(const Globals& globals, const ir::Expr& expr, std::uint32_t root_structure,
+                        const std::string& object);
 /// The names of a generated class's members; the same wherever they are used.
 struct ClassNames {
     std::vector<std::string> arguments, memories, members, host;
@@ -90,10 +104,10 @@ ClassNames class_names(const ir::Program& program, std::uint32_t structure);
 void print_statements(Printer& p, const std::vector<ir::StmtId>& body);
 void print_statement(Printer& p, ir::StmtId stmt);
 std::string declare_local(Printer& p, ir::LocalId local);
-void mark_line(Printer& p, Span span);                         ///< a comment with the source line where it changes
+void mark_line(Printer& p, Span span);  ///< a comment with the source line where it changes
 std::string file_name(const Sources& sources, std::uint32_t file);
-std::string place_text(const Sources& sources, Span span);     ///< laplacian.glift:8
-void require_function(Globals& globals, ir::FunctionId function);   ///< prints it to globals.functions if it isn't there
+std::string place_text(const Sources& sources, Span span);         ///< laplacian.glift:8
+void require_function(Globals& globals, ir::FunctionId function);  ///< prints it to globals.functions if it isn't there
 bool is_pure(const ir::Program& program, ir::FunctionId function);  ///< touches nothing but its arguments
 
 }  // namespace gliftc::cpp

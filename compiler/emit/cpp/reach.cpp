@@ -26,14 +26,25 @@ void Collector::type(ir::TypeId id, bool visible) {
     if (!id) return;
     const ir::Type& type = program.types[id];
     switch (type.kind) {
-    case ir::TypeKind::struct_:
-        return structure_type(type.index);
+    case ir::TypeKind::struct_: return structure_type(type.index);
     case ir::TypeKind::enum_: reach.enums.insert(type.index); return;
     case ir::TypeKind::structure: return structure(type.index, visible);
-    case ir::TypeKind::vector: case ir::TypeKind::matrix: case ir::TypeKind::array: case ir::TypeKind::optional:
-    case ir::TypeKind::range: case ir::TypeKind::slice: case ir::TypeKind::device: return this->type(type.element, visible);
-    case ir::TypeKind::error: case ir::TypeKind::void_: case ir::TypeKind::bool_: case ir::TypeKind::int_: case ir::TypeKind::uint:
-    case ir::TypeKind::float_: case ir::TypeKind::half: case ir::TypeKind::double_: case ir::TypeKind::int64:
+    case ir::TypeKind::vector:
+    case ir::TypeKind::matrix:
+    case ir::TypeKind::array:
+    case ir::TypeKind::optional:
+    case ir::TypeKind::range:
+    case ir::TypeKind::slice:
+    case ir::TypeKind::device: return this->type(type.element, visible);
+    case ir::TypeKind::error:
+    case ir::TypeKind::void_:
+    case ir::TypeKind::bool_:
+    case ir::TypeKind::int_:
+    case ir::TypeKind::uint:
+    case ir::TypeKind::float_:
+    case ir::TypeKind::half:
+    case ir::TypeKind::double_:
+    case ir::TypeKind::int64:
     case ir::TypeKind::uint64: return;
     }
 }

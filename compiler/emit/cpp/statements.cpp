@@ -22,9 +22,18 @@ std::string_view compound_of(BinaryOp op) {
     case BinaryOp::bit_and: return " &= ";
     case BinaryOp::bit_xor: return " ^= ";
     case BinaryOp::bit_or: return " |= ";
-    case BinaryOp::divide: case BinaryOp::remainder: case BinaryOp::shift_left: case BinaryOp::shift_right: case BinaryOp::less:
-    case BinaryOp::less_equal: case BinaryOp::greater: case BinaryOp::greater_equal: case BinaryOp::equal:
-    case BinaryOp::not_equal: case BinaryOp::logical_and: case BinaryOp::logical_or: return "";
+    case BinaryOp::divide:
+    case BinaryOp::remainder:
+    case BinaryOp::shift_left:
+    case BinaryOp::shift_right:
+    case BinaryOp::less:
+    case BinaryOp::less_equal:
+    case BinaryOp::greater:
+    case BinaryOp::greater_equal:
+    case BinaryOp::equal:
+    case BinaryOp::not_equal:
+    case BinaryOp::logical_and:
+    case BinaryOp::logical_or: return "";
     }
     return "";
 }
@@ -35,7 +44,8 @@ void print_assign(Printer& p, const Stmt& stmt) {
     if (lanes > 1) {
         std::string list;
         for (std::uint32_t i = 0; i < lanes; ++i) list += (i ? ", " : "") + std::to_string(target.lanes[i]);
-        p.out.line("glift::assign_swizzle<" + list + ">(" + print_any(p, target.operands[0]) + ", " + print_any(p, stmt.value) + ");");
+        p.out.line("glift::assign_swizzle<" + list + ">(" + print_any(p, target.operands[0]) + ", " +
+                   print_any(p, stmt.value) + ");");
         return;
     }
     const std::string left = print_any(p, stmt.target);
@@ -103,8 +113,8 @@ void print_for(Printer& p, const Stmt& stmt) {
         p.out.open("for (" + type + " " + name + " = " + first + "; " + name + " < " + limit + "; ++" + name + ")");
     } else {
         const std::string end = p.names.declare(name + "_end");
-        p.out.open("for (" + type + " " + name + " = " + first + ", " + end + " = " + print_any(p, stmt.limit) + "; " + name +
-                   " < " + end + "; ++" + name + ")");
+        p.out.open("for (" + type + " " + name + " = " + first + ", " + end + " = " + print_any(p, stmt.limit) + "; " +
+                   name + " < " + end + "; ++" + name + ")");
     }
     print_nested(p, stmt.body);
     p.out.close();
@@ -170,9 +180,20 @@ void print_statement(Printer& p, ir::StmtId id) {
         print_nested(p, stmt.body);
         return p.out.close();
     case StmtOp::evaluate: return p.out.line(print_any(p, stmt.value) + ";");
-    case StmtOp::barrier: case StmtOp::set_element: case StmtOp::write: case StmtOp::temp: case StmtOp::release:
-    case StmtOp::dispatch: case StmtOp::expect: case StmtOp::expect_near: case StmtOp::expect_same: case StmtOp::host_assign:
-    case StmtOp::store: case StmtOp::image_store: case StmtOp::atomic: case StmtOp::report: break;
+    case StmtOp::barrier:
+    case StmtOp::set_element:
+    case StmtOp::write:
+    case StmtOp::temp:
+    case StmtOp::release:
+    case StmtOp::dispatch:
+    case StmtOp::expect:
+    case StmtOp::expect_near:
+    case StmtOp::expect_same:
+    case StmtOp::host_assign:
+    case StmtOp::store:
+    case StmtOp::image_store:
+    case StmtOp::atomic:
+    case StmtOp::report: break;
     }
     p.outer_statement(stmt);
 }
@@ -181,11 +202,13 @@ bool is_pure(const ir::Program& program, ir::FunctionId id) {
     bool pure = true;
     const ir::Function& function = program.functions[id];
     for_each_statement(program, function.body, [&](const Stmt& stmt) {
-        if (stmt.op == StmtOp::store || stmt.op == StmtOp::image_store || stmt.op == StmtOp::atomic || stmt.op == StmtOp::report) pure = false;
+        if (stmt.op == StmtOp::store || stmt.op == StmtOp::image_store || stmt.op == StmtOp::atomic ||
+            stmt.op == StmtOp::report)
+            pure = false;
     });
     for_each_expression(program, function.body, [&](const Expr& expr) {
-        if (expr.op == Op::load || expr.op == Op::image_load || expr.op == Op::image_sample || expr.op == Op::parameter ||
-            expr.op == Op::builtin || expr.op == Op::invocation)
+        if (expr.op == Op::load || expr.op == Op::image_load || expr.op == Op::image_sample ||
+            expr.op == Op::parameter || expr.op == Op::builtin || expr.op == Op::invocation)
             pure = false;
         if (expr.op == Op::local && program.locals[expr.local].storage == ir::Storage::shared) pure = false;
         if (expr.op == Op::call && !is_pure(program, expr.function)) pure = false;
@@ -203,11 +226,13 @@ void require_function(Globals& globals, ir::FunctionId id) {
     std::vector<std::string> structures;
     for (std::uint32_t structure : function.structures) {
         structures.push_back(p.names.declare("self"));
-        parameters += (parameters.empty() ? "" : ", ") + ("const " + globals.structure_names[structure]) + "& " + structures.back();
+        parameters += (parameters.empty() ? "" : ", ") + ("const " + globals.structure_names[structure]) + "& " +
+                      structures.back();
     }
     p.outer_expression = [&](const Expr& expr) -> Text {
         if (expr.place.root >= structures.size()) return {"{}"};
-        return structure_property(globals, expr, function.structures[expr.place.root], structures[expr.place.root] + ".");
+        return structure_property(globals, expr, function.structures[expr.place.root],
+                                  structures[expr.place.root] + ".");
     };
     for (ir::LocalId local : function.params) {
         const std::string type = type_text(globals, globals.program.locals[local].type);

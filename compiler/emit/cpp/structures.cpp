@@ -26,17 +26,19 @@ Constructor constructor_of(const Unit& unit, std::uint32_t index, const ClassNam
     if (structure.kind != StructureKind::view) result.parameters.push_back("const glift::Device& device");
     for (std::size_t i = 0; i < structure.members.size(); ++i) {
         if (structure.members[i].by_reference)
-            result.parameters.push_back("const " + unit.class_name(structure.members[i].structure) + "& " + names.members[i]);
+            result.parameters.push_back("const " + unit.class_name(structure.members[i].structure) + "& " +
+                                        names.members[i]);
     }
     for (std::size_t i = 0; i < structure.constructor.size(); ++i)
-        result.parameters.push_back(unit.type(unit.program.locals[structure.constructor[i]].type, qualified) + " " + names.arguments[i]);
+        result.parameters.push_back(unit.type(unit.program.locals[structure.constructor[i]].type, qualified) + " " +
+                                    names.arguments[i]);
     return result;
 }
 
 std::string base_of(const Unit& unit, std::uint32_t index, bool qualified) {
     const Structure& structure = unit.program.structures[index];
-    const std::string arguments = "<" + unit.class_name(index) + ", " + unit.type(structure.domain_type, qualified) + ", " +
-                                  storage_text(unit.globals, structure.element, qualified) + ">";
+    const std::string arguments = "<" + unit.class_name(index) + ", " + unit.type(structure.domain_type, qualified) +
+                                  ", " + storage_text(unit.globals, structure.element, qualified) + ">";
     switch (structure.kind) {
     case StructureKind::stored: return " : public glift::Structure" + arguments;
     case StructureKind::view: return " : public glift::View" + arguments;
@@ -57,12 +59,13 @@ bool is_kernel(const Unit& unit, std::uint32_t kernel) { return kernel < unit.pr
 void print_accessors(Unit& unit, Writer& out, std::uint32_t index, const ClassNames& names, bool qualified) {
     const Structure& structure = unit.program.structures[index];
     for (std::size_t i = 0; i < structure.constructor.size(); ++i)
-        out.line(unit.type(unit.program.locals[structure.constructor[i]].type, qualified) + " " + names.arguments[i] + "() const { return " +
-                 names.arguments[i] + "_; }");
+        out.line(unit.type(unit.program.locals[structure.constructor[i]].type, qualified) + " " + names.arguments[i] +
+                 "() const { return " + names.arguments[i] + "_; }");
     for (std::size_t i = 0; i < structure.members.size(); ++i) {
         const std::string type = unit.class_name(structure.members[i].structure);
         out.line("const " + type + "& " + names.members[i] + "() const { return " + names.members[i] + "_; }");
-        if (structure.kind == StructureKind::adaptor) out.line(type + "& " + names.members[i] + "() { return " + names.members[i] + "_; }");
+        if (structure.kind == StructureKind::adaptor)
+            out.line(type + "& " + names.members[i] + "() { return " + names.members[i] + "_; }");
     }
     for (std::size_t i = 0; i < structure.memories.size(); ++i) {
         out.line("const glift::Memory& " + names.memories[i] + "() const { return " + names.memories[i] + "_; }");
@@ -70,18 +73,21 @@ void print_accessors(Unit& unit, Writer& out, std::uint32_t index, const ClassNa
                  "_extent() const { return " + names.memories[i] + "_extent_; }");
     }
     for (std::size_t i = 0; i < structure.host.size(); ++i)
-        out.line(unit.type(structure.host[i].type, qualified) + " " + names.host[i] + "() const { return " + names.host[i] + "_; }");
+        out.line(unit.type(structure.host[i].type, qualified) + " " + names.host[i] + "() const { return " +
+                 names.host[i] + "_; }");
 }
 
 void print_fields(Unit& unit, Writer& out, std::uint32_t index, const ClassNames& names, bool qualified) {
     const Structure& structure = unit.program.structures[index];
     if (structure.kind == StructureKind::adaptor) out.line("std::optional<glift::Device> device_;");
     for (std::size_t i = 0; i < structure.constructor.size(); ++i)
-        out.line(unit.type(unit.program.locals[structure.constructor[i]].type, qualified) + " " + names.arguments[i] + "_{};");
+        out.line(unit.type(unit.program.locals[structure.constructor[i]].type, qualified) + " " + names.arguments[i] +
+                 "_{};");
     for (std::size_t i = 0; i < structure.members.size(); ++i)
         out.line(unit.class_name(structure.members[i].structure) + " " + names.members[i] + "_;");
     for (std::size_t i = 0; i < structure.memories.size(); ++i) {
-        out.line(unit.type(unit.program.exprs[structure.memories[i].extent].type, qualified) + " " + names.memories[i] + "_extent_{};");
+        out.line(unit.type(unit.program.exprs[structure.memories[i].extent].type, qualified) + " " + names.memories[i] +
+                 "_extent_{};");
         out.line("glift::Memory " + names.memories[i] + "_;");
     }
     for (std::size_t i = 0; i < structure.host.size(); ++i)
@@ -108,19 +114,23 @@ std::string memory_allocation(Unit& unit, Printer& p, std::uint32_t index, std::
     const std::string mips = memory.mips ? ", .mips = " + print_any(p, memory.mips) : "";
     switch (memory.shape) {
     case ir::MemoryShape::buffer:
-        return text + ", .bytes = glift::buffer_bytes<" + storage_text(unit.globals, memory.element) + ">(" + extent + ")})";
+        return text + ", .bytes = glift::buffer_bytes<" + storage_text(unit.globals, memory.element) + ">(" + extent +
+               ")})";
     case ir::MemoryShape::image1d: text += ", .kind = glift::MemoryKind::image1d"; break;
     case ir::MemoryShape::image2d: text += ", .kind = glift::MemoryKind::image2d"; break;
     case ir::MemoryShape::image3d: text += ", .kind = glift::MemoryKind::image3d"; break;
     case ir::MemoryShape::imagecube: text += ", .kind = glift::MemoryKind::imagecube"; break;
     }
-    return text + ", .format = glift::Format::" + std::string(format_name(memory.format)) + ", .extent = glift::image_extent(" + extent + ")" + mips + "})";
+    return text + ", .format = glift::Format::" + std::string(format_name(memory.format)) +
+           ", .extent = glift::image_extent(" + extent + ")" + mips + "})";
 }
 
 /// A printer for expressions over the structure itself, within its class.
 Printer own_printer(Unit& unit, std::uint32_t index) {
     Printer p(unit.globals);
-    p.outer_expression = [&unit, index](const ir::Expr& expr) { return structure_property(unit.globals, expr, index, ""); };
+    p.outer_expression = [&unit, index](const ir::Expr& expr) {
+        return structure_property(unit.globals, expr, index, "");
+    };
     return p;
 }
 
@@ -142,18 +152,20 @@ void print_constructors(Unit& unit, Writer& out, std::uint32_t index, const Clas
         for (const std::string& name : names.arguments) initialisers.push_back(name + "_(" + name + ")");
         for (std::size_t i = 0; i < structure.members.size(); ++i) {
             const ir::MemberStructure& member = structure.members[i];
-            const std::string value = adopts ? "std::move(" + names.members[i] + ")"
+            const std::string value = adopts                ? "std::move(" + names.members[i] + ")"
                                       : member.by_reference ? names.members[i]
                                                             : member_value(unit, p, member);
             initialisers.push_back(names.members[i] + "_(" + value + ")");
         }
         for (std::size_t i = 0; i < structure.memories.size(); ++i) {
             initialisers.push_back(names.memories[i] + "_extent_(" + print_any(p, structure.memories[i].extent) + ")");
-            initialisers.push_back(names.memories[i] + "_(" +
-                                   (adopts ? "std::move(" + names.memories[i] + ")" : memory_allocation(unit, p, index, i, names)) + ")");
+            initialisers.push_back(
+                names.memories[i] + "_(" +
+                (adopts ? "std::move(" + names.memories[i] + ")" : memory_allocation(unit, p, index, i, names)) + ")");
         }
         for (std::size_t i = 0; i < structure.host.size(); ++i) {
-            if (structure.host[i].initial) initialisers.push_back(names.host[i] + "_(" + print_any(p, structure.host[i].initial) + ")");
+            if (structure.host[i].initial)
+                initialisers.push_back(names.host[i] + "_(" + print_any(p, structure.host[i].initial) + ")");
         }
         out.line(type + "::" + type + "(" + constructor_of(unit, index, names, false).text() + more + ")");
         out.indent();
@@ -172,7 +184,8 @@ void print_same_state(Unit& unit, Writer& out, std::uint32_t index, const ClassN
     std::string condition;
     const auto also = [&](const std::string& text) { condition += (condition.empty() ? "" : " && ") + text; };
     for (const std::string& name : names.arguments) also(name + "_ == other." + name + "_");
-    for (std::size_t i = 0; i < structure.members.size(); ++i) also(names.members[i] + "_.same_state(other." + names.members[i] + "_)");
+    for (std::size_t i = 0; i < structure.members.size(); ++i)
+        also(names.members[i] + "_.same_state(other." + names.members[i] + "_)");
     const std::string& type = unit.class_name(index);
     out.open("bool " + type + "::same_state(const " + type + "& other) const");
     out.line(condition.empty() ? "return this == &other || true;" : "return " + condition + ";");
@@ -186,7 +199,8 @@ void print_transfers(Unit& unit, Writer& out, std::uint32_t index) {
     const std::string& type = unit.class_name(index);
     if (has_rows(unit.program, unit.program.structures[index])) print_place(unit, out, index);
     const std::string& box = unit.class_name(transfer->box_structure);
-    const std::string parameters = "(const glift::Commands& commands, const glift::Range<" + type + ">& range, const glift::Memory& box) const";
+    const std::string parameters =
+        "(const glift::Commands& commands, const glift::Range<" + type + ">& range, const glift::Memory& box) const";
     const std::string made = box + "(commands.device(), range.size(), box)";
     out.open("void " + type + "::copy_out" + parameters);
     out.line(unit.globals.kernel_names.at(transfer->read_kernel) + "(commands, range, " + made + ");");
@@ -217,8 +231,11 @@ void print_class(Unit& unit, Writer& out, std::uint32_t index, bool qualified) {
     const ClassNames names = class_names(unit.program, index);
     const std::string& type = unit.class_name(index);
     const std::string shown = structure.alias ? unit.name(structure.alias) : structure.display;
-    if (structure.doc.empty()) out.line("/// " + structure.display + ", " + place_text(unit.sources, structure.span) + ".");
-    else write_doc(out, structure.alias && shown != structure.display ? structure.display + ". " + structure.doc : structure.doc);
+    if (structure.doc.empty())
+        out.line("/// " + structure.display + ", " + place_text(unit.sources, structure.span) + ".");
+    else
+        write_doc(out, structure.alias && shown != structure.display ? structure.display + ". " + structure.doc
+                                                                     : structure.doc);
     out.open("class " + type + base_of(unit, index, qualified));
     out.dedent();
     out.line("public:");
@@ -252,11 +269,15 @@ void print_class(Unit& unit, Writer& out, std::uint32_t index, bool qualified) {
             out.line(unused + "void fill(" + element + " value);");
             out.line(unused + "void fill(" + element + " value, const glift::Range<" + type + ">& range);");
         }
-        const std::string parameters = "(const glift::Commands& commands, const glift::Range<" + type + ">& range, const glift::Memory& box) const;";
+        const std::string parameters = "(const glift::Commands& commands, const glift::Range<" + type +
+                                       ">& range, const glift::Memory& box) const;";
         if (has_rows(unit.program, structure)) {
-            out.line("/// Where an element lies in row_memory(), in elements; the address is an affine function of the virtual one.");
-            out.line(unused + "std::uint64_t place(" + unit.type(structure.domain_type, qualified) + " address) const;");
-            out.line(unused + "const glift::Memory& row_memory() const { return " + names.memories[structure.via_memory] + "_; }");
+            out.line("/// Where an element lies in row_memory(), in elements; the address is an affine function of the "
+                     "virtual one.");
+            out.line(unused + "std::uint64_t place(" + unit.type(structure.domain_type, qualified) +
+                     " address) const;");
+            out.line(unused + "const glift::Memory& row_memory() const { return " +
+                     names.memories[structure.via_memory] + "_; }");
         }
         out.line("/// Elements of a box to a linear buffer, and back.");
         out.line(unused + "void copy_out" + parameters);
@@ -298,7 +319,8 @@ void print_structs(Unit& unit, Writer& out) {
         out.open("struct " + identifier(unit.name(type.name)));
         std::string list;
         for (std::size_t i = 0; i < type.enumerators.size(); ++i)
-            list += (i ? ", " : "") + identifier(unit.name(type.enumerators[i])) + " = " + std::to_string(type.values[i]);
+            list +=
+                (i ? ", " : "") + identifier(unit.name(type.enumerators[i])) + " = " + std::to_string(type.values[i]);
         out.line("enum : glift::uint { " + list + " };");
         out.close(";");
         out.gap();
@@ -312,14 +334,17 @@ void print_structs(Unit& unit, Writer& out) {
             out.open("struct " + name);
             for (const ir::StructField& field : type.fields) {
                 write_doc(out, field.doc);
-                out.line(storage_text(unit.globals, field.type, true) + " " + identifier(unit.name(field.name)) + "{};");
+                out.line(storage_text(unit.globals, field.type, true) + " " + identifier(unit.name(field.name)) +
+                         "{};");
             }
             out.line("bool operator==(const " + name + "&) const = default;");
             out.close(";");
         }
         for (std::size_t i = 0; i < type.fields.size(); ++i)
-            out.line("static_assert(offsetof(" + name + ", " + identifier(unit.name(type.fields[i].name)) + ") == " + std::to_string(offsets[i]) + ");");
-        if (!type.extern_header.empty()) out.line("static_assert(sizeof(" + name + ") == " + std::to_string(type.size) + ");");
+            out.line("static_assert(offsetof(" + name + ", " + identifier(unit.name(type.fields[i].name)) +
+                     ") == " + std::to_string(offsets[i]) + ");");
+        if (!type.extern_header.empty())
+            out.line("static_assert(sizeof(" + name + ") == " + std::to_string(type.size) + ");");
         out.gap();
     }
 }

@@ -26,7 +26,8 @@ bool is_exact(const Unit& unit, std::uint32_t index, std::set<std::uint32_t>& se
 
 /// Its constructor takes nothing but extents of its domain, so that any size makes a whole structure.
 bool can_be_made(const ir::Program& program, const Structure& structure) {
-    if (structure.kind != ir::StructureKind::stored || structure.constructor.empty() || structure.via.empty()) return false;
+    if (structure.kind != ir::StructureKind::stored || structure.constructor.empty() || structure.via.empty())
+        return false;
     for (ir::LocalId local : structure.constructor) {
         if (program.locals[local].type != structure.domain_type) return false;
     }
@@ -38,42 +39,65 @@ std::string sample_value(const Unit& unit, const Structure& structure) {
     if (structure.memories.empty()) return "";
     const ir::Type& type = unit.program.types[structure.element];
     const ir::TypeId scalar = unit.program.types.scalar_of(structure.element);
-    if (type.kind == TypeKind::struct_ || type.kind == TypeKind::array || type.kind == TypeKind::matrix || type.kind == TypeKind::optional) return "";
+    if (type.kind == TypeKind::struct_ || type.kind == TypeKind::array || type.kind == TypeKind::matrix ||
+        type.kind == TypeKind::optional)
+        return "";
     std::string number = "i";
     switch (structure.memories[structure.via_memory].format) {
     case ir::Format::none: break;
-    case ir::Format::r8: case ir::Format::rg8: case ir::Format::rgba8: number = "i % 2"; break;
-    case ir::Format::r8ui: case ir::Format::rgba8ui: number = "i % 251"; break;
-    case ir::Format::r16f: case ir::Format::rg16f: case ir::Format::rgba16f: number = "i % 2039"; break;
+    case ir::Format::r8:
+    case ir::Format::rg8:
+    case ir::Format::rgba8: number = "i % 2"; break;
+    case ir::Format::r8ui:
+    case ir::Format::rgba8ui: number = "i % 251"; break;
+    case ir::Format::r16f:
+    case ir::Format::rg16f:
+    case ir::Format::rgba16f: number = "i % 2039"; break;
     case ir::Format::r16ui: number = "i % 65521"; break;
-    case ir::Format::d32: case ir::Format::r32f: case ir::Format::rg32f: case ir::Format::rgba32f: case ir::Format::r32ui:
-    case ir::Format::rg32ui: case ir::Format::rgba32ui: case ir::Format::r32i: case ir::Format::rg32i: case ir::Format::rgba32i: break;
+    case ir::Format::d32:
+    case ir::Format::r32f:
+    case ir::Format::rg32f:
+    case ir::Format::rgba32f:
+    case ir::Format::r32ui:
+    case ir::Format::rg32ui:
+    case ir::Format::rgba32ui:
+    case ir::Format::r32i:
+    case ir::Format::rg32i:
+    case ir::Format::rgba32i: break;
     }
     if (unit.program.types.kind(scalar) == TypeKind::bool_) number = "i % 2 == 1";
     if (unit.program.types.kind(scalar) == TypeKind::half) number = "i % 2039";
     const std::string value = storage_text(unit.globals, scalar) + "(" + number + ")";
-    return unit.program.types.is_vector(structure.element) ? storage_text(unit.globals, structure.element) + "(" + value + ")" : value;
+    return unit.program.types.is_vector(structure.element)
+               ? storage_text(unit.globals, structure.element) + "(" + value + ")"
+               : value;
 }
 
 void print_stage_check(Unit& unit, Writer& out, std::uint32_t index, std::size_t stage_index) {
     const Structure& structure = unit.program.structures[index];
     const ir::Stage& stage = structure.via[stage_index];
     const ir::Translator& translator = unit.program.translators[stage.translator];
-    if (!translator.structures.empty() || !translator.translate || uses_state_elsewhere(unit.program, translator.translate)) return;
+    if (!translator.structures.empty() || !translator.translate ||
+        uses_state_elsewhere(unit.program, translator.translate))
+        return;
     if (stage_index > 0 && !translator.domain) return;
     if (translator.invert && uses_state_elsewhere(unit.program, translator.invert)) return;
     out.open("");
     const std::vector<std::string> states =
-        print_state(unit, out, index, stage, "structure.", {"structure", "translate", "invert", "test", "commands", "extent", "domain"});
-    print_method(unit, out, "translate", translator.translate, "std::optional<" + unit.type(translator.physical_type) + ">", states);
-    if (translator.invert) print_method(unit, out, "invert", translator.invert, unit.type(translator.virtual_type), states);
+        print_state(unit, out, index, stage, "structure.",
+                    {"structure", "translate", "invert", "test", "commands", "extent", "domain"});
+    print_method(unit, out, "translate", translator.translate,
+                 "std::optional<" + unit.type(translator.physical_type) + ">", states);
+    if (translator.invert)
+        print_method(unit, out, "invert", translator.invert, unit.type(translator.virtual_type), states);
     std::string domain = "structure.domain()";
     if (stage_index > 0) {
         print_method(unit, out, "domain", translator.domain, unit.type(translator.virtual_type), states);
         domain = "domain()";
     }
     out.line("glift::check_translator(test, \"" + translator.display + "\", " + domain + ", translate, " +
-             (translator.invert ? "invert" : "nullptr") + ", " + (translator.properties.one_to_one ? "true" : "false") + ");");
+             (translator.invert ? "invert" : "nullptr") + ", " + (translator.properties.one_to_one ? "true" : "false") +
+             ");");
     out.close();
 }
 
@@ -100,7 +124,8 @@ std::string print_structure_check(Unit& unit, Writer& out, std::uint32_t index) 
     if (!can_be_made(unit.program, structure)) return "";
     const std::string name = unit.globals.names.declare("check_" + unit.class_name(index));
     out.open("void " + name + "(glift::Test& test, const glift::Commands& commands)");
-    out.open("for (const " + unit.type(structure.domain_type) + " extent : {" + extents_text(unit, structure.domain_type) + "})");
+    out.open("for (const " + unit.type(structure.domain_type) + " extent : {" +
+             extents_text(unit, structure.domain_type) + "})");
     std::string arguments;
     for (std::size_t i = 0; i < structure.constructor.size(); ++i) arguments += ", extent";
     out.line(unit.class_name(index) + " structure(commands.device()" + arguments + ");");
@@ -115,7 +140,8 @@ std::string print_structure_check(Unit& unit, Writer& out, std::uint32_t index) 
     for (const ir::Program::Transfer& transfer : unit.program.transfers)
         moved = moved || (transfer.structure == index && transfer.write_kernel < unit.program.kernels.size());
     if (total && moved && !value.empty())
-        out.line("glift::check_boxes(test, \"" + structure.display + "\", structure, [](uint i) { return " + value + "; });");
+        out.line("glift::check_boxes(test, \"" + structure.display + "\", structure, [](uint i) { return " + value +
+                 "; });");
     out.close();
     out.close();
     out.gap();
@@ -138,13 +164,16 @@ std::string scalars_of(const ir::Program& program, ir::TypeId id) {
     switch (type.kind) {
     case TypeKind::bool_: return "b";
     case TypeKind::int_: return "i";
-    case TypeKind::uint: case TypeKind::enum_: return "u";
+    case TypeKind::uint:
+    case TypeKind::enum_: return "u";
     case TypeKind::float_: return "f";
     case TypeKind::half: return "h";
     case TypeKind::double_: return "d";
     case TypeKind::int64: return "I";
     case TypeKind::uint64: return "U";
-    case TypeKind::vector: case TypeKind::matrix: case TypeKind::array: {
+    case TypeKind::vector:
+    case TypeKind::matrix:
+    case TypeKind::array: {
         std::string all;
         const std::uint32_t count = type.kind == TypeKind::matrix ? type.count * type.rows : type.count;
         for (std::uint32_t i = 0; i < count; ++i) all += scalars_of(program, type.element);
@@ -155,8 +184,13 @@ std::string scalars_of(const ir::Program& program, ir::TypeId id) {
         for (const ir::StructField& field : program.structs[type.index].fields) all += scalars_of(program, field.type);
         return all;
     }
-    case TypeKind::error: case TypeKind::void_: case TypeKind::optional: case TypeKind::range: case TypeKind::structure:
-    case TypeKind::slice: case TypeKind::device: return "";
+    case TypeKind::error:
+    case TypeKind::void_:
+    case TypeKind::optional:
+    case TypeKind::range:
+    case TypeKind::structure:
+    case TypeKind::slice:
+    case TypeKind::device: return "";
     }
     return "";
 }
@@ -173,7 +207,8 @@ void print_tests(Unit& unit, Writer& out) {
         if (test.module != unit.module) continue;
         std::set<std::uint32_t> seen;
         rows.push_back("{\"" + escaped(test.title) + "\", \"" + place_text(unit.sources, test.span) + "\", " +
-                       (is_exact(unit, test.pipeline, seen) ? "true" : "false") + ", &" + unit.globals.pipeline_names.at(test.pipeline) + "},");
+                       (is_exact(unit, test.pipeline, seen) ? "true" : "false") + ", &" +
+                       unit.globals.pipeline_names.at(test.pipeline) + "},");
     }
     if (rows.empty()) return;
     out.line("const glift::TestCase tests[] = {");

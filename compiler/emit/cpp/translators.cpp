@@ -14,17 +14,20 @@ bool uses_state_elsewhere(const ir::Program& program, ir::FunctionId id) {
     return found;
 }
 
-std::vector<std::string> print_state(Unit& unit, Writer& out, std::uint32_t structure, const ir::Stage& stage, const std::string& object,
-                                     std::initializer_list<const char*> taken) {
+std::vector<std::string> print_state(Unit& unit, Writer& out, std::uint32_t structure, const ir::Stage& stage,
+                                     const std::string& object, std::initializer_list<const char*> taken) {
     const ir::Translator& translator = unit.program.translators[stage.translator];
     Printer p(unit.globals);
-    p.outer_expression = [&](const ir::Expr& expr) { return structure_property(unit.globals, expr, structure, object); };
+    p.outer_expression = [&](const ir::Expr& expr) {
+        return structure_property(unit.globals, expr, structure, object);
+    };
     std::vector<std::string> states;
     Scopes names;
     for (const char* name : taken) names.declare(name);
     for (std::size_t i = 0; i < stage.scalars.size(); ++i) {
         states.push_back(names.declare(unit.name(translator.scalars[i].name)));
-        out.line("[[maybe_unused]] const " + unit.type(translator.scalars[i].type) + " " + states.back() + " = " + print_any(p, stage.scalars[i]) + ";");
+        out.line("[[maybe_unused]] const " + unit.type(translator.scalars[i].type) + " " + states.back() + " = " +
+                 print_any(p, stage.scalars[i]) + ";");
     }
     return states;
 }
@@ -40,7 +43,9 @@ void print_method(Unit& unit, Writer& out, const char* name, ir::FunctionId id, 
         const std::string type = unit.type(unit.program.locals[local].type);
         parameters += (parameters.empty() ? "" : ", ") + type + " " + declare_local(p, local);
     }
-    p.outer_expression = [&](const ir::Expr& expr) -> Text { return {expr.op == ir::Op::state ? states[expr.slot] : "{}"}; };
+    p.outer_expression = [&](const ir::Expr& expr) -> Text {
+        return {expr.op == ir::Op::state ? states[expr.slot] : "{}"};
+    };
     for (int depth = 0; depth <= out.depth(); ++depth) p.out.indent();
     print_statements(p, function.body);
     out.open("const auto " + std::string(name) + " = [&](" + parameters + ") -> " + result);
@@ -52,17 +57,20 @@ bool has_rows(const ir::Program& program, const ir::Structure& structure) {
     if (structure.kind != ir::StructureKind::stored || structure.via.size() != 1) return false;
     const ir::Translator& translator = program.translators[structure.via[0].translator];
     const ir::Memory& memory = structure.memories[structure.via_memory];
-    const bool is_number = program.types.is_number(program.types.scalar_of(structure.element)) || program.types.kind(structure.element) == ir::TypeKind::struct_;
-    return memory.shape == ir::MemoryShape::buffer && memory.element == structure.element && is_number && translator.properties.affine &&
-           !translator.properties.partial && translator.properties.one_to_one && translator.structures.empty() &&
-           translator.physical_type == program.types.uint && !uses_state_elsewhere(program, translator.translate);
+    const bool is_number = program.types.is_number(program.types.scalar_of(structure.element)) ||
+                           program.types.kind(structure.element) == ir::TypeKind::struct_;
+    return memory.shape == ir::MemoryShape::buffer && memory.element == structure.element && is_number &&
+           translator.properties.affine && !translator.properties.partial && translator.properties.one_to_one &&
+           translator.structures.empty() && translator.physical_type == program.types.uint &&
+           !uses_state_elsewhere(program, translator.translate);
 }
 
 void print_place(Unit& unit, Writer& out, std::uint32_t index) {
     const ir::Structure& structure = unit.program.structures[index];
     const ir::Stage& stage = structure.via[0];
     const ir::Translator& translator = unit.program.translators[stage.translator];
-    out.open("std::uint64_t " + unit.class_name(index) + "::place(" + unit.type(structure.domain_type) + " address) const");
+    out.open("std::uint64_t " + unit.class_name(index) + "::place(" + unit.type(structure.domain_type) +
+             " address) const");
     const std::vector<std::string> states = print_state(unit, out, index, stage, "", {"address", "translate", "place"});
     print_method(unit, out, "translate", translator.translate, unit.type(translator.physical_type), states);
     out.line("return translate(address);");

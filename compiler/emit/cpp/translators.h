@@ -8,17 +8,17 @@ namespace gliftc::cpp {
 /// False for a function that can be printed with print_method: its state is used by no function that it calls.
 bool uses_state_elsewhere(const ir::Program& program, ir::FunctionId function);
 
-/// Declares a stage's scalar state, in terms of the structure that `object` reaches ("structure.", or "" for this), and gives
-/// the names. None of them is one of `taken`.
-std::vector<std::string> print_state(Unit& unit, Writer& out, std::uint32_t structure, const ir::Stage& stage, const std::string& object,
-                                     std::initializer_list<const char*> taken);
+/// Declares a stage's scalar state, in terms of the structure that `object` reaches ("structure.", or "" for this), and
+/// gives the names. None of them is one of `taken`.
+std::vector<std::string> print_state(Unit& unit, Writer& out, std::uint32_t structure, const ir::Stage& stage,
+                                     const std::string& object, std::initializer_list<const char*> taken);
 
 /// `const auto translate = [&](uint4 va) -> std::optional<uint> { … };`
 void print_method(Unit& unit, Writer& out, const char* name, ir::FunctionId id, const std::string& result,
                   const std::vector<std::string>& states);
 
-/// True if elements that follow each other along x may lie one after the other in a buffer, as the host has them: boxes of
-/// such a structure are copied by rows. The affine translator says where a row begins.
+/// True if elements that follow each other along x may lie one after the other in a buffer, as the host has them: boxes
+/// of such a structure are copied by rows. The affine translator says where a row begins.
 bool has_rows(const ir::Program& program, const ir::Structure& structure);
 
 /// `std::uint64_t place(uint4 address) const`, where a structure that has rows keeps an element.

@@ -19,16 +19,27 @@ std::string_view vector_prefix(TypeKind kind) {
     case TypeKind::float_: return "float";
     case TypeKind::half: return "half";
     case TypeKind::double_: return "double";
-    case TypeKind::error: case TypeKind::void_: case TypeKind::int64: case TypeKind::uint64: case TypeKind::vector:
-    case TypeKind::matrix: case TypeKind::array: case TypeKind::struct_: case TypeKind::enum_: case TypeKind::optional:
-    case TypeKind::range: case TypeKind::structure: case TypeKind::slice: case TypeKind::device: return "";
+    case TypeKind::error:
+    case TypeKind::void_:
+    case TypeKind::int64:
+    case TypeKind::uint64:
+    case TypeKind::vector:
+    case TypeKind::matrix:
+    case TypeKind::array:
+    case TypeKind::struct_:
+    case TypeKind::enum_:
+    case TypeKind::optional:
+    case TypeKind::range:
+    case TypeKind::structure:
+    case TypeKind::slice:
+    case TypeKind::device: return "";
     }
     return "";
 }
 
 struct Spelling {
     const Globals& globals;
-    std::string_view prefix;   ///< before names of the runtime
+    std::string_view prefix;  ///< before names of the runtime
     bool storage;
 
     std::string of(ir::TypeId id) const;
@@ -39,7 +50,9 @@ std::string Spelling::of(ir::TypeId id) const {
     const ir::Type& type = program.types[id];
     const std::string glift(prefix);
     switch (type.kind) {
-    case TypeKind::error: case TypeKind::void_: case TypeKind::range: return "void";
+    case TypeKind::error:
+    case TypeKind::void_:
+    case TypeKind::range: return "void";
     case TypeKind::bool_: return storage ? "glift::Bool" : "bool";
     case TypeKind::int_: return "int";
     case TypeKind::uint: return glift + "uint";
@@ -50,13 +63,15 @@ std::string Spelling::of(ir::TypeId id) const {
     case TypeKind::uint64: return "std::uint64_t";
     case TypeKind::vector: {
         const std::string_view name = vector_prefix(program.types.kind(type.element));
-        if (name.empty() || (storage && name == "bool")) return "glift::vec<" + of(type.element) + ", " + std::to_string(type.count) + ">";
+        if (name.empty() || (storage && name == "bool"))
+            return "glift::vec<" + of(type.element) + ", " + std::to_string(type.count) + ">";
         return glift + std::string(name) + std::to_string(type.count);
     }
     case TypeKind::matrix:
         if (program.types.kind(type.element) == TypeKind::float_)
             return glift + "float" + std::to_string(type.count) + "x" + std::to_string(type.rows);
-        return "glift::mat<" + of(type.element) + ", " + std::to_string(type.count) + ", " + std::to_string(type.rows) + ">";
+        return "glift::mat<" + of(type.element) + ", " + std::to_string(type.count) + ", " + std::to_string(type.rows) +
+               ">";
     case TypeKind::array: return "glift::array<" + of(type.element) + ", " + std::to_string(type.count) + ">";
     case TypeKind::struct_: return globals.struct_names[type.index];
     case TypeKind::enum_: return glift + "uint";
@@ -124,7 +139,8 @@ std::string literal(const ir::Program& program, ir::TypeId type, std::uint64_t b
     case TypeKind::int_:
         if (static_cast<std::int32_t>(bits) == INT32_MIN) return "(-2147483647 - 1)";
         return std::to_string(static_cast<std::int32_t>(bits));
-    case TypeKind::uint: case TypeKind::enum_: return std::to_string(static_cast<std::uint32_t>(bits)) + "u";
+    case TypeKind::uint:
+    case TypeKind::enum_: return std::to_string(static_cast<std::uint32_t>(bits)) + "u";
     case TypeKind::int64:
         if (static_cast<std::int64_t>(bits) == INT64_MIN) return "std::int64_t{-9223372036854775807 - 1}";
         return "std::int64_t{" + std::to_string(static_cast<std::int64_t>(bits)) + "}";
@@ -132,8 +148,16 @@ std::string literal(const ir::Program& program, ir::TypeId type, std::uint64_t b
     case TypeKind::float_: return floating(number, true);
     case TypeKind::half: return "half(" + floating(number, true) + ")";
     case TypeKind::double_: return floating(number, false);
-    case TypeKind::error: case TypeKind::void_: case TypeKind::vector: case TypeKind::matrix: case TypeKind::array:
-    case TypeKind::struct_: case TypeKind::optional: case TypeKind::range: case TypeKind::structure: case TypeKind::slice:
+    case TypeKind::error:
+    case TypeKind::void_:
+    case TypeKind::vector:
+    case TypeKind::matrix:
+    case TypeKind::array:
+    case TypeKind::struct_:
+    case TypeKind::optional:
+    case TypeKind::range:
+    case TypeKind::structure:
+    case TypeKind::slice:
     case TypeKind::device: return "{}";
     }
     return "{}";

@@ -13,9 +13,9 @@ namespace gliftc::cpp {
 /// What of the program a module's C++ contains.
 struct Reach {
     std::set<std::uint32_t> kernels, pipelines, enums;
-    std::vector<std::uint32_t> structs;           ///< those within others come first
-    std::vector<std::uint32_t> structures;        ///< members and what `temp`s make come first
-    std::set<std::uint32_t> in_header;            ///< structures that the header shows
+    std::vector<std::uint32_t> structs;     ///< those within others come first
+    std::vector<std::uint32_t> structures;  ///< members and what `temp`s make come first
+    std::set<std::uint32_t> in_header;      ///< structures that the header shows
     std::set<std::uint32_t> pub_kernels;
 };
 
@@ -32,7 +32,7 @@ struct Unit {
     Options options;
     Reach reach;
     Globals globals;
-    std::string space;                            ///< the module's namespace: laplacian, std::array → std_array
+    std::string space;  ///< the module's namespace: laplacian, std::array → std_array
 
     std::string name(Name n) const { return (*program.names)[n]; }
     std::string type(ir::TypeId id, bool qualified = false) const { return type_text(globals, id, qualified); }
@@ -54,7 +54,8 @@ void print_kernel_code(Unit& unit, Writer& out, std::uint32_t kernel);
 /// With the parameters from the `first` on.
 std::string kernel_signature(Unit& unit, std::uint32_t kernel, bool qualified, std::size_t first = 0);
 void print_kernel_function(Unit& unit, Writer& out, std::uint32_t kernel);
-/// A kernel whose first parameter is `at` may be called without it: the first `each` of the same structure gives the range.
+/// A kernel whose first parameter is `at` may be called without it: the first `each` of the same structure gives the
+/// range.
 std::optional<std::size_t> range_of_first_at(const ir::Kernel& kernel);
 void print_short_kernel_function(Unit& unit, Writer& out, std::uint32_t kernel);
 

@@ -6,8 +6,7 @@
 namespace gliftc::cpp {
 
 /// Calls `visit(const ir::Expr&)` for the expression and all of its operands; functions called are not entered.
-template <class Visit>
-void for_each_expression(const ir::Program& program, ir::ExprId id, const Visit& visit) {
+template <class Visit> void for_each_expression(const ir::Program& program, ir::ExprId id, const Visit& visit) {
     if (!id) return;
     const ir::Expr& expr = program.exprs[id];
     visit(expr);

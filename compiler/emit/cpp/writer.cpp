@@ -33,7 +33,8 @@ std::vector<Break> breaks_of(std::string_view text) {
             breaks.push_back({i + 2, depth});
         } else if (c == ' ' && i + 3 < text.size()) {
             const std::string_view next = text.substr(i + 1, 3);
-            if (next == "&& " || next == "|| " || next.starts_with("? ") || next.starts_with(": ") || next.starts_with("+ "))
+            if (next == "&& " || next == "|| " || next.starts_with("? ") || next.starts_with(": ") ||
+                next.starts_with("+ "))
                 breaks.push_back({i + 1, depth});
         }
     }

@@ -10,7 +10,8 @@ inline constexpr std::size_t line_width = 120;
 
 class Writer {
 public:
-    /// One line at the present depth. A line too long is broken after a comma of the outermost parentheses that allow it.
+    /// One line at the present depth. A line too long is broken after a comma of the outermost parentheses that allow
+    /// it.
     void line(std::string_view text);
     /// Ends what is written so far with one empty line (never two).
     void gap();

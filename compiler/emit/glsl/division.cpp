@@ -1,16 +1,18 @@
 // Division and square root that come out correctly rounded on devices whose own are not.
 //
-// Devices may be 2.5 units in the last place off (Vulkan, "Precision of core SPIR-V instructions"). From an approximation and a
-// fused multiply-add the right result is found by Markstein's corrections; operands are brought near 1 first, so that nothing
-// overflows or is flushed. tests/device/probe_exact measures this: no difference from the CPU in 5 million pairs on an H200.
-// Where the device's own are exact (lavapipe, whose fma is not fused), the runtime says so by constant 100.
+// Devices may be 2.5 units in the last place off (Vulkan, "Precision of core SPIR-V instructions"). From an
+// approximation and a fused multiply-add the right result is found by Markstein's corrections; operands are brought
+// near 1 first, so that nothing overflows or is flushed. tests/device/probe_exact measures this: no difference from the
+// CPU in 5 million pairs on an H200. Where the device's own are exact (lavapipe, whose fma is not fused), the runtime
+// says so by constant 100.
 #include "emit/glsl/printer.h"
 
 namespace gliftc::glsl {
 
 namespace {
 
-constexpr const char* common = R"(layout(constant_id = 100) const bool exact_division = true;   // the device rounds / and sqrt correctly
+constexpr const char* common =
+    R"(layout(constant_id = 100) const bool exact_division = true;   // the device rounds / and sqrt correctly
 
 // The mantissa of x, 1 to 2 and with its sign; x is finite and not zero.
 float split(float x, out int exponent) {
@@ -22,7 +24,8 @@ float split(float x, out int exponent) {
 
 )";
 
-constexpr const char* quotient_text = R"(// |a / b| * 2^exponent below the normal numbers: division bit by bit, to half to even.
+constexpr const char* quotient_text =
+    R"(// |a / b| * 2^exponent below the normal numbers: division bit by bit, to half to even.
 float subnormal_quotient(uint sign, float a, float b, int exponent) {
     uint rest = (floatBitsToUint(a) & 0x007fffffu) | 0x00800000u, divisor = (floatBitsToUint(b) & 0x007fffffu) | 0x00800000u;
     int bits = exponent + 149;
@@ -115,7 +118,8 @@ bool is_power_of_two(const Printer& p, ir::ExprId id) {
 }
 
 bool corrects_division(const Printer& p, ir::TypeId type) {
-    return p.options.rounding == Rounding::correct && p.program.types.kind(p.program.types.scalar_of(type)) == ir::TypeKind::float_;
+    return p.options.rounding == Rounding::correct &&
+           p.program.types.kind(p.program.types.scalar_of(type)) == ir::TypeKind::float_;
 }
 
 std::string quotient_of(Printer& p, ir::TypeId type, const std::string& a, const std::string& b) {

@@ -17,7 +17,8 @@ std::string capitalised(std::string name) {
 /// Everything outside functions is named first, so that no local hides it.
 void name_globals(Printer& p) {
     for (const ir::PassParameter& parameter : p.pass.parameters)
-        p.parameter_names.push_back(parameter.source == ir::ParameterSource::address ? "" : p.names.declare(parameter.name));
+        p.parameter_names.push_back(parameter.source == ir::ParameterSource::address ? ""
+                                                                                     : p.names.declare(parameter.name));
     for (const ir::PassBinding& binding : p.pass.bindings) p.binding_names.push_back(p.names.declare(binding.name));
     for (const std::string& name : p.binding_names) p.block_names.push_back(p.names.declare(capitalised(name)));
     for (std::size_t i = 0; i < p.pass.parameters.size(); ++i) {
@@ -28,7 +29,8 @@ void name_globals(Printer& p) {
     }
     name_structs(p);
     name_status(p);
-    for (ir::LocalId id : p.pass.shared) p.local_names[id] = p.names.declare((*p.program.names)[p.program.locals[id].name]);
+    for (ir::LocalId id : p.pass.shared)
+        p.local_names[id] = p.names.declare((*p.program.names)[p.program.locals[id].name]);
 }
 
 std::string take(Printer& p) {
@@ -46,7 +48,8 @@ std::string function_text(Printer& p, ir::FunctionId id) {
         p.local_names[param] = p.names.declare((*p.program.names)[local.name]);
         parameters += (parameters.empty() ? "" : ", ") + declaration(p, local.type, p.local_names[param]);
     }
-    if (p.options.lines == LineMarks::comments && !function.display.empty() && function.display != (*p.program.names)[function.name])
+    if (p.options.lines == LineMarks::comments && !function.display.empty() &&
+        function.display != (*p.program.names)[function.name])
         line(p, "// " + function.display);
     mark_line(p, function.span);
     line(p, type_text(p, function.result) + " " + p.function_names.at(id) + "(" + parameters + ") {");
@@ -63,7 +66,8 @@ std::string function_text(Printer& p, ir::FunctionId id) {
 void print_prologue(Printer& p, bool grouped) {
     for (ir::StmtId id : p.pass.prologue) {
         const ir::Stmt& stmt = p.program.stmts[id];
-        bool is_range_test = stmt.op == ir::StmtOp::let && p.pass.in_range && stmt.local == p.pass.in_range && stmt.value;
+        bool is_range_test =
+            stmt.op == ir::StmtOp::let && p.pass.in_range && stmt.local == p.pass.in_range && stmt.value;
         if (grouped || !is_range_test) {
             print_statement(p, id);
             continue;
@@ -89,7 +93,8 @@ std::string main_text(Printer& p) {
 
 std::string shared_text(Printer& p) {
     std::string text;
-    for (ir::LocalId id : p.pass.shared) text += "shared " + declaration(p, p.program.locals[id].type, p.local_names[id]) + ";\n";
+    for (ir::LocalId id : p.pass.shared)
+        text += "shared " + declaration(p, p.program.locals[id].type, p.local_names[id]) + ";\n";
     return text.empty() ? "" : text + "\n";
 }
 
@@ -112,7 +117,9 @@ const char* form_text(ir::Form form) {
 std::string heading(Printer& p) {
     const ir::Kernel& kernel = p.program.kernels[p.pass.kernel];
     std::string name = kernel.display.empty() ? (*p.program.names)[kernel.name] : kernel.display, where;
-    if (kernel.span) where = ", " + file_name(p.sources[kernel.span.file].path) + ":" + std::to_string(p.sources.position(kernel.span).line);
+    if (kernel.span)
+        where = ", " + file_name(p.sources[kernel.span.file].path) + ":" +
+                std::to_string(p.sources.position(kernel.span).line);
     return "// " + name + where + ": " + form_text(p.pass.form) + ".\n";
 }
 
@@ -132,7 +139,8 @@ void name_functions(Printer& p) {
     for (ir::FunctionId id : p.pass.functions) {
         const ir::Function& function = p.program.functions[id];
         const std::string& name = (*p.program.names)[function.name];
-        p.function_names[id] = p.names.declare(p.names.is_free(name) || function.display.empty() ? name : function.display);
+        p.function_names[id] =
+            p.names.declare(p.names.is_free(name) || function.display.empty() ? name : function.display);
     }
 }
 
@@ -164,14 +172,16 @@ std::string glsl_of(const ir::Program& program, const Sources& sources, const ir
     name_globals(p);
     // Bodies come first: they find out which types, helpers and extensions are needed.
     std::string functions = callees_text(p);
-    std::string main = main_text(p), shared = shared_text(p), bindings = bindings_text(p), parameters = parameters_text(p);
-    std::string status = status_definitions(p), atomics = atomic_definitions(p), helpers = helper_definitions(p), structs = struct_definitions(p);
+    std::string main = main_text(p), shared = shared_text(p), bindings = bindings_text(p),
+                parameters = parameters_text(p);
+    std::string status = status_definitions(p), atomics = atomic_definitions(p), helpers = helper_definitions(p),
+                structs = struct_definitions(p);
     if (!bindings.empty()) bindings += "\n";
     if (!parameters.empty()) parameters += "\n";
     // The addresses in the parameters of the wide form are of the buffers' types.
     std::string interface = pass.form == ir::Form::wide ? bindings + parameters : parameters + bindings;
-    return "#version 460\n" + heading(p) + extensions_text(p) + group_text(pass) + enumerators_text(p) + structs + interface + shared +
-           status + helpers + atomics + functions + main;
+    return "#version 460\n" + heading(p) + extensions_text(p) + group_text(pass) + enumerators_text(p) + structs +
+           interface + shared + status + helpers + atomics + functions + main;
 }
 
 }  // namespace gliftc::glsl

@@ -15,7 +15,10 @@ using ir::TypeKind;
 
 namespace {
 
-struct Operator { const char* text; Level level; };
+struct Operator {
+    const char* text;
+    Level level;
+};
 
 Operator operator_of(BinaryOp op) {
     switch (op) {
@@ -43,7 +46,8 @@ Operator operator_of(BinaryOp op) {
 
 /// Readers should not have to remember how shifts, bit operations and || bind: other operators in them get parentheses.
 bool is_easily_misread(Level outer) {
-    return outer == Level::shift || outer == Level::bit_and || outer == Level::bit_xor || outer == Level::bit_or || outer == Level::logical_or;
+    return outer == Level::shift || outer == Level::bit_and || outer == Level::bit_xor || outer == Level::bit_or ||
+           outer == Level::logical_or;
 }
 
 std::string operand_text(Printer& p, ExprId id, Level outer, bool is_right) {
@@ -65,7 +69,8 @@ std::string mask_text(const Printer& p, ExprId id) {
 Text plain_binary(Printer& p, BinaryOp op, ExprId a, ExprId b) {
     Operator o = operator_of(op);
     bool is_mask = op == BinaryOp::bit_and || op == BinaryOp::bit_or || op == BinaryOp::bit_xor;
-    if (std::string mask = is_mask ? mask_text(p, b) : ""; !mask.empty()) return {operand_text(p, a, o.level, false) + " " + o.text + " " + mask, o.level};
+    if (std::string mask = is_mask ? mask_text(p, b) : ""; !mask.empty())
+        return {operand_text(p, a, o.level, false) + " " + o.text + " " + mask, o.level};
     return {operand_text(p, a, o.level, false) + " " + o.text + " " + operand_text(p, b, o.level, true), o.level};
 }
 
@@ -77,7 +82,8 @@ Text helper_call(Printer& p, Helper helper, const Expr& expr, TypeId shape) {
 Text matrix_product(Printer& p, const Expr& expr) {
     const ir::Types& types = p.program.types;
     TypeId a = p.program.exprs[expr.operands[0]].type, b = p.program.exprs[expr.operands[1]].type;
-    Helper helper = types.is_matrix(a) ? (types.is_matrix(b) ? Helper::matrix_matrix : Helper::matrix_vector) : Helper::vector_matrix;
+    Helper helper = types.is_matrix(a) ? (types.is_matrix(b) ? Helper::matrix_matrix : Helper::matrix_vector)
+                                       : Helper::vector_matrix;
     if (helper == Helper::matrix_vector) b = {};
     return {need(p, helper, a, b) + "(" + print_any(p, expr.operands[0]) + ", " + print_any(p, expr.operands[1]) + ")"};
 }
@@ -90,8 +96,10 @@ Text print_division(Printer& p, const Expr& expr) {
     if (types.is_floating(scalar)) {
         if (remainder) return helper_call(p, Helper::modulo, expr, expr.type);
         if (types.is_matrix(expr.type) && types.is_scalar(p.program.exprs[b].type))
-            return {need(p, Helper::matrix_scalar_quotient, expr.type) + "(" + print_any(p, a) + ", " + print_any(p, b) + ")"};
-        if (corrects_division(p, expr.type) && !is_power_of_two(p, b)) return helper_call(p, Helper::divide, expr, expr.type);
+            return {need(p, Helper::matrix_scalar_quotient, expr.type) + "(" + print_any(p, a) + ", " +
+                    print_any(p, b) + ")"};
+        if (corrects_division(p, expr.type) && !is_power_of_two(p, b))
+            return helper_call(p, Helper::divide, expr, expr.type);
         return plain_binary(p, expr.binary, a, b);
     }
     bool safe = divisor_is_safe(p, b);
@@ -101,7 +109,9 @@ Text print_division(Printer& p, const Expr& expr) {
     }
     if (safe) return plain_binary(p, expr.binary, a, b);
     std::string one = types.kind(scalar) == TypeKind::uint64 ? "1ul" : "1u";
-    return {operand_text(p, a, Level::term, false) + (remainder ? " % " : " / ") + "max(" + print_any(p, b) + ", " + one + ")", Level::term};
+    return {operand_text(p, a, Level::term, false) + (remainder ? " % " : " / ") + "max(" + print_any(p, b) + ", " +
+                one + ")",
+            Level::term};
 }
 
 Text print_shift(Printer& p, const Expr& expr) {
@@ -109,12 +119,16 @@ Text print_shift(Printer& p, const Expr& expr) {
     TypeKind kind = types.kind(types.scalar_of(expr.type));
     std::uint32_t width = kind == TypeKind::int64 || kind == TypeKind::uint64 ? 64 : 32;
     ExprId a = expr.operands[0], b = expr.operands[1];
-    std::string left = types.is_vector(expr.type) && !types.is_vector(p.program.exprs[a].type) ? print_as(p, a, expr.type)
-                                                                                               : operand_text(p, a, Level::shift, false);
+    std::string left = types.is_vector(expr.type) && !types.is_vector(p.program.exprs[a].type)
+                           ? print_as(p, a, expr.type)
+                           : operand_text(p, a, Level::shift, false);
     const char* sign = expr.binary == BinaryOp::shift_left ? " << " : " >> ";
     if (shift_is_safe(p, b, width)) return {left + sign + operand_text(p, b, Level::shift, true), Level::shift};
     TypeKind amount = types.kind(types.scalar_of(p.program.exprs[b].type));
-    std::string mask = std::to_string(width - 1) + (amount == TypeKind::uint ? "u" : amount == TypeKind::uint64 ? "ul" : amount == TypeKind::int64 ? "l" : "");
+    std::string mask = std::to_string(width - 1) + (amount == TypeKind::uint     ? "u"
+                                                    : amount == TypeKind::uint64 ? "ul"
+                                                    : amount == TypeKind::int64  ? "l"
+                                                                                 : "");
     return {left + sign + "(" + operand_text(p, b, Level::bit_and, false) + " & " + mask + ")", Level::shift};
 }
 
@@ -127,7 +141,8 @@ Text print_binary(Printer& p, const Expr& expr) {
     case BinaryOp::shift_left:
     case BinaryOp::shift_right: return print_shift(p, expr);
     case BinaryOp::multiply:
-        if ((types.is_matrix(a) && !types.is_scalar(b)) || (types.is_matrix(b) && !types.is_scalar(a))) return matrix_product(p, expr);
+        if ((types.is_matrix(a) && !types.is_scalar(b)) || (types.is_matrix(b) && !types.is_scalar(a)))
+            return matrix_product(p, expr);
         return plain_binary(p, expr.binary, expr.operands[0], expr.operands[1]);
     case BinaryOp::add:
     case BinaryOp::subtract:
@@ -161,7 +176,10 @@ Text print_convert(Printer& p, const Expr& expr) {
     TypeId from = types.scalar_of(p.program.exprs[operand].type), to = types.scalar_of(expr.type);
     if (from == to) return print(p, operand);
     if (types.is_floating(from) && types.is_integer(to)) {
-        Helper helper = to == types.int_ ? Helper::to_int : to == types.uint ? Helper::to_uint : to == types.int64 ? Helper::to_int64 : Helper::to_uint64;
+        Helper helper = to == types.int_    ? Helper::to_int
+                        : to == types.uint  ? Helper::to_uint
+                        : to == types.int64 ? Helper::to_int64
+                                            : Helper::to_uint64;
         return {need(p, helper, p.program.exprs[operand].type) + "(" + print_any(p, operand) + ")"};
     }
     return {type_text(p, expr.type) + "(" + print_any(p, operand) + ")"};
@@ -225,8 +243,8 @@ Text print(Printer& p, ExprId id) {
     case Op::unary: return print_unary(p, expr);
     case Op::binary: return print_binary(p, expr);
     case Op::select:
-        return {print(p, expr.operands[0], Level::logical_or) + " ? " + print(p, expr.operands[1], Level::logical_or) + " : " +
-                    print(p, expr.operands[2], Level::ternary),
+        return {print(p, expr.operands[0], Level::logical_or) + " ? " + print(p, expr.operands[1], Level::logical_or) +
+                    " : " + print(p, expr.operands[2], Level::ternary),
                 Level::ternary};
     case Op::swizzle: return print_swizzle(p, expr);
     case Op::index: return print_index(p, expr);
@@ -266,7 +284,8 @@ Text print(Printer& p, ExprId id) {
     case Op::host_state:
     case Op::element_count: break;
     }
-    throw std::logic_error("emit/glsl: an expression that lowering should have replaced (Op " + std::to_string(static_cast<int>(expr.op)) + ")");
+    throw std::logic_error("emit/glsl: an expression that lowering should have replaced (Op " +
+                           std::to_string(static_cast<int>(expr.op)) + ")");
 }
 
 std::string print(Printer& p, ExprId id, Level least) {
@@ -295,9 +314,11 @@ std::string print_negated(Printer& p, ExprId id) {
         if (ordered && expr.binary == BinaryOp::less_equal) return with(BinaryOp::greater);
         if (expr.binary == BinaryOp::equal) return with(BinaryOp::not_equal);
         if (expr.binary == BinaryOp::not_equal) return with(BinaryOp::equal);
-        if (expr.binary == BinaryOp::logical_and) return print_negated(p, expr.operands[0]) + " || " + print_negated(p, expr.operands[1]);
+        if (expr.binary == BinaryOp::logical_and)
+            return print_negated(p, expr.operands[0]) + " || " + print_negated(p, expr.operands[1]);
     }
-    if (expr.op == Op::intrinsic && expr.intrinsic == ir::Intrinsic::all && p.program.types.is_vector(p.program.exprs[expr.operands[0]].type)) {
+    if (expr.op == Op::intrinsic && expr.intrinsic == ir::Intrinsic::all &&
+        p.program.types.is_vector(p.program.exprs[expr.operands[0]].type)) {
         const Expr& inner = p.program.exprs[expr.operands[0]];
         if (inner.op == Op::intrinsic && inner.intrinsic == ir::Intrinsic::lessThan &&
             p.program.types.is_integer(p.program.types.scalar_of(p.program.exprs[inner.operands[0]].type)))

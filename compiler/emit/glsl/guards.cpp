@@ -1,7 +1,7 @@
 // Where a device's operation leaves open what the language defines: when a guard can be left out.
 //
-// The meaning is the same on every target: division by zero divides by one (and INT_MIN / -1 too), shift amounts count modulo
-// the width, indices are clamped to the ends, conversions to integers saturate.
+// The meaning is the same on every target: division by zero divides by one (and INT_MIN / -1 too), shift amounts count
+// modulo the width, indices are clamped to the ends, conversions to integers saturate.
 #include "emit/glsl/printer.h"
 
 namespace gliftc::glsl {
@@ -20,8 +20,8 @@ bool depends_on_value_parameters(const ir::Program& program, ExprId id) {
     return false;
 }
 
-/// True of parameters that the state of structures alone decides: a structure with an extent of zero has an empty domain,
-/// so nothing of it is addressed.
+/// True of parameters that the state of structures alone decides: a structure with an extent of zero has an empty
+/// domain, so nothing of it is addressed.
 bool is_state_of_structures(const Printer& p, std::uint32_t parameter) {
     const ir::PassParameter& param = p.pass.parameters[parameter];
     switch (param.source) {
@@ -41,8 +41,9 @@ bool divisor_is_safe(const Printer& p, ExprId id) {
     const ir::Types& types = p.program.types;
     bool is_signed = types.is_signed(types.scalar_of(expr.type));
     switch (expr.op) {
-    case Op::constant: return expr.bits != 0 && !(is_signed && static_cast<std::int64_t>(expr.bits) == -1) &&
-                              !(is_signed && static_cast<std::uint32_t>(expr.bits) == 0xffffffffu);
+    case Op::constant:
+        return expr.bits != 0 && !(is_signed && static_cast<std::int64_t>(expr.bits) == -1) &&
+               !(is_signed && static_cast<std::uint32_t>(expr.bits) == 0xffffffffu);
     case Op::construct:
         for (ExprId operand : expr.operands)
             if (!divisor_is_safe(p, operand)) return false;

@@ -46,13 +46,22 @@ const char* name_of(Helper helper) {
 std::string vector_text(Printer& p, TypeId scalar, std::uint32_t count) {
     std::string text = type_text(p, scalar);
     if (count == 1) return text;
-    const char* prefix = text == "float" ? "" : text == "int" ? "i" : text == "uint" ? "u" : text == "double" ? "d" : text == "float16_t" ? "f16" : text == "int64_t" ? "i64" : text == "uint64_t" ? "u64" : "b";
+    const char* prefix = text == "float"       ? ""
+                         : text == "int"       ? "i"
+                         : text == "uint"      ? "u"
+                         : text == "double"    ? "d"
+                         : text == "float16_t" ? "f16"
+                         : text == "int64_t"   ? "i64"
+                         : text == "uint64_t"  ? "u64"
+                                               : "b";
     return prefix + std::string("vec") + std::to_string(count);
 }
 
 /// `T f(T a, T b) { return T(f(a.x, b.x), f(a.y, b.y)); }`
-std::string by_component(const std::string& result, const std::string& name, const std::string& type, std::uint32_t count, bool two) {
-    std::string text = result + " " + name + "(" + type + " a" + (two ? ", " + type + " b" : "") + ") {\n    return " + result + "(";
+std::string by_component(const std::string& result, const std::string& name, const std::string& type,
+                         std::uint32_t count, bool two) {
+    std::string text =
+        result + " " + name + "(" + type + " a" + (two ? ", " + type + " b" : "") + ") {\n    return " + result + "(";
     for (std::uint32_t i = 0; i < count; ++i) {
         std::string lane(1, "xyzw"[i]);
         text += (i ? ", " : "") + name + "(a." + lane + (two ? ", b." + lane : "") + ")";
@@ -60,7 +69,9 @@ std::string by_component(const std::string& result, const std::string& name, con
     return text + ");\n}\n";
 }
 
-std::string one_line(const std::string& head, const std::string& value) { return head + " {\n    return " + value + ";\n}\n"; }
+std::string one_line(const std::string& head, const std::string& value) {
+    return head + " {\n    return " + value + ";\n}\n";
+}
 
 std::string integer_division(Printer& p, const HelperUse& use) {
     std::string type = type_text(p, use.a);
@@ -72,35 +83,53 @@ std::string integer_division(Printer& p, const HelperUse& use) {
     if (use.helper == Helper::quotient)
         return "// Division by zero, and the one that overflows, divide by one.\n" +
                one_line(type + " quotient(" + type + " a, " + type + " b)", "a / (" + safe + ")");
-    return "// Has the sign of the dividend.\n" + one_line(type + " remainder(" + type + " a, " + type + " b)", "a - quotient(a, b) * (" + safe + ")");
+    return "// Has the sign of the dividend.\n" +
+           one_line(type + " remainder(" + type + " a, " + type + " b)", "a - quotient(a, b) * (" + safe + ")");
 }
 
-struct Conversion { const char* result; const char* prefix; const char* low; const char* high; const char* least; const char* most; };
+struct Conversion {
+    const char* result;
+    const char* prefix;
+    const char* low;
+    const char* high;
+    const char* least;
+    const char* most;
+};
 
 Conversion conversion_of(Helper helper) {
     switch (helper) {
     case Helper::to_int: return {"int", "i", "-2147483648.0", "2147483648.0", "int(0x80000000u)", "2147483647"};
     case Helper::to_uint: return {"uint", "u", "0.0", "4294967296.0", "0u", "4294967295u"};
-    case Helper::to_int64: return {"int64_t", "i64", "-9223372036854775808.0", "9223372036854775808.0", "int64_t(0x8000000000000000ul)", "9223372036854775807l"};
+    case Helper::to_int64:
+        return {"int64_t",
+                "i64",
+                "-9223372036854775808.0",
+                "9223372036854775808.0",
+                "int64_t(0x8000000000000000ul)",
+                "9223372036854775807l"};
     default: return {"uint64_t", "u64", "0.0", "18446744073709551616.0", "0ul", "18446744073709551615ul"};
     }
 }
 
 std::string saturating_conversion(Printer& p, const HelperUse& use) {
     Conversion c = conversion_of(use.helper);
-    if (use.helper == Helper::to_int64 || use.helper == Helper::to_uint64) p.extensions.insert("GL_EXT_shader_explicit_arithmetic_types_int64");
+    if (use.helper == Helper::to_int64 || use.helper == Helper::to_uint64)
+        p.extensions.insert("GL_EXT_shader_explicit_arithmetic_types_int64");
     std::string type = type_text(p, use.a), name = name_of(use.helper);
     std::uint32_t count = p.program.types.components(use.a);
     if (count > 1) return by_component(c.prefix + std::string("vec") + std::to_string(count), name, type, count, false);
     // Bounds of a half or double are those of float: it holds powers of two up to 2^64, half has infinity there.
     std::string x = type == "float" ? "x" : type == "float16_t" ? "float(x)" : "x";
     std::string suffix = type == "double" ? "lf" : "";
-    std::string low = use.helper == Helper::to_uint || use.helper == Helper::to_uint64 ? x + " > " + c.low + suffix : x + " >= " + c.low + suffix;
-    std::string text = std::string("// Saturates; not-a-number gives 0.\n") + c.result + " " + name + "(" + type + " x) {\n";
+    std::string low = use.helper == Helper::to_uint || use.helper == Helper::to_uint64 ? x + " > " + c.low + suffix
+                                                                                       : x + " >= " + c.low + suffix;
+    std::string text =
+        std::string("// Saturates; not-a-number gives 0.\n") + c.result + " " + name + "(" + type + " x) {\n";
     text += "    if (" + low + ") return " + x + " < " + c.high + suffix + " ? " + c.result + "(x) : " + c.most + ";\n";
     bool zero_least = c.least == std::string("0u") || c.least == std::string("0ul");
     text += zero_least ? std::string("    return ") + c.least + ";\n}\n"
-                       : std::string("    return ") + x + " < " + c.low + suffix + " ? " + c.least + " : " + c.result + "(0);\n}\n";
+                       : std::string("    return ") + x + " < " + c.low + suffix + " ? " + c.least + " : " + c.result +
+                             "(0);\n}\n";
     return text;
 }
 
@@ -121,16 +150,22 @@ std::string matrix_definition(Printer& p, const HelperUse& use) {
     const ir::Type& matrix = types[use.helper == Helper::vector_matrix ? use.b : use.a];
     std::string value;
     if (use.helper == Helper::matrix_vector) {
-        for (std::uint32_t i = 0; i < matrix.count; ++i) value += (i ? " + m[" : "m[") + std::to_string(i) + "] * v." + "xyzw"[i];
-        return one_line(vector_text(p, scalar, matrix.rows) + " product(" + a + " m, " + vector_text(p, scalar, matrix.count) + " v)", value);
+        for (std::uint32_t i = 0; i < matrix.count; ++i)
+            value += (i ? " + m[" : "m[") + std::to_string(i) + "] * v." + "xyzw"[i];
+        return one_line(vector_text(p, scalar, matrix.rows) + " product(" + a + " m, " +
+                            vector_text(p, scalar, matrix.count) + " v)",
+                        value);
     }
     if (use.helper == Helper::vector_matrix) {
         std::string result = vector_text(p, scalar, matrix.count);
-        for (std::uint32_t i = 0; i < matrix.count; ++i) value += (i ? ", " : "") + std::string("ordered_dot(v, m[") + std::to_string(i) + "])";
+        for (std::uint32_t i = 0; i < matrix.count; ++i)
+            value += (i ? ", " : "") + std::string("ordered_dot(v, m[") + std::to_string(i) + "])";
         return one_line(result + " product(" + a + " v, " + b + " m)", result + "(" + value + ")");
     }
     const ir::Type& right = types[use.b ? use.b : use.a];
-    std::string prefix = type_text(p, scalar) == "double" ? "dmat" : type_text(p, scalar) == "float16_t" ? "f16mat" : "mat";
+    std::string prefix = type_text(p, scalar) == "double"      ? "dmat"
+                         : type_text(p, scalar) == "float16_t" ? "f16mat"
+                                                               : "mat";
     std::string result = prefix + std::to_string(right.count) + "x" + std::to_string(matrix.rows);
     for (std::uint32_t i = 0; i < right.count; ++i) {
         std::string column = "[" + std::to_string(i) + "]";
@@ -138,26 +173,37 @@ std::string matrix_definition(Printer& p, const HelperUse& use) {
         if (use.helper == Helper::matrix_matrix) value += "product(a, b" + column + ")";
         else if (!corrects_division(p, scalar)) value += "a" + column + " / b";
         else
-            for (std::uint32_t j = 0; j < matrix.rows; ++j) value += (j ? ", divide(a" : "divide(a") + column + "[" + std::to_string(j) + "], b)";
+            for (std::uint32_t j = 0; j < matrix.rows; ++j)
+                value += (j ? ", divide(a" : "divide(a") + column + "[" + std::to_string(j) + "], b)";
     }
     std::string second = use.helper == Helper::matrix_matrix ? b + " b" : type_text(p, scalar) + " b";
-    return one_line(result + (use.helper == Helper::matrix_matrix ? " product(" : " quotient(") + a + " a, " + second + ")", result + "(" + value + ")");
+    return one_line(result + (use.helper == Helper::matrix_matrix ? " product(" : " quotient(") + a + " a, " + second +
+                        ")",
+                    result + "(" + value + ")");
 }
 
 std::string arithmetic(Printer& p, const HelperUse& use) {
-    std::string t = type_text(p, use.a), zero_text = t + "(0.0)", one = t + "(1.0)", two = t + "(2.0)", three = t + "(3.0)";
+    std::string t = type_text(p, use.a), zero_text = t + "(0.0)", one = t + "(1.0)", two = t + "(2.0)",
+                three = t + "(3.0)";
     switch (use.helper) {
-    case Helper::modulo: return one_line(t + " modulo(" + t + " a, " + t + " b)", "a - b * floor(" + quotient_of(p, use.a, "a", "b") + ")");
-    case Helper::cross_product: return one_line(t + " cross_product(" + t + " a, " + t + " b)", "a.yzx * b.zxy - a.zxy * b.yzx");
-    case Helper::blend: return one_line(t + " blend(" + t + " x, " + t + " y, " + t + " a)", "x * (" + one + " - a) + y * a");
+    case Helper::modulo:
+        return one_line(t + " modulo(" + t + " a, " + t + " b)",
+                        "a - b * floor(" + quotient_of(p, use.a, "a", "b") + ")");
+    case Helper::cross_product:
+        return one_line(t + " cross_product(" + t + " a, " + t + " b)", "a.yzx * b.zxy - a.zxy * b.yzx");
+    case Helper::blend:
+        return one_line(t + " blend(" + t + " x, " + t + " y, " + t + " a)", "x * (" + one + " - a) + y * a");
     case Helper::smooth_step:
-        return t + " smooth_step(" + t + " low, " + t + " high, " + t + " x) {\n    " + t + " s = min(max(" + (corrects_division(p, use.a) ? quotient_of(p, use.a, "x - low", "high - low") : "(x - low) / (high - low)") + ", " + zero_text +
-               "), " + one + ");\n    return s * s * (" + three + " - " + two + " * s);\n}\n";
+        return t + " smooth_step(" + t + " low, " + t + " high, " + t + " x) {\n    " + t + " s = min(max(" +
+               (corrects_division(p, use.a) ? quotient_of(p, use.a, "x - low", "high - low")
+                                            : "(x - low) / (high - low)") +
+               ", " + zero_text + "), " + one + ");\n    return s * s * (" + three + " - " + two + " * s);\n}\n";
     case Helper::fraction: return one_line(t + " fraction(" + t + " x)", "x - floor(x)");
     case Helper::sign_of: {
         std::uint32_t count = p.program.types.components(use.a);
         if (count > 1) return by_component(t, "sign_of", t, count, false);
-        return one_line(t + " sign_of(" + t + " x)", "x > " + zero_text + " ? " + one + " : x < " + zero_text + " ? -" + one + " : " + zero_text);
+        return one_line(t + " sign_of(" + t + " x)",
+                        "x > " + zero_text + " ? " + one + " : x < " + zero_text + " ? -" + one + " : " + zero_text);
     }
     case Helper::reflection:
         return one_line(t + " reflection(" + t + " i, " + t + " n)",
@@ -172,11 +218,14 @@ std::string bits_definition(Printer& p, const HelperUse& use) {
         return "uint pack_unorm(vec4 v) {\n    uvec4 bytes = uvec4(roundEven(min(max(v, 0.0), 1.0) * 255.0));\n"
                "    return bytes.x | (bytes.y << 8) | (bytes.z << 16) | (bytes.w << 24);\n}\n";
     if (use.helper == Helper::unpack_unorm)
-        return "vec4 unpack_unorm(uint v) {\n    return " + quotient_of(p, use.a, "vec4(uvec4(v, v >> 8, v >> 16, v >> 24) & 255u)", "vec4(255.0)") + ";\n}\n";
+        return "vec4 unpack_unorm(uint v) {\n    return " +
+               quotient_of(p, use.a, "vec4(uvec4(v, v >> 8, v >> 16, v >> 24) & 255u)", "vec4(255.0)") + ";\n}\n";
     std::string t = type_text(p, use.a);
-    std::string clamp = "    int first = int(min(uint(offset), 32u));\n    int count = int(min(uint(bits), uint(32 - first)));\n";
+    std::string clamp =
+        "    int first = int(min(uint(offset), 32u));\n    int count = int(min(uint(bits), uint(32 - first)));\n";
     if (use.helper == Helper::extract_bits)
-        return t + " extract_bits(" + t + " value, int offset, int bits) {\n" + clamp + "    return count == 0 ? " + t + "(0) : bitfieldExtract(value, first, count);\n}\n";
+        return t + " extract_bits(" + t + " value, int offset, int bits) {\n" + clamp + "    return count == 0 ? " + t +
+               "(0) : bitfieldExtract(value, first, count);\n}\n";
     return t + " insert_bits(" + t + " base, " + t + " value, int offset, int bits) {\n" + clamp +
            "    return count == 0 ? base : bitfieldInsert(base, value, first, count);\n}\n";
 }
@@ -210,7 +259,8 @@ std::string definition(Printer& p, const HelperUse& use) {
     case Helper::square_root: {
         std::uint32_t count = p.program.types.components(use.a);
         if (count == 1) return division_definition(use.helper);
-        return by_component(type_text(p, use.a), name_of(use.helper), type_text(p, use.a), count, use.helper == Helper::divide);
+        return by_component(type_text(p, use.a), name_of(use.helper), type_text(p, use.a), count,
+                            use.helper == Helper::divide);
     }
     }
     throw std::logic_error("emit/glsl: unknown helper");

@@ -12,9 +12,13 @@ using ir::TypeId;
 
 namespace {
 
-TypeId type_of(const Printer& p, const Expr& expr, std::size_t operand) { return p.program.exprs[expr.operands[operand]].type; }
+TypeId type_of(const Printer& p, const Expr& expr, std::size_t operand) {
+    return p.program.exprs[expr.operands[operand]].type;
+}
 
-Text call(Printer& p, const char* name, const Expr& expr) { return {std::string(name) + "(" + join_arguments(p, expr.operands) + ")"}; }
+Text call(Printer& p, const char* name, const Expr& expr) {
+    return {std::string(name) + "(" + join_arguments(p, expr.operands) + ")"};
+}
 
 Text subgroup(Printer& p, const char* kind, const char* name, const Expr& expr) {
     p.extensions.insert("GL_KHR_shader_subgroup_basic");
@@ -25,7 +29,8 @@ Text subgroup(Printer& p, const char* kind, const char* name, const Expr& expr) 
 /// Calls a helper with every operand made the shape of the result.
 Text shaped(Printer& p, Helper helper, const Expr& expr) {
     std::string text = need(p, helper, expr.type) + "(";
-    for (std::size_t i = 0; i < expr.operands.size(); ++i) text += (i ? ", " : "") + print_as(p, expr.operands[i], expr.type);
+    for (std::size_t i = 0; i < expr.operands.size(); ++i)
+        text += (i ? ", " : "") + print_as(p, expr.operands[i], expr.type);
     return {text + ")"};
 }
 
@@ -34,7 +39,8 @@ Text compare(Printer& p, const char* name, const char* sign, Level level, const 
     if (p.program.types.is_vector(expr.type)) {
         TypeId a = type_of(p, expr, 0), b = type_of(p, expr, 1);
         TypeId shape = p.program.types.is_vector(a) ? a : b;
-        return {std::string(name) + "(" + print_as(p, expr.operands[0], shape) + ", " + print_as(p, expr.operands[1], shape) + ")"};
+        return {std::string(name) + "(" + print_as(p, expr.operands[0], shape) + ", " +
+                print_as(p, expr.operands[1], shape) + ")"};
     }
     Level inner = static_cast<Level>(static_cast<int>(level) + 1);
     return {print(p, expr.operands[0], inner) + " " + sign + " " + print(p, expr.operands[1], inner), level};
@@ -48,7 +54,8 @@ Text reduce_bools(Printer& p, const char* name, const Expr& expr) {
 Text minimum(Printer& p, const char* name, const Expr& expr) {
     const ir::Types& types = p.program.types;
     if (types.is_vector(expr.type) && !types.is_vector(type_of(p, expr, 0)))
-        return {std::string(name) + "(" + print_as(p, expr.operands[0], expr.type) + ", " + print_any(p, expr.operands[1]) + ")"};
+        return {std::string(name) + "(" + print_as(p, expr.operands[0], expr.type) + ", " +
+                print_any(p, expr.operands[1]) + ")"};
     return call(p, name, expr);
 }
 
@@ -62,7 +69,8 @@ Text clamp(Printer& p, const Expr& expr) {
                     : is_signed ? static_cast<std::int64_t>(low.bits) <= static_cast<std::int64_t>(high.bits)
                                 : low.bits <= high.bits;
     if (both && in_order) return call(p, "clamp", expr);
-    return {"min(max(" + print_any(p, expr.operands[0]) + ", " + print_any(p, expr.operands[1]) + "), " + print_any(p, expr.operands[2]) + ")"};
+    return {"min(max(" + print_any(p, expr.operands[0]) + ", " + print_any(p, expr.operands[1]) + "), " +
+            print_any(p, expr.operands[2]) + ")"};
 }
 
 Text dot(Printer& p, const Expr& expr) {
@@ -87,7 +95,9 @@ Text atomic(Printer& p, const char* name, const Expr& expr) {
 Text print_intrinsic(Printer& p, const Expr& expr) {
     switch (expr.intrinsic) {
     case Intrinsic::abs: return call(p, "abs", expr);
-    case Intrinsic::sign: return p.program.types.is_floating(p.program.types.scalar_of(expr.type)) ? shaped(p, Helper::sign_of, expr) : call(p, "sign", expr);
+    case Intrinsic::sign:
+        return p.program.types.is_floating(p.program.types.scalar_of(expr.type)) ? shaped(p, Helper::sign_of, expr)
+                                                                                 : call(p, "sign", expr);
     case Intrinsic::floor: return call(p, "floor", expr);
     case Intrinsic::ceil: return call(p, "ceil", expr);
     case Intrinsic::round: return call(p, "roundEven", expr);
@@ -96,7 +106,8 @@ Text print_intrinsic(Printer& p, const Expr& expr) {
     case Intrinsic::min: return minimum(p, "min", expr);
     case Intrinsic::max: return minimum(p, "max", expr);
     case Intrinsic::clamp: return clamp(p, expr);
-    case Intrinsic::sqrt: return corrects_division(p, expr.type) ? shaped(p, Helper::square_root, expr) : call(p, "sqrt", expr);
+    case Intrinsic::sqrt:
+        return corrects_division(p, expr.type) ? shaped(p, Helper::square_root, expr) : call(p, "sqrt", expr);
     case Intrinsic::isnan: return call(p, "isnan", expr);
     case Intrinsic::isinf: return call(p, "isinf", expr);
     case Intrinsic::any: return reduce_bools(p, "any", expr);
@@ -128,8 +139,10 @@ Text print_intrinsic(Printer& p, const Expr& expr) {
     case Intrinsic::transpose: return call(p, "transpose", expr);
     case Intrinsic::packHalf2x16: return call(p, "packHalf2x16", expr);
     case Intrinsic::unpackHalf2x16: return call(p, "unpackHalf2x16", expr);
-    case Intrinsic::packUnorm4x8: return {need(p, Helper::pack_unorm, {}) + "(" + join_arguments(p, expr.operands) + ")"};
-    case Intrinsic::unpackUnorm4x8: return {need(p, Helper::unpack_unorm, expr.type) + "(" + join_arguments(p, expr.operands) + ")"};
+    case Intrinsic::packUnorm4x8:
+        return {need(p, Helper::pack_unorm, {}) + "(" + join_arguments(p, expr.operands) + ")"};
+    case Intrinsic::unpackUnorm4x8:
+        return {need(p, Helper::unpack_unorm, expr.type) + "(" + join_arguments(p, expr.operands) + ")"};
     case Intrinsic::exp: return call(p, "exp", expr);
     case Intrinsic::exp2: return call(p, "exp2", expr);
     case Intrinsic::log: return call(p, "log", expr);

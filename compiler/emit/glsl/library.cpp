@@ -55,7 +55,8 @@ std::string upper_case(std::string text) {
 }
 
 void replace_all(std::string& text, const std::string& what, const std::string& by) {
-    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size())) text.replace(at, what.size(), by);
+    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size()))
+        text.replace(at, what.size(), by);
 }
 
 /// What the printers of the functions found out they need.
@@ -103,21 +104,25 @@ std::string state_text(Printer& p, const std::string& name, const std::string& m
     std::string text = parameters_text(p);
     replace_all(text, "set = 0, binding = 0", "set = " + macro + "_SET, binding = " + macro + "_BINDING");
     replace_all(text, "buffer Parameters", "buffer " + name + "_state");
-    return "#ifndef " + macro + "_STATE  // define it where the members below are declared in a block of your own\n" + text + "#endif\n\n";
+    return "#ifndef " + macro + "_STATE  // define it where the members below are declared in a block of your own\n" +
+           text + "#endif\n\n";
 }
 
 std::string heading(const Program& program, const Sources& sources, std::uint32_t structure, const std::string& macro) {
     const Structure& s = program.structures[structure];
     std::string text = "// " + s.display;
-    if (s.span) text += ", " + file_name(sources[s.span.file].path) + ":" + std::to_string(sources.position(s.span).line);
-    return text + ".\n// Define before including: " + macro + "_SET, " + macro + "_BINDING (the state; memory k follows at + 1 + k), " + macro +
-           "_STATE, " + macro + "_READONLY.\n";
+    if (s.span)
+        text += ", " + file_name(sources[s.span.file].path) + ":" + std::to_string(sources.position(s.span).line);
+    return text + ".\n// Define before including: " + macro + "_SET, " + macro +
+           "_BINDING (the state; memory k follows at + 1 + k), " + macro + "_STATE, " + macro + "_READONLY.\n";
 }
 
 std::string macros_text(const std::string& macro) {
     std::string text;
-    for (const char* suffix : {"_SET", "_BINDING"}) text += "#ifndef " + macro + suffix + "\n#define " + macro + suffix + " 0\n#endif\n";
-    return text + "#ifdef " + macro + "_READONLY\n#define " + macro + "_ACCESS readonly\n#else\n#define " + macro + "_ACCESS\n#endif\n\n";
+    for (const char* suffix : {"_SET", "_BINDING"})
+        text += "#ifndef " + macro + suffix + "\n#define " + macro + suffix + " 0\n#endif\n";
+    return text + "#ifdef " + macro + "_READONLY\n#define " + macro + "_ACCESS readonly\n#else\n#define " + macro +
+           "_ACCESS\n#endif\n\n";
 }
 
 }  // namespace
@@ -127,14 +132,16 @@ std::string library_of(const Program& program, const Sources& sources, const Lib
     Interface interface;
     std::vector<std::string> names;
     std::vector<std::vector<std::string>> bindings, parameters;
-    for (const LibraryFunction& function : library.functions) names.push_back(interface.names.declare(name + "_" + function.name));
+    for (const LibraryFunction& function : library.functions)
+        names.push_back(interface.names.declare(name + "_" + function.name));
     for (const LibraryFunction& function : library.functions) {
         std::vector<bool> used = used_parameters(program, function.pass);
         bindings.emplace_back();
         parameters.emplace_back();
         for (const PassBinding& binding : function.pass.bindings) bindings.back().push_back(interface.binding(binding));
         for (std::size_t i = 0; i < used.size(); ++i)
-            parameters.back().push_back(used[i] ? interface.parameter(function.pass.parameters[i]) : function.pass.parameters[i].name);
+            parameters.back().push_back(used[i] ? interface.parameter(function.pass.parameters[i])
+                                                : function.pass.parameters[i].name);
     }
     for (PassBinding& binding : interface.all.bindings) binding.access = Access::read_write;
 
@@ -161,9 +168,12 @@ std::string library_of(const Program& program, const Sources& sources, const Lib
     std::string memories = memories_text(all, macro);
     replace_all(memories, ") buffer ", ") " + macro + "_ACCESS buffer ");
     replace_all(memories, ") uniform ", ") uniform " + macro + "_ACCESS ");
-    std::string state = state_text(all, name, macro), helpers = helper_definitions(all), structs = struct_definitions(all);
-    return "#ifndef GLIFT_" + macro + "\n#define GLIFT_" + macro + "\n" + heading(program, sources, library.structure, macro) + extensions_text(all) +
-           macros_text(macro) + enumerators_text(all) + structs + state + memories + (memories.empty() ? "" : "\n") + helpers + functions + "#endif\n";
+    std::string state = state_text(all, name, macro), helpers = helper_definitions(all),
+                structs = struct_definitions(all);
+    return "#ifndef GLIFT_" + macro + "\n#define GLIFT_" + macro + "\n" +
+           heading(program, sources, library.structure, macro) + extensions_text(all) + macros_text(macro) +
+           enumerators_text(all) + structs + state + memories + (memories.empty() ? "" : "\n") + helpers + functions +
+           "#endif\n";
 }
 
 }  // namespace gliftc::glsl

@@ -83,7 +83,8 @@ const char* access_text(ir::Access access) {
 }
 
 void note_storage(Printer& p, TypeId type) {
-    if (p.program.types.kind(p.program.types.scalar_of(type)) == TypeKind::half) p.extensions.insert("GL_EXT_shader_16bit_storage");
+    if (p.program.types.kind(p.program.types.scalar_of(type)) == TypeKind::half)
+        p.extensions.insert("GL_EXT_shader_16bit_storage");
 }
 
 std::string buffer_text(Printer& p, std::size_t index) {
@@ -93,21 +94,25 @@ std::string buffer_text(Printer& p, std::size_t index) {
     std::string element = stored_as_bits(p, binding) ? "uint" : "";
     std::string name = p.pass.form == ir::Form::wide ? "at" : p.binding_names[index];
     const ir::Type& type = p.program.types[binding.element];
-    std::string member = !element.empty()                 ? element + " " + name + "[]"
-                         : type.kind == TypeKind::array   ? type_text(p, type.element) + " " + name + "[][" + std::to_string(type.count) + "]"
-                                                          : type_text(p, binding.element) + " " + name + "[]";
-    std::string layout = p.pass.form == ir::Form::wide ? "layout(buffer_reference, scalar) "
-                                                       : "layout(scalar, set = 0, binding = " + std::to_string(index + 1) + ") ";
+    std::string member = !element.empty() ? element + " " + name + "[]"
+                         : type.kind == TypeKind::array
+                             ? type_text(p, type.element) + " " + name + "[][" + std::to_string(type.count) + "]"
+                             : type_text(p, binding.element) + " " + name + "[]";
+    std::string layout = p.pass.form == ir::Form::wide
+                             ? "layout(buffer_reference, scalar) "
+                             : "layout(scalar, set = 0, binding = " + std::to_string(index + 1) + ") ";
     return layout + qualifiers + "buffer " + p.block_names[index] + " { " + member + "; };\n";
 }
 
 std::string image_text(Printer& p, std::size_t index) {
     const PassBinding& binding = p.pass.bindings[index];
     std::string at = "layout(set = 0, binding = " + std::to_string(index + 1), kind = image_prefix(p, binding.element);
-    if (binding.sampled) return at + ") uniform " + kind + "sampler" + shape_text(binding.shape) + " " + p.binding_names[index] + ";\n";
+    if (binding.sampled)
+        return at + ") uniform " + kind + "sampler" + shape_text(binding.shape) + " " + p.binding_names[index] + ";\n";
     std::string format = format_text(binding.format);
-    return at + (format.empty() ? "" : ", " + format) + ") " + (is_coherent(p, binding) ? "coherent " : "") + "uniform " +
-           access_text(binding.access) + kind + "image" + shape_text(binding.shape) + " " + p.binding_names[index] + ";\n";
+    return at + (format.empty() ? "" : ", " + format) + ") " + (is_coherent(p, binding) ? "coherent " : "") +
+           "uniform " + access_text(binding.access) + kind + "image" + shape_text(binding.shape) + " " +
+           p.binding_names[index] + ";\n";
 }
 
 /// Image coordinates are signed.
@@ -178,7 +183,8 @@ std::string float_atomic(Printer& p, std::uint32_t binding, Combine combine) {
 }  // namespace
 
 bool stored_as_bits(const Printer& p, const PassBinding& binding) {
-    return binding.atomic && binding.shape == MemoryShape::buffer && p.program.types.kind(binding.element) == TypeKind::float_;
+    return binding.atomic && binding.shape == MemoryShape::buffer &&
+           p.program.types.kind(binding.element) == TypeKind::float_;
 }
 
 std::string bindings_text(Printer& p) {
@@ -194,8 +200,9 @@ std::string parameters_text(Printer& p) {
                                              : "layout(scalar, set = 0, binding = 0) readonly buffer Parameters {\n";
     for (std::size_t i = 0; i < p.pass.parameters.size(); ++i) {
         const ir::PassParameter& param = p.pass.parameters[i];
-        std::string member = param.source == ir::ParameterSource::address ? p.block_names.at(param.param) + " " + p.parameter_names[i]
-                                                                          : declaration(p, param.type, p.parameter_names[i]);
+        std::string member = param.source == ir::ParameterSource::address
+                                 ? p.block_names.at(param.param) + " " + p.parameter_names[i]
+                                 : declaration(p, param.type, p.parameter_names[i]);
         note_storage(p, param.type);
         text += "    " + member + ";\n";
     }
@@ -209,9 +216,12 @@ Text print_load(Printer& p, const ir::Expr& expr) {
         std::string text = name + "[" + print_any(p, expr.operands[0]) + "]";
         return {stored_as_bits(p, binding) ? "uintBitsToFloat(" + text + ")" : text};
     }
-    std::string level = expr.operands.size() > 1 ? print_any(p, expr.operands[1]) : expr.op == ir::Op::image_sample ? "0.0" : "0";
+    std::string level = expr.operands.size() > 1          ? print_any(p, expr.operands[1])
+                        : expr.op == ir::Op::image_sample ? "0.0"
+                                                          : "0";
     std::string components = first_components(p, binding.element);
-    if (expr.op == ir::Op::image_sample) return {"textureLod(" + name + ", " + print_any(p, expr.operands[0]) + ", " + level + ")" + components};
+    if (expr.op == ir::Op::image_sample)
+        return {"textureLod(" + name + ", " + print_any(p, expr.operands[0]) + ", " + level + ")" + components};
     std::string texel = texel_text(p, expr.operands[0]);
     if (binding.sampled) return {"texelFetch(" + name + ", " + texel + ", " + level + ")" + components};
     return {"imageLoad(" + name + ", " + texel + ")" + components};
@@ -238,11 +248,13 @@ std::string atomic_text(Printer& p, const ir::Stmt& stmt) {
                 throw std::logic_error("emit/glsl: float images have atomic add only");
             p.extensions.insert("GL_EXT_shader_atomic_float");
         }
-        return std::string("imageAtomic") + atomic_name(stmt.combine) + "(" + name + ", " + texel_text(p, stmt.target) + ", " + value + ");";
+        return std::string("imageAtomic") + atomic_name(stmt.combine) + "(" + name + ", " + texel_text(p, stmt.target) +
+               ", " + value + ");";
     }
     std::string index = print_any(p, stmt.target);
     if (stored_as_bits(p, binding)) {
-        if (stmt.combine == Combine::replace) return "atomicExchange(" + name + "[" + index + "], floatBitsToUint(" + value + "));";
+        if (stmt.combine == Combine::replace)
+            return "atomicExchange(" + name + "[" + index + "], floatBitsToUint(" + value + "));";
         std::string place = !p.status.another_round.empty() ? ", " + place_arguments(p, stmt.span) : "";
         return float_atomic(p, stmt.slot, stmt.combine) + "(" + index + ", " + value + place + ");";
     }
@@ -256,10 +268,14 @@ std::string atomic_definitions(Printer& p) {
     for (const AtomicUse& use : p.atomics) {
         const std::string& memory = p.binding_names[use.binding];
         std::string function = p.pass.bindings[use.binding].name + "_" + lower_case(atomic_name(use.combine));
-        text += "void " + function + "(uint index, float value" + (test.empty() ? "" : ", " + place_parameters(p)) + ") {\n";
-        text += "    uint seen = " + memory + "[index], expected;\n    do {\n" + (test.empty() ? "" : "        if (!" + test + ") return;\n") + "        expected = seen;\n";
-        text += "        uint wanted = floatBitsToUint(" + combined(use.combine) + ");\n        if (wanted == seen) return;\n";
-        text += "        seen = atomicCompSwap(" + memory + "[index], expected, wanted);\n    } while (seen != expected);\n}\n\n";
+        text += "void " + function + "(uint index, float value" + (test.empty() ? "" : ", " + place_parameters(p)) +
+                ") {\n";
+        text += "    uint seen = " + memory + "[index], expected;\n    do {\n" +
+                (test.empty() ? "" : "        if (!" + test + ") return;\n") + "        expected = seen;\n";
+        text += "        uint wanted = floatBitsToUint(" + combined(use.combine) +
+                ");\n        if (wanted == seen) return;\n";
+        text += "        seen = atomicCompSwap(" + memory +
+                "[index], expected, wanted);\n    } while (seen != expected);\n}\n\n";
     }
     return text;
 }

@@ -12,7 +12,19 @@ namespace gliftc::glsl {
 
 /// How tightly an expression holds together; the operators of GLSL from loose to tight.
 enum class Level : std::uint8_t {
-    ternary, logical_or, logical_and, bit_or, bit_xor, bit_and, equality, relation, shift, sum, term, unary, postfix,
+    ternary,
+    logical_or,
+    logical_and,
+    bit_or,
+    bit_xor,
+    bit_and,
+    equality,
+    relation,
+    shift,
+    sum,
+    term,
+    unary,
+    postfix,
 };
 
 struct Text {
@@ -22,9 +34,31 @@ struct Text {
 
 /// Functions printed before the source's own, only where used; each is defined in helpers.cpp.
 enum class Helper : std::uint8_t {
-    quotient, remainder, modulo, to_int, to_uint, to_int64, to_uint64, ordered_dot, cross_product, blend, smooth_step, fraction, sign_of,
-    reflection, matrix_vector, vector_matrix, matrix_matrix, matrix_scalar_quotient, pack_unorm, unpack_unorm, extract_bits, insert_bits,
-    split_float, divide, square_root,
+    quotient,
+    remainder,
+    modulo,
+    to_int,
+    to_uint,
+    to_int64,
+    to_uint64,
+    ordered_dot,
+    cross_product,
+    blend,
+    smooth_step,
+    fraction,
+    sign_of,
+    reflection,
+    matrix_vector,
+    vector_matrix,
+    matrix_matrix,
+    matrix_scalar_quotient,
+    pack_unorm,
+    unpack_unorm,
+    extract_bits,
+    insert_bits,
+    split_float,
+    divide,
+    square_root,
 };
 
 /// A helper for one type, or an atomic update by compare-and-swap of one binding.
@@ -45,7 +79,9 @@ struct StatusNames {
 };
 
 /// Bounds of a loop's variable, [low, high).
-struct Bounds { std::int64_t low, high; };
+struct Bounds {
+    std::int64_t low, high;
+};
 
 struct Printer {
     Printer(const ir::Program& program, const Sources& sources, const ir::Pass& pass, const Options& options)
@@ -57,32 +93,32 @@ struct Printer {
     Options options;
 
     Scopes names;
-    std::vector<std::string> binding_names;      ///< as expressions: f_data, or f_data.at in the wide form
-    std::vector<std::string> block_names;        ///< of buffer bindings
+    std::vector<std::string> binding_names;  ///< as expressions: f_data, or f_data.at in the wide form
+    std::vector<std::string> block_names;    ///< of buffer bindings
     std::vector<std::string> parameter_names;
-    StatusNames status;                          ///< named only where the pass has a status record
-    std::vector<std::string> struct_names;       ///< of Program::structs
+    StatusNames status;                     ///< named only where the pass has a status record
+    std::vector<std::string> struct_names;  ///< of Program::structs
     std::vector<std::vector<std::string>> field_names;
     std::unordered_map<ir::FunctionId, std::string> function_names;
     std::unordered_map<ir::LocalId, std::string> local_names;
     std::unordered_map<ir::LocalId, Bounds> bounds;
-    bool in_range_is_known = false;              ///< the shader returned already where in_range is false
+    bool in_range_is_known = false;  ///< the shader returned already where in_range is false
 
     std::set<std::string> extensions;
-    std::vector<ir::TypeId> struct_types;        ///< structs and optionals used, each after those in it
-    std::vector<HelperUse> helpers;              ///< each after those it calls
+    std::vector<ir::TypeId> struct_types;  ///< structs and optionals used, each after those in it
+    std::vector<HelperUse> helpers;        ///< each after those it calls
     std::vector<AtomicUse> atomics;
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::string> enumerators;   ///< used: (enum, which) → name
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::string> enumerators;  ///< used: (enum, which) → name
 
-    std::string out;                             ///< statements being printed
+    std::string out;  ///< statements being printed
     int indent = 0;
-    Span last_line;                              ///< of the latest line mark
+    Span last_line;  ///< of the latest line mark
     std::uint32_t last_line_number = 0;
 };
 
 // types.cpp
 std::string type_text(Printer& p, ir::TypeId type);
-std::string declaration(Printer& p, ir::TypeId type, const std::string& name);   ///< float a[8]
+std::string declaration(Printer& p, ir::TypeId type, const std::string& name);  ///< float a[8]
 std::string zero(Printer& p, ir::TypeId type);
 std::string struct_definitions(Printer& p);
 std::string literal(Printer& p, ir::TypeId type, std::uint64_t bits, double number);
@@ -90,12 +126,12 @@ std::string optional_name(Printer& p, ir::TypeId type);
 
 // expressions.cpp
 Text print(Printer& p, ir::ExprId expr);
-std::string print(Printer& p, ir::ExprId expr, Level least);    ///< in parentheses if looser than `least`
-std::string print_any(Printer& p, ir::ExprId expr);             ///< where any expression can stand: an argument
-std::string print_as(Printer& p, ir::ExprId expr, ir::TypeId shape);   ///< a scalar made a vector where `shape` is one
+std::string print(Printer& p, ir::ExprId expr, Level least);          ///< in parentheses if looser than `least`
+std::string print_any(Printer& p, ir::ExprId expr);                   ///< where any expression can stand: an argument
+std::string print_as(Printer& p, ir::ExprId expr, ir::TypeId shape);  ///< a scalar made a vector where `shape` is one
 std::string print_negated(Printer& p, ir::ExprId condition);
 std::string join_arguments(Printer& p, const std::vector<ir::ExprId>& arguments);
-bool is_constant(const Printer& p, ir::ExprId expr);            ///< a constant, or made of constants only
+bool is_constant(const Printer& p, ir::ExprId expr);  ///< a constant, or made of constants only
 
 // guards.cpp: where a device's operation leaves open what the language defines
 bool divisor_is_safe(const Printer& p, ir::ExprId divisor);
@@ -115,34 +151,36 @@ std::string atomic_definitions(Printer& p);
 Text print_intrinsic(Printer& p, const ir::Expr& expr);
 
 // helpers.cpp
-std::string need(Printer& p, Helper helper, ir::TypeId a, ir::TypeId b = {});   ///< the name to call
+std::string need(Printer& p, Helper helper, ir::TypeId a, ir::TypeId b = {});  ///< the name to call
 std::string helper_definitions(Printer& p);
 
 // division.cpp
 std::string division_definition(Helper helper);
-bool is_power_of_two(const Printer& p, ir::ExprId expr);       ///< dividing by it is exact however the device does it
+bool is_power_of_two(const Printer& p, ir::ExprId expr);  ///< dividing by it is exact however the device does it
 bool corrects_division(const Printer& p, ir::TypeId type);
 std::string quotient_of(Printer& p, ir::TypeId type, const std::string& a, const std::string& b);
 
 // status.cpp: how a shader tells what it could not do
 void name_status(Printer& p);
 std::string status_definitions(Printer& p);
-std::string place_parameters(const Printer& p);                 ///< of functions that report
+std::string place_parameters(const Printer& p);  ///< of functions that report
 std::string place_arguments(const Printer& p, Span span);
-std::string round_test(const Printer& p, const std::string& place);   ///< `another_round(9u)`, empty where rounds are not counted (a library never counts)
+std::string round_test(
+    const Printer& p,
+    const std::string& place);  ///< `another_round(9u)`, empty where rounds are not counted (a library never counts)
 void print_round_start(Printer& p);
 std::string report_text(Printer& p, const ir::Stmt& stmt);
 
 // statements.cpp
 void print_body(Printer& p, const std::vector<ir::StmtId>& body);
 void print_statement(Printer& p, ir::StmtId stmt);
-void line(Printer& p, std::string text);                        ///< one line at the current indent, broken where too long
+void line(Printer& p, std::string text);  ///< one line at the current indent, broken where too long
 void mark_line(Printer& p, Span span);
 std::string file_name(std::string_view path);
 
 // emit.cpp: the parts of a shader that a library has too
 void name_structs(Printer& p);
-std::string callees_text(Printer& p);                           ///< the functions of the pass, named now
+std::string callees_text(Printer& p);  ///< the functions of the pass, named now
 std::string enumerators_text(const Printer& p);
 std::string extensions_text(Printer& p);
 

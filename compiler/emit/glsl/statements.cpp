@@ -24,8 +24,10 @@ std::size_t break_point(const std::string& text, std::size_t from, std::size_t l
         if (c == '(' || c == '[' || c == '{') ++depth;
         if (c == ')' || c == ']' || c == '}') --depth;
         bool after_comma = c == ' ' && i > 0 && text[i - 1] == ',';
-        bool before_operator = c == ' ' && i + 2 < text.size() && std::string_view("+-*/&|?:<>").find(text[i + 1]) != std::string_view::npos &&
-                               (text[i + 2] == ' ' || (text[i + 3] == ' ' && (text[i + 2] == '&' || text[i + 2] == '|')));
+        bool before_operator =
+            c == ' ' && i + 2 < text.size() &&
+            std::string_view("+-*/&|?:<>").find(text[i + 1]) != std::string_view::npos &&
+            (text[i + 2] == ' ' || (text[i + 3] == ' ' && (text[i + 2] == '&' || text[i + 2] == '|')));
         if (i > from + 12 && (after_comma || before_operator) && depth <= best_depth) {
             best_depth = depth;
             best = i;
@@ -41,7 +43,8 @@ std::string assignment(Printer& p, const Stmt& stmt) {
     std::string target = print(p, stmt.target, Level::postfix);
     const Expr& value = p.program.exprs[stmt.value];
     std::string text = print_any(p, stmt.value);
-    if (value.op != ir::Op::binary || p.program.exprs[value.operands[0]].type != value.type) return target + " = " + text;
+    if (value.op != ir::Op::binary || p.program.exprs[value.operands[0]].type != value.type)
+        return target + " = " + text;
     for (const char* sign : {"+", "-", "*", "/", "%", "<<", ">>", "&", "|", "^"}) {
         std::string head = target + " " + sign + " ";
         if (text.compare(0, head.size(), head) != 0) continue;
@@ -64,7 +67,8 @@ void print_let(Printer& p, const Stmt& stmt) {
     std::string value = stmt.value ? print_any(p, stmt.value) : zero(p, local.type);
     std::string name = p.names.declare((*p.program.names)[local.name]);
     p.local_names[stmt.local] = name;
-    bool is_table = !local.is_mutable && p.program.types.kind(local.type) == ir::TypeKind::array && stmt.value && is_constant(p, stmt.value);
+    bool is_table = !local.is_mutable && p.program.types.kind(local.type) == ir::TypeKind::array && stmt.value &&
+                    is_constant(p, stmt.value);
     line(p, (is_table ? "const " : "") + declaration(p, local.type, name) + " = " + value + ";");
 }
 
@@ -81,7 +85,8 @@ void print_if(Printer& p, const Stmt& stmt, const std::string& before) {
     print_block(p, stmt.body);
     if (stmt.otherwise.empty()) return line(p, "}");
     const Stmt& only = p.program.stmts[stmt.otherwise[0]];
-    if (stmt.otherwise.size() == 1 && only.op == StmtOp::if_ && only.comment.empty()) return print_if(p, only, "} else ");
+    if (stmt.otherwise.size() == 1 && only.op == StmtOp::if_ && only.comment.empty())
+        return print_if(p, only, "} else ");
     line(p, "} else {");
     print_block(p, stmt.otherwise);
     line(p, "}");
@@ -130,7 +135,9 @@ void print_for(Printer& p, const Stmt& stmt) {
 
 void print_while(Printer& p, const Stmt& stmt) {
     std::string test = round_test(p, place_arguments(p, stmt.span));
-    line(p, "while (" + (test.empty() ? print_any(p, stmt.value) : test + " && " + print(p, stmt.value, Level::bit_or)) + ") {");
+    line(p, "while (" +
+                (test.empty() ? print_any(p, stmt.value) : test + " && " + print(p, stmt.value, Level::bit_or)) +
+                ") {");
     print_block(p, stmt.body);
     line(p, "}");
 }
@@ -220,7 +227,8 @@ void print_statement(Printer& p, StmtId id) {
     case StmtOp::expect_same:
     case StmtOp::host_assign: break;
     }
-    throw std::logic_error("emit/glsl: a statement that lowering should have replaced (StmtOp " + std::to_string(static_cast<int>(stmt.op)) + ")");
+    throw std::logic_error("emit/glsl: a statement that lowering should have replaced (StmtOp " +
+                           std::to_string(static_cast<int>(stmt.op)) + ")");
 }
 
 }  // namespace gliftc::glsl

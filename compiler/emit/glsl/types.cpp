@@ -156,8 +156,7 @@ std::string zero(Printer& p, TypeId type) {
     case TypeKind::half:
     case TypeKind::double_:
     case TypeKind::int64:
-    case TypeKind::uint64:
-        return literal(p, type, 0, 0);
+    case TypeKind::uint64: return literal(p, type, 0, 0);
     case TypeKind::enum_: return "0u";
     case TypeKind::vector:
     case TypeKind::matrix: return type_text(p, type) + "(" + zero(p, p.program.types[type].element) + ")";
@@ -177,8 +176,7 @@ std::string zero(Printer& p, TypeId type) {
         }
         return text + ")";
     }
-    case TypeKind::optional:
-        return type_text(p, type) + "(false, " + zero(p, p.program.types[type].element) + ")";
+    case TypeKind::optional: return type_text(p, type) + "(false, " + zero(p, p.program.types[type].element) + ")";
     case TypeKind::error:
     case TypeKind::void_:
     case TypeKind::range:
@@ -205,8 +203,11 @@ std::string literal(Printer& p, TypeId type, std::uint64_t bits, double number) 
     }
     case TypeKind::uint64: type_text(p, type); return std::to_string(bits) + "ul";
     case TypeKind::float_: return std::isfinite(number) ? float_text(number, false) : not_finite(p, type, number);
-    case TypeKind::half: type_text(p, type); return std::isfinite(number) ? float_text(number, false) + "hf" : not_finite(p, type, number);
-    case TypeKind::double_: return std::isfinite(number) ? float_text(number, true) + "lf" : not_finite(p, type, number);
+    case TypeKind::half:
+        type_text(p, type);
+        return std::isfinite(number) ? float_text(number, false) + "hf" : not_finite(p, type, number);
+    case TypeKind::double_:
+        return std::isfinite(number) ? float_text(number, true) + "lf" : not_finite(p, type, number);
     case TypeKind::enum_: return enumerator(p, t.index, bits);
     default: break;
     }
@@ -218,7 +219,8 @@ std::string struct_definitions(Printer& p) {
     for (TypeId type : p.struct_types) {
         const ir::Type& t = p.program.types[type];
         if (t.kind == TypeKind::optional) {
-            text += "struct " + optional_name(p, type) + " {\n    bool has;\n    " + declaration(p, t.element, "value") + ";\n};\n\n";
+            text += "struct " + optional_name(p, type) + " {\n    bool has;\n    " +
+                    declaration(p, t.element, "value") + ";\n};\n\n";
             continue;
         }
         const ir::Struct& s = p.program.structs[t.index];

@@ -26,18 +26,31 @@ Slope combine(BinaryOp op, const Slope& a, const Slope& b) {
     if (!a.known || !b.known) return {};
     switch (op) {
     case BinaryOp::add:
-        return {true, a.step + b.step, a.constant && b.constant ? std::optional(*a.constant + *b.constant) : std::nullopt};
+        return {true, a.step + b.step,
+                a.constant && b.constant ? std::optional(*a.constant + *b.constant) : std::nullopt};
     case BinaryOp::subtract:
-        return {true, a.step - b.step, a.constant && b.constant ? std::optional(*a.constant - *b.constant) : std::nullopt};
+        return {true, a.step - b.step,
+                a.constant && b.constant ? std::optional(*a.constant - *b.constant) : std::nullopt};
     case BinaryOp::multiply:
         if (a.constant && b.constant) return {true, 0, *a.constant * *b.constant};
         if (a.constant) return {true, *a.constant * b.step, std::nullopt};
         if (b.constant) return {true, a.step * *b.constant, std::nullopt};
         break;
-    case BinaryOp::divide: case BinaryOp::remainder: case BinaryOp::shift_left: case BinaryOp::shift_right: case BinaryOp::less:
-    case BinaryOp::less_equal: case BinaryOp::greater: case BinaryOp::greater_equal: case BinaryOp::equal:
-    case BinaryOp::not_equal: case BinaryOp::bit_and: case BinaryOp::bit_xor: case BinaryOp::bit_or:
-    case BinaryOp::logical_and: case BinaryOp::logical_or: break;
+    case BinaryOp::divide:
+    case BinaryOp::remainder:
+    case BinaryOp::shift_left:
+    case BinaryOp::shift_right:
+    case BinaryOp::less:
+    case BinaryOp::less_equal:
+    case BinaryOp::greater:
+    case BinaryOp::greater_equal:
+    case BinaryOp::equal:
+    case BinaryOp::not_equal:
+    case BinaryOp::bit_and:
+    case BinaryOp::bit_xor:
+    case BinaryOp::bit_or:
+    case BinaryOp::logical_and:
+    case BinaryOp::logical_or: break;
     }
     if (a.step == 0 && b.step == 0) return {true, 0, std::nullopt};
     return {};
@@ -69,7 +82,8 @@ bool Affine::is_steady(ExprId expr) {
 }
 
 void Affine::learn(const Stmt& stmt) {
-    if (stmt.op == StmtOp::let && stmt.value && !program_.locals[stmt.local].is_mutable) locals_[stmt.local] = of(stmt.value);
+    if (stmt.op == StmtOp::let && stmt.value && !program_.locals[stmt.local].is_mutable)
+        locals_[stmt.local] = of(stmt.value);
 }
 
 Slopes Affine::of_construct(const Expr& expr) {
@@ -134,8 +148,8 @@ Slopes Affine::of(ExprId id) {
     }
     case Op::index: {
         const Slopes index = of(expr.operands[1]);
-        if (program_.types.is_vector(program_.exprs[expr.operands[0]].type) && index[0].constant && *index[0].constant >= 0 &&
-            *index[0].constant < 4) {
+        if (program_.types.is_vector(program_.exprs[expr.operands[0]].type) && index[0].constant &&
+            *index[0].constant >= 0 && *index[0].constant < 4) {
             Slopes result;
             result[0] = of(expr.operands[0])[static_cast<std::size_t>(*index[0].constant)];
             return result;
@@ -147,11 +161,35 @@ Slopes Affine::of(ExprId id) {
         if (unclamped_.contains(id)) return of(expr.operands[0]);
         break;
     case Op::select: break;
-    case Op::field: case Op::none: case Op::some: case Op::has_value: case Op::value: case Op::element: case Op::address:
-    case Op::near: case Op::read: case Op::sample: case Op::member: case Op::memory_extent: case Op::domain: case Op::range_size:
-    case Op::state: case Op::translate: case Op::invocation: case Op::host_read: case Op::device_read: case Op::await_value:
-    case Op::slice: case Op::structure_value: case Op::pipeline_call: case Op::host_state: case Op::element_count: case Op::load:
-    case Op::image_load: case Op::image_sample: case Op::builtin: return unknown();
+    case Op::field:
+    case Op::none:
+    case Op::some:
+    case Op::has_value:
+    case Op::value:
+    case Op::element:
+    case Op::address:
+    case Op::near:
+    case Op::read:
+    case Op::sample:
+    case Op::member:
+    case Op::memory_extent:
+    case Op::domain:
+    case Op::range_size:
+    case Op::state:
+    case Op::translate:
+    case Op::invocation:
+    case Op::host_read:
+    case Op::device_read:
+    case Op::await_value:
+    case Op::slice:
+    case Op::structure_value:
+    case Op::pipeline_call:
+    case Op::host_state:
+    case Op::element_count:
+    case Op::load:
+    case Op::image_load:
+    case Op::image_sample:
+    case Op::builtin: return unknown();
     }
     // What is the same along the row stays so.
     for (ExprId operand : expr.operands) {
@@ -176,7 +214,8 @@ bool Affine::assign(ExprId target, const Slopes& value) {
         locals_[expr.local] = value;
         return true;
     }
-    if ((expr.op != Op::swizzle && expr.op != Op::index) || program_.exprs[expr.operands[0]].op != Op::local) return false;
+    if ((expr.op != Op::swizzle && expr.op != Op::index) || program_.exprs[expr.operands[0]].op != Op::local)
+        return false;
     Slopes& whole = locals_[program_.exprs[expr.operands[0]].local];
     if (expr.op == Op::swizzle) {
         for (std::uint32_t i = 0; i < program_.types.components(expr.type); ++i) whole[expr.lanes[i]] = value[i];
@@ -203,7 +242,8 @@ bool Affine::run(const std::vector<ir::StmtId>& body, std::optional<Slopes>& res
             break;
         case StmtOp::for_: {
             const Slope first = of(stmt.value)[0], limit = of(stmt.limit)[0];
-            if (!first.constant || !limit.constant || *limit.constant - *first.constant > longest_unrolled) return false;
+            if (!first.constant || !limit.constant || *limit.constant - *first.constant > longest_unrolled)
+                return false;
             for (std::int64_t i = *first.constant; i < *limit.constant; ++i) {
                 locals_[stmt.local] = steady();
                 locals_[stmt.local][0].constant = i;
@@ -215,13 +255,26 @@ bool Affine::run(const std::vector<ir::StmtId>& body, std::optional<Slopes>& res
             if (!run(stmt.body, result)) return false;
             if (result) return true;
             break;
-        case StmtOp::return_:
-            result = stmt.value ? of(stmt.value) : unknown();
-            return true;
-        case StmtOp::if_: case StmtOp::while_: case StmtOp::break_: case StmtOp::continue_: case StmtOp::evaluate:
-        case StmtOp::barrier: case StmtOp::set_element: case StmtOp::write: case StmtOp::temp: case StmtOp::release:
-        case StmtOp::dispatch: case StmtOp::expect: case StmtOp::expect_near: case StmtOp::expect_same: case StmtOp::host_assign:
-        case StmtOp::store: case StmtOp::image_store: case StmtOp::atomic: case StmtOp::report: return false;
+        case StmtOp::return_: result = stmt.value ? of(stmt.value) : unknown(); return true;
+        case StmtOp::if_:
+        case StmtOp::while_:
+        case StmtOp::break_:
+        case StmtOp::continue_:
+        case StmtOp::evaluate:
+        case StmtOp::barrier:
+        case StmtOp::set_element:
+        case StmtOp::write:
+        case StmtOp::temp:
+        case StmtOp::release:
+        case StmtOp::dispatch:
+        case StmtOp::expect:
+        case StmtOp::expect_near:
+        case StmtOp::expect_same:
+        case StmtOp::host_assign:
+        case StmtOp::store:
+        case StmtOp::image_store:
+        case StmtOp::atomic:
+        case StmtOp::report: return false;
         }
     }
     return true;

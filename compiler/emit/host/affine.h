@@ -15,8 +15,8 @@ namespace gliftc::host {
 /// How one scalar changes along x.
 struct Slope {
     bool known = false;
-    std::int64_t step = 0;                  ///< known: added for each element, modulo 2^32
-    std::optional<std::int64_t> constant;   ///< known with step 0: its value, where that is a constant
+    std::int64_t step = 0;                 ///< known: added for each element, modulo 2^32
+    std::optional<std::int64_t> constant;  ///< known with step 0: its value, where that is a constant
 };
 
 /// Of the parts of a scalar or vector; others are never known.

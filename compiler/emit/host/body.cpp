@@ -26,16 +26,15 @@ std::string image_call(Body& body, const char* name, std::uint32_t binding) {
 Text print_outer(Body& body, const Expr& expr) {
     cpp::Printer& p = body.p;
     switch (expr.op) {
-    case Op::parameter:
-        body.used_parameters.insert(expr.slot);
-        return {body.parameter_names[expr.slot]};
+    case Op::parameter: body.used_parameters.insert(expr.slot); return {body.parameter_names[expr.slot]};
     case Op::load: {
         std::string text = element_text(body, expr.slot, expr.operands[0]);
         if (p.program.types.is_vector(expr.type) && cpp::holds_bool(p.program, expr.type))
             text = cpp::type_text(p.globals, expr.type) + "(" + text + ")";
         return {text};
     }
-    case Op::image_load: return {image_call(body, "load_texel", expr.slot) + ", " + cpp::join_arguments(p, expr.operands) + ")"};
+    case Op::image_load:
+        return {image_call(body, "load_texel", expr.slot) + ", " + cpp::join_arguments(p, expr.operands) + ")"};
     case Op::image_sample: {
         const char* function = body.pass.bindings[expr.slot].linear ? "sample_linear" : "sample_nearest";
         return {image_call(body, function, expr.slot) + ", " + cpp::join_arguments(p, expr.operands) + ")"};
@@ -63,12 +62,41 @@ Text print_outer(Body& body, const Expr& expr) {
         case ir::Invocation::subgroup_index: return {body.first_only ? "0u" : "local_index"};
         }
         break;
-    case Op::constant: case Op::local: case Op::construct: case Op::convert: case Op::unary: case Op::binary: case Op::select:
-    case Op::swizzle: case Op::index: case Op::field: case Op::call: case Op::intrinsic: case Op::none: case Op::some:
-    case Op::has_value: case Op::value: case Op::element: case Op::address: case Op::near: case Op::read: case Op::sample:
-    case Op::member: case Op::memory_extent: case Op::domain: case Op::range_size: case Op::state: case Op::translate:
-    case Op::host_read: case Op::device_read: case Op::await_value: case Op::slice: case Op::structure_value:
-    case Op::pipeline_call: case Op::host_state: case Op::element_count: break;
+    case Op::constant:
+    case Op::local:
+    case Op::construct:
+    case Op::convert:
+    case Op::unary:
+    case Op::binary:
+    case Op::select:
+    case Op::swizzle:
+    case Op::index:
+    case Op::field:
+    case Op::call:
+    case Op::intrinsic:
+    case Op::none:
+    case Op::some:
+    case Op::has_value:
+    case Op::value:
+    case Op::element:
+    case Op::address:
+    case Op::near:
+    case Op::read:
+    case Op::sample:
+    case Op::member:
+    case Op::memory_extent:
+    case Op::domain:
+    case Op::range_size:
+    case Op::state:
+    case Op::translate:
+    case Op::host_read:
+    case Op::device_read:
+    case Op::await_value:
+    case Op::slice:
+    case Op::structure_value:
+    case Op::pipeline_call:
+    case Op::host_state:
+    case Op::element_count: break;
     }
     return {"/* not lowered */"};
 }
@@ -90,9 +118,10 @@ std::string_view combine_name(ir::Combine combine) {
 std::string report_text(Body& body, const Stmt& stmt) {
     const std::vector<std::uint32_t>& files = body.pass.files;
     const auto file = std::find(files.begin(), files.end(), stmt.span.file);
-    std::string record = ".line = " + std::to_string(stmt.span ? body.p.globals.sources.position(stmt.span).line : 0) + ", .binding = " +
-                         (stmt.slot == ir::no_binding ? "UINT32_MAX" : std::to_string(stmt.slot));
-    if (stmt.span && file != files.end() && file != files.begin()) record += ", .file = " + std::to_string(file - files.begin());
+    std::string record = ".line = " + std::to_string(stmt.span ? body.p.globals.sources.position(stmt.span).line : 0) +
+                         ", .binding = " + (stmt.slot == ir::no_binding ? "UINT32_MAX" : std::to_string(stmt.slot));
+    if (stmt.span && file != files.end() && file != files.begin())
+        record += ", .file = " + std::to_string(file - files.begin());
     return "glift::host::report_outside(call, {" + record + "}, " + cpp::print_any(body.p, stmt.target) + ");";
 }
 
@@ -119,15 +148,32 @@ void print_outer(Body& body, const Stmt& stmt) {
             p.out.line("glift::host::" + std::string(combine_name(stmt.combine)) + "(" + element + ", " + value + ");");
         } else {
             p.out.line("glift::host::" + std::string(combine_name(stmt.combine)) + "(" +
-                       image_call(body, "texel", stmt.slot) + ", " + cpp::print_any(p, stmt.target) + "), " + value + ");");
+                       image_call(body, "texel", stmt.slot) + ", " + cpp::print_any(p, stmt.target) + "), " + value +
+                       ");");
         }
         return;
     }
     case StmtOp::report: return p.out.line(report_text(body, stmt));
-    case StmtOp::let: case StmtOp::assign: case StmtOp::if_: case StmtOp::for_: case StmtOp::while_: case StmtOp::break_:
-    case StmtOp::continue_: case StmtOp::return_: case StmtOp::block: case StmtOp::evaluate: case StmtOp::barrier:
-    case StmtOp::set_element: case StmtOp::write: case StmtOp::temp: case StmtOp::release: case StmtOp::dispatch:
-    case StmtOp::expect: case StmtOp::expect_near: case StmtOp::expect_same: case StmtOp::host_assign: break;
+    case StmtOp::let:
+    case StmtOp::assign:
+    case StmtOp::if_:
+    case StmtOp::for_:
+    case StmtOp::while_:
+    case StmtOp::break_:
+    case StmtOp::continue_:
+    case StmtOp::return_:
+    case StmtOp::block:
+    case StmtOp::evaluate:
+    case StmtOp::barrier:
+    case StmtOp::set_element:
+    case StmtOp::write:
+    case StmtOp::temp:
+    case StmtOp::release:
+    case StmtOp::dispatch:
+    case StmtOp::expect:
+    case StmtOp::expect_near:
+    case StmtOp::expect_same:
+    case StmtOp::host_assign: break;
     }
     p.out.line("/* not lowered */");
 }
@@ -155,15 +201,19 @@ void print_local_function(Body& body, ir::FunctionId id) {
 }  // namespace
 
 Body::Body(cpp::Globals& globals, const ir::Pass& pass) : pass(pass), p(globals) {
-    for (const char* name : {"call", "row", "parameters", "x", "i", "address", "count", "interior", "part", "inside", "unclamped", "stretch", "rows", "block", "first", "lane"}) p.names.declare(name);
+    for (const char* name : {"call", "row", "parameters", "x", "i", "address", "count", "interior", "part", "inside",
+                             "unclamped", "stretch", "rows", "block", "first", "lane"})
+        p.names.declare(name);
     for (const ir::PassBinding& binding : pass.bindings) binding_names.push_back(p.names.declare(binding.name));
-    for (const ir::PassParameter& parameter : pass.parameters) parameter_names.push_back(p.names.declare(parameter.name));
+    for (const ir::PassParameter& parameter : pass.parameters)
+        parameter_names.push_back(p.names.declare(parameter.name));
     p.outer_expression = [this](const Expr& expr) { return print_outer(*this, expr); };
     p.outer_statement = [this](const Stmt& stmt) { print_outer(*this, stmt); };
 }
 
 std::string element_text(Body& body, std::uint32_t binding, ir::ExprId index) {
-    if (const auto row = body.row_pointers.find({binding, index}); row != body.row_pointers.end()) return row->second + "[i]";
+    if (const auto row = body.row_pointers.find({binding, index}); row != body.row_pointers.end())
+        return row->second + "[i]";
     body.used_bindings.insert(binding);
     return body.binding_names[binding] + "[" + cpp::print_any(body.p, index) + "]";
 }
@@ -182,7 +232,8 @@ void declare_used(Body& body, cpp::Writer& out, const std::string& name) {
         const ir::PassParameter& parameter = body.pass.parameters[i];
         std::string value = "parameters." + cpp::identifier(parameter.name);
         const std::string type = cpp::type_text(body.p.globals, parameter.type);
-        if (cpp::holds_bool(body.p.program, parameter.type) && body.p.program.types.is_vector(parameter.type)) value = type + "(" + value + ")";
+        if (cpp::holds_bool(body.p.program, parameter.type) && body.p.program.types.is_vector(parameter.type))
+            value = type + "(" + value + ")";
         out.line("const " + type + " " + body.parameter_names[i] + " = " + value + ";");
     }
     for (std::uint32_t i = 0; i < body.pass.bindings.size(); ++i) {

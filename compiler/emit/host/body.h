@@ -17,8 +17,8 @@ struct Body {
     std::set<std::uint32_t> used_bindings, used_parameters;
     /// Accesses, as binding and index operand, that go through a pointer to the row, and its name.
     std::map<std::pair<std::uint32_t, ir::ExprId>, std::string> row_pointers;
-    bool first_only = false;    ///< workgroups: what is printed runs once, for the first invocation
-    std::string group_text;     ///< the workgroup's size
+    bool first_only = false;  ///< workgroups: what is printed runs once, for the first invocation
+    std::string group_text;   ///< the workgroup's size
 
     Body(cpp::Globals& globals, const ir::Pass& pass);
     Body(const Body&) = delete;

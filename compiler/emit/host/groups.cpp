@@ -41,16 +41,19 @@ struct Groups {
     const ir::Program& program;
     const ir::Pass& pass;
     cpp::Printer& p;
-    bool printing = false;                          ///< else only finding out which locals cross regions
+    bool printing = false;  ///< else only finding out which locals cross regions
     std::uint32_t region = 0;
-    std::map<LocalId, std::set<std::uint32_t>> uses;   ///< the regions that mention each local
-    std::set<LocalId> uniform;                      ///< variables of loops that run once for all
-    std::string invocation;                         ///< index of the current one: `local_index` or `0`
+    std::map<LocalId, std::set<std::uint32_t>> uses;  ///< the regions that mention each local
+    std::set<LocalId> uniform;                        ///< variables of loops that run once for all
+    std::string invocation;                           ///< index of the current one: `local_index` or `0`
     bool may_return = false;
 
-    Groups(cpp::Globals& globals, const ir::Pass& pass) : body(globals, pass), program(globals.program), pass(pass), p(body.p) {}
+    Groups(cpp::Globals& globals, const ir::Pass& pass)
+        : body(globals, pass), program(globals.program), pass(pass), p(body.p) {}
 
-    bool is_uniform_statement(StmtId id, bool in_loop) const { return has_barrier(program, id) || (in_loop && escapes(program, id)); }
+    bool is_uniform_statement(StmtId id, bool in_loop) const {
+        return has_barrier(program, id) || (in_loop && escapes(program, id));
+    }
     void mention(ExprId id);
     void mention_all(const std::vector<StmtId>& list);
     void run(const std::vector<StmtId>& list, bool in_loop);
@@ -118,11 +121,14 @@ void Groups::print_region(const std::vector<StmtId>& list) {
     if (local_id || global_id)
         p.out.line("const uint3 local_id{local_index % " + x + ", local_index / " + x + " % " + y + ", local_index / " +
                    std::to_string(g[0] * g[1]) + "};");
-    if (global_id) p.out.line("const uint3 global_id = group_id * uint3(" + x + ", " + y + ", " + std::to_string(g[2]) + ") + local_id;");
+    if (global_id)
+        p.out.line("const uint3 global_id = group_id * uint3(" + x + ", " + y + ", " + std::to_string(g[2]) +
+                   ") + local_id;");
     p.names.enter();
     bool returns_in_loop = false;
     cpp::for_each_statement(program, list, [&](const Stmt& stmt) {
-        if (stmt.op == StmtOp::for_ || stmt.op == StmtOp::while_) returns_in_loop = returns_in_loop || returns_early(program, stmt.body);
+        if (stmt.op == StmtOp::for_ || stmt.op == StmtOp::while_)
+            returns_in_loop = returns_in_loop || returns_early(program, stmt.body);
     });
     p.print_return = [this, returns_in_loop](ExprId) {
         p.out.line("returned[local_index] = true;");
@@ -175,16 +181,30 @@ void Groups::run_uniform(const Stmt& stmt, bool in_loop) {
             const std::string type = cpp::type_text(p.globals, program.locals[stmt.local].type);
             const std::string first = text(stmt.value), limit = text(stmt.limit);
             const std::string name = cpp::declare_local(p, stmt.local), end = p.names.declare(name + "_end");
-            head = "for (" + type + " " + name + " = " + first + ", " + end + " = " + limit + "; " + name + " < " + end + "; ++" + name + ")";
+            head = "for (" + type + " " + name + " = " + first + ", " + end + " = " + limit + "; " + name + " < " +
+                   end + "; ++" + name + ")";
         }
         open(head);
         run(stmt.body, true);
         return close();
     }
-    case StmtOp::let: case StmtOp::assign: case StmtOp::return_: case StmtOp::evaluate: case StmtOp::set_element:
-    case StmtOp::write: case StmtOp::temp: case StmtOp::release: case StmtOp::dispatch: case StmtOp::expect:
-    case StmtOp::expect_near: case StmtOp::expect_same: case StmtOp::host_assign: case StmtOp::store: case StmtOp::image_store:
-    case StmtOp::atomic: case StmtOp::report: return;
+    case StmtOp::let:
+    case StmtOp::assign:
+    case StmtOp::return_:
+    case StmtOp::evaluate:
+    case StmtOp::set_element:
+    case StmtOp::write:
+    case StmtOp::temp:
+    case StmtOp::release:
+    case StmtOp::dispatch:
+    case StmtOp::expect:
+    case StmtOp::expect_near:
+    case StmtOp::expect_same:
+    case StmtOp::host_assign:
+    case StmtOp::store:
+    case StmtOp::image_store:
+    case StmtOp::atomic:
+    case StmtOp::report: return;
     }
 }
 
@@ -193,8 +213,8 @@ void Groups::run_uniform(const Stmt& stmt, bool in_loop) {
 std::string group_kernel(cpp::Globals& globals, const ir::Pass& pass, const std::string& name) {
     Groups groups(globals, pass);
     cpp::Printer& p = groups.p;
-    for (const char* taken : {"group_id", "group_count", "local_index", "local_id", "global_id", "number", "returned", "group_index",
-                              "group_total", "group_size"})
+    for (const char* taken : {"group_id", "group_count", "local_index", "local_id", "global_id", "number", "returned",
+                              "group_index", "group_total", "group_size"})
         p.names.declare(taken);
     std::vector<StmtId> all = pass.prologue;
     all.insert(all.end(), pass.body.begin(), pass.body.end());
@@ -229,13 +249,17 @@ std::string group_kernel(cpp::Globals& globals, const ir::Pass& pass, const std:
     const std::string text = p.out.take();
 
     const ir::Kernel& kernel = globals.program.kernels[pass.kernel];
-    const std::string extent = std::to_string(pass.group[0]) + ", " + std::to_string(pass.group[1]) + ", " + std::to_string(pass.group[2]);
+    const std::string extent =
+        std::to_string(pass.group[0]) + ", " + std::to_string(pass.group[1]) + ", " + std::to_string(pass.group[2]);
     cpp::Writer out;
     out.line("// " + cpp::place_text(globals.sources, kernel.span) + ": " + kernel.display + ", one workgroup.");
     out.line("GLIFT_HOST_KERNEL");
-    out.open("static void " + name + "_group(const glift::HostCall& call, [[maybe_unused]] uint3 group_id, [[maybe_unused]] uint3 group_count)");
+    out.open(
+        "static void " + name +
+        "_group(const glift::HostCall& call, [[maybe_unused]] uint3 group_id, [[maybe_unused]] uint3 group_count)");
     out.line("[[maybe_unused]] constexpr uint group_size = " + size + ";");
-    out.line("[[maybe_unused]] const uint group_index = (group_id.z * group_count.y + group_id.y) * group_count.x + group_id.x;");
+    out.line("[[maybe_unused]] const uint group_index = (group_id.z * group_count.y + group_id.y) * group_count.x + "
+             "group_id.x;");
     out.line("[[maybe_unused]] const uint group_total = group_count.x * group_count.y * group_count.z;");
     declare_used(groups.body, out, name);
     out.raw(text);

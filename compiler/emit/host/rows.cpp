@@ -15,9 +15,7 @@ using ir::Stmt;
 using ir::StmtId;
 using ir::StmtOp;
 
-bool is_unconditional(ir::BinaryOp op) {
-    return op != ir::BinaryOp::logical_and && op != ir::BinaryOp::logical_or;
-}
+bool is_unconditional(ir::BinaryOp op) { return op != ir::BinaryOp::logical_and && op != ir::BinaryOp::logical_or; }
 
 struct RowAccess {
     std::uint32_t binding;
@@ -64,8 +62,8 @@ std::vector<RowAccess> row_accesses(const ir::Program& program, const ir::Pass& 
     return found;
 }
 
-/// Calls of clamp, min and max on a signed integer that advances by one along the row: in the middle of the row they change
-/// nothing, whatever translator they come from.
+/// Calls of clamp, min and max on a signed integer that advances by one along the row: in the middle of the row they
+/// change nothing, whatever translator they come from.
 std::set<ExprId> row_clamps(const ir::Program& program, const ir::Pass& pass, const std::vector<StmtId>& body) {
     Affine affine(program, pass.address);
     for (StmtId id : body) affine.learn(program.stmts[id]);
@@ -78,7 +76,8 @@ std::set<ExprId> row_clamps(const ir::Program& program, const ir::Pass& pass, co
                              expr.intrinsic == ir::Intrinsic::max);
         if (clamps && affine.is_row(expr.operands[0])) {
             bool steady = true;
-            for (std::size_t i = 1; i < expr.operands.size(); ++i) steady = steady && affine.is_steady(expr.operands[i]);
+            for (std::size_t i = 1; i < expr.operands.size(); ++i)
+                steady = steady && affine.is_steady(expr.operands[i]);
             if (steady) found.insert(id);
         }
         for (ExprId operand : expr.operands) self(self, operand);
@@ -90,11 +89,13 @@ std::set<ExprId> row_clamps(const ir::Program& program, const ir::Pass& pass, co
 }
 
 /// The `let`s that an expression needs, in order.
-void needed_lets(const ir::Program& program, const std::map<ir::LocalId, StmtId>& lets, ExprId id, std::set<StmtId>& needed) {
+void needed_lets(const ir::Program& program, const std::map<ir::LocalId, StmtId>& lets, ExprId id,
+                 std::set<StmtId>& needed) {
     cpp::for_each_expression(program, id, [&](const ir::Expr& expr) {
         if (expr.op != Op::local) return;
         const auto let = lets.find(expr.local);
-        if (let != lets.end() && needed.insert(let->second).second) needed_lets(program, lets, program.stmts[let->second].value, needed);
+        if (let != lets.end() && needed.insert(let->second).second)
+            needed_lets(program, lets, program.stmts[let->second].value, needed);
     });
 }
 
@@ -107,19 +108,23 @@ struct Rows {
     const ir::Pass& pass;
     cpp::Printer& p;
 
-    Rows(cpp::Globals& globals, const ir::Pass& pass) : body(globals, pass), program(globals.program), pass(pass), p(body.p) {}
+    Rows(cpp::Globals& globals, const ir::Pass& pass)
+        : body(globals, pass), program(globals.program), pass(pass), p(body.p) {}
 
     void print_address(const std::string& x);
-    void print_row_pointers(const std::vector<StmtId>& statements, const std::vector<RowAccess>& accesses, const std::string& begin);
+    void print_row_pointers(const std::vector<StmtId>& statements, const std::vector<RowAccess>& accesses,
+                            const std::string& begin);
     std::vector<StmtId> without_unused(std::vector<StmtId> statements, std::set<ir::LocalId>& read) const;
     void print_element(const std::vector<StmtId>& statements);
-    void print_values_at(const std::vector<StmtId>& statements, const std::vector<ExprId>& wanted, const std::string& begin);
+    void print_values_at(const std::vector<StmtId>& statements, const std::vector<ExprId>& wanted,
+                         const std::string& begin);
     void print_inside(const std::vector<StmtId>& statements, const std::set<ExprId>& clamps, const std::string& begin,
                       const std::string& end);
     void print_plain_loop(const std::vector<StmtId>& statements, const std::string& begin, const std::string& end);
     void print_blocks(const std::vector<StmtId>& statements, const std::string& begin, const std::string& end);
     void print_middle(const std::vector<StmtId>& statements, const std::string& begin, const std::string& end);
-    void open_sections(const std::string& name, const std::string& begin, const std::string& middle, const std::string& end);
+    void open_sections(const std::string& name, const std::string& begin, const std::string& middle,
+                       const std::string& end);
     void close_sections();
     void print_loop(const std::vector<StmtId>& statements, const std::string& begin, const std::string& end);
     bool is_independent(const std::vector<StmtId>& statements) const;
@@ -133,7 +138,8 @@ void Rows::print_address(const std::string& x) {
 }
 
 /// The values that some expressions have at the first element from `begin` on.
-void Rows::print_values_at(const std::vector<StmtId>& statements, const std::vector<ExprId>& wanted, const std::string& begin) {
+void Rows::print_values_at(const std::vector<StmtId>& statements, const std::vector<ExprId>& wanted,
+                           const std::string& begin) {
     std::map<ir::LocalId, StmtId> lets;
     std::vector<StmtId> in_order;
     const auto find_lets = [&](const auto& self, const std::vector<StmtId>& list) -> void {
@@ -166,8 +172,9 @@ void Rows::print_row_pointers(const std::vector<StmtId>& statements, const std::
             const ir::PassBinding& binding = pass.bindings[access.binding];
             name = p.names.declare(body.binding_names[access.binding] + "_row");
             body.used_bindings.insert(access.binding);
-            p.out.line((binding.access == ir::Access::read ? "const " : "") + cpp::storage_text(p.globals, binding.element) + "* " +
-                       name + " = glift::host::row_pointer(" + body.binding_names[access.binding] + " + " + index + ");");
+            p.out.line((binding.access == ir::Access::read ? "const " : "") +
+                       cpp::storage_text(p.globals, binding.element) + "* " + name + " = glift::host::row_pointer(" +
+                       body.binding_names[access.binding] + " + " + index + ");");
         }
         body.row_pointers[{access.binding, access.index}] = name;
     }
@@ -185,7 +192,8 @@ std::vector<StmtId> Rows::without_unused(std::vector<StmtId> statements, std::se
     for (bool changed = true; changed;) {
         read.clear();
         cpp::for_each_statement(program, statements, [&](const Stmt& stmt) {
-            if (stmt.op != StmtOp::store || !body.row_pointers.contains({stmt.slot, stmt.target})) note(note, stmt.target);
+            if (stmt.op != StmtOp::store || !body.row_pointers.contains({stmt.slot, stmt.target}))
+                note(note, stmt.target);
             note(note, stmt.value);
             note(note, stmt.limit);
         });
@@ -200,7 +208,8 @@ std::vector<StmtId> Rows::without_unused(std::vector<StmtId> statements, std::se
 
 bool Rows::is_independent(const std::vector<StmtId>& statements) const {
     bool independent = true;
-    cpp::for_each_statement(program, statements, [&](const Stmt& stmt) { independent = independent && stmt.op != StmtOp::atomic; });
+    cpp::for_each_statement(program, statements,
+                            [&](const Stmt& stmt) { independent = independent && stmt.op != StmtOp::atomic; });
     for (const ir::PassBinding& binding : pass.bindings) independent = independent && !binding.atomic;
     return independent;
 }
@@ -209,7 +218,8 @@ bool Rows::is_independent(const std::vector<StmtId>& statements) const {
 void Rows::print_element(const std::vector<StmtId>& statements) {
     bool in_loop = false;
     cpp::for_each_statement(program, statements, [&](const Stmt& stmt) {
-        if (stmt.op == StmtOp::for_ || stmt.op == StmtOp::while_) in_loop = in_loop || returns_early(program, stmt.body);
+        if (stmt.op == StmtOp::for_ || stmt.op == StmtOp::while_)
+            in_loop = in_loop || returns_early(program, stmt.body);
     });
     p.names.enter();
     if (in_loop) {
@@ -251,8 +261,8 @@ void Rows::print_plain_loop(const std::vector<StmtId>& statements, const std::st
     p.names.leave();
 }
 
-/// True if some elements may be worked on twice: no memory is read that is written, and nothing but memory is changed. And
-/// if all elements do the same, so that it pays.
+/// True if some elements may be worked on twice: no memory is read that is written, and nothing but memory is changed.
+/// And if all elements do the same, so that it pays.
 bool Rows::fills_blocks(const std::vector<StmtId>& statements) const {
     if (!is_independent(statements)) return false;
     for (const ir::PassBinding& binding : pass.bindings) {
@@ -325,10 +335,12 @@ void Rows::print_inside(const std::vector<StmtId>& statements, const std::set<Ex
                (fills_blocks(statements) ? "glift::host::in_blocks(" + inside + ", " + end + ")" : inside) + ";");
 }
 
-/// A loop over what lies before the middle, the middle, and what lies behind it; the middle comes first in the text. One
-/// function holds them all: a lambda of its own would be compiled for the narrowest vectors.
-void Rows::open_sections(const std::string& name, const std::string& begin, const std::string& middle, const std::string& end) {
-    p.out.open("for (const glift::host::Section& " + name + " : glift::host::sections(" + begin + ", " + middle + ", " + end + "))");
+/// A loop over what lies before the middle, the middle, and what lies behind it; the middle comes first in the text.
+/// One function holds them all: a lambda of its own would be compiled for the narrowest vectors.
+void Rows::open_sections(const std::string& name, const std::string& begin, const std::string& middle,
+                         const std::string& end) {
+    p.out.open("for (const glift::host::Section& " + name + " : glift::host::sections(" + begin + ", " + middle + ", " +
+               end + "))");
     p.out.open("if (" + name + ".is_middle)");
 }
 
@@ -341,7 +353,8 @@ void Rows::close_sections() {
 void Rows::print_loop(const std::vector<StmtId>& statements, const std::string& begin, const std::string& end) {
     p.local_names[pass.address] = "address";
     const std::set<ExprId> clamps = row_clamps(program, pass, statements);
-    if (clamps.empty() || row_accesses(program, pass, statements, clamps).empty()) return print_plain_loop(statements, begin, end);
+    if (clamps.empty() || row_accesses(program, pass, statements, clamps).empty())
+        return print_plain_loop(statements, begin, end);
     print_inside(statements, clamps, begin, end);
     open_sections("stretch", begin, "inside", end);
     p.identities = clamps;
@@ -367,13 +380,15 @@ void print_parts(Rows& rows) {
     const std::string domain = parameter(pass.interior_domain);
     const std::string origin = pass.interior_origin < pass.parameters.size() ? parameter(pass.interior_origin)
                                : pass.rank == 1                              ? "0u"
-                                                                             : "uint" + std::to_string(pass.rank) + "()";
-    const std::string interior = "glift::host::interior_of(row, " + origin + ", " + domain + ", " + std::to_string(pass.interior_radius) + ")";
+                                                : "uint" + std::to_string(pass.rank) + "()";
+    const std::string interior =
+        "glift::host::interior_of(row, " + origin + ", " + domain + ", " + std::to_string(pass.interior_radius) + ")";
     rows.p.local_names[pass.address] = "address";
     const bool is_plain = row_clamps(rows.program, pass, pass.interior_body).empty() &&
                           !row_accesses(rows.program, pass, pass.interior_body, {}).empty();
     const bool in_blocks = is_plain && rows.fills_blocks(pass.interior_body);
-    out.line("const glift::host::Part interior = " + (in_blocks ? "glift::host::in_blocks(" + interior + ", row.end)" : interior) + ";");
+    out.line("const glift::host::Part interior = " +
+             (in_blocks ? "glift::host::in_blocks(" + interior + ", row.end)" : interior) + ";");
     rows.open_sections("part", "row.begin", "interior", "row.end");
     out.line("// All neighbours exist.");
     if (in_blocks) rows.print_blocks(pass.interior_body, "part.begin", "part.end");
@@ -406,7 +421,8 @@ std::string row_kernel(cpp::Globals& globals, const ir::Pass& pass, const std::s
     out.close();
     out.gap();
     out.open("static void " + name + "(const glift::HostCall& call)");
-    out.line("glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { " + name + "_rows(call, rows); });");
+    out.line("glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { " + name +
+             "_rows(call, rows); });");
     out.close();
     return out.take();
 }

@@ -45,11 +45,17 @@ struct Writer {
 Json Writer::translator(const ir::Translator& t) const {
     Json json = {{"name", t.display}, {"virtual", type(t.virtual_type)}, {"physical", type(t.physical_type)}};
     const ir::Properties& p = t.properties;
-    json["properties"] = {{"partial", p.partial}, {"invertible", p.invertible}, {"one_to_one", p.one_to_one}, {"affine", p.affine},
-                          {"uniform", p.uniform}, {"memory_complexity", p.memory_complexity}, {"access_complexity", p.access_complexity},
+    json["properties"] = {{"partial", p.partial},
+                          {"invertible", p.invertible},
+                          {"one_to_one", p.one_to_one},
+                          {"affine", p.affine},
+                          {"uniform", p.uniform},
+                          {"memory_complexity", p.memory_complexity},
+                          {"access_complexity", p.access_complexity},
                           {"location", p.location}};
     Json state = Json::array();
-    for (const ir::StructField& field : t.scalars) state.push_back({{"name", name(field.name)}, {"type", type(field.type)}});
+    for (const ir::StructField& field : t.scalars)
+        state.push_back({{"name", name(field.name)}, {"type", type(field.type)}});
     for (std::size_t i = 0; i < t.structures.size(); ++i)
         state.push_back({{"name", name(t.structure_names[i])}, {"type", structure_name(t.structures[i])}});
     json["state"] = state;
@@ -81,7 +87,8 @@ Json Writer::structure(std::uint32_t index) const {
     json["public"] = s.is_pub;
     json["constructor"] = Json::array();
     for (ir::LocalId id : s.constructor)
-        json["constructor"].push_back({{"name", name(program.locals[id].name)}, {"type", type(program.locals[id].type)}});
+        json["constructor"].push_back(
+            {{"name", name(program.locals[id].name)}, {"type", type(program.locals[id].type)}});
     json["memories"] = Json::array();
     for (const ir::Memory& m : s.memories) {
         Json memory = {{"name", name(m.name)}, {"kind", word(m.shape)}, {"element", type(m.element)}};
@@ -94,12 +101,16 @@ Json Writer::structure(std::uint32_t index) const {
     for (const ir::MemberStructure& m : s.members) {
         Json arguments = Json::array();
         for (ir::ExprId argument : m.arguments) arguments.push_back(expression_text(program, argument, self));
-        json["members"].push_back({{"name", name(m.name)}, {"type", structure_name(m.structure)}, {"arguments", arguments}, {"by_reference", m.by_reference}});
+        json["members"].push_back({{"name", name(m.name)},
+                                   {"type", structure_name(m.structure)},
+                                   {"arguments", arguments},
+                                   {"by_reference", m.by_reference}});
     }
     json["via"] = stages(s, self);
     if (s.kind == ir::StructureKind::adaptor) {
         json["host"] = Json::array();
-        for (const ir::HostField& field : s.host) json["host"].push_back({{"name", name(field.name)}, {"type", type(field.type)}});
+        for (const ir::HostField& field : s.host)
+            json["host"].push_back({{"name", name(field.name)}, {"type", type(field.type)}});
     }
     document(json, s.doc);
     return json;
@@ -135,8 +146,10 @@ Json Writer::parameters(const ir::Pass& pass, const std::vector<Root>& roots) co
     Json members = Json::array();
     for (const ir::PassParameter& p : pass.parameters) {
         Json member = {{"name", p.name}, {"type", type(p.type)}, {"offset", p.offset}, {"source", word(p.source)}};
-        if (p.source == ir::ParameterSource::uniform && p.value) member["value"] = expression_text(program, p.value, roots);
-        if (p.source == ir::ParameterSource::origin || p.source == ir::ParameterSource::range_size) member["of"] = roots.at(p.param).name;
+        if (p.source == ir::ParameterSource::uniform && p.value)
+            member["value"] = expression_text(program, p.value, roots);
+        if (p.source == ir::ParameterSource::origin || p.source == ir::ParameterSource::range_size)
+            member["of"] = roots.at(p.param).name;
         if (p.source == ir::ParameterSource::address) member["of"] = pass.bindings.at(p.param).name;
         members.push_back(member);
     }
@@ -148,8 +161,12 @@ Json Writer::bindings(const ir::Pass& pass, const std::vector<Root>& roots) cons
     for (std::size_t i = 0; i < pass.bindings.size(); ++i) {
         const ir::PassBinding& b = pass.bindings[i];
         const ir::Structure& structure = program.structures[structure_at(program, roots, b.place)];
-        Json json = {{"binding", i + 1}, {"name", b.name}, {"memory", place_text(program, roots, b.place) + "." + name(structure.memories[b.memory].name)},
-                     {"kind", word(b.shape)}, {"element", type(b.element)}, {"access", word(b.access)}};
+        Json json = {{"binding", i + 1},
+                     {"name", b.name},
+                     {"memory", place_text(program, roots, b.place) + "." + name(structure.memories[b.memory].name)},
+                     {"kind", word(b.shape)},
+                     {"element", type(b.element)},
+                     {"access", word(b.access)}};
         if (b.shape != ir::MemoryShape::buffer) {
             json["format"] = word(b.format);
             json["sampled"] = b.sampled;
@@ -170,7 +187,10 @@ Json Writer::form(const ir::Pass& pass, const std::vector<Root>& roots) const {
 
 Json Writer::kernel(std::uint32_t index) const {
     const ir::Kernel& k = program.kernels[index];
-    Json json = {{"name", k.display.empty() ? name(k.name) : k.display}, {"line", line(k.span)}, {"public", k.is_pub}, {"domain", type(k.domain_type)}};
+    Json json = {{"name", k.display.empty() ? name(k.name) : k.display},
+                 {"line", line(k.span)},
+                 {"public", k.is_pub},
+                 {"domain", type(k.domain_type)}};
     if (k.grouped()) json["group"] = k.group;
     json["params"] = Json::array();
     std::vector<Root> roots;
@@ -188,7 +208,9 @@ Json Writer::kernel(std::uint32_t index) const {
     }
     if (index < lowered.passes.size()) {
         const ir::Lowered::Forms& forms = lowered.passes[index];
-        json["forms"] = {{"direct", form(forms.direct, roots)}, {"general", form(forms.general, roots)}, {"wide", form(forms.wide, roots)}};
+        json["forms"] = {{"direct", form(forms.direct, roots)},
+                         {"general", form(forms.general, roots)},
+                         {"wide", form(forms.wide, roots)}};
     }
     document(json, k.doc);
     return json;
@@ -223,21 +245,25 @@ std::set<std::uint32_t> pipelines_of_tests(const ir::Program& program) {
 
 }  // namespace
 
-std::string reflection_of(const ir::Program& program, const ir::Lowered& lowered, const Sources& sources, std::uint32_t module) {
+std::string reflection_of(const ir::Program& program, const ir::Lowered& lowered, const Sources& sources,
+                          std::uint32_t module) {
     Writer writer{program, lowered, sources};
     const ir::Module& m = program.modules[module];
     const Reached reached = reach(program, module);
     const std::set<std::uint32_t> of_tests = pipelines_of_tests(program);
-    Json json = {{"schema", schema_version}, {"module", writer.name(m.name)}, {"source", file_name(sources[m.file].path)}};
+    Json json = {
+        {"schema", schema_version}, {"module", writer.name(m.name)}, {"source", file_name(sources[m.file].path)}};
     Writer::document(json, m.doc);
-    for (const char* part : {"structs", "enums", "structures", "kernels", "pipelines", "tests"}) json[part] = Json::array();
+    for (const char* part : {"structs", "enums", "structures", "kernels", "pipelines", "tests"})
+        json[part] = Json::array();
     for (std::uint32_t i : reached.structs) json["structs"].push_back(writer.struct_(program.structs[i]));
     for (std::uint32_t i : reached.enums) json["enums"].push_back(writer.enum_(program.enums[i]));
     for (std::uint32_t i : reached.structures) json["structures"].push_back(writer.structure(i));
     for (std::uint32_t i = 0; i < program.kernels.size(); ++i)
         if (program.kernels[i].module == module) json["kernels"].push_back(writer.kernel(i));
     for (std::uint32_t i = 0; i < program.pipelines.size(); ++i)
-        if (program.pipelines[i].module == module && !of_tests.contains(i)) json["pipelines"].push_back(writer.pipeline(program.pipelines[i]));
+        if (program.pipelines[i].module == module && !of_tests.contains(i))
+            json["pipelines"].push_back(writer.pipeline(program.pipelines[i]));
     for (const ir::Test& test : program.tests)
         if (test.module == module) json["tests"].push_back({{"title", test.title}, {"line", writer.line(test.span)}});
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -184,15 +184,23 @@ std::string Speller::spell(ExprId id) const {
     case Op::local: return name(program.locals[expr.local].name);
     case Op::construct:
     case Op::convert: return ir::to_text(program, expr.type) + "(" + joined(expr.operands) + ")";
-    case Op::unary: return (expr.unary == ir::UnaryOp::minus ? "-" : expr.unary == ir::UnaryOp::logical_not ? "!" : "~") + grouped(expr.operands[0]);
+    case Op::unary:
+        return (expr.unary == ir::UnaryOp::minus         ? "-"
+                : expr.unary == ir::UnaryOp::logical_not ? "!"
+                                                         : "~") +
+               grouped(expr.operands[0]);
     case Op::binary: return grouped(expr.operands[0]) + " " + sign_of(expr.binary) + " " + grouped(expr.operands[1]);
     case Op::select: return "select(" + joined(expr.operands) + ")";
     case Op::swizzle: return swizzled(expr);
     case Op::index: return grouped(expr.operands[0]) + "[" + spell(expr.operands[1]) + "]";
     case Op::call: return name(program.functions[expr.function].name) + "(" + joined(expr.operands) + ")";
     case Op::intrinsic: return std::string(ir::name_of(expr.intrinsic)) + "(" + joined(expr.operands) + ")";
-    case Op::member: return dotted(expr.place, name(program.locals[program.structures[structure_of(expr.place)].constructor[expr.slot]].name));
-    case Op::memory_extent: return dotted(expr.place, name(program.structures[structure_of(expr.place)].memories[expr.slot].name) + ".extent");
+    case Op::member:
+        return dotted(expr.place,
+                      name(program.locals[program.structures[structure_of(expr.place)].constructor[expr.slot]].name));
+    case Op::memory_extent:
+        return dotted(expr.place,
+                      name(program.structures[structure_of(expr.place)].memories[expr.slot].name) + ".extent");
     case Op::domain: return dotted(expr.place, "domain");
     case Op::range_size: return dotted(expr.place, "size");
     default: return "…";

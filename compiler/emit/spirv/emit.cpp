@@ -26,7 +26,8 @@ std::string errors_of(const std::string& log) {
         if (end == std::string::npos) end = log.size();
         std::string line = log.substr(from, end - from);
         from = end + 1;
-        if (line.find("compilation errors") != std::string::npos || line.find("ERROR: Linking") != std::string::npos) continue;
+        if (line.find("compilation errors") != std::string::npos || line.find("ERROR: Linking") != std::string::npos)
+            continue;
         if (line.rfind("ERROR: ", 0) == 0) line.erase(0, 7);
         if (!line.empty()) text += (text.empty() ? "" : "\n") + line;
     }
@@ -59,8 +60,10 @@ Spirv compile(const std::string& glsl) {
 std::string validated(const std::vector<std::uint32_t>& words) {
     std::string error;
     spvtools::SpirvTools tools(SPV_ENV_VULKAN_1_3);
-    tools.SetMessageConsumer([&](spv_message_level_t, const char*, const spv_position_t& position, const char* message) {
-        error += (error.empty() ? "" : "\n") + std::string("SPIR-V word ") + std::to_string(position.index) + ": " + message;
+    tools.SetMessageConsumer([&](spv_message_level_t, const char*, const spv_position_t& position,
+                                 const char* message) {
+        error +=
+            (error.empty() ? "" : "\n") + std::string("SPIR-V word ") + std::to_string(position.index) + ": " + message;
     });
     spvtools::ValidatorOptions options;
     options.SetScalarBlockLayout(true);

@@ -10,12 +10,12 @@ namespace gliftc::spirv {
 enum class Optimise : std::uint8_t { no, performance };
 
 struct Spirv {
-    std::vector<std::uint32_t> words;   ///< empty where error is not
-    std::string error;                  ///< what glslang or the validator said: a fault of this compiler
+    std::vector<std::uint32_t> words;  ///< empty where error is not
+    std::string error;                 ///< what glslang or the validator said: a fault of this compiler
 };
 
-/// A compute shader for Vulkan 1.3. Names and source lines (`#line`) are kept. Float arithmetic is never contracted, and
-/// min, max and clamp give the other operand where one is not a number. Safe to call from several threads.
+/// A compute shader for Vulkan 1.3. Names and source lines (`#line`) are kept. Float arithmetic is never contracted,
+/// and min, max and clamp give the other operand where one is not a number. Safe to call from several threads.
 Spirv spirv_of(const std::string& glsl, Optimise optimise = Optimise::no);
 
 }  // namespace gliftc::spirv

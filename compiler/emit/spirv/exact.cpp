@@ -34,8 +34,9 @@ bool is_float_arithmetic(spv::Op op) {
 }
 
 bool is_after_annotations(spv::Op op) {
-    return (op >= spv::OpTypeVoid && op <= spv::OpTypeForwardPointer) || (op >= spv::OpConstantTrue && op <= spv::OpSpecConstantOp) ||
-           op == spv::OpVariable || op == spv::OpUndef || op == spv::OpLine || op == spv::OpNoLine;
+    return (op >= spv::OpTypeVoid && op <= spv::OpTypeForwardPointer) ||
+           (op >= spv::OpConstantTrue && op <= spv::OpSpecConstantOp) || op == spv::OpVariable || op == spv::OpUndef ||
+           op == spv::OpLine || op == spv::OpNoLine;
 }
 
 /// min, max and clamp that are defined for not-a-number.
@@ -62,9 +63,11 @@ Findings survey(std::vector<std::uint32_t>& words) {
         auto op = static_cast<spv::Op>(words[at] & 0xffffu);
         std::size_t count = words[at] >> 16;
         if (count == 0) break;
-        if (op == spv::OpExtInstImport && count >= 5 && words[at + 2] == 0x4c534c47u) glsl_set = words[at + 1];   // "GLSL"
+        if (op == spv::OpExtInstImport && count >= 5 && words[at + 2] == 0x4c534c47u)
+            glsl_set = words[at + 1];  // "GLSL"
         if (op == spv::OpExtInst && words[at + 3] == glsl_set) words[at + 4] = defined_form(words[at + 4]);
-        if (op == spv::OpDecorate && words[at + 2] == static_cast<std::uint32_t>(spv::DecorationNoContraction)) found.decorated.insert(words[at + 1]);
+        if (op == spv::OpDecorate && words[at + 2] == static_cast<std::uint32_t>(spv::DecorationNoContraction))
+            found.decorated.insert(words[at + 1]);
         if (found.decorations_end == 0 && is_after_annotations(op)) found.decorations_end = at;
         if (is_float_arithmetic(op)) found.results.push_back(words[at + 2]);
         at += count;
@@ -83,7 +86,8 @@ std::vector<std::uint32_t> made_exact(const std::vector<std::uint32_t>& words) {
         decorations.insert(decorations.end(), {3u << 16 | static_cast<std::uint32_t>(spv::OpDecorate), id,
                                                static_cast<std::uint32_t>(spv::DecorationNoContraction)});
     }
-    result.insert(result.begin() + static_cast<std::ptrdiff_t>(found.decorations_end), decorations.begin(), decorations.end());
+    result.insert(result.begin() + static_cast<std::ptrdiff_t>(found.decorations_end), decorations.begin(),
+                  decorations.end());
     return result;
 }
 

@@ -9,49 +9,41 @@
 
 namespace glift {
 
-template <class T>
-inline constexpr bool is_integer = std::is_integral_v<T> && !std::is_same_v<T, bool>;
+template <class T> inline constexpr bool is_integer = std::is_integral_v<T> && !std::is_same_v<T, bool>;
 
-template <class T>
-inline constexpr bool is_floating = std::is_floating_point_v<T> || std::is_same_v<T, half>;
+template <class T> inline constexpr bool is_floating = std::is_floating_point_v<T> || std::is_same_v<T, half>;
 
 /// What an integer is divided by: one in place of zero, and of -1 under the smallest value.
-template <class T>
-constexpr T divisor(T a, T b) {
+template <class T> constexpr T divisor(T a, T b) {
     if constexpr (std::is_signed_v<T>) return b == 0 || (b == -1 && a == std::numeric_limits<T>::min()) ? T{1} : b;
     else return b > 0 ? b : T{1};
 }
 
 /// a / b. An integer by zero is a itself.
-template <class T>
-constexpr T divide(T a, T b) {
+template <class T> constexpr T divide(T a, T b) {
     if constexpr (std::is_integral_v<T>) return static_cast<T>(a / divisor(a, b));
     else return a / b;
 }
 
 /// a % b. Integers: with the sign of a, by zero zero. Floating: a - b * floor(a / b).
-template <class T>
-constexpr T remainder(T a, T b) {
+template <class T> constexpr T remainder(T a, T b) {
     if constexpr (std::is_integral_v<T>) return static_cast<T>(a % divisor(a, b));
     else if constexpr (std::is_same_v<T, half>) return a - b * half(__builtin_floorf(a / b));
     else return a - b * static_cast<T>(__builtin_floor(a / b));
 }
 
 /// Shifts take their amount modulo the width of a.
-template <class T, class U>
-constexpr T shift_left(T a, U amount) {
+template <class T, class U> constexpr T shift_left(T a, U amount) {
     using V = std::make_unsigned_t<T>;
     return static_cast<T>(static_cast<V>(a) << (static_cast<V>(amount) & (sizeof(T) * 8 - 1)));
 }
-template <class T, class U>
-constexpr T shift_right(T a, U amount) {
+template <class T, class U> constexpr T shift_right(T a, U amount) {
     return static_cast<T>(a >> (static_cast<std::make_unsigned_t<T>>(amount) & (sizeof(T) * 8 - 1)));
 }
 
-/// A value as another scalar type. Floating to integer truncates; what does not fit becomes the nearest value that does,
-/// and NaN becomes zero.
-template <class T, class U>
-constexpr T convert(U value) {
+/// A value as another scalar type. Floating to integer truncates; what does not fit becomes the nearest value that
+/// does, and NaN becomes zero.
+template <class T, class U> constexpr T convert(U value) {
     if constexpr (std::is_same_v<U, half> && !std::is_same_v<T, half>) {
         return convert<T>(static_cast<float>(value));
     } else if constexpr (std::is_same_v<T, half>) {

@@ -37,7 +37,7 @@ struct ImageRegion {
     std::array<std::uint32_t, 3> origin = {0, 0, 0};
     std::array<std::uint32_t, 3> extent = {1, 1, 1};
     std::uint32_t mip = 0;
-    std::uint32_t face = 0;            ///< cubes
+    std::uint32_t face = 0;  ///< cubes
 };
 
 /// A box of texels from one image to another of the same format.
@@ -52,8 +52,8 @@ public:
     Download() = default;
     explicit Download(std::shared_ptr<detail::DownloadObject> object) : object_(std::move(object)) {}
 
-    bool ready() const;                          ///< never waits
-    std::span<const std::byte> get() const;      ///< waits for what the bytes depend on; valid while this handle lives
+    bool ready() const;                      ///< never waits
+    std::span<const std::byte> get() const;  ///< waits for what the bytes depend on; valid while this handle lives
 
 private:
     std::shared_ptr<detail::DownloadObject> object_;
@@ -65,7 +65,7 @@ public:
     Timestamp() = default;
     explicit Timestamp(std::shared_ptr<detail::TimestampObject> object) : object_(std::move(object)) {}
 
-    double seconds() const;                      ///< waits until it is reached; the zero is arbitrary
+    double seconds() const;  ///< waits until it is reached; the zero is arbitrary
 
 private:
     std::shared_ptr<detail::TimestampObject> object_;
@@ -80,7 +80,7 @@ inline double operator-(const Timestamp& later, const Timestamp& earlier) {
 /// Generated functions take `const Commands&`, so that they can be called with a Device too.
 class GLIFT_API Commands {
 public:
-    Commands(const Device& device);              ///< the device's own stream
+    Commands(const Device& device);  ///< the device's own stream
     explicit Commands(std::shared_ptr<detail::Stream> stream) : stream_(std::move(stream)) {}
 
     Device device() const;
@@ -92,13 +92,14 @@ public:
 
     void dispatch(const Kernel& kernel, const Call& call) const;
 
-    /// The same stream, whose kernels take the values of these parameters (as named in the generated GLSL, `f_extent`; none:
-    /// of all) as constants of their pipelines: what Vulkan calls specialisation. Each set of values makes a pipeline,
-    /// which costs milliseconds the first time: for values that stay. Results are the same. Calls that do not take the
-    /// direct form, and the host device, use the values as they are.
+    /// The same stream, whose kernels take the values of these parameters (as named in the generated GLSL, `f_extent`;
+    /// none: of all) as constants of their pipelines: what Vulkan calls specialisation. Each set of values makes a
+    /// pipeline, which costs milliseconds the first time: for values that stay. Results are the same. Calls that do not
+    /// take the direct form, and the host device, use the values as they are.
     Commands specialised(std::vector<std::string> parameters = {}) const;
 
-    void fill(const Memory& memory, std::uint64_t offset, std::uint64_t bytes, std::uint32_t value = 0) const;   ///< multiples of 4
+    void fill(const Memory& memory, std::uint64_t offset, std::uint64_t bytes,
+              std::uint32_t value = 0) const;  ///< multiples of 4
 
     /// Between buffers. Source and target may be one memory if no region's source overlaps any region's target.
     void copy(const Memory& from, const Memory& to, std::span<const CopyRegion> regions) const;
@@ -112,23 +113,24 @@ public:
     /// From host bytes, which are copied before the call returns. Regions: `from` is an offset in `bytes`.
     void upload(const Memory& to, std::uint64_t offset, std::span<const std::byte> bytes) const;
     void upload(const Memory& to, std::span<const CopyRegion> regions, std::span<const std::byte> bytes) const;
-    void upload_image(const Memory& image, std::span<const ImageRegion> regions, std::span<const std::byte> bytes) const;
+    void upload_image(const Memory& image, std::span<const ImageRegion> regions,
+                      std::span<const std::byte> bytes) const;
 
     /// To host bytes: `bytes` of them, which the regions fill (`to` is an offset in them). Not in a recording.
     Download download(const Memory& from, std::uint64_t offset, std::uint64_t bytes) const;
     Download download(const Memory& from, std::span<const CopyRegion> regions, std::uint64_t bytes) const;
     Download download_image(const Memory& image, std::span<const ImageRegion> regions, std::uint64_t bytes) const;
 
-    Timestamp timestamp() const;                 ///< not in a recording
+    Timestamp timestamp() const;  ///< not in a recording
 
-    void flush() const;                          ///< submits what is recorded
-    void wait() const;                           ///< submits and waits; throws what kernels reported (StatusRecord)
+    void flush() const;  ///< submits what is recorded
+    void wait() const;   ///< submits and waits; throws what kernels reported (StatusRecord)
 
     const std::shared_ptr<detail::Stream>& share() const { return stream_; }
 
 private:
     std::shared_ptr<detail::Stream> stream_;
-    std::shared_ptr<const std::vector<std::string>> specialised_;   ///< null: nothing is
+    std::shared_ptr<const std::vector<std::string>> specialised_;  ///< null: nothing is
 };
 
 }  // namespace glift

@@ -15,31 +15,33 @@ namespace glift {
 
 class Commands;
 class Recording;
-namespace detail { class DeviceObject; }
+namespace detail {
+class DeviceObject;
+}
 
-enum class DeviceKind : std::uint8_t { gpu, cpu, host };   ///< cpu: Vulkan on the CPU
+enum class DeviceKind : std::uint8_t { gpu, cpu, host };  ///< cpu: Vulkan on the CPU
 
 /// No limit.
 inline constexpr std::uint64_t unlimited = UINT64_MAX;
 
 struct DeviceProperties {
-    std::string name;                 ///< `NVIDIA H200`, `llvmpipe (LLVM 15.0.6, 256 bits)`, `host`
-    std::string driver;               ///< name and version of the driver
+    std::string name;    ///< `NVIDIA H200`, `llvmpipe (LLVM 15.0.6, 256 bits)`, `host`
+    std::string driver;  ///< name and version of the driver
     DeviceKind kind = DeviceKind::host;
     std::uint32_t subgroup_size = 1;
-    std::uint64_t memory_bytes = 0;                 ///< of the heap that memories come from
-    std::uint64_t max_allocation_bytes = unlimited; ///< of one memory
-    std::uint64_t max_storage_buffer_range = unlimited;   ///< beyond it kernels use their wide form
-    std::uint32_t shared_memory_bytes = 0;          ///< of a workgroup
+    std::uint64_t memory_bytes = 0;                      ///< of the heap that memories come from
+    std::uint64_t max_allocation_bytes = unlimited;      ///< of one memory
+    std::uint64_t max_storage_buffer_range = unlimited;  ///< beyond it kernels use their wide form
+    std::uint32_t shared_memory_bytes = 0;               ///< of a workgroup
     std::uint32_t max_push_constant_bytes = 128;
     std::array<std::uint32_t, 3> max_workgroups = {UINT32_MAX, UINT32_MAX, UINT32_MAX};
     std::array<std::uint32_t, 3> max_workgroup_size = {1024, 1024, 64};
     std::uint32_t max_workgroup_invocations = 1024;
-    std::uint64_t loop_round_limit = unlimited;     ///< loop rounds of one invocation before the device cuts it off
-    double timestamp_seconds = 1e-9;                ///< one tick
+    std::uint64_t loop_round_limit = unlimited;  ///< loop rounds of one invocation before the device cuts it off
+    double timestamp_seconds = 1e-9;             ///< one tick
     bool int8 = false, int16 = false, int64 = false, float16 = false, float64 = false;
     bool int64_atomics = false;
-    bool float32_atomic_add = false;                ///< on buffers
+    bool float32_atomic_add = false;  ///< on buffers
     bool float32_atomic_min_max = false;
     bool image_float32_atomic_add = false;
     bool subgroup_arithmetic = false;
@@ -84,7 +86,7 @@ public:
     /// Captures what body(Commands&) does, to be submitted any number of times. See recording.h.
     template <class Body> Recording record(Body&& body) const;
 
-    void wait() const;                 ///< submits what is recorded and waits for all of it
+    void wait() const;  ///< submits what is recorded and waits for all of it
     Statistics statistics() const;
 
     /// What the validation layer said (errors and warnings about correctness, none about speed), since the last call.

@@ -16,14 +16,14 @@ enum class ErrorCode : std::uint8_t {
     missing_feature,      ///< a feature or extension that Glift needs is absent
     missing_layer,        ///< GLIFT_VALIDATE=1 and no validation layer installed
     out_of_memory,
-    too_large,            ///< beyond a limit of the device
-    aliased_memory,       ///< one memory passed twice in one call, and written
-    wrong_argument,       ///< a call that does not fit its kernel or memory
-    loop_limit,           ///< a kernel's loops run longer than the device allows
-    out_of_range,         ///< a checked build: an access outside a structure
+    too_large,       ///< beyond a limit of the device
+    aliased_memory,  ///< one memory passed twice in one call, and written
+    wrong_argument,  ///< a call that does not fit its kernel or memory
+    loop_limit,      ///< a kernel's loops run longer than the device allows
+    out_of_range,    ///< a checked build: an access outside a structure
     device_lost,
-    missing_form,         ///< the kernel was not compiled for this device
-    vulkan,               ///< any other failed Vulkan call
+    missing_form,  ///< the kernel was not compiled for this device
+    vulkan,        ///< any other failed Vulkan call
 };
 
 /// Printed by what() as `problem\n  where: …\n  why: …\n  remedy: …`, without the lines that are empty.
@@ -33,10 +33,10 @@ public:
 
     const char* what() const noexcept override { return text_.c_str(); }
     ErrorCode code() const { return code_; }
-    const std::string& problem() const { return problem_; }   ///< what went wrong
-    const std::string& where() const { return where_; }       ///< the call, kernel (with file and line) or memory
-    const std::string& why() const { return why_; }           ///< the cause, with the numbers
-    const std::string& remedy() const { return remedy_; }     ///< what to do
+    const std::string& problem() const { return problem_; }  ///< what went wrong
+    const std::string& where() const { return where_; }      ///< the call, kernel (with file and line) or memory
+    const std::string& why() const { return why_; }          ///< the cause, with the numbers
+    const std::string& remedy() const { return remedy_; }    ///< what to do
 
 private:
     ErrorCode code_;

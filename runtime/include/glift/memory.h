@@ -15,24 +15,43 @@ enum class MemoryKind : std::uint8_t { buffer, image1d, image2d, image3d, imagec
 /// How a texel is stored. Names are those of the language.
 enum class Format : std::uint8_t {
     none,  // buffers
-    r8, rg8, rgba8, r16f, rg16f, rgba16f, r32f, rg32f, rgba32f,
-    r8ui, r16ui, r32ui, rg32ui, rgba32ui, r32i, rg32i, rgba32i, rgba8ui, d32,
+    r8,
+    rg8,
+    rgba8,
+    r16f,
+    rg16f,
+    rgba16f,
+    r32f,
+    rg32f,
+    rgba32f,
+    r8ui,
+    r16ui,
+    r32ui,
+    rg32ui,
+    rgba32ui,
+    r32i,
+    rg32i,
+    rgba32i,
+    rgba8ui,
+    d32,
 };
 
 /// Bytes of one texel; 0 for Format::none.
 GLIFT_API std::uint32_t texel_bytes(Format format);
 
 struct MemoryDescription {
-    const char* name = "";                          ///< shown by debuggers and in errors, `f.data`; copied
+    const char* name = "";  ///< shown by debuggers and in errors, `f.data`; copied
     MemoryKind kind = MemoryKind::buffer;
     Format format = Format::none;
-    std::uint64_t bytes = 0;                        ///< buffers: size; images: 0, derived from extent and format
-    std::array<std::uint32_t, 3> extent = {1, 1, 1};///< images: texels (cubes: of a face); buffers: unused
+    std::uint64_t bytes = 0;                          ///< buffers: size; images: 0, derived from extent and format
+    std::array<std::uint32_t, 3> extent = {1, 1, 1};  ///< images: texels (cubes: of a face); buffers: unused
     std::uint32_t mips = 1;
-    bool zeroed = true;                             ///< false: contents start undefined (temporaries written whole)
+    bool zeroed = true;  ///< false: contents start undefined (temporaries written whole)
 };
 
-namespace detail { class MemoryObject; }
+namespace detail {
+class MemoryObject;
+}
 
 /// A handle to one memory. Copies share it; the storage is freed when the last handle is gone and the device no
 /// longer uses it. Contents start as zeros. A buffer may have no bytes.
@@ -41,7 +60,7 @@ public:
     Memory() = default;
     explicit Memory(std::shared_ptr<detail::MemoryObject> object) : object_(std::move(object)) {}
 
-    const MemoryDescription& description() const;   ///< images: bytes is filled in, all mips and faces together
+    const MemoryDescription& description() const;  ///< images: bytes is filled in, all mips and faces together
     std::array<std::uint32_t, 3> extent() const { return description().extent; }
     explicit operator bool() const { return object_ != nullptr; }
     bool operator==(const Memory&) const = default;
@@ -55,11 +74,11 @@ private:
 
 /// A memory as host kernels see it.
 struct HostMemory {
-    std::byte* data;                       ///< buffers: elements in scalar layout; images: texels, row-major, no padding
+    std::byte* data;  ///< buffers: elements in scalar layout; images: texels, row-major, no padding
     std::uint64_t bytes;
-    std::array<std::uint32_t, 3> extent;   ///< images
+    std::array<std::uint32_t, 3> extent;  ///< images
     Format format;
-    std::uint32_t mips;                    ///< one level after the other, level 0 first; cubes: six faces in each level
+    std::uint32_t mips;  ///< one level after the other, level 0 first; cubes: six faces in each level
 };
 
 }  // namespace glift

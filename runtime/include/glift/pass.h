@@ -39,10 +39,10 @@ struct Sampler {
 /// have no descriptor). One memory may be passed for two bindings of one call only if both read it or both are
 /// read_write; anything else is ErrorCode::aliased_memory.
 struct Binding {
-    const char* name;              ///< as in the source, `f.data`
+    const char* name;  ///< as in the source, `f.data`
     MemoryKind kind;
     Access access;
-    bool sampled = false;          ///< a combined image sampler over all mips, else a storage image of mip 0; buffers: false
+    bool sampled = false;  ///< a combined image sampler over all mips, else a storage image of mip 0; buffers: false
     Sampler sampler = {};
     std::uint32_t address_offset = 0;  ///< wide form, buffers: byte offset of the 64-bit address in the parameters
 };
@@ -50,7 +50,7 @@ struct Binding {
 /// A place in the source.
 struct SourceLine {
     const char* file = "";
-    std::uint32_t line = 0;                  ///< 0: none
+    std::uint32_t line = 0;  ///< 0: none
 };
 
 /// Where a kernel reports what it could not do. The first invocation to change code from 0 (atomicCompSwap) fills in
@@ -59,25 +59,25 @@ struct SourceLine {
 struct StatusRecord {
     enum Code : std::uint32_t { fine = 0, loop_limit = 1, out_of_range = 2 };
     std::uint32_t code = fine;
-    std::uint32_t line = 0;                  ///< of the file that `file` says
-    std::uint32_t rank = 0;                  ///< out_of_range: axes of the virtual address
-    std::uint32_t binding = 0;               ///< out_of_range: index of the memory's binding
-    std::uint32_t address[4] = {0, 0, 0, 0}; ///< out_of_range: the virtual address
-    std::uint32_t file = 0;                  ///< 0: Kernel::file, k: Kernel::other_files[k - 1]
+    std::uint32_t line = 0;                   ///< of the file that `file` says
+    std::uint32_t rank = 0;                   ///< out_of_range: axes of the virtual address
+    std::uint32_t binding = 0;                ///< out_of_range: index of the memory's binding
+    std::uint32_t address[4] = {0, 0, 0, 0};  ///< out_of_range: the virtual address
+    std::uint32_t file = 0;                   ///< 0: Kernel::file, k: Kernel::other_files[k - 1]
 };
 
 /// One call as the host device sees it.
 struct HostCall {
-    const void* parameters;                  ///< the parameter block, laid out as the form says, patches applied
-    std::span<const HostMemory> memories;    ///< in binding order
-    std::array<std::uint32_t, 4> size;       ///< elements to iterate over along each axis; unused axes are 1
-    StatusRecord* status = nullptr;          ///< kernels that report: never null
+    const void* parameters;                ///< the parameter block, laid out as the form says, patches applied
+    std::span<const HostMemory> memories;  ///< in binding order
+    std::array<std::uint32_t, 4> size;     ///< elements to iterate over along each axis; unused axes are 1
+    StatusRecord* status = nullptr;        ///< kernels that report: never null
 };
 
 /// One compiled form of a kernel.
 struct Form {
-    std::span<const std::uint32_t> spirv;    ///< empty: this form does not exist on Vulkan devices
-    void (*host)(const HostCall&) = nullptr; ///< null: this form does not exist on the host device
+    std::span<const std::uint32_t> spirv;     ///< empty: this form does not exist on Vulkan devices
+    void (*host)(const HostCall&) = nullptr;  ///< null: this form does not exist on the host device
     std::uint32_t parameter_bytes = 0;
     bool push_constants = false;             ///< parameters are push constants, else the storage buffer at binding 0
     std::uint32_t size_offset = 0;           ///< byte offset in the parameters of the iteration size (`rank` uints)
@@ -107,53 +107,54 @@ struct Kernel {
     const char* name;
     const char* file;
     std::uint32_t line;
-    std::uint32_t rank;                      ///< axes of the iteration, 1 to 4
-    std::array<std::uint32_t, 3> group;      ///< workgroup size
-    std::uint64_t loop_rounds;               ///< bound on the rounds of one invocation's loops, in all, the tests that
-                                             ///< end them included; UINT64_MAX if unknown. A bound beyond the device's
-                                             ///< loop_round_limit is refused (ErrorCode::loop_limit); an unknown one
-                                             ///< runs, and such a kernel counts its rounds where specialisation constant
-                                             ///< 101 (a uint) is not 0 but the device's limit, and reports (below)
+    std::uint32_t rank;                  ///< axes of the iteration, 1 to 4
+    std::array<std::uint32_t, 3> group;  ///< workgroup size
+    std::uint64_t loop_rounds;           ///< bound on the rounds of one invocation's loops, in all, the tests that
+                                         ///< end them included; UINT64_MAX if unknown. A bound beyond the device's
+                                         ///< loop_round_limit is refused (ErrorCode::loop_limit); an unknown one
+                                         ///< runs, and such a kernel counts its rounds where specialisation constant
+                                         ///< 101 (a uint) is not 0 but the device's limit, and reports (below)
     std::span<const Binding> bindings;
     Form direct, general, wide;
-    std::span<const Parameter> parameters = {};   ///< what Commands::specialised can fix
-    std::uint32_t items = 1;                 ///< elements along x that one invocation takes
-    bool reports = false;                    ///< has a StatusRecord: a storage buffer (scalar layout) at binding
-                                             ///< bindings.size() + 1 in every form
-    SourceLine longest_loop = {};            ///< of its loops, the one of most rounds
-    std::span<const char* const> other_files = {};   ///< that reports may name, beside `file`
+    std::span<const Parameter> parameters = {};     ///< what Commands::specialised can fix
+    std::uint32_t items = 1;                        ///< elements along x that one invocation takes
+    bool reports = false;                           ///< has a StatusRecord: a storage buffer (scalar layout) at binding
+                                                    ///< bindings.size() + 1 in every form
+    SourceLine longest_loop = {};                   ///< of its loops, the one of most rounds
+    std::span<const char* const> other_files = {};  ///< that reports may name, beside `file`
 };
 
 /// A 4-byte value that lives on the device: a count that a kernel wrote.
 struct DeviceValue {
-    Memory memory;                 ///< a buffer
-    std::uint64_t offset = 0;      ///< in bytes, a multiple of 4
+    Memory memory;             ///< a buffer
+    std::uint64_t offset = 0;  ///< in bytes, a multiple of 4
 };
 
 /// Copies a device value over four bytes of the parameters before the pass runs. A patch within the iteration size
 /// makes the dispatch indirect: the size becomes min(value, Call::size) along that axis, in the parameters too.
 struct Patch {
     DeviceValue value;
-    std::uint32_t offset;          ///< byte offset in the parameters, a multiple of 4
+    std::uint32_t offset;  ///< byte offset in the parameters, a multiple of 4
 };
 
-/// Four bytes of the direct form's parameters that are constants of the pipeline. Each set of values is a pipeline of its own.
+/// Four bytes of the direct form's parameters that are constants of the pipeline. Each set of values is a pipeline of
+/// its own.
 struct FixedWord {
-    std::uint32_t offset;          ///< in bytes, a multiple of 4
-    std::uint32_t value;           ///< what the call's parameters hold there
+    std::uint32_t offset;  ///< in bytes, a multiple of 4
+    std::uint32_t value;   ///< what the call's parameters hold there
     bool operator==(const FixedWord&) const = default;
 };
 
-enum class FormName : std::uint8_t { direct, general };   ///< wide is chosen by the runtime in place of general
+enum class FormName : std::uint8_t { direct, general };  ///< wide is chosen by the runtime in place of general
 
 /// One call of a kernel. Spans need to live only until Commands::dispatch returns.
 struct Call {
     FormName form;
-    std::span<const Memory> memories;        ///< in binding order
-    std::span<const std::byte> parameters;   ///< the block of the named form, size included
-    std::array<std::uint32_t, 4> size;       ///< host-known iteration size; where patches set it, an upper bound
-    std::span<const Patch> patches = {};     ///< non-empty: the general form
-    std::span<const FixedWord> fixed = {};   ///< of the direct form; ignored on the host device
+    std::span<const Memory> memories;       ///< in binding order
+    std::span<const std::byte> parameters;  ///< the block of the named form, size included
+    std::array<std::uint32_t, 4> size;      ///< host-known iteration size; where patches set it, an upper bound
+    std::span<const Patch> patches = {};    ///< non-empty: the general form
+    std::span<const FixedWord> fixed = {};  ///< of the direct form; ignored on the host device
 };
 
 }  // namespace glift

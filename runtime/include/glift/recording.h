@@ -9,7 +9,9 @@
 
 namespace glift {
 
-namespace detail { class RecordingObject; }
+namespace detail {
+class RecordingObject;
+}
 
 /// Holds the memories that its passes use. Parameters are those of the moment of recording; device values (patches,
 /// indirect sizes) are read anew by each replay.

@@ -23,20 +23,17 @@ using Extent = std::array<std::uint32_t, 4>;
 
 namespace detail {
 
-template <class A>
-struct Axes {
+template <class A> struct Axes {
     static constexpr unsigned count = 1;
     static constexpr std::uint32_t at(A a, unsigned) { return a; }
 };
-template <unsigned N>
-struct Axes<vec<uint, N>> {
+template <unsigned N> struct Axes<vec<uint, N>> {
     static constexpr unsigned count = N;
     static constexpr std::uint32_t at(const vec<uint, N>& a, unsigned i) { return a[i]; }
 };
 
 /// A virtual address or size as four numbers; axes that it does not have are `rest`.
-template <class A>
-constexpr Extent extent_of(const A& a, std::uint32_t rest = 1) {
+template <class A> constexpr Extent extent_of(const A& a, std::uint32_t rest = 1) {
     Extent extent;
     for (unsigned i = 0; i < 4; ++i) extent[i] = i < Axes<A>::count ? Axes<A>::at(a, i) : rest;
     return extent;
@@ -76,8 +73,7 @@ struct Box {
 }  // namespace detail
 
 /// A value that lives on the device.
-template <class T>
-struct DeviceScalar {
+template <class T> struct DeviceScalar {
     Memory memory;
     std::uint64_t offset = 0;
 
@@ -92,8 +88,7 @@ struct DeviceScalar {
 };
 
 /// A box of a structure of type S, or all of it. Holds on to the structure by address.
-template <class S>
-class Range {
+template <class S> class Range {
 public:
     using Address = typename S::Address;
 
@@ -116,7 +111,9 @@ public:
     /// As many elements from the first on as a value on the device says, all at most.
     Range first(DeviceValue count) const { return Range(*structure_, origin_, size_, std::move(count)); }
     /// An element of the box, left on the device.
-    auto element(const Commands& commands, Address address) const { return structure_->element(commands, origin_ + address); }
+    auto element(const Commands& commands, Address address) const {
+        return structure_->element(commands, origin_ + address);
+    }
     std::vector<typename S::Element> read() const { return structure_->read(origin_, size_); }
 
 private:
@@ -128,9 +125,9 @@ private:
 };
 
 /// How many elements a structure or a box has.
-template <class S>
-uint element_count(const S& structure) {
-    if constexpr (requires { structure.size(); }) return static_cast<uint>(detail::volume_of(detail::extent_of(structure.size())));
+template <class S> uint element_count(const S& structure) {
+    if constexpr (requires { structure.size(); })
+        return static_cast<uint>(detail::volume_of(detail::extent_of(structure.size())));
     else return static_cast<uint>(detail::volume_of(detail::extent_of(structure.domain())));
 }
 
@@ -140,8 +137,7 @@ public:
     explicit Iteration(const Kernel& kernel) : kernel_(kernel) {}
 
     /// A range that is visited element by element. All such ranges have one size.
-    template <class S>
-    void each(const char* name, const Range<S>& range) {
+    template <class S> void each(const char* name, const Range<S>& range) {
         const detail::Box box = box_of(name, range.origin(), range);
         if (!box.is_inside()) detail::throw_outside(where(), box);
         if (count_ == 0) first_ = box;
@@ -153,8 +149,7 @@ public:
 
     /// A range that is looked at around the current element. A whole structure follows the first visited range; a box
     /// has its own origin and the same size.
-    template <class S>
-    void near(const char* name, const Range<S>& range) {
+    template <class S> void near(const char* name, const Range<S>& range) {
         detail::Box box = box_of(name, range.origin(), range);
         if (range.is_whole()) {
             box.origin = first_.origin;
@@ -167,18 +162,15 @@ public:
     }
 
     /// A range that is read or written anywhere.
-    template <class S>
-    void any(const Range<S>& range) {
-        whole_ = whole_ && range.is_whole();
-    }
+    template <class S> void any(const Range<S>& range) { whole_ = whole_ && range.is_whole(); }
 
     /// The first address that `near` looks around.
-    template <class S>
-    typename S::Address centre(const Range<S>& range) const {
+    template <class S> typename S::Address centre(const Range<S>& range) const {
         if (!range.is_whole()) return range.origin();
         typename S::Address origin{};
         if constexpr (detail::Axes<typename S::Address>::count == 1) origin = first_.origin[0];
-        else for (unsigned i = 0; i < detail::Axes<typename S::Address>::count; ++i) origin[i] = first_.origin[i];
+        else
+            for (unsigned i = 0; i < detail::Axes<typename S::Address>::count; ++i) origin[i] = first_.origin[i];
         return origin;
     }
 
@@ -196,13 +188,16 @@ public:
 private:
     template <class S>
     static detail::Box box_of(const char* name, const typename S::Address& origin, const Range<S>& range) {
-        return {name, detail::Axes<typename S::Address>::count, detail::extent_of(origin, 0), detail::extent_of(range.size()),
-                detail::extent_of(range->domain())};
+        return {name, detail::Axes<typename S::Address>::count, detail::extent_of(origin, 0),
+                detail::extent_of(range.size()), detail::extent_of(range->domain())};
     }
-    std::string where() const { return std::string(kernel_.file) + ":" + std::to_string(kernel_.line) + ": " + kernel_.name; }
+    std::string where() const {
+        return std::string(kernel_.file) + ":" + std::to_string(kernel_.line) + ": " + kernel_.name;
+    }
     [[noreturn]] void throw_sizes(const detail::Box& a, const detail::Box& b) const {
         throw Error(ErrorCode::wrong_argument, "ranges of different sizes", where(),
-                    a.name + (" is " + detail::text_of(a.size, a.rank)) + " and " + b.name + " is " + detail::text_of(b.size, b.rank),
+                    a.name + (" is " + detail::text_of(a.size, a.rank)) + " and " + b.name + " is " +
+                        detail::text_of(b.size, b.rank),
                     "pass ranges of one size: all of each structure, or boxes made with range(origin, size)");
     }
 
@@ -215,14 +210,10 @@ private:
 };
 
 /// A parameter block as bytes.
-template <class T>
-std::span<const std::byte> bytes_of(const T& value) {
-    return std::as_bytes(std::span(&value, 1));
-}
+template <class T> std::span<const std::byte> bytes_of(const T& value) { return std::as_bytes(std::span(&value, 1)); }
 
 /// A box of elements on the host, written back to the structure when it is unmapped or goes out of scope.
-template <class S>
-class Mapped {
+template <class S> class Mapped {
 public:
     using Address = typename S::Address;
     using Element = typename S::Element;
@@ -266,8 +257,8 @@ inline constexpr std::size_t most_rows = 1 << 16, most_regions = 1024;
 
 /// The box as copies from host bytes, where elements stand in row-major order: each element once, rows that follow each
 /// other as one. Nothing where rows are not contiguous or too many: such boxes go through a kernel.
-template <class S>
-std::optional<std::vector<CopyRegion>> rows_of(const S& structure, typename S::Address origin, typename S::Address size) {
+template <class S> std::optional<std::vector<CopyRegion>> rows_of(const S& structure, typename S::Address origin,
+                                                                  typename S::Address size) {
     using Address = typename S::Address;
     constexpr unsigned axes = Axes<Address>::count;
     constexpr std::uint64_t bytes = sizeof(typename S::Element);
@@ -289,7 +280,8 @@ std::optional<std::vector<CopyRegion>> rows_of(const S& structure, typename S::A
         for (std::uint32_t z = 0; z < n[2]; ++z) {
             for (std::uint32_t y = 0; y < n[1]; ++y, at += n[0] * bytes) {
                 const std::uint64_t to = place(0, y, z, w) * bytes;
-                if (!regions.empty() && regions.back().to + regions.back().bytes == to) regions.back().bytes += n[0] * bytes;
+                if (!regions.empty() && regions.back().to + regions.back().bytes == to)
+                    regions.back().bytes += n[0] * bytes;
                 else regions.push_back({at, to, n[0] * bytes});
                 if (regions.size() > most_regions) return std::nullopt;
             }
@@ -301,29 +293,26 @@ std::optional<std::vector<CopyRegion>> rows_of(const S& structure, typename S::A
 }  // namespace detail
 
 /// The bytes of a buffer with this many elements; never none, so that an empty structure has a memory too.
-template <class T>
-constexpr std::uint64_t buffer_bytes(std::uint32_t count) {
+template <class T> constexpr std::uint64_t buffer_bytes(std::uint32_t count) {
     return (std::max<std::uint64_t>(1, std::uint64_t{count}) * sizeof(T) + 3) / 4 * 4;
 }
 
 /// The texels of an image; never none.
-template <class A>
-constexpr std::array<std::uint32_t, 3> image_extent(const A& extent) {
+template <class A> constexpr std::array<std::uint32_t, 3> image_extent(const A& extent) {
     const Extent e = detail::extent_of(extent);
     return {std::max(e[0], 1u), std::max(e[1], 1u), std::max(e[2], 1u)};
 }
 
 /// The base of a generated view `Self`: its elements are computed.
-template <class Self, class A, class T>
-class View {
+template <class Self, class A, class T> class View {
 public:
     using Address = A;
     using Element = T;
 
     Range<Self> range(A origin, A size) const {
         const Self& self = static_cast<const Self&>(*this);
-        const detail::Box box{Self::type_name, detail::Axes<A>::count, detail::extent_of(origin, 0), detail::extent_of(size),
-                              detail::extent_of(self.domain())};
+        const detail::Box box{Self::type_name, detail::Axes<A>::count, detail::extent_of(origin, 0),
+                              detail::extent_of(size), detail::extent_of(self.domain())};
         if (!box.is_inside()) detail::throw_outside(std::string(Self::type_name) + "::range", box);
         return Range<Self>(self, origin, size);
     }
@@ -331,8 +320,7 @@ public:
 
 /// The base of a generated structure `Self` with virtual addresses of type A and elements of type T. Copies of a
 /// structure share its memory. Values of a box are in row-major order, x running fastest.
-template <class Self, class A, class T>
-class Structure {
+template <class Self, class A, class T> class Structure {
 public:
     using Address = A;
     using Element = T;
@@ -354,7 +342,8 @@ public:
         if (values.empty()) return;
         const Commands commands(device());
         if constexpr (detail::HasRows<Self>) {
-            if (const auto rows = detail::rows_of(self(), origin, size)) return commands.upload(self().row_memory(), *rows, std::as_bytes(values));
+            if (const auto rows = detail::rows_of(self(), origin, size))
+                return commands.upload(self().row_memory(), *rows, std::as_bytes(values));
         }
         const Memory box = new_box(values.size_bytes());
         commands.upload(box, 0, std::as_bytes(values));
@@ -386,8 +375,7 @@ public:
     Range<Self> first(DeviceValue count) const { return Range<Self>(self()).first(std::move(count)); }
 
     /// A box of another structure with the same elements; the two may be laid out differently.
-    template <class Other>
-    void copy_from(const Range<Other>& from, A to_origin = {}) {
+    template <class Other> void copy_from(const Range<Other>& from, A to_origin = {}) {
         static_assert(std::is_same_v<typename Other::Element, T>);
         static_assert(std::is_same_v<typename Other::Address, A>);
         const A size = from.size();
@@ -410,7 +398,9 @@ protected:
 private:
     Self& self() { return static_cast<Self&>(*this); }
     const Self& self() const { return static_cast<const Self&>(*this); }
-    static std::size_t count(const A& size) { return static_cast<std::size_t>(detail::volume_of(detail::extent_of(size))); }
+    static std::size_t count(const A& size) {
+        return static_cast<std::size_t>(detail::volume_of(detail::extent_of(size)));
+    }
 
     Download fetch(const Range<Self>& range, std::size_t bytes) const {
         const Commands commands(device());
@@ -434,7 +424,8 @@ private:
         if (!box.is_inside()) detail::throw_outside(std::string(Self::type_name) + "::" + operation, box);
     }
     [[noreturn]] void throw_count(std::size_t given, const A& size) const {
-        throw Error(ErrorCode::wrong_argument, "the values do not fill the box", std::string(Self::type_name) + "::write",
+        throw Error(ErrorCode::wrong_argument, "the values do not fill the box",
+                    std::string(Self::type_name) + "::write",
                     std::to_string(given) + " values for a box of " +
                         detail::text_of(detail::extent_of(size), detail::Axes<A>::count),
                     "pass one value an element");

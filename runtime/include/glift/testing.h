@@ -18,8 +18,8 @@ namespace glift {
 /// much of the larger of 1 and the value.
 inline constexpr double inexact_tolerance = 1e-3;
 
-/// All elements of one structure at the end of a test, with how to read their bytes: one letter a scalar (f float, h half,
-/// d double, u uint, i int, b bool, U uint64, I int64).
+/// All elements of one structure at the end of a test, with how to read their bytes: one letter a scalar (f float, h
+/// half, d double, u uint, i int, b bool, U uint64, I int64).
 struct KeptStructure {
     std::string name;
     unsigned rank;
@@ -30,15 +30,14 @@ struct KeptStructure {
 
 namespace detail {
 
-template <class T>
-inline constexpr unsigned value_components = 1;
-template <class T, unsigned N>
-inline constexpr unsigned value_components<vec<T, N>> = N;
+template <class T> inline constexpr unsigned value_components = 1;
+template <class T, unsigned N> inline constexpr unsigned value_components<vec<T, N>> = N;
 
 struct ScalarReader {
-    static std::size_t size_of(char kind) { return kind == 'h' ? 2 : kind == 'd' || kind == 'U' || kind == 'I' ? 8 : 4; }
-    template <class T>
-    static T load(const std::byte* at) {
+    static std::size_t size_of(char kind) {
+        return kind == 'h' ? 2 : kind == 'd' || kind == 'U' || kind == 'I' ? 8 : 4;
+    }
+    template <class T> static T load(const std::byte* at) {
         T value;
         std::memcpy(&value, at, sizeof value);
         return value;
@@ -53,8 +52,10 @@ struct ScalarReader {
         char buffer[40];
         if (is_floating(kind)) std::snprintf(buffer, sizeof buffer, "%.9g", number(kind, at));
         else if (kind == 'i') std::snprintf(buffer, sizeof buffer, "%d", load<std::int32_t>(at));
-        else if (kind == 'U') std::snprintf(buffer, sizeof buffer, "%llu", static_cast<unsigned long long>(load<std::uint64_t>(at)));
-        else if (kind == 'I') std::snprintf(buffer, sizeof buffer, "%lld", static_cast<long long>(load<std::int64_t>(at)));
+        else if (kind == 'U')
+            std::snprintf(buffer, sizeof buffer, "%llu", static_cast<unsigned long long>(load<std::uint64_t>(at)));
+        else if (kind == 'I')
+            std::snprintf(buffer, sizeof buffer, "%lld", static_cast<long long>(load<std::int64_t>(at)));
         else std::snprintf(buffer, sizeof buffer, "%u", load<std::uint32_t>(at));
         return buffer;
     }
@@ -79,10 +80,12 @@ inline Extent address_of(std::size_t index, const Extent& extent) {
 }
 
 /// The differences between two records of elements; the first few in words.
-inline void compare(const KeptStructure& a, const std::string& name_a, const KeptStructure& b, const std::string& name_b,
-                    double tolerance, const std::string& where, std::vector<std::string>& failures) {
+inline void compare(const KeptStructure& a, const std::string& name_a, const KeptStructure& b,
+                    const std::string& name_b, double tolerance, const std::string& where,
+                    std::vector<std::string>& failures) {
     if (a.extent != b.extent || a.bytes.size() != b.bytes.size()) {
-        failures.push_back(where + ": " + name_a + " is " + text_of(a.extent, a.rank) + " and " + name_b + " is " + text_of(b.extent, b.rank));
+        failures.push_back(where + ": " + name_a + " is " + text_of(a.extent, a.rank) + " and " + name_b + " is " +
+                           text_of(b.extent, b.rank));
         return;
     }
     std::size_t stride = 0, differing = 0;
@@ -104,8 +107,9 @@ inline void compare(const KeptStructure& a, const std::string& name_a, const Kep
             if (ScalarReader::agree(a.scalars[k], x, y, tolerance)) continue;
             if (++differing > 3) break;
             const std::string part = offsets.size() > 1 ? " part " + std::to_string(k) : "";
-            failures.push_back(where + ": at " + text_of(address_of(i, a.extent), a.rank) + part + " " + name_a + " has " +
-                               ScalarReader::text(a.scalars[k], x) + " and " + name_b + " has " + ScalarReader::text(a.scalars[k], y));
+            failures.push_back(where + ": at " + text_of(address_of(i, a.extent), a.rank) + part + " " + name_a +
+                               " has " + ScalarReader::text(a.scalars[k], x) + " and " + name_b + " has " +
+                               ScalarReader::text(a.scalars[k], y));
         }
     }
     if (differing > 3) failures.push_back(where + ": and more");
@@ -122,11 +126,11 @@ inline std::vector<Extent> addresses_in(const Extent& domain, unsigned rank) {
     return result;
 }
 
-template <class A>
-A address_from(const Extent& extent) {
+template <class A> A address_from(const Extent& extent) {
     A address{};
     if constexpr (Axes<A>::count == 1) address = extent[0];
-    else for (unsigned i = 0; i < Axes<A>::count; ++i) address[i] = extent[i];
+    else
+        for (unsigned i = 0; i < Axes<A>::count; ++i) address[i] = extent[i];
     return address;
 }
 
@@ -142,8 +146,7 @@ public:
         if (!condition) failures.push_back(std::string(place) + ": expect: the condition is false");
     }
 
-    template <class T>
-    void expect_near(const T& a, const T& b, double tolerance, const char* place) {
+    template <class T> void expect_near(const T& a, const T& b, double tolerance, const char* place) {
         if constexpr (detail::is_scalar<T>) {
             const double x = static_cast<double>(a), y = static_cast<double>(b);
             if (std::fabs(x - y) <= tolerance) return;
@@ -158,19 +161,17 @@ public:
     /// Two structures or boxes of them, element by element.
     template <class A, class B>
     void expect_same(const A& a, const B& b, std::string_view scalars, const char* place, double tolerance = 0) {
-        detail::compare(record("the first", a, scalars), "the first", record("the second", b, scalars), "the second", tolerance,
-                        std::string(place) + ": expect_same", failures);
+        detail::compare(record("the first", a, scalars), "the first", record("the second", b, scalars), "the second",
+                        tolerance, std::string(place) + ": expect_same", failures);
     }
 
     /// Keeps all elements of a structure, to be compared with those of another device.
-    template <class S>
-    void keep(const char* name, const S& structure, std::string_view scalars) {
+    template <class S> void keep(const char* name, const S& structure, std::string_view scalars) {
         if (structure) kept.push_back(record(name, structure, scalars));
     }
 
 private:
-    template <class S>
-    static KeptStructure record(const char* name, const S& structure, std::string_view scalars) {
+    template <class S> static KeptStructure record(const char* name, const S& structure, std::string_view scalars) {
         const auto values = structure.read();
         Extent extent;
         if constexpr (requires { structure.size(); }) extent = detail::extent_of(structure.size());
@@ -182,8 +183,9 @@ private:
 
 /// Checks one translator with the state that a structure gives it: what it maps an address to maps back, and no two
 /// addresses map to one.
-template <class A, class Translate, class Invert>
-void check_translator(Test& test, const char* name, const A& domain, const Translate& translate, const Invert& invert, bool one_to_one) {
+template <class A, class Translate, class Invert> void check_translator(Test& test, const char* name, const A& domain,
+                                                                        const Translate& translate,
+                                                                        const Invert& invert, bool one_to_one) {
     using Physical = std::remove_cvref_t<decltype(*translate(A{}))>;
     constexpr unsigned rank = detail::Axes<A>::count;
     const Extent size = detail::extent_of(domain);
@@ -194,14 +196,16 @@ void check_translator(Test& test, const char* name, const A& domain, const Trans
         const Extent there = detail::extent_of(Physical(*physical), 0);
         constexpr unsigned physical_rank = detail::Axes<Physical>::count;
         if (one_to_one && !seen.insert(there).second)
-            test.failures.push_back(std::string(name) + ": not one-to-one: " + detail::text_of(at, rank) + " and another address both map to " +
-                                    detail::text_of(there, physical_rank) + " (domain " + detail::text_of(size, rank) + ")");
+            test.failures.push_back(std::string(name) + ": not one-to-one: " + detail::text_of(at, rank) +
+                                    " and another address both map to " + detail::text_of(there, physical_rank) +
+                                    " (domain " + detail::text_of(size, rank) + ")");
         if constexpr (!std::is_same_v<Invert, std::nullptr_t>) {
             const Extent back = detail::extent_of(A(invert(*physical)), 0);
             const Extent want = detail::extent_of(detail::address_from<A>(at), 0);
             if (back != want)
-                test.failures.push_back(std::string(name) + ": invert(translate(" + detail::text_of(at, rank) + ")) is " +
-                                        detail::text_of(back, rank) + " (domain " + detail::text_of(size, rank) + ")");
+                test.failures.push_back(std::string(name) + ": invert(translate(" + detail::text_of(at, rank) +
+                                        ")) is " + detail::text_of(back, rank) + " (domain " +
+                                        detail::text_of(size, rank) + ")");
         }
         if (test.failures.size() > 10) return;
     }
@@ -209,8 +213,7 @@ void check_translator(Test& test, const char* name, const A& domain, const Trans
 
 /// Checks that boxes of a structure cover their elements exactly once: what is written to a box comes back, and nothing
 /// else changes.
-template <class S, class Value>
-void check_boxes(Test& test, const char* name, S& structure, const Value& value) {
+template <class S, class Value> void check_boxes(Test& test, const char* name, S& structure, const Value& value) {
     using A = typename S::Address;
     using T = typename S::Element;
     constexpr unsigned rank = detail::Axes<A>::count;
@@ -237,16 +240,17 @@ void check_boxes(Test& test, const char* name, S& structure, const Value& value)
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (std::memcmp(&all[i], &out[i], sizeof(T)) == 0) continue;
         test.failures.push_back(std::string(name) + ": after writing the box " + detail::text_of(size, rank) + " at " +
-                                detail::text_of(origin, rank) + ", the element at " + detail::text_of(detail::address_of(i, domain), rank) +
-                                " is wrong (domain " + detail::text_of(domain, rank) + ")");
+                                detail::text_of(origin, rank) + ", the element at " +
+                                detail::text_of(detail::address_of(i, domain), rank) + " is wrong (domain " +
+                                detail::text_of(domain, rank) + ")");
         return;
     }
 }
 
 struct TestCase {
     const char* title;
-    const char* place;        ///< file:line
-    bool exact;               ///< all passes are exact: devices agree bit for bit
+    const char* place;  ///< file:line
+    bool exact;         ///< all passes are exact: devices agree bit for bit
     void (*run)(Test& test, const Commands& commands);
 };
 
@@ -294,7 +298,8 @@ inline int run_tests(std::span<const TestCase> tests, int argc, char** argv) {
             if (runs.size() == 2 && runs[0].kept.size() == runs[1].kept.size()) {
                 for (std::size_t i = 0; i < runs[0].kept.size(); ++i)
                     detail::compare(runs[0].kept[i], "the host", runs[1].kept[i], devices[1].properties().name,
-                                    test.exact ? 0 : inexact_tolerance, std::string(test.place) + ": " + runs[0].kept[i].name, failures);
+                                    test.exact ? 0 : inexact_tolerance,
+                                    std::string(test.place) + ": " + runs[0].kept[i].name, failures);
             }
             std::printf("%s  %s (%s)\n", failures.empty() ? "pass" : "FAIL", test.title, test.place);
             for (const std::string& failure : failures) std::printf("      %s\n", failure.c_str());

@@ -11,28 +11,22 @@ namespace glift {
 
 using uint = std::uint32_t;
 
-template <class T, unsigned N>
-struct vec;
+template <class T, unsigned N> struct vec;
 
-template <class T>
-struct vec<T, 2> {
+template <class T> struct vec<T, 2> {
     T x{}, y{};
 
     constexpr vec() = default;
     constexpr vec(T x, T y) : x(x), y(y) {}
     explicit constexpr vec(T all) : x(all), y(all) {}
-    template <class U>
-    explicit constexpr vec(const vec<U, 2>& v) : x(convert<T>(v.x)), y(convert<T>(v.y)) {}
+    template <class U> explicit constexpr vec(const vec<U, 2>& v) : x(convert<T>(v.x)), y(convert<T>(v.y)) {}
 
-    template <class I>
-    constexpr T& operator[](I i) { return i <= 0 ? x : y; }
-    template <class I>
-    constexpr const T& operator[](I i) const { return i <= 0 ? x : y; }
+    template <class I> constexpr T& operator[](I i) { return i <= 0 ? x : y; }
+    template <class I> constexpr const T& operator[](I i) const { return i <= 0 ? x : y; }
     constexpr bool operator==(const vec&) const = default;
 };
 
-template <class T>
-struct vec<T, 3> {
+template <class T> struct vec<T, 3> {
     T x{}, y{}, z{};
 
     constexpr vec() = default;
@@ -40,21 +34,18 @@ struct vec<T, 3> {
     explicit constexpr vec(T all) : x(all), y(all), z(all) {}
     constexpr vec(const vec<T, 2>& a, T z) : x(a.x), y(a.y), z(z) {}
     constexpr vec(T x, const vec<T, 2>& a) : x(x), y(a.x), z(a.y) {}
-    template <class U>
-    explicit constexpr vec(const vec<U, 3>& v) : x(convert<T>(v.x)), y(convert<T>(v.y)), z(convert<T>(v.z)) {}
+    template <class U> explicit constexpr vec(const vec<U, 3>& v)
+        : x(convert<T>(v.x)), y(convert<T>(v.y)), z(convert<T>(v.z)) {}
 
-    template <class I>
-    constexpr T& operator[](I i) { return i <= 0 ? x : i == 1 ? y : z; }
-    template <class I>
-    constexpr const T& operator[](I i) const { return i <= 0 ? x : i == 1 ? y : z; }
+    template <class I> constexpr T& operator[](I i) { return i <= 0 ? x : i == 1 ? y : z; }
+    template <class I> constexpr const T& operator[](I i) const { return i <= 0 ? x : i == 1 ? y : z; }
     constexpr bool operator==(const vec&) const = default;
 
     constexpr vec<T, 2> xy() const { return {x, y}; }
     constexpr vec<T, 2> yz() const { return {y, z}; }
 };
 
-template <class T>
-struct vec<T, 4> {
+template <class T> struct vec<T, 4> {
     T x{}, y{}, z{}, w{};
 
     constexpr vec() = default;
@@ -66,14 +57,11 @@ struct vec<T, 4> {
     constexpr vec(T x, T y, const vec<T, 2>& a) : x(x), y(y), z(a.x), w(a.y) {}
     constexpr vec(const vec<T, 3>& a, T w) : x(a.x), y(a.y), z(a.z), w(w) {}
     constexpr vec(T x, const vec<T, 3>& a) : x(x), y(a.x), z(a.y), w(a.z) {}
-    template <class U>
-    explicit constexpr vec(const vec<U, 4>& v)
+    template <class U> explicit constexpr vec(const vec<U, 4>& v)
         : x(convert<T>(v.x)), y(convert<T>(v.y)), z(convert<T>(v.z)), w(convert<T>(v.w)) {}
 
-    template <class I>
-    constexpr T& operator[](I i) { return i <= 0 ? x : i == 1 ? y : i == 2 ? z : w; }
-    template <class I>
-    constexpr const T& operator[](I i) const { return i <= 0 ? x : i == 1 ? y : i == 2 ? z : w; }
+    template <class I> constexpr T& operator[](I i) { return i <= 0 ? x : i == 1 ? y : i == 2 ? z : w; }
+    template <class I> constexpr const T& operator[](I i) const { return i <= 0 ? x : i == 1 ? y : i == 2 ? z : w; }
     constexpr bool operator==(const vec&) const = default;
 
     constexpr vec<T, 2> xy() const { return {x, y}; }
@@ -85,16 +73,14 @@ struct vec<T, 4> {
 
 namespace detail {
 
-template <class F, class T, unsigned N>
-constexpr auto map(F f, const vec<T, N>& a) {
+template <class F, class T, unsigned N> constexpr auto map(F f, const vec<T, N>& a) {
     using R = decltype(f(a.x));
     if constexpr (N == 2) return vec<R, 2>(f(a.x), f(a.y));
     else if constexpr (N == 3) return vec<R, 3>(f(a.x), f(a.y), f(a.z));
     else return vec<R, 4>(f(a.x), f(a.y), f(a.z), f(a.w));
 }
 
-template <class F, class T, class U, unsigned N>
-constexpr auto map(F f, const vec<T, N>& a, const vec<U, N>& b) {
+template <class F, class T, class U, unsigned N> constexpr auto map(F f, const vec<T, N>& a, const vec<U, N>& b) {
     using R = decltype(f(a.x, b.x));
     if constexpr (N == 2) return vec<R, 2>(f(a.x, b.x), f(a.y, b.y));
     else if constexpr (N == 3) return vec<R, 3>(f(a.x, b.x), f(a.y, b.y), f(a.z, b.z));
@@ -110,8 +96,7 @@ constexpr auto map(F f, const vec<T, N>& a, const vec<U, N>& b, const vec<V, N>&
 }
 
 // Signed arithmetic wraps as unsigned does.
-template <class T>
-constexpr T add(T a, T b) {
+template <class T> constexpr T add(T a, T b) {
     if constexpr (is_integer<T>) {
         using U = std::make_unsigned_t<T>;
         return static_cast<T>(static_cast<U>(a) + static_cast<U>(b));
@@ -119,8 +104,7 @@ constexpr T add(T a, T b) {
         return a + b;
     }
 }
-template <class T>
-constexpr T subtract(T a, T b) {
+template <class T> constexpr T subtract(T a, T b) {
     if constexpr (is_integer<T>) {
         using U = std::make_unsigned_t<T>;
         return static_cast<T>(static_cast<U>(a) - static_cast<U>(b));
@@ -128,8 +112,7 @@ constexpr T subtract(T a, T b) {
         return a - b;
     }
 }
-template <class T>
-constexpr T multiply(T a, T b) {
+template <class T> constexpr T multiply(T a, T b) {
     if constexpr (is_integer<T>) {
         using U = std::make_unsigned_t<T>;
         return static_cast<T>(static_cast<U>(a) * static_cast<U>(b));
@@ -138,35 +121,26 @@ constexpr T multiply(T a, T b) {
     }
 }
 
-template <class T>
-struct Same {
-    using type = T;
-};
-template <class T>
-using same = typename Same<T>::type;  // not deduced, so that `v * 2` takes v's component type
+template <class T> struct Same { using type = T; };
+template <class T> using same = typename Same<T>::type;  // not deduced, so that `v * 2` takes v's component type
 
 }  // namespace detail
 
 // Componentwise operators; a scalar on either side stands for all components.
 #define GLIFT_VECTOR_OPERATOR(op, function)                                                                            \
-    template <class T, unsigned N>                                                                                     \
-    constexpr vec<T, N> operator op(const vec<T, N>& a, const vec<T, N>& b) {                                          \
+    template <class T, unsigned N> constexpr vec<T, N> operator op(const vec<T, N>& a, const vec<T, N>& b) {           \
         return detail::map([](T l, T r) -> T { return function; }, a, b);                                              \
     }                                                                                                                  \
-    template <class T, unsigned N>                                                                                     \
-    constexpr vec<T, N> operator op(const vec<T, N>& a, detail::same<T> b) {                                           \
+    template <class T, unsigned N> constexpr vec<T, N> operator op(const vec<T, N>& a, detail::same<T> b) {            \
         return a op vec<T, N>(b);                                                                                      \
     }                                                                                                                  \
-    template <class T, unsigned N>                                                                                     \
-    constexpr vec<T, N> operator op(detail::same<T> a, const vec<T, N>& b) {                                           \
+    template <class T, unsigned N> constexpr vec<T, N> operator op(detail::same<T> a, const vec<T, N>& b) {            \
         return vec<T, N>(a) op b;                                                                                      \
     }                                                                                                                  \
-    template <class T, unsigned N>                                                                                     \
-    constexpr vec<T, N>& operator op##=(vec<T, N>& a, const vec<T, N>& b) {                                            \
+    template <class T, unsigned N> constexpr vec<T, N>& operator op##=(vec<T, N>& a, const vec<T, N>& b) {             \
         return a = a op b;                                                                                             \
     }                                                                                                                  \
-    template <class T, unsigned N>                                                                                     \
-    constexpr vec<T, N>& operator op##=(vec<T, N>& a, detail::same<T> b) {                                             \
+    template <class T, unsigned N> constexpr vec<T, N>& operator op##=(vec<T, N>& a, detail::same<T> b) {              \
         return a = a op b;                                                                                             \
     }
 
@@ -175,46 +149,40 @@ GLIFT_VECTOR_OPERATOR(-, detail::subtract(l, r))
 GLIFT_VECTOR_OPERATOR(*, detail::multiply(l, r))
 GLIFT_VECTOR_OPERATOR(/, divide(l, r))
 GLIFT_VECTOR_OPERATOR(%, remainder(l, r))
-GLIFT_VECTOR_OPERATOR(&, static_cast<T>(l & r))
+GLIFT_VECTOR_OPERATOR(&, static_cast<T>(l& r))
 GLIFT_VECTOR_OPERATOR(|, static_cast<T>(l | r))
 GLIFT_VECTOR_OPERATOR(^, static_cast<T>(l ^ r))
 #undef GLIFT_VECTOR_OPERATOR
 
-template <class T, class U, unsigned N>
-constexpr vec<T, N> operator<<(const vec<T, N>& a, const vec<U, N>& b) {
+template <class T, class U, unsigned N> constexpr vec<T, N> operator<<(const vec<T, N>& a, const vec<U, N>& b) {
     return detail::map([](T l, U r) { return shift_left(l, r); }, a, b);
 }
 template <class T, class U, unsigned N>
-    requires is_integer<U>
+requires is_integer<U>
 constexpr vec<T, N> operator<<(const vec<T, N>& a, U b) {
     return detail::map([b](T l) { return shift_left(l, b); }, a);
 }
-template <class T, class U, unsigned N>
-constexpr vec<T, N> operator>>(const vec<T, N>& a, const vec<U, N>& b) {
+template <class T, class U, unsigned N> constexpr vec<T, N> operator>>(const vec<T, N>& a, const vec<U, N>& b) {
     return detail::map([](T l, U r) { return shift_right(l, r); }, a, b);
 }
 template <class T, class U, unsigned N>
-    requires is_integer<U>
+requires is_integer<U>
 constexpr vec<T, N> operator>>(const vec<T, N>& a, U b) {
     return detail::map([b](T l) { return shift_right(l, b); }, a);
 }
-template <class T, unsigned N>
-constexpr vec<T, N> operator-(const vec<T, N>& a) {
+template <class T, unsigned N> constexpr vec<T, N> operator-(const vec<T, N>& a) {
     if constexpr (is_integer<T>) return vec<T, N>(T{0}) - a;
     else return detail::map([](T v) { return -v; }, a);
 }
-template <class T, unsigned N>
-constexpr vec<T, N> operator~(const vec<T, N>& a) {
+template <class T, unsigned N> constexpr vec<T, N> operator~(const vec<T, N>& a) {
     return detail::map([](T v) { return static_cast<T>(~v); }, a);
 }
-template <unsigned N>
-constexpr vec<bool, N> operator!(const vec<bool, N>& a) {
+template <unsigned N> constexpr vec<bool, N> operator!(const vec<bool, N>& a) {
     return detail::map([](bool v) { return !v; }, a);
 }
 
 /// v.yx is swizzle<1, 0>(v).
-template <unsigned... Lanes, class T, unsigned N>
-constexpr vec<T, sizeof...(Lanes)> swizzle(const vec<T, N>& v) {
+template <unsigned... Lanes, class T, unsigned N> constexpr vec<T, sizeof...(Lanes)> swizzle(const vec<T, N>& v) {
     return {v[Lanes]...};
 }
 
@@ -246,22 +214,18 @@ using double4 = vec<double, 4>;
 
 namespace detail {
 /// An index beyond either end means the nearest element.
-template <unsigned N, class I>
-constexpr unsigned within(I i) {
+template <unsigned N, class I> constexpr unsigned within(I i) {
     if constexpr (std::is_signed_v<I>) return i < 0 ? 0 : i < static_cast<I>(N) ? static_cast<unsigned>(i) : N - 1;
     else return i < N ? static_cast<unsigned>(i) : N - 1;
 }
 }  // namespace detail
 
 /// T[n].
-template <class T, unsigned N>
-struct array {
+template <class T, unsigned N> struct array {
     T values[N] = {};
 
-    template <class I>
-    constexpr T& operator[](I i) { return values[detail::within<N>(i)]; }
-    template <class I>
-    constexpr const T& operator[](I i) const { return values[detail::within<N>(i)]; }
+    template <class I> constexpr T& operator[](I i) { return values[detail::within<N>(i)]; }
+    template <class I> constexpr const T& operator[](I i) const { return values[detail::within<N>(i)]; }
     constexpr bool operator==(const array&) const = default;
     static constexpr unsigned size() { return N; }
     constexpr T* begin() { return values; }
@@ -271,14 +235,11 @@ struct array {
 };
 
 /// C columns of R rows, column after column; m[c] is a column.
-template <class T, unsigned C, unsigned R>
-struct mat {
+template <class T, unsigned C, unsigned R> struct mat {
     vec<T, R> columns[C] = {};
 
-    template <class I>
-    constexpr vec<T, R>& operator[](I c) { return columns[detail::within<C>(c)]; }
-    template <class I>
-    constexpr const vec<T, R>& operator[](I c) const { return columns[detail::within<C>(c)]; }
+    template <class I> constexpr vec<T, R>& operator[](I c) { return columns[detail::within<C>(c)]; }
+    template <class I> constexpr const vec<T, R>& operator[](I c) const { return columns[detail::within<C>(c)]; }
     constexpr bool operator==(const mat&) const = default;
 };
 
@@ -293,14 +254,12 @@ using float4x2 = mat<float, 4, 2>;
 using float4x3 = mat<float, 4, 3>;
 
 /// Sums run from the first column on, so that the result is the same on every device.
-template <class T, unsigned C, unsigned R>
-constexpr vec<T, R> operator*(const mat<T, C, R>& m, const vec<T, C>& v) {
+template <class T, unsigned C, unsigned R> constexpr vec<T, R> operator*(const mat<T, C, R>& m, const vec<T, C>& v) {
     vec<T, R> sum = m.columns[0] * v.x;
     for (unsigned c = 1; c < C; ++c) sum += m.columns[c] * v[c];
     return sum;
 }
-template <class T, unsigned C, unsigned R>
-constexpr vec<T, C> operator*(const vec<T, R>& v, const mat<T, C, R>& m) {
+template <class T, unsigned C, unsigned R> constexpr vec<T, C> operator*(const vec<T, R>& v, const mat<T, C, R>& m) {
     vec<T, C> result;
     for (unsigned c = 0; c < C; ++c) {
         result[c] = v.x * m.columns[c].x;
@@ -314,14 +273,12 @@ constexpr mat<T, C, R> operator*(const mat<T, K, R>& a, const mat<T, C, K>& b) {
     for (unsigned c = 0; c < C; ++c) result.columns[c] = a * b.columns[c];
     return result;
 }
-template <class T, unsigned C, unsigned R>
-constexpr mat<T, C, R> operator*(const mat<T, C, R>& a, detail::same<T> b) {
+template <class T, unsigned C, unsigned R> constexpr mat<T, C, R> operator*(const mat<T, C, R>& a, detail::same<T> b) {
     mat<T, C, R> result;
     for (unsigned c = 0; c < C; ++c) result.columns[c] = a.columns[c] * b;
     return result;
 }
-template <class T, unsigned C, unsigned R>
-constexpr mat<T, C, R> operator*(detail::same<T> a, const mat<T, C, R>& b) {
+template <class T, unsigned C, unsigned R> constexpr mat<T, C, R> operator*(detail::same<T> a, const mat<T, C, R>& b) {
     return b * a;
 }
 template <class T, unsigned C, unsigned R>
@@ -336,19 +293,16 @@ constexpr mat<T, C, R> operator-(const mat<T, C, R>& a, const mat<T, C, R>& b) {
     for (unsigned c = 0; c < C; ++c) result.columns[c] = a.columns[c] - b.columns[c];
     return result;
 }
-template <class T, unsigned C, unsigned R>
-constexpr mat<T, C, R> operator-(const mat<T, C, R>& a) {
-    return a * T{-1};
-}
+template <class T, unsigned C, unsigned R> constexpr mat<T, C, R> operator-(const mat<T, C, R>& a) { return a * T{-1}; }
 
 /// The names of the language's own types, for `using namespace glift::types;`.
 namespace types {
-using glift::half, glift::uint;
 using glift::bool2, glift::bool3, glift::bool4, glift::int2, glift::int3, glift::int4;
 using glift::double2, glift::double3, glift::double4, glift::uint2, glift::uint3, glift::uint4;
 using glift::float2, glift::float3, glift::float4, glift::half2, glift::half3, glift::half4;
 using glift::float2x2, glift::float2x3, glift::float2x4, glift::float3x2, glift::float3x3, glift::float3x4;
 using glift::float4x2, glift::float4x3, glift::float4x4;
+using glift::half, glift::uint;
 }  // namespace types
 
 }  // namespace glift

@@ -41,13 +41,13 @@ struct Objects {
     VkDevice device = VK_NULL_HANDLE;
     VkQueue queue = VK_NULL_HANDLE;
     std::uint32_t queue_family = 0;
-    std::span<const char* const> extensions = {};                  ///< that the device was made with
-    PFN_vkGetInstanceProcAddr get_instance_proc_addr = nullptr;    ///< null: the system's loader
+    std::span<const char* const> extensions = {};                ///< that the device was made with
+    PFN_vkGetInstanceProcAddr get_instance_proc_addr = nullptr;  ///< null: the system's loader
 };
 
-/// A device over the user's own. Throws unsupported_version, missing_feature, no_loader, wrong_argument. Vulkan does not
-/// tell which features a VkDevice was made with: those of the physical device are asked for, and that they were enabled
-/// (DeviceFeatures) is taken on trust.
+/// A device over the user's own. Throws unsupported_version, missing_feature, no_loader, wrong_argument. Vulkan does
+/// not tell which features a VkDevice was made with: those of the physical device are asked for, and that they were
+/// enabled (DeviceFeatures) is taken on trust.
 GLIFT_API Device adopt(const Objects& objects);
 
 /// Records into the user's command buffer, which is in the recording state. Before its first command everything
@@ -65,9 +65,9 @@ struct BufferHandle {
 
 struct ImageHandle {
     VkImage image;
-    VkImageView view;              ///< all mips
+    VkImageView view;  ///< all mips
     VkFormat format;
-    VkImageLayout layout;          ///< always VK_IMAGE_LAYOUT_GENERAL
+    VkImageLayout layout;  ///< always VK_IMAGE_LAYOUT_GENERAL
 };
 
 /// What is behind a memory, for descriptors of the user's own. Before the user's own commands touch it, flush().

@@ -57,8 +57,7 @@ void HostRecordingStream::copy_images(const Memory& from, const Memory& to, std:
 
 void HostRecordingStream::upload(const Memory& to, std::span<const CopyRegion> regions,
                                  std::span<const std::byte> bytes) {
-    steps_.push_back(
-        [=, r = copied(regions), b = copied(bytes)](HostStream& stream) { stream.upload(to, r, b); });
+    steps_.push_back([=, r = copied(regions), b = copied(bytes)](HostStream& stream) { stream.upload(to, r, b); });
 }
 
 void HostRecordingStream::upload_image(const Memory& image, std::span<const ImageRegion> regions,

@@ -39,8 +39,7 @@ std::byte* texel_address(const Memory& image, std::array<std::uint32_t, 3> at, s
 }
 
 // Calls row(image bytes, offset in the packed bytes, length) for each row of each box.
-template <class Row>
-void each_row(const Memory& image, std::span<const ImageRegion> regions, Row row) {
+template <class Row> void each_row(const Memory& image, std::span<const ImageRegion> regions, Row row) {
     const std::uint64_t texel = texel_bytes(image.description().format);
     for (const ImageRegion& r : regions) {
         const std::uint64_t length = r.extent[0] * texel;
@@ -130,10 +129,9 @@ void HostStream::copy_images(const Memory& from, const Memory& to, std::span<con
     for (const ImageCopyRegion& r : regions) {
         for (std::uint32_t z = 0; z < r.extent[2]; ++z) {
             for (std::uint32_t y = 0; y < r.extent[1]; ++y) {
-                std::memcpy(
-                    texel_address(to, {r.to[0], r.to[1] + y, r.to[2] + z}, r.to_mip, r.to_face),
-                    texel_address(from, {r.from[0], r.from[1] + y, r.from[2] + z}, r.from_mip, r.from_face),
-                    r.extent[0] * texel);
+                std::memcpy(texel_address(to, {r.to[0], r.to[1] + y, r.to[2] + z}, r.to_mip, r.to_face),
+                            texel_address(from, {r.from[0], r.from[1] + y, r.from[2] + z}, r.from_mip, r.from_face),
+                            r.extent[0] * texel);
             }
         }
     }

@@ -9,7 +9,7 @@ struct Block {
     VkDeviceMemory memory = VK_NULL_HANDLE;
     VkDeviceSize bytes = 0, used = 0;
     std::byte* mapped = nullptr;
-    std::map<VkDeviceSize, VkDeviceSize> free;   // offset -> bytes
+    std::map<VkDeviceSize, VkDeviceSize> free;  // offset -> bytes
     std::size_t pool = 0;
 };
 
@@ -72,9 +72,16 @@ bool Allocator::choose_type(std::uint32_t allowed, MemoryUse use, std::uint32_t&
         VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
     VkMemoryPropertyFlags needed = 0, liked = 0, disliked = 0;
     switch (use) {
-        case MemoryUse::device: liked = device; break;
-        case MemoryUse::upload: needed = visible; disliked = device; break;
-        case MemoryUse::readback: needed = visible; liked = VK_MEMORY_PROPERTY_HOST_CACHED_BIT; disliked = device; break;
+    case MemoryUse::device: liked = device; break;
+    case MemoryUse::upload:
+        needed = visible;
+        disliked = device;
+        break;
+    case MemoryUse::readback:
+        needed = visible;
+        liked = VK_MEMORY_PROPERTY_HOST_CACHED_BIT;
+        disliked = device;
+        break;
     }
     int best = -1;
     for (std::uint32_t k = 0; k < context_.memory.memoryTypeCount; ++k) {
@@ -181,8 +188,8 @@ void Allocator::free(const Allocation& allocation) {
     const auto spare = [&](const auto& block) {
         return block.get() != allocation.block && !block->used && block->bytes <= largest_block;
     };
-    const bool keep = allocation.block->bytes <= largest_block &&
-                      std::none_of(pool.blocks.begin(), pool.blocks.end(), spare);
+    const bool keep =
+        allocation.block->bytes <= largest_block && std::none_of(pool.blocks.begin(), pool.blocks.end(), spare);
     if (keep) return;
     for (std::size_t k = 0; k < pool.blocks.size(); ++k) {
         if (pool.blocks[k].get() == allocation.block) return release_block(pool, k);

@@ -17,7 +17,7 @@ struct Block;
 struct Allocation {
     VkDeviceMemory memory = VK_NULL_HANDLE;
     VkDeviceSize offset = 0, bytes = 0;
-    std::byte* mapped = nullptr;     ///< upload and readback
+    std::byte* mapped = nullptr;  ///< upload and readback
     Block* block = nullptr;
 };
 

@@ -49,7 +49,7 @@ private:
 
     Context& context_;
     Allocator& allocator_;
-    std::mutex mutex_;   // chunks come back from any thread
+    std::mutex mutex_;  // chunks come back from any thread
     std::vector<std::unique_ptr<Chunk>> idle_;
 };
 
@@ -72,7 +72,7 @@ public:
         offset_ = end_ = 0;
     }
 
-    static constexpr VkDeviceSize alignment = 256;   // no device asks for more (minStorageBufferOffsetAlignment)
+    static constexpr VkDeviceSize alignment = 256;  // no device asks for more (minStorageBufferOffsetAlignment)
 
 private:
     Slice take_from_next(VkDeviceSize bytes);

@@ -17,7 +17,8 @@ void DescriptorSets::add_pool(const Pipeline& pipeline) {
                                              .poolSizeCount = 3,
                                              .pPoolSizes = sizes};
     VkDescriptorPool pool = VK_NULL_HANDLE;
-    context_.check(context_.vk.vkCreateDescriptorPool(context_.device, &info, nullptr, &pool), "vkCreateDescriptorPool");
+    context_.check(context_.vk.vkCreateDescriptorPool(context_.device, &info, nullptr, &pool),
+                   "vkCreateDescriptorPool");
     pools_.push_back(pool);
 }
 

@@ -18,7 +18,7 @@ private:
     void add_pool(const Pipeline& pipeline);
 
     Context& context_;
-    std::vector<VkDescriptorPool> pools_;   // the last one is being filled
+    std::vector<VkDescriptorPool> pools_;  // the last one is being filled
 };
 
 struct CommandBatch {
@@ -34,8 +34,8 @@ struct CommandBatch {
     VkCommandBuffer commands = VK_NULL_HANDLE;
     Arena upload, readback;
     DescriptorSets sets;
-    std::uint64_t value = 0;        ///< of the timeline, when the device is done with it
-    std::uint64_t operations = 0;   ///< recorded
+    std::uint64_t value = 0;       ///< of the timeline, when the device is done with it
+    std::uint64_t operations = 0;  ///< recorded
     std::uint64_t passes = 0;
 };
 

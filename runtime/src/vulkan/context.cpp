@@ -10,8 +10,8 @@ namespace {
 
 std::uint32_t choose_queue_family(const Instance& instance, VkPhysicalDevice physical) {
     const auto families = queue_families(instance, physical);
-    for (const VkQueueFlags wanted : {VkQueueFlags(VK_QUEUE_COMPUTE_BIT | VK_QUEUE_GRAPHICS_BIT),
-                                      VkQueueFlags(VK_QUEUE_COMPUTE_BIT)}) {
+    for (const VkQueueFlags wanted :
+         {VkQueueFlags(VK_QUEUE_COMPUTE_BIT | VK_QUEUE_GRAPHICS_BIT), VkQueueFlags(VK_QUEUE_COMPUTE_BIT)}) {
         for (std::uint32_t k = 0; k < families.size(); ++k) {
             if ((families[k].queueFlags & wanted) == wanted) return k;
         }
@@ -21,8 +21,8 @@ std::uint32_t choose_queue_family(const Instance& instance, VkPhysicalDevice phy
 }
 
 [[noreturn]] void refuse_adoption(std::string why, std::string remedy) {
-    throw Error(ErrorCode::wrong_argument, "these Vulkan objects cannot be adopted", "glift::vulkan::adopt", std::move(why),
-                std::move(remedy));
+    throw Error(ErrorCode::wrong_argument, "these Vulkan objects cannot be adopted", "glift::vulkan::adopt",
+                std::move(why), std::move(remedy));
 }
 
 void check_objects(const Context::Adopted& objects) {
@@ -33,7 +33,8 @@ void check_objects(const Context::Adopted& objects) {
 
 void check_queue_family(const Instance& instance, const Context::Adopted& objects) {
     const auto families = queue_families(instance, objects.physical);
-    if (objects.queue_family >= families.size() || !(families[objects.queue_family].queueFlags & VK_QUEUE_COMPUTE_BIT)) {
+    if (objects.queue_family >= families.size() ||
+        !(families[objects.queue_family].queueFlags & VK_QUEUE_COMPUTE_BIT)) {
         refuse_adoption("queue family " + std::to_string(objects.queue_family) + " does not exist or cannot compute",
                         "pass a queue of a family with VK_QUEUE_COMPUTE_BIT");
     }
@@ -124,8 +125,9 @@ void Context::fail(VkResult result, const char* call) {
                     "(gliftc --checked) to find an access out of range");
     }
     if (result == VK_ERROR_OUT_OF_DEVICE_MEMORY || result == VK_ERROR_OUT_OF_HOST_MEMORY) {
-        throw Error(ErrorCode::out_of_memory, "the device has no memory left", std::string(call) + ", " + properties.name,
-                    result_text(result), "free structures that are no longer used, or make them smaller");
+        throw Error(ErrorCode::out_of_memory, "the device has no memory left",
+                    std::string(call) + ", " + properties.name, result_text(result),
+                    "free structures that are no longer used, or make them smaller");
     }
     throw Error(ErrorCode::vulkan, "a Vulkan call failed", std::string(call) + ", " + properties.name,
                 result_text(result), "run with GLIFT_VALIDATE=1 to see what was wrong with it");

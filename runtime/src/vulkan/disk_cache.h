@@ -15,11 +15,11 @@ public:
     DiskCache(const DiskCache&) = delete;
 
     VkPipelineCache handle() const { return handle_; }
-    void save();    ///< never throws: a cache that cannot be written is no error
+    void save();  ///< never throws: a cache that cannot be written is no error
 
 private:
     Context& context_;
-    std::filesystem::path file_;   ///< empty: nothing is kept
+    std::filesystem::path file_;  ///< empty: nothing is kept
     VkPipelineCache handle_ = VK_NULL_HANDLE;
 };
 

@@ -16,12 +16,11 @@ namespace {
 constexpr VkPipelineStageFlags2 work_stages =
     VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT;
 
-constexpr VkMemoryBarrier2 between_work = {
-    .sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,
-    .srcStageMask = work_stages,
-    .srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT,
-    .dstStageMask = work_stages | VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT,
-    .dstAccessMask = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT};
+constexpr VkMemoryBarrier2 between_work = {.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,
+                                           .srcStageMask = work_stages,
+                                           .srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT,
+                                           .dstStageMask = work_stages | VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT,
+                                           .dstAccessMask = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT};
 
 constexpr VkMemoryBarrier2 between_everything = {
     .sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,
@@ -89,9 +88,10 @@ CompiledForm Encoder::choose(const Kernel& kernel, const Call& call) const {
         return call.form == FormName::direct ? CompiledForm::direct : CompiledForm::general;
     }
     if (call.form == FormName::general) return CompiledForm::wide;
-    const auto largest = std::max_element(
-        call.memories.begin(), call.memories.end(),
-        [](const Memory& a, const Memory& b) { return vulkan_memory(a).range < vulkan_memory(b).range; });
+    const auto largest =
+        std::max_element(call.memories.begin(), call.memories.end(), [](const Memory& a, const Memory& b) {
+            return vulkan_memory(a).range < vulkan_memory(b).range;
+        });
     throw Error(ErrorCode::too_large, "a memory is too large for the direct form of a kernel",
                 kernel_text(kernel) + ", " + memory_text(largest->description()),
                 "a descriptor covers " + size_text(context_.properties.max_storage_buffer_range),
@@ -256,7 +256,8 @@ void Encoder::dispatch_split(const Pipeline& pipeline, const Call& call, const G
         for (base[1] = 0; base[1] < groups.count[1]; base[1] += limit[1]) {
             for (base[0] = 0; base[0] < groups.count[0]; base[0] += limit[0]) {
                 const Slice block = write_parameters(pipeline, call);
-                const std::uint32_t start[3] = {static_cast<std::uint32_t>(base[0]), static_cast<std::uint32_t>(base[1]),
+                const std::uint32_t start[3] = {static_cast<std::uint32_t>(base[0]),
+                                                static_cast<std::uint32_t>(base[1]),
                                                 static_cast<std::uint32_t>(base[2])};
                 std::memcpy(block.data + pipeline.form->base_offset, start, sizeof start);
                 bind(pipeline, call, block);

@@ -26,7 +26,7 @@ public:
     void dispatch(const Kernel& kernel, const Call& call);
 
     void fill(const VulkanMemory& memory, std::uint64_t offset, std::uint64_t bytes, std::uint32_t value);
-    void clear_new(const VulkanMemory& memory);         ///< the first commands on a memory: layout, zeros
+    void clear_new(const VulkanMemory& memory);  ///< the first commands on a memory: layout, zeros
     void copy(const VulkanMemory& from, const VulkanMemory& to, std::span<const CopyRegion> regions);
     void copy_to_image(const VulkanMemory& buffer, const VulkanMemory& image, std::span<const ImageRegion> regions);
     void copy_from_image(const VulkanMemory& image, const VulkanMemory& buffer, std::span<const ImageRegion> regions);

@@ -72,18 +72,17 @@ void Encoder::clear_new(const VulkanMemory& memory) {
     ++batch_->operations;
     const VkImageSubresourceRange all = {vulkan_aspect(d.format), 0, d.mips, 0, face_count(d)};
     // The image's place may have belonged to a memory that is gone: its last accesses come first.
-    const VkImageMemoryBarrier2 first = {
-        .sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2,
-        .srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
-        .srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT,
-        .dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
-        .dstAccessMask = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT,
-        .oldLayout = VK_IMAGE_LAYOUT_UNDEFINED,
-        .newLayout = VK_IMAGE_LAYOUT_GENERAL,
-        .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-        .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-        .image = memory.parts.image,
-        .subresourceRange = all};
+    const VkImageMemoryBarrier2 first = {.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2,
+                                         .srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
+                                         .srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT,
+                                         .dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
+                                         .dstAccessMask = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT,
+                                         .oldLayout = VK_IMAGE_LAYOUT_UNDEFINED,
+                                         .newLayout = VK_IMAGE_LAYOUT_GENERAL,
+                                         .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
+                                         .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
+                                         .image = memory.parts.image,
+                                         .subresourceRange = all};
     const VkDependencyInfo info = {
         .sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO, .imageMemoryBarrierCount = 1, .pImageMemoryBarriers = &first};
     context_.vk.vkCmdPipelineBarrier2(commands_, &info);
@@ -128,8 +127,11 @@ void Encoder::copy_images(const VulkanMemory& from, const VulkanMemory& to, std:
     const VkImageAspectFlags aspect = vulkan_aspect(from.description().format);
     for (const ImageCopyRegion& r : regions) {
         if (!r.extent[0] || !r.extent[1] || !r.extent[2]) continue;
-        copies.push_back({{aspect, r.from_mip, r.from_face, 1}, offset3d(r.from), {aspect, r.to_mip, r.to_face, 1},
-                          offset3d(r.to), {r.extent[0], r.extent[1], r.extent[2]}});
+        copies.push_back({{aspect, r.from_mip, r.from_face, 1},
+                          offset3d(r.from),
+                          {aspect, r.to_mip, r.to_face, 1},
+                          offset3d(r.to),
+                          {r.extent[0], r.extent[1], r.extent[2]}});
     }
     if (copies.empty()) return;
     touch(from, to);
@@ -161,7 +163,7 @@ void Encoder::upload_image(const VulkanMemory& image, std::span<const ImageRegio
     const auto packed = [&](const ImageRegion& r) {
         return std::uint64_t(r.extent[0]) * r.extent[1] * r.extent[2] * texel_bytes(d.format);
     };
-    constexpr std::uint64_t alignment = 16;   // a multiple of every texel, and of 4
+    constexpr std::uint64_t alignment = 16;  // a multiple of every texel, and of 4
     std::uint64_t total = 0;
     for (const ImageRegion& region : regions) total += (packed(region) + alignment - 1) / alignment * alignment;
     if (!total) return;

@@ -25,8 +25,8 @@ struct FeatureChain {
     VkPhysicalDeviceShaderAtomicFloat2FeaturesEXT atomic_float2 = {};
 
     bool old() const { return properties.apiVersion < VK_API_VERSION_1_3; }
-    std::string missing() const;   ///< names of required features that are absent, empty if none
-    void require() const;          ///< throws unsupported_version or missing_feature
+    std::string missing() const;  ///< names of required features that are absent, empty if none
+    void require() const;         ///< throws unsupported_version or missing_feature
 };
 
 /// Properties of a physical device; `extensions` are those that the device is made with.

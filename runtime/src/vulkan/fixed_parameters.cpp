@@ -10,8 +10,20 @@ namespace {
 constexpr std::size_t header_words = 5, bound_word = 3;
 
 enum Op : std::uint32_t {
-    type_int = 21, type_float = 22, type_vector = 23, type_struct = 30, type_pointer = 32, constant = 43, constant_composite = 44,
-    function = 54, variable = 59, load = 61, access_chain = 65, decorate = 71, member_decorate = 72, copy_object = 83,
+    type_int = 21,
+    type_float = 22,
+    type_vector = 23,
+    type_struct = 30,
+    type_pointer = 32,
+    constant = 43,
+    constant_composite = 44,
+    function = 54,
+    variable = 59,
+    load = 61,
+    access_chain = 65,
+    decorate = 71,
+    member_decorate = 72,
+    copy_object = 83,
 };
 
 constexpr std::uint32_t storage_push_constant = 9, storage_buffer = 12, decoration_binding = 33, decoration_offset = 35;
@@ -21,7 +33,8 @@ using Words = std::span<const std::uint32_t>;
 std::uint32_t first_word(std::uint32_t op, std::uint32_t words) { return words << 16 | op; }
 
 template <class Visit> void for_each_instruction(Words spirv, Visit&& visit) {
-    for (std::size_t at = header_words; at < spirv.size(); at += spirv[at] >> 16) visit(spirv[at] & 0xffffu, spirv.subspan(at, spirv[at] >> 16));
+    for (std::size_t at = header_words; at < spirv.size(); at += spirv[at] >> 16)
+        visit(spirv[at] & 0xffffu, spirv.subspan(at, spirv[at] >> 16));
 }
 
 /// What of a module says where its parameters are loaded.
@@ -29,14 +42,14 @@ struct Module {
     struct Vector {
         std::uint32_t component, count;
     };
-    std::unordered_map<std::uint32_t, Vector> vectors;                ///< also scalars of 32 bits, as vectors of one
-    std::unordered_map<std::uint32_t, std::uint32_t> constants;       ///< one word each
-    std::unordered_map<std::uint32_t, std::uint32_t> pointees;        ///< of pointer types
+    std::unordered_map<std::uint32_t, Vector> vectors;           ///< also scalars of 32 bits, as vectors of one
+    std::unordered_map<std::uint32_t, std::uint32_t> constants;  ///< one word each
+    std::unordered_map<std::uint32_t, std::uint32_t> pointees;   ///< of pointer types
     std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> members;
-    std::unordered_map<std::uint64_t, std::uint32_t> offsets;         ///< of (struct, member)
+    std::unordered_map<std::uint64_t, std::uint32_t> offsets;  ///< of (struct, member)
     std::unordered_map<std::uint32_t, std::uint32_t> bindings;
-    std::uint32_t block = 0, block_type = 0;                          ///< the parameters' variable and struct
-    std::unordered_map<std::uint32_t, std::uint32_t> chains;          ///< pointers into the block: their byte offset
+    std::uint32_t block = 0, block_type = 0;                  ///< the parameters' variable and struct
+    std::unordered_map<std::uint32_t, std::uint32_t> chains;  ///< pointers into the block: their byte offset
 
     explicit Module(Words spirv) {
         for_each_instruction(spirv, [&](std::uint32_t op, Words w) { read(op, w); });
@@ -45,34 +58,35 @@ struct Module {
 private:
     void read(std::uint32_t op, Words w) {
         switch (op) {
-            case type_int:
-            case type_float:
-                if (w[2] == 32) vectors[w[1]] = {w[1], 1};
-                break;
-            case type_vector:
-                if (vectors.contains(w[2])) vectors[w[1]] = {w[2], w[3]};
-                break;
-            case type_struct: members[w[1]].assign(w.begin() + 2, w.end()); break;
-            case type_pointer: pointees[w[1]] = w[3]; break;
-            case constant:
-                if (w.size() == 4) constants[w[2]] = w[3];
-                break;
-            case decorate:
-                if (w[2] == decoration_binding) bindings[w[1]] = w[3];
-                break;
-            case member_decorate:
-                if (w[3] == decoration_offset) offsets[std::uint64_t{w[1]} << 32 | w[2]] = w[4];
-                break;
-            case variable: read_variable(w); break;
-            case access_chain:
-                if (w[3] == block && block) read_chain(w);
-                break;
-            default: break;
+        case type_int:
+        case type_float:
+            if (w[2] == 32) vectors[w[1]] = {w[1], 1};
+            break;
+        case type_vector:
+            if (vectors.contains(w[2])) vectors[w[1]] = {w[2], w[3]};
+            break;
+        case type_struct: members[w[1]].assign(w.begin() + 2, w.end()); break;
+        case type_pointer: pointees[w[1]] = w[3]; break;
+        case constant:
+            if (w.size() == 4) constants[w[2]] = w[3];
+            break;
+        case decorate:
+            if (w[2] == decoration_binding) bindings[w[1]] = w[3];
+            break;
+        case member_decorate:
+            if (w[3] == decoration_offset) offsets[std::uint64_t{w[1]} << 32 | w[2]] = w[4];
+            break;
+        case variable: read_variable(w); break;
+        case access_chain:
+            if (w[3] == block && block) read_chain(w);
+            break;
+        default: break;
         }
     }
 
     void read_variable(Words w) {
-        const bool is_block = w[3] == storage_push_constant || (w[3] == storage_buffer && bindings.contains(w[2]) && bindings[w[2]] == 0);
+        const bool is_block =
+            w[3] == storage_push_constant || (w[3] == storage_buffer && bindings.contains(w[2]) && bindings[w[2]] == 0);
         if (!is_block) return;
         block = w[2];
         block_type = pointees[w[1]];
@@ -126,10 +140,13 @@ private:
         std::vector<std::uint32_t> parts;
         for (std::uint32_t k = 0; k < type->second.count; ++k) {
             parts.push_back(bound_++);
-            constants_.insert(constants_.end(), {first_word(constant, 4), type->second.component, parts.back(), values_[chain->second + 4 * k]});
+            constants_.insert(constants_.end(), {first_word(constant, 4), type->second.component, parts.back(),
+                                                 values_[chain->second + 4 * k]});
         }
         if (parts.size() == 1) return parts[0];
-        constants_.insert(constants_.end(), {first_word(constant_composite, static_cast<std::uint32_t>(3 + parts.size())), load[1], bound_});
+        constants_.insert(
+            constants_.end(),
+            {first_word(constant_composite, static_cast<std::uint32_t>(3 + parts.size())), load[1], bound_});
         constants_.insert(constants_.end(), parts.begin(), parts.end());
         return bound_++;
     }
@@ -137,13 +154,14 @@ private:
     Words spirv_;
     Module module_;
     std::uint32_t bound_;
-    std::unordered_map<std::uint32_t, std::uint32_t> values_;   ///< by byte offset
-    std::vector<std::uint32_t> constants_;                      ///< declarations
+    std::unordered_map<std::uint32_t, std::uint32_t> values_;  ///< by byte offset
+    std::vector<std::uint32_t> constants_;                     ///< declarations
 };
 
 }  // namespace
 
-std::vector<std::uint32_t> with_fixed_parameters(std::span<const std::uint32_t> spirv, std::span<const FixedWord> fixed) {
+std::vector<std::uint32_t> with_fixed_parameters(std::span<const std::uint32_t> spirv,
+                                                 std::span<const FixedWord> fixed) {
     if (fixed.empty()) return {spirv.begin(), spirv.end()};
     return Rewriter(spirv, fixed).run();
 }

@@ -6,7 +6,8 @@ namespace {
 
 constexpr std::size_t header_words = 5;
 constexpr std::uint32_t op_entry_point = 15, op_execution_mode = 16, op_capability = 17, op_execution_mode_id = 331;
-constexpr std::uint32_t denorm_preserve = 4464, signed_zero_inf_nan_preserve = 4466, rounding_mode_rte = 4467;   // capabilities
+constexpr std::uint32_t denorm_preserve = 4464, signed_zero_inf_nan_preserve = 4466,
+                        rounding_mode_rte = 4467;  // capabilities
 constexpr std::uint32_t mode_of(std::uint32_t capability) { return capability - 5; }
 
 std::vector<std::uint32_t> capabilities_of(const FloatControls& controls) {
@@ -39,17 +40,20 @@ std::vector<std::uint32_t> with_float_controls(std::span<const std::uint32_t> sp
         const std::uint32_t op = spirv[at] & 0xffffu, words = spirv[at] >> 16;
         // The layout of a module: capabilities first, execution modes behind the entry points.
         if (op != op_capability && !capabilities_done) {
-            for (std::uint32_t capability : capabilities) module.insert(module.end(), {first_word(op_capability, 2), capability});
+            for (std::uint32_t capability : capabilities)
+                module.insert(module.end(), {first_word(op_capability, 2), capability});
             capabilities_done = true;
         }
         if (op == op_entry_point) entry_points.push_back(spirv[at + 2]);
-        if (!entry_points.empty() && op != op_entry_point && op != op_execution_mode && op != op_execution_mode_id && !modes_done) {
+        if (!entry_points.empty() && op != op_entry_point && op != op_execution_mode && op != op_execution_mode_id &&
+            !modes_done) {
             for (std::uint32_t entry : entry_points)
                 for (std::uint32_t capability : capabilities)
                     module.insert(module.end(), {first_word(op_execution_mode, 4), entry, mode_of(capability), 32});
             modes_done = true;
         }
-        module.insert(module.end(), spirv.begin() + static_cast<std::ptrdiff_t>(at), spirv.begin() + static_cast<std::ptrdiff_t>(at + words));
+        module.insert(module.end(), spirv.begin() + static_cast<std::ptrdiff_t>(at),
+                      spirv.begin() + static_cast<std::ptrdiff_t>(at + words));
         at += words;
     }
     return module;

@@ -11,9 +11,9 @@ namespace glift::detail {
 
 /// What a device offers for 32-bit floats.
 struct FloatControls {
-    bool keep_subnormals = false;        ///< shaderDenormPreserveFloat32
-    bool keep_special_values = false;    ///< shaderSignedZeroInfNanPreserveFloat32: zeros have signs, infinities stay
-    bool round_to_even = false;          ///< shaderRoundingModeRTEFloat32
+    bool keep_subnormals = false;      ///< shaderDenormPreserveFloat32
+    bool keep_special_values = false;  ///< shaderSignedZeroInfNanPreserveFloat32: zeros have signs, infinities stay
+    bool round_to_even = false;        ///< shaderRoundingModeRTEFloat32
 
     static FloatControls of(const VkPhysicalDeviceVulkan12Properties& properties);
 };

@@ -6,10 +6,10 @@ namespace glift::detail {
 
 namespace {
 
-constexpr std::uint64_t most_operations = 512;           // of a batch: the device should not idle while the host records
-constexpr std::size_t most_in_flight = 32;               // batches: bounds what the host may be ahead
+constexpr std::uint64_t most_operations = 512;  // of a batch: the device should not idle while the host records
+constexpr std::size_t most_in_flight = 32;      // batches: bounds what the host may be ahead
 constexpr std::uint64_t most_staged = std::uint64_t(64) << 20;
-constexpr std::size_t most_staged_in_flight = 4;         // batches of large uploads
+constexpr std::size_t most_staged_in_flight = 4;  // batches of large uploads
 
 class VulkanDownload final : public DownloadObject {
 public:
@@ -24,7 +24,7 @@ public:
     }
 
 private:
-    std::shared_ptr<VulkanDevice> device_;   // outlives the chunk
+    std::shared_ptr<VulkanDevice> device_;  // outlives the chunk
     std::shared_ptr<Chunk> chunk_;
     std::span<const std::byte> bytes_;
     std::uint64_t value_;
@@ -150,9 +150,8 @@ std::shared_ptr<DownloadObject> ImmediateStream::download(const Memory& from, st
     return ticket(encoder_.download(vulkan_memory(from), regions, bytes), bytes);
 }
 
-std::shared_ptr<DownloadObject> ImmediateStream::download_image(const Memory& image,
-                                                                std::span<const ImageRegion> regions,
-                                                                std::uint64_t bytes) {
+std::shared_ptr<DownloadObject>
+ImmediateStream::download_image(const Memory& image, std::span<const ImageRegion> regions, std::uint64_t bytes) {
     const std::lock_guard lock(device_.mutex());
     if (!batch_) open_batch();
     return ticket(encoder_.download_image(vulkan_memory(image), regions, bytes), bytes);
@@ -163,8 +162,8 @@ std::shared_ptr<TimestampObject> ImmediateStream::timestamp() {
     open();
     const Query query = device_.queries().take();
     encoder_.timestamp(query.pool, query.index);
-    auto result = std::make_shared<VulkanTimestamp>(
-        std::static_pointer_cast<VulkanDevice>(device_.shared_from_this()), query, open_value());
+    auto result = std::make_shared<VulkanTimestamp>(std::static_pointer_cast<VulkanDevice>(device_.shared_from_this()),
+                                                    query, open_value());
     recorded();
     return result;
 }

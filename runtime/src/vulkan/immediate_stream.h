@@ -25,8 +25,8 @@ public:
     void submit();
     void clear_new(const VulkanMemory& memory);
     bool is_open() const { return batch_ != nullptr; }
-    void collect(std::uint64_t completed);      ///< takes back batches that the device is done with
-    std::uint64_t open_value() const;           ///< what the open batch will be on the timeline
+    void collect(std::uint64_t completed);  ///< takes back batches that the device is done with
+    std::uint64_t open_value() const;       ///< what the open batch will be on the timeline
 
 private:
     void open() override;
@@ -38,8 +38,8 @@ private:
     std::unique_ptr<CommandBatch> batch_;
     std::deque<std::unique_ptr<CommandBatch>> in_flight_;
     std::vector<std::unique_ptr<CommandBatch>> idle_;
-    bool ends_in_download_ = false;             ///< the next other command goes into a batch of its own
-    std::uint64_t staged_bytes_ = 0;            ///< by large uploads, in the open batch
+    bool ends_in_download_ = false;   ///< the next other command goes into a batch of its own
+    std::uint64_t staged_bytes_ = 0;  ///< by large uploads, in the open batch
 };
 
 }  // namespace glift::detail

@@ -13,9 +13,8 @@ namespace {
 constexpr const char* validation_layer = "VK_LAYER_KHRONOS_validation";
 
 // Hazards between submissions are checked only if this is in the environment: the layer of 1.3.239 has no other way.
-constexpr const char* queue_submit_checks =
-    "VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT:"
-    "VALIDATION_CHECK_ENABLE_SYNCHRONIZATION_VALIDATION_QUEUE_SUBMIT";
+constexpr const char* queue_submit_checks = "VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT:"
+                                            "VALIDATION_CHECK_ENABLE_SYNCHRONIZATION_VALIDATION_QUEUE_SUBMIT";
 
 bool wants_validation() {
     const char* text = std::getenv("GLIFT_VALIDATE");
@@ -38,8 +37,7 @@ void require_version(PFN_vkGetInstanceProcAddr entry) {
 }
 
 void require_layer(PFN_vkGetInstanceProcAddr entry) {
-    const auto enumerate =
-        global<PFN_vkEnumerateInstanceLayerProperties>(entry, "vkEnumerateInstanceLayerProperties");
+    const auto enumerate = global<PFN_vkEnumerateInstanceLayerProperties>(entry, "vkEnumerateInstanceLayerProperties");
     std::uint32_t count = 0;
     enumerate(&count, nullptr);
     std::vector<VkLayerProperties> layers(count);
@@ -48,7 +46,8 @@ void require_layer(PFN_vkGetInstanceProcAddr entry) {
         if (std::strcmp(layer.layerName, validation_layer) == 0) return;
     }
     throw Error(ErrorCode::missing_layer, "the Vulkan validation layer is not installed", "Device::open",
-                "GLIFT_VALIDATE is set", "install it (Debian: apt install vulkan-validationlayers), or unset GLIFT_VALIDATE");
+                "GLIFT_VALIDATE is set",
+                "install it (Debian: apt install vulkan-validationlayers), or unset GLIFT_VALIDATE");
 }
 
 bool has_debug_utils(PFN_vkGetInstanceProcAddr entry) {
@@ -73,8 +72,8 @@ VKAPI_ATTR VkBool32 VKAPI_CALL on_message(VkDebugUtilsMessageSeverityFlagBitsEXT
 // By type, not by severity: that images stay in layout GENERAL is a performance warning, which is no news.
 VkDebugUtilsMessengerCreateInfoEXT messenger_info(Instance* instance) {
     return {.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT,
-            .messageSeverity = VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT |
-                               VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT,
+            .messageSeverity =
+                VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT,
             .messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT,
             .pfnUserCallback = on_message,
             .pUserData = instance};

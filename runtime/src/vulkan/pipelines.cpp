@@ -17,23 +17,24 @@ namespace {
 /// Of generated shaders: true where the device rounds / and sqrt of floats correctly.
 constexpr std::uint32_t exact_division_constant = 100;
 
-/// Of generated shaders whose loops have no bound: the rounds that the device allows a subgroup, 0 where there is no limit.
+/// Of generated shaders whose loops have no bound: the rounds that the device allows a subgroup, 0 where there is no
+/// limit.
 constexpr std::uint32_t loop_round_constant = 101;
 
 const Form& form_of(const Kernel& kernel, CompiledForm form) {
     switch (form) {
-        case CompiledForm::direct: return kernel.direct;
-        case CompiledForm::general: return kernel.general;
-        case CompiledForm::wide: return kernel.wide;
+    case CompiledForm::direct: return kernel.direct;
+    case CompiledForm::general: return kernel.general;
+    case CompiledForm::wide: return kernel.wide;
     }
     return kernel.direct;
 }
 
 const char* form_text(CompiledForm form) {
     switch (form) {
-        case CompiledForm::direct: return "direct";
-        case CompiledForm::general: return "general";
-        case CompiledForm::wide: return "wide (for memories beyond maxStorageBufferRange)";
+    case CompiledForm::direct: return "direct";
+    case CompiledForm::general: return "general";
+    case CompiledForm::wide: return "wide (for memories beyond maxStorageBufferRange)";
     }
     return "";
 }
@@ -68,10 +69,10 @@ VkFilter vulkan_filter(Filter filter) { return filter == Filter::linear ? VK_FIL
 
 VkSamplerAddressMode vulkan_address_mode(AddressMode mode) {
     switch (mode) {
-        case AddressMode::clamp_to_edge: return VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
-        case AddressMode::repeat: return VK_SAMPLER_ADDRESS_MODE_REPEAT;
-        case AddressMode::mirrored_repeat: return VK_SAMPLER_ADDRESS_MODE_MIRRORED_REPEAT;
-        case AddressMode::clamp_to_border: return VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_BORDER;
+    case AddressMode::clamp_to_edge: return VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+    case AddressMode::repeat: return VK_SAMPLER_ADDRESS_MODE_REPEAT;
+    case AddressMode::mirrored_repeat: return VK_SAMPLER_ADDRESS_MODE_MIRRORED_REPEAT;
+    case AddressMode::clamp_to_border: return VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_BORDER;
     }
     return VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
 }
@@ -119,8 +120,7 @@ void Pipelines::insert(Pipeline* pipeline) {
     table_[at & (table_.size() - 1)] = {pipeline->kernel, pipeline, pipeline->name, pipeline->fixed.empty()};
 }
 
-std::unique_ptr<Pipeline> Pipelines::make(const Kernel& kernel, CompiledForm form,
-                                          std::span<const FixedWord> fixed) {
+std::unique_ptr<Pipeline> Pipelines::make(const Kernel& kernel, CompiledForm form, std::span<const FixedWord> fixed) {
     const Form& compiled = form_of(kernel, form);
     if (compiled.spirv.empty()) throw_missing_form(kernel, form_text(form), context_.properties.name.c_str());
     check_limits(context_, kernel, compiled);
@@ -182,18 +182,20 @@ void Pipelines::make_layout(Pipeline& pipeline) {
 
     const VkDescriptorSetLayoutCreateInfo set_info = {
         .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO,
-        .flags = pipeline.push ? VkDescriptorSetLayoutCreateFlags(VK_DESCRIPTOR_SET_LAYOUT_CREATE_PUSH_DESCRIPTOR_BIT_KHR) : 0,
+        .flags = pipeline.push
+                     ? VkDescriptorSetLayoutCreateFlags(VK_DESCRIPTOR_SET_LAYOUT_CREATE_PUSH_DESCRIPTOR_BIT_KHR)
+                     : 0,
         .bindingCount = static_cast<std::uint32_t>(bindings.size()),
         .pBindings = bindings.data()};
     context_.check(context_.vk.vkCreateDescriptorSetLayout(context_.device, &set_info, nullptr, &pipeline.set_layout),
                    "vkCreateDescriptorSetLayout");
     const VkPushConstantRange range = {VK_SHADER_STAGE_COMPUTE_BIT, 0, (form.parameter_bytes + 3) / 4 * 4};
-    const VkPipelineLayoutCreateInfo layout_info = {
-        .sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
-        .setLayoutCount = 1,
-        .pSetLayouts = &pipeline.set_layout,
-        .pushConstantRangeCount = form.push_constants && form.parameter_bytes ? 1u : 0u,
-        .pPushConstantRanges = &range};
+    const VkPipelineLayoutCreateInfo layout_info = {.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
+                                                    .setLayoutCount = 1,
+                                                    .pSetLayouts = &pipeline.set_layout,
+                                                    .pushConstantRangeCount =
+                                                        form.push_constants && form.parameter_bytes ? 1u : 0u,
+                                                    .pPushConstantRanges = &range};
     context_.check(context_.vk.vkCreatePipelineLayout(context_.device, &layout_info, nullptr, &pipeline.layout),
                    "vkCreatePipelineLayout");
     if (entries.empty()) return;
@@ -228,14 +230,13 @@ VkPipeline Pipelines::make_handle(const Pipeline& pipeline) {
     const VkSpecializationMapEntry entries[] = {{exact_division_constant, 0, sizeof values[0]},
                                                 {loop_round_constant, sizeof values[0], sizeof values[1]}};
     const VkSpecializationInfo special = {std::size(entries), entries, sizeof values, values};
-    const VkComputePipelineCreateInfo info = {
-        .sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO,
-        .stage = {.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
-                  .stage = VK_SHADER_STAGE_COMPUTE_BIT,
-                  .module = module,
-                  .pName = "main",
-                  .pSpecializationInfo = &special},
-        .layout = pipeline.layout};
+    const VkComputePipelineCreateInfo info = {.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO,
+                                              .stage = {.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
+                                                        .stage = VK_SHADER_STAGE_COMPUTE_BIT,
+                                                        .module = module,
+                                                        .pName = "main",
+                                                        .pSpecializationInfo = &special},
+                                              .layout = pipeline.layout};
     VkPipeline handle = VK_NULL_HANDLE;
     const VkResult result =
         context_.vk.vkCreateComputePipelines(context_.device, disk_->handle(), 1, &info, nullptr, &handle);
@@ -251,16 +252,16 @@ VkSampler Pipelines::sampler(Sampler sampler) {
         samplers_[static_cast<std::size_t>(sampler.filter) * 4 + static_cast<std::size_t>(sampler.address)];
     if (handle) return handle;
     const VkSamplerAddressMode mode = vulkan_address_mode(sampler.address);
-    const VkSamplerCreateInfo info = {
-        .sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO,
-        .magFilter = vulkan_filter(sampler.filter),
-        .minFilter = vulkan_filter(sampler.filter),
-        .mipmapMode = sampler.filter == Filter::linear ? VK_SAMPLER_MIPMAP_MODE_LINEAR : VK_SAMPLER_MIPMAP_MODE_NEAREST,
-        .addressModeU = mode,
-        .addressModeV = mode,
-        .addressModeW = mode,
-        .maxLod = VK_LOD_CLAMP_NONE,
-        .borderColor = VK_BORDER_COLOR_FLOAT_TRANSPARENT_BLACK};
+    const VkSamplerCreateInfo info = {.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO,
+                                      .magFilter = vulkan_filter(sampler.filter),
+                                      .minFilter = vulkan_filter(sampler.filter),
+                                      .mipmapMode = sampler.filter == Filter::linear ? VK_SAMPLER_MIPMAP_MODE_LINEAR
+                                                                                     : VK_SAMPLER_MIPMAP_MODE_NEAREST,
+                                      .addressModeU = mode,
+                                      .addressModeV = mode,
+                                      .addressModeW = mode,
+                                      .maxLod = VK_LOD_CLAMP_NONE,
+                                      .borderColor = VK_BORDER_COLOR_FLOAT_TRANSPARENT_BLACK};
     context_.check(context_.vk.vkCreateSampler(context_.device, &info, nullptr, &handle), "vkCreateSampler");
     return handle;
 }

@@ -25,7 +25,7 @@ struct Pipeline {
     VkDescriptorUpdateTemplate update = VK_NULL_HANDLE;
     std::uint32_t storage_buffers = 0, storage_images = 0, sampled_images = 0;
     std::uint32_t status_slot = 0;
-    bool push = false;                       ///< push descriptors, else sets from a pool
+    bool push = false;  ///< push descriptors, else sets from a pool
 
     std::uint32_t descriptor_count() const { return storage_buffers + storage_images + sampled_images; }
 };
@@ -63,7 +63,7 @@ private:
         const Kernel* kernel = nullptr;
         Pipeline* pipeline = nullptr;
         CompiledForm form = CompiledForm::direct;
-        bool plain = true;   ///< nothing is fixed
+        bool plain = true;  ///< nothing is fixed
     };
 
     static std::size_t hash(const Kernel* kernel, CompiledForm form) {
@@ -72,8 +72,7 @@ private:
     }
 
     Pipeline& find(const Kernel& kernel, CompiledForm form, std::span<const FixedWord> fixed);
-    std::unique_ptr<Pipeline> make(const Kernel& kernel, CompiledForm form,
-                                   std::span<const FixedWord> fixed);
+    std::unique_ptr<Pipeline> make(const Kernel& kernel, CompiledForm form, std::span<const FixedWord> fixed);
     void make_layout(Pipeline& pipeline);
     VkPipeline make_handle(const Pipeline& pipeline);
     void destroy(Pipeline& pipeline);

@@ -18,9 +18,9 @@ public:
     explicit Queries(Context& context) : context_(context) {}
     ~Queries();
 
-    Query take();                    ///< the device's lock is held; the query is reset
-    void give_back(Query query);     ///< from any thread, after the device is done with it
-    double seconds(Query query);     ///< of a query that the device has written
+    Query take();                 ///< the device's lock is held; the query is reset
+    void give_back(Query query);  ///< from any thread, after the device is done with it
+    double seconds(Query query);  ///< of a query that the device has written
 
 private:
     Context& context_;

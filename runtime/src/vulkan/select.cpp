@@ -20,12 +20,12 @@ struct Candidate {
 // GPUs before CPUs; among GPUs those with memory of their own.
 int rank(VkPhysicalDeviceType type) {
     switch (type) {
-        case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU: return 4;
-        case VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU: return 3;
-        case VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU: return 2;
-        case VK_PHYSICAL_DEVICE_TYPE_CPU: return 1;
-        case VK_PHYSICAL_DEVICE_TYPE_OTHER:
-        case VK_PHYSICAL_DEVICE_TYPE_MAX_ENUM: return 0;
+    case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU: return 4;
+    case VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU: return 3;
+    case VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU: return 2;
+    case VK_PHYSICAL_DEVICE_TYPE_CPU: return 1;
+    case VK_PHYSICAL_DEVICE_TYPE_OTHER:
+    case VK_PHYSICAL_DEVICE_TYPE_MAX_ENUM: return 0;
     }
     return 0;
 }
@@ -49,13 +49,14 @@ bool matches(const Candidate& candidate, const std::string& which) {
     std::string present;
     for (const Candidate& c : all) present += (present.empty() ? "" : ", ") + std::string(c.properties.deviceName);
     const std::string asked = which.empty() ? "any Vulkan device" : "`" + std::string(which) + "`";
-    throw Error(ErrorCode::no_device, "there is no device that fits " + asked, "Device::open (GLIFT_DEVICE)",
-                present.empty() ? "no Vulkan device was found" : "there is: " + present + ", host",
-                present.empty()
-                    ? "install a driver (Debian, on the CPU: apt install mesa-vulkan-drivers), look at VK_DRIVER_FILES "
-                      "and VK_ICD_FILENAMES, or run on the host device: GLIFT_DEVICE=host"
-                    : "ask for one of those: GLIFT_DEVICE=host, or part of another's name; a GPU shows up there once its "
-                      "driver is installed");
+    throw Error(
+        ErrorCode::no_device, "there is no device that fits " + asked, "Device::open (GLIFT_DEVICE)",
+        present.empty() ? "no Vulkan device was found" : "there is: " + present + ", host",
+        present.empty()
+            ? "install a driver (Debian, on the CPU: apt install mesa-vulkan-drivers), look at VK_DRIVER_FILES "
+              "and VK_ICD_FILENAMES, or run on the host device: GLIFT_DEVICE=host"
+            : "ask for one of those: GLIFT_DEVICE=host, or part of another's name; a GPU shows up there once its "
+              "driver is installed");
 }
 
 }  // namespace
@@ -78,9 +79,7 @@ VkPhysicalDevice select_physical_device(const Instance& instance, std::string_vi
     const Candidate* best = nullptr;
     for (const Candidate& candidate : all) {
         if (!matches(candidate, wanted)) continue;
-        const auto order = [](const Candidate& c) {
-            return (c.usable ? 8 : 0) + rank(c.properties.deviceType);
-        };
+        const auto order = [](const Candidate& c) { return (c.usable ? 8 : 0) + rank(c.properties.deviceType); };
         if (!best || order(candidate) > order(*best)) best = &candidate;
     }
     if (!best) throw_none(all, which);

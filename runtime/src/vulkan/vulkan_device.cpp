@@ -65,7 +65,8 @@ std::shared_ptr<MemoryObject> VulkanDevice::allocate(const MemoryDescription& de
 }
 
 void VulkanDevice::throw_too_large(const MemoryDescription& description) const {
-    throw Error(ErrorCode::too_large, "a memory is larger than the device can allocate at once", memory_text(description),
+    throw Error(ErrorCode::too_large, "a memory is larger than the device can allocate at once",
+                memory_text(description),
                 context_->properties.name + " allows " + size_text(context_->properties.max_allocation_bytes),
                 "split the structure into several, or use a device with a larger limit (GLIFT_DEVICE=host has none)");
 }
@@ -83,7 +84,8 @@ void VulkanDevice::allocate_parts(const VkMemoryRequirements& needs, bool linear
                       size_text(context_->properties.memory_bytes) + ", of which Glift holds " +
                       size_text(allocator_->reserved()) + " (" + size_text(allocator_->used()) + " in use)";
     if (allocator_->limit() != UINT64_MAX) why += "; GLIFT_MEMORY_LIMIT is " + size_text(allocator_->limit());
-    throw Error(ErrorCode::out_of_memory, "the device has no memory left for a structure", memory_text(description), why,
+    throw Error(ErrorCode::out_of_memory, "the device has no memory left for a structure", memory_text(description),
+                why,
                 "free structures that are no longer used, make them smaller, or run on the host device "
                 "(GLIFT_DEVICE=host)");
 }
@@ -168,7 +170,8 @@ void VulkanDevice::bind_prepare(VkCommandBuffer commands, VkDeviceAddress argume
             vk.vkCreateComputePipelines(context_->device, VK_NULL_HANDLE, 1, &info, nullptr, &prepare_);
         vk.vkDestroyShaderModule(context_->device, module, nullptr);
         context_->check(result, "vkCreateComputePipelines");
-        context_->set_name(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<std::uint64_t>(prepare_), "glift prepare indirect");
+        context_->set_name(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<std::uint64_t>(prepare_),
+                           "glift prepare indirect");
     }
     vk.vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, prepare_);
     vk.vkCmdPushConstants(commands, prepare_layout_, VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof arguments, &arguments);

@@ -45,14 +45,14 @@ public:
     VkBuffer status_buffer() const { return status_->buffer; }
     void bind_prepare(VkCommandBuffer commands, VkDeviceAddress arguments);
     std::uint64_t submit(VkCommandBuffer commands);
-    void collect();                              ///< destroys and takes back what the device is done with
+    void collect();  ///< destroys and takes back what the device is done with
     void allocate_parts(const VkMemoryRequirements& needs, bool linear, const MemoryDescription& description,
                         Allocation& result);
     void set_retire_value(std::uint64_t value) { retire_value_ = value; }
     [[noreturn]] void throw_too_large(const MemoryDescription& description) const;
 
     /// The lock is not held in these: submits if need be, waits, throws what kernels reported.
-    void finish(std::uint64_t value);            ///< UINT64_MAX: everything recorded so far
+    void finish(std::uint64_t value);  ///< UINT64_MAX: everything recorded so far
 
     /// From any thread, with or without the lock: destroyed when what is recorded by now is done.
     void retire(const MemoryParts& parts, MemoryId id);
@@ -92,7 +92,7 @@ private:
 
     std::mutex retire_mutex_;
     std::vector<Retired> retired_;
-    std::atomic<std::uint64_t> retire_value_{0};   ///< of the timeline, when everything recorded by now is done
+    std::atomic<std::uint64_t> retire_value_{0};  ///< of the timeline, when everything recorded by now is done
 };
 
 }  // namespace glift::detail

@@ -12,29 +12,29 @@ namespace glift::detail {
 
 namespace {
 
-constexpr VkBufferUsageFlags buffer_usage =
-    VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT |
-    VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT |
-    VK_BUFFER_USAGE_VERTEX_BUFFER_BIT | VK_BUFFER_USAGE_INDEX_BUFFER_BIT;
+constexpr VkBufferUsageFlags buffer_usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT |
+                                            VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT |
+                                            VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT |
+                                            VK_BUFFER_USAGE_VERTEX_BUFFER_BIT | VK_BUFFER_USAGE_INDEX_BUFFER_BIT;
 
 VkImageType image_type(MemoryKind kind) {
     switch (kind) {
-        case MemoryKind::image1d: return VK_IMAGE_TYPE_1D;
-        case MemoryKind::image3d: return VK_IMAGE_TYPE_3D;
-        case MemoryKind::buffer:
-        case MemoryKind::image2d:
-        case MemoryKind::imagecube: return VK_IMAGE_TYPE_2D;
+    case MemoryKind::image1d: return VK_IMAGE_TYPE_1D;
+    case MemoryKind::image3d: return VK_IMAGE_TYPE_3D;
+    case MemoryKind::buffer:
+    case MemoryKind::image2d:
+    case MemoryKind::imagecube: return VK_IMAGE_TYPE_2D;
     }
     return VK_IMAGE_TYPE_2D;
 }
 
 VkImageViewType view_type(MemoryKind kind) {
     switch (kind) {
-        case MemoryKind::image1d: return VK_IMAGE_VIEW_TYPE_1D;
-        case MemoryKind::image3d: return VK_IMAGE_VIEW_TYPE_3D;
-        case MemoryKind::imagecube: return VK_IMAGE_VIEW_TYPE_CUBE;
-        case MemoryKind::buffer:
-        case MemoryKind::image2d: return VK_IMAGE_VIEW_TYPE_2D;
+    case MemoryKind::image1d: return VK_IMAGE_VIEW_TYPE_1D;
+    case MemoryKind::image3d: return VK_IMAGE_VIEW_TYPE_3D;
+    case MemoryKind::imagecube: return VK_IMAGE_VIEW_TYPE_CUBE;
+    case MemoryKind::buffer:
+    case MemoryKind::image2d: return VK_IMAGE_VIEW_TYPE_2D;
     }
     return VK_IMAGE_VIEW_TYPE_2D;
 }
@@ -43,13 +43,12 @@ VkImageView make_view(Context& context, VkImage image, const MemoryDescription& 
                       VkImageUsageFlags usage) {
     const VkImageViewUsageCreateInfo usage_info = {.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_USAGE_CREATE_INFO,
                                                    .usage = usage};
-    const VkImageViewCreateInfo info = {
-        .sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
-        .pNext = &usage_info,
-        .image = image,
-        .viewType = view_type(d.kind),
-        .format = vulkan_format(d.format),
-        .subresourceRange = {vulkan_aspect(d.format), 0, mips, 0, face_count(d)}};
+    const VkImageViewCreateInfo info = {.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
+                                        .pNext = &usage_info,
+                                        .image = image,
+                                        .viewType = view_type(d.kind),
+                                        .format = vulkan_format(d.format),
+                                        .subresourceRange = {vulkan_aspect(d.format), 0, mips, 0, face_count(d)}};
     VkImageView view = VK_NULL_HANDLE;
     context.check(context.vk.vkCreateImageView(context.device, &info, nullptr, &view), "vkCreateImageView");
     context.set_name(VK_OBJECT_TYPE_IMAGE_VIEW, reinterpret_cast<std::uint64_t>(view), d.name);
@@ -86,7 +85,8 @@ void check_image_limits(Context& context, const MemoryDescription& d, const VkIm
     }
     context.check(result, "vkGetPhysicalDeviceImageFormatProperties");
     const VkExtent3D most = limits.maxExtent;
-    if (d.extent[0] > most.width || d.extent[1] > most.height || d.extent[2] > most.depth || d.mips > limits.maxMipLevels) {
+    if (d.extent[0] > most.width || d.extent[1] > most.height || d.extent[2] > most.depth ||
+        d.mips > limits.maxMipLevels) {
         throw Error(ErrorCode::too_large, "an image is larger than the device allows", memory_text(d),
                     context.properties.name + " allows " + std::to_string(most.width) + " x " +
                         std::to_string(most.height) + " x " + std::to_string(most.depth) + " texels",
@@ -98,26 +98,26 @@ void check_image_limits(Context& context, const MemoryDescription& d, const VkIm
 
 VkFormat vulkan_format(Format format) {
     switch (format) {
-        case Format::none: return VK_FORMAT_UNDEFINED;
-        case Format::r8: return VK_FORMAT_R8_UNORM;
-        case Format::rg8: return VK_FORMAT_R8G8_UNORM;
-        case Format::rgba8: return VK_FORMAT_R8G8B8A8_UNORM;
-        case Format::r16f: return VK_FORMAT_R16_SFLOAT;
-        case Format::rg16f: return VK_FORMAT_R16G16_SFLOAT;
-        case Format::rgba16f: return VK_FORMAT_R16G16B16A16_SFLOAT;
-        case Format::r32f: return VK_FORMAT_R32_SFLOAT;
-        case Format::rg32f: return VK_FORMAT_R32G32_SFLOAT;
-        case Format::rgba32f: return VK_FORMAT_R32G32B32A32_SFLOAT;
-        case Format::r8ui: return VK_FORMAT_R8_UINT;
-        case Format::r16ui: return VK_FORMAT_R16_UINT;
-        case Format::r32ui: return VK_FORMAT_R32_UINT;
-        case Format::rg32ui: return VK_FORMAT_R32G32_UINT;
-        case Format::rgba32ui: return VK_FORMAT_R32G32B32A32_UINT;
-        case Format::r32i: return VK_FORMAT_R32_SINT;
-        case Format::rg32i: return VK_FORMAT_R32G32_SINT;
-        case Format::rgba32i: return VK_FORMAT_R32G32B32A32_SINT;
-        case Format::rgba8ui: return VK_FORMAT_R8G8B8A8_UINT;
-        case Format::d32: return VK_FORMAT_D32_SFLOAT;
+    case Format::none: return VK_FORMAT_UNDEFINED;
+    case Format::r8: return VK_FORMAT_R8_UNORM;
+    case Format::rg8: return VK_FORMAT_R8G8_UNORM;
+    case Format::rgba8: return VK_FORMAT_R8G8B8A8_UNORM;
+    case Format::r16f: return VK_FORMAT_R16_SFLOAT;
+    case Format::rg16f: return VK_FORMAT_R16G16_SFLOAT;
+    case Format::rgba16f: return VK_FORMAT_R16G16B16A16_SFLOAT;
+    case Format::r32f: return VK_FORMAT_R32_SFLOAT;
+    case Format::rg32f: return VK_FORMAT_R32G32_SFLOAT;
+    case Format::rgba32f: return VK_FORMAT_R32G32B32A32_SFLOAT;
+    case Format::r8ui: return VK_FORMAT_R8_UINT;
+    case Format::r16ui: return VK_FORMAT_R16_UINT;
+    case Format::r32ui: return VK_FORMAT_R32_UINT;
+    case Format::rg32ui: return VK_FORMAT_R32G32_UINT;
+    case Format::rgba32ui: return VK_FORMAT_R32G32B32A32_UINT;
+    case Format::r32i: return VK_FORMAT_R32_SINT;
+    case Format::rg32i: return VK_FORMAT_R32G32_SINT;
+    case Format::rgba32i: return VK_FORMAT_R32G32B32A32_SINT;
+    case Format::rgba8ui: return VK_FORMAT_R8G8B8A8_UINT;
+    case Format::d32: return VK_FORMAT_D32_SFLOAT;
     }
     return VK_FORMAT_UNDEFINED;
 }

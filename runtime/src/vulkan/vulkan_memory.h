@@ -13,8 +13,8 @@ class VulkanDevice;
 struct MemoryParts {
     VkBuffer buffer = VK_NULL_HANDLE;
     VkImage image = VK_NULL_HANDLE;
-    VkImageView sampled_view = VK_NULL_HANDLE;   ///< all mips
-    VkImageView storage_view = VK_NULL_HANDLE;   ///< mip 0; null for formats that cannot be stored to
+    VkImageView sampled_view = VK_NULL_HANDLE;  ///< all mips
+    VkImageView storage_view = VK_NULL_HANDLE;  ///< mip 0; null for formats that cannot be stored to
     Allocation allocation;
 };
 
@@ -31,8 +31,8 @@ public:
 
     MemoryParts parts;
     MemoryId id;
-    VkDeviceSize range = 0;          ///< buffers: bytes that descriptors cover, a multiple of 4, at least 4
-    VkDeviceAddress address = 0;     ///< buffers
+    VkDeviceSize range = 0;       ///< buffers: bytes that descriptors cover, a multiple of 4, at least 4
+    VkDeviceAddress address = 0;  ///< buffers
 };
 
 inline VulkanMemory& vulkan_memory(const Memory& memory) { return static_cast<VulkanMemory&>(*memory.object()); }

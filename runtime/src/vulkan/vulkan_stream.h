@@ -1,4 +1,5 @@
-// What the streams of a Vulkan device share: lock, make sure there is somewhere to record to, record, keep what is used.
+// What the streams of a Vulkan device share: lock, make sure there is somewhere to record to, record, keep what is
+// used.
 #pragma once
 
 #include "encoder.h"
@@ -23,10 +24,10 @@ public:
 
 protected:
     /// The device's lock is held.
-    virtual void open() = 0;                         ///< before something is recorded
-    virtual void recorded() {}                       ///< after
-    virtual void hold(const Memory&) {}              ///< what was recorded uses this
-    virtual void staged(std::uint64_t) {}            ///< bytes of staging, between two parts of a large upload
+    virtual void open() = 0;               ///< before something is recorded
+    virtual void recorded() {}             ///< after
+    virtual void hold(const Memory&) {}    ///< what was recorded uses this
+    virtual void staged(std::uint64_t) {}  ///< bytes of staging, between two parts of a large upload
 
     VulkanDevice& device_;
     Encoder encoder_;

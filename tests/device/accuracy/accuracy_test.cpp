@@ -28,7 +28,8 @@ const glift::Device& vulkan() {
     return device;
 }
 
-std::vector<float> results(const glift::Device& device, accuracy::Kernel kernel, const std::vector<float>& x, const std::vector<float>& y) {
+std::vector<float> results(const glift::Device& device, accuracy::Kernel kernel, const std::vector<float>& x,
+                           const std::vector<float>& y) {
     const auto size = static_cast<std::uint32_t>(x.size());
     Numbers a(device, size), b(device, size), r(device, size);
     a.write(0, size, x);
@@ -42,8 +43,10 @@ std::pair<std::vector<float>, std::vector<float>> any_numbers() {
     std::mt19937 bits(3);
     std::vector<float> x, y;
     std::vector<float> special;
-    for (std::uint32_t word : {0u, 1u, 2u, 0x7fffffu, 0x800000u, 0x800001u, 0x3f7fffffu, 0x3f800000u, 0x3f800001u, 0x40000000u, 0x40400000u,
-                               0x4b000000u, 0x4effffffu, 0x4f000000u, 0x4f7fffffu, 0x4f800000u, 0x7e800000u, 0x7f7fffffu, 0x7f800000u, 0x7fc00000u})
+    for (std::uint32_t word :
+         {0u,          1u,          2u,          0x7fffffu,   0x800000u,   0x800001u,   0x3f7fffffu,
+          0x3f800000u, 0x3f800001u, 0x40000000u, 0x40400000u, 0x4b000000u, 0x4effffffu, 0x4f000000u,
+          0x4f7fffffu, 0x4f800000u, 0x7e800000u, 0x7f7fffffu, 0x7f800000u, 0x7fc00000u})
         for (std::uint32_t sign : {0u, 0x80000000u}) special.push_back(std::bit_cast<float>(word | sign));
     for (float a : special)
         for (float b : special) {
@@ -78,7 +81,8 @@ TEST_P(Arithmetic, HasTheSameBitsOnBothDevices) {
     for (std::size_t i = 0; i < x.size(); ++i) {
         if (word_of(host[i], GetParam().zero) == word_of(device[i], GetParam().zero)) continue;
         if (++different <= 5)
-            ADD_FAILURE() << GetParam().name << " for x = " << std::hexfloat << x[i] << ", y = " << y[i] << ": host " << host[i] << ", device " << device[i];
+            ADD_FAILURE() << GetParam().name << " for x = " << std::hexfloat << x[i] << ", y = " << y[i] << ": host "
+                          << host[i] << ", device " << device[i];
     }
     EXPECT_EQ(different, 0u) << "of " << x.size();
     for (const std::string& message : vulkan().validation_messages()) ADD_FAILURE() << message;
@@ -99,7 +103,8 @@ std::vector<float> arguments(const Near& function, unsigned seed) {
     std::vector<float> values = {float(function.from), float(function.to)};
     while (values.size() < count) {
         const double t = place(engine);
-        const double value = powers ? function.from * std::pow(function.to / function.from, t) : function.from + t * (function.to - function.from);
+        const double value = powers ? function.from * std::pow(function.to / function.from, t)
+                                    : function.from + t * (function.to - function.from);
         values.push_back(std::clamp(float(value), float(function.from), float(function.to)));
     }
     return values;
@@ -119,8 +124,9 @@ TEST_P(Function, IsWithinItsBound) {
             if (error > worst) worst = error, at = i;
         }
         std::printf("| %s | %s | %.1f |\n", function.name, device.properties().name.c_str(), worst);
-        EXPECT_LE(worst, function.bound) << function.name << " of " << x[at] << ", " << y[at] << " on " << device.properties().name << ": " << got[at]
-                                         << " and not " << function.exact(x[at], y[at]);
+        EXPECT_LE(worst, function.bound) << function.name << " of " << x[at] << ", " << y[at] << " on "
+                                         << device.properties().name << ": " << got[at] << " and not "
+                                         << function.exact(x[at], y[at]);
     }
 }
 
@@ -130,7 +136,8 @@ TEST_P(Function, HasItsBoundInTheDocs) {
     const std::string text{std::istreambuf_iterator<char>(file), {}};
     const Near& function = GetParam();
     std::ostringstream row;
-    row << "| `" << function.name << "` | " << function.from << " to " << function.to << " | " << function.bound << " | ";
+    row << "| `" << function.name << "` | " << function.from << " to " << function.to << " | " << function.bound
+        << " | ";
     if (function.least > 0) row << function.least;
     else row << "the value";
     EXPECT_NE(text.find(row.str() + " |"), std::string::npos) << row.str() << " | is not in " << GLIFT_LANGUAGE_MD;
@@ -148,7 +155,11 @@ template <class T> std::string name_of(const testing::TestParamInfo<T>& info) {
     return name;
 }
 
-INSTANTIATE_TEST_SUITE_P(, Arithmetic, testing::ValuesIn(accuracy::exact_functions().begin(), accuracy::exact_functions().end()), name_of<Exact>);
-INSTANTIATE_TEST_SUITE_P(, Function, testing::ValuesIn(accuracy::near_functions().begin(), accuracy::near_functions().end()), name_of<Near>);
+INSTANTIATE_TEST_SUITE_P(, Arithmetic,
+                         testing::ValuesIn(accuracy::exact_functions().begin(), accuracy::exact_functions().end()),
+                         name_of<Exact>);
+INSTANTIATE_TEST_SUITE_P(, Function,
+                         testing::ValuesIn(accuracy::near_functions().begin(), accuracy::near_functions().end()),
+                         name_of<Near>);
 
 }  // namespace

@@ -7,9 +7,19 @@ namespace {
 double length(double x, double y, double z) { return std::sqrt(x * x + y * y + z * z); }
 
 const Exact exact[] = {
-    {"x + y", sums}, {"x - y", differences}, {"x * y", products}, {"x / y", quotients}, {"sqrt(x)", roots},
-    {"x * y + x", products_and_sums}, {"min(x, y)", smaller, Zero::either}, {"max(x, y)", larger, Zero::either}, {"floor(x)", floors},
-    {"fract(x)", fractions}, {"round(x)", rounded}, {"mix(x, y, 0.25)", mixed}, {"float(int(x))", through_int},
+    {"x + y", sums},
+    {"x - y", differences},
+    {"x * y", products},
+    {"x / y", quotients},
+    {"sqrt(x)", roots},
+    {"x * y + x", products_and_sums},
+    {"min(x, y)", smaller, Zero::either},
+    {"max(x, y)", larger, Zero::either},
+    {"floor(x)", floors},
+    {"fract(x)", fractions},
+    {"round(x)", rounded},
+    {"mix(x, y, 0.25)", mixed},
+    {"float(int(x))", through_int},
     {"float(uint(x))", through_uint},
 };
 

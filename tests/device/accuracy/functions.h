@@ -8,9 +8,10 @@
 
 namespace accuracy {
 
-using Kernel = void (*)(const glift::Commands&, const glift::Range<Numbers>& x, const glift::Range<Numbers>& y, const glift::Range<Numbers>& r);
+using Kernel = void (*)(const glift::Commands&, const glift::Range<Numbers>& x, const glift::Range<Numbers>& y,
+                        const glift::Range<Numbers>& r);
 
-enum class Zero { signed_, either };     ///< either: which zero it is, is up to the device
+enum class Zero { signed_, either };  ///< either: which zero it is, is up to the device
 
 /// A function whose bits are the same on every device.
 struct Exact {
@@ -19,12 +20,13 @@ struct Exact {
     Zero zero = Zero::signed_;
 };
 
-/// A function that is near the true value: no further than `bound` units in the last place of what is larger, the value or `least`.
+/// A function that is near the true value: no further than `bound` units in the last place of what is larger, the value
+/// or `least`.
 struct Near {
     const char* name;
     Kernel kernel;
     double (*exact)(double x, double y);
-    double from, to;                     ///< arguments
+    double from, to;  ///< arguments
     double least;
     double bound;
 };

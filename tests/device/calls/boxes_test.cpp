@@ -18,7 +18,8 @@ struct Model {
     template <class Visit> static void for_each(glift::uint3 origin, glift::uint3 size, Visit&& visit) {
         for (std::uint32_t z = 0; z < size.z; ++z)
             for (std::uint32_t y = 0; y < size.y; ++y)
-                for (std::uint32_t x = 0; x < size.x; ++x) visit(((origin.z + z) * extent[1] + origin.y + y) * extent[0] + origin.x + x);
+                for (std::uint32_t x = 0; x < size.x; ++x)
+                    visit(((origin.z + z) * extent[1] + origin.y + y) * extent[0] + origin.x + x);
     }
     void write(glift::uint3 origin, glift::uint3 size, const std::vector<std::uint32_t>& box) {
         auto next = box.begin();
@@ -58,7 +59,8 @@ template <class S> void write_and_read(const char* which) {
 }
 
 template <class S> class Boxes : public testing::Test {};
-using Structures = testing::Types<calls::Rows3, calls::Columns, calls::Middle, calls::Gapped, calls::Curve, calls::Picture>;
+using Structures =
+    testing::Types<calls::Rows3, calls::Columns, calls::Middle, calls::Gapped, calls::Curve, calls::Picture>;
 TYPED_TEST_SUITE(Boxes, Structures);
 
 TYPED_TEST(Boxes, HoldWhatWasWrittenOnTheHost) { write_and_read<TypeParam>("host"); }

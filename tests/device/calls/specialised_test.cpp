@@ -10,7 +10,11 @@ namespace {
 
 class Specialised : public testing::TestWithParam<const char*> {
 protected:
-    Specialised() : device(glift::Device::open(GetParam() == std::string("host") ? "host" : "")), f(device, {13, 11}), g(device, {12, 10}) { calls::slope(device, 1.0f, 16.0f, f); }
+    Specialised()
+        : device(glift::Device::open(GetParam() == std::string("host") ? "host" : "")), f(device, {13, 11}),
+          g(device, {12, 10}) {
+        calls::slope(device, 1.0f, 16.0f, f);
+    }
     ~Specialised() override {
         device.wait();
         for (const std::string& message : device.validation_messages()) ADD_FAILURE() << message;
@@ -27,7 +31,8 @@ protected:
     calls::Tiles g;
 };
 
-INSTANTIATE_TEST_SUITE_P(, Specialised, testing::Values("host", "vulkan"), [](const auto& info) { return std::string(info.param); });
+INSTANTIATE_TEST_SUITE_P(, Specialised, testing::Values("host", "vulkan"),
+                         [](const auto& info) { return std::string(info.param); });
 
 TEST_P(Specialised, GivesTheSame) {
     const glift::Commands commands = device;

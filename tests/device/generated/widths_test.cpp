@@ -42,9 +42,12 @@ TEST_P(Widths, NeighboursOutsideAreZero) {
             const bool inside = x >= 0 && x < width && y >= 0 && y < height;
             return inside ? values[static_cast<std::size_t>(y * width + x)] : 0.0f;
         };
-        ASSERT_EQ(g.read(), each(width, [&](int x, int y) {
-            return at(x, y) + 2 * at(x + 1, y) + 4 * at(x - 1, y) + 8 * at(x, y + 1) + 16 * at(x, y - 1);
-        })) << width;
+        ASSERT_EQ(g.read(), each(width,
+                                 [&](int x, int y) {
+                                     return at(x, y) + 2 * at(x + 1, y) + 4 * at(x - 1, y) + 8 * at(x, y + 1) +
+                                            16 * at(x, y - 1);
+                                 }))
+            << width;
     }
 }
 
@@ -58,9 +61,12 @@ TEST_P(Widths, NeighboursOutsideAreTheNearestInside) {
             return values[static_cast<std::size_t>(std::clamp(y, 0, height - 1) * width + std::clamp(x, 0, width - 1))];
         };
         widths::blur_closed(device, f, g);
-        ASSERT_EQ(g.read(), each(width, [&](int x, int y) {
-            return at(x, y) + 2 * at(x + 2, y) + 4 * at(x - 1, y) + 8 * at(x, y + 1) + 16 * at(x, y - 1);
-        })) << width;
+        ASSERT_EQ(g.read(), each(width,
+                                 [&](int x, int y) {
+                                     return at(x, y) + 2 * at(x + 2, y) + 4 * at(x - 1, y) + 8 * at(x, y + 1) +
+                                            16 * at(x, y - 1);
+                                 }))
+            << width;
         g.fill(1000.0f);
         widths::gain(device, f, g);
         ASSERT_EQ(g.read(), each(width, [&](int x, int y) { return 1000 + at(x + 1, y); })) << width;

@@ -41,7 +41,7 @@ TEST(Adopt, PassesGoIntoTheProgramsCommandBuffer) {
     const PlainVulkan mine;
     const auto device = glift::vulkan::adopt(mine.objects());
     const auto g = buffer(device, "g.data", 256), copy = buffer(device, "copy.data", 256);
-    run_store(device, g, 64, 5);   // submitted before the program's own work
+    run_store(device, g, 64, 5);  // submitted before the program's own work
     const VkCommandBuffer commands = mine.begin();
     {
         const auto into = glift::vulkan::record_into(device, commands);
@@ -151,7 +151,7 @@ TEST(Validation, ReportsAMistake) {
     const VkDevice handle = glift::vulkan::objects(device).device;
     if (vkCreateBuffer(handle, &empty, nullptr, &buffer) == VK_SUCCESS) vkDestroyBuffer(handle, buffer, nullptr);
     EXPECT_FALSE(device.validation_messages().empty());
-    EXPECT_TRUE(device.validation_messages().empty());   // taken
+    EXPECT_TRUE(device.validation_messages().empty());  // taken
 }
 
 // Synchronization validation, between submissions too: a copy of the program's own that nothing orders after a pass.

@@ -33,10 +33,9 @@ TEST_P(Dispatch, GeneralFormComputesTheSame) {
     const glift::Memory memories[] = {buffer(device, "f.data", 4 * n), buffer(device, "g.data", 4 * n)};
     device.commands().upload(memories[0], 0, bytes_of(ramp(n)));
     const ScaleParameters block = {n, 2.0f};
-    device.commands().dispatch(scale, {.form = glift::FormName::general,
-                                       .memories = memories,
-                                       .parameters = bytes_of(block),
-                                       .size = {n, 1, 1, 1}});
+    device.commands().dispatch(
+        scale,
+        {.form = glift::FormName::general, .memories = memories, .parameters = bytes_of(block), .size = {n, 1, 1, 1}});
     expect_scaled(read<float>(device, memories[1], n), 2.0f);
 }
 
@@ -146,8 +145,10 @@ TEST_P(Dispatch, FixedParametersAreConstantsOfThePipeline) {
 
 TEST_P(Dispatch, ImagesAreSampledAndStored) {
     constexpr std::uint32_t width = 13, height = 9;
-    const glift::MemoryDescription description = {
-        .name = "f.data", .kind = glift::MemoryKind::image2d, .format = glift::Format::r32f, .extent = {width, height, 1}};
+    const glift::MemoryDescription description = {.name = "f.data",
+                                                  .kind = glift::MemoryKind::image2d,
+                                                  .format = glift::Format::r32f,
+                                                  .extent = {width, height, 1}};
     const glift::Memory images[] = {device.allocate(description), device.allocate(description)};
     const auto values = ramp(width * height);
     const glift::ImageRegion all = {.extent = {width, height, 1}};

@@ -124,7 +124,7 @@ TEST(PipelineCache, SurvivesDamage) {
     run();
     fs::remove_all(folder);
     fs::create_directories(folder.parent_path());
-    std::ofstream(folder).put('x');   // a file where the folder should be: nothing is kept, nothing fails
+    std::ofstream(folder).put('x');  // a file where the folder should be: nothing is kept, nothing fails
     run();
     fs::remove(folder);
 }
@@ -160,7 +160,8 @@ TEST_P(CallErrors, CallsThatDoNotFitTheirKernel) {
                                                              .memories = memories,
                                                              .parameters = parameters,
                                                              .size = {64, 1, 1, 1}});
-               }).code();
+               })
+            .code();
     };
     EXPECT_EQ(call({}, bytes_of(block)), ErrorCode::wrong_argument);
     EXPECT_EQ(call({&f, 1}, bytes_of(block).first(4)), ErrorCode::wrong_argument);
@@ -169,7 +170,9 @@ TEST_P(CallErrors, CallsThatDoNotFitTheirKernel) {
               ErrorCode::wrong_argument);
     EXPECT_EQ(error_of([&] { device.commands().fill(f, 2, 4); }).code(), ErrorCode::wrong_argument);
     const glift::ImageRegion outside = {.origin = {2, 0, 0}, .extent = {3, 1, 1}};
-    EXPECT_EQ(error_of([&] { device.commands().download_image(image, {&outside, 1}, 100); }).code(),
+    EXPECT_EQ(error_of([&] {
+                  device.commands().download_image(image, {&outside, 1}, 100);
+              }).code(),
               ErrorCode::wrong_argument);
     EXPECT_EQ(error_of([&] { device.allocate({.name = "x", .format = glift::Format::r8, .bytes = 4}); }).code(),
               ErrorCode::wrong_argument);
@@ -222,7 +225,7 @@ TEST_P(CallErrors, WhatAKernelReportsIsThrown) {
     EXPECT_NE(error.where().find("report.glift:21"), std::string::npos) << error.what();
     EXPECT_NE(error.why().find("g.data"), std::string::npos) << error.what();
     EXPECT_NE(error.why().find("(10)"), std::string::npos) << error.what();
-    run(10);   // reported once
+    run(10);  // reported once
     EXPECT_EQ(read<std::uint32_t>(device, g, 64)[9], 9u);
 }
 
@@ -237,13 +240,12 @@ TEST_P(CallErrors, NoMemoryLeft) {
     EXPECT_NE(error.where().find("page.data"), std::string::npos) << error.what();
     EXPECT_GE(memories.size(), 5u);
     memories.clear();
-    buffer(small, "page.data", 50 << 20);   // what was freed is there again
+    buffer(small, "page.data", 50 << 20);  // what was freed is there again
 }
 
 TEST_P(CallErrors, MemoryBeyondTheDevice) {
     if (device.properties().max_allocation_bytes == glift::unlimited) GTEST_SKIP() << "no limit here";
-    const auto error =
-        error_of([&] { buffer(device, "whale.data", device.properties().max_allocation_bytes + 4096); });
+    const auto error = error_of([&] { buffer(device, "whale.data", device.properties().max_allocation_bytes + 4096); });
     expect_complete(error, ErrorCode::too_large);
     EXPECT_NE(error.where().find("whale.data"), std::string::npos) << error.what();
 }

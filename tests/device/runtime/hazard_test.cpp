@@ -1,5 +1,5 @@
-// Barriers: exactly where they are needed. Counted, because validation does not see a missing one between two writes, and
-// lavapipe would get away without any.
+// Barriers: exactly where they are needed. Counted, because validation does not see a missing one between two writes,
+// and lavapipe would get away without any.
 #include "test_device.h"
 
 namespace {
@@ -82,8 +82,8 @@ TEST_F(Barriers, OneServesAllBeforeIt) {
     EXPECT_EQ(count([&] {
                   scale(0, 1);
                   scale(2, 3);
-                  scale(1, 4);   // the barrier here
-                  scale(3, 5);   // is enough for this too
+                  scale(1, 4);  // the barrier here
+                  scale(3, 5);  // is enough for this too
               }),
               1u);
 }
@@ -92,10 +92,10 @@ TEST_F(Barriers, CopiesFillsAndUploadsCountAsWritesAndReads) {
     const std::uint32_t value = 5;
     EXPECT_EQ(count([&] {
                   device.commands().fill(memories[0], 0, 4096, 1);
-                  device.commands().copy(memories[0], 0, memories[1], 0, 4096);   // reads what was filled
-                  device.commands().upload(memories[0], 0, bytes_of(value));      // writes what was copied from
-                  scale(0, 2);                                                    // reads what was uploaded
-                  device.commands().upload(memories[1], 0, bytes_of(value));      // the copy is behind two barriers
+                  device.commands().copy(memories[0], 0, memories[1], 0, 4096);  // reads what was filled
+                  device.commands().upload(memories[0], 0, bytes_of(value));     // writes what was copied from
+                  scale(0, 2);                                                   // reads what was uploaded
+                  device.commands().upload(memories[1], 0, bytes_of(value));     // the copy is behind two barriers
               }),
               3u);
 }
@@ -111,7 +111,7 @@ TEST_F(Barriers, DeviceValuesAreReads) {
                                                               .size = {256, 1, 1, 1},
                                                               .patches = {&patch, 1}});
               }),
-              2u);   // before the parameters are made, and after
+              2u);  // before the parameters are made, and after
 }
 
 TEST_F(Barriers, NothingWaitsForTheHost) {

@@ -31,7 +31,8 @@ void host_scale(const HostCall& call) {
 
 void host_add(const HostCall& call) {
     const auto& p = parameters<AddParameters>(call);
-    for (std::uint32_t i = 0; i < call.size[0]; ++i) data<std::uint32_t>(call, 0)[i] = data<std::uint32_t>(call, 0)[i] * 2 + p.amount;
+    for (std::uint32_t i = 0; i < call.size[0]; ++i)
+        data<std::uint32_t>(call, 0)[i] = data<std::uint32_t>(call, 0)[i] * 2 + p.amount;
 }
 
 void host_store(const HostCall& call) {
@@ -82,35 +83,65 @@ const Binding image_bindings[] = {{.name = "f.data",
 }  // namespace
 
 const glift::Kernel scale = {
-    .name = "scale", .file = "scale.glift", .line = 3, .rank = 1, .group = {64, 1, 1}, .loop_rounds = 0,
+    .name = "scale",
+    .file = "scale.glift",
+    .line = 3,
+    .rank = 1,
+    .group = {64, 1, 1},
+    .loop_rounds = 0,
     .bindings = scale_bindings,
     .direct = {.spirv = scale_direct, .host = host_scale, .parameter_bytes = 8, .push_constants = true},
     .general = {.spirv = scale_general, .host = host_scale, .parameter_bytes = 8},
     .wide = {.spirv = scale_wide, .parameter_bytes = 24}};
 
 const glift::Kernel add_in_place = {
-    .name = "add_in_place", .file = "add.glift", .line = 4, .rank = 1, .group = {64, 1, 1}, .loop_rounds = 0,
+    .name = "add_in_place",
+    .file = "add.glift",
+    .line = 4,
+    .rank = 1,
+    .group = {64, 1, 1},
+    .loop_rounds = 0,
     .bindings = in_place,
     .direct = {.spirv = ::add_in_place, .host = host_add, .parameter_bytes = 8, .push_constants = true}};
 
 const glift::Kernel store_value = {
-    .name = "store_value", .file = "store.glift", .line = 5, .rank = 1, .group = {64, 1, 1}, .loop_rounds = 0,
+    .name = "store_value",
+    .file = "store.glift",
+    .line = 5,
+    .rank = 1,
+    .group = {64, 1, 1},
+    .loop_rounds = 0,
     .bindings = out_only,
     .direct = {.spirv = ::store_value, .host = host_store, .parameter_bytes = 8, .push_constants = true}};
 
 const glift::Kernel mark_grid = {
-    .name = "mark_grid", .file = "mark.glift", .line = 6, .rank = 3, .group = {1, 1, 1}, .loop_rounds = 0,
+    .name = "mark_grid",
+    .file = "mark.glift",
+    .line = 6,
+    .rank = 3,
+    .group = {1, 1, 1},
+    .loop_rounds = 0,
     .bindings = in_place,
     .direct = {.host = host_mark, .parameter_bytes = 24},
     .general = {.spirv = ::mark_grid, .host = host_mark, .parameter_bytes = 24, .base_offset = 12}};
 
 const glift::Kernel image_step = {
-    .name = "image_step", .file = "image.glift", .line = 7, .rank = 2, .group = {8, 8, 1}, .loop_rounds = 0,
+    .name = "image_step",
+    .file = "image.glift",
+    .line = 7,
+    .rank = 2,
+    .group = {8, 8, 1},
+    .loop_rounds = 0,
     .bindings = image_bindings,
     .direct = {.spirv = ::image_step, .host = host_image_step, .parameter_bytes = 8, .push_constants = true}};
 
 const glift::Kernel report = {
-    .name = "report", .file = "report.glift", .line = 8, .rank = 1, .group = {64, 1, 1}, .loop_rounds = UINT64_MAX,
+    .name = "report",
+    .file = "report.glift",
+    .line = 8,
+    .rank = 1,
+    .group = {64, 1, 1},
+    .loop_rounds = UINT64_MAX,
     .bindings = in_place,
     .direct = {.spirv = ::report, .host = host_report, .parameter_bytes = 4, .push_constants = true},
     .reports = true};
@@ -133,18 +164,16 @@ void run_scale(const glift::Commands& commands, const glift::Memory& f, const gl
 
 void run_add(const glift::Commands& commands, const glift::Memory& g, std::uint32_t size, std::uint32_t amount) {
     const AddParameters block = {size, amount};
-    commands.dispatch(add_in_place, {.form = glift::FormName::direct,
-                                     .memories = {&g, 1},
-                                     .parameters = bytes_of(block),
-                                     .size = {size, 1, 1, 1}});
+    commands.dispatch(
+        add_in_place,
+        {.form = glift::FormName::direct, .memories = {&g, 1}, .parameters = bytes_of(block), .size = {size, 1, 1, 1}});
 }
 
 void run_store(const glift::Commands& commands, const glift::Memory& g, std::uint32_t size, std::uint32_t value) {
     const AddParameters block = {size, value};
-    commands.dispatch(store_value, {.form = glift::FormName::direct,
-                                    .memories = {&g, 1},
-                                    .parameters = bytes_of(block),
-                                    .size = {size, 1, 1, 1}});
+    commands.dispatch(
+        store_value,
+        {.form = glift::FormName::direct, .memories = {&g, 1}, .parameters = bytes_of(block), .size = {size, 1, 1, 1}});
 }
 
 }  // namespace kernels

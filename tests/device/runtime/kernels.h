@@ -8,12 +8,12 @@
 
 namespace kernels {
 
-extern const glift::Kernel scale;          ///< direct, general and wide; f, g; {size, factor}
-extern const glift::Kernel add_in_place;   ///< g = 2 g + amount; {size, amount}
-extern const glift::Kernel store_value;    ///< g = value + constant 7; {size, value}
-extern const glift::Kernel mark_grid;      ///< three-dimensional, general; {size[3], base[3]}
-extern const glift::Kernel image_step;     ///< sampled and stored images; {size[2]}
-extern const glift::Kernel report;         ///< reports element 10; {size}
+extern const glift::Kernel scale;         ///< direct, general and wide; f, g; {size, factor}
+extern const glift::Kernel add_in_place;  ///< g = 2 g + amount; {size, amount}
+extern const glift::Kernel store_value;   ///< g = value + constant 7; {size, value}
+extern const glift::Kernel mark_grid;     ///< three-dimensional, general; {size[3], base[3]}
+extern const glift::Kernel image_step;    ///< sampled and stored images; {size[2]}
+extern const glift::Kernel report;        ///< reports element 10; {size}
 
 struct ScaleParameters {
     std::uint32_t size;

@@ -19,7 +19,7 @@ std::vector<std::uint32_t> counting(std::size_t count, std::uint32_t first = 1) 
 }
 
 TEST_P(Memories, StartAsZeros) {
-    for (int round = 0; round < 3; ++round) {   // the second round gets used memory
+    for (int round = 0; round < 3; ++round) {  // the second round gets used memory
         const auto f = buffer(device, "f", 4 * 5000);
         for (const std::uint32_t value : read<std::uint32_t>(device, f, 5000)) ASSERT_EQ(value, 0u);
         device.commands().fill(f, 0, 4 * 5000, 0xDEADBEEF);
@@ -76,16 +76,20 @@ struct ImageCase {
 };
 
 TEST_P(Memories, ImagesKeepTheirTexels) {
-    const ImageCase cases[] = {
-        {MemoryKind::image1d, Format::r32f, {17, 1, 1}, 1, 0, 0},     {MemoryKind::image2d, Format::rgba8, {9, 7, 1}, 1, 0, 0},
-        {MemoryKind::image2d, Format::r8, {16, 8, 1}, 3, 1, 0},       {MemoryKind::image3d, Format::rgba32f, {5, 6, 7}, 1, 0, 0},
-        {MemoryKind::image3d, Format::r32ui, {8, 8, 8}, 4, 2, 0},     {MemoryKind::imagecube, Format::rgba16f, {8, 8, 1}, 1, 0, 4},
-        {MemoryKind::imagecube, Format::r32f, {8, 8, 1}, 2, 1, 5},    {MemoryKind::image2d, Format::d32, {9, 7, 1}, 1, 0, 0},
-        {MemoryKind::image2d, Format::rg32i, {9, 7, 1}, 1, 0, 0},     {MemoryKind::image2d, Format::r16ui, {10, 6, 1}, 1, 0, 0}};
+    const ImageCase cases[] = {{MemoryKind::image1d, Format::r32f, {17, 1, 1}, 1, 0, 0},
+                               {MemoryKind::image2d, Format::rgba8, {9, 7, 1}, 1, 0, 0},
+                               {MemoryKind::image2d, Format::r8, {16, 8, 1}, 3, 1, 0},
+                               {MemoryKind::image3d, Format::rgba32f, {5, 6, 7}, 1, 0, 0},
+                               {MemoryKind::image3d, Format::r32ui, {8, 8, 8}, 4, 2, 0},
+                               {MemoryKind::imagecube, Format::rgba16f, {8, 8, 1}, 1, 0, 4},
+                               {MemoryKind::imagecube, Format::r32f, {8, 8, 1}, 2, 1, 5},
+                               {MemoryKind::image2d, Format::d32, {9, 7, 1}, 1, 0, 0},
+                               {MemoryKind::image2d, Format::rg32i, {9, 7, 1}, 1, 0, 0},
+                               {MemoryKind::image2d, Format::r16ui, {10, 6, 1}, 1, 0, 0}};
     for (const ImageCase& c : cases) {
         SCOPED_TRACE(static_cast<int>(c.kind) * 100 + static_cast<int>(c.format));
-        const auto image = device.allocate(
-            {.name = "image", .kind = c.kind, .format = c.format, .extent = c.extent, .mips = c.mips});
+        const auto image =
+            device.allocate({.name = "image", .kind = c.kind, .format = c.format, .extent = c.extent, .mips = c.mips});
         glift::ImageRegion region = {.extent = {}, .mip = c.mip, .face = c.face};
         std::size_t texels = 1;
         for (int axis = 0; axis < 3; ++axis) {
@@ -138,7 +142,7 @@ TEST_P(Memories, AreFreedWhenTheLastHandleIsGone) {
     }
     buffer(device, "h", 16);
     device.wait();
-    buffer(device, "h", 16);   // what is done with is taken back when something is allocated
+    buffer(device, "h", 16);  // what is done with is taken back when something is allocated
     const auto after = device.statistics();
     EXPECT_LE(after.memories, before.memories + 2);
     EXPECT_LE(after.bytes_used, before.bytes_used + (9 << 20));
@@ -163,7 +167,7 @@ TEST_P(Memories, HandlesMayGoBeforeTheDeviceIsDone) {
 TEST_P(Memories, LargeOnesGoThroughAddresses) {
     constexpr std::uint32_t n = 40'000'000;
     const auto f = buffer(device, "f", 4ull * n), g = buffer(device, "g", 4ull * n);
-    device.commands().fill(f, 0, 4ull * n, 0x3F800000);   // 1.0f
+    device.commands().fill(f, 0, 4ull * n, 0x3F800000);  // 1.0f
     const float last = 5.0f;
     device.commands().upload(f, 4ull * (n - 1), bytes_of(last));
     run_scale(device, f, g, n, 2.0f);

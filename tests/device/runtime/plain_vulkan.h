@@ -13,12 +13,12 @@
 struct Pretence {
     bool vulkan_1_2 = false;
     bool no_timeline = false;
-    bool lost = false;          ///< the next submission and every wait
+    bool lost = false;  ///< the next submission and every wait
     bool no_memory = false;
-    bool no_push_descriptors = false;   ///< the device was made without the extension
+    bool no_push_descriptors = false;  ///< the device was made without the extension
 
-    std::uint64_t submissions = 0;       ///< of the device
-    std::uint64_t command_buffers = 0;   ///< in them
+    std::uint64_t submissions = 0;      ///< of the device
+    std::uint64_t command_buffers = 0;  ///< in them
 };
 extern Pretence pretence;
 PFN_vkVoidFunction VKAPI_CALL pretending_loader(VkInstance instance, const char* name);
@@ -30,7 +30,7 @@ public:
 
     glift::vulkan::Objects objects() const { return {instance, physical, device, queue, 0, extensions, nullptr}; }
     VkCommandBuffer begin() const;
-    void run(VkCommandBuffer commands) const;   ///< ends, submits and waits
+    void run(VkCommandBuffer commands) const;  ///< ends, submits and waits
 
     VkInstance instance = VK_NULL_HANDLE;
     VkPhysicalDevice physical = VK_NULL_HANDLE;

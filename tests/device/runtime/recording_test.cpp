@@ -25,7 +25,7 @@ TEST_P(Recordings, AThousandPassesReplayWithOneSubmission) {
     const auto after = device.statistics();
     EXPECT_EQ(after.submissions - before.submissions, device.is_host() ? 0u : 1u);
     EXPECT_EQ(after.passes - before.passes, 1000u);
-    recording.submit();   // at once: the first may still run
+    recording.submit();  // at once: the first may still run
     replay();
     EXPECT_EQ(read<std::uint32_t>(device, g, n)[n - 1], expected);
 }
@@ -35,7 +35,7 @@ TEST_P(Recordings, StandInOrderWithTheDevicesOwnStream) {
     const auto g = buffer(device, "g.data", 4 * n);
     run_store(device, g, n, 1);
     const auto recording = device.record([&](const glift::Commands& commands) { run_add(commands, g, n, 10); });
-    EXPECT_EQ(read<std::uint32_t>(device, g, n)[0], 1u);   // recorded, not run
+    EXPECT_EQ(read<std::uint32_t>(device, g, n)[0], 1u);  // recorded, not run
     recording.submit();
     run_add(device, g, n, 100);
     recording.submit();
@@ -85,10 +85,9 @@ TEST_P(Recordings, HoldTheirMemories) {
 
 TEST_P(Recordings, RefuseWhatNeedsTheDevicesOwnStream) {
     const auto f = buffer(device, "f.data", 256);
-    EXPECT_EQ(error_of([&] {
-                  device.record([&](const glift::Commands& commands) { commands.download(f, 0, 4); });
-              }).code(),
-              glift::ErrorCode::wrong_argument);
+    EXPECT_EQ(
+        error_of([&] { device.record([&](const glift::Commands& commands) { commands.download(f, 0, 4); }); }).code(),
+        glift::ErrorCode::wrong_argument);
     EXPECT_EQ(error_of([&] { device.record([&](const glift::Commands& commands) { commands.wait(); }); }).code(),
               glift::ErrorCode::wrong_argument);
 }

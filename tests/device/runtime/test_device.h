@@ -25,8 +25,8 @@ protected:
     glift::Device device;
 };
 
-#define GLIFT_ON_EVERY_DEVICE(Fixture)                                                                    \
-    INSTANTIATE_TEST_SUITE_P(, Fixture, testing::Values("host", "vulkan"),                                \
+#define GLIFT_ON_EVERY_DEVICE(Fixture)                                                                                 \
+    INSTANTIATE_TEST_SUITE_P(, Fixture, testing::Values("host", "vulkan"),                                             \
                              [](const testing::TestParamInfo<const char*>& which) { return which.param; })
 
 /// The code of the Error that the action throws; records a failure if it throws none.

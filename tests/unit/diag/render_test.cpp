@@ -28,7 +28,8 @@ TEST(Render, writes_json) {
     auto file = sources.add("a \"b\".glift", "x\ny\n");
     diagnostics.report(Diag::unknown_name, {file, 2, 3}, {"y\n"});
     EXPECT_EQ(render_json(diagnostics, sources),
-              "[\n  {\"severity\": \"error\", \"id\": \"unknown-name\", \"text\": \"unknown name 'y\\n'\", \"file\": \"a \\\"b\\\".glift\", "
+              "[\n  {\"severity\": \"error\", \"id\": \"unknown-name\", \"text\": \"unknown name 'y\\n'\", \"file\": "
+              "\"a \\\"b\\\".glift\", "
               "\"line\": 2, \"column\": 1, \"end_line\": 2, \"end_column\": 2, \"notes\": []}\n]\n");
 }
 

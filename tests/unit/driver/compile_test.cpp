@@ -35,7 +35,8 @@ FileSystem in_memory(std::map<std::string, std::string> texts) {
 
 struct Loaded {
     Compilation compilation;
-    Loaded(std::map<std::string, std::string> texts, std::vector<std::string> roots, std::vector<std::string> folders = {}) {
+    Loaded(std::map<std::string, std::string> texts, std::vector<std::string> roots,
+           std::vector<std::string> folders = {}) {
         Options options;
         options.files = std::move(roots);
         options.import_folders = std::move(folders);
@@ -66,19 +67,23 @@ TEST(Load, puts_imports_before_importers_and_each_once) {
 }
 
 TEST(Load, finds_a_module_beside_its_user_first) {
-    Loaded loaded({{"x/a.glift", "module a; use b;"}, {"x/b.glift", "module b;"}, {"dir/b.glift", "module b;"}}, {"x/a.glift"}, {"dir"});
+    Loaded loaded({{"x/a.glift", "module a; use b;"}, {"x/b.glift", "module b;"}, {"dir/b.glift", "module b;"}},
+                  {"x/a.glift"}, {"dir"});
     EXPECT_EQ(loaded.errors(), "");
     EXPECT_EQ(loaded.compilation.sources[1].path, "x/b.glift");
 }
 
 TEST(Load, reports_cycles_with_the_way_round) {
     Loaded loaded({{"a.glift", "module a; use b;"}, {"b.glift", "module b; use a;"}}, {"a.glift"});
-    EXPECT_EQ(loaded.errors(), "b.glift:1:15: error: module 'a' imports itself [import-cycle]\n    module b; use a;\n                  ^\n"
-                               "a.glift:1:15: note: by way of this\n    module a; use b;\n                  ^\n");
+    EXPECT_EQ(
+        loaded.errors(),
+        "b.glift:1:15: error: module 'a' imports itself [import-cycle]\n    module b; use a;\n                  ^\n"
+        "a.glift:1:15: note: by way of this\n    module a; use b;\n                  ^\n");
 }
 
 TEST(Load, suggests_modules_that_are_there) {
-    Loaded loaded({{"a.glift", "module a; use std.aray;"}, {"lib/structures/array.glift", "module std.array;"}}, {"a.glift"});
+    Loaded loaded({{"a.glift", "module a; use std.aray;"}, {"lib/structures/array.glift", "module std.array;"}},
+                  {"a.glift"});
     EXPECT_NE(loaded.errors().find("did you mean 'std.array'?"), std::string::npos) << loaded.errors();
 }
 
@@ -127,8 +132,8 @@ std::variant<Options, ExitCode> read(std::vector<std::string> words) {
 }
 
 TEST(CommandLine, reads_options_before_and_after_files) {
-    auto result = read({"-Idir", "-I", "other", "a.glift", "-D", "n=3", "--target=cpp", "--target=host", "-o", "out", "-Werror",
-                        "-Wno-unused-variable", "b.glift", "--error-limit", "5", "--stop-after=lower"});
+    auto result = read({"-Idir", "-I", "other", "a.glift", "-D", "n=3", "--target=cpp", "--target=host", "-o", "out",
+                        "-Werror", "-Wno-unused-variable", "b.glift", "--error-limit", "5", "--stop-after=lower"});
     const auto* options = std::get_if<Options>(&result);
     ASSERT_TRUE(options);
     EXPECT_EQ(options->files, (std::vector<std::string>{"a.glift", "b.glift"}));
@@ -151,8 +156,12 @@ TEST(CommandLine, has_commands) {
 }
 
 TEST(CommandLine, refuses_wrong_usage) {
-    for (std::vector<std::string> words : {std::vector<std::string>{}, {"--target=cuda", "a.glift"}, {"-Wno-such", "a.glift"},
-                                           {"--no-such", "a.glift"}, {"-D", "n", "a.glift"}, {"--stop-after=x", "a.glift"}}) {
+    for (std::vector<std::string> words : {std::vector<std::string>{},
+                                           {"--target=cuda", "a.glift"},
+                                           {"-Wno-such", "a.glift"},
+                                           {"--no-such", "a.glift"},
+                                           {"-D", "n", "a.glift"},
+                                           {"--stop-after=x", "a.glift"}}) {
         auto result = read(words);
         ASSERT_TRUE(std::holds_alternative<ExitCode>(result));
         EXPECT_EQ(std::get<ExitCode>(result), ExitCode::wrong_usage);

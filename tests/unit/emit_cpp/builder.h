@@ -15,7 +15,9 @@ struct Builder {
 
     Builder() {
         program.names = &names;
-        sources.add("dir/heat.glift", "module heat;\n\n// kernel\nkernel heat(f: in near<Field, 1>, g: out each<Field>) {\n    g = f[0];\n}\n");
+        sources.add(
+            "dir/heat.glift",
+            "module heat;\n\n// kernel\nkernel heat(f: in near<Field, 1>, g: out each<Field>) {\n    g = f[0];\n}\n");
         program.modules.push_back({.name = names.intern("heat"), .file = 0, .is_root = true, .doc = ""});
     }
 
@@ -27,9 +29,13 @@ struct Builder {
     ir::TypeId uint_vector(std::uint32_t n) { return types().vector(types().uint, n); }
 
     ir::ExprId add(ir::Expr expr) { return program.exprs.add(std::move(expr)); }
-    ir::ExprId constant(std::uint32_t bits) { return add({.op = ir::Op::constant, .type = types().uint, .bits = bits}); }
+    ir::ExprId constant(std::uint32_t bits) {
+        return add({.op = ir::Op::constant, .type = types().uint, .bits = bits});
+    }
     ir::ExprId number(double value) { return add({.op = ir::Op::constant, .type = types().float_, .number = value}); }
-    ir::ExprId local(ir::LocalId id) { return add({.op = ir::Op::local, .type = program.locals[id].type, .local = id}); }
+    ir::ExprId local(ir::LocalId id) {
+        return add({.op = ir::Op::local, .type = program.locals[id].type, .local = id});
+    }
     ir::ExprId binary(ir::BinaryOp op, ir::ExprId a, ir::ExprId b) {
         return add({.op = ir::Op::binary, .type = program.exprs[a].type, .operands = {a, b}, .binary = op});
     }
@@ -40,12 +46,17 @@ struct Builder {
     ir::ExprId minus(ir::ExprId a, ir::ExprId b) { return binary(ir::BinaryOp::subtract, a, b); }
     ir::ExprId times(ir::ExprId a, ir::ExprId b) { return binary(ir::BinaryOp::multiply, a, b); }
     ir::ExprId lane(ir::ExprId vector, std::uint8_t i) {
-        return add({.op = ir::Op::swizzle, .type = types().scalar_of(program.exprs[vector].type), .operands = {vector}, .lanes = {i}});
+        return add({.op = ir::Op::swizzle,
+                    .type = types().scalar_of(program.exprs[vector].type),
+                    .operands = {vector},
+                    .lanes = {i}});
     }
     ir::ExprId select(ir::ExprId c, ir::ExprId a, ir::ExprId b) {
         return add({.op = ir::Op::select, .type = program.exprs[a].type, .operands = {c, a, b}});
     }
-    ir::ExprId parameter(std::uint32_t slot, ir::TypeId type) { return add({.op = ir::Op::parameter, .type = type, .slot = slot}); }
+    ir::ExprId parameter(std::uint32_t slot, ir::TypeId type) {
+        return add({.op = ir::Op::parameter, .type = type, .slot = slot});
+    }
     ir::ExprId load(std::uint32_t slot, ir::TypeId type, ir::ExprId index) {
         return add({.op = ir::Op::load, .type = type, .operands = {index}, .slot = slot});
     }
@@ -68,7 +79,8 @@ struct Builder {
 /// A 3-D diffusion step over dense buffers: g = f + k * (sum of the six neighbours - 6 f), outside reads as zero.
 inline ir::Pass heat_pass(Builder& b) {
     using ir::BinaryOp;
-    b.program.kernels.push_back({.name = b.names.intern("heat"), .display = "heat", .span = b.line(4), .domain_type = b.uint_vector(3)});
+    b.program.kernels.push_back(
+        {.name = b.names.intern("heat"), .display = "heat", .span = b.line(4), .domain_type = b.uint_vector(3)});
     const ir::TypeId f32 = b.types().float_, u3 = b.uint_vector(3);
     ir::Pass pass;
     pass.rank = 3;
@@ -81,8 +93,11 @@ inline ir::Pass heat_pass(Builder& b) {
     const auto body = [&](bool guarded) {
         const ir::LocalId index = b.declare("f_index", b.types().uint), sum = b.declare("sum", f32, true);
         std::vector<ir::StmtId> body;
-        body.push_back(b.let(index, b.plus(b.times(b.plus(b.times(b.lane(a, 2), b.lane(extent, 1)), b.lane(a, 1)), b.lane(extent, 0)),
-                                           b.lane(a, 0)), b.line(5)));
+        body.push_back(
+            b.let(index,
+                  b.plus(b.times(b.plus(b.times(b.lane(a, 2), b.lane(extent, 1)), b.lane(a, 1)), b.lane(extent, 0)),
+                         b.lane(a, 0)),
+                  b.line(5)));
         body.push_back(b.let(sum, b.times(b.number(-6), b.load(0, f32, b.local(index))), b.line(5)));
         for (std::uint8_t axis = 0; axis < 3; ++axis) {
             ir::ExprId stride = axis == 0 ? b.constant(1) : b.lane(extent, 0);
@@ -90,13 +105,15 @@ inline ir::Pass heat_pass(Builder& b) {
             for (bool up : {true, false}) {
                 ir::ExprId at = up ? b.plus(b.local(index), stride) : b.minus(b.local(index), stride);
                 ir::ExprId value = b.load(0, f32, at);
-                ir::ExprId inside = up ? b.compare(BinaryOp::less, b.plus(b.lane(a, axis), b.constant(1)), b.lane(extent, axis))
-                                       : b.compare(BinaryOp::greater, b.lane(a, axis), b.constant(0));
+                ir::ExprId inside =
+                    up ? b.compare(BinaryOp::less, b.plus(b.lane(a, axis), b.constant(1)), b.lane(extent, axis))
+                       : b.compare(BinaryOp::greater, b.lane(a, axis), b.constant(0));
                 if (guarded) value = b.select(inside, value, b.number(0));
                 body.push_back(b.assign(b.local(sum), b.plus(b.local(sum), value), b.line(5)));
             }
         }
-        body.push_back(b.store(1, b.local(index), b.plus(b.load(0, f32, b.local(index)), b.times(b.parameter(1, f32), b.local(sum))),
+        body.push_back(b.store(1, b.local(index),
+                               b.plus(b.load(0, f32, b.local(index)), b.times(b.parameter(1, f32), b.local(sum))),
                                b.line(5)));
         return body;
     };

@@ -1,4 +1,5 @@
-// Kernels as rows: what the printer finds out and writes. That the code is right is shown by tests/device and `gliftc test`.
+// Kernels as rows: what the printer finds out and writes. That the code is right is shown by tests/device and `gliftc
+// test`.
 #include "builder.h"
 
 #include "emit/cpp/unit.h"
@@ -34,7 +35,8 @@ TEST(HostKernel, RunsInsideThroughPointersToTheRow) {
     EXPECT_THAT(text, HasSubstr("g_data_row[i] = f_data_row[i] + k * sum;"));
     EXPECT_THAT(text, HasSubstr("static void heat_direct(const glift::HostCall& call)"));
     EXPECT_THAT(text, Not(HasSubstr("not lowered")));
-    EXPECT_THAT(cpp::parameters_of(globals, pass, "heat_direct"), HasSubstr("static_assert(offsetof(heat_direct_parameters, k) == 12);"));
+    EXPECT_THAT(cpp::parameters_of(globals, pass, "heat_direct"),
+                HasSubstr("static_assert(offsetof(heat_direct_parameters, k) == 12);"));
 }
 
 TEST(Names, StayOutOfTheWayOfCpp) {

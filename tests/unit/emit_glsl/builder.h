@@ -21,7 +21,8 @@ struct Builder {
 
     Builder() {
         program.names = &names;
-        std::uint32_t file = sources.add("somewhere/sample.glift", "module sample;\n\nkernel sample() {\n    a line\n    another\n}\n");
+        std::uint32_t file =
+            sources.add("somewhere/sample.glift", "module sample;\n\nkernel sample() {\n    a line\n    another\n}\n");
         here = {file, 16, 22};
         Kernel kernel;
         kernel.name = names.intern("sample");
@@ -87,7 +88,8 @@ struct Builder {
         return id;
     }
     ExprId lanes(ExprId a, std::vector<std::uint8_t> which) {
-        ExprId id = make(Op::swizzle, types().vector(types().scalar_of(type_of(a)), static_cast<std::uint32_t>(which.size())), {a});
+        ExprId id = make(Op::swizzle,
+                         types().vector(types().scalar_of(type_of(a)), static_cast<std::uint32_t>(which.size())), {a});
         for (std::size_t n = 0; n < which.size(); ++n) program.exprs[id].lanes[n] = which[n];
         return id;
     }
@@ -175,7 +177,9 @@ struct Builder {
         pass.parameters.back().value = make(Op::domain, type);
         return id;
     }
-    ExprId load(std::uint32_t binding, ExprId at) { return with(Op::load, pass.bindings[binding].element, {at}, binding); }
+    ExprId load(std::uint32_t binding, ExprId at) {
+        return with(Op::load, pass.bindings[binding].element, {at}, binding);
+    }
 
     /// One axis: address = gl_GlobalInvocationID.x, in_range = address < size.
     ExprId one_axis() {

@@ -33,8 +33,9 @@ std::string library(const std::string& text) {
 }
 
 void prove(const std::string& library, const std::string& before, const std::string& after) {
-    std::string shader = "#version 460\n#extension GL_EXT_scalar_block_layout : require\nlayout(local_size_x = 64) in;\n" + before + library +
-                         "void main() {\n    uvec3 id = gl_GlobalInvocationID;\n" + after + "}\n";
+    std::string shader =
+        "#version 460\n#extension GL_EXT_scalar_block_layout : require\nlayout(local_size_x = 64) in;\n" + before +
+        library + "void main() {\n    uvec3 id = gl_GlobalInvocationID;\n" + after + "}\n";
     EXPECT_EQ(spirv::spirv_of(shader).error, "") << shader;
 }
 
@@ -44,8 +45,10 @@ TEST(Library, OfAnArray) {
     EXPECT_THAT(text, HasSubstr("void Field_write(uvec3 address, float value) {"));
     EXPECT_THAT(text, HasSubstr("uint Field_translate(uvec3 address) {"));
     prove(text, "", "Field_write(id, Field_read(id + 1u) + float(Field_translate(id)));\n");
-    prove(text, "#define FIELD_SET 2\n#define FIELD_BINDING 5\n#define FIELD_STATE\n#define FIELD_READONLY\n"
-                "layout(push_constant, scalar) uniform Mine { uvec3 Field_extent; };\nlayout(binding = 0) buffer Out { float result; };\n",
+    prove(text,
+          "#define FIELD_SET 2\n#define FIELD_BINDING 5\n#define FIELD_STATE\n#define FIELD_READONLY\n"
+          "layout(push_constant, scalar) uniform Mine { uvec3 Field_extent; };\nlayout(binding = 0) buffer Out { float "
+          "result; };\n",
           "result = Field_read(id);\n");
 }
 
@@ -57,9 +60,11 @@ TEST(Library, StateIsThatOfTheStructure) {
 }
 
 TEST(Library, OfAPartialMapping) {
-    std::string text = library("module own;\nuse std.array;\nuse std.edge;\npub structure Field = Array<2, float2, Boundary.repeat, Storage.image2d>;\n");
+    std::string text = library("module own;\nuse std.array;\nuse std.edge;\npub structure Field = Array<2, float2, "
+                               "Boundary.repeat, Storage.image2d>;\n");
     EXPECT_THAT(text, HasSubstr("bool Field_is_mapped(uvec2 address) {"));
-    prove(text, "", "if (Field_is_mapped(id.xy)) Field_write(id.xy, Field_read(id.yx) + vec2(Field_translate(id.xy)));\n");
+    prove(text, "",
+          "if (Field_is_mapped(id.xy)) Field_write(id.xy, Field_read(id.yx) + vec2(Field_translate(id.xy)));\n");
 }
 
 TEST(Library, OfMortonOrder) {

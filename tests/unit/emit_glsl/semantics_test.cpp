@@ -21,8 +21,7 @@ std::string proved(Builder& b) {
 }
 
 /// A kernel that stores `value(address)` of any type.
-template <class Make>
-std::string stored(Make make) {
+template <class Make> std::string stored(Make make) {
     Builder b;
     ExprId address = b.one_axis();
     ExprId value = make(b, address);
@@ -35,13 +34,17 @@ ExprId as_int(Builder& b, ExprId value) { return b.make(Op::convert, b.types().i
 ExprId as_float(Builder& b, ExprId value) { return b.make(Op::convert, b.types().float_, {value}); }
 
 TEST(Division, ByAConstantOrAnExtentHasNoGuard) {
-    EXPECT_THAT(stored([](Builder& b, ExprId a) { return b.binary(BinaryOp::divide, a, b.u(3)); }), HasSubstr("= address / 3u;"));
-    EXPECT_THAT(stored([](Builder& b, ExprId a) { return b.binary(BinaryOp::remainder, a, b.extent_parameter("width", b.types().uint)); }),
+    EXPECT_THAT(stored([](Builder& b, ExprId a) { return b.binary(BinaryOp::divide, a, b.u(3)); }),
+                HasSubstr("= address / 3u;"));
+    EXPECT_THAT(stored([](Builder& b, ExprId a) {
+                    return b.binary(BinaryOp::remainder, a, b.extent_parameter("width", b.types().uint));
+                }),
                 HasSubstr("= address % width;"));
 }
 
 TEST(Division, ByAnythingElseIsGuarded) {
-    EXPECT_THAT(stored([](Builder& b, ExprId a) { return b.binary(BinaryOp::divide, a, a); }), HasSubstr("= address / max(address, 1u);"));
+    EXPECT_THAT(stored([](Builder& b, ExprId a) { return b.binary(BinaryOp::divide, a, a); }),
+                HasSubstr("= address / max(address, 1u);"));
     auto by_value = [](Builder& b, ExprId a) {
         ExprId n = b.parameter("n", b.types().uint);
         b.pass.parameters.back().value = b.use(b.local("n", b.types().uint, false));
@@ -51,10 +54,12 @@ TEST(Division, ByAnythingElseIsGuarded) {
 }
 
 TEST(Division, OfIntsGoesThroughAFunction) {
-    std::string text = stored([](Builder& b, ExprId a) { return b.binary(BinaryOp::remainder, as_int(b, a), b.i(-3)); });
+    std::string text =
+        stored([](Builder& b, ExprId a) { return b.binary(BinaryOp::remainder, as_int(b, a), b.i(-3)); });
     EXPECT_THAT(text, HasSubstr("int quotient(int a, int b)"));
     EXPECT_THAT(text, HasSubstr("= remainder(int(address), -3);"));
-    EXPECT_THAT(stored([](Builder& b, ExprId a) { return b.binary(BinaryOp::divide, as_int(b, a), b.i(3)); }), HasSubstr("= int(address) / 3;"));
+    EXPECT_THAT(stored([](Builder& b, ExprId a) { return b.binary(BinaryOp::divide, as_int(b, a), b.i(3)); }),
+                HasSubstr("= int(address) / 3;"));
     auto vectors = [](Builder& b, ExprId a) {
         TypeId int3 = b.types().vector(b.types().int_, 3);
         return b.binary(BinaryOp::divide, b.make(Op::construct, int3, {as_int(b, a)}), as_int(b, a));
@@ -63,14 +68,14 @@ TEST(Division, OfIntsGoesThroughAFunction) {
 }
 
 /// As `stored`, with division and square root corrected.
-template <class Make>
-std::string corrected(Make make) {
+template <class Make> std::string corrected(Make make) {
     Builder b;
     ExprId address = b.one_axis();
     ExprId value = make(b, address);
     auto out = b.buffer("g_data", b.type_of(value), Access::write);
     b.pass.body = {b.store(out, address, value)};
-    std::string text = glsl::glsl_of(b.program, b.sources, b.pass, {.lines = glsl::LineMarks::directives, .rounding = glsl::Rounding::correct});
+    std::string text = glsl::glsl_of(b.program, b.sources, b.pass,
+                                     {.lines = glsl::LineMarks::directives, .rounding = glsl::Rounding::correct});
     auto spirv = spirv::spirv_of(text);
     EXPECT_EQ(spirv.error, "") << text;
     return text;
@@ -80,7 +85,8 @@ TEST(Division, OfFloatsIsCorrectedWhereTheDeviceIsNotExact) {
     auto division = [](Builder& b, ExprId a) { return b.binary(BinaryOp::divide, as_float(b, a), b.f(3)); };
     EXPECT_THAT(stored(division), HasSubstr("= float(address) / 3.0;"));
     EXPECT_THAT(corrected(division), HasSubstr("= divide(float(address), 3.0);"));
-    EXPECT_THAT(corrected([](Builder& b, ExprId a) { return b.binary(BinaryOp::divide, as_float(b, a), b.f(4)); }), HasSubstr("= float(address) / 4.0;"));
+    EXPECT_THAT(corrected([](Builder& b, ExprId a) { return b.binary(BinaryOp::divide, as_float(b, a), b.f(4)); }),
+                HasSubstr("= float(address) / 4.0;"));
     auto vectors = [](Builder& b, ExprId a) {
         TypeId float3 = b.types().vector(b.types().float_, 3), float4 = b.types().vector(b.types().float_, 4);
         ExprId v = b.make(Op::construct, float3, {as_float(b, a)});
@@ -99,20 +105,26 @@ TEST(Division, OfFloatsIsCorrectedWhereTheDeviceIsNotExact) {
 }
 
 TEST(Shift, IsMaskedWhereTheAmountIsNotKnown) {
-    EXPECT_THAT(stored([](Builder& b, ExprId a) { return b.binary(BinaryOp::shift_left, a, b.u(31)); }), HasSubstr("= address << 31u;"));
+    EXPECT_THAT(stored([](Builder& b, ExprId a) { return b.binary(BinaryOp::shift_left, a, b.u(31)); }),
+                HasSubstr("= address << 31u;"));
     EXPECT_THAT(stored([](Builder& b, ExprId a) { return b.binary(BinaryOp::shift_right, a, b.plus(a, b.u(1))); }),
                 HasSubstr("= address >> ((address + 1u) & 31u);"));
 }
 
 TEST(Conversion, OfFloatsToIntegersSaturates) {
-    std::string text = stored([](Builder& b, ExprId a) { return b.make(Op::convert, b.types().int_, {as_float(b, a)}); });
+    std::string text =
+        stored([](Builder& b, ExprId a) { return b.make(Op::convert, b.types().int_, {as_float(b, a)}); });
     EXPECT_THAT(text, HasSubstr("int to_int(float x)"));
-    EXPECT_THAT(stored([](Builder& b, ExprId a) { return b.make(Op::convert, b.types().uint, {as_float(b, a)}); }), HasSubstr("uint to_uint(float x)"));
-    auto doubles = [](Builder& b, ExprId a) { return b.make(Op::convert, b.types().int64, {b.make(Op::convert, b.types().double_, {a})}); };
+    EXPECT_THAT(stored([](Builder& b, ExprId a) { return b.make(Op::convert, b.types().uint, {as_float(b, a)}); }),
+                HasSubstr("uint to_uint(float x)"));
+    auto doubles = [](Builder& b, ExprId a) {
+        return b.make(Op::convert, b.types().int64, {b.make(Op::convert, b.types().double_, {a})});
+    };
     EXPECT_THAT(stored(doubles), HasSubstr("int64_t to_int64(double x)"));
     auto vectors = [](Builder& b, ExprId a) {
         TypeId float2 = b.types().vector(b.types().float_, 2);
-        return b.make(Op::convert, b.types().vector(b.types().uint, 2), {b.make(Op::construct, float2, {as_float(b, a)})});
+        return b.make(Op::convert, b.types().vector(b.types().uint, 2),
+                      {b.make(Op::construct, float2, {as_float(b, a)})});
     };
     EXPECT_THAT(stored(vectors), HasSubstr("uvec2 to_uint(vec2 a)"));
 }
@@ -123,7 +135,8 @@ TEST(Index, IsClampedUnlessKnownToBeInside) {
     auto out = b.buffer("g_data", b.types().float_, Access::write);
     LocalId table = b.local("table", b.types().array(b.types().float_, 4)), n = b.local("n", b.types().uint, false);
     auto at = [&](ExprId where) { return b.make(Op::index, b.types().float_, {b.use(table), where}); };
-    b.pass.body = {b.let(table), b.loop(n, b.u(0), b.u(4), {b.assign(at(b.use(n)), b.f(0.5))}), b.store(out, address, b.plus(at(address), at(b.u(2))))};
+    b.pass.body = {b.let(table), b.loop(n, b.u(0), b.u(4), {b.assign(at(b.use(n)), b.f(0.5))}),
+                   b.store(out, address, b.plus(at(address), at(b.u(2))))};
     std::string text = proved(b);
     EXPECT_THAT(text, HasSubstr("float table[4] = float[4](0.0, 0.0, 0.0, 0.0);"));
     EXPECT_THAT(text, HasSubstr("for (uint n = 0u; n < 4u; ++n) {\n        table[n] = 0.5;"));
@@ -141,21 +154,32 @@ TEST(Loop, EvaluatesItsLimitOnce) {
 
 TEST(Parentheses, AreAsFewAsAReaderWants) {
     auto text = [](auto make) { return stored(make); };
-    EXPECT_THAT(text([](Builder& b, ExprId a) { return b.times(b.plus(a, b.u(1)), b.u(2)); }), HasSubstr("= (address + 1u) * 2u;"));
-    EXPECT_THAT(text([](Builder& b, ExprId a) { return b.minus(a, b.minus(a, b.u(1))); }), HasSubstr("= address - (address - 1u);"));
-    EXPECT_THAT(text([](Builder& b, ExprId a) { return b.minus(b.minus(a, a), b.u(1)); }), HasSubstr("= address - address - 1u;"));
-    EXPECT_THAT(text([](Builder& b, ExprId a) { return b.binary(BinaryOp::bit_or, b.binary(BinaryOp::shift_left, a, b.u(8)), a); }),
+    EXPECT_THAT(text([](Builder& b, ExprId a) { return b.times(b.plus(a, b.u(1)), b.u(2)); }),
+                HasSubstr("= (address + 1u) * 2u;"));
+    EXPECT_THAT(text([](Builder& b, ExprId a) { return b.minus(a, b.minus(a, b.u(1))); }),
+                HasSubstr("= address - (address - 1u);"));
+    EXPECT_THAT(text([](Builder& b, ExprId a) { return b.minus(b.minus(a, a), b.u(1)); }),
+                HasSubstr("= address - address - 1u;"));
+    EXPECT_THAT(text([](Builder& b, ExprId a) {
+                    return b.binary(BinaryOp::bit_or, b.binary(BinaryOp::shift_left, a, b.u(8)), a);
+                }),
                 HasSubstr("= (address << 8u) | address;"));
-    EXPECT_THAT(text([](Builder& b, ExprId a) { return b.unary(UnaryOp::minus, b.unary(UnaryOp::minus, as_int(b, a))); }), HasSubstr("= -(-int(address));"));
-    EXPECT_THAT(text([](Builder& b, ExprId a) { return b.make(Op::select, b.types().uint, {b.less(a, b.u(4)), a, b.u(0)}); }),
+    EXPECT_THAT(
+        text([](Builder& b, ExprId a) { return b.unary(UnaryOp::minus, b.unary(UnaryOp::minus, as_int(b, a))); }),
+        HasSubstr("= -(-int(address));"));
+    EXPECT_THAT(text([](Builder& b, ExprId a) {
+                    return b.make(Op::select, b.types().uint, {b.less(a, b.u(4)), a, b.u(0)});
+                }),
                 HasSubstr("= address < 4u ? address : 0u;"));
 }
 
 TEST(Literals, KeepTheirValues) {
     EXPECT_THAT(stored([](Builder& b, ExprId) { return b.f(1e-30); }), HasSubstr("= 1e-30;"));
-    EXPECT_THAT(stored([](Builder& b, ExprId) { return b.f(1.0 / 0.0); }), HasSubstr("= uintBitsToFloat(0x7f800000u);"));
+    EXPECT_THAT(stored([](Builder& b, ExprId) { return b.f(1.0 / 0.0); }),
+                HasSubstr("= uintBitsToFloat(0x7f800000u);"));
     EXPECT_THAT(stored([](Builder& b, ExprId) { return b.i(INT32_MIN); }), HasSubstr("= int(0x80000000u);"));
-    EXPECT_THAT(stored([](Builder& b, ExprId) { return b.constant(b.types().uint64, ~0ull); }), HasSubstr("= 18446744073709551615ul;"));
+    EXPECT_THAT(stored([](Builder& b, ExprId) { return b.constant(b.types().uint64, ~0ull); }),
+                HasSubstr("= 18446744073709551615ul;"));
 }
 
 TEST(Atomics, OfFloatsAreLoopsOfCompareAndSwap) {
@@ -183,18 +207,23 @@ TEST(Atomics, OfFloatsAreLoopsOfCompareAndSwap) {
 
 /// One expression a line of intrinsics.def, with operands that its signature takes.
 TEST(Intrinsics, AllCompile) {
-    const std::vector<Intrinsic> floats = {Intrinsic::abs, Intrinsic::sign, Intrinsic::floor, Intrinsic::ceil, Intrinsic::round, Intrinsic::trunc,
-        Intrinsic::fract, Intrinsic::sqrt, Intrinsic::exp, Intrinsic::exp2, Intrinsic::log, Intrinsic::log2, Intrinsic::sin, Intrinsic::cos,
-        Intrinsic::tan, Intrinsic::asin, Intrinsic::acos, Intrinsic::atan, Intrinsic::sinh, Intrinsic::cosh, Intrinsic::tanh, Intrinsic::inversesqrt};
-    const std::vector<std::pair<Intrinsic, std::size_t>> more = {{Intrinsic::min, 2}, {Intrinsic::max, 2}, {Intrinsic::clamp, 3}, {Intrinsic::step, 2},
-        {Intrinsic::mix, 3}, {Intrinsic::smoothstep, 3}, {Intrinsic::fma, 3}, {Intrinsic::pow, 2}, {Intrinsic::atan2, 2}};
+    const std::vector<Intrinsic> floats = {
+        Intrinsic::abs,   Intrinsic::sign, Intrinsic::floor, Intrinsic::ceil,       Intrinsic::round, Intrinsic::trunc,
+        Intrinsic::fract, Intrinsic::sqrt, Intrinsic::exp,   Intrinsic::exp2,       Intrinsic::log,   Intrinsic::log2,
+        Intrinsic::sin,   Intrinsic::cos,  Intrinsic::tan,   Intrinsic::asin,       Intrinsic::acos,  Intrinsic::atan,
+        Intrinsic::sinh,  Intrinsic::cosh, Intrinsic::tanh,  Intrinsic::inversesqrt};
+    const std::vector<std::pair<Intrinsic, std::size_t>> more = {
+        {Intrinsic::min, 2},  {Intrinsic::max, 2}, {Intrinsic::clamp, 3},
+        {Intrinsic::step, 2}, {Intrinsic::mix, 3}, {Intrinsic::smoothstep, 3},
+        {Intrinsic::fma, 3},  {Intrinsic::pow, 2}, {Intrinsic::atan2, 2}};
     for (std::uint32_t count : {1u, 3u}) {
         auto value = [&](Builder& b, ExprId a) {
             TypeId type = b.types().vector(b.types().float_, count);
             ExprId x = b.make(Op::construct, type, {as_float(b, a)});
             ExprId sum = x;
             for (Intrinsic which : floats) sum = b.plus(sum, b.intrinsic(which, type, {x}));
-            for (auto [which, operands] : more) sum = b.plus(sum, b.intrinsic(which, type, std::vector<ExprId>(operands, x)));
+            for (auto [which, operands] : more)
+                sum = b.plus(sum, b.intrinsic(which, type, std::vector<ExprId>(operands, x)));
             if (count == 3) {
                 sum = b.plus(sum, b.intrinsic(Intrinsic::cross, type, {x, x}));
                 sum = b.plus(sum, b.intrinsic(Intrinsic::reflect, type, {x, x}));
@@ -213,17 +242,21 @@ TEST(Intrinsics, AllCompile) {
 
 TEST(Intrinsics, OfBitsCompile) {
     auto value = [](Builder& b, ExprId a) {
-        TypeId uint = b.types().uint, int_ = b.types().int_, float4 = b.types().vector(b.types().float_, 4), float2 = b.types().vector(b.types().float_, 2);
+        TypeId uint = b.types().uint, int_ = b.types().int_, float4 = b.types().vector(b.types().float_, 4),
+               float2 = b.types().vector(b.types().float_, 2);
         ExprId one = b.i(1), n = as_int(b, a), sum = a;
         auto add = [&](ExprId what) { sum = b.plus(sum, b.make(Op::convert, uint, {what})); };
-        for (Intrinsic which : {Intrinsic::bitCount, Intrinsic::findLSB, Intrinsic::findMSB}) add(b.intrinsic(which, int_, {a}));
+        for (Intrinsic which : {Intrinsic::bitCount, Intrinsic::findLSB, Intrinsic::findMSB})
+            add(b.intrinsic(which, int_, {a}));
         add(b.intrinsic(Intrinsic::bitfieldReverse, uint, {a}));
         add(b.intrinsic(Intrinsic::bitfieldExtract, uint, {a, one, n}));
         add(b.intrinsic(Intrinsic::bitfieldInsert, int_, {n, n, one, n}));
         add(b.intrinsic(Intrinsic::packUnorm4x8, uint, {b.intrinsic(Intrinsic::unpackUnorm4x8, float4, {a})}));
         add(b.intrinsic(Intrinsic::packHalf2x16, uint, {b.intrinsic(Intrinsic::unpackHalf2x16, float2, {a})}));
-        add(b.intrinsic(Intrinsic::floatBitsToUint, uint, {b.intrinsic(Intrinsic::uintBitsToFloat, b.types().float_, {a})}));
-        add(b.intrinsic(Intrinsic::floatBitsToInt, int_, {b.intrinsic(Intrinsic::intBitsToFloat, b.types().float_, {n})}));
+        add(b.intrinsic(Intrinsic::floatBitsToUint, uint,
+                        {b.intrinsic(Intrinsic::uintBitsToFloat, b.types().float_, {a})}));
+        add(b.intrinsic(Intrinsic::floatBitsToInt, int_,
+                        {b.intrinsic(Intrinsic::intBitsToFloat, b.types().float_, {n})}));
         ExprId less = b.intrinsic(Intrinsic::lessThan, b.types().bool_, {a, b.u(4)});
         add(b.intrinsic(Intrinsic::any, b.types().bool_, {less}));
         return sum;
@@ -235,7 +268,8 @@ TEST(Intrinsics, OfMatricesCompile) {
     auto value = [](Builder& b, ExprId a) {
         TypeId mat = b.types().matrix(b.types().float_, 3, 2), square = b.types().matrix(b.types().float_, 2, 2);
         TypeId float3 = b.types().vector(b.types().float_, 3), float2 = b.types().vector(b.types().float_, 2);
-        ExprId x = as_float(b, a), m = b.make(Op::construct, mat, {x, x, x, x, x, x}), s = b.make(Op::construct, square, {x, x, x, x});
+        ExprId x = as_float(b, a), m = b.make(Op::construct, mat, {x, x, x, x, x, x}),
+               s = b.make(Op::construct, square, {x, x, x, x});
         auto product = [&](ExprId left, ExprId right, TypeId type) {
             ExprId id = b.times(left, right);
             b.program.exprs[id].type = type;
@@ -245,7 +279,8 @@ TEST(Intrinsics, OfMatricesCompile) {
         ExprId both = product(s, m, mat);
         ExprId quotient = b.binary(BinaryOp::divide, both, x);
         ExprId picked = b.make(Op::index, float2, {quotient, a});
-        ExprId det = b.intrinsic(Intrinsic::determinant, b.types().float_, {b.intrinsic(Intrinsic::inverse, square, {s})});
+        ExprId det =
+            b.intrinsic(Intrinsic::determinant, b.types().float_, {b.intrinsic(Intrinsic::inverse, square, {s})});
         return b.plus(b.plus(b.plus(column, picked), b.lanes(row, {0, 1})), det);
     };
     std::string text = stored(value);
@@ -264,7 +299,8 @@ TEST(Subgroups, AskForTheirExtensionsOnly) {
     ExprId sum = b.intrinsic(Intrinsic::subgroupExclusiveAdd, b.types().uint, {address});
     ExprId counted = b.intrinsic(Intrinsic::subgroupBallotExclusiveCount, b.types().uint, {b.less(address, b.u(5))});
     ExprId before = b.intrinsic(Intrinsic::atomicAdd, b.types().uint, {element, b.u(1)});
-    b.pass.body = {b.let(total, b.plus(sum, counted)), b.assign(b.use(total), b.plus(b.use(total), before)), b.add(b.statement(StmtOp::barrier)),
+    b.pass.body = {b.let(total, b.plus(sum, counted)), b.assign(b.use(total), b.plus(b.use(total), before)),
+                   b.add(b.statement(StmtOp::barrier)),
                    b.branch(b.use(b.pass.in_range), {b.store(out, address, b.use(total))})};
     std::string text = proved(b);
     EXPECT_THAT(text, HasSubstr("shared uint tile[64];"));

@@ -31,7 +31,8 @@ TEST(Shader, IsReadable) {
     auto out = b.buffer("g_data", b.types().float_, Access::write);
     b.here = b.line(4);
     LocalId sum = b.local("sum", b.types().float_);
-    b.pass.body = {b.let(sum, b.times(b.f(-8.0), b.load(in, address))), b.assign(b.use(sum), b.plus(b.use(sum), b.load(in, b.plus(address, b.u(1)))))};
+    b.pass.body = {b.let(sum, b.times(b.f(-8.0), b.load(in, address))),
+                   b.assign(b.use(sum), b.plus(b.use(sum), b.load(in, b.plus(address, b.u(1)))))};
     b.here = b.line(5);
     b.pass.body.push_back(b.store(out, address, b.use(sum)));
     EXPECT_EQ(proved(b), R"(#version 460
@@ -67,7 +68,8 @@ TEST(Shader, HasParametersInABufferWhereTheyAreNotPushed) {
     ExprId flag = b.parameter("flag", b.types().bool_);
     auto out = b.buffer("g_data", b.types().float_, Access::write);
     b.pass.body = {b.branch(flag, {b.store(out, address, dt)})};
-    EXPECT_THAT(proved(b), HasSubstr("layout(scalar, set = 0, binding = 0) readonly buffer Parameters {\n    uint size;\n    float dt;\n    bool flag;\n};"));
+    EXPECT_THAT(proved(b), HasSubstr("layout(scalar, set = 0, binding = 0) readonly buffer Parameters {\n    uint "
+                                     "size;\n    float dt;\n    bool flag;\n};"));
 }
 
 TEST(Shader, ReachesBuffersByAddressInTheWideForm) {
@@ -93,10 +95,13 @@ TEST(Shader, ReadsAndWritesImages) {
     Builder b;
     ExprId address = b.one_axis();
     auto in = b.image("f_data", MemoryShape::image2d, b.types().float_, Format::r32f, Access::read);
-    auto sampled = b.image("s_data", MemoryShape::image3d, b.types().vector(b.types().float_, 2), Format::rg32f, Access::read);
+    auto sampled =
+        b.image("s_data", MemoryShape::image3d, b.types().vector(b.types().float_, 2), Format::rg32f, Access::read);
     b.pass.bindings[sampled].sampled = true;
-    auto out = b.image("g_data", MemoryShape::image1d, b.types().vector(b.types().uint, 2), Format::rg32ui, Access::write);
-    TypeId int2 = b.types().vector(b.types().int_, 2), float3 = b.types().vector(b.types().float_, 3), float2 = b.types().vector(b.types().float_, 2);
+    auto out =
+        b.image("g_data", MemoryShape::image1d, b.types().vector(b.types().uint, 2), Format::rg32ui, Access::write);
+    TypeId int2 = b.types().vector(b.types().int_, 2), float3 = b.types().vector(b.types().float_, 3),
+           float2 = b.types().vector(b.types().float_, 2);
     TypeId int3 = b.types().vector(b.types().int_, 3);
     ExprId at = b.make(Op::convert, b.types().int_, {address});
     ExprId texel = b.with(Op::image_load, b.types().float_, {b.make(Op::construct, int2, {at, b.i(0)})}, in);
@@ -109,7 +114,8 @@ TEST(Shader, ReadsAndWritesImages) {
     EXPECT_THAT(text, HasSubstr("layout(set = 0, binding = 1, r32f) uniform readonly image2D f_data;"));
     EXPECT_THAT(text, HasSubstr("layout(set = 0, binding = 2) uniform sampler3D s_data;"));
     EXPECT_THAT(text, HasSubstr("layout(set = 0, binding = 3, rg32ui) uniform writeonly uimage1D g_data;"));
-    EXPECT_THAT(text, HasSubstr("textureLod(s_data, vec3(imageLoad(f_data, ivec2(int(address), 0)).x), 0.0).xy\n        + texelFetch(s_data, ivec3(0), 1).xy"));
+    EXPECT_THAT(text, HasSubstr("textureLod(s_data, vec3(imageLoad(f_data, ivec2(int(address), 0)).x), 0.0).xy\n       "
+                                " + texelFetch(s_data, ivec3(0), 1).xy"));
     EXPECT_THAT(text, HasSubstr("imageStore(g_data, int(address), uvec4(floatBitsToUint(v), 0, 0));"));
 }
 
@@ -117,10 +123,12 @@ TEST(Shader, MakesNamesUniqueAndNeverWordsOfGlsl) {
     Builder b;
     ExprId address = b.one_axis();
     auto out = b.buffer("output", b.types().float_, Access::write);
-    LocalId first = b.local("sample", b.types().float_), second = b.local("sample", b.types().float_), third = b.local("size", b.types().float_),
-            fourth = b.local("gl_x__y", b.types().float_);
-    b.pass.body = {b.let(first, b.f(1)), b.let(third, b.f(3)), b.let(fourth, b.f(4)),
-                   b.branch(b.less(address, b.u(3)), {b.let(second, b.plus(b.use(first), b.plus(b.use(third), b.use(fourth)))), b.store(out, address, b.use(second))})};
+    LocalId first = b.local("sample", b.types().float_), second = b.local("sample", b.types().float_),
+            third = b.local("size", b.types().float_), fourth = b.local("gl_x__y", b.types().float_);
+    b.pass.body = {
+        b.let(first, b.f(1)), b.let(third, b.f(3)), b.let(fourth, b.f(4)),
+        b.branch(b.less(address, b.u(3)), {b.let(second, b.plus(b.use(first), b.plus(b.use(third), b.use(fourth)))),
+                                           b.store(out, address, b.use(second))})};
     std::string text = proved(b);
     EXPECT_THAT(text, HasSubstr("float sample_1 = 1.0;"));
     EXPECT_THAT(text, HasSubstr("float size_1 = 3.0;"));
@@ -158,13 +166,16 @@ TEST(Shader, PrintsStructsOptionalsAndFunctions) {
     LocalId found = b.local("found", maybe, false);
     ExprId call = b.make(Op::call, maybe, {address});
     b.program.exprs[call].function = id;
-    ExprId has = b.make(Op::has_value, b.types().bool_, {b.use(found)}), value = b.make(Op::value, uint2, {b.use(found)});
-    b.pass.body = {b.let(found, call), b.branch(has, {b.store(out, address, b.lanes(value, {1}))}, {b.store(out, address, b.u(7))})};
+    ExprId has = b.make(Op::has_value, b.types().bool_, {b.use(found)}),
+           value = b.make(Op::value, uint2, {b.use(found)});
+    b.pass.body = {b.let(found, call),
+                   b.branch(has, {b.store(out, address, b.lanes(value, {1}))}, {b.store(out, address, b.u(7))})};
     std::string text = proved(b);
     EXPECT_THAT(text, HasSubstr("struct optional_uvec2 {\n    bool has;\n    uvec2 value;\n};"));
     EXPECT_THAT(text, HasSubstr("// find<2>\n"));
     EXPECT_THAT(text, HasSubstr("optional_uvec2 find(uint at) {"));
-    EXPECT_THAT(text, HasSubstr("if (!e.resident) {\n        return optional_uvec2(false, uvec2(0u));\n    }\n    return optional_uvec2(true, e.frame);"));
+    EXPECT_THAT(text, HasSubstr("if (!e.resident) {\n        return optional_uvec2(false, uvec2(0u));\n    }\n    "
+                                "return optional_uvec2(true, e.frame);"));
     EXPECT_THAT(text, HasSubstr("g_data[address] = found.value.y;\n    } else {\n"));
 }
 

@@ -16,7 +16,8 @@ struct Validator {
     const Json& root;
 
     std::string check(const Json& value, const Json& schema, const std::string& where) const {
-        if (schema.contains("$ref")) return check(value, root.at(Json::json_pointer(schema["$ref"].get<std::string>().substr(1))), where);
+        if (schema.contains("$ref"))
+            return check(value, root.at(Json::json_pointer(schema["$ref"].get<std::string>().substr(1))), where);
         if (schema.contains("oneOf")) return one_of(value, schema["oneOf"], where);
         if (schema.contains("enum")) {
             for (const Json& allowed : schema["enum"])
@@ -26,7 +27,10 @@ struct Validator {
         const std::string type = schema.at("type");
         if (type == "object") return object(value, schema, where);
         if (type == "array") return array(value, schema, where);
-        bool right = type == "string" ? value.is_string() : type == "boolean" ? value.is_boolean() : type == "integer" ? value.is_number_unsigned() : value.is_null();
+        bool right = type == "string"    ? value.is_string()
+                     : type == "boolean" ? value.is_boolean()
+                     : type == "integer" ? value.is_number_unsigned()
+                                         : value.is_null();
         return right ? "" : where + ": " + value.dump() + " is no " + type;
     }
 
@@ -45,9 +49,10 @@ struct Validator {
             if (!value.contains(name.get<std::string>())) return where + " has no " + name.get<std::string>();
         const Json none = Json::object(), &properties = schema.contains("properties") ? schema["properties"] : none;
         for (const auto& [name, part] : value.items()) {
-            std::string error = properties.contains(name)                     ? check(part, properties[name], where + "/" + name)
-                                : schema["additionalProperties"].is_object() ? check(part, schema["additionalProperties"], where + "/" + name)
-                                                                              : where + " has a " + name;
+            std::string error = properties.contains(name) ? check(part, properties[name], where + "/" + name)
+                                : schema["additionalProperties"].is_object()
+                                    ? check(part, schema["additionalProperties"], where + "/" + name)
+                                    : where + " has a " + name;
             if (!error.empty()) return error;
         }
         return "";
@@ -55,9 +60,11 @@ struct Validator {
 
     std::string array(const Json& value, const Json& schema, const std::string& where) const {
         if (!value.is_array()) return where + " is no array";
-        if (value.size() < schema.value("minItems", 0u) || value.size() > schema.value("maxItems", ~0u)) return where + " has another length";
+        if (value.size() < schema.value("minItems", 0u) || value.size() > schema.value("maxItems", ~0u))
+            return where + " has another length";
         for (std::size_t i = 0; i < value.size(); ++i)
-            if (std::string error = check(value[i], schema["items"], where + "/" + std::to_string(i)); !error.empty()) return error;
+            if (std::string error = check(value[i], schema["items"], where + "/" + std::to_string(i)); !error.empty())
+                return error;
         return "";
     }
 };
@@ -87,7 +94,8 @@ TEST_P(Reflection, HasTheShapeOfTheSchema) {
     EXPECT_EQ(text.find("…"), std::string::npos) << "an expression could not be spelled";
 }
 
-INSTANTIATE_TEST_SUITE_P(Files, Reflection, testing::Values("examples/laplacian/laplacian.glift", "stdlib/structures/array.glift"));
+INSTANTIATE_TEST_SUITE_P(Files, Reflection,
+                         testing::Values("examples/laplacian/laplacian.glift", "stdlib/structures/array.glift"));
 
 }  // namespace
 }  // namespace gliftc

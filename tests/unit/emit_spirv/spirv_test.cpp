@@ -30,7 +30,8 @@ const std::string head = "#version 460\n#extension GL_EXT_scalar_block_layout : 
                          "layout(scalar, set = 0, binding = 1) buffer F { vec3 f[]; };\n";
 
 TEST(Spirv, NeverContractsFloatArithmetic) {
-    Spirv made = spirv_of(head + "void main() { uint i = gl_GlobalInvocationID.x; f[i] = f[i] * f[i] + f[i] / 3.0 - (-f[i]); }\n");
+    Spirv made = spirv_of(
+        head + "void main() { uint i = gl_GlobalInvocationID.x; f[i] = f[i] * f[i] + f[i] / 3.0 - (-f[i]); }\n");
     ASSERT_EQ(made.error, "");
     // *, +, /, -, unary -
     EXPECT_EQ(count(disassembled(made.words), " NoContraction"), 5u);
@@ -45,7 +46,8 @@ TEST(Spirv, DefinesMinAndMaxForNotANumber) {
 }
 
 TEST(Spirv, KeepsExactnessThroughTheOptimiser) {
-    Spirv made = spirv_of(head + "void main() { uint i = gl_GlobalInvocationID.x; f[i] = f[i] * f[i] + f[i]; }\n", Optimise::performance);
+    Spirv made = spirv_of(head + "void main() { uint i = gl_GlobalInvocationID.x; f[i] = f[i] * f[i] + f[i]; }\n",
+                          Optimise::performance);
     ASSERT_EQ(made.error, "");
     EXPECT_EQ(count(disassembled(made.words), " NoContraction"), 2u);
 }
@@ -58,7 +60,8 @@ TEST(Spirv, NamesTheSourceLineInErrors) {
 }
 
 TEST(Spirv, KeepsNamesAndLines) {
-    Spirv made = spirv_of(head + "void main() {\n#line 9 \"laplacian.glift\"\n    float sum = f[0].x;\n    f[1].x = sum;\n}\n");
+    Spirv made =
+        spirv_of(head + "void main() {\n#line 9 \"laplacian.glift\"\n    float sum = f[0].x;\n    f[1].x = sum;\n}\n");
     ASSERT_EQ(made.error, "");
     std::string text = disassembled(made.words);
     EXPECT_THAT(text, HasSubstr("\"sum\""));

@@ -19,7 +19,8 @@ TEST(Iterators, StructuresOfOneStateShareTheAddress) {
 }
 
 TEST(Iterators, NeighboursAreTheCentrePlusAStride) {
-    Lowering lowering("kernel k(f: in near<Field, 1>, g: out each<Field>) { g = f[int3(1, 0, 0)] + f[int3(0, 0, -1)]; }");
+    Lowering lowering(
+        "kernel k(f: in near<Field, 1>, g: out each<Field>) { g = f[int3(1, 0, 0)] + f[int3(0, 0, -1)]; }");
     std::string text = lowering.direct("k");
     EXPECT_THAT(text, HasSubstr("f_data[f_at + (f_xp1_inside ? 1u : 0u)]"));
     EXPECT_THAT(text, HasSubstr("let f_zm1_inside: bool = address.z >= 1u;"));
@@ -43,7 +44,7 @@ TEST(Iterators, WhatATranslatorAsksOfTheCentreIsKnown) {
     Lowering lowering("kernel k(f: in near<Edged, 1>, g: out each<Edged>) { g = f[0] + f[int3(0, 1, 0)]; }");
     std::string text = lowering.direct("k");
     EXPECT_THAT(text, HasSubstr("let f_yp1_inside: bool = (address.y + 1u) < $f_extent.y;"));
-    EXPECT_EQ(count(text, "lessThan"), 1u) << text;   // in_range
+    EXPECT_EQ(count(text, "lessThan"), 1u) << text;  // in_range
     EXPECT_THAT(text, Not(HasSubstr("if ")));
 }
 
@@ -104,7 +105,8 @@ TEST(Iterators, ReportsOffsets) {
 }
 
 TEST(Iterators, UniformValuesAreParameters) {
-    Lowering lowering("kernel k(f: in each<Field>, g: out each<Field>, dt: float) { let w = dt / 3.0 - 1.0; g = w * f; }");
+    Lowering lowering(
+        "kernel k(f: in each<Field>, g: out each<Field>, dt: float) { let w = dt / 3.0 - 1.0; g = w * f; }");
     EXPECT_THAT(lowering.direct("k"), HasSubstr("parameter w: float = (dt / 3.0) - 1.0"));
 }
 

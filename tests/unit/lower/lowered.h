@@ -77,7 +77,8 @@ struct Lowering {
     explicit Lowering(const std::string& text, lower::Checks checks = lower::Checks::none) {
         module = parse(sources.add("test.glift", library + text), sources, names, tree, diagnostics);
         program = sema::check({{&module, true, {}}}, tree, names, diagnostics);
-        for (const Diagnostic& diagnostic : diagnostics.all()) ADD_FAILURE() << sources.text(diagnostic.span) << ": " << diagnostic.text;
+        for (const Diagnostic& diagnostic : diagnostics.all())
+            ADD_FAILURE() << sources.text(diagnostic.span) << ": " << diagnostic.text;
         if (diagnostics.has_errors()) return;
         lowered = lower::lower(program, diagnostics, checks);
     }

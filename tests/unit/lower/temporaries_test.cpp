@@ -57,14 +57,16 @@ TEST(Temporaries, UsedInALoopLiveUntilItsEnd) {
     loop.value = steps.program.stmts[steps.use(i)].value;
     loop.body = {steps.use(a), steps.temp(b), steps.use(b), steps.use(i)};
     EXPECT_EQ(steps.released({steps.temp(a), steps.program.stmts.add(loop), steps.use(i)}),
-              "    temp a = float();\n    while i {\n        a;\n        temp b = float();\n        b;\n        release b;\n        i;\n"
+              "    temp a = float();\n    while i {\n        a;\n        temp b = float();\n        b;\n        "
+              "release b;\n        i;\n"
               "    }\n    release a;\n    i;\n");
 }
 
 TEST(Temporaries, ReturnedOnesStay) {
     Steps steps;
     ir::LocalId a = steps.local("a");
-    EXPECT_EQ(steps.released({steps.temp(a), steps.use(a, ir::StmtOp::return_)}), "    temp a = float();\n    return a;\n");
+    EXPECT_EQ(steps.released({steps.temp(a), steps.use(a, ir::StmtOp::return_)}),
+              "    temp a = float();\n    return a;\n");
 }
 
 }  // namespace

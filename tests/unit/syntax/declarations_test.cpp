@@ -6,18 +6,22 @@ namespace gliftc::test {
 namespace {
 
 TEST(Modules, have_names_docs_and_imports) {
-    EXPECT_EQ(Parsed("/// What it is.\n/// And more.\nmodule a.b;\nuse std.array;\nuse ./mesh;\nuse ../lib/other;\n").printed(),
-              "(module a.b doc \"What it is.\\nAnd more.\"\n  (use std.array)\n  (use ./mesh)\n  (use ../lib/other))\n");
+    EXPECT_EQ(
+        Parsed("/// What it is.\n/// And more.\nmodule a.b;\nuse std.array;\nuse ./mesh;\nuse ../lib/other;\n")
+            .printed(),
+        "(module a.b doc \"What it is.\\nAnd more.\"\n  (use std.array)\n  (use ./mesh)\n  (use ../lib/other))\n");
 }
 
 TEST(Docs, belong_to_what_follows) {
-    EXPECT_EQ(declarations("/// A point.\nstruct P {\n    /// To the right.\n    x: float;\n    // no doc\n    y: float;\n}"),
-              "  (struct P doc \"A point.\"\n    (field x:float doc \"To the right.\")\n    (field y:float))");
+    EXPECT_EQ(
+        declarations("/// A point.\nstruct P {\n    /// To the right.\n    x: float;\n    // no doc\n    y: float;\n}"),
+        "  (struct P doc \"A point.\"\n    (field x:float doc \"To the right.\")\n    (field y:float))");
 }
 
 TEST(Functions, have_generics_and_results) {
-    EXPECT_EQ(declarations("pub fn f<N: uint, T: type = float>(a: vec<N, T>, b: T = 1) -> T? { return none; }"),
-              "  (pub fn f <N:uint> <T:type = float> ((a (generic vec N T)) (b T = 1)) -> (optional T)\n    (return none))");
+    EXPECT_EQ(
+        declarations("pub fn f<N: uint, T: type = float>(a: vec<N, T>, b: T = 1) -> T? { return none; }"),
+        "  (pub fn f <N:uint> <T:type = float> ((a (generic vec N T)) (b T = 1)) -> (optional T)\n    (return none))");
     EXPECT_EQ(declarations("extern fn f(x: float) -> float;"), "  (extern fn f ((x float)) -> float)");
 }
 
@@ -51,8 +55,9 @@ TEST(Statements, are_read) {
 }
 
 TEST(Kernels, have_access_patterns) {
-    EXPECT_EQ(declarations("pub kernel k(f: in near<Field, 1>, g: out each<Field>, h: inout each<S>, a: at<S>, b: in any<S>,\n"
-                           "             c: out scatter<S, min>, dt: float = 0.5) group(8, 8) { shared tile: float[64]; }"),
+    EXPECT_EQ(declarations(
+                  "pub kernel k(f: in near<Field, 1>, g: out each<Field>, h: inout each<S>, a: at<S>, b: in any<S>,\n"
+                  "             c: out scatter<S, min>, dt: float = 0.5) group(8, 8) { shared tile: float[64]; }"),
               "  (pub kernel k ((f in near Field 1) (g out each Field) (h inout each S) (a at S) (b in any S) "
               "(c out scatter S min) (dt float = 0.5)) group 8 8\n"
               "    (shared tile:(index float 64)))");
@@ -65,25 +70,28 @@ TEST(Translators, have_fields_and_methods_without_types) {
               "    (field extent:(generic vec N uint))\n"
               "    (fn translate ((va))\n      (return va))\n"
               "    (fn other ((x uint)) -> uint\n      (return x)))");
-    EXPECT_EQ(declarations("translator T<N: uint> = Fold<N> then Linear;"), "  (alias T <N:uint> (then (generic Fold N) Linear))");
+    EXPECT_EQ(declarations("translator T<N: uint> = Fold<N> then Linear;"),
+              "  (alias T <N:uint> (then (generic Fold N) Linear))");
 }
 
 TEST(Structures, have_items) {
-    EXPECT_EQ(declarations("structure A<T: type, edge: Boundary = none>(extent: uint2) {\n"
-                           "    memory data = image2d<T>(extent) mips(3) filter linear compare less;\n"
-                           "    structure table = B<2>(extent);\n"
-                           "    if edge == Boundary.none { via Fold<2>(extent); } else { via C(table) then D; otherwise T(0); }\n"
-                           "    domain() { return extent; }\n"
-                           "}"),
-              "  (structure A <T:type> <edge:Boundary = none> ((extent uint2))\n"
-              "    (memory data (call (generic image2d T) extent) mips 3 filter linear compare less)\n"
-              "    (member table (call (generic B 2) extent))\n"
-              "    (if (== edge (. Boundary none))\n"
-              "      (via (call (generic Fold 2) extent))\n"
-              "    else\n"
-              "      (via (then (call C table) D))\n"
-              "      (otherwise (call T 0)))\n"
-              "    (fn domain ()\n      (return extent)))");
+    EXPECT_EQ(
+        declarations(
+            "structure A<T: type, edge: Boundary = none>(extent: uint2) {\n"
+            "    memory data = image2d<T>(extent) mips(3) filter linear compare less;\n"
+            "    structure table = B<2>(extent);\n"
+            "    if edge == Boundary.none { via Fold<2>(extent); } else { via C(table) then D; otherwise T(0); }\n"
+            "    domain() { return extent; }\n"
+            "}"),
+        "  (structure A <T:type> <edge:Boundary = none> ((extent uint2))\n"
+        "    (memory data (call (generic image2d T) extent) mips 3 filter linear compare less)\n"
+        "    (member table (call (generic B 2) extent))\n"
+        "    (if (== edge (. Boundary none))\n"
+        "      (via (call (generic Fold 2) extent))\n"
+        "    else\n"
+        "      (via (then (call C table) D))\n"
+        "      (otherwise (call T 0)))\n"
+        "    (fn domain ()\n      (return extent)))");
 }
 
 TEST(Views, compute_elements) {
@@ -92,9 +100,10 @@ TEST(Views, compute_elements) {
 }
 
 TEST(Adaptors, have_host_state_and_pipelines) {
-    EXPECT_EQ(declarations("adaptor Stack<T: type>(n: uint) {\n    structure items = Array<1, T>(n);\n    host top: uint = 0;\n"
-                           "    pub pipeline push(values: in range<1, T>) { copy(values, items[top .. top + n]); top += n; }\n"
-                           "    pipeline pop() -> range<1, T> { return items[0..n]; }\n}"),
+    EXPECT_EQ(declarations(
+                  "adaptor Stack<T: type>(n: uint) {\n    structure items = Array<1, T>(n);\n    host top: uint = 0;\n"
+                  "    pub pipeline push(values: in range<1, T>) { copy(values, items[top .. top + n]); top += n; }\n"
+                  "    pipeline pop() -> range<1, T> { return items[0..n]; }\n}"),
               "  (adaptor Stack <T:type> ((n uint))\n"
               "    (member items (call (generic Array 1 T) n))\n"
               "    (host top:uint 0)\n"
@@ -119,8 +128,9 @@ TEST(ExternStructs, name_their_header) {
 }
 
 TEST(Interfaces, have_functions_without_bodies) {
-    EXPECT_EQ(declarations("interface Paged<N: uint> { fn page(va: vec<N, uint>) -> uint; entry(p: uint); }"),
-              "  (interface Paged <N:uint>\n    (fn page ((va (generic vec N uint))) -> uint)\n    (fn entry ((p uint))))");
+    EXPECT_EQ(
+        declarations("interface Paged<N: uint> { fn page(va: vec<N, uint>) -> uint; entry(p: uint); }"),
+        "  (interface Paged <N:uint>\n    (fn page ((va (generic vec N uint))) -> uint)\n    (fn entry ((p uint))))");
 }
 
 }  // namespace

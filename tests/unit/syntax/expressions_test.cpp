@@ -30,7 +30,8 @@ TEST(Expressions, read_a_range_of_integers_without_spaces) {
 }
 
 TEST(Expressions, compose_with_then_last) {
-    EXPECT_EQ(expression("Fold<N> then Linear(a, b) then Tile"), "(then (then (generic Fold N) (call Linear a b)) Tile)");
+    EXPECT_EQ(expression("Fold<N> then Linear(a, b) then Tile"),
+              "(then (then (generic Fold N) (call Linear a b)) Tile)");
 }
 
 TEST(Expressions, await_like_a_prefix_operator) {
@@ -92,10 +93,12 @@ TEST(Types, have_suffixes) {
 }
 
 TEST(Names, may_be_words_that_mean_something_elsewhere) {
-    for (const char* word : {"at", "any", "near", "each", "range", "group", "host", "min", "max", "from", "filter", "domain", "memory",
-                             "view", "kernel", "test", "type", "out", "shared", "temp", "structure", "pipeline", "compare"}) {
+    for (const char* word : {"at",   "any",  "near",   "each",   "range",     "group",    "host",   "min",
+                             "max",  "from", "filter", "domain", "memory",    "view",     "kernel", "test",
+                             "type", "out",  "shared", "temp",   "structure", "pipeline", "compare"}) {
         EXPECT_EQ(expression(std::string(word) + " + 1"), "(+ " + std::string(word) + " 1)");
-        std::string function = "fn f(" + std::string(word) + ": float) { let " + word + " = 1; " + word + " = 2; " + word + "(3); }";
+        std::string function =
+            "fn f(" + std::string(word) + ": float) { let " + word + " = 1; " + word + " = 2; " + word + "(3); }";
         EXPECT_FALSE(Parsed("module m; " + function).diagnostics.has_errors()) << function;
     }
 }

@@ -21,7 +21,8 @@ std::string formatted(const std::string& text) {
 TEST(Format, lays_statements_out) {
     EXPECT_EQ(formatted("module   m ;\n\n\n\nuse std . array;use ./a/b;\n"
                         "pub   kernel k( f:in near< S,1 >,g : out each<S> )group( 8,8 )\n{\nvar x=-1.0*f [ 0 ];\n"
-                        "for i in 0 .. 4 {\nif a<b{ x+=1 ; }else{ x=vec<2,vec<3,uint>>( 1 ).x; }\n}\n\n\n// note\ng=a?b:c; // why\n}\n"),
+                        "for i in 0 .. 4 {\nif a<b{ x+=1 ; }else{ x=vec<2,vec<3,uint>>( 1 ).x; }\n}\n\n\n// "
+                        "note\ng=a?b:c; // why\n}\n"),
               "module m;\n\nuse std.array;\nuse ./a/b;\n"
               "pub kernel k(f: in near<S, 1>, g: out each<S>) group(8, 8) {\n"
               "    var x = -1.0 * f[0];\n"
@@ -34,8 +35,9 @@ TEST(Format, lays_statements_out) {
 }
 
 TEST(Format, keeps_short_blocks_and_breaks_long_lines) {
-    std::string text = "module m;\nfn f(first_parameter: vec<3, float>, second_parameter: vec<3, float>, third_parameter: float, "
-                       "fourth_parameter: float) -> float { return 1.0; }\n";
+    std::string text =
+        "module m;\nfn f(first_parameter: vec<3, float>, second_parameter: vec<3, float>, third_parameter: float, "
+        "fourth_parameter: float) -> float { return 1.0; }\n";
     EXPECT_EQ(formatted(text),
               "module m;\n"
               "fn f(first_parameter: vec<3, float>, second_parameter: vec<3, float>, third_parameter: float,\n"
@@ -54,8 +56,9 @@ TEST(Format, knows_what_a_token_means) {
 }
 
 TEST(Format, aligns_comments_behind_neighbouring_lines) {
-    EXPECT_EQ(formatted("module m;\nstruct S {\n    a: float; // x\n    longer: uint3; // y\n\n    b: float; // z\n}\n"),
-              "module m;\nstruct S {\n    a: float;       // x\n    longer: uint3;  // y\n\n    b: float;  // z\n}\n");
+    EXPECT_EQ(
+        formatted("module m;\nstruct S {\n    a: float; // x\n    longer: uint3; // y\n\n    b: float; // z\n}\n"),
+        "module m;\nstruct S {\n    a: float;       // x\n    longer: uint3;  // y\n\n    b: float;  // z\n}\n");
 }
 
 TEST(Format, leaves_files_with_errors_alone) { EXPECT_EQ(formatted("module m; fn ("), "<errors>"); }
@@ -73,7 +76,8 @@ TEST(Format, keeps_the_meaning_of_every_file_of_the_project) {
     std::size_t seen = 0;
     for (const char* folder : {"/stdlib", "/examples", "/tests/golden", "/tests/errors"}) {
         std::error_code error;
-        for (std::filesystem::recursive_directory_iterator entry(std::string(GLIFT_SOURCE_DIR) + folder, error), end; entry != end; ++entry) {
+        for (std::filesystem::recursive_directory_iterator entry(std::string(GLIFT_SOURCE_DIR) + folder, error), end;
+             entry != end; ++entry) {
             if (entry->path().extension() != ".glift") continue;
             std::ifstream file(entry->path());
             std::stringstream text;
@@ -86,10 +90,12 @@ TEST(Format, keeps_the_meaning_of_every_file_of_the_project) {
 }
 
 TEST(Format, keeps_comments_wherever_they_stand) {
-    expect_kept("// first\nmodule m; // second\n/* third */\n\nfn f(a: int, // fourth\n     b: int) /* fifth */ { // sixth\n"
-                "    // seventh\n    return a /* eighth */ + b; // ninth\n    // tenth\n}\n// eleventh\nenum E { // twelfth\n    a, // x\n"
-                "    // y\n    b }\nfn g() { if a { } // z\n else { } }\n/* many\n   lines */\n",
-                "comments");
+    expect_kept(
+        "// first\nmodule m; // second\n/* third */\n\nfn f(a: int, // fourth\n     b: int) /* fifth */ { // sixth\n"
+        "    // seventh\n    return a /* eighth */ + b; // ninth\n    // tenth\n}\n// eleventh\nenum E { // twelfth\n  "
+        "  a, // x\n"
+        "    // y\n    b }\nfn g() { if a { } // z\n else { } }\n/* many\n   lines */\n",
+        "comments");
     std::string text = formatted("module m;\nfn f() { // sixth\n    g(); // ninth\n    // tenth\n}\n");
     EXPECT_EQ(text, "module m;\nfn f() {  // sixth\n    g();  // ninth\n    // tenth\n}\n");
 }

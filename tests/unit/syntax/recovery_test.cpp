@@ -8,7 +8,8 @@ namespace {
 std::string errors(const std::string& text) { return Parsed("module m;\n" + text).errors(); }
 
 TEST(Recovery, reports_independent_mistakes_in_one_run) {
-    EXPECT_EQ(errors("fn f() {\n    let = 1;\n    let b = ;\n    for i of 0..4 { let x = ; }\n    c = d e;\n}\nkernel k(a: ) { }\nconst d 1;\n"),
+    EXPECT_EQ(errors("fn f() {\n    let = 1;\n    let b = ;\n    for i of 0..4 { let x = ; }\n    c = d e;\n}\nkernel "
+                     "k(a: ) { }\nconst d 1;\n"),
               "3:9 expected a name, found '='\n"
               "4:13 expected an expression, found ';'\n"
               "5:11 expected 'in', found 'of'\n"
@@ -24,7 +25,8 @@ TEST(Recovery, takes_a_missing_semicolon_as_written) {
 
 TEST(Recovery, points_at_the_brace_that_is_never_closed) {
     EXPECT_EQ(errors("fn f() {\n    if a {\n        b();\n}\n\nfn g() { }\n"), "2:8 '{' is never closed\n");
-    EXPECT_EQ(errors("structure S() {\n    memory a = buffer<float>[1];\n\nkernel k() { }\n"), "2:15 '{' is never closed\n");
+    EXPECT_EQ(errors("structure S() {\n    memory a = buffer<float>[1];\n\nkernel k() { }\n"),
+              "2:15 '{' is never closed\n");
 }
 
 TEST(Recovery, says_which_brace_the_indentation_blames) {
@@ -35,7 +37,8 @@ TEST(Recovery, says_which_brace_the_indentation_blames) {
 
 TEST(Recovery, skips_what_it_cannot_read_between_declarations) {
     EXPECT_EQ(errors("hello world { let x = 1; }\nfn f() { }\n} }\nfn g() { let = 2; }\n"),
-              "2:1 expected a declaration, found 'hello'\n4:1 expected a declaration, found '}'\n5:14 expected a name, found '='\n");
+              "2:1 expected a declaration, found 'hello'\n4:1 expected a declaration, found '}'\n5:14 expected a name, "
+              "found '='\n");
 }
 
 TEST(Recovery, refuses_deep_nesting_once) {
@@ -63,9 +66,10 @@ TEST(Recovery, explains_what_other_languages_have) {
 }
 
 TEST(Recovery, survives_every_prefix_and_every_lost_token) {
-    const std::string text = "module m;\n/// doc\npub kernel k<N: uint>(f: in near<A<vec<2, float>>, 1>, g: out each<S>) group(4) {\n"
-                             "    if let v = f[+unit(1)] ?? x { g = {1, a: v ? 2 : 3}; } else { g[0..2].x <<= A<2>(1.5e3); }\n}\n"
-                             "structure S(n: uint) { memory m = image2d<float>(n) filter linear; if n > 1 { via A then B; } }\n";
+    const std::string text =
+        "module m;\n/// doc\npub kernel k<N: uint>(f: in near<A<vec<2, float>>, 1>, g: out each<S>) group(4) {\n"
+        "    if let v = f[+unit(1)] ?? x { g = {1, a: v ? 2 : 3}; } else { g[0..2].x <<= A<2>(1.5e3); }\n}\n"
+        "structure S(n: uint) { memory m = image2d<float>(n) filter linear; if n > 1 { via A then B; } }\n";
     for (std::size_t end = 0; end < text.size(); ++end) {
         Parsed prefix(text.substr(0, end));
         render_text(prefix.diagnostics, prefix.sources, Colour::plain);

@@ -24,7 +24,8 @@ TEST(Image, StoresFractionsRoundedToEven) {
     TestImage image(Format::rgba8, 4, {4, 2, 1});
     store_texel<Format::rgba8, float4>(image.memory, int2(3, 1), float4(0.5f, 2.0f, -1.0f, 1.0f / 255.0f));
     EXPECT_EQ(image.bytes[7 * 4], std::byte{128});
-    EXPECT_EQ((load_texel<Format::rgba8, float4>(image.memory, int2(3, 1))), float4(128.0f / 255.0f, 1, 0, 1.0f / 255.0f));
+    EXPECT_EQ((load_texel<Format::rgba8, float4>(image.memory, int2(3, 1))),
+              float4(128.0f / 255.0f, 1, 0, 1.0f / 255.0f));
 }
 
 TEST(Image, IsSafeOutside) {

@@ -8,8 +8,13 @@
 using namespace glift;
 
 TEST(Rows, CoverEveryElementOnce) {
-    for (const std::array<std::uint32_t, 4> size : {std::array<std::uint32_t, 4>{1, 1, 1, 1}, {100000, 3, 1, 1}, {300000, 1, 1, 1},
-                                                    {5, 7, 11, 3}, {256, 64, 9, 1}, {0, 5, 1, 1}, {3, 100000, 1, 1}}) {
+    for (const std::array<std::uint32_t, 4> size : {std::array<std::uint32_t, 4>{1, 1, 1, 1},
+                                                    {100000, 3, 1, 1},
+                                                    {300000, 1, 1, 1},
+                                                    {5, 7, 11, 3},
+                                                    {256, 64, 9, 1},
+                                                    {0, 5, 1, 1},
+                                                    {3, 100000, 1, 1}}) {
         std::vector<std::uint8_t> seen(std::size_t{size[0]} * size[1] * size[2] * size[3]);
         host::for_rows(size, [&](const host::Rows& rows) {
             for (const host::Row row : rows) {

@@ -27,7 +27,9 @@ inline std::uint32_t decode(std::uint32_t c) { return c; }
 inline std::int32_t decode(std::int32_t c) { return c; }
 
 /// Clamped and rounded to nearest even, as Vulkan converts to unorm; NaN is zero.
-inline void encode(Unorm8& c, float v) { c.bits = static_cast<std::uint8_t>(convert<uint>(round(clamp(v, 0.0f, 1.0f) * 255.0f))); }
+inline void encode(Unorm8& c, float v) {
+    c.bits = static_cast<std::uint8_t>(convert<uint>(round(clamp(v, 0.0f, 1.0f) * 255.0f)));
+}
 inline void encode(half& c, float v) { c = half(v); }
 inline void encode(float& c, float v) { c = v; }
 /// Unsigned integers too large for the format are cut to its largest.
@@ -36,14 +38,12 @@ inline void encode(std::uint16_t& c, std::uint32_t v) { c = static_cast<std::uin
 inline void encode(std::uint32_t& c, std::uint32_t v) { c = v; }
 inline void encode(std::int32_t& c, std::int32_t v) { c = v; }
 
-template <class C, unsigned N>
-struct TexelOf {
+template <class C, unsigned N> struct TexelOf {
     using Channel = C;
     static constexpr unsigned channels = N;
 };
 
-template <Format F>
-constexpr auto texel_of() {
+template <Format F> constexpr auto texel_of() {
     if constexpr (F == Format::r8) return TexelOf<Unorm8, 1>();
     else if constexpr (F == Format::rg8) return TexelOf<Unorm8, 2>();
     else if constexpr (F == Format::rgba8) return TexelOf<Unorm8, 4>();
@@ -64,10 +64,8 @@ constexpr auto texel_of() {
     else return TexelOf<std::int32_t, 4>();
 }
 
-template <class T>
-constexpr unsigned components = 1;
-template <class T, unsigned N>
-constexpr unsigned components<vec<T, N>> = N;
+template <class T> constexpr unsigned components = 1;
+template <class T, unsigned N> constexpr unsigned components<vec<T, N>> = N;
 
 inline std::array<std::int64_t, 3> coordinates(std::int32_t at) { return {at, 0, 0}; }
 inline std::array<std::int64_t, 3> coordinates(const int2& at) { return {at.x, at.y, 0}; }
@@ -97,19 +95,18 @@ std::byte* texel_address(const HostMemory& memory, const std::array<std::int64_t
     for (unsigned axis = 0; axis < 3; ++axis) {
         if (at[axis] < 0 || at[axis] >= mip.extent[axis]) return nullptr;
     }
-    const std::size_t index = mip.first + static_cast<std::size_t>((at[2] * mip.extent[1] + at[1]) * mip.extent[0] + at[0]);
+    const std::size_t index =
+        mip.first + static_cast<std::size_t>((at[2] * mip.extent[1] + at[1]) * mip.extent[0] + at[0]);
     return memory.data + index * (sizeof(typename Texel::Channel) * Texel::channels);
 }
 
-template <class T>
-void set_component(T& value, unsigned i, auto channel) {
+template <class T> void set_component(T& value, unsigned i, auto channel) {
     if constexpr (components<T> == 1) value = static_cast<T>(channel);
     else value[i] = static_cast<std::remove_cvref_t<decltype(value.x)>>(channel);
 }
 
 /// Channels that the format has not are 0, the fourth is 1.
-template <Format F, class T>
-T decode_texel(const std::byte* address) {
+template <Format F, class T> T decode_texel(const std::byte* address) {
     using Texel = decltype(texel_of<F>());
     T value{};
     if constexpr (components<T> == 4 && Texel::channels < 4) set_component(value, 3, 1);
@@ -124,15 +121,14 @@ T decode_texel(const std::byte* address) {
 }  // namespace detail
 
 /// Zero outside of the image.
-template <Format F, class T, class At>
-T load_texel(const HostMemory& memory, const At& at, std::int32_t level = 0) {
-    const std::byte* address = detail::texel_address<F>(memory, detail::coordinates(at), static_cast<std::uint32_t>(level));
+template <Format F, class T, class At> T load_texel(const HostMemory& memory, const At& at, std::int32_t level = 0) {
+    const std::byte* address =
+        detail::texel_address<F>(memory, detail::coordinates(at), static_cast<std::uint32_t>(level));
     return address ? detail::decode_texel<F, T>(address) : T{};
 }
 
 /// Goes nowhere outside of the image.
-template <Format F, class T, class At>
-void store_texel(const HostMemory& memory, const At& at, const T& value) {
+template <Format F, class T, class At> void store_texel(const HostMemory& memory, const At& at, const T& value) {
     using Texel = decltype(detail::texel_of<F>());
     std::byte* address = detail::texel_address<F>(memory, detail::coordinates(at));
     if (!address) return;
@@ -148,8 +144,7 @@ void store_texel(const HostMemory& memory, const At& at, const T& value) {
 }
 
 /// A texel of one 32-bit channel, for atomics. Outside of the image: a place of no consequence.
-template <Format F, class T, class At>
-T& texel(const HostMemory& memory, const At& at) {
+template <Format F, class T, class At> T& texel(const HostMemory& memory, const At& at) {
     static thread_local T nowhere;
     std::byte* address = detail::texel_address<F>(memory, detail::coordinates(at));
     return address ? *reinterpret_cast<T*>(address) : nowhere;
@@ -170,15 +165,15 @@ inline std::uint32_t nearest_level(const HostMemory& memory, float level) {
 template <Format F, class T>
 T clamped_texel(const HostMemory& memory, std::array<std::int64_t, 3> at, std::uint32_t level) {
     const Level mip = level_of(memory, level);
-    for (unsigned axis = 0; axis < 3; ++axis) at[axis] = at[axis] < 0 ? 0 : at[axis] >= mip.extent[axis] ? mip.extent[axis] - 1 : at[axis];
+    for (unsigned axis = 0; axis < 3; ++axis)
+        at[axis] = at[axis] < 0 ? 0 : at[axis] >= mip.extent[axis] ? mip.extent[axis] - 1 : at[axis];
     return decode_texel<F, T>(texel_address<F>(memory, at, level));
 }
 
 }  // namespace detail
 
 /// The texel that normalised coordinates fall into.
-template <Format F, class T, class At>
-T sample_nearest(const HostMemory& memory, const At& at, float level = 0.0f) {
+template <Format F, class T, class At> T sample_nearest(const HostMemory& memory, const At& at, float level = 0.0f) {
     const std::array<float, 3> point = detail::as_array(at);
     const std::uint32_t mip = detail::nearest_level(memory, level);
     const auto extent = detail::level_of(memory, mip).extent;
@@ -189,8 +184,7 @@ T sample_nearest(const HostMemory& memory, const At& at, float level = 0.0f) {
 }
 
 /// Between texel centres linearly along each axis, x first.
-template <Format F, class T, class At>
-T sample_linear(const HostMemory& memory, const At& at, float level = 0.0f) {
+template <Format F, class T, class At> T sample_linear(const HostMemory& memory, const At& at, float level = 0.0f) {
     const std::array<float, 3> point = detail::as_array(at);
     const std::uint32_t mip = detail::nearest_level(memory, level);
     const auto extent = detail::level_of(memory, mip).extent;
@@ -204,7 +198,8 @@ T sample_linear(const HostMemory& memory, const At& at, float level = 0.0f) {
     }
     std::array<T, 8> corners;
     for (unsigned i = 0; i < (1u << axes); ++i)
-        corners[i] = detail::clamped_texel<F, T>(memory, {low[0] + (i & 1), low[1] + (i >> 1 & 1), low[2] + (i >> 2)}, mip);
+        corners[i] =
+            detail::clamped_texel<F, T>(memory, {low[0] + (i & 1), low[1] + (i >> 1 & 1), low[2] + (i >> 2)}, mip);
     for (unsigned axis = 0; axis < axes; ++axis) {
         for (unsigned i = 0; i < (1u << (axes - 1 - axis)); ++i)
             corners[i] = mix(corners[2 * i], corners[2 * i + 1], weight[axis]);

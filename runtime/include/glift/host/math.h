@@ -12,40 +12,34 @@ namespace glift {
 namespace detail {
 
 /// What arithmetic on T is done in: half computes as float.
-template <class T>
-using wide = std::conditional_t<std::is_same_v<T, half>, float, T>;
+template <class T> using wide = std::conditional_t<std::is_same_v<T, half>, float, T>;
 
-template <class T>
-inline constexpr bool is_scalar = std::is_arithmetic_v<T> || std::is_same_v<T, half>;
+template <class T> inline constexpr bool is_scalar = std::is_arithmetic_v<T> || std::is_same_v<T, half>;
 
 }  // namespace detail
 
 // A function of one, two or three scalars, and the same for each component of vectors. In those that take more than one
 // parameter, a scalar after the first stands for all components.
 #define GLIFT_MATH_1(name)                                                                                             \
-    template <class T, unsigned N>                                                                                     \
-    constexpr auto name(const vec<T, N>& a) {                                                                          \
+    template <class T, unsigned N> constexpr auto name(const vec<T, N>& a) {                                           \
         return detail::map([](T x) { return name(x); }, a);                                                            \
     }
 #define GLIFT_MATH_2(name)                                                                                             \
-    template <class T, unsigned N>                                                                                     \
-    constexpr auto name(const vec<T, N>& a, const vec<T, N>& b) {                                                      \
+    template <class T, unsigned N> constexpr auto name(const vec<T, N>& a, const vec<T, N>& b) {                       \
         return detail::map([](T x, T y) { return name(x, y); }, a, b);                                                 \
     }                                                                                                                  \
-    template <class T, unsigned N>                                                                                     \
-    constexpr auto name(const vec<T, N>& a, detail::same<T> b) {                                                       \
+    template <class T, unsigned N> constexpr auto name(const vec<T, N>& a, detail::same<T> b) {                        \
         return name(a, vec<T, N>(b));                                                                                  \
     }
 #define GLIFT_MATH_3(name)                                                                                             \
-    template <class T, unsigned N>                                                                                     \
-    constexpr auto name(const vec<T, N>& a, const vec<T, N>& b, const vec<T, N>& c) {                                  \
+    template <class T, unsigned N> constexpr auto name(const vec<T, N>& a, const vec<T, N>& b, const vec<T, N>& c) {   \
         return detail::map([](T x, T y, T z) { return name(x, y, z); }, a, b, c);                                      \
     }
 
 // ------------------------------------------------------------------------------------------------ exact everywhere
 
 template <class T>
-    requires detail::is_scalar<T>
+requires detail::is_scalar<T>
 constexpr T abs(T x) {
     if constexpr (is_floating<T>) return static_cast<T>(__builtin_fabs(x));
     else if constexpr (std::is_signed_v<T>) return x < 0 ? detail::subtract(T{0}, x) : x;
@@ -54,10 +48,8 @@ constexpr T abs(T x) {
 constexpr float abs(float x) { return __builtin_fabsf(x); }
 
 template <class T>
-    requires detail::is_scalar<T>
-constexpr T sign(T x) {
-    return x > T{0} ? T{1} : x < T{0} ? T(-1) : T{0};
-}
+requires detail::is_scalar<T>
+constexpr T sign(T x) { return x > T{0} ? T{1} : x < T{0} ? T(-1) : T{0}; }
 
 inline float floor(float x) { return __builtin_floorf(x); }
 inline double floor(double x) { return __builtin_floor(x); }
@@ -77,53 +69,40 @@ inline double sqrt(double x) { return __builtin_sqrt(x); }
 inline half sqrt(half x) { return sqrt(static_cast<float>(x)); }
 
 template <class T>
-    requires is_floating<T>
-T fract(T x) {
-    return x - floor(x);
-}
+requires is_floating<T> T fract(T x) { return x - floor(x); }
 
 /// Where one value is NaN, the other.
 template <class T>
-    requires detail::is_scalar<T>
+requires detail::is_scalar<T>
 constexpr T min(T a, detail::same<T> b) {
     if constexpr (is_floating<T>) return b < a || a != a ? b : a;
     else return b < a ? b : a;
 }
 template <class T>
-    requires detail::is_scalar<T>
+requires detail::is_scalar<T>
 constexpr T max(T a, detail::same<T> b) {
     if constexpr (is_floating<T>) return a < b || a != a ? b : a;
     else return a < b ? b : a;
 }
 template <class T>
-    requires detail::is_scalar<T>
-constexpr T clamp(T x, detail::same<T> low, detail::same<T> high) {
-    return min(max(x, low), high);
-}
+requires detail::is_scalar<T>
+constexpr T clamp(T x, detail::same<T> low, detail::same<T> high) { return min(max(x, low), high); }
 
 template <class T>
-    requires is_floating<T>
-constexpr bool isnan(T x) {
-    return x != x;
-}
+requires is_floating<T>
+constexpr bool isnan(T x) { return x != x; }
 template <class T>
-    requires is_floating<T>
-constexpr bool isinf(T x) {
-    return x == T(__builtin_inf()) || x == T(-__builtin_inf());
-}
+requires is_floating<T>
+constexpr bool isinf(T x) { return x == T(__builtin_inf()) || x == T(-__builtin_inf()); }
 
 template <class T>
-    requires is_floating<T>
-constexpr T step(T edge, detail::same<T> x) {
-    return x < edge ? T(0.0f) : T(1.0f);
-}
+requires is_floating<T>
+constexpr T step(T edge, detail::same<T> x) { return x < edge ? T(0.0f) : T(1.0f); }
 template <class T>
-    requires is_floating<T>
-constexpr T mix(T x, detail::same<T> y, detail::same<T> a) {
-    return x * (T(1.0f) - a) + y * a;
-}
+requires is_floating<T>
+constexpr T mix(T x, detail::same<T> y, detail::same<T> a) { return x * (T(1.0f) - a) + y * a; }
 template <class T>
-    requires is_floating<T>
+requires is_floating<T>
 constexpr T smoothstep(T low, detail::same<T> high, detail::same<T> x) {
     const T t = clamp((x - low) / (high - low), T(0.0f), T(1.0f));
     return t * t * (T(3.0f) - T(2.0f) * t);
@@ -158,12 +137,10 @@ template <class T, unsigned N>
 constexpr vec<T, N> clamp(const vec<T, N>& x, detail::same<T> low, const vec<T, N>& high) {
     return clamp(x, vec<T, N>(low), high);
 }
-template <class T, unsigned N>
-constexpr vec<T, N> step(detail::same<T> edge, const vec<T, N>& x) {
+template <class T, unsigned N> constexpr vec<T, N> step(detail::same<T> edge, const vec<T, N>& x) {
     return step(vec<T, N>(edge), x);
 }
-template <class T, unsigned N>
-constexpr vec<T, N> mix(const vec<T, N>& x, const vec<T, N>& y, detail::same<T> a) {
+template <class T, unsigned N> constexpr vec<T, N> mix(const vec<T, N>& x, const vec<T, N>& y, detail::same<T> a) {
     return mix(x, y, vec<T, N>(a));
 }
 template <class T, unsigned N>
@@ -182,10 +159,8 @@ constexpr bool all(const bool4& a) { return a.x && a.y && a.z && a.w; }
 
 #define GLIFT_COMPARE(name, op)                                                                                        \
     template <class T>                                                                                                 \
-        requires detail::is_scalar<T>                                                                                  \
-    constexpr bool name(T a, detail::same<T> b) {                                                                      \
-        return a op b;                                                                                                 \
-    }                                                                                                                  \
+    requires detail::is_scalar<T>                                                                                      \
+    constexpr bool name(T a, detail::same<T> b) { return a op b; }                                                     \
     GLIFT_MATH_2(name)
 GLIFT_COMPARE(lessThan, <)
 GLIFT_COMPARE(lessThanEqual, <=)
@@ -198,26 +173,22 @@ GLIFT_COMPARE(notEqual, !=)
 // ------------------------------------------------------------------------------------------------------------ bits
 
 template <class T>
-    requires is_integer<T>
-constexpr std::int32_t bitCount(T x) {
-    return std::popcount(static_cast<std::make_unsigned_t<T>>(x));
-}
+requires is_integer<T>
+constexpr std::int32_t bitCount(T x) { return std::popcount(static_cast<std::make_unsigned_t<T>>(x)); }
 /// -1 where no bit is set.
 template <class T>
-    requires is_integer<T>
-constexpr std::int32_t findLSB(T x) {
-    return x == 0 ? -1 : std::countr_zero(static_cast<std::make_unsigned_t<T>>(x));
-}
+requires is_integer<T>
+constexpr std::int32_t findLSB(T x) { return x == 0 ? -1 : std::countr_zero(static_cast<std::make_unsigned_t<T>>(x)); }
 /// Of a negative value the highest zero bit; -1 where there is none.
 template <class T>
-    requires is_integer<T>
+requires is_integer<T>
 constexpr std::int32_t findMSB(T x) {
     using U = std::make_unsigned_t<T>;
     const U bits = x < T{0} ? static_cast<U>(~x) : static_cast<U>(x);
     return static_cast<std::int32_t>(std::bit_width(bits)) - 1;
 }
 template <class T>
-    requires is_integer<T>
+requires is_integer<T>
 constexpr T bitfieldReverse(T x) {
     using U = std::make_unsigned_t<T>;
     U from = static_cast<U>(x), to = 0;
@@ -226,7 +197,7 @@ constexpr T bitfieldReverse(T x) {
 }
 /// Bits [offset, offset + bits), sign extended for signed types; cut at the top. Negative arguments count as large.
 template <class T>
-    requires is_integer<T>
+requires is_integer<T>
 constexpr T bitfieldExtract(T x, std::int32_t offset, std::int32_t bits) {
     constexpr std::int32_t width = sizeof(T) * 8;
     if (bits == 0 || offset < 0 || offset >= width) return 0;
@@ -236,7 +207,7 @@ constexpr T bitfieldExtract(T x, std::int32_t offset, std::int32_t bits) {
     return static_cast<T>(static_cast<T>(at_top) >> (width - bits));
 }
 template <class T>
-    requires is_integer<T>
+requires is_integer<T>
 constexpr T bitfieldInsert(T base, T insert, std::int32_t offset, std::int32_t bits) {
     constexpr std::int32_t width = sizeof(T) * 8;
     if (bits == 0 || offset < 0 || offset >= width) return base;
@@ -249,8 +220,8 @@ template <class T, unsigned N>
 constexpr vec<T, N> bitfieldExtract(const vec<T, N>& x, std::int32_t offset, std::int32_t bits) {
     return detail::map([=](T v) { return bitfieldExtract(v, offset, bits); }, x);
 }
-template <class T, unsigned N>
-constexpr vec<T, N> bitfieldInsert(const vec<T, N>& base, const vec<T, N>& insert, std::int32_t offset, std::int32_t bits) {
+template <class T, unsigned N> constexpr vec<T, N> bitfieldInsert(const vec<T, N>& base, const vec<T, N>& insert,
+                                                                  std::int32_t offset, std::int32_t bits) {
     return detail::map([=](T b, T i) { return bitfieldInsert(b, i, offset, bits); }, base, insert);
 }
 GLIFT_MATH_1(bitCount)
@@ -271,11 +242,13 @@ constexpr std::uint32_t packHalf2x16(const float2& v) {
     return detail::half_bits(v.x) | static_cast<std::uint32_t>(detail::half_bits(v.y)) << 16;
 }
 constexpr float2 unpackHalf2x16(std::uint32_t bits) {
-    return {detail::half_value(static_cast<std::uint16_t>(bits)), detail::half_value(static_cast<std::uint16_t>(bits >> 16))};
+    return {detail::half_value(static_cast<std::uint16_t>(bits)),
+            detail::half_value(static_cast<std::uint16_t>(bits >> 16))};
 }
 inline std::uint32_t packUnorm4x8(const float4& v) {
     const float4 scaled = round(clamp(v, 0.0f, 1.0f) * 255.0f);
-    return convert<uint>(scaled.x) | convert<uint>(scaled.y) << 8 | convert<uint>(scaled.z) << 16 | convert<uint>(scaled.w) << 24;
+    return convert<uint>(scaled.x) | convert<uint>(scaled.y) << 8 | convert<uint>(scaled.z) << 16 |
+           convert<uint>(scaled.w) << 24;
 }
 constexpr float4 unpackUnorm4x8(std::uint32_t bits) {
     return float4(float(bits & 255u), float(bits >> 8 & 255u), float(bits >> 16 & 255u), float(bits >> 24)) / 255.0f;
@@ -285,45 +258,24 @@ constexpr float4 unpackUnorm4x8(std::uint32_t bits) {
 
 /// The sum from the first component on.
 template <class T>
-    requires detail::is_scalar<T>
-constexpr T dot(T a, detail::same<T> b) {
-    return a * b;
-}
-template <class T>
-constexpr T dot(const vec<T, 2>& a, const vec<T, 2>& b) {
-    return a.x * b.x + a.y * b.y;
-}
-template <class T>
-constexpr T dot(const vec<T, 3>& a, const vec<T, 3>& b) {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-template <class T>
-constexpr T dot(const vec<T, 4>& a, const vec<T, 4>& b) {
+requires detail::is_scalar<T>
+constexpr T dot(T a, detail::same<T> b) { return a * b; }
+template <class T> constexpr T dot(const vec<T, 2>& a, const vec<T, 2>& b) { return a.x * b.x + a.y * b.y; }
+template <class T> constexpr T dot(const vec<T, 3>& a, const vec<T, 3>& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+template <class T> constexpr T dot(const vec<T, 4>& a, const vec<T, 4>& b) {
     return a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w;
 }
-template <class T>
-constexpr vec<T, 3> cross(const vec<T, 3>& a, const vec<T, 3>& b) {
+template <class T> constexpr vec<T, 3> cross(const vec<T, 3>& a, const vec<T, 3>& b) {
     return {a.y * b.z - b.y * a.z, a.z * b.x - b.z * a.x, a.x * b.y - b.x * a.y};
 }
-template <class V>
-auto length(const V& v) {
-    return sqrt(dot(v, v));
-}
-template <class V>
-auto distance(const V& a, const V& b) {
-    return length(a - b);
-}
-template <class V>
-V normalize(const V& v) {
-    return v * (decltype(length(v))(1.0f) / length(v));
-}
-template <class V>
-constexpr V reflect(const V& incident, const V& normal) {
+template <class V> auto length(const V& v) { return sqrt(dot(v, v)); }
+template <class V> auto distance(const V& a, const V& b) { return length(a - b); }
+template <class V> V normalize(const V& v) { return v * (decltype(length(v))(1.0f) / length(v)); }
+template <class V> constexpr V reflect(const V& incident, const V& normal) {
     return incident - normal * (dot(normal, incident) * decltype(dot(normal, incident))(2.0f));
 }
 
-template <class T, unsigned C, unsigned R>
-constexpr mat<T, R, C> transpose(const mat<T, C, R>& m) {
+template <class T, unsigned C, unsigned R> constexpr mat<T, R, C> transpose(const mat<T, C, R>& m) {
     mat<T, R, C> result;
     for (unsigned c = 0; c < C; ++c) {
         for (unsigned r = 0; r < R; ++r) result.columns[r][c] = m.columns[c][r];
@@ -345,8 +297,7 @@ constexpr mat<T, N - 1, N - 1> minor_of(const mat<T, N, N>& m, unsigned column, 
     return result;
 }
 }  // namespace detail
-template <class T, unsigned N>
-constexpr T determinant(const mat<T, N, N>& m) {
+template <class T, unsigned N> constexpr T determinant(const mat<T, N, N>& m) {
     if constexpr (N == 2) {
         return m.columns[0].x * m.columns[1].y - m.columns[1].x * m.columns[0].y;
     } else {
@@ -358,8 +309,7 @@ constexpr T determinant(const mat<T, N, N>& m) {
         return sum;
     }
 }
-template <class T, unsigned N>
-constexpr mat<T, N, N> inverse(const mat<T, N, N>& m) {
+template <class T, unsigned N> constexpr mat<T, N, N> inverse(const mat<T, N, N>& m) {
     const T scale = T(1.0f) / determinant(m);
     mat<T, N, N> result;
     for (unsigned c = 0; c < N; ++c) {
@@ -377,10 +327,8 @@ constexpr mat<T, N, N> inverse(const mat<T, N, N>& m) {
 
 #define GLIFT_INEXACT_1(name, function)                                                                                \
     template <class T>                                                                                                 \
-        requires is_floating<T>                                                                                        \
-    inline T name(T x) {                                                                                               \
-        return static_cast<T>(function(static_cast<detail::wide<T>>(x)));                                              \
-    }                                                                                                                  \
+    requires is_floating<T>                                                                                            \
+    inline T name(T x) { return static_cast<T>(function(static_cast<detail::wide<T>>(x))); }                           \
     GLIFT_MATH_1(name)
 GLIFT_INEXACT_1(exp, std::exp)
 GLIFT_INEXACT_1(exp2, std::exp2)
@@ -399,21 +347,19 @@ GLIFT_INEXACT_1(inversesqrt, 1.0f / std::sqrt)
 #undef GLIFT_INEXACT_1
 
 template <class T>
-    requires is_floating<T>
+requires is_floating<T>
 inline T pow(T x, detail::same<T> y) {
     return static_cast<T>(std::pow(static_cast<detail::wide<T>>(x), static_cast<detail::wide<T>>(y)));
 }
 template <class T>
-    requires is_floating<T>
+requires is_floating<T>
 inline T atan2(T y, detail::same<T> x) {
     return static_cast<T>(std::atan2(static_cast<detail::wide<T>>(y), static_cast<detail::wide<T>>(x)));
 }
 /// Not fused: as devices without a fused operation compute it.
 template <class T>
-    requires is_floating<T>
-constexpr T fma(T a, detail::same<T> b, detail::same<T> c) {
-    return a * b + c;
-}
+requires is_floating<T>
+constexpr T fma(T a, detail::same<T> b, detail::same<T> c) { return a * b + c; }
 GLIFT_MATH_2(pow)
 GLIFT_MATH_2(atan2)
 GLIFT_MATH_3(fma)
@@ -422,7 +368,8 @@ GLIFT_MATH_3(fma)
 #undef GLIFT_MATH_2
 #undef GLIFT_MATH_3
 
-// ----------------------------------------------------------------- subgroups: the host's have one lane, which is active
+// ----------------------------------------------------------------- subgroups: the host's have one lane, which is
+// active
 
 template <class T> constexpr T subgroupAdd(T x) { return x; }
 template <class T> constexpr T subgroupMin(T x) { return x; }

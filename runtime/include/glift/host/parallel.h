@@ -14,7 +14,7 @@
 
 // Compiled once for each width of vectors; the dynamic linker takes the widest that this machine has.
 #if !defined(GLIFT_HOST_KERNEL)
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && defined(__linux__) && defined(__OPTIMIZE__) &&        \
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && defined(__linux__) && defined(__OPTIMIZE__) &&  \
     !defined(__AVX2__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define GLIFT_HOST_KERNEL __attribute__((target_clones("default", "avx2", "avx512f")))
 #else
@@ -56,7 +56,8 @@ public:
 
     class Iterator {
     public:
-        explicit Iterator(const Rows& rows) : row_(rows.first_), size_y_(rows.size_y_), size_z_(rows.size_z_), left_(rows.count_) {}
+        explicit Iterator(const Rows& rows)
+            : row_(rows.first_), size_y_(rows.size_y_), size_z_(rows.size_z_), left_(rows.count_) {}
         Row operator*() const { return row_; }
         Iterator& operator++() {
             --left_;
@@ -90,8 +91,7 @@ inline constexpr std::size_t task_elements = 1 << 14;
 }  // namespace detail
 
 /// Calls `body(const Rows&)` for rows that together cover `size` once. Blocks of rows run in parallel.
-template <class Body>
-void for_rows(const std::array<std::uint32_t, 4>& size, const Body& body) {
+template <class Body> void for_rows(const std::array<std::uint32_t, 4>& size, const Body& body) {
     const std::size_t rows = std::size_t{size[1]} * size[2] * size[3];
     if (rows == 0 || size[0] == 0) return;
     const auto run = [&](uint begin, uint end, std::size_t first, std::size_t count) {
@@ -112,28 +112,27 @@ void for_rows(const std::array<std::uint32_t, 4>& size, const Body& body) {
     }
     if (all <= detail::task_elements) return run(0, size[0], 0, rows);
     const std::size_t grain = std::max<std::size_t>(1, detail::task_elements / size[0]);
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rows, grain), [&](const tbb::blocked_range<std::size_t>& range) {
-        run(0, size[0], range.begin(), range.size());
-    });
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, rows, grain),
+        [&](const tbb::blocked_range<std::size_t>& range) { run(0, size[0], range.begin(), range.size()); });
 }
 
 /// Calls `body(group id, group count)` for the workgroups that cover `size`, in parallel.
-template <class Body>
-void for_each_group(const std::array<std::uint32_t, 4>& size, uint3 group, const Body& body) {
-    const uint3 count((size[0] + group.x - 1) / group.x, (size[1] + group.y - 1) / group.y, (size[2] * size[3] + group.z - 1) / group.z);
+template <class Body> void for_each_group(const std::array<std::uint32_t, 4>& size, uint3 group, const Body& body) {
+    const uint3 count((size[0] + group.x - 1) / group.x, (size[1] + group.y - 1) / group.y,
+                      (size[2] * size[3] + group.z - 1) / group.z);
     const std::size_t total = std::size_t{count.x} * count.y * count.z;
     const auto run = [&](std::size_t i) {
-        body(uint3(static_cast<uint>(i % count.x), static_cast<uint>(i / count.x % count.y), static_cast<uint>(i / count.x / count.y)), count);
+        body(uint3(static_cast<uint>(i % count.x), static_cast<uint>(i / count.x % count.y),
+                   static_cast<uint>(i / count.x / count.y)),
+             count);
     };
     if (total == 1) run(0);
     else tbb::parallel_for(std::size_t{0}, total, run);
 }
 
 /// The elements of a buffer.
-template <class T>
-T* elements(const HostMemory& memory) {
-    return reinterpret_cast<T*>(memory.data);
-}
+template <class T> T* elements(const HostMemory& memory) { return reinterpret_cast<T*>(memory.data); }
 
 /// Elements [begin, end) of a row along x.
 struct Part {
@@ -178,8 +177,8 @@ private:
     std::int64_t from_ = 0, to_ = INT64_MAX;
 };
 
-/// Elements that are worked on together: a vector of the widest kind, or a few narrow ones. What is left over at the end
-/// of a part is not worked on one by one: the last block overlaps the one before it.
+/// Elements that are worked on together: a vector of the widest kind, or a few narrow ones. What is left over at the
+/// end of a part is not worked on one by one: the last block overlaps the one before it.
 inline constexpr std::size_t block_elements = 16;
 
 /// The part where it has a block, else nothing, at `end`.
@@ -195,76 +194,62 @@ struct Section {
 
 /// In the order of their addresses.
 inline std::array<Section, 3> sections(uint begin, const Part& middle, uint end) {
-    return {Section{begin, middle.begin, false}, Section{middle.begin, middle.end, true}, Section{middle.end, end, false}};
+    return {Section{begin, middle.begin, false}, Section{middle.begin, middle.end, true},
+            Section{middle.end, end, false}};
 }
 
-/// The pointer, and nothing known of where it came from: so it stays in a register of its own in the loop that follows, where
-/// the compiler would compute it anew for each element from all that it was computed from.
-template <class T>
-T* row_pointer(T* pointer) {
+/// The pointer, and nothing known of where it came from: so it stays in a register of its own in the loop that follows,
+/// where the compiler would compute it anew for each element from all that it was computed from.
+template <class T> T* row_pointer(T* pointer) {
 #if defined(__GNUC__)
     asm("" : "+r"(pointer));
 #endif
     return pointer;
 }
 
-// ---------------------------------------------------------------------------------- scatter: combine with what is there
+// ---------------------------------------------------------------------------------- scatter: combine with what is
+// there
 
-template <class T>
-void atomic_replace(T& target, T value) {
+template <class T> void atomic_replace(T& target, T value) {
     std::atomic_ref<T>(target).store(value, std::memory_order_relaxed);
 }
 
-template <class T, class Combine>
-T atomic_update(T& target, const Combine& combine) {
+template <class T, class Combine> T atomic_update(T& target, const Combine& combine) {
     std::atomic_ref<T> shared(target);
     T old = shared.load(std::memory_order_relaxed);
     while (!shared.compare_exchange_weak(old, combine(old), std::memory_order_relaxed)) {}
     return old;
 }
-template <class T>
-void atomic_min(T& target, T value) {
+template <class T> void atomic_min(T& target, T value) {
     std::atomic_ref<T> shared(target);
     T old = shared.load(std::memory_order_relaxed);
     while (value < old && !shared.compare_exchange_weak(old, value, std::memory_order_relaxed)) {}
 }
-template <class T>
-void atomic_max(T& target, T value) {
+template <class T> void atomic_max(T& target, T value) {
     std::atomic_ref<T> shared(target);
     T old = shared.load(std::memory_order_relaxed);
     while (old < value && !shared.compare_exchange_weak(old, value, std::memory_order_relaxed)) {}
 }
-template <class T>
-void atomic_add(T& target, T value) {
+template <class T> void atomic_add(T& target, T value) {
     std::atomic_ref<T>(target).fetch_add(value, std::memory_order_relaxed);
 }
-template <class T>
-void atomic_bit_and(T& target, T value) {
+template <class T> void atomic_bit_and(T& target, T value) {
     std::atomic_ref<T>(target).fetch_and(value, std::memory_order_relaxed);
 }
-template <class T>
-void atomic_bit_or(T& target, T value) {
+template <class T> void atomic_bit_or(T& target, T value) {
     std::atomic_ref<T>(target).fetch_or(value, std::memory_order_relaxed);
 }
-template <class T>
-void atomic_bit_xor(T& target, T value) {
+template <class T> void atomic_bit_xor(T& target, T value) {
     std::atomic_ref<T>(target).fetch_xor(value, std::memory_order_relaxed);
 }
 
 // Atomics on workgroup memory. A workgroup runs on one thread, one invocation after the other.
-template <class T>
-T atomicAdd(T& target, T value) { return std::exchange(target, glift::detail::add(target, value)); }
-template <class T>
-T atomicMin(T& target, T value) { return std::exchange(target, value < target ? value : target); }
-template <class T>
-T atomicMax(T& target, T value) { return std::exchange(target, target < value ? value : target); }
-template <class T>
-T atomicAnd(T& target, T value) { return std::exchange(target, static_cast<T>(target & value)); }
-template <class T>
-T atomicOr(T& target, T value) { return std::exchange(target, static_cast<T>(target | value)); }
-template <class T>
-T atomicXor(T& target, T value) { return std::exchange(target, static_cast<T>(target ^ value)); }
-template <class T>
-T atomicExchange(T& target, T value) { return std::exchange(target, value); }
+template <class T> T atomicAdd(T& target, T value) { return std::exchange(target, glift::detail::add(target, value)); }
+template <class T> T atomicMin(T& target, T value) { return std::exchange(target, value < target ? value : target); }
+template <class T> T atomicMax(T& target, T value) { return std::exchange(target, target < value ? value : target); }
+template <class T> T atomicAnd(T& target, T value) { return std::exchange(target, static_cast<T>(target & value)); }
+template <class T> T atomicOr(T& target, T value) { return std::exchange(target, static_cast<T>(target | value)); }
+template <class T> T atomicXor(T& target, T value) { return std::exchange(target, static_cast<T>(target ^ value)); }
+template <class T> T atomicExchange(T& target, T value) { return std::exchange(target, value); }
 
 }  // namespace glift::host
