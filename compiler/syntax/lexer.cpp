@@ -358,14 +358,16 @@ std::string_view describe(TokenKind kind) {
     case TokenKind::floating:
     case TokenKind::bad_number: return "a number";
     case TokenKind::string: return "a string";
-    case TokenKind::bad_character: return "an unexpected character";
-#define PUNCTUATION(name, text)                                                                                        \
-    case TokenKind::name: return "'" text "'";                                                                         \
-        #define KEYWORD(text)                                                                                          \
-    case TokenKind::kw_##text:                                                                                         \
-        return "'" #text "'";
+    case TokenKind::bad_character:
+        return "an unexpected character";
+// clang-format off
+#define PUNCTUATION(name, text) \
+    case TokenKind::name: return "'" text "'";
+#define KEYWORD(text) \
+    case TokenKind::kw_##text: return "'" #text "'";
 #define WORD(text)
 #include "syntax/tokens.def"
+// clang-format on
 #undef PUNCTUATION
 #undef KEYWORD
 #undef WORD
