@@ -33,8 +33,8 @@ enum class ParameterSource : std::uint8_t {
     uniform,  // `value`: an expression over the kernel's structures and value parameters, evaluated on the host for
               // each call: constants, arithmetic, calls, and member / memory_extent / domain with Place roots = kernel
               // parameters, and locals that are the kernel's value parameters
-    origin,      // first virtual address of the range of kernel parameter `param`
-    size,        // the iteration size (uint or vector of uint)
+    origin,   // first virtual address of the range of kernel parameter `param`
+    size,     // the iteration size (uint or vector of uint)
     range_size,  // size of the range of kernel parameter `param`
     address,     // uint64: device address of binding `param`
 };
