@@ -51,8 +51,8 @@ void generated_kernel(benchmark::State& state) {
     }
     per_pass(state, kernel_passes);
 }
-BENCHMARK(generated_kernel<Lines, record_line_kernels>)->Name("generated_each_1d")->Unit(benchmark::kMicrosecond);
-BENCHMARK(generated_kernel<Volumes, record_volume_kernels>)->Name("generated_near_3d")->Unit(benchmark::kMicrosecond);
+BENCHMARK(generated_kernel<Lines, record_line_kernels>)->Name("generated_each_1d")->Unit(benchmark::kMicrosecond)->Iterations(30);
+BENCHMARK(generated_kernel<Volumes, record_volume_kernels>)->Name("generated_near_3d")->Unit(benchmark::kMicrosecond)->Iterations(30);
 
 void record_pipeline(benchmark::State& state) {
     Lines lines;
@@ -82,6 +82,6 @@ void replay_pipeline(benchmark::State& state) {
         static_cast<double>(lines.device.statistics().submissions - before), benchmark::Counter::kAvgIterations);
     per_pass(state, pipeline_passes);
 }
-BENCHMARK(replay_pipeline)->Name("generated_pipeline_replay")->Unit(benchmark::kMicrosecond)->Iterations(100);
+BENCHMARK(replay_pipeline)->Name("generated_pipeline_replay")->Unit(benchmark::kMicrosecond)->Iterations(30);
 
 }  // namespace

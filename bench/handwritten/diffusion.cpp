@@ -24,9 +24,7 @@ inline float diffused(const Rows& rows, std::size_t x, float right, float left, 
     return centre + rate * flow;
 }
 
-// For each width of vectors, as the generated code is.
-__attribute__((target_clones("default", "avx2", "avx512f"))) void diffuse_row(const Rows& rows, std::size_t count,
-                                                                              float rate) {
+inline void diffuse_elements(const Rows& rows, std::size_t count, float rate) {
     const float* const u = rows.centre;
     rows.target[0] = diffused(rows, 0, u[count > 1], u[0], rate);
 #pragma GCC ivdep
@@ -34,9 +32,16 @@ __attribute__((target_clones("default", "avx2", "avx512f"))) void diffuse_row(co
     rows.target[count - 1] = diffused(rows, count - 1, u[count - 1], u[count - 1 - (count > 1)], rate);
 }
 
-}  // namespace
+// For each width of vectors, as the generated code is.
+__attribute__((target_clones("default", "avx2", "avx512f")))
+void diffuse_row(const Rows& rows, std::size_t count, float rate) {
+    diffuse_elements(rows, count, rate);
+}
 
-void diffuse(const float* u, float* v, Extent3 extent, float rate) {
+void diffuse_row_narrow(const Rows& rows, std::size_t count, float rate) { diffuse_elements(rows, count, rate); }
+
+template <class Row>
+void on_all_rows(const float* u, float* v, Extent3 extent, float rate, const Row& diffuse_one) {
     const std::size_t row = extent.x, plane = row * extent.y;
     const auto run = [=](const tbb::blocked_range2d<std::uint32_t>& range) {
         for (std::uint32_t z = range.rows().begin(); z < range.rows().end(); ++z) {
@@ -48,11 +53,19 @@ void diffuse(const float* u, float* v, Extent3 extent, float rate) {
                                    centre + (z + 1 < extent.z ? plane : 0),
                                    centre - (z > 0 ? plane : 0),
                                    v + z * plane + y * row};
-                diffuse_row(rows, extent.x, rate);
+                diffuse_one(rows, extent.x, rate);
             }
         }
     };
     tbb::parallel_for(tbb::blocked_range2d<std::uint32_t>(0, extent.z, 0, extent.y), run);
+}
+
+}  // namespace
+
+void diffuse(const float* u, float* v, Extent3 extent, float rate) { on_all_rows(u, v, extent, rate, diffuse_row); }
+
+void diffuse_narrow(const float* u, float* v, Extent3 extent, float rate) {
+    on_all_rows(u, v, extent, rate, diffuse_row_narrow);
 }
 
 }  // namespace handwritten

@@ -1,0 +1,84 @@
+#!/usr/bin/env python3
+"""Runs all benches of a build and prints their tables as Markdown.
+
+    bench/run.py BUILD_FOLDER [--json FILE] [--runs N]
+
+The device is the one that GLIFT_DEVICE names, or the best there is.
+"""
+import argparse
+import json
+import os
+import subprocess
+import sys
+import tempfile
+
+import compile_speed
+
+DISPATCH_ROWS = {
+    "record_passes": "runtime call, into the device's stream",
+    "record_a_recording": "runtime call, into a recording",
+    "generated_each_1d": "generated kernel (each, 1-D), into the device's stream",
+    "generated_near_3d": "generated kernel (near, 3-D), into the device's stream",
+    "generated_pipeline_record": "generated pipeline of 1,000 passes, into a recording",
+    "generated_pipeline_replay": "the same, replayed",
+}
+
+
+def run_bench(command, file):
+    """Runs a bench that prints its tables itself and writes JSON to `file`; what it wrote, and if all went well."""
+    sys.stdout.flush()
+    good = subprocess.run(command).returncode == 0
+    with open(file, encoding="utf-8") as text:
+        return json.load(text), good
+
+
+def dispatch(program, folder):
+    file = os.path.join(folder, "dispatch.json")
+    subprocess.run([program, "--benchmark_repetitions=15", "--benchmark_min_time=0.02", "--benchmark_report_aggregates_only=true",
+                    f"--benchmark_out={file}", "--benchmark_out_format=json"],
+                   check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    with open(file, encoding="utf-8") as text:
+        found = json.load(text)["benchmarks"]
+    medians = {one["run_name"].split("/")[0]: one for one in found if one.get("aggregate_name") == "median"}
+    return [{"name": name, "what": what, "seconds_per_pass": medians[name]["s/pass"],
+             "submissions": medians[name].get("submissions")} for name, what in DISPATCH_ROWS.items()]
+
+
+def dispatch_table(rows):
+    lines = ["| what is recorded | host time a pass | submissions |", "| --- | ---: | ---: |"]
+    for row in rows:
+        submissions = "" if row["submissions"] is None else f"{row['submissions']:g}"
+        lines.append(f"| {row['what']} | {row['seconds_per_pass'] * 1e6:.3f} us | {submissions} |")
+    return "\n".join(lines)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("build")
+    parser.add_argument("--json")
+    parser.add_argument("--runs", type=int, default=20)
+    options = parser.parse_args()
+    bench = os.path.join(options.build, "bench")
+    with tempfile.TemporaryDirectory() as folder:
+        twins_file, host_file = os.path.join(folder, "twins.json"), os.path.join(folder, "host.json")
+        print("## Generated shaders beside shaders written by hand\n")
+        twins, twins_good = run_bench([os.path.join(bench, "glift_bench"), "--runs", str(options.runs), "--json", twins_file],
+                                      twins_file)
+        print("\n## What a pass costs the host\n")
+        passes = dispatch(os.path.join(bench, "bench_dispatch"), folder)
+        print(dispatch_table(passes))
+        print("\n## Diffusion on the host device beside a loop written by hand\n")
+        host, host_good = run_bench([os.path.join(bench, "bench_host"), "--runs", str(options.runs), "--json", host_file],
+                                    host_file)
+    print("\n## Compiling, all outputs but SPIR-V\n")
+    compiling = compile_speed.measure(os.path.join(options.build, "bin", "gliftc"))
+    print(compile_speed.table(compiling))
+    if options.json:
+        with open(options.json, "w", encoding="utf-8") as out:
+            json.dump({"twins": twins, "dispatch": passes, "host": host, "compiler": compiling}, out, indent=2)
+            out.write("\n")
+    return 0 if twins_good and host_good else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
