@@ -51,8 +51,14 @@ void generated_kernel(benchmark::State& state) {
     }
     per_pass(state, kernel_passes);
 }
-BENCHMARK(generated_kernel<Lines, record_line_kernels>)->Name("generated_each_1d")->Unit(benchmark::kMicrosecond)->Iterations(30);
-BENCHMARK(generated_kernel<Volumes, record_volume_kernels>)->Name("generated_near_3d")->Unit(benchmark::kMicrosecond)->Iterations(30);
+BENCHMARK(generated_kernel<Lines, record_line_kernels>)
+    ->Name("generated_each_1d")
+    ->Unit(benchmark::kMicrosecond)
+    ->Iterations(30);
+BENCHMARK(generated_kernel<Volumes, record_volume_kernels>)
+    ->Name("generated_near_3d")
+    ->Unit(benchmark::kMicrosecond)
+    ->Iterations(30);
 
 void record_pipeline(benchmark::State& state) {
     Lines lines;

@@ -24,7 +24,7 @@ constexpr float rate = 0.125f;
 struct Options {
     int runs = 20;
     std::uint32_t size = 256;
-    int steps = 8;   ///< pairs of them in one run
+    int steps = 8;  ///< pairs of them in one run
     std::string json;
 };
 
@@ -75,7 +75,7 @@ using Twin = void (*)(const float* u, float* v, handwritten::Extent3 extent, flo
 
 struct Measured {
     const char* name;
-    double generated, handwritten, ratio;   ///< seconds of one step, medians; the median of the ratios
+    double generated, handwritten, ratio;  ///< seconds of one step, medians; the median of the ratios
     bool agree;
 };
 
@@ -127,10 +127,15 @@ int run(const Options& options) {
     nlohmann::ordered_json json = {{"runs", options.runs}, {"cases", nlohmann::ordered_json::array()}};
     bool all_agree = true;
     for (const Measured& one : all) {
-        std::printf("| %s | %llu | %.4f ms | %.4f ms | %.3f | %s |\n", one.name, static_cast<unsigned long long>(elements),
-                    one.generated * 1e3, one.handwritten * 1e3, one.ratio, one.agree ? "yes" : "NO");
-        json["cases"].push_back({{"name", one.name}, {"elements", elements}, {"generated_seconds", one.generated},
-                                 {"handwritten_seconds", one.handwritten}, {"ratio", one.ratio}, {"agree", one.agree}});
+        std::printf("| %s | %llu | %.4f ms | %.4f ms | %.3f | %s |\n", one.name,
+                    static_cast<unsigned long long>(elements), one.generated * 1e3, one.handwritten * 1e3, one.ratio,
+                    one.agree ? "yes" : "NO");
+        json["cases"].push_back({{"name", one.name},
+                                 {"elements", elements},
+                                 {"generated_seconds", one.generated},
+                                 {"handwritten_seconds", one.handwritten},
+                                 {"ratio", one.ratio},
+                                 {"agree", one.agree}});
         all_agree = all_agree && one.agree;
     }
     if (!options.json.empty()) std::ofstream(options.json) << json.dump(2) << "\n";

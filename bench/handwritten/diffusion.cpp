@@ -33,15 +33,14 @@ inline void diffuse_elements(const Rows& rows, std::size_t count, float rate) {
 }
 
 // For each width of vectors, as the generated code is.
-__attribute__((target_clones("default", "avx2", "avx512f")))
-void diffuse_row(const Rows& rows, std::size_t count, float rate) {
+__attribute__((target_clones("default", "avx2", "avx512f"))) void diffuse_row(const Rows& rows, std::size_t count,
+                                                                              float rate) {
     diffuse_elements(rows, count, rate);
 }
 
 void diffuse_row_narrow(const Rows& rows, std::size_t count, float rate) { diffuse_elements(rows, count, rate); }
 
-template <class Row>
-void on_all_rows(const float* u, float* v, Extent3 extent, float rate, const Row& diffuse_one) {
+template <class Row> void on_all_rows(const float* u, float* v, Extent3 extent, float rate, const Row& diffuse_one) {
     const std::size_t row = extent.x, plane = row * extent.y;
     const auto run = [=](const tbb::blocked_range2d<std::uint32_t>& range) {
         for (std::uint32_t z = range.rows().begin(); z < range.rows().end(); ++z) {
