@@ -77,6 +77,7 @@ struct Pass {
     std::uint32_t interior_origin = 0xffffffffu;  ///< parameter that holds the origin of the centre's range; none: zero
     std::vector<FunctionId> functions;            ///< called by the body, callees first, all low level
     std::vector<LocalId> shared;
+    std::vector<LocalId> params;    ///< of a library\'s function
     std::uint64_t loop_rounds = 0;  ///< bound on the rounds of one invocation's loops, with the tests that end them;
                                     ///< UINT64_MAX: not known at compile time. The same in all forms
     Span longest_loop;
@@ -94,7 +95,6 @@ struct Pass {
 struct LibraryFunction {
     std::string name;
     TypeId result;
-    std::vector<LocalId> params;
     Pass pass;  ///< parameters are the structure's state, nothing computed from it
 };
 

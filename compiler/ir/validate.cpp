@@ -18,6 +18,7 @@ public:
         for (LocalId local : pass.shared) known_.insert(local);
         if (pass.address) known_.insert(pass.address);
         if (pass.in_range) known_.insert(pass.in_range);
+        for (LocalId local : pass.params) known_.insert(local);
         if (pass.kernel == no_kernel) return;
         for (const KernelParam& param : program.kernels[pass.kernel].params)
             if (uniforms == Uniforms::allowed && param.pattern == Pattern::value) known_.insert(param.local);

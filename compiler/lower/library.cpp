@@ -57,7 +57,7 @@ struct Maker {
         kernel.domain_type = program.structures[library.structure].domain_type;
         kernel.body = {program.stmts.add(std::move(body))};
         library.functions.push_back(
-            {function, result, std::move(params), lower_function(program, diagnostics, kernel)});
+            {function, result, lower_function(program, diagnostics, kernel, std::move(params))});
     }
 
     void add_value(const std::string& function, ExprId result) {

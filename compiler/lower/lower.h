@@ -16,7 +16,9 @@ enum class Checks : std::uint8_t {
 /// temporaries (release statements) and marks affine translators.
 ir::Lowered lower(ir::Program& program, Diagnostics& diagnostics, Checks checks = Checks::none);
 
-/// One kernel as the body of a function that reaches the structures' state and memory by name: no dispatch, no range.
-ir::Pass lower_function(ir::Program& program, Diagnostics& diagnostics, const ir::Kernel& kernel);
+/// One kernel as the body of a function with these parameters that reaches the structures' state and memory by name: no
+/// dispatch, no range.
+ir::Pass lower_function(ir::Program& program, Diagnostics& diagnostics, const ir::Kernel& kernel,
+                        std::vector<ir::LocalId> params);
 
 }  // namespace gliftc::lower

@@ -150,10 +150,12 @@ Pass lowered(Program& program, Diagnostics& diagnostics, std::uint32_t kernel, F
 
 }  // namespace
 
-Pass lower_function(Program& program, Diagnostics& diagnostics, const Kernel& kernel) {
+Pass lower_function(Program& program, Diagnostics& diagnostics, const Kernel& kernel, std::vector<LocalId> params) {
     Pass pass;
     pass.kernel = no_kernel;
+    pass.params = std::move(params);
     Context cx(program, kernel, pass, diagnostics, Checks::none);
+    cx.params = pass.params;
     choose_dispatch(cx);
     Expander expander(cx, Guards::checked);
     std::vector<StmtId> body = expander.kernel_body();

@@ -4,6 +4,8 @@
 #include "sema/generics.h"
 #include "sema/instances.h"
 
+#include <algorithm>
+
 namespace gliftc::sema {
 
 namespace {
@@ -119,13 +121,9 @@ std::optional<std::vector<ir::ExprId>> kernel_arguments(Body& body, std::uint32_
 
 /// The kernel's `at` parameter if it has exactly one: it may be left out where an each-parameter gives the range.
 std::optional<std::ptrdiff_t> only_address(const std::vector<ast::Param>& params) {
-    std::optional<std::ptrdiff_t> found;
-    for (std::size_t i = 0; i < params.size(); ++i) {
-        if (params[i].pattern != ast::Pattern::at) continue;
-        if (found) return std::nullopt;
-        found = static_cast<std::ptrdiff_t>(i);
-    }
-    return found;
+    const auto is_address = [](const ast::Param& param) { return param.pattern == ast::Pattern::at; };
+    if (std::ranges::count_if(params, is_address) != 1) return std::nullopt;
+    return std::ranges::find_if(params, is_address) - params.begin();
 }
 
 /// Gives the left-out `at` parameter the argument of the first each-parameter over the same structure.

@@ -74,7 +74,7 @@ void carry_over(const Printer& from, Printer& to) {
 std::string print_function(Printer& p, const LibraryFunction& wanted, const std::string& name) {
     p.names.enter();
     std::string parameters;
-    for (LocalId id : wanted.params) {
+    for (LocalId id : wanted.pass.params) {
         const Local& local = p.program.locals[id];
         p.local_names[id] = p.names.declare((*p.program.names)[local.name]);
         parameters += (parameters.empty() ? "" : ", ") + declaration(p, local.type, p.local_names[id]);
