@@ -13,6 +13,12 @@ namespace glift::detail {
 
 namespace {
 
+/// No bytes may come from nowhere, which memcpy does not allow.
+void copy_bytes(std::byte* to, const std::byte* from, std::uint64_t bytes) {
+    if (bytes) std::memcpy(to, from, bytes);
+}
+
+
 class HostDownload final : public DownloadObject {
 public:
     explicit HostDownload(std::vector<std::byte> bytes) : bytes_(std::move(bytes)) {}
@@ -138,7 +144,7 @@ void HostStream::copy_images(const Memory& from, const Memory& to, std::span<con
 }
 
 void HostStream::upload(const Memory& to, std::span<const CopyRegion> regions, std::span<const std::byte> bytes) {
-    for (const CopyRegion& r : regions) std::memcpy(host_memory(to).data() + r.to, bytes.data() + r.from, r.bytes);
+    for (const CopyRegion& r : regions) copy_bytes(host_memory(to).data() + r.to, bytes.data() + r.from, r.bytes);
 }
 
 void HostStream::upload_image(const Memory& image, std::span<const ImageRegion> regions,
@@ -151,7 +157,7 @@ void HostStream::upload_image(const Memory& image, std::span<const ImageRegion> 
 std::shared_ptr<DownloadObject> HostStream::download(const Memory& from, std::span<const CopyRegion> regions,
                                                      std::uint64_t count) {
     std::vector<std::byte> bytes(count);
-    for (const CopyRegion& r : regions) std::memcpy(bytes.data() + r.to, host_memory(from).data() + r.from, r.bytes);
+    for (const CopyRegion& r : regions) copy_bytes(bytes.data() + r.to, host_memory(from).data() + r.from, r.bytes);
     return std::make_shared<HostDownload>(std::move(bytes));
 }
 
