@@ -18,7 +18,6 @@ void copy_bytes(std::byte* to, const std::byte* from, std::uint64_t bytes) {
     if (bytes) std::memcpy(to, from, bytes);
 }
 
-
 class HostDownload final : public DownloadObject {
 public:
     explicit HostDownload(std::vector<std::byte> bytes) : bytes_(std::move(bytes)) {}
