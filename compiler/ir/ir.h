@@ -72,7 +72,7 @@ enum class Op : std::uint8_t {
     member,   // constructor argument `slot` of the structure at `place`
     memory_extent,  // extent of memory `slot` of the structure at `place`: uint, uint2 or uint3
     domain,         // the extent of the virtual domain of the structure at `place`
-    range_size,     // the size of the iteration range of parameter place.root
+    position,       // the current address, counted from the origin of the ranges that are visited
     state,          // scalar field `slot` of the translator whose function this is
     translate,      // place . translate(operands[0]): optional physical address
     invocation,     // `invocation`: ids of a grouped kernel
@@ -420,12 +420,16 @@ struct Kernel {
     bool is_pub = false;
     std::vector<KernelParam> params;
     std::array<std::uint32_t, 3> group = {0, 0, 0};  ///< all 0: the compiler chooses
+    std::uint32_t items = 1;                         ///< at<S, items>: consecutive elements that one invocation takes
     TypeId domain_type;                              ///< of the iteration: uint or vector of uint
     std::vector<StmtId> body;
     std::vector<LocalId> shared;  ///< workgroup memory
     std::string doc;
     bool grouped() const { return group[0] != 0; }
 };
+
+/// The parameter whose range an `at` parameter takes where it is left out: the first each, else any, of its structure.
+std::optional<std::size_t> range_giver(const std::vector<KernelParam>& params, std::size_t at);
 
 enum class HostPattern : std::uint8_t { value, structure, range };
 

@@ -57,6 +57,7 @@ struct Pass {
         true;  ///< false: nothing in this form differs from what cannot be had (a structure without memory, say)
     std::array<std::uint32_t, 3> group = {64, 1, 1};
     std::uint32_t rank = 1;
+    std::uint32_t items = 1;  ///< consecutive elements that one invocation takes; `address` is the first of them
     std::vector<PassBinding> bindings;
     std::vector<PassParameter> parameters;
     std::uint32_t parameter_bytes = 0;  ///< set by layout/

@@ -202,7 +202,7 @@ std::string Printer::expr(ExprId id) {
     case Op::member: return place(node.place) + ".member" + std::to_string(node.slot);
     case Op::memory_extent: return place(node.place) + ".memory" + std::to_string(node.slot) + ".extent";
     case Op::domain: return place(node.place) + ".domain";
-    case Op::range_size: return place(node.place) + ".size";
+    case Op::position: return "position";
     case Op::state: return "state" + std::to_string(node.slot);
     case Op::translate: return place(node.place) + ".translate(" + list(o) + ")";
     case Op::invocation: return std::string(name_of(node.invocation));

@@ -73,7 +73,7 @@ void Validator::low_level(ExprId id) {
     case Op::near:
     case Op::read:
     case Op::sample:
-    case Op::range_size:
+    case Op::position:
     case Op::state:
     case Op::translate:
     case Op::invocation:

@@ -100,8 +100,9 @@ ExprId Expander::element(std::uint32_t root, Span) {
 ExprId Expander::read(const Place& place, ExprId address, const std::string& name) {
     const Structure& structure = cx.structure_at(place);
     address = named(name + "_address", address);
-    if (structure.kind == StructureKind::view) return view(place, address);
-    Pair physical = translated(place, address, name);
+    ExprId virtual_address = named(name + "_virtual", from_origin(place, address));
+    if (structure.kind == StructureKind::view) return view(place, virtual_address);
+    Pair physical = translated(place, virtual_address, name);
     ExprId guard = is_total(structure) ? inside_domain(place, address) : ExprId{};
     ExprId value = guarded_load(place, physical, guard, {}, name + "_value");
     if (cx.kernel.params[place.root].direction == Direction::in || p.exprs[value].op == Op::local) return value;
@@ -235,7 +236,7 @@ void Expander::write(const Stmt& stmt) {
     ExprId address = named(name + "_address", value_of(stmt.target));
     ExprId value = stored(expand(stmt.value), structure.element);
     check_range(place, address, stmt.combine == Combine::replace ? Access::write : Access::read_write, stmt.span);
-    Pair physical = translated(place, address, name);
+    Pair physical = translated(place, named(name + "_virtual", from_origin(place, address)), name);
     ExprId guard = is_total(structure) ? inside_domain(place, address) : ExprId{};
     store(place, physical, guard, stmt, value);
 }

@@ -90,7 +90,7 @@ bool find_uniform(Context& cx, const Expr& node) {
     case Op::near:
     case Op::read:
     case Op::sample:
-    case Op::range_size:
+    case Op::position:
     case Op::state:
     case Op::translate:
     case Op::invocation:

@@ -7,6 +7,7 @@ using namespace ir;
 void choose_dispatch(Context& cx) {
     const Kernel& kernel = cx.kernel;
     cx.pass.rank = cx.p.types.components(kernel.domain_type);
+    cx.pass.items = kernel.items;
     if (kernel.grouped()) {
         cx.pass.group = kernel.group;
         for (std::uint32_t& width : cx.pass.group) width = std::max(width, 1u);
@@ -48,7 +49,7 @@ std::vector<StmtId> dispatch_prologue(Context& cx) {
     if (cx.pass.rank == 1) {
         // More groups than a device allows along x are folded into rows of groups.
         ExprId row = make.multiply(lane(make.builtin(Builtin::group_count, uint3), 0), make.uint(cx.pass.group[0]));
-        address = make.add(make.multiply(lane(id, 1), row), lane(id, 0));
+        address = make.multiply(make.add(make.multiply(lane(id, 1), row), lane(id, 0)), make.uint(cx.pass.items));
     } else if (cx.pass.rank == 2) {
         Expr both;
         both.op = Op::swizzle;

@@ -107,6 +107,9 @@ private:
     Pair centre(std::uint32_t root);            ///< physical address of the current element
     ExprId centre_address(std::uint32_t root);  ///< its virtual address
     ExprId domain_of(const ir::Place& place);
+    bool is_range(const ir::Place& place) const;
+    ExprId range_size(std::uint32_t root);
+    ExprId from_origin(const ir::Place& place, ExprId address);
     ExprId inside_domain(const ir::Place& place, ExprId address);
     bool is_total(const ir::Structure& structure);  ///< the first translator maps every address of the domain
 

@@ -128,13 +128,7 @@ Pair Expander::expand(ExprId id) {
         return {p.exprs.add(std::move(extent)), {}};
     }
     case Op::domain: return {domain_of(resolved(node.place)), {}};
-    case Op::range_size: {
-        Place place = resolved(node.place);
-        if (cx.is_direct()) return {domain_of(place), {}};
-        return {cx.parameter_expr(
-                    cx.parameter(ParameterSource::range_size, cx.name_of(place) + "_size", node.type, place.root)),
-                {}};
-    }
+    case Op::position: return {make.local(cx.pass.address), {}};
     case Op::state: {
         Frame frame;
         frame.places = {frame_->structure};
@@ -144,7 +138,7 @@ Pair Expander::expand(ExprId id) {
     case Op::translate: {
         Place place = resolved(node.place);
         ExprId address = named(cx.name_of(place) + "_address", value_of(node.operands[0]));
-        Pair physical = translated(place, address, cx.name_of(place));
+        Pair physical = translated(place, from_origin(place, address), cx.name_of(place));
         ExprId guard = is_total(cx.structure_at(place)) ? inside_domain(place, address) : ExprId{};
         ExprId has = make.both(guard, physical.has);
         return {physical.value, has ? has : make.truth(true)};
@@ -252,7 +246,7 @@ ExprId Expander::expand_invocation(const Expr& node) {
     case Invocation::group_count: {
         ExprId total = make.uint(1);
         for (std::uint32_t axis = 0; axis < cx.pass.rank; ++axis) {
-            std::uint32_t width = axis < 3 ? group[axis] : 1;
+            std::uint32_t width = (axis < 3 ? group[axis] : 1) * cx.pass.items;
             ExprId up = make.add(make.component(cx.size, axis), make.uint(width - 1));
             total = make.multiply(total, make.binary(BinaryOp::divide, up, make.uint(width)));
         }

@@ -31,6 +31,8 @@ ExprId Expander::sample(const Expr& node) {
     sampled.op = Op::image_sample;
     sampled.type = node.type;
     sampled.slot = binding(place, structure.via_memory, Access::read);
+    if (is_range(place))
+        at = make.add(at, make.convert(make.type(at), from_origin(place, make.zero(structure.domain_type))));
     sampled.operands = {make.binary(BinaryOp::divide, at, size)};
     return p.exprs.add(std::move(sampled));
 }

@@ -35,7 +35,29 @@ bool Expander::is_total(const Structure& structure) {
     return !p.translators[structure.via[0].translator].properties.partial;
 }
 
+/// Whether the place is a range of a structure: one that does not iterate, whose addresses count from the range's
+/// origin.
+bool Expander::is_range(const Place& place) const {
+    if (cx.is_direct() || !place.members.empty()) return false;
+    Pattern pattern = cx.kernel.params[place.root].pattern;
+    return pattern == Pattern::any || pattern == Pattern::scatter;
+}
+
+ExprId Expander::range_size(std::uint32_t root) {
+    TypeId type = cx.structure_at({root, {}}).domain_type;
+    return cx.parameter_expr(cx.parameter(ParameterSource::range_size, cx.name_of({root, {}}) + "_size", type, root));
+}
+
+/// The virtual address of what the kernel calls `address`.
+ExprId Expander::from_origin(const Place& place, ExprId address) {
+    if (!is_range(place)) return address;
+    TypeId type = cx.structure_at(place).domain_type;
+    std::uint32_t slot = cx.parameter(ParameterSource::origin, cx.name_of(place) + "_origin", type, place.root);
+    return make.add(cx.parameter_expr(slot), address);
+}
+
 ExprId Expander::domain_of(const Place& place) {
+    if (is_range(place)) return range_size(place.root);
     const Structure& structure = cx.structure_at(place);
     if (structure.domain) {
         Frame frame;

@@ -190,6 +190,12 @@ Operand call_select(Body& body, const ast::Expr& call, ir::TypeId wanted) {
 /// Functions that the language has and no module declares.
 std::optional<Operand> call_builtin(Body& body, const std::string& name, const ast::Expr& call, ir::TypeId wanted) {
     if (name == "select") return call_select(body, call, wanted);
+    if (name == "position" && body.kernel) {
+        if (!arguments_of(call).empty())
+            body.context.error(Diag::argument_count, call.span, {name, "0", std::to_string(call.operands.size() - 1)});
+        return value_operand(body, add(body.program(), ir::Op::position, body.kernel->domain_type, call.span),
+                             call.span);
+    }
     if (auto invocation = find_invocation(name)) {
         if (!body.kernel || !body.kernel->grouped()) {
             note(body.context.error(Diag::needs_group, call.span, {name}), call.span,

@@ -84,10 +84,6 @@ Operand no_value(Body& body, Span span) {
     return value_operand(body, add(body.program(), ir::Op::constant, body.types().void_, span), span);
 }
 
-bool is_iteration(const ir::KernelParam& param) {
-    return param.pattern == ir::Pattern::each || param.pattern == ir::Pattern::at;
-}
-
 std::optional<std::vector<ir::ExprId>> kernel_arguments(Body& body, std::uint32_t kernel_index,
                                                         std::vector<Argument>& arguments) {
     Context& c = body.context;
@@ -107,34 +103,26 @@ std::optional<std::vector<ir::ExprId>> kernel_arguments(Body& body, std::uint32_
                 return std::nullopt;
             }
             values.push_back(to_value(body, arguments[i].operand));
-            bool slice = body.types().kind(body.program().exprs[values.back()].type) == ir::TypeKind::slice;
-            if (slice && !is_iteration(param) && param.pattern != ir::Pattern::near) {
-                note(c.error(Diag::slice_not_iterated, span, {c.text(param.name)}), param.span,
-                     "'any' and 'scatter' take the whole structure: addresses are its own");
-                return std::nullopt;
-            }
         }
         if (is_error(body, values.back())) return std::nullopt;
     }
     return values;
 }
 
-/// The kernel's `at` parameter if it has exactly one: it may be left out where an each-parameter gives the range.
+/// The kernel's `at` parameter if it has exactly one: it may be left out where another parameter gives the range.
 std::optional<std::ptrdiff_t> only_address(const std::vector<ast::Param>& params) {
     const auto is_address = [](const ast::Param& param) { return param.pattern == ast::Pattern::at; };
     if (std::ranges::count_if(params, is_address) != 1) return std::nullopt;
     return std::ranges::find_if(params, is_address) - params.begin();
 }
 
-/// Gives the left-out `at` parameter the argument of the first each-parameter over the same structure.
+/// Gives the left-out `at` parameter the argument of the first each-parameter over the same structure, or
+/// any-parameter.
 void insert_address(const std::vector<ir::KernelParam>& params, std::ptrdiff_t at, std::vector<Argument>& arguments) {
-    for (std::size_t i = 0; i < params.size(); ++i) {
-        if (params[i].pattern != ir::Pattern::each ||
-            params[i].structure != params[static_cast<std::size_t>(at)].structure)
-            continue;
-        arguments.insert(arguments.begin() + at, arguments[i < static_cast<std::size_t>(at) ? i : i - 1]);
-        return;
-    }
+    auto giver = ir::range_giver(params, static_cast<std::size_t>(at));
+    if (giver)
+        arguments.insert(arguments.begin() + at,
+                         arguments[*giver < static_cast<std::size_t>(at) ? *giver : *giver - 1]);
 }
 
 std::optional<Operand> call_kernel(Body& body, ast::DeclId id, const std::vector<ast::ExprId>& explicit_generics,

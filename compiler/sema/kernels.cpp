@@ -77,6 +77,7 @@ void check_extra(Context& c, const Env& env, const ast::Param& param, ir::Kernel
         made.radius = window_radius(c, env, param);
         return;
     }
+    if (made.pattern == ir::Pattern::at) return;  // its argument is of the whole iteration: read_items
     if (made.pattern != ir::Pattern::scatter) {
         if (!param.extra.empty()) c.error(Diag::pattern_arguments, c[param.extra[0]].span);
         return;
@@ -173,6 +174,31 @@ void find_domain(Context& c, ir::Kernel& kernel, bool parameters_are_good) {
     }
 }
 
+/// `at<S, 16>`: the kernel runs once for so many consecutive elements.
+void read_items(Context& c, const Env& env, const ast::Kernel& written, ir::Kernel& kernel) {
+    const ast::Param* first = nullptr;
+    for (const ast::Param& param : written.params) {
+        if (param.pattern != ast::Pattern::at || param.extra.empty()) continue;
+        auto items = count_of(c, env, param.extra[0]);
+        if (!items) return;
+        Span span = c[param.extra[0]].span;
+        if (*items == 0 || *items > 65536) c.error(Diag::items_range, span, {std::to_string(*items)});
+        else if (first && *items != kernel.items)
+            note(c.error(Diag::items_differ, span, {std::to_string(*items), std::to_string(kernel.items)}),
+                 first->pattern_span, "the iteration is declared here");
+        else if (kernel.domain_type && c.types().is_vector(kernel.domain_type))
+            c.error(Diag::items_axes, span, {c.text(kernel.domain_type)});
+        else kernel.items = *items, first = &param;
+    }
+    if (kernel.items == 1) return;
+    for (const ir::KernelParam& param : kernel.params) {
+        if (param.pattern != ir::Pattern::each && param.pattern != ir::Pattern::near) continue;
+        note(c.error(Diag::items_each, param.span, {c.text(param.name), std::to_string(kernel.items)}),
+             first->pattern_span,
+             "the kernel runs once for several elements; take '" + c.text(param.name) + "' as any<…> or scatter<…>");
+    }
+}
+
 void read_group(Context& c, const Env& env, const ast::Kernel& written, ir::Kernel& kernel) {
     if (written.group.empty()) return;
     std::uint64_t product = 1;
@@ -216,6 +242,7 @@ std::optional<std::uint32_t> instantiate_kernel(Context& c, ast::DeclId id, cons
               .kernel = &kernel};
     for (const ast::Param& param : written.params) add_param(body, param, kernel);
     find_domain(c, kernel, c.diagnostics.error_count() == errors);
+    read_items(c, env, written, kernel);
     open_scope(body);
     check_block(body, written.body);
     close_scope(body);

@@ -201,16 +201,22 @@ void print_dispatch(Unit& unit, Writer& out, const Kernel& kernel, const Pass& p
                        ", .parameters = " + (ordered.empty() ? "{}" : "glift::bytes_of(parameters)") +
                        ", .size = iteration.size()";
     std::string counted;
+    bool counts_ranges = false;
     if (pass.form == ir::Form::general) {
         for (const PassParameter* parameter : ordered) {
+            const std::string offset = "offsetof(" + block + ", " + identifier(parameter->name) + ")";
+            if (parameter->source == ParameterSource::range_size &&
+                !is_visited(kernel.params[parameter->param].pattern)) {
+                out.line("iteration.count(" + param_name(unit, kernel.params[parameter->param]) + ", " + offset + ");");
+                counts_ranges = true;
+            }
             const bool of_first =
                 parameter->source == ParameterSource::range_size && is_visited(kernel.params[parameter->param].pattern);
             if (parameter->source == ParameterSource::size || of_first)
-                counted +=
-                    (counted.empty() ? "" : ", ") + ("offsetof(" + block + ", " + identifier(parameter->name) + ")");
+                counted += (counted.empty() ? "" : ", ") + offset;
         }
     }
-    if (!counted.empty()) call += ", .patches = iteration.patches({" + counted + "})";
+    if (!counted.empty() || counts_ranges) call += ", .patches = iteration.patches({" + counted + "})";
     out.line("commands.dispatch(" + name + "_kernel, " + call + "});");
 }
 
@@ -265,11 +271,7 @@ std::string parameters_of(const Globals& globals, const ir::Pass& pass, const st
 
 std::optional<std::size_t> range_of_first_at(const Kernel& kernel) {
     if (kernel.params.empty() || kernel.params[0].pattern != Pattern::at) return std::nullopt;
-    for (std::size_t i = 1; i < kernel.params.size(); ++i) {
-        if (kernel.params[i].pattern == Pattern::each && kernel.params[i].structure == kernel.params[0].structure)
-            return i;
-    }
-    return std::nullopt;
+    return ir::range_giver(kernel.params, 0);
 }
 
 std::string kernel_signature(Unit& unit, std::uint32_t index, bool qualified, std::size_t first) {
@@ -326,6 +328,7 @@ void print_kernel_code(Unit& unit, Writer& out, std::uint32_t index) {
     out.line(".general = " + (forms.general.exists ? form_text(forms.general, words.general, general) : "{}") + ",");
     out.line(".wide = " + (words.wide.empty() ? "{}" : form_text(forms.wide, words.wide, "")) + ",");
     if (has_parameters) out.line(".parameters = " + name + "_parameters,");
+    if (any.items != 1) out.line(".items = " + std::to_string(any.items) + ",");
     if (any.has_status()) out.line(".reports = true,");
     if (any.loop_rounds != 0 && any.longest_loop)
         out.line(".longest_loop = {\"" + file_name(unit.sources, any.longest_loop.file) + "\", " +
@@ -351,7 +354,7 @@ void print_kernel_function(Unit& unit, Writer& out, std::uint32_t index) {
             if (near && param.pattern == Pattern::near)
                 out.line("iteration.near(\"" + unit.name(param.name) + "\", " + argument + ");");
             if (near && (param.pattern == Pattern::any || param.pattern == Pattern::scatter))
-                out.line("iteration.any(" + argument + ");");
+                out.line("iteration.any(\"" + unit.name(param.name) + "\", " + argument + ");");
         }
     }
     if (!any.bindings.empty()) out.line("const glift::Memory memories[] = {" + memories_text(unit, kernel, any) + "};");

@@ -126,7 +126,7 @@ Text PipelinePrinter::expression(const Expr& expr) {
     case Op::near:
     case Op::read:
     case Op::sample:
-    case Op::range_size:
+    case Op::position:
     case Op::state:
     case Op::translate:
     case Op::invocation:

@@ -61,7 +61,7 @@ Text structure_property(const Globals& globals, const ir::Expr& expr, std::uint3
     case ir::Op::near:
     case ir::Op::read:
     case ir::Op::sample:
-    case ir::Op::range_size:
+    case ir::Op::position:
     case ir::Op::state:
     case ir::Op::translate:
     case ir::Op::invocation:

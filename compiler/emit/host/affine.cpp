@@ -174,7 +174,7 @@ Slopes Affine::of(ExprId id) {
     case Op::member:
     case Op::memory_extent:
     case Op::domain:
-    case Op::range_size:
+    case Op::position:
     case Op::state:
     case Op::translate:
     case Op::invocation:

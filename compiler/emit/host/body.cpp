@@ -86,7 +86,7 @@ Text print_outer(Body& body, const Expr& expr) {
     case Op::member:
     case Op::memory_extent:
     case Op::domain:
-    case Op::range_size:
+    case Op::position:
     case Op::state:
     case Op::translate:
     case Op::host_read:

@@ -266,7 +266,9 @@ std::string group_kernel(cpp::Globals& globals, const ir::Pass& pass, const std:
     out.close();
     out.gap();
     out.open("static void " + name + "(const glift::HostCall& call)");
-    out.line("glift::host::for_each_group(call.size, uint3(" + extent + "), [&](uint3 group_id, uint3 group_count) {");
+    const std::string covered = std::to_string(pass.group[0] * pass.items) + ", " + std::to_string(pass.group[1]) +
+                                ", " + std::to_string(pass.group[2]);
+    out.line("glift::host::for_each_group(call.size, uint3(" + covered + "), [&](uint3 group_id, uint3 group_count) {");
     out.line("    " + name + "_group(call, group_id, group_count);");
     out.line("});");
     out.close();

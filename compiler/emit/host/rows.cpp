@@ -120,6 +120,7 @@ struct Rows {
                          const std::string& begin);
     void print_inside(const std::vector<StmtId>& statements, const std::set<ExprId>& clamps, const std::string& begin,
                       const std::string& end);
+    void print_strides(const std::vector<StmtId>& statements, const std::string& begin, const std::string& end);
     void print_plain_loop(const std::vector<StmtId>& statements, const std::string& begin, const std::string& end);
     void print_blocks(const std::vector<StmtId>& statements, const std::string& begin, const std::string& end);
     void print_middle(const std::vector<StmtId>& statements, const std::string& begin, const std::string& end);
@@ -349,9 +350,23 @@ void Rows::close_sections() {
     p.out.close();
 }
 
+/// A loop over every `items`-th element: what lies between is the kernel's own affair.
+void Rows::print_strides(const std::vector<StmtId>& statements, const std::string& begin, const std::string& end) {
+    p.marked_line = 0;
+    p.names.enter();
+    std::set<ir::LocalId> read;
+    const std::vector<StmtId> kept = without_unused(statements, read);
+    p.out.open("for (uint x = " + begin + "; x < " + end + "; ++x)");
+    if (read.contains(pass.address)) p.out.line("const uint address = x * " + std::to_string(pass.items) + ";");
+    print_element(kept);
+    p.out.close();
+    p.names.leave();
+}
+
 /// Loops over the elements with x in [begin, end): one, or the ends apart from the middle where clamps change nothing.
 void Rows::print_loop(const std::vector<StmtId>& statements, const std::string& begin, const std::string& end) {
     p.local_names[pass.address] = "address";
+    if (pass.items != 1) return print_strides(statements, begin, end);
     const std::set<ExprId> clamps = row_clamps(program, pass, statements);
     if (clamps.empty() || row_accesses(program, pass, statements, clamps).empty())
         return print_plain_loop(statements, begin, end);
@@ -421,8 +436,13 @@ std::string row_kernel(cpp::Globals& globals, const ir::Pass& pass, const std::s
     out.close();
     out.gap();
     out.open("static void " + name + "(const glift::HostCall& call)");
-    out.line("glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { " + name +
-             "_rows(call, rows); });");
+    if (pass.items == 1) {
+        out.line("glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { " + name +
+                 "_rows(call, rows); });");
+    } else {
+        out.line("glift::host::for_strides(call.size[0], " + std::to_string(pass.items) +
+                 ", [&](const glift::host::Rows& rows) { " + name + "_rows(call, rows); });");
+    }
     out.close();
     return out.take();
 }

@@ -202,7 +202,7 @@ std::string Speller::spell(ExprId id) const {
         return dotted(expr.place,
                       name(program.structures[structure_of(expr.place)].memories[expr.slot].name) + ".extent");
     case Op::domain: return dotted(expr.place, "domain");
-    case Op::range_size: return dotted(expr.place, "size");
+    case Op::position: return "position";
     default: return "…";
     }
 }

@@ -162,7 +162,11 @@ public:
     }
 
     /// A range that is read or written anywhere.
-    template <class S> void any(const Range<S>& range) { whole_ = whole_ && range.is_whole(); }
+    template <class S> void any(const char* name, const Range<S>& range) {
+        const detail::Box box = box_of(name, range.origin(), range);
+        if (!range.is_whole() && !box.is_inside()) detail::throw_outside(where(), box);
+        whole_ = whole_ && range.is_whole();
+    }
 
     /// The first address that `near` looks around.
     template <class S> typename S::Address centre(const Range<S>& range) const {
@@ -177,12 +181,15 @@ public:
     const Extent& size() const { return first_.size; }
     /// All ranges are whole structures.
     bool is_whole() const { return whole_; }
-    /// Where the size along x comes from the device: what to write at these offsets of the parameters. Else nothing.
+    /// What to write into the parameters where a size along x comes from the device: the iteration's, at `offsets`.
     std::span<const Patch> patches(std::initializer_list<std::size_t> offsets) {
-        if (!device_count_) return {};
-        std::size_t count = 0;
-        for (std::size_t offset : offsets) patches_[count++] = {*device_count_, static_cast<std::uint32_t>(offset)};
-        return {patches_.data(), count};
+        if (device_count_)
+            for (std::size_t offset : offsets) patch(*device_count_, offset, first_.size[0]);
+        return {patches_.data(), patch_count_};
+    }
+    /// The same for the size of a range that is read or written anywhere. Before `patches`.
+    template <class S> void count(const Range<S>& range, std::size_t offset) {
+        if (range.device_count().memory) patch(range.device_count(), offset, detail::extent_of(range.size())[0]);
     }
 
 private:
@@ -201,12 +208,20 @@ private:
                     "pass ranges of one size: all of each structure, or boxes made with range(origin, size)");
     }
 
+    void patch(const DeviceValue& value, std::size_t offset, std::uint32_t limit) {
+        if (patch_count_ == patches_.size())
+            throw Error(ErrorCode::wrong_argument, "too many sizes that live on the device", where(),
+                        "one call takes " + std::to_string(patches_.size()), "split the kernel");
+        patches_[patch_count_++] = {value, static_cast<std::uint32_t>(offset), limit};
+    }
+
     const Kernel& kernel_;
     detail::Box first_{};
     unsigned count_ = 0;
     bool whole_ = true;
     const DeviceValue* device_count_ = nullptr;
     std::array<Patch, 8> patches_{};
+    std::size_t patch_count_ = 0;
 };
 
 /// A parameter block as bytes.

@@ -64,6 +64,7 @@ std::vector<std::byte> patched(const Kernel& kernel, const Call& call, std::arra
     for (const Patch& patch : call.patches) {
         std::uint32_t value;
         std::memcpy(&value, host_memory(patch.value.memory).data() + patch.value.offset, 4);
+        value = std::min(value, patch.limit);
         const std::uint32_t first = kernel.general.size_offset;
         if (patch.offset >= first && patch.offset < first + 4 * kernel.rank) {
             const std::uint32_t axis = (patch.offset - first) / 4;

@@ -11,7 +11,7 @@ layout(buffer_reference, scalar, buffer_reference_align = 4) buffer Words { uint
 struct PatchSource {
     Words value;
     uint word;         // index in the block
-    uint unused;
+    uint limit;
 };
 
 layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer Arguments {
@@ -35,7 +35,7 @@ void main() {
     uint size[4] = arguments.size;
     for (uint k = 0u; k < arguments.patch_count; ++k) {
         const uint word = arguments.patches[k].word;
-        uint value = arguments.patches[k].value.word[0];
+        uint value = min(arguments.patches[k].value.word[0], arguments.patches[k].limit);
         const uint axis = word - arguments.size_word;
         if (axis < arguments.rank) {
             value = min(value, size[axis]);

@@ -199,7 +199,7 @@ Slice Encoder::prepare(const Pipeline& pipeline, const Call& call, const Slice& 
     for (std::size_t k = 0; k < call.patches.size(); ++k) {
         const Patch& patch = call.patches[k];
         const VulkanMemory& memory = vulkan_memory(patch.value.memory);
-        const PatchSource source = {memory.address + patch.value.offset, patch.offset / 4, 0};
+        const PatchSource source = {memory.address + patch.value.offset, patch.offset / 4, patch.limit};
         std::memcpy(list.data + sizeof arguments + k * sizeof source, &source, sizeof source);
         conflict = conflict || hazards_.conflicts(memory.id, Access::read);
     }

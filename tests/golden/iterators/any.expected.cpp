@@ -129,21 +129,24 @@ static void gather_direct(const glift::HostCall& call) {
 struct gather_general_parameters {
     uint size;
     uint index_origin;
+    uint values_origin;
+    uint values_size;
     uint g_origin;
-    uint values_extent;
 };
 static_assert(offsetof(gather_general_parameters, size) == 0);
 static_assert(offsetof(gather_general_parameters, index_origin) == 4);
-static_assert(offsetof(gather_general_parameters, g_origin) == 8);
-static_assert(offsetof(gather_general_parameters, values_extent) == 12);
+static_assert(offsetof(gather_general_parameters, values_origin) == 8);
+static_assert(offsetof(gather_general_parameters, values_size) == 12);
+static_assert(offsetof(gather_general_parameters, g_origin) == 16);
 
 // any.glift:9: gather, some rows.
 GLIFT_HOST_KERNEL
 static void gather_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const gather_general_parameters*>(call.parameters);
     const uint index_origin = parameters.index_origin;
+    const uint values_origin = parameters.values_origin;
+    const uint values_size = parameters.values_size;
     const uint g_origin = parameters.g_origin;
-    const uint values_extent = parameters.values_extent;
     const uint* index_data = glift::host::elements<const uint>(call.memories[0]);
     const float* values_data = glift::host::elements<const float>(call.memories[1]);
     float* g_data = glift::host::elements<float>(call.memories[2]);
@@ -159,8 +162,9 @@ static void gather_general_rows(const glift::HostCall& call, const glift::host::
             for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
                 // any.glift:9
                 const uint values_address = index_data_row[i];
-                const bool values_value_inside = values_address < values_extent;
-                const float values_value = values_data[values_value_inside ? values_address : 0u];
+                const uint values_virtual = values_origin + values_address;
+                const bool values_value_inside = values_address < values_size;
+                const float values_value = values_data[values_value_inside ? values_virtual : 0u];
                 g_data_row[i] = values_value_inside ? values_value : 0.0f;
             }
         }
@@ -172,9 +176,9 @@ static void gather_general(const glift::HostCall& call) {
 }
 
 const glift::Binding gather_bindings[] = {
-    {.name = "index.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 16},
-    {.name = "values.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 24},
-    {.name = "g.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 32},
+    {.name = "index.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 24},
+    {.name = "values.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 32},
+    {.name = "g.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 40},
 };
 constexpr glift::Parameter gather_parameters[] = {
     {"index_extent", 0, sizeof(gather_direct_parameters::index_extent)},
@@ -189,7 +193,7 @@ const glift::Kernel gather_kernel = {
     .loop_rounds = 0,
     .bindings = gather_bindings,
     .direct = {.host = &gather_direct, .parameter_bytes = 8, .push_constants = true},
-    .general = {.host = &gather_general, .parameter_bytes = 16},
+    .general = {.host = &gather_general, .parameter_bytes = 20},
     .wide = {},
     .parameters = gather_parameters,
 };
@@ -922,7 +926,7 @@ void gather(const glift::Commands& commands, const glift::Range<Values>& values,
     glift::Iteration iteration(gather_kernel);
     iteration.each("index", index);
     iteration.each("g", g);
-    iteration.any(values);
+    iteration.any("values", values);
     const glift::Memory memories[] = {index->data(), values->data(), g->data()};
     if (iteration.is_whole() && values->same_state(g.structure())
         && !commands.needs_general(gather_kernel, memories, iteration.size())) {
@@ -936,9 +940,11 @@ void gather(const glift::Commands& commands, const glift::Range<Values>& values,
         const gather_general_parameters parameters = {
             .size = index.size(),
             .index_origin = index.origin(),
+            .values_origin = values.origin(),
+            .values_size = values.size(),
             .g_origin = g.origin(),
-            .values_extent = values->extent(),
         };
+        iteration.count(values, offsetof(gather_general_parameters, values_size));
         commands.dispatch(gather_kernel, {.form = glift::FormName::general, .memories = memories,
             .parameters = glift::bytes_of(parameters), .size = iteration.size(),
             .patches = iteration.patches({offsetof(gather_general_parameters, size)})});

@@ -100,18 +100,21 @@ static void histogram_direct(const glift::HostCall& call) {
 struct histogram_general_parameters {
     uint size;
     uint s_origin;
-    uint bins_extent;
+    uint bins_origin;
+    uint bins_size;
 };
 static_assert(offsetof(histogram_general_parameters, size) == 0);
 static_assert(offsetof(histogram_general_parameters, s_origin) == 4);
-static_assert(offsetof(histogram_general_parameters, bins_extent) == 8);
+static_assert(offsetof(histogram_general_parameters, bins_origin) == 8);
+static_assert(offsetof(histogram_general_parameters, bins_size) == 12);
 
 // scatter.glift:9: histogram, some rows.
 GLIFT_HOST_KERNEL
 static void histogram_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const histogram_general_parameters*>(call.parameters);
     const uint s_origin = parameters.s_origin;
-    const uint bins_extent = parameters.bins_extent;
+    const uint bins_origin = parameters.bins_origin;
+    const uint bins_size = parameters.bins_size;
     const uint* s_data = glift::host::elements<const uint>(call.memories[0]);
     uint* bins_data = glift::host::elements<uint>(call.memories[1]);
     for (const glift::host::Row row : rows) {
@@ -123,8 +126,9 @@ static void histogram_general_rows(const glift::HostCall& call, const glift::hos
             for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
                 // scatter.glift:9
                 const uint bins_address = s_data_row[i] % 64u;
-                if (bins_address < bins_extent) {
-                    glift::host::atomic_add(bins_data[bins_address], 1u);
+                const uint bins_virtual = bins_origin + bins_address;
+                if (bins_address < bins_size) {
+                    glift::host::atomic_add(bins_data[bins_virtual], 1u);
                 }
             }
         }
@@ -151,7 +155,7 @@ const glift::Kernel histogram_kernel = {
     .loop_rounds = 0,
     .bindings = histogram_bindings,
     .direct = {.host = &histogram_direct, .parameter_bytes = 4, .push_constants = true},
-    .general = {.host = &histogram_general, .parameter_bytes = 12},
+    .general = {.host = &histogram_general, .parameter_bytes = 16},
     .wide = {},
     .parameters = histogram_parameters,
 };
@@ -519,7 +523,7 @@ bool Box_1_uint::same_state(const Box_1_uint& other) const {
 void histogram(const glift::Commands& commands, const glift::Range<Bins>& s, const glift::Range<Bins>& bins) {
     glift::Iteration iteration(histogram_kernel);
     iteration.each("s", s);
-    iteration.any(bins);
+    iteration.any("bins", bins);
     const glift::Memory memories[] = {s->data(), bins->data()};
     if (iteration.is_whole() && s->same_state(bins.structure())
         && !commands.needs_general(histogram_kernel, memories, iteration.size())) {
@@ -532,8 +536,10 @@ void histogram(const glift::Commands& commands, const glift::Range<Bins>& s, con
         const histogram_general_parameters parameters = {
             .size = s.size(),
             .s_origin = s.origin(),
-            .bins_extent = bins->extent(),
+            .bins_origin = bins.origin(),
+            .bins_size = bins.size(),
         };
+        iteration.count(bins, offsetof(histogram_general_parameters, bins_size));
         commands.dispatch(histogram_kernel, {.form = glift::FormName::general, .memories = memories,
             .parameters = glift::bytes_of(parameters), .size = iteration.size(),
             .patches = iteration.patches({offsetof(histogram_general_parameters, size)})});

@@ -138,11 +138,13 @@ static void block_sums_direct(const glift::HostCall& call) {
 struct block_sums_general_parameters {
     uint size;
     uint value_origin;
-    uint sums_extent;
+    uint sums_origin;
+    uint sums_size;
 };
 static_assert(offsetof(block_sums_general_parameters, size) == 0);
 static_assert(offsetof(block_sums_general_parameters, value_origin) == 4);
-static_assert(offsetof(block_sums_general_parameters, sums_extent) == 8);
+static_assert(offsetof(block_sums_general_parameters, sums_origin) == 8);
+static_assert(offsetof(block_sums_general_parameters, sums_size) == 12);
 
 // group.glift:8: block_sums, one workgroup.
 GLIFT_HOST_KERNEL
@@ -154,7 +156,8 @@ static void block_sums_general_group(const glift::HostCall& call, [[maybe_unused
     const auto& parameters = *static_cast<const block_sums_general_parameters*>(call.parameters);
     const uint size = parameters.size;
     const uint value_origin = parameters.value_origin;
-    const uint sums_extent = parameters.sums_extent;
+    const uint sums_origin = parameters.sums_origin;
+    const uint sums_size = parameters.sums_size;
     const uint* value_data = glift::host::elements<const uint>(call.memories[0]);
     uint* sums_data = glift::host::elements<uint>(call.memories[1]);
     glift::array<uint, 64> part_2;
@@ -199,8 +202,9 @@ static void block_sums_general_group(const glift::HostCall& call, [[maybe_unused
         // group.glift:19
         if (i_2[local_index] == 0u) {
             const uint sums_address = group_id.y * group_count.x + group_id.x;
-            if (sums_address < sums_extent) {
-                sums_data[sums_address] = part_2[0u];
+            const uint sums_virtual = sums_address + sums_origin;
+            if (sums_address < sums_size) {
+                sums_data[sums_virtual] = part_2[0u];
             }
         }
     }
@@ -228,7 +232,7 @@ const glift::Kernel block_sums_kernel = {
     .loop_rounds = UINT64_MAX,
     .bindings = block_sums_bindings,
     .direct = {.host = &block_sums_direct, .parameter_bytes = 4, .push_constants = true},
-    .general = {.host = &block_sums_general, .parameter_bytes = 12},
+    .general = {.host = &block_sums_general, .parameter_bytes = 16},
     .wide = {},
     .parameters = block_sums_parameters,
     .reports = true,
@@ -598,7 +602,7 @@ bool Box_1_uint::same_state(const Box_1_uint& other) const {
 void block_sums(const glift::Commands& commands, const glift::Range<Values>& value, const glift::Range<Values>& sums) {
     glift::Iteration iteration(block_sums_kernel);
     iteration.each("value", value);
-    iteration.any(sums);
+    iteration.any("sums", sums);
     const glift::Memory memories[] = {value->data(), sums->data()};
     if (iteration.is_whole() && value->same_state(sums.structure())
         && !commands.needs_general(block_sums_kernel, memories, iteration.size())) {
@@ -612,8 +616,10 @@ void block_sums(const glift::Commands& commands, const glift::Range<Values>& val
         const block_sums_general_parameters parameters = {
             .size = value.size(),
             .value_origin = value.origin(),
-            .sums_extent = sums->extent(),
+            .sums_origin = sums.origin(),
+            .sums_size = sums.size(),
         };
+        iteration.count(sums, offsetof(block_sums_general_parameters, sums_size));
         commands.dispatch(block_sums_kernel,
             {.form = glift::FormName::general, .memories = memories, .parameters = glift::bytes_of(parameters),
             .size = iteration.size(), .patches = iteration.patches({offsetof(block_sums_general_parameters, size)})});

@@ -117,10 +117,22 @@ template <class Body> void for_rows(const std::array<std::uint32_t, 4>& size, co
         [&](const tbb::blocked_range<std::size_t>& range) { run(0, size[0], range.begin(), range.size()); });
 }
 
-/// Calls `body(group id, group count)` for the workgroups that cover `size`, in parallel.
+/// Calls `body(const Rows&)` for parts of one row that together cover `size` elements, `items` to an invocation, once.
+template <class Body> void for_strides(std::uint32_t size, std::uint32_t items, const Body& body) {
+    const std::array<std::uint32_t, 4> count = {static_cast<std::uint32_t>((std::uint64_t{size} + items - 1) / items),
+                                                1, 1, 1};
+    const std::size_t grain = std::max<std::size_t>(1, detail::task_elements / items);
+    const auto run = [&](const tbb::blocked_range<std::uint32_t>& range) {
+        body(Rows({range.begin(), range.end(), 0, 0, 0}, 1, count));
+    };
+    tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, count[0], grain), run);
+}
+
+/// Calls `body(group id, group count)` for the workgroups that cover `size`, each so many elements, in parallel.
 template <class Body> void for_each_group(const std::array<std::uint32_t, 4>& size, uint3 group, const Body& body) {
-    const uint3 count((size[0] + group.x - 1) / group.x, (size[1] + group.y - 1) / group.y,
-                      (size[2] * size[3] + group.z - 1) / group.z);
+    const auto div_ceil = [](std::uint64_t a, uint b) { return static_cast<uint>((a + b - 1) / b); };
+    const uint3 count(div_ceil(size[0], group.x), div_ceil(size[1], group.y),
+                      div_ceil(std::uint64_t{size[2]} * size[3], group.z));
     const std::size_t total = std::size_t{count.x} * count.y * count.z;
     const auto run = [&](std::size_t i) {
         body(uint3(static_cast<uint>(i % count.x), static_cast<uint>(i / count.x % count.y),
