@@ -110,19 +110,19 @@ std::optional<std::vector<ir::ExprId>> kernel_arguments(Body& body, std::uint32_
 }
 
 /// The kernel's `at` parameter if it has exactly one: it may be left out where another parameter gives the range.
-std::optional<std::ptrdiff_t> only_address(const std::vector<ast::Param>& params) {
+std::optional<std::size_t> only_address(const std::vector<ast::Param>& params) {
     const auto is_address = [](const ast::Param& param) { return param.pattern == ast::Pattern::at; };
     if (std::ranges::count_if(params, is_address) != 1) return std::nullopt;
-    return std::ranges::find_if(params, is_address) - params.begin();
+    return static_cast<std::size_t>(std::ranges::find_if(params, is_address) - params.begin());
 }
 
 /// Gives the left-out `at` parameter the argument of the first each-parameter over the same structure, or
 /// any-parameter.
-void insert_address(const std::vector<ir::KernelParam>& params, std::ptrdiff_t at, std::vector<Argument>& arguments) {
-    auto giver = ir::range_giver(params, static_cast<std::size_t>(at));
+void insert_address(const std::vector<ir::KernelParam>& params, std::size_t at, std::vector<Argument>& arguments) {
+    auto giver = ir::range_giver(params, at);
     if (giver)
-        arguments.insert(arguments.begin() + at,
-                         arguments[*giver < static_cast<std::size_t>(at) ? *giver : *giver - 1]);
+        arguments.insert(arguments.begin() + static_cast<std::ptrdiff_t>(at),
+                         arguments[*giver < at ? *giver : *giver - 1]);
 }
 
 std::optional<Operand> call_kernel(Body& body, ast::DeclId id, const std::vector<ast::ExprId>& explicit_generics,
@@ -139,9 +139,10 @@ std::optional<Operand> call_kernel(Body& body, ast::DeclId id, const std::vector
     Env& env = c.new_env(c.module_of.at(id));
     Arguments generics(c, c[id], env, call.span);
     if (!generics.give(body.env, explicit_generics)) return std::nullopt;
-    auto left_out = arguments.size() + 1 == written.params.size() ? only_address(written.params) : std::nullopt;
+    std::optional<std::size_t> left_out;
+    if (arguments.size() + 1 == written.params.size()) left_out = only_address(written.params);
     std::vector<ast::Param> given = written.params;
-    if (left_out) given.erase(given.begin() + *left_out);
+    if (left_out) given.erase(given.begin() + static_cast<std::ptrdiff_t>(*left_out));
     infer_arguments(generics, given, arguments, body);
     if (!generics.finish()) return std::nullopt;
     auto kernel = instantiate_kernel(c, id, env, call.span);

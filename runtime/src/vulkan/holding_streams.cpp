@@ -14,7 +14,10 @@ public:
     VulkanRecording(std::shared_ptr<VulkanDevice> device, std::unique_ptr<CommandBatch> batch, std::vector<Memory> held)
         : device_(std::move(device)), batch_(std::move(batch)), held_(std::move(held)) {}
 
-    ~VulkanRecording() override { device_->retire(std::move(batch_)); }
+    ~VulkanRecording() override {
+        const std::lock_guard lock(device_->mutex());
+        device_->give_back(std::move(batch_));
+    }
 
     void submit() override {
         const std::lock_guard lock(device_->mutex());
@@ -34,7 +37,7 @@ private:
 
 HoldingStream::HoldingStream(std::shared_ptr<VulkanDevice> device) : VulkanStream(*device), keep_(std::move(device)) {
     const std::lock_guard lock(device_.mutex());
-    batch_ = std::make_unique<CommandBatch>(device_.context(), device_.chunks());
+    batch_ = device_.take_batch();
 }
 
 std::shared_ptr<DeviceObject> HoldingStream::device() { return keep_; }

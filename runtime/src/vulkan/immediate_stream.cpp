@@ -71,13 +71,7 @@ void ImmediateStream::open_batch() {
         device_.timeline().wait(in_flight_.front()->value);
         device_.collect();
     }
-    std::unique_ptr<CommandBatch> batch;
-    if (idle_.empty()) {
-        batch = std::make_unique<CommandBatch>(device_.context(), device_.chunks());
-    } else {
-        batch = std::move(idle_.back());
-        idle_.pop_back();
-    }
+    std::unique_ptr<CommandBatch> batch = device_.take_batch();
     batch->begin(VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT);
     batch_ = std::move(batch);
     encoder_.target(batch_->commands, *batch_);
@@ -112,8 +106,7 @@ void ImmediateStream::submit() {
     try {
         batch->value = device_.submit(batch->commands);
     } catch (...) {
-        batch->reset();
-        idle_.push_back(std::move(batch));
+        device_.give_back(std::move(batch));
         throw;
     }
     in_flight_.push_back(std::move(batch));
@@ -121,8 +114,7 @@ void ImmediateStream::submit() {
 
 void ImmediateStream::collect(std::uint64_t completed) {
     while (!in_flight_.empty() && in_flight_.front()->value <= completed) {
-        in_flight_.front()->reset();
-        idle_.push_back(std::move(in_flight_.front()));
+        device_.give_back(std::move(in_flight_.front()));
         in_flight_.pop_front();
     }
 }

@@ -37,7 +37,6 @@ private:
 
     std::unique_ptr<CommandBatch> batch_;
     std::deque<std::unique_ptr<CommandBatch>> in_flight_;
-    std::vector<std::unique_ptr<CommandBatch>> idle_;
     bool ends_in_download_ = false;   ///< the next other command goes into a batch of its own
     std::uint64_t staged_bytes_ = 0;  ///< by large uploads, in the open batch
 };

@@ -11,6 +11,12 @@
 
 namespace glift::detail {
 
+namespace {
+
+constexpr std::size_t most_idle_batches = 40;  // as many as may be in flight, and some recordings
+
+}  // namespace
+
 std::shared_ptr<DeviceObject> open_vulkan_device(std::string_view which) {
     return std::make_shared<VulkanDevice>(Context::open(which));
 }
@@ -32,7 +38,9 @@ VulkanDevice::~VulkanDevice() {
         // Lost meanwhile: there is nothing to wait for.
     }
     stream_.reset();
-    destroy_retired(UINT64_MAX);
+    completed_ = UINT64_MAX;
+    destroy_retired(completed_);
+    idle_batches_.clear();
     status_.reset();
     context_->vk.vkDestroyPipeline(context_->device, prepare_, nullptr);
     context_->vk.vkDestroyPipelineLayout(context_->device, prepare_layout_, nullptr);
@@ -187,13 +195,28 @@ void VulkanDevice::retire(Query query) {
     retired_.push_back({retire_value_, {}, {}, query, nullptr});
 }
 
-void VulkanDevice::retire(std::unique_ptr<CommandBatch> batch) {
-    const std::lock_guard lock(retire_mutex_);
-    retired_.push_back({retire_value_, {}, {}, {}, std::move(batch)});
+std::unique_ptr<CommandBatch> VulkanDevice::take_batch() {
+    if (idle_batches_.empty()) return std::make_unique<CommandBatch>(*context_, *chunks_);
+    std::unique_ptr<CommandBatch> batch = std::move(idle_batches_.back());
+    idle_batches_.pop_back();
+    return batch;
+}
+
+void VulkanDevice::give_back(std::unique_ptr<CommandBatch> batch) {
+    if (batch->value > completed_) {
+        const std::lock_guard lock(retire_mutex_);
+        retired_.push_back({batch->value, {}, {}, {}, std::move(batch)});
+        return;
+    }
+    if (idle_batches_.size() == most_idle_batches) return;
+    batch->reset();
+    batch->value = 0;
+    idle_batches_.push_back(std::move(batch));
 }
 
 void VulkanDevice::destroy(Retired& retired) {
     const VolkDeviceTable& vk = context_->vk;
+    if (retired.batch) give_back(std::move(retired.batch));
     if (retired.query.pool) queries_->give_back(retired.query);
     if (!retired.id.serial) return;
     const MemoryParts& parts = retired.parts;
@@ -219,9 +242,9 @@ void VulkanDevice::destroy_retired(std::uint64_t completed) {
 }
 
 void VulkanDevice::collect() {
-    const std::uint64_t completed = timeline_->completed();
-    stream_->collect(completed);
-    destroy_retired(completed);
+    completed_ = timeline_->completed();
+    stream_->collect(completed_);
+    destroy_retired(completed_);
     chunks_->trim();
 }
 

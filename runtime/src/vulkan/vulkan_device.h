@@ -54,10 +54,14 @@ public:
     /// The lock is not held in these: submits if need be, waits, throws what kernels reported.
     void finish(std::uint64_t value);  ///< UINT64_MAX: everything recorded so far
 
+    /// Command buffers that were used before are cheaper to record: drivers keep their memory.
+    std::unique_ptr<CommandBatch> take_batch();
+    /// Kept for the next taker once the device is done with it.
+    void give_back(std::unique_ptr<CommandBatch> batch);
+
     /// From any thread, with or without the lock: destroyed when what is recorded by now is done.
     void retire(const MemoryParts& parts, MemoryId id);
     void retire(Query query);
-    void retire(std::unique_ptr<CommandBatch> batch);
 
 private:
     struct Retired {
@@ -83,6 +87,8 @@ private:
     std::shared_ptr<Chunk> status_;
     VkPipelineLayout prepare_layout_ = VK_NULL_HANDLE;
     VkPipeline prepare_ = VK_NULL_HANDLE;
+    std::vector<std::unique_ptr<CommandBatch>> idle_batches_;
+    std::uint64_t completed_ = 0;  ///< of the timeline, when it was last looked at
     std::unique_ptr<ImmediateStream> stream_;
     VulkanCounters counters_;
     std::vector<std::uint32_t> free_slots_;

@@ -30,6 +30,23 @@ TEST_P(Recordings, AThousandPassesReplayWithOneSubmission) {
     EXPECT_EQ(read<std::uint32_t>(device, g, n)[n - 1], expected);
 }
 
+TEST_P(Recordings, ThatAreNeverSubmittedLeaveNothingBehind) {
+    constexpr std::uint32_t n = 64;
+    const std::vector<std::uint32_t> values(1 << 18);
+    const auto g = buffer(device, "g.data", 4 * n), f = buffer(device, "f.data", 4 * values.size());
+    const auto record = [&] {
+        device.record([&](const glift::Commands& commands) {
+            run_add(commands, g, n, 1);
+            commands.upload(f, 0, bytes_of(values));
+        });
+    };
+    for (int round = 0; round < 4; ++round) record();
+    const auto before = device.statistics();
+    for (int round = 0; round < 100; ++round) record();
+    const auto after = device.statistics();
+    EXPECT_LE(after.bytes_reserved, before.bytes_reserved + (8 << 20));
+}
+
 TEST_P(Recordings, StandInOrderWithTheDevicesOwnStream) {
     constexpr std::uint32_t n = 64;
     const auto g = buffer(device, "g.data", 4 * n);
