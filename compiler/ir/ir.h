@@ -235,12 +235,15 @@ struct Function {
     Span span;
     std::vector<LocalId> params;
     std::vector<std::uint32_t> structures;  ///< structure instances that calls pass at `places`
+    std::array<std::uint32_t, 3> group = {0, 0, 0};  ///< of the kernels that call it; all 0: any
+    std::vector<LocalId> shared;                     ///< workgroup memory, the same at every call
     TypeId result;
-    std::vector<StmtId> body;
+    std::vector<StmtId> body;  ///< of a function with a group: a return is its last statement
     bool is_pub = false;
     std::uint32_t module = 0;
     std::string extern_name;  ///< a C++ function (host only), else empty
     std::string doc;
+    bool grouped() const { return group[0] != 0; }
 };
 
 // ----------------------------------------------------------------------------------------------------- components

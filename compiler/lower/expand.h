@@ -78,6 +78,7 @@ private:
 
     // inline.cpp
     Pair expand_call(const ir::Expr& node);
+    Pair expand_group_call(const ir::Expr& node);
     Pair inlined(ir::FunctionId function, std::vector<Pair> arguments, Frame frame);
     Pair run(const std::vector<StmtId>& body);
     Pair run_returning_if(const ir::Stmt& stmt, const std::vector<StmtId>& rest);

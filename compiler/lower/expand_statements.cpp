@@ -59,7 +59,7 @@ void Expander::expand_statement(StmtId id) {
     case StmtOp::evaluate: {
         Stmt copy = statement(StmtOp::evaluate, stmt.span);
         copy.value = value_of(stmt.value);
-        append(std::move(copy));
+        if (copy.value) append(std::move(copy));  // else the call has become statements
         break;
     }
     case StmtOp::break_:

@@ -60,10 +60,14 @@ struct Body {
     unsigned loops = 0;
     unsigned depth = 0;
     ir::Kernel* kernel = nullptr;
+    std::array<std::uint32_t, 3> group = {0, 0, 0};   ///< the workgroup of the kernel or function; all 0: none
+    std::vector<ir::LocalId>* shared = nullptr;      ///< its workgroup memory
+    Span last;                                       ///< functions with a workgroup: the statement that may return
     std::vector<std::uint32_t> structures;  ///< functions: structure parameters so far (Place roots)
     bool in_test = false;
     bool allow_await = false;
 
+    bool grouped() const { return group[0] != 0; }
     ir::Program& program() { return context.program; }
     ir::Types& types() { return context.program.types; }
 };

@@ -82,6 +82,8 @@ std::unique_ptr<Env> match(Body& body, ast::DeclId id, const Env* owner,
             generics.infer(function.params[i].type, type);
     }
     if (wanted && function.result) generics.infer(function.result, wanted);
+    for (std::size_t i = 0; i < function.group.size() && i < 3 && body.grouped(); ++i)
+        generics.infer_value(function.group[i], {body.types().uint, {ir::Lane{.bits = body.group[i]}}});
     for (std::size_t i = 0; i < function.params.size(); ++i)
         if (arguments.waits[i]) infer_from_literal(generics, function.params[i].type, call.operands[i + 1]);
     if (!generics.finish(!report)) return nullptr;
@@ -116,6 +118,26 @@ bool fits_window(Body& body, const Env& env, const ast::Param& param, const Oper
     return false;
 }
 
+/// A function with a workgroup is called by kernels and functions with the same one.
+bool fits_group(Body& body, ast::DeclId id, const Env& env, const ast::Expr& call) {
+    Context& c = body.context;
+    const auto& function = std::get<ast::Function>(c[id].body);
+    if (function.group.empty()) return true;
+    if (!body.grouped()) {
+        note(c.error(Diag::needs_group, call.span, {c.text(c[id].name.name)}), c[id].name.span,
+             "it works with a whole workgroup: write 'group(size)' after the parameters of what calls it");
+        return false;
+    }
+    const auto wanted = group_of(c, env, function.group);
+    if (wanted == body.group) return true;
+    const auto text = [](const std::array<std::uint32_t, 3>& group) {
+        return std::to_string(group[0]) + " x " + std::to_string(group[1]) + " x " + std::to_string(group[2]);
+    };
+    note(c.error(Diag::group_differs, call.span, {c.text(c[id].name.name), text(wanted), text(body.group)}),
+         c[id].name.span, "declared here");
+    return false;
+}
+
 /// Finishes a call of a matched function: the waiting arguments, then the call node.
 Operand finish_call(Body& body, ast::DeclId id, const Env& env, CheckedArguments& arguments,
                     const std::vector<ast::ExprId>& written, const ast::Expr& call, const Operand* self) {
@@ -141,6 +163,7 @@ Operand finish_call(Body& body, ast::DeclId id, const Env& env, CheckedArguments
                                             : coerce(body, to_value(body, operand), parameter, operand.span));
         if (is_error(body, values.back())) return error_operand(call.span);
     }
+    if (!fits_group(body, id, env, call)) return error_operand(call.span);
     auto instance = instantiate_function(c, id, env, structures, call.span);
     if (!instance) return error_operand(call.span);
     ir::ExprId result =
@@ -197,7 +220,7 @@ std::optional<Operand> call_builtin(Body& body, const std::string& name, const a
                              call.span);
     }
     if (auto invocation = find_invocation(name)) {
-        if (!body.kernel || !body.kernel->grouped()) {
+        if (!body.grouped()) {
             note(body.context.error(Diag::needs_group, call.span, {name}), call.span,
                  "write 'group(size)' after the kernel's parameters");
             return error_operand(call.span);

@@ -164,7 +164,15 @@ std::optional<ir::FunctionId> instantiate_function(Context& c, ast::DeclId id, c
     function.structures = structures;
     function.result = written.result ? type_of(c, env, written.result) : c.types().void_;
     if (decl.is_extern) function.extern_name = c.text(decl.name.name);
-    Body body{.context = c, .env = env, .kind = BodyKind::function, .block = &function.body, .result = function.result};
+    function.group = group_of(c, env, written.group);
+    Body body{.context = c,
+              .env = env,
+              .kind = BodyKind::function,
+              .block = &function.body,
+              .result = function.result,
+              .group = function.group,
+              .shared = &function.shared,
+              .last = written.body.empty() ? Span{} : c[written.body.back()].span};
     std::size_t parameters = 0;
     for (const ast::Param& param : written.params)
         parameters += c.types().kind(type_of(c, env, param.type)) == ir::TypeKind::structure;

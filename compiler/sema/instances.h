@@ -19,6 +19,8 @@ std::optional<std::uint32_t> instantiate_kernel(Context&, ast::DeclId, const Env
 
 /// The radius of a parameter `near<S, r>`; reports one that is missing or out of range.
 std::uint32_t window_radius(Context&, const Env&, const ast::Param&);
+/// The extents after `group`; all 0 where none are written.
+std::array<std::uint32_t, 3> group_of(Context&, const Env&, const std::vector<ast::ExprId>& written);
 
 /// `ranges`: for each parameter of pattern range, the structure instance passed (others 0). `owner`: an adaptor's
 /// instance.

@@ -131,7 +131,7 @@ Operand call_intrinsic(Body& body, ir::Intrinsic intrinsic, const std::vector<as
                 {name, std::to_string(signature.params.size()), std::to_string(arguments.size())});
         return error_operand(call.span);
     }
-    if ((signature.subgroup || signature.atomic) && !(body.kernel && body.kernel->grouped())) {
+    if ((signature.subgroup || signature.atomic) && !body.grouped()) {
         note(c.error(Diag::needs_group, call.span, {name}), call.span,
              "write 'group(size)' after the kernel's parameters");
         return error_operand(call.span);

@@ -199,22 +199,22 @@ void read_items(Context& c, const Env& env, const ast::Kernel& written, ir::Kern
     }
 }
 
-void read_group(Context& c, const Env& env, const ast::Kernel& written, ir::Kernel& kernel) {
-    if (written.group.empty()) return;
+}  // namespace
+
+std::array<std::uint32_t, 3> group_of(Context& c, const Env& env, const std::vector<ast::ExprId>& written) {
+    if (written.empty()) return {0, 0, 0};
     std::uint64_t product = 1;
-    kernel.group = {1, 1, 1};
-    for (std::size_t i = 0; i < written.group.size() && i < 3; ++i) {
-        auto count = count_of(c, env, written.group[i]);
-        if (!count) return;
-        kernel.group[i] = *count;
+    std::array<std::uint32_t, 3> group = {1, 1, 1};
+    for (std::size_t i = 0; i < written.size() && i < 3; ++i) {
+        auto count = count_of(c, env, written[i]);
+        if (!count) return {1, 1, 1};
+        group[i] = *count;
         product *= *count;
     }
-    Span span = c[written.group[0]].span;
-    if (written.group.size() > 3 || product == 0 || product > 1024)
-        c.error(Diag::group_range, span, {std::to_string(product)});
+    if (product != 0 && product <= 1024) return group;
+    c.error(Diag::group_range, c[written[0]].span, {std::to_string(product)});
+    return {1, 1, 1};
 }
-
-}  // namespace
 
 std::optional<std::uint32_t> instantiate_kernel(Context& c, ast::DeclId id, const Env& env, Span use) {
     const ast::Decl& decl = c[id];
@@ -233,13 +233,15 @@ std::optional<std::uint32_t> instantiate_kernel(Context& c, ast::DeclId id, cons
     kernel.module = c.module_of.at(id);
     kernel.is_pub = decl.is_pub && decl.generics.empty();
     kernel.doc = decl.doc;
-    read_group(c, env, written, kernel);
+    kernel.group = group_of(c, env, written.group);
     Body body{.context = c,
               .env = env,
               .kind = BodyKind::kernel,
               .block = &kernel.body,
               .result = c.types().void_,
-              .kernel = &kernel};
+              .kernel = &kernel,
+              .group = kernel.group,
+              .shared = &kernel.shared};
     for (const ast::Param& param : written.params) add_param(body, param, kernel);
     find_domain(c, kernel, c.diagnostics.error_count() == errors);
     read_items(c, env, written, kernel);

@@ -37,12 +37,12 @@ void check_shared(Body& body, const ast::Stmt& stmt) {
     ir::TypeId type = type_of(c, body.env, stmt.type);
     ir::LocalId local = declare_local(body, stmt.name, type, true);
     body.program().locals[local].storage = ir::Storage::shared;
-    if (!body.kernel || !body.kernel->grouped()) {
+    if (!body.grouped()) {
         note(c.error(Diag::needs_group, stmt.span, {"shared"}), stmt.span,
              "write 'group(size)' after the kernel's parameters");
         return;
     }
-    body.kernel->shared.push_back(local);
+    body.shared->push_back(local);
 }
 
 /// The local that an assignment changes, if the target is one or a part of one.
@@ -229,7 +229,7 @@ void check_while(Body& body, const ast::Stmt& stmt) {
 
 void check_return(Body& body, const ast::Stmt& stmt) {
     Context& c = body.context;
-    if (body.kernel && body.kernel->grouped()) {
+    if (body.grouped() && body.last != stmt.span) {
         note(c.error(Diag::return_in_group, stmt.span), stmt.span,
              "invocations of a workgroup reach every barrier together: use 'if'");
         return;
@@ -254,7 +254,7 @@ void check_expression_statement(Body& body, const ast::Stmt& stmt) {
     const ast::Expr& expr = c[stmt.value];
     if (expr.kind == ast::ExprKind::call && c[expr.operands[0]].kind == ast::ExprKind::name &&
         c.text(c[expr.operands[0]].name) == "barrier" && !find_symbol(body, c[expr.operands[0]].name)) {
-        if (!body.kernel || !body.kernel->grouped())
+        if (!body.grouped())
             note(c.error(Diag::needs_group, stmt.span, {"barrier"}), stmt.span,
                  "write 'group(size)' after the kernel's parameters");
         else emit(body, add(body.program(), ir::StmtOp::barrier, stmt.span));

@@ -164,7 +164,8 @@ struct Attribute {
 /// `fn name<…>(…) -> type { … }`; methods without `fn` (translate, invert, ranges, domain, at) are functions too.
 struct Function {
     std::vector<Param> params;
-    ExprId result;  ///< or absent
+    std::vector<ExprId> group;  ///< of the kernels that call it; empty: any
+    ExprId result;              ///< or absent
     std::vector<StmtId> body;
     bool has_body = false;  ///< false in interfaces and `extern fn`
 };

@@ -7,6 +7,7 @@ namespace gliftc {
 ast::Function Parser::parse_function() {
     ast::Function function;
     function.params = parse_params();
+    function.group = parse_group();
     if (accept(TokenKind::arrow)) function.result = parse_type();
     if (at(TokenKind::open_brace)) {
         function.has_body = true;
@@ -127,21 +128,26 @@ ast::Alias Parser::parse_type_alias() {
     return alias;
 }
 
-/// kernel = "kernel" name [ generic-parameters ] parameters [ "group" "(" expression [ "," expression [ "," expression
-/// ] ] ")" ] block ;
+/// group = "group" "(" expression [ "," expression [ "," expression ] ] ")" ;
+std::vector<ast::ExprId> Parser::parse_group() {
+    std::vector<ast::ExprId> group;
+    if (lost_ || !accept_word(Word::group)) return group;
+    std::uint32_t open = cursor_;
+    expect(TokenKind::open_paren);
+    while (!at(TokenKind::close_paren) && !at_end() && !lost_) {
+        if (group.size() == 3) fail_expected("')'", "a group has at most three extents");
+        group.push_back(parse_expression());
+        if (!accept(TokenKind::comma)) break;
+    }
+    expect_close(TokenKind::close_paren, open);
+    return group;
+}
+
+/// kernel = "kernel" name [ generic-parameters ] parameters [ group ] block ;
 ast::Kernel Parser::parse_kernel() {
     ast::Kernel kernel;
     kernel.params = parse_params();
-    if (!lost_ && accept_word(Word::group)) {
-        std::uint32_t open = cursor_;
-        expect(TokenKind::open_paren);
-        while (!at(TokenKind::close_paren) && !at_end() && !lost_) {
-            if (kernel.group.size() == 3) fail_expected("')'", "a group has at most three extents");
-            kernel.group.push_back(parse_expression());
-            if (!accept(TokenKind::comma)) break;
-        }
-        expect_close(TokenKind::close_paren, open);
-    }
+    kernel.group = parse_group();
     if (at(TokenKind::arrow)) fail_expected("'{'", "a kernel returns nothing: it writes through its 'out' parameters");
     kernel.body = parse_block();
     return kernel;

@@ -148,6 +148,7 @@ private:
     ast::Enum parse_enum();
     ast::Interface parse_interface();
     ast::Const parse_const();
+    std::vector<ast::ExprId> parse_group();
     ast::Kernel parse_kernel();
     ast::Pipeline parse_pipeline();
     DeclId parse_method();

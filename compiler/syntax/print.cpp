@@ -261,8 +261,13 @@ private:
     void print_body(const std::string& head, const std::string& name, const std::monostate&) {
         line("(" + head + name);
     }
+    std::string group(const std::vector<ExprId>& extents) {
+        std::string text = extents.empty() ? "" : " group";
+        for (ExprId extent : extents) text += " " + expr(extent);
+        return text;
+    }
     void print_body(const std::string& head, const std::string& name, const Function& f) {
-        line("(" + head + "fn " + name + params(f.params) + (f.result ? " -> " + expr(f.result) : ""));
+        line("(" + head + "fn " + name + params(f.params) + group(f.group) + (f.result ? " -> " + expr(f.result) : ""));
         block(f.body);
     }
     void print_body(const std::string& head, const std::string& name, const Struct& s) {
@@ -310,9 +315,7 @@ private:
         items(a.items);
     }
     void print_body(const std::string& head, const std::string& name, const Kernel& k) {
-        std::string group = k.group.empty() ? "" : " group";
-        for (ExprId extent : k.group) group += " " + expr(extent);
-        line("(" + head + "kernel " + name + params(k.params) + group);
+        line("(" + head + "kernel " + name + params(k.params) + group(k.group));
         block(k.body);
     }
     void print_body(const std::string& head, const std::string& name, const Pipeline& p) {
