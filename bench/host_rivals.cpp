@@ -46,6 +46,25 @@ inline float sum_elements(const float* x, std::size_t count) {
     return sum;
 }
 
+// Four at a time: the chain of additions from one element to the next is what is slow.
+inline std::uint32_t scan_elements(const std::uint32_t* x, std::size_t count, std::uint32_t run, std::uint32_t* y) {
+    std::size_t i = 0;
+    for (; i + 4 <= count; i += 4) {
+        const std::uint32_t a = x[i], b = a + x[i + 1], c = b + x[i + 2], d = c + x[i + 3];
+        y[i] = run;
+        y[i + 1] = run + a;
+        y[i + 2] = run + b;
+        y[i + 3] = run + c;
+        run += d;
+    }
+    for (; i < count; ++i) {
+        const std::uint32_t value = x[i];  // y may be x
+        y[i] = run;
+        run += value;
+    }
+    return run;
+}
+
 inline bool is_kept(std::uint32_t value) { return value % 8 == 0; }
 
 inline std::size_t count_elements(const std::uint32_t* x, std::size_t count) {
@@ -74,13 +93,7 @@ struct Narrow {
 template <class Loops> std::uint32_t exclusive_scan_with(Words x, std::span<std::uint32_t> y) {
     const auto scan = [&](const Range& range, std::uint32_t before, bool is_final) {
         if (!is_final) return before + Loops::sum(x.data() + range.begin(), range.size());
-        std::uint32_t run = before;
-        for (std::size_t i = range.begin(); i < range.end(); ++i) {
-            const std::uint32_t value = x[i];  // y may be x
-            y[i] = run;
-            run += value;
-        }
-        return run;
+        return scan_elements(x.data() + range.begin(), range.size(), before, y.data() + range.begin());
     };
     return tbb::parallel_scan(Range(0, x.size(), grain), 0u, scan, std::plus<>());
 }
