@@ -284,6 +284,8 @@ void time_host(std::uint32_t count, int runs) {
 int run(const Options& options) {
     const glift::Device device = glift::Device::open(options.device);
     check(device);
+    const std::vector<std::string> messages = device.validation_messages();
+    if (!messages.empty()) throw std::runtime_error(messages.front());
     std::printf("%s: results are right\n\n", device.properties().name.c_str());
     std::printf("| rival | elements | median | by median | by minimum |\n| --- | ---: | ---: | ---: | ---: |\n");
     for (unsigned log2 : options.log2) {
