@@ -1,0 +1,27 @@
+// The input of all benches of algorithms: bench/cuda/rivals.h makes the same.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace bench {
+
+/// A bijection of 32 bits, as good as random.
+constexpr std::uint32_t hash32(std::uint32_t x) {
+    x ^= x >> 16;
+    x *= 0x7feb352du;
+    x ^= x >> 15;
+    x *= 0x846ca68bu;
+    x ^= x >> 16;
+    return x;
+}
+
+constexpr std::uint32_t input_seed = 0x9e3779b9u;
+
+inline std::vector<std::uint32_t> hashed(std::uint32_t count) {
+    std::vector<std::uint32_t> values(count);
+    for (std::uint32_t i = 0; i < count; ++i) values[i] = hash32(i ^ input_seed);
+    return values;
+}
+
+}  // namespace bench

@@ -1,0 +1,111 @@
+// n systems of n unknowns, one right-hand side: cuSPARSE's batched solver without pivoting, one system after the other
+// in memory. `elements` are equations. Several right-hand sides cost it as many calls.
+#include "rivals.cuh"
+
+#include <cusparse.h>
+
+#include <cmath>
+
+namespace rivals {
+
+namespace {
+
+/// Equation i of n * n: lower * x[i - 1] + diagonal * x[i] + upper * x[i + 1] = right. Diagonally dominant; the
+/// products with powers of two are exact, so that every compiler gets the same bits.
+struct Lower {
+    std::uint32_t n;
+    __host__ __device__ float operator()(std::size_t i) const {
+        return i % n == 0 ? 0.0f : -0.125f - 0.25f * unit(static_cast<std::uint32_t>(4 * i));
+    }
+};
+struct Diagonal {
+    __host__ __device__ float operator()(std::size_t i) const {
+        return 2.0f + unit(static_cast<std::uint32_t>(4 * i + 1));
+    }
+};
+struct Upper {
+    std::uint32_t n;
+    __host__ __device__ float operator()(std::size_t i) const {
+        return i % n == n - 1 ? 0.0f : -0.125f - 0.25f * unit(static_cast<std::uint32_t>(4 * i + 2));
+    }
+};
+struct Right {
+    __host__ __device__ float operator()(std::size_t i) const {
+        return 2.0f * unit(static_cast<std::uint32_t>(4 * i + 3)) - 1.0f;
+    }
+};
+
+void require(cusparseStatus_t status) {
+    if (status != CUSPARSE_STATUS_SUCCESS) fail(std::string("cuSPARSE: ") + cusparseGetErrorString(status));
+}
+
+class Handle {
+public:
+    Handle() { require(cusparseCreate(&handle_)); }
+    ~Handle() { cusparseDestroy(handle_); }
+    Handle(const Handle&) = delete;
+    Handle& operator=(const Handle&) = delete;
+    cusparseHandle_t get() const { return handle_; }
+
+private:
+    cusparseHandle_t handle_ = nullptr;
+};
+
+/// Thomas' algorithm in double precision, one system.
+std::vector<double> solved(std::size_t first, std::uint32_t n) {
+    std::vector<double> c(n), x(n);
+    for (std::uint32_t k = 0; k < n; ++k) {
+        const double lower = Lower{n}(first + k), before_c = k ? c[k - 1] : 0, before_x = k ? x[k - 1] : 0;
+        const double pivot = Diagonal{}(first + k) - lower * before_c;
+        c[k] = Upper{n}(first + k) / pivot;
+        x[k] = (Right{}(first + k) - lower * before_x) / pivot;
+    }
+    for (std::uint32_t k = n - 1; k-- > 0;) x[k] -= c[k] * x[k + 1];
+    return x;
+}
+
+void require_solved(const DeviceArray<float>& x, std::uint32_t n) {
+    const std::vector<float> found = x.all();
+    for (std::size_t first = 0; first < found.size(); first += n) {
+        const std::vector<double> expected = solved(first, n);
+        for (std::uint32_t k = 0; k < n; ++k) {
+            if (!(std::abs(found[first + k] - expected[k]) <= 1e-5)) fail("tridiagonal: wrong solution");
+        }
+    }
+}
+
+void measure(Bench& bench, const Handle& handle, std::uint32_t n) {
+    const std::size_t count = std::size_t{n} * n;
+    const DeviceArray<float> lower(count), diagonal(count), upper(count), right(count), x(count);
+    lower.fill(Lower{n});
+    diagonal.fill(Diagonal{});
+    upper.fill(Upper{n});
+    right.fill(Right{});
+    const int size = static_cast<int>(n);
+    std::size_t bytes = 0;
+    require(cusparseSgtsv2StridedBatch_bufferSizeExt(handle.get(), size, lower.data(), diagonal.data(), upper.data(),
+                                                     x.data(), size, size, &bytes));
+    const DeviceArray<unsigned char> workspace(bytes);
+    const Work refill = [&] {
+        RIVALS_CUDA(cudaMemcpyAsync(x.data(), right.data(), right.bytes(), cudaMemcpyDeviceToDevice));
+    };
+    const Work run = [&] {
+        require(cusparseSgtsv2StridedBatch(handle.get(), size, lower.data(), diagonal.data(), upper.data(), x.data(),
+                                           size, size, workspace.data()));
+    };
+    if (n == 256) {
+        refill();
+        run();
+        require_solved(x, n);
+    }
+    bench.time("tridiagonal", "n_" + std::to_string(n), count, 5 * sizeof(float) * count, run, refill);
+}
+
+}  // namespace
+
+void tridiagonal(Bench& bench) {
+    const Handle handle;
+    for (std::uint32_t n : {256u, 512u, 1024u, 2048u, 4096u}) measure(bench, handle, n);
+}
+
+}  // namespace rivals

@@ -1,0 +1,36 @@
+// Algorithms as a C++ programmer with oneTBB would write them: the rivals of stdlib/algorithms on the host device. All
+// run on all cores. Those whose loops vectors help have a second form, `narrow`: the vectors that the compiler's flags
+// allow and no wider ones.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+namespace host_rivals {
+
+struct KeyValue {
+    std::uint32_t key, value;
+};
+
+/// y[i] = x[0] + .. + x[i - 1], modulo 2^32. Returns the sum of all. tbb::parallel_scan.
+std::uint32_t exclusive_scan(std::span<const std::uint32_t> x, std::span<std::uint32_t> y);
+std::uint32_t exclusive_scan_narrow(std::span<const std::uint32_t> x, std::span<std::uint32_t> y);
+
+/// tbb::parallel_reduce.
+std::uint32_t sum(std::span<const std::uint32_t> x);
+std::uint32_t sum_narrow(std::span<const std::uint32_t> x);
+
+/// tbb::parallel_deterministic_reduce: the same bits every time.
+float sum(std::span<const float> x);
+float sum_narrow(std::span<const float> x);
+
+/// The multiples of 8 of x, in their order, to y, which has room for all of x. Returns their number. Two passes: blocks
+/// count, then write.
+std::size_t copy_multiples_of_8(std::span<const std::uint32_t> x, std::span<std::uint32_t> y);
+std::size_t copy_multiples_of_8_narrow(std::span<const std::uint32_t> x, std::span<std::uint32_t> y);
+
+/// tbb::parallel_sort: ascending, not stable.
+void sort(std::span<std::uint32_t> keys);
+void sort(std::span<KeyValue> pairs);
+
+}  // namespace host_rivals
