@@ -58,6 +58,12 @@ void Commands::dispatch(const Kernel& kernel, const Call& call) const {
     stream_->dispatch(kernel, special);
 }
 
+Memory Commands::allocate(const MemoryDescription& description) const {
+    const Memory memory = device().allocate(description);
+    if (description.zeroed && stream_->is_recording()) stream_->clear(memory);
+    return memory;
+}
+
 void Commands::fill(const Memory& memory, std::uint64_t offset, std::uint64_t bytes, std::uint32_t value) const {
     check_range(stream_->device().get(), memory, offset, bytes, "Commands::fill");
     if (offset % 4 || bytes % 4) {

@@ -51,8 +51,10 @@ public:
     virtual std::shared_ptr<DeviceObject> device() = 0;
     virtual bool needs_general(const Kernel& kernel, std::span<const Memory> memories,
                                const std::array<std::uint32_t, 4>& size) = 0;
-    /// A memory of the device's whose contents, if zeroed, are zeros wherever this stream stands: at each replay.
-    virtual std::shared_ptr<MemoryObject> allocate(const MemoryDescription& description) = 0;
+    /// Zeros, in buffers and images of any kind.
+    virtual void clear(const Memory& memory) = 0;
+    /// Whether what is put here may run more than once, or at another time than the device's own stream.
+    virtual bool is_recording() const { return false; }
     virtual void dispatch(const Kernel& kernel, const Call& call) = 0;
     virtual void fill(const Memory& memory, std::uint64_t offset, std::uint64_t bytes, std::uint32_t value) = 0;
     virtual void copy(const Memory& from, const Memory& to, std::span<const CopyRegion> regions) = 0;

@@ -23,7 +23,7 @@ struct Constructor {
 Constructor constructor_of(const Unit& unit, std::uint32_t index, const ClassNames& names, bool qualified) {
     const Structure& structure = unit.program.structures[index];
     Constructor result;
-    if (structure.kind != StructureKind::view) result.parameters.push_back("const glift::Device& device");
+    if (structure.kind != StructureKind::view) result.parameters.push_back("const glift::Commands& commands");
     for (std::size_t i = 0; i < structure.members.size(); ++i) {
         if (structure.members[i].by_reference)
             result.parameters.push_back("const " + unit.class_name(structure.members[i].structure) + "& " +
@@ -110,7 +110,7 @@ bool has_parts(const Structure& structure) {
 std::string memory_allocation(Unit& unit, Printer& p, std::uint32_t index, std::size_t i, const ClassNames& names) {
     const ir::Memory& memory = unit.program.structures[index].memories[i];
     const std::string extent = names.memories[i] + "_extent_";
-    std::string text = "device.allocate({.name = \"" + unit.class_name(index) + "." + unit.name(memory.name) + "\"";
+    std::string text = "commands.allocate({.name = \"" + unit.class_name(index) + "." + unit.name(memory.name) + "\"";
     const std::string mips = memory.mips ? ", .mips = " + print_any(p, memory.mips) : "";
     switch (memory.shape) {
     case ir::MemoryShape::buffer:
@@ -136,7 +136,7 @@ Printer own_printer(Unit& unit, std::uint32_t index) {
 
 std::string member_value(Unit& unit, Printer& p, const ir::MemberStructure& member) {
     const Structure& made = unit.program.structures[member.structure];
-    std::string arguments = made.kind == StructureKind::view ? "" : "device";
+    std::string arguments = made.kind == StructureKind::view ? "" : "commands";
     for (ir::ExprId argument : member.arguments) arguments += (arguments.empty() ? "" : ", ") + print_any(p, argument);
     return unit.class_name(member.structure) + "(" + arguments + ")";
 }
@@ -147,8 +147,8 @@ void print_constructors(Unit& unit, Writer& out, std::uint32_t index, const Clas
     Printer p = own_printer(unit, index);
     const auto head = [&](const std::string& more, bool adopts) {
         std::vector<std::string> initialisers;
-        if (structure.kind == StructureKind::stored) initialisers.push_back("Structure(device)");
-        if (structure.kind == StructureKind::adaptor) initialisers.push_back("device_(device)");
+        if (structure.kind == StructureKind::stored) initialisers.push_back("Structure(commands.device())");
+        if (structure.kind == StructureKind::adaptor) initialisers.push_back("device_(commands.device())");
         for (const std::string& name : names.arguments) initialisers.push_back(name + "_(" + name + ")");
         for (std::size_t i = 0; i < structure.members.size(); ++i) {
             const ir::MemberStructure& member = structure.members[i];
@@ -201,7 +201,7 @@ void print_transfers(Unit& unit, Writer& out, std::uint32_t index) {
     const std::string& box = unit.class_name(transfer->box_structure);
     const std::string parameters =
         "(const glift::Commands& commands, const glift::Range<" + type + ">& range, const glift::Memory& box) const";
-    const std::string made = box + "(commands.device(), range.size(), box)";
+    const std::string made = box + "(commands, range.size(), box)";
     out.open("void " + type + "::copy_out" + parameters);
     out.line(unit.globals.kernel_names.at(transfer->read_kernel) + "(commands, range, " + made + ");");
     out.close();

@@ -128,7 +128,7 @@ std::string print_structure_check(Unit& unit, Writer& out, std::uint32_t index) 
              extents_text(unit, structure.domain_type) + "})");
     std::string arguments;
     for (std::size_t i = 0; i < structure.constructor.size(); ++i) arguments += ", extent";
-    out.line(unit.class_name(index) + " structure(commands.device()" + arguments + ");");
+    out.line(unit.class_name(index) + " structure(commands" + arguments + ");");
     for (std::size_t i = 0; i < structure.via.size(); ++i) print_stage_check(unit, out, index, i);
     bool total = structure.copyable;
     for (const ir::Stage& stage : structure.via) {

@@ -98,6 +98,9 @@ public:
     /// take the direct form, and the host device, use the values as they are.
     Commands specialised(std::vector<std::string> parameters = {}) const;
 
+    /// Like Device::allocate. In a recording the memory is zeros again whenever a replay comes here.
+    Memory allocate(const MemoryDescription& description) const;
+
     void fill(const Memory& memory, std::uint64_t offset, std::uint64_t bytes,
               std::uint32_t value = 0) const;  ///< multiples of 4
 

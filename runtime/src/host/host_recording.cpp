@@ -37,6 +37,10 @@ void HostRecordingStream::fill(const Memory& memory, std::uint64_t offset, std::
     steps_.push_back([=](HostStream& stream) { stream.fill(memory, offset, bytes, value); });
 }
 
+void HostRecordingStream::clear(const Memory& memory) {
+    steps_.push_back([=](HostStream& stream) { stream.clear(memory); });
+}
+
 void HostRecordingStream::copy(const Memory& from, const Memory& to, std::span<const CopyRegion> regions) {
     steps_.push_back([from, to, r = copied(regions)](HostStream& stream) { stream.copy(from, to, r); });
 }

@@ -110,6 +110,10 @@ void HostStream::fill(const Memory& memory, std::uint64_t offset, std::uint64_t 
     std::fill(words, words + bytes / 4, value);
 }
 
+void HostStream::clear(const Memory& memory) {
+    std::memset(host_memory(memory).data(), 0, memory.object()->description().bytes);
+}
+
 void HostStream::copy(const Memory& from, const Memory& to, std::span<const CopyRegion> regions) {
     for (const CopyRegion& r : regions) {
         std::memcpy(host_memory(to).data() + r.to, host_memory(from).data() + r.from, r.bytes);

@@ -26,6 +26,7 @@ public:
     void dispatch(const Kernel& kernel, const Call& call);
 
     void fill(const VulkanMemory& memory, std::uint64_t offset, std::uint64_t bytes, std::uint32_t value);
+    void clear(const VulkanMemory& memory);
     void clear_new(const VulkanMemory& memory);  ///< the first commands on a memory: layout, zeros
     void copy(const VulkanMemory& from, const VulkanMemory& to, std::span<const CopyRegion> regions);
     void copy_to_image(const VulkanMemory& buffer, const VulkanMemory& image, std::span<const ImageRegion> regions);
@@ -42,6 +43,7 @@ public:
 
 private:
     void barrier();
+    void clear_image(const VulkanMemory& memory);
     void touch(const VulkanMemory& memory, Access access);
     void touch(const VulkanMemory& from, const VulkanMemory& to);
     CompiledForm choose(const Kernel& kernel, const Call& call) const;

@@ -88,6 +88,19 @@ void Encoder::clear_new(const VulkanMemory& memory) {
     context_.vk.vkCmdPipelineBarrier2(commands_, &info);
     if (!d.zeroed) return;
     hazards_.note(memory.id, Access::write);
+    clear_image(memory);
+}
+
+void Encoder::clear(const VulkanMemory& memory) {
+    touch(memory, Access::write);
+    if (!memory.is_buffer()) clear_image(memory);
+    else if (memory.description().bytes)
+        context_.vk.vkCmdFillBuffer(commands_, memory.parts.buffer, 0, VK_WHOLE_SIZE, 0);
+}
+
+void Encoder::clear_image(const VulkanMemory& memory) {
+    const MemoryDescription& d = memory.description();
+    const VkImageSubresourceRange all = {vulkan_aspect(d.format), 0, d.mips, 0, face_count(d)};
     if (d.format == Format::d32) {
         const VkClearDepthStencilValue zero = {};
         context_.vk.vkCmdClearDepthStencilImage(commands_, memory.parts.image, VK_IMAGE_LAYOUT_GENERAL, &zero, 1, &all);

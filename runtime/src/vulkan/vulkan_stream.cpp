@@ -38,6 +38,14 @@ void VulkanStream::fill(const Memory& memory, std::uint64_t offset, std::uint64_
     recorded();
 }
 
+void VulkanStream::clear(const Memory& memory) {
+    const std::lock_guard lock(device_.mutex());
+    open();
+    encoder_.clear(vulkan_memory(memory));
+    hold(memory);
+    recorded();
+}
+
 void VulkanStream::copy(const Memory& from, const Memory& to, std::span<const CopyRegion> regions) {
     const std::lock_guard lock(device_.mutex());
     open();

@@ -14,6 +14,7 @@ public:
                        const std::array<std::uint32_t, 4>& size) override;
     void dispatch(const Kernel& kernel, const Call& call) override;
     void fill(const Memory& memory, std::uint64_t offset, std::uint64_t bytes, std::uint32_t value) override;
+    void clear(const Memory& memory) override;
     void copy(const Memory& from, const Memory& to, std::span<const CopyRegion> regions) override;
     void copy_to_image(const Memory& buffer, const Memory& image, std::span<const ImageRegion> regions) override;
     void copy_from_image(const Memory& image, const Memory& buffer, std::span<const ImageRegion> regions) override;
@@ -39,6 +40,7 @@ public:
     explicit HoldingStream(std::shared_ptr<VulkanDevice> device);
 
     std::shared_ptr<DeviceObject> device() override;
+    bool is_recording() const override { return true; }
     std::shared_ptr<DownloadObject> download(const Memory&, std::span<const CopyRegion>, std::uint64_t) override;
     std::shared_ptr<DownloadObject> download_image(const Memory&, std::span<const ImageRegion>, std::uint64_t) override;
     std::shared_ptr<TimestampObject> timestamp() override;

@@ -31,4 +31,19 @@ TEST(GeneratedPipeline, AThousandPassesReplayWithOneSubmission) {
     for (const std::string& message : device.validation_messages()) ADD_FAILURE() << message;
 }
 
+TEST(GeneratedPipeline, TemporariesAreZerosAtEachReplay) {
+    for (const char* name : {"host", "lavapipe"}) {
+        const auto device = glift::Device::open(name);
+        chain::Line f(device, 10), g(device, 10);
+        f.fill(5);
+        const auto recording =
+            device.record([&](const glift::Commands& commands) { chain::count_in_temporaries(commands, f, g); });
+        for (int replay = 0; replay < 3; ++replay) {
+            recording.submit();
+            EXPECT_EQ(g.read(), std::vector<glift::uint>(10, 57)) << name << ", replay " << replay;
+        }
+        for (const std::string& message : device.validation_messages()) ADD_FAILURE() << message;
+    }
+}
+
 }  // namespace
