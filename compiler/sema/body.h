@@ -60,10 +60,11 @@ struct Body {
     unsigned loops = 0;
     unsigned depth = 0;
     ir::Kernel* kernel = nullptr;
-    std::array<std::uint32_t, 3> group = {0, 0, 0};   ///< the workgroup of the kernel or function; all 0: none
+    std::array<std::uint32_t, 3> group = {0, 0, 0};  ///< the workgroup of the kernel or function; all 0: none
     std::vector<ir::LocalId>* shared = nullptr;      ///< its workgroup memory
     Span last;                                       ///< functions with a workgroup: the statement that may return
-    std::vector<std::uint32_t> structures;  ///< functions: structure parameters so far (Place roots)
+    std::vector<std::uint32_t> structures;           ///< functions: structure parameters so far (Place roots)
+    enum class Returns : std::uint8_t { nothing, host, device } returns = Returns::nothing;  ///< of a pipeline, so far
     bool in_test = false;
     bool allow_await = false;
 

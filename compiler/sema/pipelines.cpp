@@ -125,6 +125,7 @@ std::optional<std::uint32_t> instantiate_pipeline(Context& c, ast::DeclId id, co
     close_scope(body);
     close_scope(body);
     if (deferred) pipeline.result = slice ? slice : c.types().error;
+    if (body.returns == Body::Returns::device) pipeline.result = c.types().device(pipeline.result);
     bool returns = pipeline.result == c.types().void_ || always_returns(c.program, pipeline.body);
     if (!returns && c.diagnostics.error_count() == errors)
         c.error(Diag::missing_return, decl.name.span,

@@ -227,6 +227,23 @@ void check_while(Body& body, const ast::Stmt& stmt) {
     emit(body, id);
 }
 
+/// The value of a return. A pipeline may leave its result on the device: then all its returns do.
+ir::ExprId returned(Body& body, const ast::Stmt& stmt) {
+    if (body.kind != BodyKind::pipeline) return check_value(body, stmt.value, body.result);
+    ir::ExprId value = to_value(body, check(body, stmt.value, body.result));
+    if (is_error(body, value)) return value;
+    ir::TypeId type = body.program().exprs[value].type;
+    bool on_device = body.types().kind(type) == ir::TypeKind::device && body.types()[type].element == body.result;
+    if (on_device && body.returns != Body::Returns::host) {
+        body.returns = Body::Returns::device;
+        return value;
+    }
+    Span span = body.context[stmt.value].span;
+    if (body.returns == Body::Returns::device) return coerce(body, value, body.types().device(body.result), span);
+    body.returns = Body::Returns::host;
+    return coerce(body, value, body.result, span);
+}
+
 void check_return(Body& body, const ast::Stmt& stmt) {
     Context& c = body.context;
     if (body.grouped() && body.last != stmt.span) {
@@ -241,7 +258,7 @@ void check_return(Body& body, const ast::Stmt& stmt) {
             check_value(body, stmt.value);
             return;
         }
-        ir::ExprId value = check_value(body, stmt.value, body.result);
+        ir::ExprId value = returned(body, stmt);
         body.program().stmts[id].value = value;
     } else if (body.result && body.result != body.types().void_ && body.result != body.types().error) {
         c.error(Diag::return_nothing, stmt.span, {c.text(body.result)});

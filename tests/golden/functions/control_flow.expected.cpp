@@ -19,9 +19,9 @@ public:
     static constexpr const char* type_name = "Box<1, float>";
 
     Box_1_float() = default;
-    [[maybe_unused]] Box_1_float(const glift::Device& device, uint extent);
+    [[maybe_unused]] Box_1_float(const glift::Commands& commands, uint extent);
     /// Over parts that exist already.
-    [[maybe_unused]] Box_1_float(const glift::Device& device, uint extent, glift::Memory data);
+    [[maybe_unused]] Box_1_float(const glift::Commands& commands, uint extent, glift::Memory data);
 
     /// The extent of the virtual domain.
     [[maybe_unused]] uint domain() const;
@@ -43,9 +43,9 @@ public:
     static constexpr const char* type_name = "Box<1, uint>";
 
     Box_1_uint() = default;
-    [[maybe_unused]] Box_1_uint(const glift::Device& device, uint extent);
+    [[maybe_unused]] Box_1_uint(const glift::Commands& commands, uint extent);
     /// Over parts that exist already.
-    [[maybe_unused]] Box_1_uint(const glift::Device& device, uint extent, glift::Memory data);
+    [[maybe_unused]] Box_1_uint(const glift::Commands& commands, uint extent, glift::Memory data);
 
     /// The extent of the virtual domain.
     [[maybe_unused]] uint domain() const;
@@ -940,14 +940,14 @@ void fill_box_2(const glift::Commands& commands, const glift::Range<Numbers>& to
     }
 }
 
-Box_1_float::Box_1_float(const glift::Device& device, uint extent)
-    : Structure(device),
+Box_1_float::Box_1_float(const glift::Commands& commands, uint extent)
+    : Structure(commands.device()),
       extent_(extent),
       data_extent_(volume(extent_)),
-      data_(device.allocate({.name = "Box_1_float.data", .bytes = glift::buffer_bytes<float>(data_extent_)})) {}
+      data_(commands.allocate({.name = "Box_1_float.data", .bytes = glift::buffer_bytes<float>(data_extent_)})) {}
 
-Box_1_float::Box_1_float(const glift::Device& device, uint extent, glift::Memory data)
-    : Structure(device),
+Box_1_float::Box_1_float(const glift::Commands& commands, uint extent, glift::Memory data)
+    : Structure(commands.device()),
       extent_(extent),
       data_extent_(volume(extent_)),
       data_(std::move(data)) {}
@@ -960,14 +960,14 @@ bool Box_1_float::same_state(const Box_1_float& other) const {
     return extent_ == other.extent_;
 }
 
-Box_1_uint::Box_1_uint(const glift::Device& device, uint extent)
-    : Structure(device),
+Box_1_uint::Box_1_uint(const glift::Commands& commands, uint extent)
+    : Structure(commands.device()),
       extent_(extent),
       data_extent_(volume(extent_)),
-      data_(device.allocate({.name = "Box_1_uint.data", .bytes = glift::buffer_bytes<uint>(data_extent_)})) {}
+      data_(commands.allocate({.name = "Box_1_uint.data", .bytes = glift::buffer_bytes<uint>(data_extent_)})) {}
 
-Box_1_uint::Box_1_uint(const glift::Device& device, uint extent, glift::Memory data)
-    : Structure(device),
+Box_1_uint::Box_1_uint(const glift::Commands& commands, uint extent, glift::Memory data)
+    : Structure(commands.device()),
       extent_(extent),
       data_extent_(volume(extent_)),
       data_(std::move(data)) {}
@@ -1017,14 +1017,14 @@ void control_flow(const glift::Commands& commands, const glift::Range<Line>& f, 
     control_flow(commands, f, f, n, mode);
 }
 
-Line::Line(const glift::Device& device, uint extent)
-    : Structure(device),
+Line::Line(const glift::Commands& commands, uint extent)
+    : Structure(commands.device()),
       extent_(extent),
       data_extent_(volume(extent_)),
-      data_(device.allocate({.name = "Line.data", .bytes = glift::buffer_bytes<float>(data_extent_)})) {}
+      data_(commands.allocate({.name = "Line.data", .bytes = glift::buffer_bytes<float>(data_extent_)})) {}
 
-Line::Line(const glift::Device& device, uint extent, glift::Memory data)
-    : Structure(device),
+Line::Line(const glift::Commands& commands, uint extent, glift::Memory data)
+    : Structure(commands.device()),
       extent_(extent),
       data_extent_(volume(extent_)),
       data_(std::move(data)) {}
@@ -1047,11 +1047,11 @@ std::uint64_t Line::place(uint address) const {
 }
 
 void Line::copy_out(const glift::Commands& commands, const glift::Range<Line>& range, const glift::Memory& box) const {
-    read_box(commands, range, Box_1_float(commands.device(), range.size(), box));
+    read_box(commands, range, Box_1_float(commands, range.size(), box));
 }
 
 void Line::copy_in(const glift::Commands& commands, const glift::Range<Line>& range, const glift::Memory& box) const {
-    write_box(commands, Box_1_float(commands.device(), range.size(), box), range);
+    write_box(commands, Box_1_float(commands, range.size(), box), range);
 }
 
 void Line::fill(float value, const glift::Range<Line>& range) {
@@ -1061,14 +1061,14 @@ void Line::fill(float value) {
     fill(value, *this);
 }
 
-Numbers::Numbers(const glift::Device& device, uint extent)
-    : Structure(device),
+Numbers::Numbers(const glift::Commands& commands, uint extent)
+    : Structure(commands.device()),
       extent_(extent),
       data_extent_(volume(extent_)),
-      data_(device.allocate({.name = "Numbers.data", .bytes = glift::buffer_bytes<uint>(data_extent_)})) {}
+      data_(commands.allocate({.name = "Numbers.data", .bytes = glift::buffer_bytes<uint>(data_extent_)})) {}
 
-Numbers::Numbers(const glift::Device& device, uint extent, glift::Memory data)
-    : Structure(device),
+Numbers::Numbers(const glift::Commands& commands, uint extent, glift::Memory data)
+    : Structure(commands.device()),
       extent_(extent),
       data_extent_(volume(extent_)),
       data_(std::move(data)) {}
@@ -1092,12 +1092,12 @@ std::uint64_t Numbers::place(uint address) const {
 
 void Numbers::copy_out(const glift::Commands& commands, const glift::Range<Numbers>& range,
     const glift::Memory& box) const {
-    read_box_2(commands, range, Box_1_uint(commands.device(), range.size(), box));
+    read_box_2(commands, range, Box_1_uint(commands, range.size(), box));
 }
 
 void Numbers::copy_in(const glift::Commands& commands, const glift::Range<Numbers>& range,
     const glift::Memory& box) const {
-    write_box_2(commands, Box_1_uint(commands.device(), range.size(), box), range);
+    write_box_2(commands, Box_1_uint(commands, range.size(), box), range);
 }
 
 void Numbers::fill(uint value, const glift::Range<Numbers>& range) {

@@ -19,9 +19,9 @@ public:
     static constexpr const char* type_name = "Box<1, float>";
 
     Box_1_float() = default;
-    [[maybe_unused]] Box_1_float(const glift::Device& device, uint extent);
+    [[maybe_unused]] Box_1_float(const glift::Commands& commands, uint extent);
     /// Over parts that exist already.
-    [[maybe_unused]] Box_1_float(const glift::Device& device, uint extent, glift::Memory data);
+    [[maybe_unused]] Box_1_float(const glift::Commands& commands, uint extent, glift::Memory data);
 
     /// The extent of the virtual domain.
     [[maybe_unused]] uint domain() const;
@@ -43,9 +43,9 @@ public:
     static constexpr const char* type_name = "Box<1, uint>";
 
     Box_1_uint() = default;
-    [[maybe_unused]] Box_1_uint(const glift::Device& device, uint extent);
+    [[maybe_unused]] Box_1_uint(const glift::Commands& commands, uint extent);
     /// Over parts that exist already.
-    [[maybe_unused]] Box_1_uint(const glift::Device& device, uint extent, glift::Memory data);
+    [[maybe_unused]] Box_1_uint(const glift::Commands& commands, uint extent, glift::Memory data);
 
     /// The extent of the virtual domain.
     [[maybe_unused]] uint domain() const;
@@ -879,14 +879,14 @@ void fill_box_2(const glift::Commands& commands, const glift::Range<Indices>& to
     }
 }
 
-Box_1_float::Box_1_float(const glift::Device& device, uint extent)
-    : Structure(device),
+Box_1_float::Box_1_float(const glift::Commands& commands, uint extent)
+    : Structure(commands.device()),
       extent_(extent),
       data_extent_(volume(extent_)),
-      data_(device.allocate({.name = "Box_1_float.data", .bytes = glift::buffer_bytes<float>(data_extent_)})) {}
+      data_(commands.allocate({.name = "Box_1_float.data", .bytes = glift::buffer_bytes<float>(data_extent_)})) {}
 
-Box_1_float::Box_1_float(const glift::Device& device, uint extent, glift::Memory data)
-    : Structure(device),
+Box_1_float::Box_1_float(const glift::Commands& commands, uint extent, glift::Memory data)
+    : Structure(commands.device()),
       extent_(extent),
       data_extent_(volume(extent_)),
       data_(std::move(data)) {}
@@ -899,14 +899,14 @@ bool Box_1_float::same_state(const Box_1_float& other) const {
     return extent_ == other.extent_;
 }
 
-Box_1_uint::Box_1_uint(const glift::Device& device, uint extent)
-    : Structure(device),
+Box_1_uint::Box_1_uint(const glift::Commands& commands, uint extent)
+    : Structure(commands.device()),
       extent_(extent),
       data_extent_(volume(extent_)),
-      data_(device.allocate({.name = "Box_1_uint.data", .bytes = glift::buffer_bytes<uint>(data_extent_)})) {}
+      data_(commands.allocate({.name = "Box_1_uint.data", .bytes = glift::buffer_bytes<uint>(data_extent_)})) {}
 
-Box_1_uint::Box_1_uint(const glift::Device& device, uint extent, glift::Memory data)
-    : Structure(device),
+Box_1_uint::Box_1_uint(const glift::Commands& commands, uint extent, glift::Memory data)
+    : Structure(commands.device()),
       extent_(extent),
       data_extent_(volume(extent_)),
       data_(std::move(data)) {}
@@ -951,14 +951,14 @@ void gather(const glift::Commands& commands, const glift::Range<Values>& values,
     }
 }
 
-Values::Values(const glift::Device& device, uint extent)
-    : Structure(device),
+Values::Values(const glift::Commands& commands, uint extent)
+    : Structure(commands.device()),
       extent_(extent),
       data_extent_(volume(extent_)),
-      data_(device.allocate({.name = "Values.data", .bytes = glift::buffer_bytes<float>(data_extent_)})) {}
+      data_(commands.allocate({.name = "Values.data", .bytes = glift::buffer_bytes<float>(data_extent_)})) {}
 
-Values::Values(const glift::Device& device, uint extent, glift::Memory data)
-    : Structure(device),
+Values::Values(const glift::Commands& commands, uint extent, glift::Memory data)
+    : Structure(commands.device()),
       extent_(extent),
       data_extent_(volume(extent_)),
       data_(std::move(data)) {}
@@ -982,12 +982,12 @@ std::uint64_t Values::place(uint address) const {
 
 void Values::copy_out(const glift::Commands& commands, const glift::Range<Values>& range,
     const glift::Memory& box) const {
-    read_box(commands, range, Box_1_float(commands.device(), range.size(), box));
+    read_box(commands, range, Box_1_float(commands, range.size(), box));
 }
 
 void Values::copy_in(const glift::Commands& commands, const glift::Range<Values>& range,
     const glift::Memory& box) const {
-    write_box(commands, Box_1_float(commands.device(), range.size(), box), range);
+    write_box(commands, Box_1_float(commands, range.size(), box), range);
 }
 
 void Values::fill(float value, const glift::Range<Values>& range) {
@@ -997,14 +997,14 @@ void Values::fill(float value) {
     fill(value, *this);
 }
 
-Indices::Indices(const glift::Device& device, uint extent)
-    : Structure(device),
+Indices::Indices(const glift::Commands& commands, uint extent)
+    : Structure(commands.device()),
       extent_(extent),
       data_extent_(volume(extent_)),
-      data_(device.allocate({.name = "Indices.data", .bytes = glift::buffer_bytes<uint>(data_extent_)})) {}
+      data_(commands.allocate({.name = "Indices.data", .bytes = glift::buffer_bytes<uint>(data_extent_)})) {}
 
-Indices::Indices(const glift::Device& device, uint extent, glift::Memory data)
-    : Structure(device),
+Indices::Indices(const glift::Commands& commands, uint extent, glift::Memory data)
+    : Structure(commands.device()),
       extent_(extent),
       data_extent_(volume(extent_)),
       data_(std::move(data)) {}
@@ -1028,12 +1028,12 @@ std::uint64_t Indices::place(uint address) const {
 
 void Indices::copy_out(const glift::Commands& commands, const glift::Range<Indices>& range,
     const glift::Memory& box) const {
-    read_box_2(commands, range, Box_1_uint(commands.device(), range.size(), box));
+    read_box_2(commands, range, Box_1_uint(commands, range.size(), box));
 }
 
 void Indices::copy_in(const glift::Commands& commands, const glift::Range<Indices>& range,
     const glift::Memory& box) const {
-    write_box_2(commands, Box_1_uint(commands.device(), range.size(), box), range);
+    write_box_2(commands, Box_1_uint(commands, range.size(), box), range);
 }
 
 void Indices::fill(uint value, const glift::Range<Indices>& range) {

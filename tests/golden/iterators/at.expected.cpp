@@ -19,9 +19,9 @@ public:
     static constexpr const char* type_name = "Box<2, float>";
 
     Box_2_float() = default;
-    [[maybe_unused]] Box_2_float(const glift::Device& device, uint2 extent);
+    [[maybe_unused]] Box_2_float(const glift::Commands& commands, uint2 extent);
     /// Over parts that exist already.
-    [[maybe_unused]] Box_2_float(const glift::Device& device, uint2 extent, glift::Memory data);
+    [[maybe_unused]] Box_2_float(const glift::Commands& commands, uint2 extent, glift::Memory data);
 
     /// The extent of the virtual domain.
     [[maybe_unused]] uint2 domain() const;
@@ -551,14 +551,14 @@ void fill_box(const glift::Commands& commands, const glift::Range<Field>& to, fl
     }
 }
 
-Box_2_float::Box_2_float(const glift::Device& device, uint2 extent)
-    : Structure(device),
+Box_2_float::Box_2_float(const glift::Commands& commands, uint2 extent)
+    : Structure(commands.device()),
       extent_(extent),
       data_extent_(volume(extent_)),
-      data_(device.allocate({.name = "Box_2_float.data", .bytes = glift::buffer_bytes<float>(data_extent_)})) {}
+      data_(commands.allocate({.name = "Box_2_float.data", .bytes = glift::buffer_bytes<float>(data_extent_)})) {}
 
-Box_2_float::Box_2_float(const glift::Device& device, uint2 extent, glift::Memory data)
-    : Structure(device),
+Box_2_float::Box_2_float(const glift::Commands& commands, uint2 extent, glift::Memory data)
+    : Structure(commands.device()),
       extent_(extent),
       data_extent_(volume(extent_)),
       data_(std::move(data)) {}
@@ -602,14 +602,14 @@ void ramp(const glift::Commands& commands, const glift::Range<Field>& f) {
     ramp(commands, f, f);
 }
 
-Field::Field(const glift::Device& device, uint2 extent)
-    : Structure(device),
+Field::Field(const glift::Commands& commands, uint2 extent)
+    : Structure(commands.device()),
       extent_(extent),
       data_extent_(volume(extent_)),
-      data_(device.allocate({.name = "Field.data", .bytes = glift::buffer_bytes<float>(data_extent_)})) {}
+      data_(commands.allocate({.name = "Field.data", .bytes = glift::buffer_bytes<float>(data_extent_)})) {}
 
-Field::Field(const glift::Device& device, uint2 extent, glift::Memory data)
-    : Structure(device),
+Field::Field(const glift::Commands& commands, uint2 extent, glift::Memory data)
+    : Structure(commands.device()),
       extent_(extent),
       data_extent_(volume(extent_)),
       data_(std::move(data)) {}
@@ -633,11 +633,11 @@ std::uint64_t Field::place(uint2 address) const {
 
 void Field::copy_out(const glift::Commands& commands, const glift::Range<Field>& range,
     const glift::Memory& box) const {
-    read_box(commands, range, Box_2_float(commands.device(), range.size(), box));
+    read_box(commands, range, Box_2_float(commands, range.size(), box));
 }
 
 void Field::copy_in(const glift::Commands& commands, const glift::Range<Field>& range, const glift::Memory& box) const {
-    write_box(commands, Box_2_float(commands.device(), range.size(), box), range);
+    write_box(commands, Box_2_float(commands, range.size(), box), range);
 }
 
 void Field::fill(float value, const glift::Range<Field>& range) {

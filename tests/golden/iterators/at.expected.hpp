@@ -17,9 +17,9 @@ public:
     static constexpr const char* type_name = "Field";
 
     Field() = default;
-    Field(const glift::Device& device, glift::uint2 extent);
+    Field(const glift::Commands& commands, glift::uint2 extent);
     /// Over parts that exist already.
-    Field(const glift::Device& device, glift::uint2 extent, glift::Memory data);
+    Field(const glift::Commands& commands, glift::uint2 extent, glift::Memory data);
 
     /// The extent of the virtual domain.
     glift::uint2 domain() const;

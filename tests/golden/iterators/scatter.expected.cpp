@@ -19,9 +19,9 @@ public:
     static constexpr const char* type_name = "Box<1, uint>";
 
     Box_1_uint() = default;
-    [[maybe_unused]] Box_1_uint(const glift::Device& device, uint extent);
+    [[maybe_unused]] Box_1_uint(const glift::Commands& commands, uint extent);
     /// Over parts that exist already.
-    [[maybe_unused]] Box_1_uint(const glift::Device& device, uint extent, glift::Memory data);
+    [[maybe_unused]] Box_1_uint(const glift::Commands& commands, uint extent, glift::Memory data);
 
     /// The extent of the virtual domain.
     [[maybe_unused]] uint domain() const;
@@ -498,14 +498,14 @@ void fill_box(const glift::Commands& commands, const glift::Range<Bins>& to, uin
     }
 }
 
-Box_1_uint::Box_1_uint(const glift::Device& device, uint extent)
-    : Structure(device),
+Box_1_uint::Box_1_uint(const glift::Commands& commands, uint extent)
+    : Structure(commands.device()),
       extent_(extent),
       data_extent_(volume(extent_)),
-      data_(device.allocate({.name = "Box_1_uint.data", .bytes = glift::buffer_bytes<uint>(data_extent_)})) {}
+      data_(commands.allocate({.name = "Box_1_uint.data", .bytes = glift::buffer_bytes<uint>(data_extent_)})) {}
 
-Box_1_uint::Box_1_uint(const glift::Device& device, uint extent, glift::Memory data)
-    : Structure(device),
+Box_1_uint::Box_1_uint(const glift::Commands& commands, uint extent, glift::Memory data)
+    : Structure(commands.device()),
       extent_(extent),
       data_extent_(volume(extent_)),
       data_(std::move(data)) {}
@@ -546,14 +546,14 @@ void histogram(const glift::Commands& commands, const glift::Range<Bins>& s, con
     }
 }
 
-Bins::Bins(const glift::Device& device, uint extent)
-    : Structure(device),
+Bins::Bins(const glift::Commands& commands, uint extent)
+    : Structure(commands.device()),
       extent_(extent),
       data_extent_(volume(extent_)),
-      data_(device.allocate({.name = "Bins.data", .bytes = glift::buffer_bytes<uint>(data_extent_)})) {}
+      data_(commands.allocate({.name = "Bins.data", .bytes = glift::buffer_bytes<uint>(data_extent_)})) {}
 
-Bins::Bins(const glift::Device& device, uint extent, glift::Memory data)
-    : Structure(device),
+Bins::Bins(const glift::Commands& commands, uint extent, glift::Memory data)
+    : Structure(commands.device()),
       extent_(extent),
       data_extent_(volume(extent_)),
       data_(std::move(data)) {}
@@ -576,11 +576,11 @@ std::uint64_t Bins::place(uint address) const {
 }
 
 void Bins::copy_out(const glift::Commands& commands, const glift::Range<Bins>& range, const glift::Memory& box) const {
-    read_box(commands, range, Box_1_uint(commands.device(), range.size(), box));
+    read_box(commands, range, Box_1_uint(commands, range.size(), box));
 }
 
 void Bins::copy_in(const glift::Commands& commands, const glift::Range<Bins>& range, const glift::Memory& box) const {
-    write_box(commands, Box_1_uint(commands.device(), range.size(), box), range);
+    write_box(commands, Box_1_uint(commands, range.size(), box), range);
 }
 
 void Bins::fill(uint value, const glift::Range<Bins>& range) {

@@ -17,9 +17,9 @@ public:
     static constexpr const char* type_name = "Bins";
 
     Bins() = default;
-    Bins(const glift::Device& device, glift::uint extent);
+    Bins(const glift::Commands& commands, glift::uint extent);
     /// Over parts that exist already.
-    Bins(const glift::Device& device, glift::uint extent, glift::Memory data);
+    Bins(const glift::Commands& commands, glift::uint extent, glift::Memory data);
 
     /// The extent of the virtual domain.
     glift::uint domain() const;

@@ -17,9 +17,9 @@ public:
     static constexpr const char* type_name = "Values";
 
     Values() = default;
-    Values(const glift::Device& device, glift::uint extent);
+    Values(const glift::Commands& commands, glift::uint extent);
     /// Over parts that exist already.
-    Values(const glift::Device& device, glift::uint extent, glift::Memory data);
+    Values(const glift::Commands& commands, glift::uint extent, glift::Memory data);
 
     /// The extent of the virtual domain.
     glift::uint domain() const;

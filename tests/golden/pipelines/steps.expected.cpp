@@ -19,9 +19,9 @@ public:
     static constexpr const char* type_name = "Box<1, float>";
 
     Box_1_float() = default;
-    [[maybe_unused]] Box_1_float(const glift::Device& device, uint extent);
+    [[maybe_unused]] Box_1_float(const glift::Commands& commands, uint extent);
     /// Over parts that exist already.
-    [[maybe_unused]] Box_1_float(const glift::Device& device, uint extent, glift::Memory data);
+    [[maybe_unused]] Box_1_float(const glift::Commands& commands, uint extent, glift::Memory data);
 
     /// The extent of the virtual domain.
     [[maybe_unused]] uint domain() const;
@@ -700,14 +700,14 @@ void fill_box(const glift::Commands& commands, const glift::Range<Line>& to, flo
     }
 }
 
-Box_1_float::Box_1_float(const glift::Device& device, uint extent)
-    : Structure(device),
+Box_1_float::Box_1_float(const glift::Commands& commands, uint extent)
+    : Structure(commands.device()),
       extent_(extent),
       data_extent_(volume(extent_)),
-      data_(device.allocate({.name = "Box_1_float.data", .bytes = glift::buffer_bytes<float>(data_extent_)})) {}
+      data_(commands.allocate({.name = "Box_1_float.data", .bytes = glift::buffer_bytes<float>(data_extent_)})) {}
 
-Box_1_float::Box_1_float(const glift::Device& device, uint extent, glift::Memory data)
-    : Structure(device),
+Box_1_float::Box_1_float(const glift::Commands& commands, uint extent, glift::Memory data)
+    : Structure(commands.device()),
       extent_(extent),
       data_extent_(volume(extent_)),
       data_(std::move(data)) {}
@@ -722,14 +722,14 @@ bool Box_1_float::same_state(const Box_1_float& other) const {
 
 }  // namespace
 
-Line::Line(const glift::Device& device, uint extent)
-    : Structure(device),
+Line::Line(const glift::Commands& commands, uint extent)
+    : Structure(commands.device()),
       extent_(extent),
       data_extent_(volume(extent_)),
-      data_(device.allocate({.name = "Line.data", .bytes = glift::buffer_bytes<float>(data_extent_)})) {}
+      data_(commands.allocate({.name = "Line.data", .bytes = glift::buffer_bytes<float>(data_extent_)})) {}
 
-Line::Line(const glift::Device& device, uint extent, glift::Memory data)
-    : Structure(device),
+Line::Line(const glift::Commands& commands, uint extent, glift::Memory data)
+    : Structure(commands.device()),
       extent_(extent),
       data_extent_(volume(extent_)),
       data_(std::move(data)) {}
@@ -752,11 +752,11 @@ std::uint64_t Line::place(uint address) const {
 }
 
 void Line::copy_out(const glift::Commands& commands, const glift::Range<Line>& range, const glift::Memory& box) const {
-    read_box(commands, range, Box_1_float(commands.device(), range.size(), box));
+    read_box(commands, range, Box_1_float(commands, range.size(), box));
 }
 
 void Line::copy_in(const glift::Commands& commands, const glift::Range<Line>& range, const glift::Memory& box) const {
-    write_box(commands, Box_1_float(commands.device(), range.size(), box), range);
+    write_box(commands, Box_1_float(commands, range.size(), box), range);
 }
 
 void Line::fill(float value, const glift::Range<Line>& range) {
@@ -769,9 +769,9 @@ void Line::fill(float value) {
 // steps.glift:11: smoothed
 void smoothed(const glift::Commands& commands, const Line& g, uint rounds) {
     // steps.glift:12
-    Line a(commands.device(), g.extent());
+    Line a(commands, g.extent());
     // steps.glift:13
-    Line b(commands.device(), g.extent());
+    Line b(commands, g.extent());
     // steps.glift:14
     ramp(commands, a, a);
     // steps.glift:15

@@ -19,9 +19,9 @@ public:
     static constexpr const char* type_name = "Box<2, float>";
 
     Box_2_float() = default;
-    [[maybe_unused]] Box_2_float(const glift::Device& device, uint2 extent);
+    [[maybe_unused]] Box_2_float(const glift::Commands& commands, uint2 extent);
     /// Over parts that exist already.
-    [[maybe_unused]] Box_2_float(const glift::Device& device, uint2 extent, glift::Memory data);
+    [[maybe_unused]] Box_2_float(const glift::Commands& commands, uint2 extent, glift::Memory data);
 
     /// The extent of the virtual domain.
     [[maybe_unused]] uint2 domain() const;
@@ -531,14 +531,14 @@ void fill_box(const glift::Commands& commands, const glift::Range<Turned>& to, f
     }
 }
 
-Box_2_float::Box_2_float(const glift::Device& device, uint2 extent)
-    : Structure(device),
+Box_2_float::Box_2_float(const glift::Commands& commands, uint2 extent)
+    : Structure(commands.device()),
       extent_(extent),
       data_extent_(volume(extent_)),
-      data_(device.allocate({.name = "Box_2_float.data", .bytes = glift::buffer_bytes<float>(data_extent_)})) {}
+      data_(commands.allocate({.name = "Box_2_float.data", .bytes = glift::buffer_bytes<float>(data_extent_)})) {}
 
-Box_2_float::Box_2_float(const glift::Device& device, uint2 extent, glift::Memory data)
-    : Structure(device),
+Box_2_float::Box_2_float(const glift::Commands& commands, uint2 extent, glift::Memory data)
+    : Structure(commands.device()),
       extent_(extent),
       data_extent_(volume(extent_)),
       data_(std::move(data)) {}
@@ -579,14 +579,14 @@ void copy(const glift::Commands& commands, const glift::Range<Turned>& f, const 
     }
 }
 
-Turned::Turned(const glift::Device& device, uint2 extent)
-    : Structure(device),
+Turned::Turned(const glift::Commands& commands, uint2 extent)
+    : Structure(commands.device()),
       extent_(extent),
       data_extent_(extent_.x * extent_.y),
-      data_(device.allocate({.name = "Turned.data", .bytes = glift::buffer_bytes<float>(data_extent_)})) {}
+      data_(commands.allocate({.name = "Turned.data", .bytes = glift::buffer_bytes<float>(data_extent_)})) {}
 
-Turned::Turned(const glift::Device& device, uint2 extent, glift::Memory data)
-    : Structure(device),
+Turned::Turned(const glift::Commands& commands, uint2 extent, glift::Memory data)
+    : Structure(commands.device()),
       extent_(extent),
       data_extent_(extent_.x * extent_.y),
       data_(std::move(data)) {}
@@ -601,12 +601,12 @@ bool Turned::same_state(const Turned& other) const {
 
 void Turned::copy_out(const glift::Commands& commands, const glift::Range<Turned>& range,
     const glift::Memory& box) const {
-    read_box(commands, range, Box_2_float(commands.device(), range.size(), box));
+    read_box(commands, range, Box_2_float(commands, range.size(), box));
 }
 
 void Turned::copy_in(const glift::Commands& commands, const glift::Range<Turned>& range,
     const glift::Memory& box) const {
-    write_box(commands, Box_2_float(commands.device(), range.size(), box), range);
+    write_box(commands, Box_2_float(commands, range.size(), box), range);
 }
 
 void Turned::fill(float value, const glift::Range<Turned>& range) {

@@ -15,9 +15,9 @@ public:
     static constexpr const char* type_name = "Turned";
 
     Turned() = default;
-    Turned(const glift::Device& device, glift::uint2 extent);
+    Turned(const glift::Commands& commands, glift::uint2 extent);
     /// Over parts that exist already.
-    Turned(const glift::Device& device, glift::uint2 extent, glift::Memory data);
+    Turned(const glift::Commands& commands, glift::uint2 extent, glift::Memory data);
 
     /// The extent of the virtual domain.
     glift::uint2 domain() const;

@@ -19,9 +19,9 @@ public:
     static constexpr const char* type_name = "Box<3, float>";
 
     Box_3_float() = default;
-    [[maybe_unused]] Box_3_float(const glift::Device& device, uint3 extent);
+    [[maybe_unused]] Box_3_float(const glift::Commands& commands, uint3 extent);
     /// Over parts that exist already.
-    [[maybe_unused]] Box_3_float(const glift::Device& device, uint3 extent, glift::Memory data);
+    [[maybe_unused]] Box_3_float(const glift::Commands& commands, uint3 extent, glift::Memory data);
 
     /// The extent of the virtual domain.
     [[maybe_unused]] uint3 domain() const;
@@ -532,14 +532,14 @@ void fill_box(const glift::Commands& commands, const glift::Range<Field>& to, fl
     }
 }
 
-Box_3_float::Box_3_float(const glift::Device& device, uint3 extent)
-    : Structure(device),
+Box_3_float::Box_3_float(const glift::Commands& commands, uint3 extent)
+    : Structure(commands.device()),
       extent_(extent),
       data_extent_(volume(extent_)),
-      data_(device.allocate({.name = "Box_3_float.data", .bytes = glift::buffer_bytes<float>(data_extent_)})) {}
+      data_(commands.allocate({.name = "Box_3_float.data", .bytes = glift::buffer_bytes<float>(data_extent_)})) {}
 
-Box_3_float::Box_3_float(const glift::Device& device, uint3 extent, glift::Memory data)
-    : Structure(device),
+Box_3_float::Box_3_float(const glift::Commands& commands, uint3 extent, glift::Memory data)
+    : Structure(commands.device()),
       extent_(extent),
       data_extent_(volume(extent_)),
       data_(std::move(data)) {}
@@ -576,15 +576,15 @@ void twice(const glift::Commands& commands, const glift::Range<Field>& f) {
     }
 }
 
-Field::Field(const glift::Device& device, uint3 extent)
-    : Structure(device),
+Field::Field(const glift::Commands& commands, uint3 extent)
+    : Structure(commands.device()),
       extent_(extent),
       data_extent_(uint2(64u, (extent_.x * extent_.y * extent_.z + 63u) / 64u)),
-      data_(device.allocate({.name = "Field.data", .kind = glift::MemoryKind::image2d, .format = glift::Format::r32f,
+      data_(commands.allocate({.name = "Field.data", .kind = glift::MemoryKind::image2d, .format = glift::Format::r32f,
         .extent = glift::image_extent(data_extent_)})) {}
 
-Field::Field(const glift::Device& device, uint3 extent, glift::Memory data)
-    : Structure(device),
+Field::Field(const glift::Commands& commands, uint3 extent, glift::Memory data)
+    : Structure(commands.device()),
       extent_(extent),
       data_extent_(uint2(64u, (extent_.x * extent_.y * extent_.z + 63u) / 64u)),
       data_(std::move(data)) {}
@@ -599,11 +599,11 @@ bool Field::same_state(const Field& other) const {
 
 void Field::copy_out(const glift::Commands& commands, const glift::Range<Field>& range,
     const glift::Memory& box) const {
-    read_box(commands, range, Box_3_float(commands.device(), range.size(), box));
+    read_box(commands, range, Box_3_float(commands, range.size(), box));
 }
 
 void Field::copy_in(const glift::Commands& commands, const glift::Range<Field>& range, const glift::Memory& box) const {
-    write_box(commands, Box_3_float(commands.device(), range.size(), box), range);
+    write_box(commands, Box_3_float(commands, range.size(), box), range);
 }
 
 void Field::fill(float value, const glift::Range<Field>& range) {
