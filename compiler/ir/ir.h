@@ -87,6 +87,7 @@ enum class Op : std::uint8_t {
                       // Op::local
     pipeline_call,    // pipeline `slot` of Program::pipelines: operands in parameter order; of an adaptor:
                       // `local`/`place` is the owner
+    device_property,  // `slot` is a DeviceProperty of the device that the pipeline runs on
     element_count,    // number of elements of the structure or slice at `place`: product of its size
     // memory: low level, after lower/
     parameter,     // member `slot` of Pass::parameters
@@ -128,6 +129,9 @@ enum class Invocation : std::uint8_t {
     subgroup_lane,
     subgroup_index
 };
+
+/// What a pipeline can ask of its device, to choose between variants of an algorithm.
+enum class DeviceProperty : std::uint8_t { is_host, is_gpu, subgroup_size, subgroup_arithmetic, shared_memory_bytes };
 
 /// What a shader is given; only made by lower/dispatch.
 enum class Builtin : std::uint8_t {

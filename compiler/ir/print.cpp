@@ -213,6 +213,7 @@ std::string Printer::expr(ExprId id) {
     case Op::slice: return place(node.place) + "[slice " + list(o) + "]";
     case Op::structure_value: return node.local ? local(node.local) : place(node.place);
     case Op::pipeline_call: return name(p.pipelines[node.slot].name) + "(" + list(o) + ")";
+    case Op::device_property: return "device.property" + std::to_string(node.slot);
     case Op::element_count: return "count(" + (node.local ? local(node.local) : place(node.place)) + ")";
     case Op::parameter:
     case Op::load:

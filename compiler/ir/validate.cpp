@@ -84,6 +84,7 @@ void Validator::low_level(ExprId id) {
     case Op::slice:
     case Op::structure_value:
     case Op::pipeline_call:
+    case Op::device_property:
     case Op::element_count: return fail("high-level operation in a lowered kernel", id);
     default: return;  // values are of both levels
     }

@@ -101,6 +101,7 @@ bool find_uniform(Context& cx, const Expr& node) {
     case Op::slice:
     case Op::structure_value:
     case Op::pipeline_call:
+    case Op::device_property:
     case Op::element_count:
     case Op::parameter:
     case Op::load:

@@ -163,6 +163,7 @@ Pair Expander::expand(ExprId id) {
     case Op::slice:
     case Op::structure_value:
     case Op::pipeline_call:
+    case Op::device_property:
     case Op::element_count: break;  // only in pipelines, which are not lowered
     }
     return {make.zero(node.type), {}};

@@ -98,6 +98,8 @@ bool is_error(const Body&, ir::ExprId);
 
 // parts of expressions, a file each
 Operand check_member(Body&, ast::ExprId);
+std::optional<Operand> check_device_member(Body&, const ast::Expr&);
+Operand unknown_member(Body&, std::string_view what, ast::Identifier, const std::vector<std::string_view>& known);
 Operand check_index(Body&, ast::ExprId, ir::TypeId wanted);
 Operand check_call(Body&, ast::ExprId, ir::TypeId wanted);
 Operand check_unary(Body&, ast::ExprId, ir::TypeId wanted);

@@ -5,6 +5,15 @@
 
 namespace gliftc::sema {
 
+Operand unknown_member(Body& body, std::string_view what, ast::Identifier member,
+                       const std::vector<std::string_view>& known) {
+    Context& c = body.context;
+    Diagnostic& diagnostic = c.error(Diag::unknown_member, member.span, {what, c.text(member.name)});
+    std::string_view meant = did_you_mean(c.text(member.name), known);
+    if (!meant.empty()) note(diagnostic, member.span, "did you mean '" + std::string(meant) + "'?");
+    return error_operand(member.span);
+}
+
 namespace {
 
 int lane_of(char letter) {
@@ -23,15 +32,6 @@ int lane_of(char letter) {
     case 'q': return 3;
     default: return -1;
     }
-}
-
-Operand unknown_member(Body& body, std::string_view what, ast::Identifier member,
-                       const std::vector<std::string_view>& known) {
-    Context& c = body.context;
-    Diagnostic& diagnostic = c.error(Diag::unknown_member, member.span, {what, c.text(member.name)});
-    std::string_view meant = did_you_mean(c.text(member.name), known);
-    if (!meant.empty()) note(diagnostic, member.span, "did you mean '" + std::string(meant) + "'?");
-    return error_operand(member.span);
 }
 
 Operand struct_field(Body& body, ir::ExprId value, ast::Identifier member) {
@@ -279,6 +279,7 @@ Operand structure_member(Body& body, const Operand& left, ast::Identifier member
 Operand check_member(Body& body, ast::ExprId id) {
     const ast::Expr& expr = body.context[id];
     ast::Identifier member{expr.name, expr.name_span};
+    if (auto property = check_device_member(body, expr)) return *property;
     Operand left = check(body, expr.operands[0]);
     switch (left.kind) {
     case OperandKind::error: return error_operand(expr.span);

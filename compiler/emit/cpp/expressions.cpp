@@ -286,6 +286,7 @@ Text print(Printer& p, ExprId id) {
     case Op::structure_value:
     case Op::pipeline_call:
     case Op::host_state:
+    case Op::device_property:
     case Op::element_count:
     case Op::parameter:
     case Op::load:

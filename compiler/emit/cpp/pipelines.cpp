@@ -87,6 +87,18 @@ Text PipelinePrinter::call(const Expr& expr) {
     return {name + "(commands" + (arguments.empty() ? "" : ", ") + arguments + ")"};
 }
 
+std::string device_property(ir::DeviceProperty property) {
+    const std::string all = "commands.device().properties().";
+    switch (property) {
+    case ir::DeviceProperty::is_host: return "commands.device().is_host()";
+    case ir::DeviceProperty::is_gpu: return "(" + all + "kind == glift::DeviceKind::gpu)";
+    case ir::DeviceProperty::subgroup_size: return all + "subgroup_size";
+    case ir::DeviceProperty::subgroup_arithmetic: return all + "subgroup_arithmetic";
+    case ir::DeviceProperty::shared_memory_bytes: return all + "shared_memory_bytes";
+    }
+    return "{}";
+}
+
 Text PipelinePrinter::expression(const Expr& expr) {
     switch (expr.op) {
     case Op::member:
@@ -98,6 +110,7 @@ Text PipelinePrinter::expression(const Expr& expr) {
     case Op::domain:
         if (is_slice(expr) && expr.place.members.empty()) return {p.local_names.at(expr.local) + ".size()"};
         return property(expr);
+    case Op::device_property: return {device_property(static_cast<ir::DeviceProperty>(expr.slot))};
     case Op::element_count: return {"glift::element_count(" + base(expr) + ")"};
     case Op::device_read: return {base(expr) + ".element(commands, " + print_any(p, expr.operands[0]) + ")"};
     case Op::host_read:

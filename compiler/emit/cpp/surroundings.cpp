@@ -70,6 +70,7 @@ Text structure_property(const Globals& globals, const ir::Expr& expr, std::uint3
     case ir::Op::await_value:
     case ir::Op::slice:
     case ir::Op::pipeline_call:
+    case ir::Op::device_property:
     case ir::Op::element_count:
     case ir::Op::parameter:
     case ir::Op::load:

@@ -282,6 +282,7 @@ Text print(Printer& p, ExprId id) {
     case Op::structure_value:
     case Op::pipeline_call:
     case Op::host_state:
+    case Op::device_property:
     case Op::element_count: break;
     }
     throw std::logic_error("emit/glsl: an expression that lowering should have replaced (Op " +

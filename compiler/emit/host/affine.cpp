@@ -185,6 +185,7 @@ Slopes Affine::of(ExprId id) {
     case Op::structure_value:
     case Op::pipeline_call:
     case Op::host_state:
+    case Op::device_property:
     case Op::element_count:
     case Op::load:
     case Op::image_load:

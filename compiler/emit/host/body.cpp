@@ -96,6 +96,7 @@ Text print_outer(Body& body, const Expr& expr) {
     case Op::structure_value:
     case Op::pipeline_call:
     case Op::host_state:
+    case Op::device_property:
     case Op::element_count: break;
     }
     return {"/* not lowered */"};
