@@ -6,6 +6,7 @@
 // has named what is used twice.
 #pragma once
 
+#include "ir/empty.h"
 #include "lower/context.h"
 #include "lower/number.h"
 
@@ -55,6 +56,7 @@ private:
     // expand_expressions.cpp
     Pair expand(ExprId id);
     ExprId value_of(ExprId id) { return expand(id).value; }
+    ExprId without_empty(ExprId whole);
     Pair expand_local(const ir::Expr& node);
     Pair expand_select(const ir::Expr& node);
     Pair expand_logical(const ir::Expr& node);

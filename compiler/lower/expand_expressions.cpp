@@ -98,6 +98,7 @@ ExprId Expander::stored(const Pair& pair, TypeId type) {
 
 Pair Expander::expand(ExprId id) {
     const Expr& node = p.exprs[id];
+    if (is_empty(p, node.type)) return {make.zero(node.type), {}};
     switch (node.op) {
     case Op::constant: return {id, {}};
     case Op::local: return expand_local(node);
@@ -171,7 +172,22 @@ Pair Expander::expand(ExprId id) {
 
 Pair Expander::expand_local(const Expr& node) {
     if (auto found = frame_->locals.find(node.local); found != frame_->locals.end()) return found->second;
-    return {make.local(node.local), {}};  // a value parameter or workgroup memory of the kernel
+    // A value parameter or workgroup memory of the kernel.
+    return {without_empty(make.local(node.local)), {}};
+}
+
+/// A value that the host gives, part by part where some of them are empty: those are no part of a parameter block.
+ExprId Expander::without_empty(ExprId whole) {
+    const TypeId id = make.type(whole);
+    const Type type = p.types[id];
+    if (is_empty(p, id)) return make.zero(id);
+    if (!holds_empty(p, id) || type.kind == TypeKind::optional) return whole;
+    std::vector<ExprId> parts;
+    std::size_t count = type.kind == TypeKind::array ? type.count : p.structs[type.index].fields.size();
+    for (std::uint32_t i = 0; i < count; ++i)
+        parts.push_back(
+            without_empty(type.kind == TypeKind::array ? make.index(whole, make.uint(i)) : make.field(whole, i)));
+    return make.construct(id, std::move(parts));
 }
 
 Pair Expander::expand_again(ExprId id, const Expr& node) {
@@ -228,7 +244,7 @@ ExprId Expander::expand_member(const Expr& node) {
     }
     Expr leaf = node;
     leaf.place = place;
-    return p.exprs.add(std::move(leaf));
+    return without_empty(p.exprs.add(std::move(leaf)));
 }
 
 ExprId Expander::expand_invocation(const Expr& node) {

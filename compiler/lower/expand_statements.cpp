@@ -84,6 +84,7 @@ void Expander::expand_statement(StmtId id) {
 
 void Expander::expand_let(const Stmt& stmt) {
     const Local local = p.locals[stmt.local];
+    if (is_empty(p, local.type)) return;  // every use of it is known
     const std::string name = prefixed((*p.names)[local.name]);
     if (p.types.kind(local.type) == TypeKind::optional) {
         Pair value = stmt.value ? expand(stmt.value) : Pair{make.zero(p.types[local.type].element), make.truth(false)};
@@ -128,8 +129,9 @@ void Expander::expand_assign(const Stmt& stmt) {
         assign(p.exprs[target.has].local, value.has);
         return;
     }
-    Stmt copy = statement(StmtOp::assign, stmt.span);
     TypeId type = make.type(stmt.target);
+    if (is_empty(p, type)) return;
+    Stmt copy = statement(StmtOp::assign, stmt.span);
     copy.target = expand_target(stmt.target);
     copy.value = stored(expand(stmt.value), type);
     append(std::move(copy));

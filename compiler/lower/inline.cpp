@@ -143,6 +143,7 @@ Pair Expander::expand_call(const Expr& node) {
         arguments.push_back(argument);
     }
     bool is_optional = p.types.kind(function.result) == TypeKind::optional;
+    if (holds_empty(p, function.result)) uniform = false;  // no parameter
     if (constant || (uniform && !is_optional && frame_->stage == nullptr && function.extern_name.empty())) {
         Expr call = node;
         for (std::size_t i = 0; i < arguments.size(); ++i)

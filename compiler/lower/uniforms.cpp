@@ -1,5 +1,6 @@
 #include "lower/uniforms.h"
 
+#include "ir/empty.h"
 #include "ir/walk.h"
 #include "lower/number.h"
 
@@ -70,13 +71,15 @@ private:
 
 bool Uniforms::is_leaf(ExprId id) const {
     const Expr& node = cx.p.exprs[id];
+    // What has empty parts is no parameter, but its other parts are.
+    if (node.op == Op::field) return holds_empty(cx.p, cx.make.type(node.operands[0])) && !holds_empty(cx.p, node.type);
     return node.op == Op::member || node.op == Op::memory_extent || node.op == Op::domain || node.op == Op::local;
 }
 
 /// What a chain of swizzles and fields takes a part of.
 ExprId Uniforms::base(ExprId id) const {
     const Expr* node = &cx.p.exprs[id];
-    while (node->op == Op::swizzle || node->op == Op::field) {
+    while (!is_leaf(id) && (node->op == Op::swizzle || node->op == Op::field)) {
         id = node->operands[0];
         node = &cx.p.exprs[id];
     }
@@ -125,7 +128,8 @@ ExprId Uniforms::closed(ExprId id) {
 bool Uniforms::is_lifted(ExprId id) {
     const Expr& node = cx.p.exprs[id];
     TypeKind kind = cx.p.types.kind(node.type);
-    return is_uniform(cx, id) && !cx.make.is_constant(id) && kind != TypeKind::optional && kind != TypeKind::void_;
+    return is_uniform(cx, id) && !cx.make.is_constant(id) && kind != TypeKind::optional && kind != TypeKind::void_ &&
+           !holds_empty(cx.p, node.type);
 }
 
 void Uniforms::find(ExprId id) {

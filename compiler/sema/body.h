@@ -113,6 +113,11 @@ Operand make_swizzle_of(Body&, ir::ExprId, ast::Identifier);
 Operand call_function(Body&, const std::vector<ast::DeclId>& overloads, const Env* owner,
                       const std::vector<ast::ExprId>& explicit_generics, const std::vector<ast::ExprId>& arguments,
                       const ast::Expr& call, ir::TypeId wanted, const Operand* self = nullptr);
+/// A call by plain name of one of the `visible` functions, or of one that comes with an argument's type. Absent if
+/// there is none of that name.
+std::optional<Operand> call_by_name(Body&, ast::Identifier name, std::vector<ast::DeclId> visible,
+                                    const std::vector<ast::ExprId>& explicit_generics, const ast::Expr& call,
+                                    ir::TypeId wanted);
 Operand call_intrinsic(Body&, ir::Intrinsic, const std::vector<ast::ExprId>& arguments, const ast::Expr& call,
                        ir::TypeId wanted);
 Operand construct_value(Body&, ir::TypeId, const ast::Expr& call);

@@ -1,177 +1,10 @@
-// Calls: which function is meant, its generic arguments, its arguments.
+// Calls: what is called, a function, a type, a method, or something that the language has.
 #include "sema/body.h"
-#include "sema/generics.h"
-#include "sema/instances.h"
+#include "sema/lookup.h"
 
 namespace gliftc::sema {
 
 namespace {
-
-/// An argument that can only be checked once its parameter's type is known.
-bool needs_context(const Context& c, ast::ExprId id) {
-    ast::ExprKind kind = c[id].kind;
-    return is_flexible(c, id) || kind == ast::ExprKind::tuple || kind == ast::ExprKind::none_literal;
-}
-
-/// One overload being tried.
-struct Candidate {
-    ast::DeclId decl;
-    std::unique_ptr<Env> env;
-};
-
-struct CheckedArguments {
-    std::vector<Operand> operands;  ///< kind error and no span for those that wait for their parameter's type
-    std::vector<bool> waits;
-    bool failed = false;
-};
-
-ir::TypeId operand_type(Body& body, const Operand& operand) {
-    if (operand.kind == OperandKind::value) return operand.type;
-    if (operand.kind == OperandKind::structure) return body.types().of_structure(operand.structure);
-    return {};
-}
-
-CheckedArguments check_arguments(Body& body, const std::vector<ast::ExprId>& arguments) {
-    CheckedArguments result;
-    for (ast::ExprId argument : arguments) {
-        bool waits = needs_context(body.context, argument);
-        Operand operand;
-        if (!waits) {
-            operand = check(body, argument);
-            if (operand.kind == OperandKind::iterator) {
-                const ir::KernelParam& param = body.kernel->params[operand.slot];
-                if (param.pattern != ir::Pattern::near && param.pattern != ir::Pattern::scatter)
-                    operand = value_operand(body, to_value(body, operand), operand.span);
-                else
-                    operand.kind = OperandKind::structure, operand.place.root = operand.slot,
-                    operand.window = param.radius;
-            }
-            if (operand.kind == OperandKind::error) result.failed = true;
-        }
-        result.operands.push_back(std::move(operand));
-        result.waits.push_back(waits);
-    }
-    return result;
-}
-
-/// Binds the generics of an overload; null if it does not fit. With `report`, says why.
-std::unique_ptr<Env> match(Body& body, ast::DeclId id, const Env* owner,
-                           const std::vector<ast::ExprId>& explicit_generics, const CheckedArguments& arguments,
-                           const ast::Expr& call, ir::TypeId wanted, bool report) {
-    Context& c = body.context;
-    const ast::Decl& decl = c[id];
-    const auto& function = std::get<ast::Function>(decl.body);
-    auto env = std::make_unique<Env>();
-    if (owner) *env = *owner;
-    env->module = c.module_of.at(id);
-    if (function.params.size() != arguments.operands.size()) {
-        if (report)
-            note(c.error(Diag::argument_count, call.span,
-                         {c.text(decl.name.name), std::to_string(function.params.size()),
-                          std::to_string(arguments.operands.size())}),
-                 decl.name.span, "declared here");
-        return nullptr;
-    }
-    Arguments generics(c, decl, *env, call.span);
-    if (!explicit_generics.empty() && !generics.give(body.env, explicit_generics)) return nullptr;
-    for (std::size_t i = 0; i < function.params.size(); ++i) {
-        if (arguments.waits[i]) continue;
-        if (arguments.operands[i].kind == OperandKind::structure)
-            generics.infer_structure(function.params[i].type, arguments.operands[i].structure);
-        else if (ir::TypeId type = operand_type(body, arguments.operands[i]))
-            generics.infer(function.params[i].type, type);
-    }
-    if (wanted && function.result) generics.infer(function.result, wanted);
-    for (std::size_t i = 0; i < function.group.size() && i < 3 && body.grouped(); ++i)
-        generics.infer_value(function.group[i], {body.types().uint, {ir::Lane{.bits = body.group[i]}}});
-    for (std::size_t i = 0; i < function.params.size(); ++i)
-        if (arguments.waits[i]) infer_from_literal(generics, function.params[i].type, call.operands[i + 1]);
-    if (!generics.finish(!report)) return nullptr;
-    for (std::size_t i = 0; i < function.params.size(); ++i) {
-        if (arguments.waits[i] || arguments.operands[i].kind == OperandKind::error) continue;
-        ir::TypeId parameter = type_of(c, *env, function.params[i].type);
-        ir::TypeId actual = operand_type(body, arguments.operands[i]);
-        if (parameter == actual || parameter == body.types().error) continue;
-        if (body.types().kind(parameter) == ir::TypeKind::optional && body.types()[parameter].element == actual)
-            continue;
-        if (!report) return nullptr;
-        if (!actual) to_value(body, arguments.operands[i]);  // reports that it is no value
-        else {
-            Diagnostic& diagnostic =
-                c.error(Diag::type_mismatch, arguments.operands[i].span, {c.text(parameter), c.text(actual)});
-            note(diagnostic, function.params[i].name.span,
-                 "parameter '" + c.text(function.params[i].name.name) + "' is declared here");
-        }
-        return nullptr;
-    }
-    return env;
-}
-
-/// A function's window must lie within that of the kernel.
-bool fits_window(Body& body, const Env& env, const ast::Param& param, const Operand& argument) {
-    if (param.pattern != ast::Pattern::near) return true;
-    std::uint32_t radius = window_radius(body.context, env, param);
-    if (radius <= argument.window) return true;
-    Context& c = body.context;
-    note(c.error(Diag::window, argument.span, {c.text(param.name.name), std::to_string(radius)}), param.name.span,
-         "pass a parameter that the kernel declares as near<…, " + std::to_string(radius) + ">");
-    return false;
-}
-
-/// A function with a workgroup is called by kernels and functions with the same one.
-bool fits_group(Body& body, ast::DeclId id, const Env& env, const ast::Expr& call) {
-    Context& c = body.context;
-    const auto& function = std::get<ast::Function>(c[id].body);
-    if (function.group.empty()) return true;
-    if (!body.grouped()) {
-        note(c.error(Diag::needs_group, call.span, {c.text(c[id].name.name)}), c[id].name.span,
-             "it works with a whole workgroup: write 'group(size)' after the parameters of what calls it");
-        return false;
-    }
-    const auto wanted = group_of(c, env, function.group);
-    if (wanted == body.group) return true;
-    const auto text = [](const std::array<std::uint32_t, 3>& group) {
-        return std::to_string(group[0]) + " x " + std::to_string(group[1]) + " x " + std::to_string(group[2]);
-    };
-    note(c.error(Diag::group_differs, call.span, {c.text(c[id].name.name), text(wanted), text(body.group)}),
-         c[id].name.span, "declared here");
-    return false;
-}
-
-/// Finishes a call of a matched function: the waiting arguments, then the call node.
-Operand finish_call(Body& body, ast::DeclId id, const Env& env, CheckedArguments& arguments,
-                    const std::vector<ast::ExprId>& written, const ast::Expr& call, const Operand* self) {
-    Context& c = body.context;
-    const auto& function = std::get<ast::Function>(c[id].body);
-    std::vector<ir::ExprId> values;
-    std::vector<std::uint32_t> structures;
-    std::vector<ir::Place> places;
-    if (self) {
-        structures.push_back(self->structure);
-        places.push_back(self->place);
-    }
-    for (std::size_t i = 0; i < written.size(); ++i) {
-        Operand& operand = arguments.operands[i];
-        if (operand.kind == OperandKind::structure) {
-            if (!fits_window(body, env, function.params[i], operand)) return error_operand(call.span);
-            structures.push_back(operand.structure);
-            places.push_back(operand.place);
-            continue;
-        }
-        ir::TypeId parameter = type_of(c, env, function.params[i].type);
-        values.push_back(arguments.waits[i] ? check_value(body, written[i], parameter)
-                                            : coerce(body, to_value(body, operand), parameter, operand.span));
-        if (is_error(body, values.back())) return error_operand(call.span);
-    }
-    if (!fits_group(body, id, env, call)) return error_operand(call.span);
-    auto instance = instantiate_function(c, id, env, structures, call.span);
-    if (!instance) return error_operand(call.span);
-    ir::ExprId result =
-        add(body.program(), ir::Op::call, body.program().functions[*instance].result, call.span, std::move(values));
-    body.program().exprs[result].function = *instance;
-    body.program().exprs[result].places = std::move(places);
-    return value_operand(body, result, call.span);
-}
 
 Operand call_type(Body& body, ir::TypeId type, const ast::Expr& call) {
     if (body.types().kind(type) == ir::TypeKind::structure) return construct_structure(body, type, call);
@@ -254,35 +87,6 @@ Operand call_declarations(Body& body, const Meta& meta, const std::vector<ast::E
 }
 
 }  // namespace
-
-Operand call_function(Body& body, const std::vector<ast::DeclId>& overloads, const Env* owner,
-                      const std::vector<ast::ExprId>& explicit_generics, const std::vector<ast::ExprId>& arguments,
-                      const ast::Expr& call, ir::TypeId wanted, const Operand* self) {
-    Context& c = body.context;
-    CheckedArguments checked = check_arguments(body, arguments);
-    if (checked.failed) return error_operand(call.span);
-    std::unique_ptr<Env> chosen;
-    ast::DeclId decl;
-    for (ast::DeclId overload : overloads) {
-        if (overloads.size() == 1) break;
-        auto env = match(body, overload, owner, explicit_generics, checked, call, wanted, false);
-        if (!env) env = match(body, overload, owner, explicit_generics, checked, call, {}, false);
-        bool better = env && (!chosen || (c[overload].generics.empty() && !c[decl].generics.empty()));
-        if (better) chosen = std::move(env), decl = overload;
-    }
-    if (overloads.size() == 1) {
-        decl = overloads[0];
-        chosen = match(body, decl, owner, explicit_generics, checked, call, wanted, false);
-        if (!chosen) chosen = match(body, decl, owner, explicit_generics, checked, call, {}, true);
-        if (!chosen) return error_operand(call.span);
-    }
-    if (!chosen) {
-        Diagnostic& diagnostic = c.error(Diag::no_overload, call.span, {c.text(c[overloads[0]].name.name)});
-        for (ast::DeclId overload : overloads) note(diagnostic, c[overload].name.span, "does not fit");
-        return error_operand(call.span);
-    }
-    return finish_call(body, decl, *chosen, checked, arguments, call, self);
-}
 
 Operand construct_value(Body& body, ir::TypeId id, const ast::Expr& call) {
     Context& c = body.context;
@@ -427,6 +231,31 @@ Operand call_method(Body& body, const Operand& self, ast::Identifier method, con
     return error_operand(call.span);
 }
 
+/// A call by plain name.
+static Operand call_named(Body& body, ast::Identifier name, const std::vector<ast::ExprId>& generics,
+                          const ast::Expr& call, ir::TypeId wanted) {
+    Context& c = body.context;
+    Visible visible;
+    if (!body.env.find(name.name)) visible = look_up(c, body.env.module, name);
+    if (is_function(c, visible.found)) return *call_by_name(body, name, visible.found, generics, call, wanted);
+    bool is_hidden = visible.found.empty() && !visible.hidden.empty();
+    Meta meta;
+    if (!visible.found.empty()) meta.kind = MetaKind::declarations, meta.declarations = visible.found;
+    else if (!is_hidden) meta = find_meta(c, body.env, name);
+    if (meta.kind == MetaKind::none) {
+        if (auto result = call_builtin(body, c.text(name.name), call, wanted)) return *result;
+        if (auto result = call_by_name(body, name, {}, generics, call, wanted)) return *result;
+        if (is_hidden) meta = find_meta(c, body.env, name);
+    }
+    if (meta.kind == MetaKind::declarations) return call_declarations(body, meta, generics, call, wanted);
+    bool shape = c.text(name.name) == "vec" || c.text(name.name) == "mat";
+    if (!generics.empty() && (shape || meta.kind != MetaKind::none)) meta = meta_of(c, body.env, call.operands[0]);
+    if (meta.kind == MetaKind::type) return call_type(body, meta.type, call);
+    if (meta.kind == MetaKind::none) report_unknown(c, body.env, name);
+    else c.error(Diag::not_callable, name.span, {"'" + c.text(name.name) + "'"});
+    return error_operand(call.span);
+}
+
 static Operand check_unnamed_call(Body& body, ast::ExprId id, ir::TypeId wanted) {
     Context& c = body.context;
     const ast::Expr& call = c[id];
@@ -465,20 +294,9 @@ static Operand check_unnamed_call(Body& body, ast::ExprId id, ir::TypeId wanted)
         note(c.error(Diag::not_callable, name.span, {"'" + c.text(name.name) + "'"}), symbol->span, "declared here");
         return error_operand(call.span);
     }
-    Meta meta = find_meta(c, body.env, {name.name, name.span});
     std::vector<ast::ExprId> generics;
     if (generic) generics.assign(callee.operands.begin() + 1, callee.operands.end());
-    if (meta.kind == MetaKind::declarations) return call_declarations(body, meta, generics, call, wanted);
-    bool shape = c.text(name.name) == "vec" || c.text(name.name) == "mat";
-    if (generic && (shape || meta.kind != MetaKind::none)) meta = meta_of(c, body.env, call.operands[0]);
-    if (meta.kind == MetaKind::type) return call_type(body, meta.type, call);
-    if (meta.kind == MetaKind::none) {
-        if (auto result = call_builtin(body, c.text(name.name), call, wanted)) return *result;
-        report_unknown(c, body.env, {name.name, name.span});
-        return error_operand(call.span);
-    }
-    c.error(Diag::not_callable, name.span, {"'" + c.text(name.name) + "'"});
-    return error_operand(call.span);
+    return call_named(body, {name.name, name.span}, generics, call, wanted);
 }
 
 Operand check_call(Body& body, ast::ExprId id, ir::TypeId wanted) {

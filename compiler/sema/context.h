@@ -86,7 +86,8 @@ struct Context {
     std::unordered_map<std::string, Instance> instances;
     std::unordered_map<ast::DeclId, ir::ExprId> constants;  ///< checked `const`s
     std::vector<ast::DeclId> constants_under_way;
-    std::vector<Request> requests;  ///< the instantiations under way, outermost first
+    std::vector<std::string> interfaces_under_way;  ///< questions whether a type satisfies one
+    std::vector<Request> requests;                  ///< the instantiations under way, outermost first
     std::vector<std::unique_ptr<Env>> environments;
     std::unordered_map<std::uint32_t, const Env*> structure_env;  ///< of structure instances
     std::unordered_map<std::uint32_t, ast::DeclId> structure_decl;

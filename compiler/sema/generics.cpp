@@ -1,6 +1,7 @@
 #include "sema/generics.h"
 
 #include "sema/body.h"
+#include "sema/interfaces.h"
 
 namespace gliftc::sema {
 
@@ -43,44 +44,6 @@ bool is_texel(const ir::Types& types, ir::TypeId type) {
     ir::TypeId scalar = types.scalar_of(type);
     bool shaped = types.is_scalar(type) || (types.is_vector(type) && types.components(type) != 3);
     return shaped && (scalar == types.float_ || scalar == types.uint || scalar == types.int_);
-}
-
-/// `interface I { fn f(a: Self) -> Self; }`: a type satisfies it if such functions can be called on it.
-bool satisfies_interface(Context& c, const Env& env, ast::DeclId id, ir::TypeId type, std::string& why) {
-    Env inside;
-    inside.module = c.module_of.at(id);
-    inside.self = type;
-    for (ast::DeclId member : std::get<ast::Interface>(c[id].body).members) {
-        const auto* wanted = std::get_if<ast::Function>(&c[member].body);
-        if (!wanted) continue;
-        bool found = false;
-        Name name = c[member].name.name;
-        std::vector<std::uint32_t> modules = {env.module};
-        if (auto decl = c.types().kind(type) == ir::TypeKind::struct_ ? c.struct_decl.find(c.types()[type].index)
-                                                                      : c.struct_decl.end();
-            decl != c.struct_decl.end())
-            modules.push_back(c.module_of.at(decl->second));
-        for (std::uint32_t module : modules) {
-            for (ast::DeclId candidate : find_declarations(c, module, {name, c[member].name.span})) {
-                const auto* function = std::get_if<ast::Function>(&c[candidate].body);
-                if (!function || !c[candidate].generics.empty() || function->params.size() != wanted->params.size())
-                    continue;
-                Env other;
-                other.module = c.module_of.at(candidate);
-                bool fits = function->result ? wanted->result && type_of(c, other, function->result) ==
-                                                                     type_of(c, inside, wanted->result)
-                                             : !wanted->result;
-                for (std::size_t i = 0; fits && i < function->params.size(); ++i)
-                    fits = type_of(c, other, function->params[i].type) == type_of(c, inside, wanted->params[i].type);
-                found |= fits;
-            }
-        }
-        if (!found) {
-            why = "there is no fn " + c.text(name) + " for " + c.text(type) + " as the interface asks";
-            return false;
-        }
-    }
-    return true;
 }
 
 bool satisfies_structure(Context& c, const Env& env, const ast::Expr& constraint, ir::TypeId type, std::string& why) {
@@ -131,7 +94,7 @@ bool satisfies(Context& c, const Env& env, ast::ExprId constraint, const Meta& m
             why = "a type is wanted here";
             return false;
         }
-        if (interface) return satisfies_interface(c, env, wanted.declarations[0], meta.type, why);
+        if (interface) return satisfies_interface(c, env, wanted.declarations[0], expr, meta.type, why);
         ir::TypeId scalar = c.types().scalar_of(meta.type);
         bool shaped = c.types().is_scalar(meta.type) || c.types().is_vector(meta.type);
         switch (wanted.constraint) {

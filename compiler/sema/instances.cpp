@@ -43,8 +43,6 @@ ir::TypeId make_struct(Context& c, ast::DeclId id, const Env& env, const std::st
                 c.error(Diag::duplicate_name, field.name.span, {c.text(field.name.name)});
         fields.push_back({field.name.name, type, {}, field.doc});
     }
-    if (fields.empty() && written.extern_header.empty())
-        c.error(Diag::empty_struct, decl.name.span, {c.text(decl.name.name)});
     c.program.structs[index].fields = std::move(fields);
     return c.types().of_struct(index);
 }

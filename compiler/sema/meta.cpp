@@ -4,6 +4,7 @@
 #include "sema/defines.h"
 #include "sema/generics.h"
 #include "sema/instances.h"
+#include "sema/lookup.h"
 
 #include <algorithm>
 #include <array>
@@ -225,36 +226,12 @@ Meta meta_of_array(Context& c, const Env& env, const ast::Expr& expr) {
 }  // namespace
 
 std::vector<ast::DeclId> find_declarations(Context& c, std::uint32_t module, ast::Identifier name) {
-    const ModuleScope& scope = c.scopes[module];
-    if (auto own = scope.names.find(name.name); own != scope.names.end()) return own->second;
-    std::vector<ast::DeclId> found, hidden;
-    std::uint32_t from = 0xffffffffu;
-    for (std::uint32_t import : scope.imports) {
-        auto names = c.scopes[import].names.find(name.name);
-        if (names == c.scopes[import].names.end()) continue;
-        for (ast::DeclId decl : names->second) {
-            if (!c[decl].is_pub) {
-                hidden.push_back(decl);
-                continue;
-            }
-            bool functions = std::holds_alternative<ast::Function>(c[decl].body);
-            if (!found.empty() && from != import && !functions) {
-                Diagnostic& diagnostic = c.error(Diag::ambiguous_name, name.span, {c.text(name.name)});
-                note(diagnostic, c[found[0]].name.span, "one is declared here");
-                note(diagnostic, c[decl].name.span, "another here");
-                return found;
-            }
-            found.push_back(decl);
-            from = import;
-        }
-    }
-    if (found.empty() && !hidden.empty()) {
-        std::string_view owner = c.text(c.modules[c.module_of.at(hidden[0])].tree->name.name);
-        note(c.error(Diag::not_public, name.span, {c.text(name.name), owner}), c[hidden[0]].name.span,
-             "write 'pub' before it to export it");
-        return hidden;
-    }
-    return found;
+    Visible visible = look_up(c, module, name);
+    if (!visible.found.empty() || visible.hidden.empty()) return visible.found;
+    std::string_view owner = c.text(c.modules[c.module_of.at(visible.hidden[0])].tree->name.name);
+    note(c.error(Diag::not_public, name.span, {c.text(name.name), owner}), c[visible.hidden[0]].name.span,
+         "write 'pub' before it to export it");
+    return visible.hidden;
 }
 
 Meta find_meta(Context& c, const Env& env, ast::Identifier name) {

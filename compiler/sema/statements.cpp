@@ -1,3 +1,4 @@
+#include "ir/empty.h"
 #include "sema/body.h"
 
 namespace gliftc::sema {
@@ -37,6 +38,11 @@ void check_shared(Body& body, const ast::Stmt& stmt) {
     ir::TypeId type = type_of(c, body.env, stmt.type);
     ir::LocalId local = declare_local(body, stmt.name, type, true);
     body.program().locals[local].storage = ir::Storage::shared;
+    if (ir::holds_empty(body.program(), type)) {
+        note(c.error(Diag::memory_element, c[stmt.type].span), c[stmt.type].span,
+             "memory has no place for a struct without fields");
+        return;
+    }
     if (!body.grouped()) {
         note(c.error(Diag::needs_group, stmt.span, {"shared"}), stmt.span,
              "write 'group(size)' after the kernel's parameters");

@@ -1,4 +1,5 @@
 // Structures, views and adaptors: constructor, memories, nested structures, `via`, domain.
+#include "ir/empty.h"
 #include "sema/components.h"
 #include "sema/generics.h"
 #include "sema/instances.h"
@@ -105,6 +106,11 @@ void add_memory(Body& body, std::uint32_t index, const ast::Item& item) {
         bool storable = element.kind == MetaKind::type && c.types().kind(element.type) != ir::TypeKind::structure;
         if (!storable) {
             c.error(Diag::memory_element, c[text->element].span);
+            return;
+        }
+        if (ir::holds_empty(c.program, element.type)) {
+            note(c.error(Diag::memory_element, c[text->element].span), c[text->element].span,
+                 "memory has no place for a struct without fields");
             return;
         }
         memory.element = element.type;

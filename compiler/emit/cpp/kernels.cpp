@@ -1,5 +1,6 @@
 // Kernels: their code as data, and the functions that call them.
 #include "emit/cpp/unit.h"
+#include "emit/cpp/visit.h"
 
 #include <algorithm>
 
@@ -274,13 +275,25 @@ std::optional<std::size_t> range_of_first_at(const Kernel& kernel) {
     return ir::range_giver(kernel.params, 0);
 }
 
+/// A value that no form of the kernel has a parameter for need not be used where the kernel is defined.
+static std::string value_mark(const Unit& unit, std::uint32_t kernel, ir::LocalId value) {
+    bool used = false;
+    const ir::Lowered::Forms& forms = unit.lowered.passes[kernel];
+    for (const Pass* pass : {&forms.direct, &forms.general})
+        for (const PassParameter& parameter : pass->parameters)
+            for_each_expression(unit.program, parameter.value,
+                                [&](const ir::Expr& expr) { used |= expr.local == value; });
+    return used ? "" : "[[maybe_unused]] ";
+}
+
 std::string kernel_signature(Unit& unit, std::uint32_t index, bool qualified, std::size_t first) {
     const Kernel& kernel = unit.program.kernels[index];
     std::string parameters = "const glift::Commands& commands";
     for (std::size_t i = first; i < kernel.params.size(); ++i) {
         const KernelParam& param = kernel.params[i];
         if (param.pattern == Pattern::value)
-            parameters += ", " + unit.type(unit.program.locals[param.local].type, qualified) + " ";
+            parameters += (qualified || first ? ", " : ", " + value_mark(unit, index, param.local)) +
+                          unit.type(unit.program.locals[param.local].type, qualified) + " ";
         else parameters += ", const glift::Range<" + unit.class_name(param.structure) + ">& ";
         parameters += param_name(unit, param);
     }

@@ -1,5 +1,6 @@
 // Pipelines as functions that call kernels and other pipelines.
 #include "emit/cpp/unit.h"
+#include "emit/cpp/visit.h"
 
 namespace gliftc::cpp {
 
@@ -264,8 +265,12 @@ std::string signature(Unit& unit, std::uint32_t index, const std::string& owner,
     const Pipeline& pipeline = unit.program.pipelines[index];
     std::string parameters = "const glift::Commands& commands";
     if (is_test(unit, index)) parameters = "glift::Test& test, const glift::Commands& commands";
+    const auto mark = [&](const ir::PipelineParam& param) -> std::string {
+        if (qualified || param.pattern != ir::HostPattern::value) return "";
+        return unused_mark(unit.program, pipeline.body, param.local);
+    };
     for (const ir::PipelineParam& param : pipeline.params)
-        parameters += ", " + param_type(unit, param, qualified) + identifier(unit.name(param.name));
+        parameters += ", " + (mark(param) + param_type(unit, param, qualified)) + identifier(unit.name(param.name));
     return unit.type(pipeline.result, qualified) + " " + owner + unit.globals.pipeline_names.at(index) + "(" +
            parameters + ")";
 }

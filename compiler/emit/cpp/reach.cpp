@@ -12,10 +12,14 @@ struct Collector {
     const ir::Program& program;
     Reach reach;
     std::set<std::uint32_t> seen;
+    std::set<ir::FunctionId> functions;
 
     void type(ir::TypeId id, bool visible);
     void structure_type(std::uint32_t index);
     void code(const std::vector<ir::StmtId>& body);
+    void value(ir::ExprId id);
+    void function(ir::FunctionId id);
+    void expression(const ir::Expr& expr);
     void structure(std::uint32_t index, bool visible);
     void kernel(std::uint32_t index, bool visible);
     void pipeline(std::uint32_t index, bool visible);
@@ -55,12 +59,29 @@ void Collector::structure_type(std::uint32_t index) {
     reach.structs.push_back(index);
 }
 
-/// The types of all values in a body.
+void Collector::expression(const ir::Expr& expr) {
+    type(expr.type, false);
+    if (expr.op == ir::Op::call) function(expr.function);
+}
+
+/// The types of all values in a body, and in the functions that it calls.
 void Collector::code(const std::vector<ir::StmtId>& body) {
     for_each_statement(program, body, [&](const ir::Stmt& stmt) {
         if (stmt.local) type(program.locals[stmt.local].type, false);
     });
-    for_each_expression(program, body, [&](const ir::Expr& expr) { type(expr.type, false); });
+    for_each_expression(program, body, [&](const ir::Expr& expr) { expression(expr); });
+}
+
+void Collector::value(ir::ExprId id) {
+    for_each_expression(program, id, [&](const ir::Expr& expr) { expression(expr); });
+}
+
+void Collector::function(ir::FunctionId id) {
+    if (!functions.insert(id).second) return;
+    const ir::Function& called = program.functions[id];
+    type(called.result, false);
+    for (ir::LocalId local : called.params) type(program.locals[local].type, false);
+    code(called.body);
 }
 
 void Collector::transfers(std::uint32_t structure) {
@@ -81,7 +102,13 @@ void Collector::structure(std::uint32_t index, bool visible) {
     if (std::ranges::find(reach.structures, index) == reach.structures.end()) reach.structures.push_back(index);
     for (ir::LocalId local : structure.constructor) type(program.locals[local].type, visible);
     type(structure.element, visible);
-    for (const ir::Memory& memory : structure.memories) type(memory.element, visible);
+    for (const ir::Memory& memory : structure.memories) {
+        type(memory.element, visible);
+        value(memory.extent);
+    }
+    for (const ir::MemberStructure& member : structure.members)
+        for (ir::ExprId argument : member.arguments) value(argument);
+    value(structure.domain);
     for (std::uint32_t pipeline : structure.pipelines) this->pipeline(pipeline, visible);
     transfers(index);
 }
@@ -112,14 +139,14 @@ void Collector::pipeline(std::uint32_t index, bool visible) {
     });
     for_each_expression(program, pipeline.body, [&](const ir::Expr& expr) {
         if (expr.op == ir::Op::pipeline_call) this->pipeline(expr.slot, false);
-        type(expr.type, false);
+        expression(expr);
     });
 }
 
 }  // namespace
 
 Reach reach_of(const ir::Program& program, std::uint32_t module, const Options& options) {
-    Collector collector{program, {}, {}};
+    Collector collector{program, {}, {}, {}};
     for (std::uint32_t i = 0; i < program.structs.size(); ++i) {
         if (program.structs[i].module == module && program.structs[i].is_pub) collector.structure_type(i);
     }
@@ -145,17 +172,13 @@ Reach reach_of(const ir::Program& program, std::uint32_t module, const Options& 
 }
 
 void add_inner_structs(Reach& reach, const ir::Program& program, const ir::Lowered& lowered) {
-    Collector collector{program, std::move(reach), {}};
+    Collector collector{program, std::move(reach), {}, {}};
     for (std::uint32_t kernel : std::set(collector.reach.kernels)) {
         for (const ir::Pass* pass : {&lowered.passes[kernel].direct, &lowered.passes[kernel].general}) {
             for (const auto* body : {&pass->body, &pass->interior_body}) collector.code(*body);
             for (ir::LocalId local : pass->shared) collector.type(program.locals[local].type, false);
-            for (ir::FunctionId id : pass->functions) {
-                const ir::Function& function = program.functions[id];
-                collector.type(function.result, false);
-                for (ir::LocalId local : function.params) collector.type(program.locals[local].type, false);
-                collector.code(function.body);
-            }
+            for (ir::FunctionId id : pass->functions) collector.function(id);
+            for (const ir::PassParameter& parameter : pass->parameters) collector.value(parameter.value);
         }
     }
     reach = std::move(collector.reach);

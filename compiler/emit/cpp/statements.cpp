@@ -236,7 +236,8 @@ void require_function(Globals& globals, ir::FunctionId id) {
     };
     for (ir::LocalId local : function.params) {
         const std::string type = type_text(globals, globals.program.locals[local].type);
-        parameters += (parameters.empty() ? "" : ", ") + type + " " + declare_local(p, local);
+        parameters += (parameters.empty() ? "" : ", ") + (unused_mark(globals.program, function.body, local) + type) +
+                      " " + declare_local(p, local);
     }
     if (function.span) p.out.line("// " + place_text(globals.sources, function.span) + ": " + function.display);
     p.out.open("inline " + type_text(globals, function.result) + " " + name + "(" + parameters + ")");

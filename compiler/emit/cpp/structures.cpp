@@ -1,7 +1,10 @@
 // Structures, views and adaptors as classes; structs as structs.
 #include "emit/cpp/translators.h"
 #include "emit/cpp/unit.h"
+#include "ir/empty.h"
 #include "layout/layout.h"
+
+#include <algorithm>
 
 namespace gliftc::cpp {
 
@@ -340,7 +343,11 @@ void print_structs(Unit& unit, Writer& out) {
             out.line("bool operator==(const " + name + "&) const = default;");
             out.close(";");
         }
-        for (std::size_t i = 0; i < type.fields.size(); ++i)
+        // What has a part that takes up no memory is in none itself.
+        const bool is_in_memory =
+            std::none_of(type.fields.begin(), type.fields.end(),
+                         [&](const ir::StructField& field) { return ir::holds_empty(unit.program, field.type); });
+        for (std::size_t i = 0; i < type.fields.size() && is_in_memory; ++i)
             out.line("static_assert(offsetof(" + name + ", " + identifier(unit.name(type.fields[i].name)) +
                      ") == " + std::to_string(offsets[i]) + ");");
         if (!type.extern_header.empty())

@@ -41,7 +41,8 @@ void print_method(Unit& unit, Writer& out, const char* name, ir::FunctionId id, 
     std::string parameters;
     for (ir::LocalId local : function.params) {
         const std::string type = unit.type(unit.program.locals[local].type);
-        parameters += (parameters.empty() ? "" : ", ") + type + " " + declare_local(p, local);
+        parameters += (parameters.empty() ? "" : ", ") + (unused_mark(unit.program, function.body, local) + type) +
+                      " " + declare_local(p, local);
     }
     p.outer_expression = [&](const ir::Expr& expr) -> Text {
         return {expr.op == ir::Op::state ? states[expr.slot] : "{}"};

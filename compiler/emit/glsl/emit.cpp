@@ -45,6 +45,7 @@ std::string function_text(Printer& p, ir::FunctionId id) {
     std::string parameters;
     for (ir::LocalId param : function.params) {
         const ir::Local& local = p.program.locals[param];
+        if (is_empty(p.program, local.type)) continue;
         p.local_names[param] = p.names.declare((*p.program.names)[local.name]);
         parameters += (parameters.empty() ? "" : ", ") + declaration(p, local.type, p.local_names[param]);
     }
@@ -147,7 +148,8 @@ void name_functions(Printer& p) {
 std::string callees_text(Printer& p) {
     name_functions(p);
     std::string text;
-    for (ir::FunctionId id : p.pass.functions) text += function_text(p, id);
+    for (ir::FunctionId id : p.pass.functions)
+        if (!is_empty(p.program, p.program.functions[id].result)) text += function_text(p, id);
     return text;
 }
 

@@ -255,7 +255,10 @@ Text print(Printer& p, ExprId id) {
     case Op::call: return {p.function_names.at(expr.function) + "(" + join_arguments(p, expr.operands) + ")"};
     case Op::intrinsic: return print_intrinsic(p, expr);
     case Op::none: return {zero(p, expr.type)};
-    case Op::some: return {type_text(p, expr.type) + "(true, " + print_any(p, expr.operands[0]) + ")"};
+    case Op::some: {
+        std::string value = join_arguments(p, expr.operands);
+        return {type_text(p, expr.type) + "(true" + (value.empty() ? "" : ", " + value) + ")"};
+    }
     case Op::has_value: return {print(p, expr.operands[0], Level::postfix) + ".has"};
     case Op::value: return {print(p, expr.operands[0], Level::postfix) + ".value"};
     case Op::parameter: return {p.parameter_names.at(expr.slot)};
@@ -330,7 +333,9 @@ std::string print_negated(Printer& p, ExprId id) {
 
 std::string join_arguments(Printer& p, const std::vector<ExprId>& arguments) {
     std::string text;
-    for (std::size_t i = 0; i < arguments.size(); ++i) text += (i ? ", " : "") + print_any(p, arguments[i]);
+    for (ExprId argument : arguments)
+        if (!is_empty(p.program, p.program.exprs[argument].type))
+            text += (text.empty() ? "" : ", ") + print_any(p, argument);
     return text;
 }
 

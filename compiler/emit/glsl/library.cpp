@@ -76,6 +76,7 @@ std::string print_function(Printer& p, const LibraryFunction& wanted, const std:
     std::string parameters;
     for (LocalId id : wanted.pass.params) {
         const Local& local = p.program.locals[id];
+        if (is_empty(p.program, local.type)) continue;
         p.local_names[id] = p.names.declare((*p.program.names)[local.name]);
         parameters += (parameters.empty() ? "" : ", ") + declaration(p, local.type, p.local_names[id]);
     }

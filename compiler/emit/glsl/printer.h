@@ -3,6 +3,7 @@
 
 #include "emit/glsl/emit.h"
 #include "emit/glsl/names.h"
+#include "ir/empty.h"
 
 #include <map>
 #include <set>

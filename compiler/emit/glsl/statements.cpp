@@ -148,6 +148,13 @@ bool writes_memory(const Printer& p) {
     return false;
 }
 
+/// Values of empty types are nowhere.
+bool is_about_nothing(const Printer& p, const Stmt& stmt) {
+    if (stmt.op == StmtOp::let) return is_empty(p.program, p.program.locals[stmt.local].type);
+    if (stmt.op == StmtOp::assign) return is_empty(p.program, p.program.exprs[stmt.target].type);
+    return stmt.op == StmtOp::evaluate && is_empty(p.program, p.program.exprs[stmt.value].type);
+}
+
 void print_comment(Printer& p, const Stmt& stmt) {
     if (!stmt.comment.empty()) line(p, "// " + stmt.comment);
 }
@@ -192,6 +199,7 @@ void print_body(Printer& p, const std::vector<StmtId>& body) {
 
 void print_statement(Printer& p, StmtId id) {
     const Stmt& stmt = p.program.stmts[id];
+    if (is_about_nothing(p, stmt)) return;
     if (stmt.op != StmtOp::block) mark_line(p, stmt.span);
     print_comment(p, stmt);
     switch (stmt.op) {

@@ -59,9 +59,12 @@ std::string vector_prefix(Printer& p, TypeKind kind) {
 void use_struct(Printer& p, TypeId type) {
     if (std::find(p.struct_types.begin(), p.struct_types.end(), type) != p.struct_types.end()) return;
     const ir::Type& t = p.program.types[type];
-    if (t.kind == TypeKind::optional) type_text(p, t.element);
+    std::vector<TypeId> parts;
+    if (t.kind == TypeKind::optional) parts.push_back(t.element);
     else
-        for (const ir::StructField& field : p.program.structs[t.index].fields) type_text(p, field.type);
+        for (const ir::StructField& field : p.program.structs[t.index].fields) parts.push_back(field.type);
+    for (TypeId part : parts)
+        if (!is_empty(p.program, part)) type_text(p, part);
     p.struct_types.push_back(type);
 }
 
@@ -171,12 +174,16 @@ std::string zero(Printer& p, TypeId type) {
         std::string text = type_text(p, type) + "(";
         bool first = true;
         for (const ir::StructField& field : p.program.structs[p.program.types[type].index].fields) {
+            if (is_empty(p.program, field.type)) continue;
             text += (first ? "" : ", ") + zero(p, field.type);
             first = false;
         }
         return text + ")";
     }
-    case TypeKind::optional: return type_text(p, type) + "(false, " + zero(p, p.program.types[type].element) + ")";
+    case TypeKind::optional: {
+        TypeId element = p.program.types[type].element;
+        return type_text(p, type) + "(false" + (is_empty(p.program, element) ? "" : ", " + zero(p, element)) + ")";
+    }
     case TypeKind::error:
     case TypeKind::void_:
     case TypeKind::range:
@@ -219,14 +226,16 @@ std::string struct_definitions(Printer& p) {
     for (TypeId type : p.struct_types) {
         const ir::Type& t = p.program.types[type];
         if (t.kind == TypeKind::optional) {
-            text += "struct " + optional_name(p, type) + " {\n    bool has;\n    " +
-                    declaration(p, t.element, "value") + ";\n};\n\n";
+            text += "struct " + optional_name(p, type) + " {\n    bool has;\n";
+            if (!is_empty(p.program, t.element)) text += "    " + declaration(p, t.element, "value") + ";\n";
+            text += "};\n\n";
             continue;
         }
         const ir::Struct& s = p.program.structs[t.index];
         text += "struct " + p.struct_names[t.index] + " {\n";
         for (std::size_t i = 0; i < s.fields.size(); ++i)
-            text += "    " + declaration(p, s.fields[i].type, p.field_names[t.index][i]) + ";\n";
+            if (!is_empty(p.program, s.fields[i].type))
+                text += "    " + declaration(p, s.fields[i].type, p.field_names[t.index][i]) + ";\n";
         text += "};\n\n";
     }
     return text;

@@ -187,7 +187,8 @@ void print_local_function(Body& body, ir::FunctionId id) {
     std::string parameters;
     for (ir::LocalId local : function.params) {
         const std::string type = cpp::type_text(p.globals, p.program.locals[local].type);
-        parameters += (parameters.empty() ? "" : ", ") + type + " " + cpp::declare_local(p, local);
+        parameters += (parameters.empty() ? "" : ", ") + (cpp::unused_mark(p.program, function.body, local) + type) +
+                      " " + cpp::declare_local(p, local);
     }
     cpp::mark_line(p, function.span);
     p.out.open("const auto " + p.globals.function_names[id] + " = [&](" + parameters + ") -> " +

@@ -1,0 +1,25 @@
+#include "ir/empty.h"
+
+#include <algorithm>
+
+namespace gliftc::ir {
+
+bool is_empty(const Program& program, TypeId id) {
+    const Type& type = program.types[id];
+    if (type.kind == TypeKind::array) return is_empty(program, type.element);
+    if (type.kind != TypeKind::struct_) return false;
+    const auto& fields = program.structs[type.index].fields;
+    return std::all_of(fields.begin(), fields.end(),
+                       [&](const StructField& field) { return is_empty(program, field.type); });
+}
+
+bool holds_empty(const Program& program, TypeId id) {
+    const Type& type = program.types[id];
+    if (type.kind == TypeKind::array || type.kind == TypeKind::optional) return holds_empty(program, type.element);
+    if (type.kind != TypeKind::struct_) return false;
+    const auto& fields = program.structs[type.index].fields;
+    return fields.empty() || std::any_of(fields.begin(), fields.end(),
+                                         [&](const StructField& field) { return holds_empty(program, field.type); });
+}
+
+}  // namespace gliftc::ir

@@ -1,0 +1,99 @@
+#include "sema/interfaces.h"
+
+#include "sema/generics.h"
+#include "sema/lookup.h"
+
+#include <algorithm>
+
+namespace gliftc::sema {
+
+namespace {
+
+/// One function that an interface asks for, its types known.
+struct Wanted {
+    ast::Identifier name;
+    std::vector<ast::Identifier> params;
+    std::vector<ir::TypeId> types;
+    ir::TypeId result;
+};
+
+Wanted wanted_of(Context& c, const Env& inside, ast::DeclId member) {
+    const auto& function = std::get<ast::Function>(c[member].body);
+    Wanted wanted{c[member].name, {}, {}, c.types().void_};
+    for (const ast::Param& param : function.params) {
+        wanted.params.push_back(param.name);
+        wanted.types.push_back(type_of(c, inside, param.type));
+    }
+    if (function.result) wanted.result = type_of(c, inside, function.result);
+    return wanted;
+}
+
+/// Takes and gives the function exactly what is wanted, whatever its own generic arguments have to be for it?
+bool fits(Context& c, ast::DeclId candidate, const Wanted& wanted) {
+    const ast::Decl& decl = c[candidate];
+    const auto& function = std::get<ast::Function>(decl.body);
+    if (function.params.size() != wanted.types.size()) return false;
+    Env env;
+    env.module = c.module_of.at(candidate);
+    if (!decl.generics.empty()) {
+        Arguments arguments(c, decl, env, decl.name.span);
+        for (std::size_t i = 0; i < wanted.types.size(); ++i) arguments.infer(function.params[i].type, wanted.types[i]);
+        if (function.result) arguments.infer(function.result, wanted.result);
+        if (!arguments.finish(true)) return false;
+    }
+    ir::TypeId result = function.result ? type_of(c, env, function.result) : c.types().void_;
+    if (result != wanted.result) return false;
+    for (std::size_t i = 0; i < wanted.types.size(); ++i)
+        if (type_of(c, env, function.params[i].type) != wanted.types[i]) return false;
+    return true;
+}
+
+bool is_there(Context& c, std::uint32_t module, const Wanted& wanted) {
+    std::vector<ast::DeclId> candidates = look_up(c, module, wanted.name).found;
+    if (!is_function(c, candidates)) candidates.clear();
+    add_functions_of_types(c, wanted.name.name, wanted.types, candidates);
+    return std::any_of(candidates.begin(), candidates.end(),
+                       [&](ast::DeclId candidate) { return fits(c, candidate, wanted); });
+}
+
+/// "fn combine(op: Max, a: uint, b: uint) -> uint"
+std::string text_of(const Context& c, const Wanted& wanted) {
+    std::string text = "fn " + c.text(wanted.name.name) + "(";
+    for (std::size_t i = 0; i < wanted.params.size(); ++i)
+        text += (i ? ", " : "") + c.text(wanted.params[i].name) + ": " + c.text(wanted.types[i]);
+    text += ")";
+    return wanted.result == c.program.types.void_ ? text : text + " -> " + c.text(wanted.result);
+}
+
+}  // namespace
+
+bool satisfies_interface(Context& c, const Env& env, ast::DeclId id, const ast::Expr& constraint, ir::TypeId type,
+                         std::string& why) {
+    Env inside;
+    inside.module = c.module_of.at(id);
+    inside.self = type;
+    Arguments arguments(c, c[id], inside, constraint.span);
+    bool given = constraint.kind != ast::ExprKind::generic || arguments.give(env, constraint.operands, 1);
+    if (!given || !arguments.finish()) return true;  // reported
+
+    // Whether a type fits cannot depend on itself: a function that is there only for types that fit does not help.
+    std::string key = key_of(c, id, inside) + "@" + std::to_string(type.index) + "@" + std::to_string(env.module);
+    if (std::find(c.interfaces_under_way.begin(), c.interfaces_under_way.end(), key) != c.interfaces_under_way.end()) {
+        why = "it is not known without itself";
+        return false;
+    }
+    c.interfaces_under_way.push_back(key);
+    bool all = true;
+    for (ast::DeclId member : std::get<ast::Interface>(c[id].body).members) {
+        if (!std::holds_alternative<ast::Function>(c[member].body)) continue;
+        Wanted wanted = wanted_of(c, inside, member);
+        all = is_there(c, env.module, wanted);
+        if (all) continue;
+        why = "there is no " + text_of(c, wanted);
+        break;
+    }
+    c.interfaces_under_way.pop_back();
+    return all;
+}
+
+}  // namespace gliftc::sema

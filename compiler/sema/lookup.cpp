@@ -1,0 +1,96 @@
+#include "sema/lookup.h"
+
+#include "sema/meta.h"
+
+#include <algorithm>
+
+namespace gliftc::sema {
+
+namespace {
+
+bool contains(const std::vector<ast::DeclId>& list, ast::DeclId decl) {
+    return std::find(list.begin(), list.end(), decl) != list.end();
+}
+
+/// The module that declares the struct or enum a type is, or consists of.
+std::optional<std::uint32_t> home_of(const Context& c, ir::TypeId id) {
+    const ir::Type& type = c.program.types[id];
+    switch (type.kind) {
+    case ir::TypeKind::struct_: return c.program.structs[type.index].module;
+    case ir::TypeKind::enum_: return c.program.enums[type.index].module;
+    case ir::TypeKind::array:
+    case ir::TypeKind::optional: return home_of(c, type.element);
+    case ir::TypeKind::error:
+    case ir::TypeKind::void_:
+    case ir::TypeKind::bool_:
+    case ir::TypeKind::int_:
+    case ir::TypeKind::uint:
+    case ir::TypeKind::float_:
+    case ir::TypeKind::half:
+    case ir::TypeKind::double_:
+    case ir::TypeKind::int64:
+    case ir::TypeKind::uint64:
+    case ir::TypeKind::vector:
+    case ir::TypeKind::matrix:
+    case ir::TypeKind::range:
+    case ir::TypeKind::structure:
+    case ir::TypeKind::slice:
+    case ir::TypeKind::device: break;
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+bool is_function(const Context& c, const std::vector<ast::DeclId>& declarations) {
+    return !declarations.empty() && std::holds_alternative<ast::Function>(c[declarations[0]].body);
+}
+
+bool some_module_has_function(const Context& c, Name name) {
+    for (const ModuleScope& scope : c.scopes)
+        if (auto found = scope.names.find(name); found != scope.names.end() && is_function(c, found->second))
+            return true;
+    return false;
+}
+
+Visible look_up(Context& c, std::uint32_t module, ast::Identifier name) {
+    const ModuleScope& scope = c.scopes[module];
+    if (auto own = scope.names.find(name.name); own != scope.names.end()) return {own->second, {}};
+    Visible visible;
+    std::uint32_t from = 0xffffffffu;
+    for (std::uint32_t import : scope.imports) {
+        auto names = c.scopes[import].names.find(name.name);
+        if (names == c.scopes[import].names.end()) continue;
+        for (ast::DeclId decl : names->second) {
+            if (!c[decl].is_pub) {
+                visible.hidden.push_back(decl);
+                continue;
+            }
+            bool functions = std::holds_alternative<ast::Function>(c[decl].body);
+            if (!visible.found.empty() && from != import && !functions) {
+                Diagnostic& diagnostic = c.error(Diag::ambiguous_name, name.span, {c.text(name.name)});
+                note(diagnostic, c[visible.found[0]].name.span, "one is declared here");
+                note(diagnostic, c[decl].name.span, "another here");
+                return visible;
+            }
+            if (contains(visible.found, decl)) continue;  // imported twice
+            visible.found.push_back(decl);
+            from = import;
+        }
+    }
+    return visible;
+}
+
+void add_functions_of_types(Context& c, Name name, const std::vector<ir::TypeId>& types,
+                            std::vector<ast::DeclId>& functions) {
+    for (ir::TypeId type : types) {
+        auto home = home_of(c, type);
+        if (!home) continue;
+        auto found = c.scopes[*home].names.find(name);
+        if (found == c.scopes[*home].names.end() || !is_function(c, found->second)) continue;
+        for (ast::DeclId decl : found->second)
+            if (!contains(functions, decl)) functions.push_back(decl);
+    }
+}
+
+}  // namespace gliftc::sema

@@ -1,0 +1,90 @@
+#version 460
+// use_both, operators.glift:34: whole ranges, shared state.
+#extension GL_EXT_scalar_block_layout : require
+#extension GL_KHR_shader_subgroup_basic : require
+
+layout(local_size_x = 256) in;
+
+struct Affine {
+    uint modulus;
+};
+
+layout(push_constant, scalar) uniform Parameters {
+    uint a_extent;
+    uint affine_modulus;
+};
+
+layout(scalar, set = 0, binding = 1) buffer A_data { uint a_data[]; };
+
+layout(scalar, set = 0, binding = 2) buffer Status {
+    uint code, line, rank, memory, address[4], file;
+} status;
+
+layout(constant_id = 101) const uint loop_round_limit = 0u;   // after so many rounds the device cuts loops off; 0: never
+shared uint loop_rounds[loop_round_limit == 0u ? 1u : 64u];
+
+// False, and reported, where the device would cut the loop off. Lanes run in step: a round of one is a round of all.
+bool another_round(uint line) {
+    if (loop_round_limit == 0u) return true;
+    uint rounds = loop_rounds[gl_SubgroupID] + 1u;
+    loop_rounds[gl_SubgroupID] = rounds;
+    if (rounds < loop_round_limit) return true;
+    if (atomicCompSwap(status.code, 0u, 1u) == 0u) status.line = line;
+    return false;
+}
+
+// operators.glift:14
+uint combine(uint a, uint b) {
+    return max(a, b);
+}
+
+// repeated<Max>
+// operators.glift:24
+uint repeated(uint a, uint limit) {
+    // operators.glift:25
+    uint x = 1u;
+    // operators.glift:26
+    uint rounds = 0u;
+    // operators.glift:27
+    while (another_round(27u) && rounds < limit) {
+        // operators.glift:28
+        x = combine(x, a);
+        // operators.glift:29
+        rounds += 1u;
+    }
+    // operators.glift:31
+    return x;
+}
+
+// operators.glift:21
+uint combine_1(Affine op, uint a, uint b) {
+    return combine(a * b + a, b) % max(op.modulus, 1u);
+}
+
+// repeated<Affine>
+// operators.glift:24
+uint repeated_Affine(Affine op, uint a, uint limit) {
+    // operators.glift:25
+    uint x = 1u;
+    // operators.glift:26
+    uint rounds = 0u;
+    // operators.glift:27
+    while (another_round(27u) && rounds < limit) {
+        // operators.glift:28
+        x = combine_1(op, x, a);
+        // operators.glift:29
+        rounds += 1u;
+    }
+    // operators.glift:31
+    return x;
+}
+
+void main() {
+    if (loop_round_limit != 0u) loop_rounds[gl_SubgroupID] = 0u;
+    // operators.glift:34
+    uint address = gl_GlobalInvocationID.y * (gl_NumWorkGroups.x * 256u) + gl_GlobalInvocationID.x;
+    if (address >= a_extent) return;
+    // operators.glift:35
+    uint a_value = a_data[address];
+    a_data[address] = repeated(a_value, 4u) + repeated_Affine(Affine(affine_modulus), a_value, 5u);
+}
