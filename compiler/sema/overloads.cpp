@@ -197,15 +197,42 @@ std::optional<Candidate> try_overload(Body& body, ast::DeclId id, const Env* own
     return Candidate{id, std::move(env), type, gives(body, type, wanted), !c[id].generics.empty()};
 }
 
+/// Whether the written type depends on what the declaration's generics are.
+bool names_generic(const Context& c, const ast::Decl& decl, ast::ExprId type) {
+    if (!type) return false;
+    const ast::Expr& expr = c[type];
+    if (expr.kind == ast::ExprKind::name)
+        for (const ast::GenericParam& generic : decl.generics)
+            if (generic.name.name == expr.name) return true;
+    for (ast::ExprId operand : expr.operands)
+        if (names_generic(c, decl, operand)) return true;
+    return false;
+}
+
+/// Whether some parameter of a is written for its type where b's takes several, and none the other way round.
+bool is_more_special(const Context& c, const Candidate& a, const Candidate& b) {
+    const auto& left = std::get<ast::Function>(c[a.decl].body).params;
+    const auto& right = std::get<ast::Function>(c[b.decl].body).params;
+    bool more = false;
+    for (std::size_t i = 0; i < left.size() && i < right.size(); ++i) {
+        bool is_open = names_generic(c, c[a.decl], left[i].type),
+             other_is_open = names_generic(c, c[b.decl], right[i].type);
+        if (is_open && !other_is_open) return false;
+        more = more || (!is_open && other_is_open);
+    }
+    return more;
+}
+
 /// What is wanted decides first; then one written for these types is better than a generic one.
-bool is_better(const Candidate& a, const Candidate& b) {
+bool is_better(const Context& c, const Candidate& a, const Candidate& b) {
     if (a.gives_wanted != b.gives_wanted) return a.gives_wanted;
-    return !a.is_generic && b.is_generic;
+    if (is_more_special(c, a, b)) return true;
+    return !a.is_generic && b.is_generic && !is_more_special(c, b, a);
 }
 
 /// Nothing tells one from the other: they are as good, and take the same.
 bool is_ambiguous(Body& body, const Candidate& a, const Candidate& b) {
-    if (is_better(a, b) || is_better(b, a)) return false;
+    if (is_better(body.context, a, b) || is_better(body.context, b, a)) return false;
     Context& c = body.context;
     const auto& left = std::get<ast::Function>(c[a.decl].body).params;
     const auto& right = std::get<ast::Function>(c[b.decl].body).params;
@@ -230,7 +257,7 @@ std::optional<Candidate> choose(Body& body, const std::vector<ast::DeclId>& over
     }
     std::size_t best = 0;
     for (std::size_t i = 1; i < fitting.size(); ++i)
-        if (is_better(fitting[i], fitting[best])) best = i;
+        if (is_better(c, fitting[i], fitting[best])) best = i;
     for (std::size_t i = 0; i < fitting.size(); ++i) {
         if (i == best || !is_ambiguous(body, fitting[i], fitting[best])) continue;
         Diagnostic& diagnostic = c.error(Diag::ambiguous_call, call.span, {c.text(c[overloads[0]].name.name)});

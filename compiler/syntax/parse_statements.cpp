@@ -77,7 +77,7 @@ ast::StmtId Parser::parse_statement() {
     return parse_expression_statement();
 }
 
-/// let = ( "let" | "var" | "const" ) name [ ":" type ] "=" expression ";" ;
+/// let = ( "let" | "var" | "const" ) name [ ":" type ] "=" expression ";" | "var" name ":" type ";" ;
 ast::StmtId Parser::parse_let() {
     std::uint32_t first = cursor_;
     Stmt let;
@@ -88,10 +88,16 @@ ast::StmtId Parser::parse_let() {
                                               : ast::Binding::const_;
     let.name = parse_name("a name");
     if (accept(TokenKind::colon)) let.type = parse_type();
+    bool begins_as_zero = let.binding == ast::Binding::var && let.type && at(TokenKind::semicolon);
+    if (begins_as_zero) {
+        end_statement();
+        let.span = since(first);
+        return tree_.stmts.add(std::move(let));
+    }
     if (at(TokenKind::equal)) {
         advance();
     } else {
-        fail_expected("'='", "every variable begins with a value");
+        fail_expected("'='", "every variable begins with a value; 'var name: type;' with zeros");
     }
     let.value = lost_ ? error_expr() : parse_expression();
     end_statement();

@@ -287,12 +287,18 @@ bool is_image_or_matrix_type(std::string_view name) {
     return begins(name.substr(d), "mat") && name.size() == d + 6 && name[d + 4] == 'x';
 }
 
+/// Taken together with all that begins so: another ending does not help.
+bool has_reserved_beginning(std::string_view name) {
+    for (std::string_view prefix : {"gl_", "optional_", "atomic", "subgroup", "imageAtomic", "debugPrintf"})
+        if (begins(name, prefix)) return true;
+    return is_image_or_matrix_type(name);
+}
+
 }  // namespace
 
 bool is_reserved(std::string_view name) {
-    return name.empty() || reserved_words().contains(name) || is_image_or_matrix_type(name) || begins(name, "gl_") ||
-           begins(name, "optional_") || begins(name, "atomic") || begins(name, "subgroup") ||
-           begins(name, "imageAtomic") || begins(name, "debugPrintf") || name.find("__") != std::string_view::npos;
+    return name.empty() || reserved_words().contains(name) || has_reserved_beginning(name) ||
+           name.find("__") != std::string_view::npos;
 }
 
 std::string identifier(std::string_view text) {
@@ -315,7 +321,7 @@ void Scopes::leave() {
 
 std::string Scopes::declare(std::string_view wanted) {
     std::string base = identifier(wanted), name = base;
-    if (begins(base, "gl_") || begins(base, "optional_")) base = name = "the_" + base;
+    if (has_reserved_beginning(base)) base = name = "the_" + base;
     while (base.size() > 1 && base.back() == '_') base.pop_back();
     for (int n = 1; !is_free(name); ++n) name = base + "_" + std::to_string(n);
     used_.insert(name);
