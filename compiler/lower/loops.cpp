@@ -14,6 +14,7 @@ using namespace ir;
 namespace {
 
 constexpr std::uint64_t unknown = std::numeric_limits<std::uint64_t>::max();
+constexpr std::uint64_t largest_subgroup = 128;  // lanes: Vulkan allows no more
 
 std::uint64_t plus(std::uint64_t a, std::uint64_t b) { return a > unknown - b ? unknown : a + b; }
 std::uint64_t times(std::uint64_t a, std::uint64_t b) { return a != 0 && b > unknown / a ? unknown : a * b; }
@@ -49,9 +50,51 @@ private:
         if (stmt.op == StmtOp::for_) {
             // The test that ends the loop is a round too.
             auto known = rounds_of(cx.p, stmt.value, stmt.limit);
-            inside = note(stmt, known ? plus(times(known->count, plus(inside, 1)), 1) : unknown);
+            std::uint64_t count = known ? known->count : most(stmt.limit);
+            inside = note(stmt, plus(times(count, plus(inside, 1)), 1));
         }
         return plus(total, inside);
+    }
+
+    /// No uint value of the expression is larger.
+    std::uint64_t most(ExprId id) {
+        const Expr& node = cx.p.exprs[id];
+        if (node.type != cx.p.types.uint) return unknown;
+        if (node.op == Op::constant) return node.bits;
+        if (node.op == Op::builtin) return most(node.builtin);
+        if (node.op == Op::select) return std::max(most(node.operands[1]), most(node.operands[2]));
+        if (node.op == Op::binary) return most_of_binary(node);
+        if (node.op == Op::intrinsic && node.intrinsic == Intrinsic::min)
+            return std::min(most(node.operands[0]), most(node.operands[1]));
+        const ExprId* definition = node.op == Op::local ? cx.definitions.find(node.local) : nullptr;
+        return definition ? most(*definition) : unknown;
+    }
+
+    std::uint64_t most(Builtin builtin) {
+        const auto& group = cx.pass.group;
+        switch (builtin) {
+        case Builtin::local_index:
+        case Builtin::subgroup_index: return std::uint64_t{group[0]} * group[1] * group[2] - 1;
+        case Builtin::subgroup_size:
+        case Builtin::subgroup_lane: return largest_subgroup;
+        case Builtin::global_id:
+        case Builtin::local_id:
+        case Builtin::group_id:
+        case Builtin::group_count: return unknown;
+        }
+        return unknown;
+    }
+
+    /// Sums and products that may wrap are not known.
+    std::uint64_t most_of_binary(const Expr& node) {
+        std::uint64_t a = most(node.operands[0]), b = most(node.operands[1]), result = unknown;
+        if (node.binary == BinaryOp::add) result = plus(a, b);
+        if (node.binary == BinaryOp::multiply) result = times(a, b);
+        if (node.binary == BinaryOp::divide) {
+            auto divisor = evaluate(cx.p, node.operands[1]);
+            if (divisor && divisor->bits() != 0 && a != unknown) result = a / divisor->bits();
+        }
+        return result > std::numeric_limits<std::uint32_t>::max() ? unknown : result;
     }
 
     std::uint64_t note(const Stmt& stmt, std::uint64_t count) {
