@@ -127,7 +127,8 @@ enum class Invocation : std::uint8_t {
     group_size,
     subgroup_size,
     subgroup_lane,
-    subgroup_index
+    subgroup_index,
+    subgroup_count
 };
 
 /// What a pipeline can ask of its device, to choose between variants of an algorithm.
@@ -142,7 +143,8 @@ enum class Builtin : std::uint8_t {
     local_index,
     subgroup_size,
     subgroup_lane,
-    subgroup_index
+    subgroup_index,
+    subgroup_count
 };
 
 struct Expr {
@@ -238,7 +240,7 @@ struct Function {
     std::string display;  ///< with generic arguments, for comments and messages: linearize<3>
     Span span;
     std::vector<LocalId> params;
-    std::vector<std::uint32_t> structures;  ///< structure instances that calls pass at `places`
+    std::vector<std::uint32_t> structures;           ///< structure instances that calls pass at `places`
     std::array<std::uint32_t, 3> group = {0, 0, 0};  ///< of the kernels that call it; all 0: any
     std::vector<LocalId> shared;                     ///< workgroup memory, the same at every call
     TypeId result;

@@ -72,9 +72,11 @@ private:
 
     std::uint64_t most(Builtin builtin) {
         const auto& group = cx.pass.group;
+        const std::uint64_t invocations = std::uint64_t{group[0]} * group[1] * group[2];
         switch (builtin) {
         case Builtin::local_index:
-        case Builtin::subgroup_index: return std::uint64_t{group[0]} * group[1] * group[2] - 1;
+        case Builtin::subgroup_index: return invocations - 1;
+        case Builtin::subgroup_count: return invocations;
         case Builtin::subgroup_size:
         case Builtin::subgroup_lane: return largest_subgroup;
         case Builtin::global_id:
