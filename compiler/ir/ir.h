@@ -127,7 +127,8 @@ enum class Invocation : std::uint8_t {
     group_size,
     subgroup_size,
     subgroup_lane,
-    subgroup_index
+    subgroup_index,
+    subgroup_count
 };
 
 /// What a pipeline can ask of its device, to choose between variants of an algorithm.
@@ -142,7 +143,8 @@ enum class Builtin : std::uint8_t {
     local_index,
     subgroup_size,
     subgroup_lane,
-    subgroup_index
+    subgroup_index,
+    subgroup_count
 };
 
 struct Expr {

@@ -50,6 +50,7 @@ std::string_view name_of(Invocation id) {
     case Invocation::subgroup_size: return "subgroup_size";
     case Invocation::subgroup_lane: return "subgroup_lane";
     case Invocation::subgroup_index: return "subgroup_index";
+    case Invocation::subgroup_count: return "subgroup_count";
     }
     return "?";
 }
@@ -64,6 +65,7 @@ std::string_view name_of(Builtin id) {
     case Builtin::subgroup_size: return "$subgroup_size";
     case Builtin::subgroup_lane: return "$subgroup_lane";
     case Builtin::subgroup_index: return "$subgroup_index";
+    case Builtin::subgroup_count: return "$subgroup_count";
     }
     return "?";
 }

@@ -98,7 +98,8 @@ ExprId Expander::stored(const Pair& pair, TypeId type) {
 
 Pair Expander::expand(ExprId id) {
     const Expr& node = p.exprs[id];
-    if (is_empty(p, node.type)) return {make.zero(node.type), {}};
+    const bool has_effect = node.op == Op::call && p.functions[node.function].grouped();
+    if (is_empty(p, node.type) && !has_effect) return {make.zero(node.type), {}};
     switch (node.op) {
     case Op::constant: return {id, {}};
     case Op::local: return expand_local(node);
@@ -273,6 +274,7 @@ ExprId Expander::expand_invocation(const Expr& node) {
     case Invocation::subgroup_size: return make.builtin(Builtin::subgroup_size, uint);
     case Invocation::subgroup_lane: return make.builtin(Builtin::subgroup_lane, uint);
     case Invocation::subgroup_index: return make.builtin(Builtin::subgroup_index, uint);
+    case Invocation::subgroup_count: return make.builtin(Builtin::subgroup_count, uint);
     }
     return make.uint(0);
 }

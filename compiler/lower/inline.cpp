@@ -168,8 +168,13 @@ Pair Expander::expand_call(const Expr& node) {
 
 Pair Expander::inlined(FunctionId id, std::vector<Pair> arguments, Frame frame) {
     const Function& function = p.functions[id];
-    for (std::size_t i = 0; i < function.params.size(); ++i) {
-        if (i < arguments.size()) frame.locals[function.params[i]] = arguments[i];
+    for (std::size_t i = 0; i < function.params.size() && i < arguments.size(); ++i) {
+        Pair argument = arguments[i];
+        // However often the body uses it, an operation with an effect is done once.
+        const std::string name = prefixed((*p.names)[p.locals[function.params[i]].name]);
+        if (!numbers_.is_pure(argument.value)) argument.value = named(name, argument.value);
+        if (argument.has && !numbers_.is_pure(argument.has)) argument.has = named(name + "_found", argument.has);
+        frame.locals[function.params[i]] = argument;
     }
     ++depth_;
     Pair result = inside(std::move(frame), [&] { return run(function.body); });
@@ -340,6 +345,7 @@ bool Expander::is_speculatable(const Block& block) {
             Op op = p.exprs[part].op;
             pure = pure && op != Op::load && op != Op::image_load && op != Op::image_sample && op != Op::call;
         });
+        pure = pure && numbers_.is_pure(stmt.value);
         if (!pure) return false;
     }
     return true;

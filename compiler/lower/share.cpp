@@ -61,7 +61,7 @@ private:
     void loop_(const Stmt& stmt);
     ExprId visit(ExprId id, Where where);
     ExprId visit_operands(ExprId id, Where where);
-    ExprId visit_target(ExprId id);
+    ExprId visit_target(ExprId id, Where where);
     std::uint32_t new_record(ValueNumber number);
     std::uint32_t& available(ValueNumber number) {
         if (number >= available_.size())
@@ -178,6 +178,11 @@ ExprId Sharing::visit_operands(ExprId id, Where where) {
     std::vector<ExprId> operands;
     bool same = true;
     for (std::size_t i = 0; i < node.operands.size(); ++i) {
+        if (i == 0 && node.op == Op::intrinsic && signature_of(node.intrinsic)[0] == '@') {
+            operands.push_back(visit_target(node.operands[0], where));  // a place, not its value
+            same = same && operands.back() == node.operands[0];
+            continue;
+        }
         bool may_skip = (node.op == Op::select && i > 0) ||
                         (node.op == Op::binary && i == 1 &&
                          (node.binary == BinaryOp::logical_and || node.binary == BinaryOp::logical_or));
@@ -193,12 +198,12 @@ ExprId Sharing::visit_operands(ExprId id, Where where) {
     return result;
 }
 
-ExprId Sharing::visit_target(ExprId id) {
+ExprId Sharing::visit_target(ExprId id, Where where) {
     const Expr node = cx.p.exprs[id];
     if (node.op == Op::local) return id;
     Expr copy = node;
-    copy.operands[0] = visit_target(node.operands[0]);
-    if (node.op == Op::index) copy.operands[1] = visit(node.operands[1], Where::before);
+    copy.operands[0] = visit_target(node.operands[0], where);
+    if (node.op == Op::index) copy.operands[1] = visit(node.operands[1], where);
     return rewrites_ ? cx.p.exprs.add(std::move(copy)) : id;
 }
 
@@ -284,7 +289,7 @@ void Sharing::statement_(StmtId id) {
     Stmt copy = stmt;
     if (stmt.value) copy.value = visit(stmt.value, Where::before);
     if (stmt.target)
-        copy.target = stmt.op == StmtOp::assign ? visit_target(stmt.target) : visit(stmt.target, Where::before);
+        copy.target = stmt.op == StmtOp::assign ? visit_target(stmt.target, Where::before) : visit(stmt.target, Where::before);
     if (stmt.op == StmtOp::if_ || stmt.op == StmtOp::block) {
         bool is_if = stmt.op == StmtOp::if_;
         copy.body = is_if ? run_knowing(stmt.body, stmt.value, true) : run(stmt.body);

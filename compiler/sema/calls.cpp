@@ -19,6 +19,7 @@ std::optional<ir::Invocation> find_invocation(std::string_view name) {
     if (name == "group_size") return ir::Invocation::group_size;
     if (name == "subgroup_size") return ir::Invocation::subgroup_size;
     if (name == "subgroup_lane") return ir::Invocation::subgroup_lane;
+    if (name == "subgroup_count") return ir::Invocation::subgroup_count;
     if (name == "subgroup_index") return ir::Invocation::subgroup_index;
     return std::nullopt;
 }

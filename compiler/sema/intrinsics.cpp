@@ -35,6 +35,32 @@ Signature read(std::string_view text) {
     return signature;
 }
 
+bool is_value(ir::TypeKind kind) {
+    switch (kind) {
+    case ir::TypeKind::bool_:
+    case ir::TypeKind::int_:
+    case ir::TypeKind::uint:
+    case ir::TypeKind::float_:
+    case ir::TypeKind::half:
+    case ir::TypeKind::double_:
+    case ir::TypeKind::int64:
+    case ir::TypeKind::uint64:
+    case ir::TypeKind::vector:
+    case ir::TypeKind::matrix:
+    case ir::TypeKind::array:
+    case ir::TypeKind::struct_:
+    case ir::TypeKind::enum_:
+    case ir::TypeKind::optional: return true;
+    case ir::TypeKind::error:
+    case ir::TypeKind::void_:
+    case ir::TypeKind::range:
+    case ir::TypeKind::structure:
+    case ir::TypeKind::slice:
+    case ir::TypeKind::device: return false;
+    }
+    return false;
+}
+
 bool accepts(const ir::Types& types, char letter, ir::TypeId type) {
     ir::TypeId scalar = types.scalar_of(type);
     bool shaped = types.is_scalar(type) || types.is_vector(type);
@@ -47,6 +73,7 @@ bool accepts(const ir::Types& types, char letter, ir::TypeId type) {
     case 'S': return shaped && types.kind(scalar) == ir::TypeKind::int_;
     case 'B': return shaped && types.kind(scalar) == ir::TypeKind::bool_;
     case 'M': return types.is_matrix(type);
+    case 'T': return is_value(types.kind(type));
     case 'f': return type == types.float_;
     case 'u': return type == types.uint;
     case 'i': return type == types.int_;
@@ -63,6 +90,7 @@ ir::TypeId result_of(ir::Types& types, char letter, ir::TypeId argument) {
     case 'u': return types.uint;
     case '2': return types.vector(types.float_, 2);
     case '4': return types.vector(types.float_, 4);
+    case 'w': return types.vector(types.uint, 4);
     case '=': return types.scalar_of(argument);
     case 'B': return types.with_scalar(argument, types.bool_);
     case 'S': return types.with_scalar(argument, types.int_);
@@ -79,7 +107,7 @@ ir::TypeId result_type(ir::Types& types, const Signature& signature, ir::TypeId 
     return result_of(types, signature.result, argument);
 }
 
-bool is_generic_letter(char letter) { return std::string_view("FVNIUSBM").find(letter) != std::string_view::npos; }
+bool is_generic_letter(char letter) { return std::string_view("FVNIUSBMT").find(letter) != std::string_view::npos; }
 
 ir::TypeId fixed_type(ir::Types& types, char letter) {
     switch (letter) {

@@ -211,6 +211,7 @@ Text print_builtin(Printer& p, const Expr& expr) {
     case ir::Builtin::subgroup_size: return subgroup("gl_SubgroupSize");
     case ir::Builtin::subgroup_lane: return subgroup("gl_SubgroupInvocationID");
     case ir::Builtin::subgroup_index: return subgroup("gl_SubgroupID");
+    case ir::Builtin::subgroup_count: return subgroup("gl_NumSubgroups");
     }
     throw std::logic_error("emit/glsl: unknown builtin");
 }

@@ -38,6 +38,12 @@ const char* name_of(Helper helper) {
     case Helper::split_float: return "split";
     case Helper::divide: return "divide";
     case Helper::square_root: return "square_root";
+    case Helper::shuffled: return "shuffled";
+    case Helper::shuffled_xor: return "shuffled_xor";
+    case Helper::shuffled_up: return "shuffled_up";
+    case Helper::shuffled_down: return "shuffled_down";
+    case Helper::broadcast: return "broadcast";
+    case Helper::broadcast_first: return "broadcast_first";
     }
     throw std::logic_error("emit/glsl: unknown helper");
 }
@@ -262,6 +268,12 @@ std::string definition(Printer& p, const HelperUse& use) {
         return by_component(type_text(p, use.a), name_of(use.helper), type_text(p, use.a), count,
                             use.helper == Helper::divide);
     }
+    case Helper::shuffled:
+    case Helper::shuffled_xor:
+    case Helper::shuffled_up:
+    case Helper::shuffled_down:
+    case Helper::broadcast:
+    case Helper::broadcast_first: return subgroup_definition(p, use);
     }
     throw std::logic_error("emit/glsl: unknown helper");
 }
@@ -299,6 +311,12 @@ void need_inner(Printer& p, const HelperUse& use) {
         if (corrects_division(p, use.a)) need(p, Helper::divide, scalar);
         break;
     case Helper::matrix_matrix: need(p, Helper::matrix_vector, use.a); break;
+    case Helper::shuffled:
+    case Helper::shuffled_xor:
+    case Helper::shuffled_up:
+    case Helper::shuffled_down:
+    case Helper::broadcast:
+    case Helper::broadcast_first: need_inner_of_subgroup(p, use); break;
     case Helper::split_float:
     case Helper::ordered_dot:
     case Helper::matrix_vector:
@@ -324,7 +342,10 @@ std::string need(Printer& p, Helper helper, TypeId a, TypeId b) {
 
 std::string helper_definitions(Printer& p) {
     std::string text;
-    for (const HelperUse& use : p.helpers) text += definition(p, use) + "\n";
+    for (const HelperUse& use : p.helpers) {
+        std::string made = definition(p, use) + "\n";
+        if (text.find(made) == std::string::npos) text += made;  // an enum is a uint here
+    }
     return text;
 }
 

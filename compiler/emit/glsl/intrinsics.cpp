@@ -20,12 +20,6 @@ Text call(Printer& p, const char* name, const Expr& expr) {
     return {std::string(name) + "(" + join_arguments(p, expr.operands) + ")"};
 }
 
-Text subgroup(Printer& p, const char* kind, const char* name, const Expr& expr) {
-    p.extensions.insert("GL_KHR_shader_subgroup_basic");
-    p.extensions.insert(std::string("GL_KHR_shader_subgroup_") + kind);
-    return call(p, name, expr);
-}
-
 /// Calls a helper with every operand made the shape of the result.
 Text shaped(Printer& p, Helper helper, const Expr& expr) {
     std::string text = need(p, helper, expr.type) + "(";
@@ -76,12 +70,6 @@ Text clamp(Printer& p, const Expr& expr) {
 Text dot(Printer& p, const Expr& expr) {
     TypeId type = type_of(p, expr, 0);
     return {need(p, Helper::ordered_dot, type) + "(" + join_arguments(p, expr.operands) + ")"};
-}
-
-Text ballot(Printer& p, const char* count, const Expr& expr) {
-    p.extensions.insert("GL_KHR_shader_subgroup_basic");
-    p.extensions.insert("GL_KHR_shader_subgroup_ballot");
-    return {std::string(count) + "(subgroupBallot(" + print_any(p, expr.operands[0]) + "))"};
 }
 
 Text atomic(Printer& p, const char* name, const Expr& expr) {
@@ -165,21 +153,31 @@ Text print_intrinsic(Printer& p, const Expr& expr) {
     case Intrinsic::reflect: return shaped(p, Helper::reflection, expr);
     case Intrinsic::determinant: return call(p, "determinant", expr);
     case Intrinsic::inverse: return call(p, "inverse", expr);
-    case Intrinsic::subgroupAdd: return subgroup(p, "arithmetic", "subgroupAdd", expr);
-    case Intrinsic::subgroupMin: return subgroup(p, "arithmetic", "subgroupMin", expr);
-    case Intrinsic::subgroupMax: return subgroup(p, "arithmetic", "subgroupMax", expr);
-    case Intrinsic::subgroupExclusiveAdd: return subgroup(p, "arithmetic", "subgroupExclusiveAdd", expr);
-    case Intrinsic::subgroupInclusiveAdd: return subgroup(p, "arithmetic", "subgroupInclusiveAdd", expr);
-    case Intrinsic::subgroupAll: return subgroup(p, "vote", "subgroupAll", expr);
-    case Intrinsic::subgroupAny: return subgroup(p, "vote", "subgroupAny", expr);
-    case Intrinsic::subgroupElect: return subgroup(p, "basic", "subgroupElect", expr);
-    case Intrinsic::subgroupBroadcastFirst: return subgroup(p, "ballot", "subgroupBroadcastFirst", expr);
-    case Intrinsic::subgroupShuffle: return subgroup(p, "shuffle", "subgroupShuffle", expr);
-    case Intrinsic::subgroupShuffleXor: return subgroup(p, "shuffle", "subgroupShuffleXor", expr);
-    case Intrinsic::subgroupShuffleUp: return subgroup(p, "shuffle_relative", "subgroupShuffleUp", expr);
-    case Intrinsic::subgroupShuffleDown: return subgroup(p, "shuffle_relative", "subgroupShuffleDown", expr);
-    case Intrinsic::subgroupBallotCount: return ballot(p, "subgroupBallotBitCount", expr);
-    case Intrinsic::subgroupBallotExclusiveCount: return ballot(p, "subgroupBallotExclusiveBitCount", expr);
+    case Intrinsic::subgroupAdd:
+    case Intrinsic::subgroupMin:
+    case Intrinsic::subgroupMax:
+    case Intrinsic::subgroupMul:
+    case Intrinsic::subgroupAnd:
+    case Intrinsic::subgroupOr:
+    case Intrinsic::subgroupXor:
+    case Intrinsic::subgroupExclusiveAdd:
+    case Intrinsic::subgroupExclusiveMin:
+    case Intrinsic::subgroupExclusiveMax:
+    case Intrinsic::subgroupInclusiveAdd:
+    case Intrinsic::subgroupInclusiveMin:
+    case Intrinsic::subgroupInclusiveMax:
+    case Intrinsic::subgroupAll:
+    case Intrinsic::subgroupAny:
+    case Intrinsic::subgroupElect:
+    case Intrinsic::subgroupBroadcast:
+    case Intrinsic::subgroupBroadcastFirst:
+    case Intrinsic::subgroupShuffle:
+    case Intrinsic::subgroupShuffleXor:
+    case Intrinsic::subgroupShuffleUp:
+    case Intrinsic::subgroupShuffleDown:
+    case Intrinsic::subgroupBallot:
+    case Intrinsic::subgroupBallotCount:
+    case Intrinsic::subgroupBallotExclusiveCount: return print_subgroup(p, expr);
     case Intrinsic::atomicAdd: return atomic(p, "atomicAdd", expr);
     case Intrinsic::atomicMin: return atomic(p, "atomicMin", expr);
     case Intrinsic::atomicMax: return atomic(p, "atomicMax", expr);

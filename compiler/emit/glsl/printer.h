@@ -60,6 +60,12 @@ enum class Helper : std::uint8_t {
     split_float,
     divide,
     square_root,
+    shuffled,
+    shuffled_xor,
+    shuffled_up,
+    shuffled_down,
+    broadcast,
+    broadcast_first,
 };
 
 /// A helper for one type, or an atomic update by compare-and-swap of one binding.
@@ -160,6 +166,11 @@ std::string division_definition(Helper helper);
 bool is_power_of_two(const Printer& p, ir::ExprId expr);  ///< dividing by it is exact however the device does it
 bool corrects_division(const Printer& p, ir::TypeId type);
 std::string quotient_of(Printer& p, ir::TypeId type, const std::string& a, const std::string& b);
+
+// subgroups.cpp
+Text print_subgroup(Printer& p, const ir::Expr& expr);
+std::string subgroup_definition(Printer& p, const HelperUse& use);
+void need_inner_of_subgroup(Printer& p, const HelperUse& use);
 
 // status.cpp: how a shader tells what it could not do
 void name_status(Printer& p);

@@ -44,7 +44,9 @@ struct DeviceProperties {
     bool float32_atomic_add = false;  ///< on buffers
     bool float32_atomic_min_max = false;
     bool image_float32_atomic_add = false;
-    bool subgroup_arithmetic = false;
+    bool subgroup_vote = false, subgroup_arithmetic = false, subgroup_ballot = false;  ///< in compute shaders
+    bool subgroup_shuffle = false, subgroup_shuffle_relative = false;
+    bool subgroup_extended_types = false;  ///< these on 16-bit and 64-bit types, too
     bool descriptor_indexing = false;
     bool push_descriptors = false;
 };

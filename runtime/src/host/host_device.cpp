@@ -21,6 +21,9 @@ public:
         properties_.int8 = properties_.int16 = properties_.int64 = properties_.float64 = true;
         properties_.int64_atomics = properties_.float32_atomic_add = properties_.float32_atomic_min_max = true;
         properties_.image_float32_atomic_add = true;
+        properties_.subgroup_vote = properties_.subgroup_arithmetic = properties_.subgroup_ballot = true;
+        properties_.subgroup_shuffle = properties_.subgroup_shuffle_relative = true;
+        properties_.subgroup_extended_types = true;
     }
 
     const DeviceProperties& properties() const override { return properties_; }

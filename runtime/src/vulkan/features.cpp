@@ -140,8 +140,16 @@ DeviceProperties read_properties(const Instance& instance, VkPhysicalDevice phys
     if (contains(extensions, VK_EXT_SHADER_ATOMIC_FLOAT_2_EXTENSION_NAME)) {
         p.float32_atomic_min_max = features.atomic_float2.shaderBufferFloat32AtomicMinMax;
     }
-    p.subgroup_arithmetic = (v11.subgroupSupportedOperations & VK_SUBGROUP_FEATURE_ARITHMETIC_BIT) != 0 &&
-                            (v11.subgroupSupportedStages & VK_SHADER_STAGE_COMPUTE_BIT) != 0;
+    const auto subgroups_do = [&](VkSubgroupFeatureFlagBits operations) {
+        return (v11.subgroupSupportedStages & VK_SHADER_STAGE_COMPUTE_BIT) != 0 &&
+               (v11.subgroupSupportedOperations & operations) != 0;
+    };
+    p.subgroup_vote = subgroups_do(VK_SUBGROUP_FEATURE_VOTE_BIT);
+    p.subgroup_arithmetic = subgroups_do(VK_SUBGROUP_FEATURE_ARITHMETIC_BIT);
+    p.subgroup_ballot = subgroups_do(VK_SUBGROUP_FEATURE_BALLOT_BIT);
+    p.subgroup_shuffle = subgroups_do(VK_SUBGROUP_FEATURE_SHUFFLE_BIT);
+    p.subgroup_shuffle_relative = subgroups_do(VK_SUBGROUP_FEATURE_SHUFFLE_RELATIVE_BIT);
+    p.subgroup_extended_types = features.v12.shaderSubgroupExtendedTypes;
     p.descriptor_indexing = features.v12.descriptorIndexing;
     p.push_descriptors = contains(extensions, VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME);
     return p;

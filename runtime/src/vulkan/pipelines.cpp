@@ -5,6 +5,7 @@
 #include "disk_cache.h"
 #include "fixed_parameters.h"
 #include "float_controls.h"
+#include "requirements.h"
 
 #include <glift/error.h>
 
@@ -63,6 +64,14 @@ void check_limits(const Context& context, const Kernel& kernel, const Form& form
         refuse("the kernel's parameters do not fit in push constants",
                "has " + std::to_string(p.max_push_constant_bytes) + " bytes");
     }
+}
+
+void check_requirements(const Context& context, const Kernel& kernel, const Form& form) {
+    const std::string missing = lacking(form.spirv, context.properties);
+    if (missing.empty()) return;
+    throw Error(ErrorCode::missing_feature, "the device lacks what the kernel uses", kernel_text(kernel),
+                context.properties.name + " does not have: " + missing,
+                "run it on another device (GLIFT_DEVICE=host has all of it), or ask DeviceProperties before the call");
 }
 
 VkFilter vulkan_filter(Filter filter) { return filter == Filter::linear ? VK_FILTER_LINEAR : VK_FILTER_NEAREST; }
@@ -124,6 +133,7 @@ std::unique_ptr<Pipeline> Pipelines::make(const Kernel& kernel, CompiledForm for
     const Form& compiled = form_of(kernel, form);
     if (compiled.spirv.empty()) throw_missing_form(kernel, form_text(form), context_.properties.name.c_str());
     check_limits(context_, kernel, compiled);
+    check_requirements(context_, kernel, compiled);
     auto pipeline = std::make_unique<Pipeline>();
     pipeline->kernel = &kernel;
     pipeline->form = &compiled;

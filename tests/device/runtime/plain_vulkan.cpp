@@ -17,6 +17,19 @@ VKAPI_ATTR void VKAPI_CALL get_features(VkPhysicalDevice physical, VkPhysicalDev
         if (next->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES && pretence.no_timeline) {
             reinterpret_cast<VkPhysicalDeviceVulkan12Features*>(next)->timelineSemaphore = VK_FALSE;
         }
+        if (next->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES && pretence.no_shuffles) {
+            reinterpret_cast<VkPhysicalDeviceVulkan12Features*>(next)->shaderSubgroupExtendedTypes = VK_FALSE;
+        }
+    }
+}
+
+VKAPI_ATTR void VKAPI_CALL get_more_properties(VkPhysicalDevice physical, VkPhysicalDeviceProperties2* properties) {
+    vkGetPhysicalDeviceProperties2(physical, properties);
+    for (auto* next = static_cast<VkBaseOutStructure*>(properties->pNext); next; next = next->pNext) {
+        if (next->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_1_PROPERTIES && pretence.no_shuffles) {
+            reinterpret_cast<VkPhysicalDeviceVulkan11Properties*>(next)->subgroupSupportedOperations &=
+                ~VkSubgroupFeatureFlags(VK_SUBGROUP_FEATURE_SHUFFLE_BIT | VK_SUBGROUP_FEATURE_SHUFFLE_RELATIVE_BIT);
+        }
     }
 }
 
@@ -59,6 +72,7 @@ PFN_vkVoidFunction VKAPI_CALL device_function(VkDevice device, const char* name)
 
 PFN_vkVoidFunction VKAPI_CALL pretending_loader(VkInstance instance, const char* name) {
     if (!std::strcmp(name, "vkGetPhysicalDeviceProperties")) return erased(get_properties);
+    if (!std::strcmp(name, "vkGetPhysicalDeviceProperties2")) return erased(get_more_properties);
     if (!std::strcmp(name, "vkGetPhysicalDeviceFeatures2")) return erased(get_features);
     if (!std::strcmp(name, "vkGetDeviceProcAddr")) return erased(device_function);
     return vkGetInstanceProcAddr(instance, name);

@@ -15,6 +15,7 @@ struct Pretence {
     bool no_timeline = false;
     bool lost = false;  ///< the next submission and every wait
     bool no_memory = false;
+    bool no_shuffles = false;          ///< subgroups do not exchange values, nor reduce 64-bit ones
     bool no_push_descriptors = false;  ///< the device was made without the extension
 
     std::uint64_t submissions = 0;      ///< of the device

@@ -6,6 +6,7 @@
 
 #include <bit>
 #include <cmath>
+#include <limits>
 
 namespace glift {
 
@@ -368,22 +369,53 @@ GLIFT_MATH_3(fma)
 #undef GLIFT_MATH_2
 #undef GLIFT_MATH_3
 
-// ----------------------------------------------------------------- subgroups: the host's have one lane, which is
-// active
+// --------------------------------------------------- subgroups: the host's have one lane, which is active
+
+namespace detail {
+
+/// What the minimum or maximum of nothing is.
+template <class T> constexpr T least() {
+    if constexpr (std::is_same_v<T, half>) return half(-std::numeric_limits<float>::infinity());
+    else if constexpr (is_floating<T>) return -std::numeric_limits<T>::infinity();
+    else return std::numeric_limits<T>::min();
+}
+template <class T> constexpr T greatest() {
+    if constexpr (std::is_same_v<T, half>) return half(std::numeric_limits<float>::infinity());
+    else if constexpr (is_floating<T>) return std::numeric_limits<T>::infinity();
+    else return std::numeric_limits<T>::max();
+}
+
+}  // namespace detail
 
 template <class T> constexpr T subgroupAdd(T x) { return x; }
 template <class T> constexpr T subgroupMin(T x) { return x; }
 template <class T> constexpr T subgroupMax(T x) { return x; }
+template <class T> constexpr T subgroupMul(T x) { return x; }
+template <class T> constexpr T subgroupAnd(T x) { return x; }
+template <class T> constexpr T subgroupOr(T x) { return x; }
+template <class T> constexpr T subgroupXor(T x) { return x; }
 template <class T> constexpr T subgroupExclusiveAdd(T) { return T{}; }
+template <class T> constexpr T subgroupExclusiveMin(T) { return detail::greatest<T>(); }
+template <class T> constexpr T subgroupExclusiveMax(T) { return detail::least<T>(); }
+template <class T, unsigned N> constexpr vec<T, N> subgroupExclusiveMin(vec<T, N>) {
+    return vec<T, N>(detail::greatest<T>());
+}
+template <class T, unsigned N> constexpr vec<T, N> subgroupExclusiveMax(vec<T, N>) {
+    return vec<T, N>(detail::least<T>());
+}
 template <class T> constexpr T subgroupInclusiveAdd(T x) { return x; }
+template <class T> constexpr T subgroupInclusiveMin(T x) { return x; }
+template <class T> constexpr T subgroupInclusiveMax(T x) { return x; }
 constexpr bool subgroupAll(bool x) { return x; }
 constexpr bool subgroupAny(bool x) { return x; }
 constexpr bool subgroupElect() { return true; }
+template <class T> constexpr T subgroupBroadcast(T x, uint) { return x; }
 template <class T> constexpr T subgroupBroadcastFirst(T x) { return x; }
 template <class T> constexpr T subgroupShuffle(T x, uint) { return x; }
 template <class T> constexpr T subgroupShuffleXor(T x, uint) { return x; }
 template <class T> constexpr T subgroupShuffleUp(T x, uint) { return x; }
 template <class T> constexpr T subgroupShuffleDown(T x, uint) { return x; }
+constexpr uint4 subgroupBallot(bool x) { return {x ? 1u : 0u, 0u, 0u, 0u}; }
 constexpr uint subgroupBallotCount(bool x) { return x ? 1u : 0u; }
 constexpr uint subgroupBallotExclusiveCount(bool) { return 0u; }
 

@@ -1,0 +1,59 @@
+#include "requirements.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace glift::detail {
+
+namespace {
+
+constexpr std::size_t header_words = 5;
+constexpr std::uint32_t op_capability = 17, op_type_int = 21, op_type_float = 22, op_type_vector = 23;
+constexpr std::uint32_t first_group_op = 333, last_group_op = 366;  // OpGroupNonUniformElect to …QuadSwap
+
+struct Requirement {
+    std::uint32_t capability;
+    bool DeviceProperties::*property;
+    const char* text;
+};
+constexpr Requirement requirements[] = {
+    {9, &DeviceProperties::float16, "16-bit floats"},
+    {10, &DeviceProperties::float64, "64-bit floats"},
+    {11, &DeviceProperties::int64, "64-bit integers"},
+    {62, &DeviceProperties::subgroup_vote, "subgroup votes"},
+    {63, &DeviceProperties::subgroup_arithmetic, "subgroup arithmetic"},
+    {64, &DeviceProperties::subgroup_ballot, "subgroup ballots"},
+    {65, &DeviceProperties::subgroup_shuffle, "subgroup shuffles"},
+    {66, &DeviceProperties::subgroup_shuffle_relative, "relative subgroup shuffles"},
+};
+
+bool contains(const std::vector<std::uint32_t>& ids, std::uint32_t id) {
+    return std::find(ids.begin(), ids.end(), id) != ids.end();
+}
+
+}  // namespace
+
+std::string lacking(std::span<const std::uint32_t> spirv, const DeviceProperties& properties) {
+    std::string text;
+    const auto add = [&](const char* what) { text += (text.empty() ? "" : ", ") + std::string(what); };
+    std::vector<std::uint32_t> extended;  // types that subgroups exchange only where the device says so
+    bool exchanges_extended = false;
+    for (std::size_t at = header_words; at < spirv.size();) {
+        const std::uint32_t op = spirv[at] & 0xffffu, words = spirv[at] >> 16;
+        if (words == 0) break;
+        const auto word = [&](std::size_t k) { return spirv[at + k]; };
+        if (op == op_capability) {
+            for (const Requirement& r : requirements)
+                if (r.capability == word(1) && !(properties.*r.property)) add(r.text);
+        }
+        if ((op == op_type_int && word(2) != 32) || (op == op_type_float && word(2) == 16)) extended.push_back(word(1));
+        if (op == op_type_vector && contains(extended, word(2))) extended.push_back(word(1));
+        exchanges_extended |= op >= first_group_op && op <= last_group_op && contains(extended, word(1));
+        at += words;
+    }
+    if (exchanges_extended && !properties.subgroup_extended_types)
+        add("subgroup operations on 16-bit and 64-bit types");
+    return text;
+}
+
+}  // namespace glift::detail
