@@ -19,9 +19,9 @@ public:
     static constexpr const char* type_name = "Box<1, uint>";
 
     Box_1_uint() = default;
-    [[maybe_unused]] Box_1_uint(const glift::Device& device, uint extent);
+    [[maybe_unused]] Box_1_uint(const glift::Commands& commands, uint extent);
     /// Over parts that exist already.
-    [[maybe_unused]] Box_1_uint(const glift::Device& device, uint extent, glift::Memory data);
+    [[maybe_unused]] Box_1_uint(const glift::Commands& commands, uint extent, glift::Memory data);
 
     /// The extent of the virtual domain.
     [[maybe_unused]] uint domain() const;
@@ -538,14 +538,14 @@ void fill_box(const glift::Commands& commands, const glift::Range<Line>& to, uin
     }
 }
 
-Box_1_uint::Box_1_uint(const glift::Device& device, uint extent)
-    : Structure(device),
+Box_1_uint::Box_1_uint(const glift::Commands& commands, uint extent)
+    : Structure(commands.device()),
       extent_(extent),
       data_extent_(volume(extent_)),
-      data_(device.allocate({.name = "Box_1_uint.data", .bytes = glift::buffer_bytes<uint>(data_extent_)})) {}
+      data_(commands.allocate({.name = "Box_1_uint.data", .bytes = glift::buffer_bytes<uint>(data_extent_)})) {}
 
-Box_1_uint::Box_1_uint(const glift::Device& device, uint extent, glift::Memory data)
-    : Structure(device),
+Box_1_uint::Box_1_uint(const glift::Commands& commands, uint extent, glift::Memory data)
+    : Structure(commands.device()),
       extent_(extent),
       data_extent_(volume(extent_)),
       data_(std::move(data)) {}
@@ -583,14 +583,14 @@ void use_both(const glift::Commands& commands, const glift::Range<Line>& a, [[ma
     }
 }
 
-Line::Line(const glift::Device& device, uint extent)
-    : Structure(device),
+Line::Line(const glift::Commands& commands, uint extent)
+    : Structure(commands.device()),
       extent_(extent),
       data_extent_(volume(extent_)),
-      data_(device.allocate({.name = "Line.data", .bytes = glift::buffer_bytes<uint>(data_extent_)})) {}
+      data_(commands.allocate({.name = "Line.data", .bytes = glift::buffer_bytes<uint>(data_extent_)})) {}
 
-Line::Line(const glift::Device& device, uint extent, glift::Memory data)
-    : Structure(device),
+Line::Line(const glift::Commands& commands, uint extent, glift::Memory data)
+    : Structure(commands.device()),
       extent_(extent),
       data_extent_(volume(extent_)),
       data_(std::move(data)) {}
@@ -613,11 +613,11 @@ std::uint64_t Line::place(uint address) const {
 }
 
 void Line::copy_out(const glift::Commands& commands, const glift::Range<Line>& range, const glift::Memory& box) const {
-    read_box(commands, range, Box_1_uint(commands.device(), range.size(), box));
+    read_box(commands, range, Box_1_uint(commands, range.size(), box));
 }
 
 void Line::copy_in(const glift::Commands& commands, const glift::Range<Line>& range, const glift::Memory& box) const {
-    write_box(commands, Box_1_uint(commands.device(), range.size(), box), range);
+    write_box(commands, Box_1_uint(commands, range.size(), box), range);
 }
 
 void Line::fill(uint value, const glift::Range<Line>& range) {

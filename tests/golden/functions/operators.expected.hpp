@@ -27,9 +27,9 @@ public:
     static constexpr const char* type_name = "Line";
 
     Line() = default;
-    Line(const glift::Device& device, glift::uint extent);
+    Line(const glift::Commands& commands, glift::uint extent);
     /// Over parts that exist already.
-    Line(const glift::Device& device, glift::uint extent, glift::Memory data);
+    Line(const glift::Commands& commands, glift::uint extent, glift::Memory data);
 
     /// The extent of the virtual domain.
     glift::uint domain() const;
