@@ -301,16 +301,18 @@ bool Arguments::finish(bool quiet) {
     return true;
 }
 
-void infer_from_literal(Arguments& arguments, ast::ExprId pattern, ast::ExprId literal) {
-    Context& c = arguments.context;
-    if (!is_flexible(c, literal)) return;
+ir::TypeId own_type(Context& c, ast::ExprId literal) {
     ast::ExprId part = literal;
     bool floating = c[part].kind == ast::ExprKind::float_literal;
     while (!c[part].operands.empty()) {
         for (ast::ExprId operand : c[part].operands) floating |= c[operand].kind == ast::ExprKind::float_literal;
         part = c[part].operands.back();
     }
-    arguments.infer(pattern, floating ? c.types().float_ : c.types().int_);
+    return floating ? c.types().float_ : c.types().int_;
+}
+
+void infer_from_literal(Arguments& arguments, ast::ExprId pattern, ast::ExprId literal) {
+    if (is_flexible(arguments.context, literal)) arguments.infer(pattern, own_type(arguments.context, literal));
 }
 
 std::string display_of(const Context& c, const ast::Decl& decl, const Env& env) {

@@ -21,6 +21,7 @@ struct Candidate {
     ir::TypeId result;
     bool gives_wanted = true;
     bool is_generic = false;
+    bool takes_literals = true;  ///< as the types that they have on their own
 };
 
 struct CheckedArguments {
@@ -192,9 +193,24 @@ std::optional<Candidate> try_overload(Body& body, ast::DeclId id, const Env* own
     auto env = match(body, id, owner, generics, arguments, call, wanted, false);
     if (!env && wanted) env = match(body, id, owner, generics, arguments, call, {}, false);
     if (!env) return std::nullopt;
-    ast::ExprId result = std::get<ast::Function>(c[id].body).result;
+    Candidate candidate;
+    candidate.decl = id;
+    const auto& function = std::get<ast::Function>(c[id].body);
+    for (std::size_t i = 0; i < function.params.size(); ++i) {
+        ast::ExprId literal = call.operands[i + 1];
+        if (!is_flexible(c, literal)) continue;
+        ir::TypeId own = own_type(c, literal), taken = type_of(c, *env, function.params[i].type);
+        if (c.types().kind(taken) == ir::TypeKind::optional) taken = c.types()[taken].element;
+        if (own == c.types().float_ && !c.types().is_floating(c.types().scalar_of(taken))) return std::nullopt;
+        candidate.takes_literals &= own == taken;
+    }
+    ast::ExprId result = function.result;
     ir::TypeId type = result ? type_of(c, *env, result) : c.types().void_;
-    return Candidate{id, std::move(env), type, gives(body, type, wanted), !c[id].generics.empty()};
+    candidate.env = std::move(env);
+    candidate.result = type;
+    candidate.gives_wanted = gives(body, type, wanted);
+    candidate.is_generic = !c[id].generics.empty();
+    return candidate;
 }
 
 /// Whether the written type depends on what the declaration's generics are.
@@ -223,11 +239,14 @@ bool is_more_special(const Context& c, const Candidate& a, const Candidate& b) {
     return more;
 }
 
-/// What is wanted decides first; then one written for these types is better than a generic one.
+/// What is wanted decides first; then one written for these types is better than a generic one; then the types that
+/// literals have on their own.
 bool is_better(const Context& c, const Candidate& a, const Candidate& b) {
     if (a.gives_wanted != b.gives_wanted) return a.gives_wanted;
     if (is_more_special(c, a, b)) return true;
-    return !a.is_generic && b.is_generic && !is_more_special(c, b, a);
+    if (is_more_special(c, b, a)) return false;
+    if (a.is_generic != b.is_generic) return !a.is_generic;
+    return a.takes_literals && !b.takes_literals;
 }
 
 /// Nothing tells one from the other: they are as good, and take the same.
