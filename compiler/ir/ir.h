@@ -240,7 +240,7 @@ struct Function {
     std::string display;  ///< with generic arguments, for comments and messages: linearize<3>
     Span span;
     std::vector<LocalId> params;
-    std::vector<std::uint32_t> structures;  ///< structure instances that calls pass at `places`
+    std::vector<std::uint32_t> structures;           ///< structure instances that calls pass at `places`
     std::array<std::uint32_t, 3> group = {0, 0, 0};  ///< of the kernels that call it; all 0: any
     std::vector<LocalId> shared;                     ///< workgroup memory, the same at every call
     TypeId result;

@@ -289,7 +289,8 @@ void Sharing::statement_(StmtId id) {
     Stmt copy = stmt;
     if (stmt.value) copy.value = visit(stmt.value, Where::before);
     if (stmt.target)
-        copy.target = stmt.op == StmtOp::assign ? visit_target(stmt.target, Where::before) : visit(stmt.target, Where::before);
+        copy.target =
+            stmt.op == StmtOp::assign ? visit_target(stmt.target, Where::before) : visit(stmt.target, Where::before);
     if (stmt.op == StmtOp::if_ || stmt.op == StmtOp::block) {
         bool is_if = stmt.op == StmtOp::if_;
         copy.body = is_if ? run_knowing(stmt.body, stmt.value, true) : run(stmt.body);

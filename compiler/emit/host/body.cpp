@@ -49,7 +49,8 @@ Text print_outer(Body& body, const Expr& expr) {
         case ir::Builtin::subgroup_size: return {"1u"};
         case ir::Builtin::subgroup_lane: return {"0u"};
         case ir::Builtin::subgroup_index: return {body.first_only ? "0u" : "local_index"};
-        case ir::Builtin::subgroup_count: return {std::to_string(body.pass.group[0] * body.pass.group[1] * body.pass.group[2]) + "u"};
+        case ir::Builtin::subgroup_count:
+            return {std::to_string(body.pass.group[0] * body.pass.group[1] * body.pass.group[2]) + "u"};
         }
         break;
     case Op::invocation:
@@ -61,7 +62,8 @@ Text print_outer(Body& body, const Expr& expr) {
         case ir::Invocation::subgroup_size: return {"1u"};
         case ir::Invocation::subgroup_lane: return {"0u"};
         case ir::Invocation::subgroup_index: return {body.first_only ? "0u" : "local_index"};
-        case ir::Invocation::subgroup_count: return {std::to_string(body.pass.group[0] * body.pass.group[1] * body.pass.group[2]) + "u"};
+        case ir::Invocation::subgroup_count:
+            return {std::to_string(body.pass.group[0] * body.pass.group[1] * body.pass.group[2]) + "u"};
         }
         break;
     case Op::constant:
