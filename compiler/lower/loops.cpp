@@ -75,6 +75,7 @@ private:
         switch (builtin) {
         case Builtin::local_index:
         case Builtin::subgroup_index: return std::uint64_t{group[0]} * group[1] * group[2] - 1;
+        case Builtin::subgroup_count: return std::uint64_t{group[0]} * group[1] * group[2];
         case Builtin::subgroup_size:
         case Builtin::subgroup_lane: return largest_subgroup;
         case Builtin::global_id:
