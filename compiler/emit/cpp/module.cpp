@@ -56,6 +56,12 @@ void name_functions(Unit& unit) {
             unit.globals.pipeline_names[pipeline] = identifier(unit.name(p.name));
             continue;
         }
+        // Instances of generics may differ in nothing that C++ sees.
+        const bool is_instance = p.name && p.display != unit.name(p.name);
+        if (is_instance) {
+            unit.globals.pipeline_names[pipeline] = unit.globals.names.declare(unit.name(p.name));
+            continue;
+        }
         std::string& name = overloads[p.name.index];
         if (name.empty())
             name = p.name ? unit.globals.names.declare(unit.name(p.name)) : unit.globals.names.declare("test");
