@@ -1,0 +1,109 @@
+// bench_algorithms: stdlib/algorithms on one device, by its clock.
+//
+//     bench_algorithms [--device NAME] [--log2 20,24] [--only ALGORITHM] [--json FILE]
+//
+// A run is a recording that does the same thing so often that submitting it does not show. What a run destroys is made
+// again within the recording; the time of that alone is taken off.
+#include "algorithms.glift.hpp"
+#include "median.h"
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace {
+
+using Work = std::function<void(const glift::Commands&)>;
+
+struct Case {
+    std::string algorithm, variant;
+    std::uint64_t elements = 0, bytes = 0;  ///< bytes: the least that must be moved
+    Work work, refill;                      ///< refill may be empty
+};
+
+double seconds_of(const glift::Device& device, const glift::Recording& recording) {
+    const glift::Commands commands = device.commands();
+    const glift::Timestamp before = commands.timestamp();
+    recording.submit();
+    const glift::Timestamp after = commands.timestamp();
+    device.wait();
+    return after - before;
+}
+
+glift::Recording repeated(const glift::Device& device, const Work& work, const Work& refill, int repeats) {
+    return device.record([&](const glift::Commands& commands) {
+        for (int i = 0; i < repeats; ++i) {
+            if (refill) refill(commands);
+            if (work) work(commands);
+        }
+    });
+}
+
+/// Median seconds of one execution.
+double measure(const glift::Device& device, const Work& work, const Work& refill, int runs, double seconds) {
+    const glift::Recording once = repeated(device, work, refill, 1);
+    seconds_of(device, once);
+    const double guess = std::max(seconds_of(device, once), 1e-6);
+    const int repeats = std::clamp(static_cast<int>(std::ceil(seconds / guess)), 1, 200);
+    const glift::Recording recording = repeated(device, work, refill, repeats);
+    seconds_of(device, recording);
+    std::vector<double> times;
+    for (int run = 0; run < runs; ++run) times.push_back(seconds_of(device, recording) / repeats);
+    return bench::median(times);
+}
+
+std::vector<Case> cases(const glift::Device& device, std::uint32_t n) {
+    const algorithms::Keys x(device, n), y(device, n);
+    algorithms::make_input(device, 1u, x);
+    std::vector<Case> all;
+    all.push_back({"copy", "buffer", n, 8ull * n, [=](const glift::Commands& commands) {
+                       const glift::CopyRegion whole = {0, 0, 4ull * n};
+                       commands.copy(x.data(), y.data(), {&whole, 1});
+                   }, {}});
+    all.push_back({"scan", "exclusive_sum_u32", n, 8ull * n,
+                   [=](const glift::Commands& commands) { algorithms::scan(commands, x, y); }, {}});
+    return all;
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+    CLI::App app("stdlib/algorithms on one device, by its clock");
+    std::string name, only, json_file;
+    std::vector<unsigned> log2 = {20, 24};
+    int runs = 11;
+    double seconds = 0.005;
+    app.add_option("--device", name, "as Device::open takes it");
+    app.add_option("--log2", log2, "sizes")->delimiter(',');
+    app.add_option("--only", only, "one algorithm");
+    app.add_option("--runs", runs, "of which the median is taken");
+    app.add_option("--seconds", seconds, "of a run");
+    app.add_option("--json", json_file, "where the figures go");
+    CLI11_PARSE(app, count, arguments);
+    try {
+        const glift::Device device = glift::Device::open(name);
+        nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+        for (unsigned exponent : log2) {
+            for (const Case& one : cases(device, 1u << exponent)) {
+                if (!only.empty() && only != one.algorithm) continue;
+                double time = measure(device, one.work, one.refill, runs, seconds);
+                if (one.refill) time -= measure(device, {}, one.refill, runs, seconds);
+                std::fprintf(stderr, "%-12s %-18s %10llu %12.2f us %9.2f G elements/s %8.0f GB/s\n", one.algorithm.c_str(),
+                             one.variant.c_str(), static_cast<unsigned long long>(one.elements), time * 1e6,
+                             static_cast<double>(one.elements) / time * 1e-9, static_cast<double>(one.bytes) / time * 1e-9);
+                rows.push_back({{"algorithm", one.algorithm}, {"variant", one.variant}, {"elements", one.elements},
+                                {"seconds", time}, {"bytes_moved", one.bytes}, {"runs", runs}});
+            }
+        }
+        if (!json_file.empty()) std::ofstream(json_file) << rows.dump(1) << "\n";
+    } catch (const glift::Error& error) {
+        std::fprintf(stderr, "bench_algorithms: %s\n", error.what());
+        return 1;
+    }
+}
