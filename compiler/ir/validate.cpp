@@ -61,7 +61,8 @@ void Validator::low_level(ExprId id) {
         const PassBinding& binding = pass_.bindings[node.slot];
         if ((binding.shape == MemoryShape::buffer) != (node.op == Op::load))
             fail("load from another kind of memory", id);
-        return expect_type(id, binding.element, "a load");
+        if (!is_row(p.types, binding, node.type)) expect_type(id, binding.element, "a load");
+        return;
     }
     case Op::member:
     case Op::memory_extent:
@@ -151,7 +152,9 @@ void Validator::stmt(const Stmt& stmt) {
     case StmtOp::atomic:
         if (stmt.slot >= pass_.bindings.size()) return fail("no such binding");
         if (pass_.bindings[stmt.slot].access == Access::read) fail("a store to memory that is only read");
-        return expect_type(stmt.value, pass_.bindings[stmt.slot].element, "a store");
+        if (!is_row(p.types, pass_.bindings[stmt.slot], p.exprs[stmt.value].type))
+            expect_type(stmt.value, pass_.bindings[stmt.slot].element, "a store");
+        return;
     case StmtOp::report:
         if (stmt.slot >= pass_.bindings.size() && stmt.slot != no_binding) return fail("no such binding");
         return;

@@ -232,6 +232,7 @@ void Expander::set_element(const Stmt& stmt) {
 void Expander::write(const Stmt& stmt) {
     Place place = resolved(stmt.place);
     const Structure& structure = cx.structure_at(place);
+    if (make.type(stmt.value) != structure.element) return write_several(stmt);
     std::string name = cx.name_of(place);
     ExprId address = named(name + "_address", value_of(stmt.target));
     ExprId value = stored(expand(stmt.value), structure.element);

@@ -134,6 +134,12 @@ private:
     ExprId near_guard(std::uint32_t root, const std::vector<std::int64_t>& offset);
     void note_near_guard(std::uint32_t root);
 
+    // rows.cpp
+    ExprId several(const ir::Expr& node);
+    void write_several(const ir::Stmt& stmt);
+    bool lies_in_rows(const ir::Place& place, ExprId address, std::uint32_t count);
+    ExprId is_aligned_row(const ir::Place& place, ExprId address, ExprId physical, std::uint32_t count);
+
     // check.cpp
     bool checks_range(const ir::Place& place);
     void check_range(const ir::Place& place, ExprId address, ir::Access access, Span span);

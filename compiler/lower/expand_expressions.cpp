@@ -117,6 +117,7 @@ Pair Expander::expand(ExprId id) {
     case Op::near: return {near(node), {}};
     case Op::read: {
         Place place = resolved(node.place);
+        if (node.type != cx.structure_at(place).element) return {several(node), {}};
         ExprId address = value_of(node.operands[0]);
         if (checks_range(place)) address = named(cx.name_of(place) + "_address", address);
         check_range(place, address, Access::read, node.span);

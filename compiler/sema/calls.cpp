@@ -161,6 +161,52 @@ Operand construct_value(Body& body, ir::TypeId id, const ast::Expr& call) {
     return value_operand(body, add(body.program(), ir::Op::construct, id, call.span, std::move(operands)), call.span);
 }
 
+/// `let x: T[4] = s.load(a)` and `s.store(a, x)`: elements with addresses a, a + 1, …
+static Operand several_elements(Body& body, const Operand& self, ast::Identifier method, const ast::Expr& call,
+                                ir::TypeId wanted) {
+    Context& c = body.context;
+    const ir::Structure structure = body.program().structures[self.structure];
+    const bool is_load = c.text(method.name) == "load";
+    const std::vector<ast::ExprId> arguments = arguments_of(call);
+    if (arguments.size() != (is_load ? 1 : 2)) {
+        c.error(Diag::argument_count, call.span,
+                {c.text(method.name), is_load ? "1" : "2", std::to_string(arguments.size())});
+        return error_operand(call.span);
+    }
+    if (structure.domain_type != body.types().uint) {
+        c.error(Diag::several_axes, call.span, {structure.display, c.text(structure.domain_type)});
+        return error_operand(call.span);
+    }
+    ir::ExprId address = check_value(body, arguments[0], structure.domain_type);
+    ir::ExprId value = is_load ? ir::ExprId{} : check_value(body, arguments[1]);
+    if (is_error(body, address) || (value && is_error(body, value))) return error_operand(call.span);
+    ir::TypeId type = is_load ? wanted : body.program().exprs[value].type;
+    if (!type || body.types().kind(type) != ir::TypeKind::array || body.types()[type].element != structure.element) {
+        note(c.error(Diag::several_type, call.span, {c.text(structure.element)}), call.span,
+             is_load ? "say how many: let x: " + c.text(structure.element) + "[4] = …"
+                     : "the elements are passed as one array");
+        return error_operand(call.span);
+    }
+    if (is_load) {
+        ir::ExprId read = make_read(body, self, address, call.span);
+        body.program().exprs[read].type = type;
+        return value_operand(body, read, call.span);
+    }
+    const ir::KernelParam* param = body.kernel ? &body.kernel->params[self.place.root] : nullptr;
+    if (!param || !self.place.members.empty() || param->pattern != ir::Pattern::scatter ||
+        param->combine != ir::Combine::replace) {
+        Diagnostic& diagnostic = c.error(Diag::in_written, call.span, {param ? c.text(param->name) : "this"});
+        if (param) note(diagnostic, param->span, "store writes through 'out scatter<S>' without an operation");
+        return error_operand(call.span);
+    }
+    ir::StmtId id = add(body.program(), ir::StmtOp::write, call.span);
+    body.program().stmts[id].place = self.place;
+    body.program().stmts[id].target = address;
+    body.program().stmts[id].value = value;
+    emit(body, id);
+    return value_operand(body, add(body.program(), ir::Op::constant, body.types().void_, call.span), call.span);
+}
+
 Operand call_method(Body& body, const Operand& self, ast::Identifier method, const ast::Expr& call, ir::TypeId wanted) {
     Context& c = body.context;
     std::vector<ast::ExprId> arguments = arguments_of(call);
@@ -204,6 +250,7 @@ Operand call_method(Body& body, const Operand& self, ast::Identifier method, con
         return value_operand(body, structure_operation(body, ir::Op::sample, element, self, call.span, {at}),
                              call.span);
     }
+    if ((name == "load" || name == "store") && addressed) return several_elements(body, self, method, call, wanted);
     bool stored = body.program().structures[self.structure].kind == ir::StructureKind::stored;
     if ((name == "find" || name == "translate" || name == "contains") && stored) {
         ir::ExprId at = address(domain);
@@ -222,7 +269,7 @@ Operand call_method(Body& body, const Operand& self, ast::Identifier method, con
         return value_operand(body, add(body.program(), ir::Op::select, optional, call.span, {has, some, none}),
                              call.span);
     }
-    std::vector<std::string_view> known = {"domain", "sample", "find", "translate", "contains"};
+    std::vector<std::string_view> known = {"domain", "sample", "find", "translate", "contains", "load", "store"};
     for (const ast::Item& item : *items)
         if (item.decl) known.push_back(c.text(c[item.decl].name.name));
     Diagnostic& diagnostic =

@@ -21,10 +21,17 @@ void name_globals(Printer& p) {
                                                                                      : p.names.declare(parameter.name));
     for (const ir::PassBinding& binding : p.pass.bindings) p.binding_names.push_back(p.names.declare(binding.name));
     for (const std::string& name : p.binding_names) p.block_names.push_back(p.names.declare(capitalised(name)));
+    for (const ir::PassBinding& binding : p.pass.bindings) {
+        p.row_names.push_back(binding.in_rows ? p.names.declare(binding.name + "_rows") : "");
+        p.row_block_names.push_back(binding.in_rows ? p.names.declare(capitalised(binding.name + "_rows")) : "");
+    }
     for (std::size_t i = 0; i < p.pass.parameters.size(); ++i) {
         const ir::PassParameter& parameter = p.pass.parameters[i];
         if (parameter.source != ir::ParameterSource::address) continue;
         p.parameter_names[i] = p.binding_names.at(parameter.param);
+        if (!p.row_names[parameter.param].empty())
+            p.row_names[parameter.param] =
+                p.row_block_names[parameter.param] + "(" + p.binding_names[parameter.param] + ").rows";
         p.binding_names[parameter.param] += ".at";
     }
     name_structs(p);

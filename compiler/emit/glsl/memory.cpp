@@ -101,7 +101,12 @@ std::string buffer_text(Printer& p, std::size_t index) {
     std::string layout = p.pass.form == ir::Form::wide
                              ? "layout(buffer_reference, scalar) "
                              : "layout(scalar, set = 0, binding = " + std::to_string(index + 1) + ") ";
-    return layout + qualifiers + "buffer " + p.block_names[index] + " { " + member + "; };\n";
+    std::string text = layout + qualifiers + "buffer " + p.block_names[index] + " { " + member + "; };\n";
+    if (!binding.in_rows) return text;
+    const bool is_wide = p.pass.form == ir::Form::wide;
+    const std::string row = image_prefix(p, binding.element) + "vec4 " + (is_wide ? "rows" : p.row_names[index]) + "[]";
+    return text + (is_wide ? "layout(buffer_reference, scalar, buffer_reference_align = 16) " : layout) + qualifiers +
+           "buffer " + p.row_block_names[index] + " { " + row + "; };   // the same, as vectors\n";
 }
 
 std::string image_text(Printer& p, std::size_t index) {
@@ -213,6 +218,8 @@ Text print_load(Printer& p, const ir::Expr& expr) {
     const PassBinding& binding = p.pass.bindings.at(expr.slot);
     const std::string& name = p.binding_names[expr.slot];
     if (expr.op == ir::Op::load) {
+        if (is_row(p.program.types, binding, expr.type))
+            return {p.row_names[expr.slot] + "[" + print_any(p, expr.operands[0]) + "]"};
         std::string text = name + "[" + print_any(p, expr.operands[0]) + "]";
         return {stored_as_bits(p, binding) ? "uintBitsToFloat(" + text + ")" : text};
     }
@@ -233,6 +240,8 @@ std::string store_text(Printer& p, const ir::Stmt& stmt) {
     if (stmt.op == ir::StmtOp::image_store)
         return "imageStore(" + name + ", " + texel_text(p, stmt.target) + ", " + four_components(p, stmt.value) + ");";
     std::string value = print_any(p, stmt.value);
+    if (is_row(p.program.types, binding, p.program.exprs[stmt.value].type))
+        return p.row_names[stmt.slot] + "[" + print_any(p, stmt.target) + "] = " + value + ";";
     if (stored_as_bits(p, binding)) value = "floatBitsToUint(" + value + ")";
     return name + "[" + print_any(p, stmt.target) + "] = " + value + ";";
 }

@@ -102,6 +102,8 @@ struct Printer {
     Scopes names;
     std::vector<std::string> binding_names;  ///< as expressions: f_data, or f_data.at in the wide form
     std::vector<std::string> block_names;    ///< of buffer bindings
+    std::vector<std::string> row_names;      ///< the same memory as vectors of four, as expressions; empty: not needed
+    std::vector<std::string> row_block_names;
     std::vector<std::string> parameter_names;
     StatusNames status;                     ///< named only where the pass has a status record
     std::vector<std::string> struct_names;  ///< of Program::structs

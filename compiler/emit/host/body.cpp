@@ -8,6 +8,12 @@ namespace gliftc::host {
 
 namespace {
 
+/// The buffer and the index of a vector of four in it.
+std::string row_arguments(Body& body, std::uint32_t binding, ir::ExprId index) {
+    body.used_bindings.insert(binding);
+    return body.binding_names[binding] + ", " + cpp::print_any(body.p, index);
+}
+
 using cpp::Level;
 using cpp::Text;
 using ir::Expr;
@@ -28,6 +34,8 @@ Text print_outer(Body& body, const Expr& expr) {
     switch (expr.op) {
     case Op::parameter: body.used_parameters.insert(expr.slot); return {body.parameter_names[expr.slot]};
     case Op::load: {
+        if (is_row(p.program.types, body.pass.bindings[expr.slot], expr.type))
+            return {"glift::host::load_row(" + row_arguments(body, expr.slot, expr.operands[0]) + ")"};
         std::string text = element_text(body, expr.slot, expr.operands[0]);
         if (p.program.types.is_vector(expr.type) && cpp::holds_bool(p.program, expr.type))
             text = cpp::type_text(p.globals, expr.type) + "(" + text + ")";
@@ -136,6 +144,9 @@ void print_outer(Body& body, const Stmt& stmt) {
     case StmtOp::store: {
         const ir::TypeId element = body.pass.bindings[stmt.slot].element;
         std::string value = cpp::print_any(p, stmt.value);
+        if (is_row(p.program.types, body.pass.bindings[stmt.slot], p.program.exprs[stmt.value].type))
+            return p.out.line("glift::host::store_row(" + row_arguments(body, stmt.slot, stmt.target) + ", " + value +
+                              ");");
         if (p.program.types.is_vector(element) && cpp::holds_bool(p.program, element))
             value = cpp::storage_text(p.globals, element) + "(" + value + ")";
         p.out.line(element_text(body, stmt.slot, stmt.target) + " = " + value + ";");

@@ -23,16 +23,18 @@ struct RowAccess {
 };
 
 /// Loads that every element of the row executes.
-void collect_loads(const ir::Program& program, ExprId id, Affine& affine, std::vector<RowAccess>& found) {
+void collect_loads(const ir::Program& program, const ir::Pass& pass, ExprId id, Affine& affine,
+                   std::vector<RowAccess>& found) {
     if (!id) return;
     const ir::Expr& expr = program.exprs[id];
-    if (expr.op == Op::load && affine.is_row(expr.operands[0])) {
+    if (expr.op == Op::load && !is_row(program.types, pass.bindings[expr.slot], expr.type) &&
+        affine.is_row(expr.operands[0])) {
         found.push_back({expr.slot, expr.operands[0]});
         return;
     }
     const bool whole = expr.op != Op::select && (expr.op != Op::binary || is_unconditional(expr.binary));
     for (std::size_t i = 0; i < expr.operands.size() && (whole || i == 0); ++i)
-        collect_loads(program, expr.operands[i], affine, found);
+        collect_loads(program, pass, expr.operands[i], affine, found);
 }
 
 /// All accesses of a straight-line body that go through their memory in order. Ends at the first early return: what
@@ -49,8 +51,10 @@ std::vector<RowAccess> row_accesses(const ir::Program& program, const ir::Pass& 
                 if (!self(self, stmt.body)) return false;
                 continue;
             }
-            collect_loads(program, stmt.value, affine, found);
-            if (stmt.op == StmtOp::store && affine.is_row(stmt.target)) found.push_back({stmt.slot, stmt.target});
+            collect_loads(program, pass, stmt.value, affine, found);
+            if (stmt.op == StmtOp::store && affine.is_row(stmt.target) &&
+                !is_row(program.types, pass.bindings[stmt.slot], program.exprs[stmt.value].type))
+                found.push_back({stmt.slot, stmt.target});
             if ((stmt.op == StmtOp::if_ || stmt.op == StmtOp::for_ || stmt.op == StmtOp::while_) &&
                 (returns_early(program, stmt.body) || returns_early(program, stmt.otherwise)))
                 return false;

@@ -143,6 +143,16 @@ template <class Body> void for_each_group(const std::array<std::uint32_t, 4>& si
     else tbb::parallel_for(std::size_t{0}, total, run);
 }
 
+/// Elements 4 * index, … of a buffer as one vector.
+template <class T> vec<std::remove_const_t<T>, 4> load_row(T* elements, std::size_t index) {
+    const T* row = elements + 4 * index;
+    return {row[0], row[1], row[2], row[3]};
+}
+template <class T> void store_row(T* elements, std::size_t index, const vec<T, 4>& value) {
+    T* row = elements + 4 * index;
+    row[0] = value.x, row[1] = value.y, row[2] = value.z, row[3] = value.w;
+}
+
 /// The elements of a buffer.
 template <class T> T* elements(const HostMemory& memory) { return reinterpret_cast<T*>(memory.data); }
 
