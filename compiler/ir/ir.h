@@ -217,6 +217,7 @@ struct Stmt {
     std::vector<StmtId> otherwise;
     std::vector<ExprId> arguments;
     std::vector<LocalId> locals;  ///< release
+    bool unrolled = false;        ///< for_: shaders ask for it to be unrolled
     std::uint32_t slot = 0;
     Combine combine = Combine::replace;
     Place place;

@@ -164,6 +164,7 @@ void Expander::expand_for(const Stmt& stmt) {
     copy.limit = limit;
     frame_->locals[stmt.local] = {make.local(copy.local), {}};
     copy.body = nested(stmt.body);
+    copy.unrolled = rounds && rounds->count <= unroll_limit && indexes_array_by_loop(p, copy);
     append(std::move(copy));
 }
 

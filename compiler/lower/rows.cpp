@@ -73,21 +73,22 @@ ExprId Expander::several(const Expr& node) {
         return make.local(items);
     }
     ExprId physical = named(name + "_at", translated(place, at, name).value);
-    Block row = collect([&] {
-        const std::uint32_t slot = binding(place, cx.structure_at(place).via_memory, Access::read);
-        cx.pass.bindings[slot].in_rows = true;
-        ExprId first = named(name + "_row", make.binary(BinaryOp::divide, physical, make.uint(row_width)));
-        for (std::uint32_t k = 0; k < count; k += row_width) {
-            Expr load;
-            load.op = Op::load;
-            load.type = p.types.vector(element, row_width);
-            load.slot = slot;
-            load.operands = {make.add(first, make.uint(k / row_width))};
-            ExprId vector = make.local(let(name + "_four", p.exprs.add(std::move(load)), span_));
-            for (std::uint32_t lane = 0; lane < row_width; ++lane) set(k + lane, make.component(vector, lane));
-        }
-    });
-    append_if(is_aligned_row(place, address, physical, count), std::move(row), collect(one_by_one));
+    // Vectors are loaded without a branch, so that many loads are in flight: the first one of the memory where it is
+    // for nothing. Every buffer has room for one.
+    ExprId is_row = named(name + "_is_row", is_aligned_row(place, address, physical, count));
+    const std::uint32_t slot = binding(place, cx.structure_at(place).via_memory, Access::read);
+    cx.pass.bindings[slot].in_rows = true;
+    ExprId first = named(name + "_row", make.binary(BinaryOp::divide, physical, make.uint(row_width)));
+    for (std::uint32_t k = 0; k < count; k += row_width) {
+        Expr load;
+        load.op = Op::load;
+        load.type = p.types.vector(element, row_width);
+        load.slot = slot;
+        load.operands = {make.select(is_row, make.add(first, make.uint(k / row_width)), make.uint(0))};
+        ExprId vector = make.local(let(name + "_four", p.exprs.add(std::move(load)), span_));
+        for (std::uint32_t lane = 0; lane < row_width; ++lane) set(k + lane, make.component(vector, lane));
+    }
+    append_if(make.negate(is_row), collect(one_by_one), {});
     return make.local(items);
 }
 

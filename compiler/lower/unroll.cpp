@@ -18,6 +18,20 @@ std::optional<Rounds> rounds_of(const Program& program, ExprId first, ExprId lim
     return Rounds{low->bits(), none ? 0 : high->bits() - low->bits()};
 }
 
+bool indexes_array_by_loop(const Program& program, const Stmt& loop) {
+    bool found = false;
+    for_each_expression(program, loop.body, [&](ExprId id) {
+        const Expr& node = program.exprs[id];
+        if (node.op != Op::index || program.types.kind(program.exprs[node.operands[0]].type) != TypeKind::array) return;
+        const Expr& array = program.exprs[node.operands[0]];
+        if (array.op != Op::local || program.locals[array.local].storage == Storage::shared) return;
+        for_each_node(program, node.operands[1], [&](ExprId part) {
+            found = found || (program.exprs[part].op == Op::local && program.exprs[part].local == loop.local);
+        });
+    });
+    return found;
+}
+
 bool has_near_depending_on_loop(const Program& program, const Stmt& loop) {
     std::unordered_set<LocalId> inner{loop.local};
     for_each_statement(program, loop.body, [&](const Stmt& stmt) {

@@ -195,7 +195,8 @@ static Operand several_elements(Body& body, const Operand& self, ast::Identifier
     const ir::KernelParam* param = body.kernel ? &body.kernel->params[self.place.root] : nullptr;
     if (!param || !self.place.members.empty() || param->pattern != ir::Pattern::scatter ||
         param->combine != ir::Combine::replace) {
-        Diagnostic& diagnostic = c.error(Diag::in_written, call.span, {param ? c.text(param->name) : "this"});
+        Diagnostic& diagnostic =
+            c.error(Diag::several_target, call.span, {param ? c.text(param->name) : structure.display});
         if (param) note(diagnostic, param->span, "store writes through 'out scatter<S>' without an operation");
         return error_operand(call.span);
     }

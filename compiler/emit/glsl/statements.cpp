@@ -127,7 +127,9 @@ void print_for(Printer& p, const Stmt& stmt) {
         high = end;
     }
     std::string test = round_test(p, place_arguments(p, stmt.span));
-    line(p, "for (" + first + "; " + (test.empty() ? "" : test + " && ") + name + " < " + high + "; ++" + name + ") {");
+    if (stmt.unrolled) p.extensions.insert("GL_EXT_control_flow_attributes");
+    line(p, std::string(stmt.unrolled ? "[[unroll]] " : "") + "for (" + first + "; " +
+                (test.empty() ? "" : test + " && ") + name + " < " + high + "; ++" + name + ") {");
     print_block(p, stmt.body);
     line(p, "}");
     p.names.leave();

@@ -138,8 +138,9 @@ void VulkanMemory::create() {
     const MemoryDescription& d = description();
     VkMemoryRequirements needs;
     if (d.kind == MemoryKind::buffer) {
-        range = (std::max<VkDeviceSize>(d.bytes, 4) + 3) / 4 * 4;
-        const VkDeviceSize size = (range + 15) / 16 * 16;
+        // Shaders may load vectors of four words: there is always room for one, and for what the last words begin.
+        range = (std::max<VkDeviceSize>(d.bytes, 1) + 15) / 16 * 16;
+        const VkDeviceSize size = range;
         if (size > context.properties.max_allocation_bytes) owner().throw_too_large(d);
         const VkBufferCreateInfo info = {
             .sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO, .size = size, .usage = buffer_usage};
