@@ -331,6 +331,10 @@ public:
         if (!box.is_inside()) detail::throw_outside(std::string(Self::type_name) + "::range", box);
         return Range<Self>(self, origin, size);
     }
+    /// As many elements from the first on as a value on the device says.
+    Range<Self> first(DeviceValue count) const {
+        return Range<Self>(static_cast<const Self&>(*this)).first(std::move(count));
+    }
 };
 
 /// The base of a generated structure `Self` with virtual addresses of type A and elements of type T. Copies of a
