@@ -229,6 +229,45 @@ Text print_index(Printer& p, const Expr& expr) {
     return {print(p, expr.operands[0], Level::postfix) + "[" + guarded_index(p, expr.operands[1], of.count) + "]"};
 }
 
+/// Whether the value is read where a block keeps it, not from a variable.
+bool lies_in_block(const ir::Program& program, ExprId id) {
+    const Expr& expr = program.exprs[id];
+    if (expr.op == Op::parameter || expr.op == Op::load) return true;
+    bool part = expr.op == Op::field || expr.op == Op::index || expr.op == Op::value;
+    return part && lies_in_block(program, expr.operands[0]);
+}
+
+/// The value at `place`, made anew of its parts.
+std::string remade(Printer& p, const std::string& place, TypeId id) {
+    const ir::Type type = p.program.types[id];
+    std::string parts;
+    auto add = [&](const std::string& part, TypeId of) { parts += (parts.empty() ? "" : ", ") + remade(p, part, of); };
+    if (type.kind == TypeKind::struct_) {
+        const auto& fields = p.program.structs[type.index].fields;
+        for (std::size_t i = 0; i < fields.size(); ++i)
+            if (!is_empty(p.program, fields[i].type))
+                add(place + "." + p.field_names[type.index][i], fields[i].type);
+    } else if (type.kind == TypeKind::array) {
+        for (std::uint32_t i = 0; i < type.count; ++i) add(place + "[" + std::to_string(i) + "]", type.element);
+    } else if (type.kind == TypeKind::optional) {
+        parts = place + ".has";
+        if (!is_empty(p.program, type.element)) add(place + ".value", type.element);
+    } else {
+        return place;
+    }
+    return type_text(p, id) + "(" + parts + ")";
+}
+
+/// One side of a select. glslang keeps structs in blocks and structs in variables apart, as they are laid out differently,
+/// and does not convert between the two in `?:`.
+std::string print_side(Printer& p, ExprId id, Level least) {
+    TypeId type = p.program.exprs[id].type;
+    TypeKind kind = p.program.types.kind(type);
+    bool has_parts = kind == TypeKind::struct_ || kind == TypeKind::array || kind == TypeKind::optional;
+    if (has_parts && lies_in_block(p.program, id)) return remade(p, print(p, id, Level::postfix), type);
+    return print(p, id, least);
+}
+
 }  // namespace
 
 Text print(Printer& p, ExprId id) {
@@ -244,8 +283,9 @@ Text print(Printer& p, ExprId id) {
     case Op::unary: return print_unary(p, expr);
     case Op::binary: return print_binary(p, expr);
     case Op::select:
-        return {print(p, expr.operands[0], Level::logical_or) + " ? " + print(p, expr.operands[1], Level::logical_or) +
-                    " : " + print(p, expr.operands[2], Level::ternary),
+        return {print(p, expr.operands[0], Level::logical_or) + " ? " +
+                    print_side(p, expr.operands[1], Level::logical_or) + " : " +
+                    print_side(p, expr.operands[2], Level::ternary),
                 Level::ternary};
     case Op::swizzle: return print_swizzle(p, expr);
     case Op::index: return print_index(p, expr);
