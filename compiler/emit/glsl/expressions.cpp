@@ -245,8 +245,7 @@ std::string remade(Printer& p, const std::string& place, TypeId id) {
     if (type.kind == TypeKind::struct_) {
         const auto& fields = p.program.structs[type.index].fields;
         for (std::size_t i = 0; i < fields.size(); ++i)
-            if (!is_empty(p.program, fields[i].type))
-                add(place + "." + p.field_names[type.index][i], fields[i].type);
+            if (!is_empty(p.program, fields[i].type)) add(place + "." + p.field_names[type.index][i], fields[i].type);
     } else if (type.kind == TypeKind::array) {
         for (std::uint32_t i = 0; i < type.count; ++i) add(place + "[" + std::to_string(i) + "]", type.element);
     } else if (type.kind == TypeKind::optional) {
