@@ -257,8 +257,8 @@ std::string remade(Printer& p, const std::string& place, TypeId id) {
     return type_text(p, id) + "(" + parts + ")";
 }
 
-/// One side of a select. glslang keeps structs in blocks and structs in variables apart, as they are laid out differently,
-/// and does not convert between the two in `?:`.
+/// One side of a select. glslang keeps structs in blocks and structs in variables apart, as they are laid out
+/// differently, and does not convert between the two in `?:`.
 std::string print_side(Printer& p, ExprId id, Level least) {
     TypeId type = p.program.exprs[id].type;
     TypeKind kind = p.program.types.kind(type);
