@@ -68,15 +68,10 @@ void infer_arguments(Arguments& generics, const std::vector<ast::Param>& params,
         if (arguments[i].waits) infer_from_literal(generics, params[i].type, arguments[i].written);
 }
 
-/// A value for a kernel or pipeline parameter: of the type itself, or of that type on the device.
-ir::ExprId value_argument(Body& body, const Argument& argument, ir::TypeId wanted, bool device_allowed) {
-    Span span = body.context[argument.written].span;
+/// A value for a kernel or pipeline parameter. The host packs it: what lives on the device has to be awaited, in writing.
+ir::ExprId value_argument(Body& body, const Argument& argument, ir::TypeId wanted) {
     if (argument.waits) return check_value(body, argument.written, wanted);
-    ir::ExprId value = to_value(body, argument.operand);
-    ir::TypeId type = body.program().exprs[value].type;
-    bool on_device = body.types().kind(type) == ir::TypeKind::device && body.types()[type].element == wanted;
-    if (on_device && device_allowed) return value;
-    return coerce(body, value, wanted, span);
+    return coerce(body, to_value(body, argument.operand), wanted, body.context[argument.written].span);
 }
 
 /// What a pass or a check gives: nothing that could be used.
@@ -92,7 +87,7 @@ std::optional<std::vector<ir::ExprId>> kernel_arguments(Body& body, std::uint32_
         const ir::KernelParam param = body.program().kernels[kernel_index].params[i];
         Span span = c[arguments[i].written].span;
         if (param.pattern == ir::Pattern::value) {
-            values.push_back(value_argument(body, arguments[i], body.program().locals[param.local].type, true));
+            values.push_back(value_argument(body, arguments[i], body.program().locals[param.local].type));
         } else {
             if (!arguments[i].structure || *arguments[i].structure != param.structure) {
                 std::string have = arguments[i].structure ? body.program().structures[*arguments[i].structure].display
@@ -205,7 +200,7 @@ std::optional<Operand> call_pipeline(Body& body, ast::DeclId id, const std::vect
         const ir::PipelineParam param = body.program().pipelines[*pipeline].params[i];
         ir::TypeId wanted = body.program().locals[param.local].type;
         if (param.pattern == ir::HostPattern::value)
-            values.push_back(value_argument(body, arguments[i], wanted, false));
+            values.push_back(value_argument(body, arguments[i], wanted));
         else {
             values.push_back(to_value(body, arguments[i].operand));
             ir::TypeId have = body.program().exprs[values.back()].type;

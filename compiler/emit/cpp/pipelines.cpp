@@ -168,16 +168,8 @@ void PipelinePrinter::temporary(const Stmt& stmt) {
 }
 
 void PipelinePrinter::dispatch(const Stmt& stmt) {
-    const ir::Kernel& kernel = unit.program.kernels[stmt.slot];
     std::string arguments;
-    for (std::size_t i = 0; i < stmt.arguments.size(); ++i) {
-        const ir::TypeId type = unit.program.exprs[stmt.arguments[i]].type;
-        std::string argument = print(p, stmt.arguments[i], Level::postfix);
-        // A value that a kernel takes is part of its parameters, which the host packs.
-        if (kernel.params[i].pattern == ir::Pattern::value && kind(type) == TypeKind::device)
-            argument += ".await(commands)";
-        arguments += ", " + argument;
-    }
+    for (ExprId argument : stmt.arguments) arguments += ", " + print(p, argument, Level::postfix);
     p.out.line(unit.globals.kernel_names.at(stmt.slot) + "(commands" + arguments + ");");
 }
 
