@@ -58,16 +58,30 @@ double measure(const glift::Device& device, const Work& work, const Work& refill
     return bench::median(times);
 }
 
+/// Every algorithm over n elements.
 std::vector<Case> cases(const glift::Device& device, std::uint32_t n) {
-    const algorithms::Keys x(device, n), y(device, n);
-    algorithms::make_input(device, 1u, x);
+    const algorithms::Keys y(device, n);
     std::vector<Case> all;
-    all.push_back({"copy", "buffer", n, 8ull * n, [=](const glift::Commands& commands) {
-                       const glift::CopyRegion whole = {0, 0, 4ull * n};
-                       commands.copy(x.data(), y.data(), {&whole, 1});
-                   }, {}});
-    all.push_back({"scan", "exclusive_sum_u32", n, 8ull * n,
-                   [=](const glift::Commands& commands) { algorithms::scan(commands, x, y); }, {}});
+    const auto add = [&](const char* algorithm, const std::string& variant, std::uint64_t bytes, const auto& pipeline,
+                         const algorithms::Keys& x) {
+        all.push_back(
+            {algorithm, variant, n, bytes * n, [=](const glift::Commands& commands) { pipeline(commands, x, y); }, {}});
+    };
+    const auto input = [&](std::uint32_t run) {
+        algorithms::Keys x(device, n);
+        algorithms::make_input(device, run, x);
+        return x;
+    };
+    const algorithms::Keys x = input(1);
+    algorithms::Keys bytes(device, n);
+    algorithms::keep_low_byte(device, x, bytes);
+    add("copy", "kernel", 8, algorithms::copy_keys, x);
+    add("scan", "exclusive_sum_u32", 8, algorithms::scan, x);
+    add("reduce", "sum_u32", 4, algorithms::reduce_sum, x);
+    add("select", "if_1_in_8", 4, algorithms::select_if, x);
+    for (std::uint32_t run : {1u, 8u, 256u})
+        add("unique", "runs_" + std::to_string(run), 4, algorithms::select_unique, input(run));
+    add("histogram", "below_256", 4, algorithms::count_bytes, bytes);
     return all;
 }
 
@@ -94,11 +108,16 @@ int main(int count, char** arguments) {
                 if (!only.empty() && only != one.algorithm) continue;
                 double time = measure(device, one.work, one.refill, runs, seconds);
                 if (one.refill) time -= measure(device, {}, one.refill, runs, seconds);
-                std::fprintf(stderr, "%-12s %-18s %10llu %12.2f us %9.2f G elements/s %8.0f GB/s\n", one.algorithm.c_str(),
-                             one.variant.c_str(), static_cast<unsigned long long>(one.elements), time * 1e6,
-                             static_cast<double>(one.elements) / time * 1e-9, static_cast<double>(one.bytes) / time * 1e-9);
-                rows.push_back({{"algorithm", one.algorithm}, {"variant", one.variant}, {"elements", one.elements},
-                                {"seconds", time}, {"bytes_moved", one.bytes}, {"runs", runs}});
+                std::fprintf(stderr, "%-12s %-18s %10llu %12.2f us %9.2f G elements/s %8.0f GB/s\n",
+                             one.algorithm.c_str(), one.variant.c_str(), static_cast<unsigned long long>(one.elements),
+                             time * 1e6, static_cast<double>(one.elements) / time * 1e-9,
+                             static_cast<double>(one.bytes) / time * 1e-9);
+                rows.push_back({{"algorithm", one.algorithm},
+                                {"variant", one.variant},
+                                {"elements", one.elements},
+                                {"seconds", time},
+                                {"bytes_moved", one.bytes},
+                                {"runs", runs}});
             }
         }
         if (!json_file.empty()) std::ofstream(json_file) << rows.dump(1) << "\n";
