@@ -25,7 +25,8 @@ constexpr std::array<Property, 5> properties{{
 bool is_device(Body& body, ast::ExprId id) {
     Context& c = body.context;
     const ast::Expr& expr = c[id];
-    if (body.kind != BodyKind::pipeline || expr.kind != ast::ExprKind::name || c.text(expr.name) != "device") return false;
+    if (body.kind != BodyKind::pipeline || expr.kind != ast::ExprKind::name || c.text(expr.name) != "device")
+        return false;
     return !find_symbol(body, expr.name) && find_meta(c, body.env, {expr.name, expr.span}).kind == MetaKind::none;
 }
 

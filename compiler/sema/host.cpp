@@ -68,7 +68,8 @@ void infer_arguments(Arguments& generics, const std::vector<ast::Param>& params,
         if (arguments[i].waits) infer_from_literal(generics, params[i].type, arguments[i].written);
 }
 
-/// A value for a kernel or pipeline parameter. The host packs it: what lives on the device has to be awaited, in writing.
+/// A value for a kernel or pipeline parameter. The host packs it: what lives on the device has to be awaited, in
+/// writing.
 ir::ExprId value_argument(Body& body, const Argument& argument, ir::TypeId wanted) {
     if (argument.waits) return check_value(body, argument.written, wanted);
     return coerce(body, to_value(body, argument.operand), wanted, body.context[argument.written].span);
@@ -199,8 +200,7 @@ std::optional<Operand> call_pipeline(Body& body, ast::DeclId id, const std::vect
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         const ir::PipelineParam param = body.program().pipelines[*pipeline].params[i];
         ir::TypeId wanted = body.program().locals[param.local].type;
-        if (param.pattern == ir::HostPattern::value)
-            values.push_back(value_argument(body, arguments[i], wanted));
+        if (param.pattern == ir::HostPattern::value) values.push_back(value_argument(body, arguments[i], wanted));
         else {
             values.push_back(to_value(body, arguments[i].operand));
             ir::TypeId have = body.program().exprs[values.back()].type;

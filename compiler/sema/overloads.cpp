@@ -239,8 +239,8 @@ bool is_more_special(const Context& c, const Candidate& a, const Candidate& b) {
     return more;
 }
 
-/// What is wanted decides first; then the one written more closely for these types; then the types that literals have on
-/// their own.
+/// What is wanted decides first; then the one written more closely for these types; then the types that literals have
+/// on their own.
 bool is_better(const Context& c, const Candidate& a, const Candidate& b) {
     if (a.gives_wanted != b.gives_wanted) return a.gives_wanted;
     if (is_more_special(c, a, b)) return true;
