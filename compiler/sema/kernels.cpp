@@ -2,6 +2,8 @@
 #include "sema/generics.h"
 #include "sema/instances.h"
 
+#include <algorithm>
+
 namespace gliftc::sema {
 
 namespace {
@@ -97,6 +99,16 @@ void check_extra(Context& c, const Env& env, const ast::Param& param, ir::Kernel
     if (!fits) c.error(Diag::scatter_element, op.span, {c.text(op.name), c.text(element)});
 }
 
+/// Whether a value of the type is an optional or has one among its parts.
+bool holds_optional(const ir::Program& program, ir::TypeId id) {
+    const ir::Type& type = program.types[id];
+    if (type.kind == ir::TypeKind::optional) return true;
+    if (type.kind == ir::TypeKind::array) return holds_optional(program, type.element);
+    if (type.kind != ir::TypeKind::struct_) return false;
+    const auto& fields = program.structs[type.index].fields;
+    return std::ranges::any_of(fields, [&](const auto& field) { return holds_optional(program, field.type); });
+}
+
 void add_param(Body& body, const ast::Param& param, ir::Kernel& kernel) {
     Context& c = body.context;
     ir::KernelParam made;
@@ -112,6 +124,11 @@ void add_param(Body& body, const ast::Param& param, ir::Kernel& kernel) {
         if (is_structure)
             note(c.error(Diag::structure_needs_pattern, c[param.type].span, {c.text(param.name.name)}),
                  c[param.type].span, "say how the kernel touches it: each<…>, near<…, r>, any<…>, at<…> or scatter<…>");
+        if (type && !is_structure && holds_optional(c.program, type)) {
+            note(c.error(Diag::optional_parameter, c[param.type].span, {c.text(param.name.name), c.text(type)}),
+                 c[param.type].span, "pass the value and a bool that says whether there is one");
+            type = c.types().error;
+        }
         made.local = declare_local(body, param.name, is_structure ? c.types().error : type, false, false);
         kernel.params.push_back(std::move(made));
         return;
