@@ -22,19 +22,30 @@ Slopes steady() {
     return slopes;
 }
 
+// Integers wrap; what is added modulo 2^64 is right modulo 2^32, too.
+std::int64_t plus(std::int64_t a, std::int64_t b) {
+    return static_cast<std::int64_t>(static_cast<std::uint64_t>(a) + static_cast<std::uint64_t>(b));
+}
+std::int64_t minus(std::int64_t a, std::int64_t b) {
+    return static_cast<std::int64_t>(static_cast<std::uint64_t>(a) - static_cast<std::uint64_t>(b));
+}
+std::int64_t times(std::int64_t a, std::int64_t b) {
+    return static_cast<std::int64_t>(static_cast<std::uint64_t>(a) * static_cast<std::uint64_t>(b));
+}
+
 Slope combine(BinaryOp op, const Slope& a, const Slope& b) {
     if (!a.known || !b.known) return {};
     switch (op) {
     case BinaryOp::add:
-        return {true, a.step + b.step,
-                a.constant && b.constant ? std::optional(*a.constant + *b.constant) : std::nullopt};
+        return {true, plus(a.step, b.step),
+                a.constant && b.constant ? std::optional(plus(*a.constant, *b.constant)) : std::nullopt};
     case BinaryOp::subtract:
-        return {true, a.step - b.step,
-                a.constant && b.constant ? std::optional(*a.constant - *b.constant) : std::nullopt};
+        return {true, minus(a.step, b.step),
+                a.constant && b.constant ? std::optional(minus(*a.constant, *b.constant)) : std::nullopt};
     case BinaryOp::multiply:
-        if (a.constant && b.constant) return {true, 0, *a.constant * *b.constant};
-        if (a.constant) return {true, *a.constant * b.step, std::nullopt};
-        if (b.constant) return {true, a.step * *b.constant, std::nullopt};
+        if (a.constant && b.constant) return {true, 0, times(*a.constant, *b.constant)};
+        if (a.constant) return {true, times(*a.constant, b.step), std::nullopt};
+        if (b.constant) return {true, times(a.step, *b.constant), std::nullopt};
         break;
     case BinaryOp::divide:
     case BinaryOp::remainder:
