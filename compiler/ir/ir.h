@@ -67,7 +67,7 @@ enum class Op : std::uint8_t {
     address,  // the current virtual address of at- or each-parameter place.root (relative to nothing: a full virtual
               // address)
     near,     // place.root [ operands[0] ]: the element at the current address + a constant offset (ivec)
-    read,     // place [ operands[0] ]
+    read,     // place [ operands[0] ]; of an array type: elements in a row, or in rows of four operands[1] apart
     sample,   // place . sample(operands[0]), texel coordinates as floats, element centres at +0.5
     member,   // constructor argument `slot` of the structure at `place`
     memory_extent,  // extent of memory `slot` of the structure at `place`: uint, uint2 or uint3
@@ -183,7 +183,8 @@ enum class StmtOp : std::uint8_t {
     barrier,   // all of the workgroup: execution and memory (grouped kernels)
     // structures: high level
     set_element,  // the current element of each-parameter place.root = value
-    write,        // place[target] = value, or combined with `combine` where the parameter is scatter<S, op>
+    write,        // place[target] = value, or combined with `combine` where the parameter is scatter<S, op>; an array
+                  // as value: elements in a row, or in rows of four `arguments[0]` apart
     // host
     temp,         // local: a temporary structure, constructor arguments `arguments`
     release,      // temporaries that die here (made by lower/temporaries)
@@ -202,6 +203,9 @@ enum class StmtOp : std::uint8_t {
 
 /// StmtOp::report: the structure has no memory.
 inline constexpr std::uint32_t no_binding = 0xffffffffu;
+
+/// Elements in a row that move as one vector.
+inline constexpr std::uint32_t row_width = 4;
 
 /// How scatter combines what is written to one address.
 enum class Combine : std::uint8_t { replace, min, max, add, bit_and, bit_or, bit_xor };

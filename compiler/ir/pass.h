@@ -26,13 +26,13 @@ struct PassBinding {
     bool sampled = false;  ///< images: a combined image sampler (read only), else a storage image
     bool linear = false;
     bool atomic = false;   ///< some access is atomic
-    bool in_rows = false;  ///< some load or store is of a vector of four elements, whose index counts vectors
+    bool in_rows = false;  ///< some load or store is of a vector of row_width elements, whose index counts vectors
     std::uint32_t address_parameter = 0xffffffffu;  ///< wide form, buffers: the parameter that holds the address
 };
 
 /// Whether a load or store of this type moves a vector of four elements of the binding.
 inline bool is_row(const Types& types, const PassBinding& binding, TypeId type) {
-    return binding.in_rows && types.is_vector(type) && types.components(type) == 4 &&
+    return binding.in_rows && types.is_vector(type) && types.components(type) == row_width &&
            types.scalar_of(type) == binding.element;
 }
 

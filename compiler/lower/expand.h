@@ -137,8 +137,21 @@ private:
     // rows.cpp
     ExprId several(const ir::Expr& node);
     void write_several(const ir::Stmt& stmt);
-    bool lies_in_rows(const ir::Place& place, ExprId address, std::uint32_t count);
-    ExprId is_aligned_row(const ir::Place& place, ExprId address, ExprId physical, std::uint32_t count);
+    /// `count` rows of `width` neighbours, `step` addresses from one to the next. `at` is `first` from the structure's
+    /// origin.
+    struct Rows {
+        ir::Place place;
+        std::string name;
+        ExprId first, at, step;
+        std::uint32_t count = 0, width = 0;
+    };
+    Rows rows_of(const ir::Place& place, ExprId address, ExprId step, TypeId array);
+    template <class Body> void for_each_row(const Rows& rows, Body&& body);
+    ExprId item_of(const Rows& rows, ExprId items, ExprId row, std::uint32_t lane);
+    ExprId address_in(const Rows& rows, ExprId row, std::uint32_t lane);
+    bool lie_in_vectors(const Rows& rows);
+    ExprId are_vectors(const Rows& rows, ExprId physical);
+    ExprId vector_at(const Rows& rows, ExprId first_vector, ExprId row);
 
     // check.cpp
     bool checks_range(const ir::Place& place);

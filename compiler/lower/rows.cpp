@@ -1,137 +1,170 @@
-// Several elements with consecutive addresses at once. Where they also follow each other in memory they move as vectors
-// of four, if they begin at such a vector and all lie inside; else one by one.
+// Several elements at once: rows of neighbours, a step apart. Where they also follow each other in memory they move as
+// vectors of four, if all rows begin at such a vector and lie inside; else one by one.
 #include "lower/expand.h"
+#include "lower/unroll.h"
 
 namespace gliftc::lower {
 
 using namespace ir;
 
-namespace {
+/// Runs `body` for each row; shaders unroll it, so that arrays of items become registers and loads are in flight
+/// together.
+template <class Body> void Expander::for_each_row(const Rows& rows, Body&& body) {
+    if (rows.count == 1) return body(make.uint(0));
+    Stmt loop = statement(StmtOp::for_, span_);
+    loop.local = cx.new_local("row", p.types.uint, span_);
+    loop.value = make.uint(0);
+    loop.limit = make.uint(rows.count);
+    loop.body = collect([&] { body(make.local(loop.local)); });
+    loop.unrolled = rows.count <= unroll_limit;
+    append(std::move(loop));
+}
 
-constexpr std::uint32_t row_width = 4;
+ExprId Expander::item_of(const Rows& rows, ExprId items, ExprId row, std::uint32_t lane) {
+    Expr item;
+    item.op = Op::index;
+    item.type = cx.structure_at(rows.place).element;
+    item.operands = {items, make.add(make.multiply(row, make.uint(rows.width)), make.uint(lane))};
+    return p.exprs.add(std::move(item));
+}
 
-}  // namespace
+Expander::Rows Expander::rows_of(const Place& place, ExprId address, ExprId step, TypeId array) {
+    Rows rows;
+    rows.place = place;
+    rows.name = cx.name_of(place);
+    rows.first = named(rows.name + "_first", address);
+    rows.at = named(rows.name + "_virtual", from_origin(place, rows.first));
+    const std::uint32_t items = p.types[array].count;
+    rows.width = items % row_width == 0 ? row_width : 1;
+    rows.count = items / rows.width;
+    rows.step = step ? named(rows.name + "_step", step) : make.uint(rows.width);
+    return rows;
+}
 
-/// Whether elements from the virtual address on are neighbours in a buffer of 32-bit numbers, whatever the address.
-bool Expander::lies_in_rows(const Place& place, ExprId address, std::uint32_t count) {
-    const Structure& structure = cx.structure_at(place);
-    if (structure.kind != StructureKind::stored || count % row_width != 0 || !is_total(structure)) return false;
+/// The address of an element.
+ExprId Expander::address_in(const Rows& rows, ExprId row, std::uint32_t lane) {
+    return make.add(make.add(rows.first, make.multiply(row, rows.step)), make.uint(lane));
+}
+
+/// Whether elements are neighbours in a buffer of 32-bit numbers, whatever the address, and rows as far apart as in
+/// addresses.
+bool Expander::lie_in_vectors(const Rows& rows) {
+    const Structure& structure = cx.structure_at(rows.place);
+    if (structure.kind != StructureKind::stored || rows.width != row_width || !is_total(structure)) return false;
     const Memory& memory = structure.memories[structure.via_memory];
     bool is_word = memory.element == p.types.uint || memory.element == p.types.int_ || memory.element == p.types.float_;
     if (memory.shape != MemoryShape::buffer || !is_word) return false;
     bool neighbours = true;
     Block made = collect([&] {
-        Pair first = translated(place, address, "probe");
+        Pair first = translated(rows.place, rows.at, "probe");
         neighbours = !first.has;
-        for (std::uint32_t k : {1u, count - 1}) {
-            Pair next = translated(place, make.add(address, make.uint(k)), "probe");
+        for (ExprId distance : {make.uint(1), make.uint(row_width - 1), rows.step}) {
+            Pair next = translated(rows.place, make.add(rows.at, distance), "probe");
             neighbours =
-                neighbours && !next.has && numbers_.of(next.value) == numbers_.of(make.add(first.value, make.uint(k)));
+                neighbours && !next.has && numbers_.of(next.value) == numbers_.of(make.add(first.value, distance));
         }
     });
     return neighbours && made.empty();
 }
 
-/// Whether all of the row is inside and it begins at a vector.
-ExprId Expander::is_aligned_row(const Place& place, ExprId address, ExprId physical, std::uint32_t count) {
-    ExprId size = domain_of(place);
-    ExprId inside = make.both(
-        make.binary(BinaryOp::less, address, size),
-        make.binary(BinaryOp::greater_equal, make.binary(BinaryOp::subtract, size, address), make.uint(count)));
-    ExprId rest = make.binary(BinaryOp::remainder, physical, make.uint(row_width));
-    return make.both(inside, make.binary(BinaryOp::equal, rest, make.uint(0)));
+/// Whether all rows lie inside and begin at vectors.
+ExprId Expander::are_vectors(const Rows& rows, ExprId physical) {
+    const auto at_vector = [&](ExprId offset) {
+        return make.binary(BinaryOp::equal, make.binary(BinaryOp::remainder, offset, make.uint(row_width)),
+                           make.uint(0));
+    };
+    ExprId size = domain_of(rows.place);
+    ExprId left = make.binary(BinaryOp::subtract, size, rows.first);
+    ExprId one = make.both(make.binary(BinaryOp::less, rows.first, size),
+                           make.binary(BinaryOp::greater_equal, left, make.uint(row_width)));
+    one = make.both(one, at_vector(physical));
+    if (rows.count == 1) return one;
+    // As a quotient: the distance to the last row may be beyond all numbers.
+    ExprId room = make.binary(BinaryOp::divide, make.binary(BinaryOp::subtract, left, make.uint(row_width)),
+                              make.uint(rows.count - 1));
+    return make.both(one, make.both(make.binary(BinaryOp::less_equal, rows.step, room), at_vector(rows.step)));
+}
+
+/// Where a row is in its buffer, in vectors.
+ExprId Expander::vector_at(const Rows& rows, ExprId first_vector, ExprId row) {
+    return make.add(first_vector, make.multiply(row, make.binary(BinaryOp::divide, rows.step, make.uint(row_width))));
 }
 
 ExprId Expander::several(const Expr& node) {
     Place place = resolved(node.place);
-    const std::string name = cx.name_of(place);
     const TypeId element = cx.structure_at(place).element;
-    const std::uint32_t count = p.types[node.type].count;
-    ExprId address = named(name + "_first", value_of(node.operands[0]));
-    ExprId at = named(name + "_virtual", from_origin(place, address));
-    LocalId items = variable(name + "_items", node.type, make.zero(node.type));
-    const auto item = [&](std::uint32_t k) {
-        Expr index;
-        index.op = Op::index;
-        index.type = element;
-        index.operands = {make.local(items), make.uint(k)};
-        return p.exprs.add(std::move(index));
-    };
-    const auto set = [&](std::uint32_t k, ExprId value) {
+    ExprId address = value_of(node.operands[0]);
+    ExprId step = node.operands.size() > 1 ? value_of(node.operands[1]) : ExprId{};
+    const Rows rows = rows_of(place, address, step, node.type);
+    ExprId items = make.local(variable(rows.name + "_items", node.type, make.zero(node.type)));
+    const auto set = [&](ExprId row, std::uint32_t lane, ExprId value) {
         Stmt stmt = statement(StmtOp::assign, span_);
-        stmt.target = item(k);
+        stmt.target = item_of(rows, items, row, lane);
         stmt.value = value;
         append(std::move(stmt));
     };
-    const auto one_by_one = [&] {
-        for (std::uint32_t k = 0; k < count; ++k)
-            set(k, read(place, make.add(address, make.uint(k)), name + std::to_string(k)));
+    const auto one_by_one = [&](ExprId row) {
+        for (std::uint32_t lane = 0; lane < rows.width; ++lane)
+            set(row, lane, read(place, address_in(rows, row, lane), rows.name + std::to_string(lane)));
     };
     const bool is_read_only = cx.kernel.params[place.root].direction == Direction::in;
-    if (!is_read_only || !lies_in_rows(place, at, count)) {
-        one_by_one();
-        return make.local(items);
+    if (!is_read_only || !lie_in_vectors(rows)) {
+        for_each_row(rows, one_by_one);
+        return items;
     }
-    ExprId physical = named(name + "_at", translated(place, at, name).value);
-    // Vectors are loaded without a branch, so that many loads are in flight: the first one of the memory where it is
-    // for nothing. Every buffer has room for one.
-    ExprId is_row = named(name + "_is_row", is_aligned_row(place, address, physical, count));
+    ExprId physical = named(rows.name + "_at", translated(place, rows.at, rows.name).value);
     const std::uint32_t slot = binding(place, cx.structure_at(place).via_memory, Access::read);
     cx.pass.bindings[slot].in_rows = true;
-    ExprId first = named(name + "_row", make.binary(BinaryOp::divide, physical, make.uint(row_width)));
-    for (std::uint32_t k = 0; k < count; k += row_width) {
-        Expr load;
-        load.op = Op::load;
-        load.type = p.types.vector(element, row_width);
-        load.slot = slot;
-        load.operands = {make.select(is_row, make.add(first, make.uint(k / row_width)), make.uint(0))};
-        ExprId vector = make.local(let(name + "_four", p.exprs.add(std::move(load)), span_));
-        for (std::uint32_t lane = 0; lane < row_width; ++lane) set(k + lane, make.component(vector, lane));
-    }
-    append_if(make.negate(is_row), collect(one_by_one), {});
-    return make.local(items);
+    // All rows in one branch, not a branch each: loads wait for no condition.
+    Block vectors = collect([&] {
+        ExprId first = named(rows.name + "_vector", make.binary(BinaryOp::divide, physical, make.uint(row_width)));
+        for_each_row(rows, [&](ExprId row) {
+            Expr load;
+            load.op = Op::load;
+            load.type = p.types.vector(element, row_width);
+            load.slot = slot;
+            load.operands = {vector_at(rows, first, row)};
+            ExprId four = make.local(let(rows.name + "_four", p.exprs.add(std::move(load)), span_));
+            for (std::uint32_t lane = 0; lane < row_width; ++lane) set(row, lane, make.component(four, lane));
+        });
+    });
+    append_if(are_vectors(rows, physical), std::move(vectors), collect([&] { for_each_row(rows, one_by_one); }));
+    return items;
 }
 
 void Expander::write_several(const Stmt& stmt) {
     Place place = resolved(stmt.place);
-    const std::string name = cx.name_of(place);
     const TypeId array = make.type(stmt.value), element = p.types[array].element;
-    const std::uint32_t count = p.types[array].count;
-    ExprId address = named(name + "_first", value_of(stmt.target));
-    ExprId at = named(name + "_virtual", from_origin(place, address));
-    ExprId items = named(name + "_items", value_of(stmt.value));
-    const auto item = [&](std::uint32_t k) {
-        Expr index;
-        index.op = Op::index;
-        index.type = element;
-        index.operands = {items, make.uint(k)};
-        return p.exprs.add(std::move(index));
-    };
-    const auto one_by_one = [&] {
-        for (std::uint32_t k = 0; k < count; ++k) {
-            ExprId next = make.add(address, make.uint(k));
+    ExprId address = value_of(stmt.target);
+    ExprId step = stmt.arguments.empty() ? ExprId{} : value_of(stmt.arguments[0]);
+    const Rows rows = rows_of(place, address, step, array);
+    ExprId items = named(rows.name + "_items", value_of(stmt.value));
+    const auto one_by_one = [&](ExprId row) {
+        for (std::uint32_t lane = 0; lane < rows.width; ++lane) {
+            ExprId next = named(rows.name + "_address", address_in(rows, row, lane));
             check_range(place, next, Access::write, stmt.span);
-            Pair physical = translated(place, named(name + "_virtual", from_origin(place, next)), name);
+            Pair physical = translated(place, named(rows.name + "_virtual", from_origin(place, next)), rows.name);
             ExprId guard = is_total(cx.structure_at(place)) ? inside_domain(place, next) : ExprId{};
-            store(place, physical, guard, stmt, item(k));
+            store(place, physical, guard, stmt, item_of(rows, items, row, lane));
         }
     };
-    if (!lies_in_rows(place, at, count)) return one_by_one();
-    ExprId physical = named(name + "_at", translated(place, at, name).value);
-    Block row = collect([&] {
+    if (!lie_in_vectors(rows)) return for_each_row(rows, one_by_one);
+    ExprId physical = named(rows.name + "_at", translated(place, rows.at, rows.name).value);
+    Block vectors = collect([&] {
         const std::uint32_t slot = binding(place, cx.structure_at(place).via_memory, Access::write);
         cx.pass.bindings[slot].in_rows = true;
-        ExprId first = named(name + "_row", make.binary(BinaryOp::divide, physical, make.uint(row_width)));
-        for (std::uint32_t k = 0; k < count; k += row_width) {
+        ExprId first = named(rows.name + "_vector", make.binary(BinaryOp::divide, physical, make.uint(row_width)));
+        for_each_row(rows, [&](ExprId row) {
             Stmt made = statement(StmtOp::store, stmt.span);
             made.slot = slot;
-            made.target = make.add(first, make.uint(k / row_width));
-            made.value =
-                make.construct(p.types.vector(element, row_width), {item(k), item(k + 1), item(k + 2), item(k + 3)});
+            made.target = vector_at(rows, first, row);
+            std::vector<ExprId> four;
+            for (std::uint32_t lane = 0; lane < row_width; ++lane) four.push_back(item_of(rows, items, row, lane));
+            made.value = make.construct(p.types.vector(element, row_width), std::move(four));
             append(std::move(made));
-        }
+        });
     });
-    append_if(is_aligned_row(place, address, physical, count), std::move(row), collect(one_by_one));
+    append_if(are_vectors(rows, physical), std::move(vectors), collect([&] { for_each_row(rows, one_by_one); }));
 }
 
 }  // namespace gliftc::lower

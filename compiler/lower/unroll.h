@@ -18,10 +18,11 @@ struct Rounds {
 };
 std::optional<Rounds> rounds_of(const ir::Program& program, ir::ExprId first, ir::ExprId limit);
 
-/// Whether an offset of a near access in the loop names the loop's variable or something declared in the loop.
 /// Whether the loop's variable takes part in the index of an array of the invocation's own. Such arrays live in
 /// registers only where all their indices are known.
 bool indexes_array_by_loop(const ir::Program& program, const ir::Stmt& loop);
+
+/// Whether an offset of a near access in the loop names the loop's variable or something declared in the loop.
 bool has_near_depending_on_loop(const ir::Program& program, const ir::Stmt& loop);
 
 /// Whether the statements hold a break or continue of the loop they are the body of.

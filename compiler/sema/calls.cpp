@@ -161,25 +161,31 @@ Operand construct_value(Body& body, ir::TypeId id, const ast::Expr& call) {
     return value_operand(body, add(body.program(), ir::Op::construct, id, call.span, std::move(operands)), call.span);
 }
 
-/// `let x: T[4] = s.load(a)` and `s.store(a, x)`: elements with addresses a, a + 1, …
+/// `let x: T[4] = s.load(a)` and `s.store(a, x)`: elements with addresses a, a + 1, …; of `s.load(a, step)` and
+/// `s.store(a, step, x)` every fourth begins a row, `step` addresses after the row before.
 static Operand several_elements(Body& body, const Operand& self, ast::Identifier method, const ast::Expr& call,
                                 ir::TypeId wanted) {
     Context& c = body.context;
     const ir::Structure structure = body.program().structures[self.structure];
     const bool is_load = c.text(method.name) == "load";
     const std::vector<ast::ExprId> arguments = arguments_of(call);
-    if (arguments.size() != (is_load ? 1 : 2)) {
+    const std::size_t least = is_load ? 1 : 2;
+    if (arguments.size() < least || arguments.size() > least + 1) {
         c.error(Diag::argument_count, call.span,
-                {c.text(method.name), is_load ? "1" : "2", std::to_string(arguments.size())});
+                {c.text(method.name), is_load ? "1 or 2" : "2 or 3", std::to_string(arguments.size())});
         return error_operand(call.span);
     }
+    const bool has_step = arguments.size() == least + 1;
     if (structure.domain_type != body.types().uint) {
         c.error(Diag::several_axes, call.span, {structure.display, c.text(structure.domain_type)});
         return error_operand(call.span);
     }
     ir::ExprId address = check_value(body, arguments[0], structure.domain_type);
-    ir::ExprId value = is_load ? ir::ExprId{} : check_value(body, arguments[1]);
-    if (is_error(body, address) || (value && is_error(body, value))) return error_operand(call.span);
+    ir::ExprId step = has_step ? check_value(body, arguments[1], structure.domain_type) : ir::ExprId{};
+    ir::ExprId value = is_load ? ir::ExprId{} : check_value(body, arguments.back());
+    for (ir::ExprId part : {address, step, value}) {
+        if (part && is_error(body, part)) return error_operand(call.span);
+    }
     ir::TypeId type = is_load ? wanted : body.program().exprs[value].type;
     if (!type || body.types().kind(type) != ir::TypeKind::array || body.types()[type].element != structure.element) {
         note(c.error(Diag::several_type, call.span, {c.text(structure.element)}), call.span,
@@ -187,9 +193,14 @@ static Operand several_elements(Body& body, const Operand& self, ast::Identifier
                      : "the elements are passed as one array");
         return error_operand(call.span);
     }
+    if (has_step && body.types()[type].count % ir::row_width != 0) {
+        c.error(Diag::several_rows, call.span, {std::to_string(body.types()[type].count)});
+        return error_operand(call.span);
+    }
     if (is_load) {
         ir::ExprId read = make_read(body, self, address, call.span);
         body.program().exprs[read].type = type;
+        if (has_step) body.program().exprs[read].operands.push_back(step);
         return value_operand(body, read, call.span);
     }
     const ir::KernelParam* param = body.kernel ? &body.kernel->params[self.place.root] : nullptr;
@@ -204,6 +215,7 @@ static Operand several_elements(Body& body, const Operand& self, ast::Identifier
     body.program().stmts[id].place = self.place;
     body.program().stmts[id].target = address;
     body.program().stmts[id].value = value;
+    if (has_step) body.program().stmts[id].arguments = {step};
     emit(body, id);
     return value_operand(body, add(body.program(), ir::Op::constant, body.types().void_, call.span), call.span);
 }
