@@ -412,7 +412,7 @@ struct Structure {
 };
 
 enum class Direction : std::uint8_t { in, out, inout };
-enum class Pattern : std::uint8_t { value, each, near, any, at, scatter };
+enum class Pattern : std::uint8_t { value, each, near, any, at, scatter, coherent };
 
 struct KernelParam {
     Name name;

@@ -25,7 +25,9 @@ struct PassBinding {
     Access access = Access::read;
     bool sampled = false;  ///< images: a combined image sampler (read only), else a storage image
     bool linear = false;
-    bool atomic = false;   ///< some access is atomic
+    bool atomic = false;  ///< some access is atomic
+    bool coherent =
+        false;             ///< workgroups see what others write within the pass: every access stays where it is written
     bool in_rows = false;  ///< some load or store is of a vector of row_width elements, whose index counts vectors
     std::uint32_t address_parameter = 0xffffffffu;  ///< wide form, buffers: the parameter that holds the address
 };

@@ -22,10 +22,47 @@ std::uint32_t Expander::binding(const Place& place, std::uint32_t memory, Access
     made.shape = of.shape;
     made.element = of.element;
     made.format = of.format;
-    made.access = access;
+    made.coherent = is_coherent(place);
+    made.access = made.coherent ? Access::read_write : access;
     made.linear = of.linear;
     bindings.push_back(std::move(made));
     return static_cast<std::uint32_t>(bindings.size() - 1);
+}
+
+bool Expander::is_coherent(const Place& place) const {
+    return place.members.empty() && cx.kernel.params[place.root].pattern == Pattern::coherent;
+}
+
+/// An atomic operation on an element of a coherent parameter: beyond the structure it does nothing and gives zero.
+Pair Expander::atomic(const Expr& node) {
+    const Expr target = p.exprs[node.operands[0]];
+    Place place = resolved(target.place);
+    const Structure& structure = cx.structure_at(place);
+    const std::string name = cx.name_of(place);
+    ExprId address = named(name + "_address", value_of(target.operands[0]));
+    Expr made = node;
+    for (std::size_t i = 1; i < node.operands.size(); ++i) made.operands[i] = value_of(node.operands[i]);
+    check_range(place, address, Access::read_write, node.span);
+    Pair physical = translated(place, named(name + "_virtual", from_origin(place, address)), name);
+    ExprId inside = make.both(is_total(structure) ? inside_domain(place, address) : ExprId{}, physical.has);
+    Expr element;
+    element.op = Op::load;
+    element.type = structure.element;
+    element.slot = binding(place, structure.via_memory, Access::read_write);
+    element.operands = {physical.value};
+    cx.pass.bindings[element.slot].atomic = true;
+    made.operands[0] = p.exprs.add(std::move(element));
+    if (node.type == p.types.void_) {
+        Stmt stmt = statement(StmtOp::evaluate, node.span);
+        stmt.value = p.exprs.add(std::move(made));
+        append_if(inside ? inside : make.truth(true), collect([&] { append(std::move(stmt)); }), {});
+        return {};
+    }
+    if (!inside || make.is_true(inside))
+        return {make.local(let(name + "_before", p.exprs.add(std::move(made)), node.span)), {}};
+    LocalId before = variable(name + "_before", node.type, make.zero(node.type));
+    append_if(inside, collect([&] { assign(before, p.exprs.add(std::move(made))); }), {});
+    return {make.local(before), {}};
 }
 
 /// Texels are addressed by signed numbers.

@@ -128,6 +128,8 @@ private:
     void set_element(const ir::Stmt& stmt);
     void write(const ir::Stmt& stmt);
     void store(const ir::Place& place, const Pair& physical, ExprId guard, const ir::Stmt& stmt, ExprId value);
+    Pair atomic(const ir::Expr& node);
+    bool is_coherent(const ir::Place& place) const;
     std::uint32_t binding(const ir::Place& place, std::uint32_t memory, ir::Access access);
     ExprId texel(ExprId physical);
     std::optional<std::vector<std::int64_t>> offset_of(const ir::Expr& node);

@@ -121,8 +121,13 @@ Pair Expander::expand(ExprId id) {
         ExprId address = value_of(node.operands[0]);
         if (checks_range(place)) address = named(cx.name_of(place) + "_address", address);
         check_range(place, address, Access::read, node.span);
-        return {read(place, address, cx.name_of(place)), {}};
+        ExprId value = read(place, address, cx.name_of(place));
+        if (!is_coherent(place)) return {value, {}};
+        return {make.local(let(cx.name_of(place) + "_seen", value, node.span)), {}};  // now, not where it is used
     }
+    case Op::intrinsic:
+        if (signature_of(node.intrinsic)[0] == '@' && p.exprs[node.operands[0]].op == Op::read) return atomic(node);
+        return expand_again(id, node);
     case Op::sample: return {sample(node), {}};
     case Op::member: return {expand_member(node), {}};
     case Op::memory_extent: {
@@ -152,8 +157,7 @@ Pair Expander::expand(ExprId id) {
     case Op::unary:
     case Op::swizzle:
     case Op::index:
-    case Op::field:
-    case Op::intrinsic: return expand_again(id, node);
+    case Op::field: return expand_again(id, node);
     case Op::parameter:
     case Op::load:
     case Op::image_load:

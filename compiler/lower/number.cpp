@@ -12,7 +12,8 @@ namespace {
 
 enum Trait : std::uint8_t { known = 1, impure = 2, loads = 4, changes = 8 };
 
-bool has_effect(const Expr& node) {
+bool has_effect(const Pass& pass, const Expr& node) {
+    if (node.op == Op::load) return pass.bindings[node.slot].coherent;  // each one may see something else
     if (node.op != Op::intrinsic) return false;
     std::string_view signature = signature_of(node.intrinsic);
     return signature[0] == '@' || signature.back() == '*';
@@ -28,7 +29,7 @@ std::uint8_t Numbers::traits_of(ExprId id) {
     if (const std::uint8_t* found = cx.traits.find(id)) return *found;
     const Expr& node = cx.p.exprs[id];
     std::uint8_t trait = known;
-    if (has_effect(node)) trait |= impure;
+    if (has_effect(cx.pass, node)) trait |= impure;
     if (node.op == Op::local) {
         const Local& local = cx.p.locals[node.local];
         if (local.is_mutable || local.storage == Storage::shared) trait |= changes;
@@ -99,7 +100,7 @@ ValueNumber Numbers::of(ExprId id) {
         if (const ValueNumber* found = locals_.find(node.local)) return *found;
     }
     Key key = shape_of(node);
-    if (has_effect(node)) key.mix(++next_ + (std::uint64_t{1} << 32));
+    if (has_effect(cx.pass, node)) key.mix(++next_ + (std::uint64_t{1} << 32));
     for (ExprId operand : node.operands) key.mix(of(operand));
     auto [found, is_new] = table_.try_emplace(key, next_ + 1);
     if (is_new) ++next_;

@@ -202,7 +202,7 @@ ExprId Sharing::visit_target(ExprId id, Where where) {
     const Expr node = cx.p.exprs[id];
     if (node.op == Op::local) return id;
     Expr copy = node;
-    copy.operands[0] = visit_target(node.operands[0], where);
+    copy.operands[0] = node.op == Op::load ? visit(node.operands[0], where) : visit_target(node.operands[0], where);
     if (node.op == Op::index) copy.operands[1] = visit(node.operands[1], where);
     return rewrites_ ? cx.p.exprs.add(std::move(copy)) : id;
 }

@@ -40,7 +40,7 @@ bool Expander::is_total(const Structure& structure) {
 bool Expander::is_range(const Place& place) const {
     if (cx.is_direct() || !place.members.empty()) return false;
     Pattern pattern = cx.kernel.params[place.root].pattern;
-    return pattern == Pattern::any || pattern == Pattern::scatter;
+    return pattern == Pattern::any || pattern == Pattern::scatter || pattern == Pattern::coherent;
 }
 
 ExprId Expander::range_size(std::uint32_t root) {

@@ -5,6 +5,7 @@
 #include "sema/context.h"
 #include "sema/meta.h"
 
+#include <algorithm>
 #include <unordered_map>
 
 namespace gliftc::sema {
@@ -29,6 +30,7 @@ struct Symbol {
     std::uint32_t structure = 0;
     std::uint32_t slot = 0;
     std::uint32_t window = 0;  ///< structure: the radius that a function sees around the current address; 0: all of it
+    bool is_coherent = false;  ///< structure: a coherent parameter
     bool used = false;
     bool warn_unused = false;
 };
@@ -48,6 +50,7 @@ struct Operand {
     std::uint32_t slot = 0;       ///< memory: which; iterator: which kernel parameter
     std::uint32_t window = 0;     ///< structure: as in Symbol
     bool is_slice = false;        ///< structure: `local` is a slice
+    bool is_coherent = false;     ///< structure: as in Symbol
 };
 
 struct Body {
@@ -64,11 +67,15 @@ struct Body {
     std::vector<ir::LocalId>* shared = nullptr;      ///< its workgroup memory
     Span last;                                       ///< functions with a workgroup: the statement that may return
     std::vector<std::uint32_t> structures;           ///< functions: structure parameters so far (Place roots)
+    std::vector<std::uint32_t> coherent;             ///< Place roots of the coherent parameters
     enum class Returns : std::uint8_t { nothing, host, device } returns = Returns::nothing;  ///< of a pipeline, so far
     bool in_test = false;
     bool allow_await = false;
 
     bool grouped() const { return group[0] != 0; }
+    bool is_coherent(const ir::Place& place) const {
+        return place.members.empty() && std::ranges::find(coherent, place.root) != coherent.end();
+    }
     ir::Program& program() { return context.program; }
     ir::Types& types() { return context.program.types; }
 };

@@ -118,7 +118,7 @@ static void declare_params(Body& body, const std::vector<ast::Param>& params, ir
         if (param.direction == ast::Direction::out || param.direction == ast::Direction::inout)
             c.error(Diag::function_out, param.direction_span);
         bool seen = param.pattern == ast::Pattern::none || param.pattern == ast::Pattern::near ||
-                    param.pattern == ast::Pattern::any;
+                    param.pattern == ast::Pattern::any || (param.pattern == ast::Pattern::coherent && body.grouped());
         if (!seen) c.error(Diag::function_pattern, param.pattern_span);
         if (c.types().kind(type) != ir::TypeKind::structure) {
             function.params.push_back(declare_local(body, param.name, type, false, false));
@@ -128,6 +128,8 @@ static void declare_params(Body& body, const std::vector<ast::Param>& params, ir
         symbol.kind = SymbolKind::structure;
         if (param.pattern == ast::Pattern::near) symbol.window = window_radius(c, body.env, param);
         symbol.place.root = static_cast<std::uint32_t>(first_structure);
+        symbol.is_coherent = param.pattern == ast::Pattern::coherent;
+        if (symbol.is_coherent) body.coherent.push_back(symbol.place.root);
         symbol.structure = structures[first_structure++];
         declare(body, param.name, symbol);
     }

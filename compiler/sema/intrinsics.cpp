@@ -17,7 +17,7 @@ struct Signature {
     std::vector<Shape> params;
     char result;
     bool subgroup = false;
-    bool atomic = false;  // the first parameter is a place in workgroup memory
+    bool atomic = false;  // the first parameter is an element of workgroup or coherent memory
 };
 
 Signature read(std::string_view text) {
@@ -88,6 +88,7 @@ ir::TypeId result_of(ir::Types& types, char letter, ir::TypeId argument) {
     switch (letter) {
     case 'b': return types.bool_;
     case 'u': return types.uint;
+    case 'v': return types.void_;
     case '2': return types.vector(types.float_, 2);
     case '4': return types.vector(types.float_, 4);
     case 'w': return types.vector(types.uint, 4);
@@ -159,7 +160,7 @@ Operand call_intrinsic(Body& body, ir::Intrinsic intrinsic, const std::vector<as
                 {name, std::to_string(signature.params.size()), std::to_string(arguments.size())});
         return error_operand(call.span);
     }
-    if ((signature.subgroup || signature.atomic) && !body.grouped()) {
+    if (signature.subgroup && !body.grouped()) {
         note(c.error(Diag::needs_group, call.span, {name}), call.span,
              "write 'group(size)' after the kernel's parameters");
         return error_operand(call.span);
@@ -201,7 +202,9 @@ Operand call_intrinsic(Body& body, ir::Intrinsic intrinsic, const std::vector<as
         const ir::Expr* root = &body.program().exprs[operands[0]];
         while (root->op == ir::Op::index || root->op == ir::Op::field) root = &body.program().exprs[root->operands[0]];
         bool shared = root->op == ir::Op::local && body.program().locals[root->local].storage == ir::Storage::shared;
-        if (!shared) {
+        bool is_coherent = body.program().exprs[operands[0]].op == ir::Op::read && body.is_coherent(root->place) &&
+                           types.is_scalar(root->type);
+        if (!shared && !is_coherent) {
             c.error(Diag::atomic_target, c[arguments[0]].span, {name});
             return error_operand(call.span);
         }

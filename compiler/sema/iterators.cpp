@@ -104,6 +104,36 @@ void write_scatter(Body& body, const ast::Stmt& stmt, const Symbol& symbol) {
     emit(body, id);
 }
 
+void write_coherent(Body& body, const ast::Stmt& stmt, const Symbol& symbol) {
+    Context& c = body.context;
+    const ir::Structure structure = body.program().structures[symbol.structure];
+    const ast::Expr& target = c[stmt.target];
+    if (target.kind != ast::ExprKind::index || c[target.operands[0]].kind != ast::ExprKind::name) {
+        note(c.error(Diag::not_assignable, target.span), symbol.span,
+             "elements of coherent memory are written whole: name[address] = value");
+        return;
+    }
+    const std::string& name = c.text(c[target.operands[0]].name);
+    if (target.operands.size() != 2) {
+        c.error(Diag::index_count, target.span, {std::to_string(target.operands.size() - 1)});
+        return;
+    }
+    if (stmt.op) {
+        note(c.error(Diag::coherent_compound, stmt.span, {name}), stmt.span,
+             "atomicAdd(" + name + "[address], x) and its kin do both at once");
+        return;
+    }
+    ir::ExprId address = check_value(body, target.operands[1], structure.domain_type);
+    ir::ExprId value = check_value(body, stmt.value, structure.element);
+    if (is_error(body, address) || is_error(body, value)) return;
+    ir::StmtId id = add(body.program(), ir::StmtOp::write, stmt.span);
+    ir::Stmt& write = body.program().stmts[id];
+    write.place = symbol.place;
+    write.target = address;
+    write.value = value;
+    emit(body, id);
+}
+
 }  // namespace
 
 Operand iterator_value(Body& body, const Operand& iterator) {
@@ -129,6 +159,7 @@ Operand iterator_value(Body& body, const Operand& iterator) {
         return error_operand(iterator.span);
     case ir::Pattern::scatter:
     case ir::Pattern::any:
+    case ir::Pattern::coherent:
     case ir::Pattern::value: c.error(Diag::not_a_value, iterator.span, {"the iterator '" + name + "'"}); break;
     }
     return error_operand(iterator.span);
@@ -144,6 +175,10 @@ bool check_iterator_assignment(Body& body, const ast::Stmt& stmt) {
     bool is_read_place = symbol->kind == SymbolKind::structure;
     if (symbol->kind != SymbolKind::iterator && !is_read_place) return false;
     symbol->used = true;
+    if (symbol->is_coherent) {
+        write_coherent(body, stmt, *symbol);
+        return true;
+    }
     const ir::KernelParam* param = symbol->kind == SymbolKind::iterator ? &body.kernel->params[symbol->slot] : nullptr;
     bool writable = param && param->direction != ir::Direction::in && param->pattern != ir::Pattern::near &&
                     param->pattern != ir::Pattern::at;

@@ -17,6 +17,7 @@ ir::Pattern lowered(ast::Pattern pattern) {
     case ast::Pattern::any: return ir::Pattern::any;
     case ast::Pattern::at: return ir::Pattern::at;
     case ast::Pattern::scatter: return ir::Pattern::scatter;
+    case ast::Pattern::coherent: return ir::Pattern::coherent;
     }
     return ir::Pattern::value;
 }
@@ -36,11 +37,12 @@ void check_direction(Context& c, const ast::Param& param, ir::KernelParam& made)
     bool reads_only =
         made.pattern == ir::Pattern::near || made.pattern == ir::Pattern::any || made.pattern == ir::Pattern::at;
     bool writes_only = made.pattern == ir::Pattern::scatter;
+    bool does_both = made.pattern == ir::Pattern::coherent;
     switch (param.direction) {
     case ast::Direction::none:
         // inout, so that the body's own use of it is no second mistake.
         made.direction = writes_only ? ir::Direction::out : reads_only ? ir::Direction::in : ir::Direction::inout;
-        if (made.pattern == ir::Pattern::each || writes_only)
+        if (made.pattern == ir::Pattern::each || writes_only || does_both)
             note(c.error(Diag::direction_missing, param.name.span, {c.text(param.name.name)}), param.name.span,
                  "write 'in', 'out' or 'inout' before the pattern");
         break;
@@ -48,13 +50,15 @@ void check_direction(Context& c, const ast::Param& param, ir::KernelParam& made)
     case ast::Direction::out: made.direction = ir::Direction::out; break;
     case ast::Direction::inout: made.direction = ir::Direction::inout; break;
     }
-    bool wrong =
-        (reads_only && made.direction != ir::Direction::in) || (writes_only && made.direction != ir::Direction::out);
+    bool wrong = (reads_only && made.direction != ir::Direction::in) ||
+                 (writes_only && made.direction != ir::Direction::out) ||
+                 (does_both && made.direction != ir::Direction::inout);
     if (wrong) {
         Diagnostic& diagnostic = c.error(Diag::direction, param.direction_span, {c.text(param.name.name)});
         note(diagnostic, param.pattern_span,
-             reads_only ? "near, any and at only read: 'in'; scatter<S> writes anywhere"
-                        : "scatter only writes: 'out'");
+             reads_only    ? "near, any and at only read: 'in'; scatter<S> writes anywhere"
+             : writes_only ? "scatter only writes: 'out'"
+                           : "coherent memory is read and written: 'inout'");
     }
 }
 
@@ -109,6 +113,15 @@ bool holds_optional(const ir::Program& program, ir::TypeId id) {
     return std::ranges::any_of(fields, [&](const auto& field) { return holds_optional(program, field.type); });
 }
 
+/// Elements that workgroups share lie in a buffer.
+void check_coherent(Body& body, const ast::Param& param, std::uint32_t index) {
+    Context& c = body.context;
+    const ir::Structure& structure = c.program.structures[index];
+    if (structure.kind != ir::StructureKind::stored) return;  // reported as written
+    if (structure.memories[structure.via_memory].shape != ir::MemoryShape::buffer)
+        c.error(Diag::coherent_memory, param.name.span, {structure.display});
+}
+
 void add_param(Body& body, const ast::Param& param, ir::Kernel& kernel) {
     Context& c = body.context;
     ir::KernelParam made;
@@ -155,10 +168,16 @@ void add_param(Body& body, const ast::Param& param, ir::Kernel& kernel) {
     if (iterates && !structure.domain && structure.kind != ir::StructureKind::adaptor)
         c.error(Diag::no_domain, param.name.span, {structure.display});
     Symbol symbol;
-    symbol.kind = made.pattern == ir::Pattern::any ? SymbolKind::structure : SymbolKind::iterator;
+    const bool is_coherent = made.pattern == ir::Pattern::coherent;
+    if (is_coherent) {
+        check_coherent(body, param, made.structure);
+        body.coherent.push_back(index);
+    }
+    symbol.kind = made.pattern == ir::Pattern::any || is_coherent ? SymbolKind::structure : SymbolKind::iterator;
     symbol.place.root = index;
     symbol.slot = index;
     symbol.structure = made.structure;
+    symbol.is_coherent = is_coherent;
     declare(body, param.name, symbol);
     kernel.params.push_back(std::move(made));
 }

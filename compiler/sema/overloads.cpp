@@ -124,6 +124,15 @@ bool fits_window(Body& body, const Env& env, const ast::Param& param, const Oper
     return false;
 }
 
+/// What a function shares between workgroups must be shared by the kernel.
+bool fits_coherent(Body& body, const ast::Param& param, const Operand& argument) {
+    if (param.pattern != ast::Pattern::coherent || argument.is_coherent) return true;
+    Context& c = body.context;
+    note(c.error(Diag::coherent_argument, argument.span, {c.text(param.name.name)}), param.name.span,
+         "pass a parameter that the kernel declares as inout coherent<…>");
+    return false;
+}
+
 /// A function with a workgroup is called by kernels and functions with the same one.
 bool fits_group(Body& body, ast::DeclId id, const Env& env, const ast::Expr& call) {
     Context& c = body.context;
@@ -160,6 +169,7 @@ Operand finish_call(Body& body, ast::DeclId id, const Env& env, CheckedArguments
         Operand& operand = arguments.operands[i];
         if (operand.kind == OperandKind::structure) {
             if (!fits_window(body, env, function.params[i], operand)) return error_operand(call.span);
+            if (!fits_coherent(body, function.params[i], operand)) return error_operand(call.span);
             structures.push_back(operand.structure);
             places.push_back(operand.place);
             continue;

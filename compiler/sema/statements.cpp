@@ -68,7 +68,7 @@ bool repeats_lane(const ir::Expr& swizzle, std::uint32_t count) {
 
 void check_assign(Body& body, const ast::Stmt& stmt) {
     Context& c = body.context;
-    if (body.kernel && check_iterator_assignment(body, stmt)) return;
+    if ((body.kernel || !body.coherent.empty()) && check_iterator_assignment(body, stmt)) return;
     ir::ExprId target = check_value(body, stmt.target);
     if (is_error(body, target)) {
         check_value(body, stmt.value);
@@ -287,7 +287,7 @@ void check_expression_statement(Body& body, const ast::Stmt& stmt) {
     if (operand.kind == OperandKind::error || !operand.expr) return;
     const ir::Expr& node = body.program().exprs[operand.expr];
     if (node.op == ir::Op::constant && node.type == body.types().void_) return;  // s.store(…): emitted already
-    bool atomic = node.op == ir::Op::intrinsic && node.intrinsic >= ir::Intrinsic::atomicAdd;
+    bool atomic = node.op == ir::Op::intrinsic && node.intrinsic >= ir::Intrinsic::atomicStore;
     if (node.op != ir::Op::call && node.op != ir::Op::pipeline_call && !atomic) {
         c.error(Diag::no_effect, expr.span);
         return;

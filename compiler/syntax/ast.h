@@ -138,10 +138,10 @@ struct GenericParam {
 enum class Direction : std::uint8_t { none, in, out, inout };
 
 /// The access pattern of an iterator.
-enum class Pattern : std::uint8_t { none, each, near, any, at, scatter, range };
+enum class Pattern : std::uint8_t { none, each, near, any, at, scatter, coherent, range };
 
-/// `name: [in|out|inout] [each|near|any|at|scatter|range]<type, extra…> [= default]`, or `name: [in|out|inout] type [=
-/// default]`
+/// `name: [in|out|inout] [each|near|any|at|scatter|coherent|range]<type, extra…> [= default]`, or `name: [in|out|inout]
+/// type [= default]`
 struct Param {
     Identifier name;
     Direction direction = Direction::none;

@@ -59,12 +59,13 @@ ast::Direction Parser::parse_direction() {
 }
 
 ast::Pattern Parser::pattern_here() const {
-    static constexpr std::array<std::pair<Word, Pattern>, 6> patterns{{
+    static constexpr std::array<std::pair<Word, Pattern>, 7> patterns{{
         {Word::each, Pattern::each},
         {Word::near, Pattern::near},
         {Word::any, Pattern::any},
         {Word::at, Pattern::at},
         {Word::scatter, Pattern::scatter},
+        {Word::coherent, Pattern::coherent},
         {Word::range, Pattern::range},
     }};
     if (peek(1).kind != TokenKind::less) return Pattern::none;
@@ -73,7 +74,8 @@ ast::Pattern Parser::pattern_here() const {
     return Pattern::none;
 }
 
-/// pattern = ( "each" | "near" | "any" | "at" | "scatter" | "range" ) "<" generic-argument { "," generic-argument } ">"
+/// pattern = ( "each" | "near" | "any" | "at" | "scatter" | "coherent" | "range" ) "<" generic-argument { ","
+/// generic-argument } ">"
 /// ;
 void Parser::parse_pattern(ast::Param& param) {
     param.pattern_span = span_of(advance());

@@ -62,6 +62,7 @@ std::string_view word_of(Pattern pattern) {
     case Pattern::any: return "any";
     case Pattern::at: return "at";
     case Pattern::scatter: return "scatter";
+    case Pattern::coherent: return "coherent";
     case Pattern::range: return "range";
     }
     return "";

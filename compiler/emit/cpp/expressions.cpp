@@ -186,7 +186,12 @@ Text print_index(Printer& p, const Expr& expr) {
     return {base + "[" + print_any(p, expr.operands[1]) + "]"};
 }
 
-bool is_workgroup_atomic(ir::Intrinsic intrinsic) { return ir::name_of(intrinsic).starts_with("atomic"); }
+/// Where the runtime has an intrinsic.
+const char* scope_of(const Printer& p, const Expr& expr) {
+    if (!ir::name_of(expr.intrinsic).starts_with("atomic")) return "glift::";
+    const bool is_memory = p.program.exprs[expr.operands[0]].op == Op::load;
+    return is_memory ? "glift::host::memory::" : "glift::host::";
+}
 
 /// Structures are passed before the values.
 Text print_call(Printer& p, const Expr& expr) {
@@ -260,8 +265,7 @@ Text print(Printer& p, ExprId id) {
     case Op::call: return print_call(p, expr);
     case Op::intrinsic: {
         if (p.identities.contains(id)) return print(p, expr.operands[0]);
-        const std::string scope = is_workgroup_atomic(expr.intrinsic) ? "glift::host::" : "glift::";
-        return function_call(p, scope + std::string(ir::name_of(expr.intrinsic)), expr.operands);
+        return function_call(p, scope_of(p, expr) + std::string(ir::name_of(expr.intrinsic)), expr.operands);
     }
     case Op::none: return {type_text(p.globals, expr.type, p.use_namespaces) + "()"};
     case Op::some: return function_call(p, type_text(p.globals, expr.type, p.use_namespaces), expr.operands);

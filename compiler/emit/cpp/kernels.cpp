@@ -366,7 +366,8 @@ void print_kernel_function(Unit& unit, Writer& out, std::uint32_t index) {
                 out.line("iteration.each(\"" + unit.name(param.name) + "\", " + argument + ");");
             if (near && param.pattern == Pattern::near)
                 out.line("iteration.near(\"" + unit.name(param.name) + "\", " + argument + ");");
-            if (near && (param.pattern == Pattern::any || param.pattern == Pattern::scatter))
+            if (near && (param.pattern == Pattern::any || param.pattern == Pattern::scatter ||
+                         param.pattern == Pattern::coherent))
                 out.line("iteration.any(\"" + unit.name(param.name) + "\", " + argument + ");");
         }
     }

@@ -36,6 +36,7 @@ void name_globals(Printer& p) {
     }
     name_structs(p);
     name_status(p);
+    name_order(p);
     for (ir::LocalId id : p.pass.shared)
         p.local_names[id] = p.names.declare((*p.program.names)[p.program.locals[id].name]);
 }
@@ -190,7 +191,7 @@ std::string glsl_of(const ir::Program& program, const Sources& sources, const ir
     // The addresses in the parameters of the wide form are of the buffers' types.
     std::string interface = pass.form == ir::Form::wide ? bindings + parameters : parameters + bindings;
     return "#version 460\n" + heading(p) + extensions_text(p) + group_text(pass) + enumerators_text(p) + structs +
-           interface + shared + status + helpers + atomics + functions + main;
+           interface + shared + status + order_definitions(p) + helpers + atomics + functions + main;
 }
 
 }  // namespace gliftc::glsl

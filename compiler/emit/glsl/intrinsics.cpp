@@ -73,8 +73,13 @@ Text dot(Printer& p, const Expr& expr) {
 }
 
 Text atomic(Printer& p, const char* name, const Expr& expr) {
-    ir::TypeKind kind = p.program.types.kind(expr.type);
+    ir::TypeKind kind = p.program.types.kind(type_of(p, expr, 0));
     if (kind == ir::TypeKind::int64 || kind == ir::TypeKind::uint64) p.extensions.insert("GL_EXT_shader_atomic_int64");
+    if (p.program.exprs[expr.operands[0]].op == ir::Op::load) return {ordered_atomic(p, name, expr)};
+    // In workgroup memory barriers order things.
+    if (expr.intrinsic == Intrinsic::atomicLoad) return print(p, expr.operands[0]);
+    if (expr.intrinsic == Intrinsic::atomicStore)
+        return {print_any(p, expr.operands[0]) + " = " + print_any(p, expr.operands[1])};
     return call(p, name, expr);
 }
 
@@ -178,6 +183,8 @@ Text print_intrinsic(Printer& p, const Expr& expr) {
     case Intrinsic::subgroupBallot:
     case Intrinsic::subgroupBallotCount:
     case Intrinsic::subgroupBallotExclusiveCount: return print_subgroup(p, expr);
+    case Intrinsic::atomicLoad: return atomic(p, "atomicLoad", expr);
+    case Intrinsic::atomicStore: return atomic(p, "atomicStore", expr);
     case Intrinsic::atomicAdd: return atomic(p, "atomicAdd", expr);
     case Intrinsic::atomicMin: return atomic(p, "atomicMin", expr);
     case Intrinsic::atomicMax: return atomic(p, "atomicMax", expr);

@@ -70,6 +70,7 @@ bool has_barrier(const Printer& p, const std::vector<ir::StmtId>& body) {
 
 /// What one invocation writes and another reads after a barrier must not stay in a cache.
 bool is_coherent(const Printer& p, const PassBinding& binding) {
+    if (binding.coherent) return true;
     return binding.access == ir::Access::read_write && has_barrier(p, p.pass.body);
 }
 

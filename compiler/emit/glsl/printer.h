@@ -85,6 +85,11 @@ struct StatusNames {
     std::string block, limit, rounds, another_round, report;
 };
 
+/// What shaders with atomic operations on coherent memory declare; see order.cpp.
+struct OrderNames {
+    std::string fences, load, store, both;
+};
+
 /// Bounds of a loop's variable, [low, high).
 struct Bounds {
     std::int64_t low, high;
@@ -106,6 +111,7 @@ struct Printer {
     std::vector<std::string> row_block_names;
     std::vector<std::string> parameter_names;
     StatusNames status;                     ///< named only where the pass has a status record
+    OrderNames order;                       ///< named only where atomic operations order coherent memory
     std::vector<std::string> struct_names;  ///< of Program::structs
     std::vector<std::vector<std::string>> field_names;
     std::unordered_map<ir::FunctionId, std::string> function_names;
@@ -162,6 +168,11 @@ Text print_intrinsic(Printer& p, const ir::Expr& expr);
 // helpers.cpp
 std::string need(Printer& p, Helper helper, ir::TypeId a, ir::TypeId b = {});  ///< the name to call
 std::string helper_definitions(Printer& p);
+
+// order.cpp
+void name_order(Printer& p);
+std::string ordered_atomic(Printer& p, const char* name, const ir::Expr& expr);
+std::string order_definitions(const Printer& p);
 
 // division.cpp
 std::string division_definition(Helper helper);

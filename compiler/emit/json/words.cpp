@@ -69,6 +69,7 @@ const char* word(ir::Pattern pattern) {
     case ir::Pattern::each: return "each";
     case ir::Pattern::near: return "near";
     case ir::Pattern::any: return "any";
+    case ir::Pattern::coherent: return "coherent";
     case ir::Pattern::at: return "at";
     case ir::Pattern::scatter: return "scatter";
     }

@@ -38,6 +38,7 @@ struct DeviceProperties {
     std::array<std::uint32_t, 3> max_workgroup_size = {1024, 1024, 64};
     std::uint32_t max_workgroup_invocations = 1024;
     std::uint64_t loop_round_limit = unlimited;  ///< loop rounds of one invocation before the device cuts it off
+    bool fences_are_barriers = false;            ///< a fence that not all subgroups come by cuts some of them off
     double timestamp_seconds = 1e-9;             ///< one tick
     bool int8 = false, int16 = false, int64 = false, float16 = false, float64 = false;
     bool int64_atomics = false;

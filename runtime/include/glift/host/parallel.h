@@ -266,6 +266,8 @@ template <class T> void atomic_bit_xor(T& target, T value) {
 }
 
 // Atomics on workgroup memory. A workgroup runs on one thread, one invocation after the other.
+template <class T> T atomicLoad(const T& target) { return target; }
+template <class T> void atomicStore(T& target, T value) { target = value; }
 template <class T> T atomicAdd(T& target, T value) { return std::exchange(target, glift::detail::add(target, value)); }
 template <class T> T atomicMin(T& target, T value) { return std::exchange(target, value < target ? value : target); }
 template <class T> T atomicMax(T& target, T value) { return std::exchange(target, target < value ? value : target); }
@@ -273,5 +275,30 @@ template <class T> T atomicAnd(T& target, T value) { return std::exchange(target
 template <class T> T atomicOr(T& target, T value) { return std::exchange(target, static_cast<T>(target | value)); }
 template <class T> T atomicXor(T& target, T value) { return std::exchange(target, static_cast<T>(target ^ value)); }
 template <class T> T atomicExchange(T& target, T value) { return std::exchange(target, value); }
+
+// Atomics on memory that workgroups share within a pass: what is read and written around them is ordered.
+namespace memory {
+template <class T> T atomicLoad(T& target) { return std::atomic_ref<T>(target).load(std::memory_order_acquire); }
+template <class T> void atomicStore(T& target, T value) {
+    std::atomic_ref<T>(target).store(value, std::memory_order_release);
+}
+template <class T> T atomicAdd(T& target, T value) { return std::atomic_ref<T>(target).fetch_add(value); }
+template <class T> T atomicAnd(T& target, T value) { return std::atomic_ref<T>(target).fetch_and(value); }
+template <class T> T atomicOr(T& target, T value) { return std::atomic_ref<T>(target).fetch_or(value); }
+template <class T> T atomicXor(T& target, T value) { return std::atomic_ref<T>(target).fetch_xor(value); }
+template <class T> T atomicExchange(T& target, T value) { return std::atomic_ref<T>(target).exchange(value); }
+template <class T> T atomicMin(T& target, T value) {
+    std::atomic_ref<T> shared(target);
+    T before = shared.load();
+    while (value < before && !shared.compare_exchange_weak(before, value)) {}
+    return before;
+}
+template <class T> T atomicMax(T& target, T value) {
+    std::atomic_ref<T> shared(target);
+    T before = shared.load();
+    while (before < value && !shared.compare_exchange_weak(before, value)) {}
+    return before;
+}
+}  // namespace memory
 
 }  // namespace glift::host

@@ -1,0 +1,47 @@
+// Atomic operations that order what is read and written around them, between workgroups.
+//
+// On lavapipe (Mesa 22.3) the fence that such an operation brings is a barrier: where only some subgroups of a
+// workgroup come by it, the others are cut off without a word. There operations that read and write at once order
+// everything by themselves, since they are sequentially consistent. The runtime says so by constant 102.
+#include "emit/glsl/printer.h"
+
+namespace gliftc::glsl {
+
+using ir::Intrinsic;
+
+void name_order(Printer& p) {
+    bool is_ordered = false;
+    for (const ir::PassBinding& binding : p.pass.bindings)
+        is_ordered = is_ordered || (binding.coherent && binding.atomic);
+    if (!is_ordered) return;
+    p.order = {p.names.declare("fences_are_barriers"), p.names.declare("load_acquire"),
+               p.names.declare("store_release"), p.names.declare("ordered")};
+}
+
+std::string ordered_atomic(Printer& p, const char* name, const ir::Expr& expr) {
+    const std::string arguments = join_arguments(p, expr.operands);
+    p.extensions.insert("GL_KHR_memory_scope_semantics");
+    if (expr.intrinsic == Intrinsic::atomicLoad) return p.order.load + "(" + arguments + ")";
+    if (expr.intrinsic == Intrinsic::atomicStore) return p.order.store + "(" + arguments + ")";
+    return p.order.both + "(" + name + ", " + arguments + ")";
+}
+
+std::string order_definitions(const Printer& p) {
+    const OrderNames& names = p.order;
+    if (names.fences.empty()) return "";
+    const std::string where = "gl_ScopeDevice, gl_StorageSemanticsBuffer, gl_Semantics";
+    return "layout(constant_id = 102) const bool " + names.fences +
+           " = false;   // a fence where not all subgroups come by cuts some off\n"
+           "#define " +
+           names.load + "(place) (" + names.fences + " ? atomicOr(place, 0) : atomicLoad(place, " + where +
+           "Acquire))\n"
+           "#define " +
+           names.store + "(place, value) if (" + names.fences +
+           ") atomicExchange(place, value); else atomicStore(place, value, " + where +
+           "Release)\n"
+           "#define " +
+           names.both + "(operation, place, value) (" + names.fences +
+           " ? operation(place, value) : operation(place, value, " + where + "AcquireRelease))\n\n";
+}
+
+}  // namespace gliftc::glsl
