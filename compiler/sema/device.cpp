@@ -13,11 +13,12 @@ struct Property {
     bool is_truth;
 };
 
-constexpr std::array<Property, 5> properties{{
+constexpr std::array<Property, 6> properties{{
     {"is_host", ir::DeviceProperty::is_host, true},
     {"is_gpu", ir::DeviceProperty::is_gpu, true},
     {"subgroup_size", ir::DeviceProperty::subgroup_size, false},
     {"subgroup_arithmetic", ir::DeviceProperty::subgroup_arithmetic, true},
+    {"int64", ir::DeviceProperty::int64, true},
     {"shared_memory_bytes", ir::DeviceProperty::shared_memory_bytes, false},
 }};
 

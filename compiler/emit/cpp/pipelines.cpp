@@ -95,6 +95,7 @@ std::string device_property(ir::DeviceProperty property) {
     case ir::DeviceProperty::is_gpu: return "(" + all + "kind == glift::DeviceKind::gpu)";
     case ir::DeviceProperty::subgroup_size: return all + "subgroup_size";
     case ir::DeviceProperty::subgroup_arithmetic: return all + "subgroup_arithmetic";
+    case ir::DeviceProperty::int64: return all + "int64";
     case ir::DeviceProperty::shared_memory_bytes: return all + "shared_memory_bytes";
     }
     return "{}";

@@ -274,7 +274,7 @@ std::string atomic_text(Printer& p, const ir::Stmt& stmt) {
 
 std::string atomic_definitions(Printer& p) {
     std::string text;
-    std::string test = round_test(p, p.pass.files.size() > 1 ? "line, file" : "line");
+    std::string test = round_test(p, {}, p.pass.files.size() > 1 ? "line, file" : "line");
     for (const AtomicUse& use : p.atomics) {
         const std::string& memory = p.binding_names[use.binding];
         std::string function = p.pass.bindings[use.binding].name + "_" + lower_case(atomic_name(use.combine));

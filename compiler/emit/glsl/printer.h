@@ -191,7 +191,7 @@ std::string status_definitions(Printer& p);
 std::string place_parameters(const Printer& p);  ///< of functions that report
 std::string place_arguments(const Printer& p, Span span);
 std::string round_test(
-    const Printer& p,
+    const Printer& p, const std::vector<ir::StmtId>& body,
     const std::string& place);  ///< `another_round(9u)`, empty where rounds are not counted (a library never counts)
 void print_round_start(Printer& p);
 std::string report_text(Printer& p, const ir::Stmt& stmt);

@@ -5,6 +5,7 @@
 // condition adds one to it. Specialisation constant 101 is the device's limit; where it is 0 nothing is counted and the
 // driver drops all of this.
 #include "emit/glsl/printer.h"
+#include "ir/walk.h"
 
 #include <algorithm>
 
@@ -46,10 +47,11 @@ std::string count_text(const Printer& p) {
                        " = 0u;   // after so many rounds the device cuts loops off; 0: never\n";
     text += "shared uint " + s.rounds + "[" + s.limit + " == 0u ? 1u : " + std::to_string(subgroups) + "u];\n\n";
     text += "// False, and reported, where the device would cut the loop off. Lanes run in step: a round of one is a "
-            "round of all.\n";
-    text += "bool " + s.another_round + "(" + place_parameters(p) + ") {\n";
+            "round of all. The device\n// enters what is inside a loop whatever the conditions: `rounds_inside` are "
+            "counted with each of the loop's.\n";
+    text += "bool " + s.another_round + "(uint rounds_inside, " + place_parameters(p) + ") {\n";
     text += "    if (" + s.limit + " == 0u) return true;\n";
-    text += "    uint rounds = " + s.rounds + "[gl_SubgroupID] + 1u;\n";
+    text += "    uint rounds = " + s.rounds + "[gl_SubgroupID] + 1u + rounds_inside;\n";
     text += "    " + s.rounds + "[gl_SubgroupID] = rounds;\n";
     text += "    if (rounds < " + s.limit + ") return true;\n";
     text += "    if (atomicCompSwap(" + s.block + ".code, 0u, 1u) == 0u) " + place_assigned(p) + "\n";
@@ -86,8 +88,26 @@ std::string place_arguments(const Printer& p, Span span) {
     return line + ", " + std::to_string(index) + "u";
 }
 
-std::string round_test(const Printer& p, const std::string& place) {
-    return p.status.another_round.empty() ? "" : p.status.another_round + "(" + place + ")";
+namespace {
+
+/// All loops in the statements and in the functions that they call.
+std::uint32_t loops_in(const Printer& p, const std::vector<ir::StmtId>& body) {
+    std::uint32_t loops = 0;
+    for_each_statement(p.program, body, [&](const ir::Stmt& stmt) {
+        loops += stmt.op == ir::StmtOp::for_ || stmt.op == ir::StmtOp::while_ || stmt.op == ir::StmtOp::atomic;
+    });
+    for_each_expression(p.program, body, [&](ir::ExprId id) {
+        const ir::Expr& node = p.program.exprs[id];
+        if (node.op == ir::Op::call) loops += loops_in(p, p.program.functions[node.function].body);
+    });
+    return loops;
+}
+
+}  // namespace
+
+std::string round_test(const Printer& p, const std::vector<ir::StmtId>& body, const std::string& place) {
+    if (p.status.another_round.empty()) return "";
+    return p.status.another_round + "(" + std::to_string(loops_in(p, body)) + "u, " + place + ")";
 }
 
 std::string report_text(Printer& p, const ir::Stmt& stmt) {

@@ -64,6 +64,12 @@ TEST_P(Loops, OfWhichEachInvocationRunsFew) {
     }
 }
 
+// A device that runs both sides of every condition has its rounds there, too.
+TEST_P(Loops, ThatNoInvocationEnters) {
+    expect("rarely", "loops.glift:93", false, 64, 30000, [&](Line& line) { loops::rarely(device, line, 30000); });
+    expect("rarely", "loops.glift:93", true, 64, 40000, [&](Line& line) { loops::rarely(device, line, 40000); });
+}
+
 TEST_P(Loops, InAFunctionOfAnotherFile) {
     Line from(device, 3), to(device, 3);
     from.write({0}, {3}, std::vector<std::uint32_t>{27, 1, 97});
