@@ -6,7 +6,7 @@ using namespace ir;
 
 Place Expander::resolved(const Place& place) const {
     Place result = frame_->places[place.root];
-    result.members.insert(result.members.end(), place.members.begin(), place.members.end());
+    result.members.append(place.members);
     return result;
 }
 
@@ -184,7 +184,7 @@ ExprId Expander::without_empty(ExprId whole) {
     const Type type = p.types[id];
     if (is_empty(p, id)) return make.zero(id);
     if (!holds_empty(p, id) || type.kind == TypeKind::optional) return whole;
-    std::vector<ExprId> parts;
+    Operands parts;
     std::size_t count = type.kind == TypeKind::array ? type.count : p.structs[type.index].fields.size();
     for (std::uint32_t i = 0; i < count; ++i)
         parts.push_back(
@@ -193,7 +193,7 @@ ExprId Expander::without_empty(ExprId whole) {
 }
 
 Pair Expander::expand_again(ExprId id, const Expr& node) {
-    std::vector<ExprId> operands;
+    Operands operands;
     bool same = true;
     for (ExprId operand : node.operands) {
         TypeId type = make.type(operand);

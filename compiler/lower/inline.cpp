@@ -315,7 +315,7 @@ ExprId Expander::replaced(ExprId target, ExprId value) {
     if (node.op == Op::local) return value;
     ExprId whole = value_of(node.operands[0]);
     TypeId type = make.type(whole);
-    std::vector<ExprId> parts;
+    Operands parts;
     if (node.op == Op::field) {
         std::size_t count = p.structs[p.types[type].index].fields.size();
         for (std::uint32_t i = 0; i < count; ++i) parts.push_back(i == node.slot ? value : make.field(whole, i));

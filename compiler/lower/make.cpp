@@ -97,7 +97,7 @@ ExprId Make::select(ExprId condition, ExprId yes, ExprId no) {
     return again(node, {condition, yes, no});
 }
 
-ExprId Make::construct(TypeId id, std::vector<ExprId> parts) {
+ExprId Make::construct(TypeId id, Operands parts) {
     Expr node;
     node.op = Op::construct;
     node.type = id;
@@ -140,7 +140,7 @@ ExprId Make::field(ExprId whole, std::uint32_t slot) {
     return again(node, {whole});
 }
 
-ExprId Make::intrinsic(Intrinsic intrinsic, TypeId id, std::vector<ExprId> operands) {
+ExprId Make::intrinsic(Intrinsic intrinsic, TypeId id, Operands operands) {
     Expr node;
     node.op = Op::intrinsic;
     node.type = id;
@@ -264,14 +264,14 @@ std::optional<ExprId> Make::simpler_component(ExprId vector, std::uint32_t lane)
     }
     if (node.op == Op::intrinsic &&
         (node.intrinsic == Intrinsic::min || node.intrinsic == Intrinsic::max || node.intrinsic == Intrinsic::clamp)) {
-        std::vector<ExprId> parts;
+        Operands parts;
         for (ExprId operand : node.operands) parts.push_back(component(operand, lane));
         return intrinsic(node.intrinsic, p.types.scalar_of(node.type), std::move(parts));
     }
     if (!is_component_wise(p.types, node) || node.op == Op::select) return std::nullopt;
     for (ExprId operand : node.operands)
         if (p.types.is_matrix(type(operand))) return std::nullopt;
-    std::vector<ExprId> parts;
+    Operands parts;
     for (ExprId operand : node.operands) parts.push_back(component(operand, lane));
     Expr scalar = node;
     scalar.type = p.types.scalar_of(node.type);
@@ -288,7 +288,7 @@ ExprId Make::folded(Expr node) {
     return materialize(p, *value, p.exprs[id].span);
 }
 
-ExprId Make::again(const Expr& original, std::vector<ExprId> operands) {
+ExprId Make::again(const Expr& original, Operands operands) {
     Expr node = original;
     node.operands = std::move(operands);
     switch (node.op) {
@@ -318,7 +318,7 @@ ExprId Make::again(const Expr& original, std::vector<ExprId> operands) {
         for (std::uint32_t i = 0; i < count; ++i) same = same && node.lanes[i] == i;
         if (same) return node.operands[0];
         if (p.exprs[node.operands[0]].op != Op::construct) break;
-        std::vector<ExprId> parts;
+        Operands parts;
         for (std::uint32_t i = 0; i < count; ++i) parts.push_back(component(node.operands[0], node.lanes[i]));
         return construct(node.type, std::move(parts));
     }

@@ -65,7 +65,7 @@ ExprId Merging::visit(ExprId id) {
         auto found = values_.find(node.local);
         return found == values_.end() ? id : found->second;
     }
-    std::vector<ExprId> operands;
+    Operands operands;
     for (ExprId operand : node.operands) operands.push_back(visit(operand));
     if (operands == node.operands) return id;
     Expr copy = node;

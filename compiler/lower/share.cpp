@@ -175,7 +175,7 @@ ExprId Sharing::visit(ExprId id, Where where) {
 ExprId Sharing::visit_operands(ExprId id, Where where) {
     const Expr& node = cx.p.exprs[id];
     if (node.operands.empty()) return id;
-    std::vector<ExprId> operands;
+    Operands operands;
     bool same = true;
     for (std::size_t i = 0; i < node.operands.size(); ++i) {
         if (i == 0 && node.op == Op::intrinsic && signature_of(node.intrinsic)[0] == '@') {

@@ -29,7 +29,7 @@ private:
     StmtId statement_(StmtId id);
     ExprId visit(ExprId id);
     ExprId relative(ExprId id);
-    ExprId around_select(const Expr& node, std::vector<ExprId> operands);
+    ExprId around_select(const Expr& node, Operands operands);
     bool is_sum(ExprId id) const;
 
     Context& cx;
@@ -70,7 +70,7 @@ ExprId Strength::relative(ExprId id) {
 }
 
 /// c ? base + step : base is base + (c ? step : 0): one choice between small values, no branch.
-ExprId Strength::around_select(const Expr& node, std::vector<ExprId> operands) {
+ExprId Strength::around_select(const Expr& node, Operands operands) {
     const Expr* named = &cx.p.exprs[operands[1]];
     const ExprId* definition = named->op == Op::local ? cx.definitions.find(named->local) : nullptr;
     const Expr& moved = definition ? cx.p.exprs[*definition] : *named;
@@ -92,7 +92,7 @@ ExprId Strength::visit(ExprId id) {
     if (ExprId shorter = relative(id)) return shorter;
     const Expr node = cx.p.exprs[id];
     if (node.operands.empty() || is_uniform(cx, id)) return id;
-    std::vector<ExprId> operands;
+    Operands operands;
     for (ExprId operand : node.operands) operands.push_back(visit(operand));
     if (node.op == Op::select && node.type == cx.p.types.uint) return around_select(node, std::move(operands));
     if (operands == node.operands) return id;

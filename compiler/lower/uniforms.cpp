@@ -113,7 +113,7 @@ ExprId Uniforms::closed(ExprId id) {
     if (definition) {
         result = closed(*definition);
     } else if (!node.operands.empty()) {
-        std::vector<ExprId> operands;
+        Operands operands;
         bool same = true;
         for (ExprId operand : node.operands) {
             operands.push_back(closed(operand));
@@ -269,7 +269,7 @@ void Uniforms::count(ExprId id) {
 
 ExprId Uniforms::visit_operands(ExprId id) {
     const Expr node = cx.p.exprs[id];
-    std::vector<ExprId> operands;
+    Operands operands;
     for (ExprId operand : node.operands) operands.push_back(visit(operand));
     return operands == node.operands ? id : cx.make.again(node, std::move(operands));
 }

@@ -86,7 +86,7 @@ bool holds_bool(const ir::Program& program, ir::TypeId type);
 Text print(Printer& p, ir::ExprId expr);
 std::string print(Printer& p, ir::ExprId expr, Level least);  ///< in parentheses if looser than `least`
 std::string print_any(Printer& p, ir::ExprId expr);
-std::string join_arguments(Printer& p, const std::vector<ir::ExprId>& arguments);
+std::string join_arguments(Printer& p, const ir::Operands& arguments);
 std::string wrap(Text text, Level least);
 
 // surroundings.cpp

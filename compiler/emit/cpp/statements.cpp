@@ -82,7 +82,7 @@ void print_if(Printer& p, const Stmt& stmt) {
     const Stmt* rest = &stmt;
     while (!rest->otherwise.empty()) {
         const Stmt& next = p.program.stmts[rest->otherwise[0]];
-        if (rest->otherwise.size() == 1 && next.op == StmtOp::if_ && next.comment.empty()) {
+        if (rest->otherwise.size() == 1 && next.op == StmtOp::if_) {
             p.out.dedent();
             p.out.open("} else if (" + print_any(p, next.value) + ")");
             print_nested(p, next.body);
@@ -161,7 +161,6 @@ void print_statements(Printer& p, const std::vector<ir::StmtId>& body) {
 void print_statement(Printer& p, ir::StmtId id) {
     const Stmt& stmt = p.program.stmts[id];
     if (stmt.op != StmtOp::block && stmt.op != StmtOp::release) mark_line(p, stmt.span);
-    if (!stmt.comment.empty()) p.out.line("// " + stmt.comment);
     switch (stmt.op) {
     case StmtOp::let: return print_let(p, stmt);
     case StmtOp::assign: return print_assign(p, stmt);
