@@ -68,9 +68,13 @@ public:
     }
 
     Id<T> add(T value) {
-        if ((size_ & mask) == 0) blocks_.push_back(std::make_unique_for_overwrite<Block>());
+        if (size_ >> shift == blocks_.size()) blocks_.push_back(std::make_unique_for_overwrite<Block>());
         new (place(size_)) T(std::move(value));
         return {size_++};
+    }
+    /// Forgets the values from this one on; their memory is used for those that come next.
+    void truncate(std::uint32_t size) {
+        while (size_ > size) at(--size_).~T();
     }
     T& operator[](Id<T> id) {
         assert(id.index < size_);

@@ -2,6 +2,7 @@
 
 #include "ir/walk.h"
 
+#include <algorithm>
 #include <bit>
 
 namespace gliftc::lower {
@@ -92,8 +93,27 @@ Numbers::Key Numbers::shape_of(const Expr& node) {
     return key;
 }
 
+ValueNumber& Numbers::number_at(const Key& key) {
+    const auto place = [&](const Key& of) {
+        std::size_t at = of.low & (table_.size() - 1);
+        while (table_[at].number != 0 && table_[at].key != of) at = (at + 1) & (table_.size() - 1);
+        return at;
+    };
+    if (++shapes_ * 2 > table_.size()) {
+        std::vector<Slot> before(std::max<std::size_t>(128, table_.size() * 2));
+        before.swap(table_);
+        for (const Slot& slot : before)
+            if (slot.number != 0) table_[place(slot.key)] = slot;
+    }
+    Slot& slot = table_[place(key)];
+    if (slot.number != 0) --shapes_;
+    slot.key = key;
+    return slot.number;
+}
+
 ValueNumber Numbers::of(ExprId id) {
-    if (const ValueNumber* found = fixed_.find(id)) return *found;
+    if (const Known* found = known_.find(id); found != nullptr && (found->time == always || found->time == time_))
+        return found->number;
     const Expr& node = cx.p.exprs[id];
     if (node.op == Op::local) {
         if (const ValueNumber* found = locals_.find(node.local)) return *found;
@@ -101,10 +121,10 @@ ValueNumber Numbers::of(ExprId id) {
     Key key = shape_of(node);
     if (has_effect(node)) key.mix(++next_ + (std::uint64_t{1} << 32));
     for (ExprId operand : node.operands) key.mix(of(operand));
-    auto [found, is_new] = table_.try_emplace(key, next_ + 1);
-    if (is_new) ++next_;
-    ValueNumber number = found->second;
-    if (is_fixed(id)) fixed_.emplace(id, number);
+    ValueNumber& number = number_at(key);
+    if (number == 0) number = ++next_;
+    // What has an effect is another value each time.
+    if (is_pure(id)) known_[id] = {number, is_fixed(id) ? always : time_};
     return number;
 }
 

@@ -3,7 +3,7 @@
 
 #include "lower/context.h"
 
-#include <unordered_map>
+#include <vector>
 
 namespace gliftc::lower {
 
@@ -17,16 +17,26 @@ public:
     ValueNumber of(ExprId id);
 
     /// The let's local has this number from here on.
-    void define(LocalId local, ValueNumber number) { locals_[local] = number; }
+    void define(LocalId local, ValueNumber number) {
+        locals_[local] = number;
+        ++time_;
+    }
     /// To walk the same statements again: numbers stay.
     void restart() {
         versions_.clear();
         bindings_.clear();
+        ++time_;
     }
     ValueNumber count() const { return next_ + 1; }
     /// The local, or the memory behind a binding, may have changed.
-    void change(LocalId local) { ++versions_[local]; }
-    void change_binding(std::uint32_t binding) { ++bindings_[binding]; }
+    void change(LocalId local) {
+        ++versions_[local];
+        ++time_;
+    }
+    void change_binding(std::uint32_t binding) {
+        ++bindings_[binding];
+        ++time_;
+    }
     /// Everything that the statements may change.
     void change_all(const std::vector<StmtId>& body);
 
@@ -45,13 +55,26 @@ private:
         bool operator==(const Key&) const = default;
         void mix(std::uint64_t word);
     };
-    struct KeyHash {
-        std::size_t operator()(const Key& key) const { return key.low; }
-    };
     Key shape_of(const ir::Expr& node);
 
-    std::unordered_map<Key, ValueNumber, KeyHash> table_;
-    FlatMap<ExprId, ValueNumber> fixed_;
+    /// The numbers of shapes: open addressing, never more than half full. Number 0 is an empty place.
+    struct Slot {
+        Key key;
+        ValueNumber number = 0;
+    };
+    ValueNumber& number_at(const Key& key);
+
+    /// The number of a node, valid at one time, or always where its value is fixed.
+    struct Known {
+        ValueNumber number = 0;
+        std::uint32_t time = 0;
+    };
+    static constexpr std::uint32_t always = 0xffffffffu;
+
+    std::vector<Slot> table_;
+    std::size_t shapes_ = 0;
+    FlatMap<ExprId, Known> known_;
+    std::uint32_t time_ = 0;  ///< counts what may give nodes other numbers
     FlatMap<LocalId, ValueNumber> locals_;
     FlatMap<LocalId, std::uint32_t> versions_;
     FlatMap<std::uint32_t, std::uint32_t> bindings_;

@@ -23,7 +23,8 @@ public:
 private:
     struct Candidate {
         LocalId local;
-        Polynomial polynomial, varying;
+        const Polynomial* polynomial;
+        Polynomial varying;
     };
 
     StmtId statement_(StmtId id);
@@ -48,25 +49,26 @@ bool Strength::is_sum(ExprId id) const {
 /// The sum as an earlier local plus a uniform amount, if there is one such.
 ExprId Strength::relative(ExprId id) {
     if (!is_sum(id) || !numbers_.is_fixed(id) || is_uniform(cx, id)) return {};
-    auto polynomial = polynomials_.of(id);
-    if (!polynomial) return {};
+    const Polynomial* polynomial = polynomials_.of(id);
+    if (polynomial == nullptr) return {};
     Polynomial varying = polynomials_.varying(*polynomial);
     if (varying.empty()) return {};
     // One term alone, as in x + 1, is already as short as it can be.
-    if (varying.size() == 1 && varying.begin()->first.size() == 1 && varying.begin()->second == 1) return {};
+    if (varying.size() == 1 && varying[0].product.size() == 1 && varying[0].factor == 1) return {};
     const Candidate* best = nullptr;
     Polynomials::Difference nearest;
     for (const Candidate& candidate : candidates_) {
         if (candidate.varying != varying) continue;
-        auto difference = polynomials_.difference(*polynomial, candidate.polynomial);
+        auto difference = Polynomials::difference(*polynomial, *candidate.polynomial);
         if (best && difference.operations >= nearest.operations) continue;
         best = &candidate;
-        nearest = difference;
+        nearest = std::move(difference);
     }
     if (!best) return {};
     ExprId base = cx.make.local(best->local);
-    if (!nearest.amount) return base;
-    return cx.make.binary(nearest.is_negative ? BinaryOp::subtract : BinaryOp::add, base, nearest.amount);
+    ExprId amount = polynomials_.expression(nearest.terms);
+    if (!amount) return base;
+    return cx.make.binary(nearest.is_negative ? BinaryOp::subtract : BinaryOp::add, base, amount);
 }
 
 /// c ? base + step : base is base + (c ? step : 0): one choice between small values, no branch.
@@ -109,9 +111,9 @@ StmtId Strength::statement_(StmtId id) {
     if (copy.op == StmtOp::let && copy.value && !cx.p.locals[copy.local].is_mutable) {
         cx.definitions[copy.local] = copy.value;
         if (cx.make.type(before) == cx.p.types.uint && is_sum(before) && numbers_.is_fixed(before)) {
-            if (auto polynomial = polynomials_.of(before)) {
+            if (const Polynomial* polynomial = polynomials_.of(before)) {
                 Polynomial varying = polynomials_.varying(*polynomial);
-                if (!varying.empty()) candidates_.push_back({copy.local, std::move(*polynomial), std::move(varying)});
+                if (!varying.empty()) candidates_.push_back({copy.local, polynomial, std::move(varying)});
             }
         }
     }
