@@ -67,7 +67,8 @@ public:
         for (std::uint32_t i = 0; i < size_; ++i) at(i).~T();
     }
 
-    Id<T> add(T value) {
+    Id<T> add(const T& value) { return add(T(value)); }
+    Id<T> add(T&& value) {
         if (size_ >> shift == blocks_.size()) blocks_.push_back(std::make_unique_for_overwrite<Block>());
         new (place(size_)) T(std::move(value));
         return {size_++};

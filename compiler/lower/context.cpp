@@ -25,8 +25,12 @@ ExprId Context::parameter_expr(std::uint32_t slot) {
 }
 
 LocalId Context::new_local(std::string_view name, TypeId type, Span span, bool is_mutable) {
+    return new_local(p.names->intern(name), type, span, is_mutable);
+}
+
+LocalId Context::new_local(Name name, TypeId type, Span span, bool is_mutable) {
     Local local;
-    local.name = p.names->intern(name);
+    local.name = name;
     local.type = type;
     local.span = span;
     local.is_mutable = is_mutable;

@@ -173,7 +173,7 @@ Pair Expander::expand(ExprId id) {
 }
 
 Pair Expander::expand_local(const Expr& node) {
-    if (auto found = frame_->locals.find(node.local); found != frame_->locals.end()) return found->second;
+    if (const Pair* found = frame_->locals.find(node.local)) return *found;
     // A value parameter or workgroup memory of the kernel.
     return {without_empty(make.local(node.local)), {}};
 }

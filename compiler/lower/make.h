@@ -46,6 +46,14 @@ public:
     /// `node` with other operands: the same operation, folded.
     ExprId again(const ir::Expr& node, Operands operands);
 
+    /// What a statement is made of.
+    struct Parts {
+        ExprId target, value, limit;
+        std::vector<StmtId> body, otherwise;
+    };
+    /// The statement with other parts: itself where they are its own.
+    StmtId again(StmtId id, Parts parts);
+
     /// Whether `id` is a constant; does not compute.
     bool is_constant(ExprId id) const;
     /// The value where `id` is a scalar constant.
@@ -57,9 +65,10 @@ public:
     ir::Program& p;
 
 private:
-    ExprId make(ir::Expr node);
-    ExprId folded(ir::Expr node);
-    std::optional<ExprId> simpler_binary(const ir::Expr& node);
+    ExprId make(ir::Expr&& node) { return p.exprs.add(std::move(node)); }
+    ExprId folded(ir::Expr&& node);
+    ExprId with_operands(const ir::Expr& node, Operands operands);
+    std::optional<ExprId> simpler_binary(const ir::Expr& node, ExprId a, ExprId b);
     std::optional<ExprId> simpler_component(ExprId vector, std::uint32_t lane);
     bool is_number(ExprId id, double value) const;
 };

@@ -63,7 +63,7 @@ Numbers::Key Numbers::shape_of(const Expr& node) {
         break;
     case Op::local:
         key.mix(node.local.index);
-        key.mix(versions_[node.local]);
+        key.mix(version_of(node.local));
         break;
     case Op::unary: key.mix(static_cast<std::uint64_t>(node.unary)); break;
     case Op::binary: key.mix(static_cast<std::uint64_t>(node.binary)); break;
@@ -85,7 +85,7 @@ Numbers::Key Numbers::shape_of(const Expr& node) {
     case Op::image_load:
     case Op::image_sample:
         key.mix(node.slot);
-        key.mix(bindings_[node.slot]);
+        key.mix(version_of(node.slot));
         break;
     case Op::builtin: key.mix(static_cast<std::uint64_t>(node.builtin)); break;
     default: break;  // told apart by op, type and operands
@@ -129,24 +129,33 @@ ValueNumber Numbers::of(ExprId id) {
 }
 
 void Numbers::change_all(const std::vector<StmtId>& body) {
-    for_each_statement(cx.p, body, [&](const Stmt& stmt) {
-        if (stmt.op == StmtOp::assign) {
-            ExprId root = stmt.target;
-            while (cx.p.exprs[root].op != Op::local) root = cx.p.exprs[root].operands[0];
-            change(cx.p.exprs[root].local);
-        }
-        if (stmt.op == StmtOp::store || stmt.op == StmtOp::image_store || stmt.op == StmtOp::atomic)
-            change_binding(stmt.slot);
-        if (stmt.op == StmtOp::barrier) {
-            for (std::uint32_t i = 0; i < cx.pass.bindings.size(); ++i) change_binding(i);
-            for (LocalId local : cx.pass.shared) change(local);
-        }
-        // Atomic operations write workgroup memory.
-        bool has_atomic = false;
-        for_each_root(stmt, [&](ExprId root) { has_atomic = has_atomic || !is_pure(root); });
-        if (has_atomic)
-            for (LocalId local : cx.pass.shared) change(local);
-    });
+    for (StmtId id : body) change_all(cx.p.stmts[id]);
+}
+
+void Numbers::change_all(const Stmt& stmt) {
+    change_by(stmt);
+    change_all(stmt.body);
+    change_all(stmt.otherwise);
+}
+
+/// Without the statements inside it.
+void Numbers::change_by(const Stmt& stmt) {
+    if (stmt.op == StmtOp::assign) {
+        ExprId root = stmt.target;
+        while (cx.p.exprs[root].op != Op::local) root = cx.p.exprs[root].operands[0];
+        change(cx.p.exprs[root].local);
+    }
+    if (stmt.op == StmtOp::store || stmt.op == StmtOp::image_store || stmt.op == StmtOp::atomic)
+        change_binding(stmt.slot);
+    if (stmt.op == StmtOp::barrier) {
+        for (std::uint32_t i = 0; i < cx.pass.bindings.size(); ++i) change_binding(i);
+        for (LocalId local : cx.pass.shared) change(local);
+    }
+    // Atomic operations write workgroup memory.
+    bool has_atomic = false;
+    for_each_root(stmt, [&](ExprId root) { has_atomic = has_atomic || !is_pure(root); });
+    if (has_atomic)
+        for (LocalId local : cx.pass.shared) change(local);
 }
 
 }  // namespace gliftc::lower

@@ -39,6 +39,7 @@ public:
     }
     /// Everything that the statements may change.
     void change_all(const std::vector<StmtId>& body);
+    void change_all(const ir::Stmt& stmt);
 
     /// Whether equal numbers mean equal values: false for what has an effect or differs at each evaluation.
     bool is_pure(ExprId id);
@@ -47,6 +48,7 @@ public:
     bool is_fixed(ExprId id);
 
 private:
+    void change_by(const ir::Stmt& stmt);
     std::uint8_t traits_of(ExprId id);
     Context& cx;
     /// The shape of a node, hashed to 128 bits: two shapes with one hash do not happen.
@@ -55,6 +57,14 @@ private:
         bool operator==(const Key&) const = default;
         void mix(std::uint64_t word);
     };
+    std::uint32_t version_of(LocalId local) const {
+        const std::uint32_t* found = versions_.find(local);
+        return found == nullptr ? 0 : *found;
+    }
+    std::uint32_t version_of(std::uint32_t binding) const {
+        const std::uint32_t* found = bindings_.find(binding);
+        return found == nullptr ? 0 : *found;
+    }
     Key shape_of(const ir::Expr& node);
 
     /// The numbers of shapes: open addressing, never more than half full. Number 0 is an empty place.
@@ -73,10 +83,10 @@ private:
 
     std::vector<Slot> table_;
     std::size_t shapes_ = 0;
-    FlatMap<ExprId, Known> known_;
+    NodeMap<ExprId, Known> known_{cx.first_expr};
     std::uint32_t time_ = 0;  ///< counts what may give nodes other numbers
-    FlatMap<LocalId, ValueNumber> locals_;
-    FlatMap<LocalId, std::uint32_t> versions_;
+    NodeMap<LocalId, ValueNumber> locals_{cx.first_local};
+    NodeMap<LocalId, std::uint32_t> versions_{cx.first_local};
     FlatMap<std::uint32_t, std::uint32_t> bindings_;
     ValueNumber next_ = 0;
 };

@@ -48,7 +48,7 @@ private:
     Numbers& numbers_;
     FlatMap<ValueNumber, ExprId> atoms_;
     FlatMap<ValueNumber, bool> uniform_;
-    FlatMap<ExprId, const Polynomial*> known_;
+    NodeMap<ExprId, const Polynomial*> known_{cx.first_expr};
     std::deque<Polynomial> made_;  ///< what is known; they stay where they are
 };
 

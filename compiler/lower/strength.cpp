@@ -92,7 +92,7 @@ ExprId Strength::around_select(const Expr& node, Operands operands) {
 
 ExprId Strength::visit(ExprId id) {
     if (ExprId shorter = relative(id)) return shorter;
-    const Expr node = cx.p.exprs[id];
+    const Expr& node = cx.p.exprs[id];
     if (node.operands.empty() || is_uniform(cx, id)) return id;
     Operands operands;
     for (ExprId operand : node.operands) operands.push_back(visit(operand));
@@ -102,22 +102,23 @@ ExprId Strength::visit(ExprId id) {
 }
 
 StmtId Strength::statement_(StmtId id) {
-    Stmt copy = cx.p.stmts[id];
-    ExprId before = copy.value;
-    if (copy.value) copy.value = visit(copy.value);
-    if (copy.target && copy.op != StmtOp::assign) copy.target = visit(copy.target);
-    copy.body = run(copy.body);
-    copy.otherwise = run(copy.otherwise);
-    if (copy.op == StmtOp::let && copy.value && !cx.p.locals[copy.local].is_mutable) {
-        cx.definitions[copy.local] = copy.value;
+    const Stmt& stmt = cx.p.stmts[id];
+    Make::Parts parts{stmt.target, stmt.value, stmt.limit, {}, {}};
+    const ExprId before = stmt.value;
+    if (stmt.value) parts.value = visit(stmt.value);
+    if (stmt.target && stmt.op != StmtOp::assign) parts.target = visit(stmt.target);
+    parts.body = run(stmt.body);
+    parts.otherwise = run(stmt.otherwise);
+    if (stmt.op == StmtOp::let && stmt.value && !cx.p.locals[stmt.local].is_mutable) {
+        cx.definitions[stmt.local] = parts.value;
         if (cx.make.type(before) == cx.p.types.uint && is_sum(before) && numbers_.is_fixed(before)) {
             if (const Polynomial* polynomial = polynomials_.of(before)) {
                 Polynomial varying = polynomials_.varying(*polynomial);
-                if (!varying.empty()) candidates_.push_back({copy.local, polynomial, std::move(varying)});
+                if (!varying.empty()) candidates_.push_back({stmt.local, polynomial, std::move(varying)});
             }
         }
     }
-    return cx.add(std::move(copy));
+    return cx.make.again(id, std::move(parts));
 }
 
 }  // namespace
