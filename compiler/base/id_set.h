@@ -12,7 +12,7 @@ namespace gliftc {
 /// Open addressing, never more than half full.
 template <class T> class IdSet {
 public:
-    IdSet() { std::fill(inside_, inside_ + inside_size, empty); }
+    IdSet() { clear(); }
     IdSet(const IdSet&) = delete;
     IdSet& operator=(const IdSet&) = delete;
 
@@ -23,6 +23,12 @@ public:
         slot = id.index;
         if (++count_ * 2 > mask_ + 1) grow();
         return true;
+    }
+    void clear() {
+        std::fill(inside_, inside_ + inside_size, empty);
+        outside_.clear();
+        mask_ = inside_size - 1;
+        count_ = 0;
     }
     bool contains(Id<T> id) const { return slots()[place(id.index)] != empty; }
 

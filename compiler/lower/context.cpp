@@ -37,6 +37,14 @@ LocalId Context::new_local(Name name, TypeId type, Span span, bool is_mutable) {
     return p.locals.add(local);
 }
 
+std::unique_ptr<NumberMemory> Context::take_number_memory() {
+    if (spare_number_memory.empty()) spare_number_memory.push_back(std::make_unique<NumberMemory>(first_expr));
+    std::unique_ptr<NumberMemory> memory = std::move(spare_number_memory.back());
+    spare_number_memory.pop_back();
+    memory->restart();
+    return memory;
+}
+
 const Structure& Context::structure_at(const Place& place) const {
     const Structure* structure = &p.structures[kernel.params[place.root].structure];
     for (std::uint32_t member : place.members) structure = &p.structures[structure->members[member].structure];

@@ -6,9 +6,10 @@
 #include "ir/pass.h"
 #include "lower/lower.h"
 #include "lower/make.h"
-#include "lower/node_map.h"
+#include "lower/number_memory.h"
 
 #include <map>
+#include <memory>
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
@@ -54,6 +55,9 @@ struct Context {
     ExprId size;                                        ///< the iteration's size
     NodeMap<ExprId, bool> uniform{first_expr};
     NodeMap<ExprId, std::uint8_t> traits{first_expr};  ///< of number.h; valid once the bindings' access is settled
+
+    std::vector<std::unique_ptr<NumberMemory>> spare_number_memory;
+    std::unique_ptr<NumberMemory> take_number_memory();
 
     bool is_direct() const { return pass.form == ir::Form::direct; }
     std::uint32_t parameter(ir::ParameterSource source, const std::string& name, TypeId type, std::uint32_t param);

@@ -2,7 +2,6 @@
 
 #include "ir/walk.h"
 
-#include <algorithm>
 #include <bit>
 
 namespace gliftc::lower {
@@ -45,16 +44,9 @@ std::uint8_t Numbers::traits_of(ExprId id) {
     return trait;
 }
 
-void Numbers::Key::mix(std::uint64_t word) {
-    low = (low ^ word) * 0x9e3779b97f4a7c15ull;
-    low ^= low >> 32;
-    high = (high + word + 0x7f4a7c15u) * 0xd6e8feb86659fd93ull;
-    high ^= high >> 29;
-}
-
 /// What tells the node apart besides its operands.
-Numbers::Key Numbers::shape_of(const Expr& node) {
-    Key key;
+ShapeKey Numbers::shape_of(const Expr& node) const {
+    ShapeKey key;
     key.mix(static_cast<std::uint64_t>(node.op) << 32 | node.type.index);
     switch (node.op) {
     case Op::constant:
@@ -93,38 +85,19 @@ Numbers::Key Numbers::shape_of(const Expr& node) {
     return key;
 }
 
-ValueNumber& Numbers::number_at(const Key& key) {
-    const auto place = [&](const Key& of) {
-        std::size_t at = of.low & (table_.size() - 1);
-        while (table_[at].number != 0 && table_[at].key != of) at = (at + 1) & (table_.size() - 1);
-        return at;
-    };
-    if (++shapes_ * 2 > table_.size()) {
-        std::vector<Slot> before(std::max<std::size_t>(128, table_.size() * 2));
-        before.swap(table_);
-        for (const Slot& slot : before)
-            if (slot.number != 0) table_[place(slot.key)] = slot;
-    }
-    Slot& slot = table_[place(key)];
-    if (slot.number != 0) --shapes_;
-    slot.key = key;
-    return slot.number;
-}
-
 ValueNumber Numbers::of(ExprId id) {
-    if (const Known* found = known_.find(id); found != nullptr && (found->time == always || found->time == time_))
-        return found->number;
+    if (ValueNumber number = memory_->known(id)) return number;
     const Expr& node = cx.p.exprs[id];
     if (node.op == Op::local) {
         if (const ValueNumber* found = locals_.find(node.local)) return *found;
     }
-    Key key = shape_of(node);
+    ShapeKey key = shape_of(node);
     if (has_effect(node)) key.mix(++next_ + (std::uint64_t{1} << 32));
     for (ExprId operand : node.operands) key.mix(of(operand));
-    ValueNumber& number = number_at(key);
+    ValueNumber& number = memory_->number_of(key);
     if (number == 0) number = ++next_;
     // What has an effect is another value each time.
-    if (is_pure(id)) known_[id] = {number, is_fixed(id) ? always : time_};
+    if (is_pure(id)) memory_->learn(id, number, is_fixed(id));
     return number;
 }
 

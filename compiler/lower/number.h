@@ -3,6 +3,7 @@
 
 #include "lower/context.h"
 
+#include <memory>
 #include <vector>
 
 namespace gliftc::lower {
@@ -12,30 +13,33 @@ using ValueNumber = std::uint32_t;
 /// Numbers expressions while the statements are walked in order; assignments and writes start new versions.
 class Numbers {
 public:
-    explicit Numbers(Context& context) : cx(context) {}
+    explicit Numbers(Context& context) : cx(context), memory_(context.take_number_memory()) {}
+    Numbers(const Numbers&) = delete;
+    Numbers& operator=(const Numbers&) = delete;
+    ~Numbers() { cx.spare_number_memory.push_back(std::move(memory_)); }
 
     ValueNumber of(ExprId id);
 
     /// The let's local has this number from here on.
     void define(LocalId local, ValueNumber number) {
         locals_[local] = number;
-        ++time_;
+        memory_->note_change();
     }
     /// To walk the same statements again: numbers stay.
     void restart() {
         versions_.clear();
         bindings_.clear();
-        ++time_;
+        memory_->note_change();
     }
     ValueNumber count() const { return next_ + 1; }
     /// The local, or the memory behind a binding, may have changed.
     void change(LocalId local) {
         ++versions_[local];
-        ++time_;
+        memory_->note_change();
     }
     void change_binding(std::uint32_t binding) {
         ++bindings_[binding];
-        ++time_;
+        memory_->note_change();
     }
     /// Everything that the statements may change.
     void change_all(const std::vector<StmtId>& body);
@@ -50,13 +54,6 @@ public:
 private:
     void change_by(const ir::Stmt& stmt);
     std::uint8_t traits_of(ExprId id);
-    Context& cx;
-    /// The shape of a node, hashed to 128 bits: two shapes with one hash do not happen.
-    struct Key {
-        std::uint64_t high = 0, low = 0;
-        bool operator==(const Key&) const = default;
-        void mix(std::uint64_t word);
-    };
     std::uint32_t version_of(LocalId local) const {
         const std::uint32_t* found = versions_.find(local);
         return found == nullptr ? 0 : *found;
@@ -65,26 +62,10 @@ private:
         const std::uint32_t* found = bindings_.find(binding);
         return found == nullptr ? 0 : *found;
     }
-    Key shape_of(const ir::Expr& node);
+    ShapeKey shape_of(const ir::Expr& node) const;
 
-    /// The numbers of shapes: open addressing, never more than half full. Number 0 is an empty place.
-    struct Slot {
-        Key key;
-        ValueNumber number = 0;
-    };
-    ValueNumber& number_at(const Key& key);
-
-    /// The number of a node, valid at one time, or always where its value is fixed.
-    struct Known {
-        ValueNumber number = 0;
-        std::uint32_t time = 0;
-    };
-    static constexpr std::uint32_t always = 0xffffffffu;
-
-    std::vector<Slot> table_;
-    std::size_t shapes_ = 0;
-    NodeMap<ExprId, Known> known_{cx.first_expr};
-    std::uint32_t time_ = 0;  ///< counts what may give nodes other numbers
+    Context& cx;
+    std::unique_ptr<NumberMemory> memory_;
     NodeMap<LocalId, ValueNumber> locals_{cx.first_local};
     NodeMap<LocalId, std::uint32_t> versions_{cx.first_local};
     FlatMap<std::uint32_t, std::uint32_t> bindings_;

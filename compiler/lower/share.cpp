@@ -32,6 +32,7 @@ public:
 
     std::vector<StmtId> run(const std::vector<StmtId>& body) {
         std::vector<StmtId> result;
+        if (rewrites_) result.reserve(body.size());
         Scope scope{*this};
         std::vector<StmtId>* outer = out_;
         out_ = &result;

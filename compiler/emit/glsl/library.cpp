@@ -113,7 +113,7 @@ std::string heading(const Program& program, const Sources& sources, std::uint32_
     const Structure& s = program.structures[structure];
     std::string text = "// " + s.display;
     if (s.span)
-        text += ", " + file_name(sources[s.span.file].path) + ":" + std::to_string(sources.position(s.span).line);
+        text += ", " + file_name(sources[s.span.file].path) + ":" + std::to_string(sources.line_of(s.span));
     return text + ".\n// Define before including: " + macro + "_SET, " + macro +
            "_BINDING (the state; memory k follows at + 1 + k), " + macro + "_STATE, " + macro + "_READONLY.\n";
 }

@@ -182,7 +182,7 @@ void line(Printer& p, std::string text) {
 
 void mark_line(Printer& p, Span span) {
     if (!span) return;
-    std::uint32_t number = p.sources.position(span).line;
+    std::uint32_t number = p.sources.line_of(span);
     std::string file = file_name(p.sources[span.file].path);
     if (p.options.lines == LineMarks::directives) {
         p.out += "#line " + std::to_string(number) + " \"" + file + "\"\n";
