@@ -36,6 +36,7 @@ Polynomial scaled_sum(const Polynomial& a, const Polynomial& b, std::uint32_t fa
 }
 
 Polynomial product_of(const Polynomial& a, const Polynomial& b) {
+    if (a.size() == 1 && a[0].product.empty()) return scaled_sum({}, b, a[0].factor);
     Polynomial result;
     for (const Term& left : a) {
         Polynomial row;
@@ -47,7 +48,7 @@ Polynomial product_of(const Polynomial& a, const Polynomial& b) {
             if (both.factor != 0) row.push_back(std::move(both));
         }
         std::sort(row.begin(), row.end(), [](const Term& x, const Term& y) { return order(x, y) < 0; });
-        result = scaled_sum(result, row, 1);
+        result = result.empty() ? std::move(row) : scaled_sum(result, row, 1);
     }
     return result;
 }
@@ -87,7 +88,7 @@ const Polynomial* Polynomials::of(ExprId id) {
 bool Polynomials::find(ExprId id, Polynomial& result) {
     const Expr& node = cx.p.exprs[id];
     if (node.op == Op::constant) {
-        if (node.bits) result = {{{}, static_cast<std::uint32_t>(node.bits)}};
+        if (node.bits) result.push_back({{}, static_cast<std::uint32_t>(node.bits)});
         return true;
     }
     const bool is_sum = node.op == Op::binary && (node.binary == BinaryOp::add || node.binary == BinaryOp::subtract);
@@ -95,7 +96,7 @@ bool Polynomials::find(ExprId id, Polynomial& result) {
     const bool is_shift = node.op == Op::binary && node.binary == BinaryOp::shift_left &&
                           cx.make.bits_of(node.operands[1]).value_or(32) < 32;
     if (!is_sum && !is_product && !is_shift) {
-        result = {{{atom(id)}, 1u}};
+        result.push_back({{atom(id)}, 1u});
         return true;
     }
     const Polynomial* a = of(node.operands[0]);
@@ -112,6 +113,7 @@ bool Polynomials::find(ExprId id, Polynomial& result) {
 
 Polynomial Polynomials::varying(const Polynomial& polynomial) const {
     Polynomial result;
+    result.reserve(polynomial.size());
     for (const Term& term : polynomial)
         if (std::any_of(term.product.begin(), term.product.end(),
                         [&](ValueNumber atom) { return !*uniform_.find(atom); }))

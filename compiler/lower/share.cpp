@@ -27,6 +27,8 @@ public:
     Sharing(Context& context, Numbers& numbers, std::vector<Record>& records, const std::vector<ExprId>& facts,
             bool rewrites)
         : cx(context), numbers_(numbers), records_(records), rewrites_(rewrites) {
+        undo_.reserve(64);
+        available_.reserve(256);
         for (ExprId fact : facts) known_.emplace(numbers_.of(fact), true);
     }
 
@@ -316,6 +318,7 @@ void Sharing::statement_(StmtId id) {
 
 std::vector<StmtId> share(Context& cx, const std::vector<StmtId>& body, const std::vector<ExprId>& facts) {
     std::vector<Record> records;
+    records.reserve(64);
     Numbers numbers(cx);
     Sharing(cx, numbers, records, facts, false).run(body);
     numbers.restart();
