@@ -73,7 +73,10 @@ public:
         if (count != 0) std::memcpy(static_cast<void*>(data() + size_), values, count * sizeof(T));
         size_ += static_cast<std::uint32_t>(count);
     }
-    void append(const SmallVector& other) { append(other.data(), other.size_); }
+    void append(const SmallVector& other) {
+        reserve(std::size_t{size_} + other.size_);  // the other may be this one
+        append(other.data(), other.size_);
+    }
     void assign(std::size_t count, T value) {
         clear();
         for (reserve(count); size_ < count;) push_back(value);

@@ -80,8 +80,7 @@ void emit_shaders(const Options& options, const Compilation& c, std::uint32_t mo
 void emit_cpp(const Options& options, const Compilation& c, std::uint32_t module, const std::string& base,
               const std::vector<ShaderSet>& shaders, const cpp::Options& cpp, std::vector<Output>& outputs) {
     std::vector<cpp::KernelCode> code(shaders.size());
-    for (std::size_t k = 0; k < shaders.size(); ++k)
-        code[k] = {shaders[k].direct, shaders[k].general, shaders[k].wide};
+    for (std::size_t k = 0; k < shaders.size(); ++k) code[k] = {shaders[k].direct, shaders[k].general, shaders[k].wide};
     if (options.host_only || !options.wants(Target::cpp)) code.clear();
     cpp::Module written = cpp::module_of(c.program, c.lowered, c.sources, module, code, cpp);
     outputs.push_back({base + ".glift.hpp", styled(options, std::move(written.header))});
@@ -136,7 +135,8 @@ std::vector<Output> emit(const Options& options, const Compilation& c) {
                 made.push_back({base + ".glift.json", json::reflection_of(c.program, c.lowered, c.sources, m)});
             return made;
         });
-        if (options.wants(Target::cpp) || options.wants(Target::host)) emit_cpp(options, c, m, base, shaders, cpp, outputs);
+        if (options.wants(Target::cpp) || options.wants(Target::host))
+            emit_cpp(options, c, m, base, shaders, cpp, outputs);
         std::ranges::move(others.get(), std::back_inserter(outputs));
     }
     return outputs;

@@ -17,8 +17,7 @@ template <class Visit> void for_each_statement(const Program& program, const std
 }
 
 namespace detail {
-template <class Visit>
-void walk_nodes(const Program& program, ExprId id, IdSet<Expr>& seen, Visit& visit) {
+template <class Visit> void walk_nodes(const Program& program, ExprId id, IdSet<Expr>& seen, Visit& visit) {
     if (!id || !seen.insert(id)) return;
     visit(id);
     for (ExprId operand : program.exprs[id].operands) walk_nodes(program, operand, seen, visit);

@@ -47,14 +47,15 @@ public:
         : p(program), mark_(mark), exprs_(program.exprs, mark.exprs), stmts_(program.stmts, mark.stmts) {}
 
     void run(std::span<Pass* const> passes) {
-        for_each_root(passes, [&](ExprId& id) { keep(id); }, [&](std::vector<StmtId>& body) { keep(body); });
+        for_each_root(
+            passes, [&](ExprId& id) { keep(id); }, [&](std::vector<StmtId>& body) { keep(body); });
         exprs_.close_gaps();
         stmts_.close_gaps();
         for (std::uint32_t i = mark_.exprs; i < p.exprs.size(); ++i)
             for (ExprId& operand : p.exprs[{i}].operands) exprs_.renumber(operand);
         for (std::uint32_t i = mark_.stmts; i < p.stmts.size(); ++i) renumber(p.stmts[{i}]);
-        for_each_root(passes, [&](ExprId& id) { exprs_.renumber(id); },
-                      [&](std::vector<StmtId>& body) { renumber(body); });
+        for_each_root(
+            passes, [&](ExprId& id) { exprs_.renumber(id); }, [&](std::vector<StmtId>& body) { renumber(body); });
     }
 
 private:

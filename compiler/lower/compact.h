@@ -1,5 +1,5 @@
-// Takes out of the program what only led to a pass. Each step of lowering makes nodes anew, so that nine of ten belong to
-// no pass in the end; without them the next kernel is lowered in memory that is in the caches already.
+// Takes out of the program what only led to a pass. Each step of lowering makes nodes anew, so that nine of ten belong
+// to no pass in the end; without them the next kernel is lowered in memory that is in the caches already.
 #pragma once
 
 #include "ir/pass.h"

@@ -29,8 +29,8 @@ struct FunctionKey {
 
 struct Context {
     Context(ir::Program& program, const ir::Kernel& kernel, ir::Pass& pass, Diagnostics& diagnostics, Checks checks)
-        : p(program), kernel(kernel), pass(pass), diagnostics(diagnostics), checks(checks), make(program),
-          first_expr{program.exprs.size()}, first_local{program.locals.size()} {}
+        : p(program), kernel(kernel), pass(pass), diagnostics(diagnostics), checks(checks),
+          make(program), first_expr{program.exprs.size()}, first_local{program.locals.size()} {}
 
     ir::Program& p;
     const ir::Kernel& kernel;

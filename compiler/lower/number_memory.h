@@ -1,5 +1,5 @@
-// What value numbering remembers. Every pass numbers a body anew; entries carry the time at which they were made, so that
-// memory that one pass filled is empty for the next without being cleared.
+// What value numbering remembers. Every pass numbers a body anew; entries carry the time at which they were made, so
+// that memory that one pass filled is empty for the next without being cleared.
 #pragma once
 
 #include "ir/ir.h"

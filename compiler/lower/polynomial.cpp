@@ -124,8 +124,7 @@ Polynomial Polynomials::varying(const Polynomial& polynomial) const {
 Polynomials::Difference Polynomials::difference(const Polynomial& a, const Polynomial& b) {
     Difference result{scaled_sum(a, b, ~0u)};
     auto is_minus = [](const Term& term) { return term.factor > 0x80000000u; };
-    result.is_negative =
-        !result.terms.empty() && std::all_of(result.terms.begin(), result.terms.end(), is_minus);
+    result.is_negative = !result.terms.empty() && std::all_of(result.terms.begin(), result.terms.end(), is_minus);
     for (Term& term : result.terms) {
         if (result.is_negative) term.factor = 0 - term.factor;
         result.operations += static_cast<unsigned>(term.product.size()) + 1;

@@ -15,8 +15,8 @@ namespace {
 /// One value that may be used more than once.
 struct Record {
     std::uint32_t uses = 0;
-    LocalId local;  ///< that holds it, once it is declared
-    Name name;      ///< that the source gave it, if any
+    LocalId local;        ///< that holds it, once it is declared
+    Name name;            ///< that the source gave it, if any
     bool is_let = false;  ///< the source gives it a local
 };
 
@@ -243,8 +243,7 @@ void Sharing::let_(StmtId id) {
     if (std::uint32_t found = available(number); found != none) {
         Record& record = records_[found];
         ++record.uses;
-        if (!record.is_let && !rewrites_)
-            record.name = cx.p.locals[stmt.local].name, record.is_let = true;
+        if (!record.is_let && !rewrites_) record.name = cx.p.locals[stmt.local].name, record.is_let = true;
         numbers_.define(stmt.local, number);
         if (rewrites_ && record.local) {
             renamed_[stmt.local] = record.local;

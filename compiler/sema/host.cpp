@@ -80,8 +80,7 @@ Operand no_value(Body& body, Span span) {
     return value_operand(body, add(body.program(), ir::Op::constant, body.types().void_, span), span);
 }
 
-std::optional<ir::Operands> kernel_arguments(Body& body, std::uint32_t kernel_index,
-                                                        std::vector<Argument>& arguments) {
+std::optional<ir::Operands> kernel_arguments(Body& body, std::uint32_t kernel_index, std::vector<Argument>& arguments) {
     Context& c = body.context;
     ir::Operands values;
     for (std::size_t i = 0; i < arguments.size(); ++i) {

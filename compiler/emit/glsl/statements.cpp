@@ -85,8 +85,7 @@ void print_if(Printer& p, const Stmt& stmt, const std::string& before) {
     print_block(p, stmt.body);
     if (stmt.otherwise.empty()) return line(p, "}");
     const Stmt& only = p.program.stmts[stmt.otherwise[0]];
-    if (stmt.otherwise.size() == 1 && only.op == StmtOp::if_)
-        return print_if(p, only, "} else ");
+    if (stmt.otherwise.size() == 1 && only.op == StmtOp::if_) return print_if(p, only, "} else ");
     line(p, "} else {");
     print_block(p, stmt.otherwise);
     line(p, "}");
@@ -157,8 +156,7 @@ bool is_about_nothing(const Printer& p, const Stmt& stmt) {
     return stmt.op == StmtOp::evaluate && is_empty(p.program, p.program.exprs[stmt.value].type);
 }
 
-void print_comment(Printer& p, const Stmt& stmt) {
-}
+void print_comment(Printer& p, const Stmt& stmt) {}
 
 }  // namespace
 
