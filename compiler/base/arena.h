@@ -67,10 +67,15 @@ public:
         for (std::uint32_t i = 0; i < size_; ++i) at(i).~T();
     }
 
-    Id<T> add(T value) {
-        if ((size_ & mask) == 0) blocks_.push_back(std::make_unique_for_overwrite<Block>());
+    Id<T> add(const T& value) { return add(T(value)); }
+    Id<T> add(T&& value) {
+        if (size_ >> shift == blocks_.size()) blocks_.push_back(std::make_unique_for_overwrite<Block>());
         new (place(size_)) T(std::move(value));
         return {size_++};
+    }
+    /// Forgets the values from this one on; their memory is used for those that come next.
+    void truncate(std::uint32_t size) {
+        while (size_ > size) at(--size_).~T();
     }
     T& operator[](Id<T> id) {
         assert(id.index < size_);

@@ -8,7 +8,10 @@
 #include "emit/json/emit.h"
 #include "interop/interop.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <future>
+#include <iterator>
 #include <set>
 #include <stdexcept>
 
@@ -74,6 +77,16 @@ void emit_shaders(const Options& options, const Compilation& c, std::uint32_t mo
     }
 }
 
+void emit_cpp(const Options& options, const Compilation& c, std::uint32_t module, const std::string& base,
+              const std::vector<ShaderSet>& shaders, const cpp::Options& cpp, std::vector<Output>& outputs) {
+    std::vector<cpp::KernelCode> code(shaders.size());
+    for (std::size_t k = 0; k < shaders.size(); ++k) code[k] = {shaders[k].direct, shaders[k].general, shaders[k].wide};
+    if (options.host_only || !options.wants(Target::cpp)) code.clear();
+    cpp::Module written = cpp::module_of(c.program, c.lowered, c.sources, module, code, cpp);
+    outputs.push_back({base + ".glift.hpp", styled(options, std::move(written.header))});
+    outputs.push_back({base + ".glift.cpp", styled(options, std::move(written.source))});
+}
+
 /// Functions of the public structures, to include in shaders of one's own: `laplacian.Field.glsl`.
 void emit_libraries(const Compilation& c, std::uint32_t module, const std::string& base, std::vector<Output>& outputs) {
     for (const ir::Library& library : c.lowered.libraries)
@@ -113,19 +126,18 @@ std::vector<Output> emit(const Options& options, const Compilation& c) {
         if (!bases.insert(base).second)
             throw std::runtime_error("two files on the command line are called '" + base + "'");
         std::vector<ShaderSet> shaders = compile_shaders(c, kernels_with_code(options, c, m, cpp), options.optimize);
-        if (options.wants(Target::cpp) || options.wants(Target::host)) {
-            std::vector<cpp::KernelCode> code(shaders.size());
-            for (std::size_t k = 0; k < shaders.size(); ++k)
-                code[k] = {shaders[k].direct, shaders[k].general, shaders[k].wide};
-            if (options.host_only || !options.wants(Target::cpp)) code.clear();
-            cpp::Module written = cpp::module_of(c.program, c.lowered, c.sources, m, code, cpp);
-            outputs.push_back({base + ".glift.hpp", styled(options, std::move(written.header))});
-            outputs.push_back({base + ".glift.cpp", styled(options, std::move(written.source))});
-        }
-        emit_shaders(options, c, m, base, shaders, outputs);
-        emit_libraries(c, m, base, outputs);
-        if (options.wants(Target::json))
-            outputs.push_back({base + ".glift.json", json::reflection_of(c.program, c.lowered, c.sources, m)});
+        // C++ takes as long as all else together.
+        auto others = std::async(std::launch::async, [&] {
+            std::vector<Output> made;
+            emit_shaders(options, c, m, base, shaders, made);
+            emit_libraries(c, m, base, made);
+            if (options.wants(Target::json))
+                made.push_back({base + ".glift.json", json::reflection_of(c.program, c.lowered, c.sources, m)});
+            return made;
+        });
+        if (options.wants(Target::cpp) || options.wants(Target::host))
+            emit_cpp(options, c, m, base, shaders, cpp, outputs);
+        std::ranges::move(others.get(), std::back_inserter(outputs));
     }
     return outputs;
 }

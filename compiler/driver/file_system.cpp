@@ -47,6 +47,22 @@ ReadResult read_from_disk(const std::string& path) {
     return {std::move(text), {}};
 }
 
+/// Whether the file holds these bytes; read piece by piece, so that a large one needs no memory.
+bool holds(const std::string& path, std::string_view bytes) {
+    struct stat info {};
+    if (stat(path.c_str(), &info) != 0 || static_cast<std::size_t>(info.st_size) != bytes.size()) return false;
+    Descriptor file{open(path.c_str(), O_RDONLY | O_CLOEXEC)};
+    if (file.number < 0) return false;
+    char piece[1 << 14];
+    while (!bytes.empty()) {
+        const ssize_t got = ::read(file.number, piece, sizeof piece);
+        if (got < 0 && errno == EINTR) continue;
+        if (got <= 0 || !bytes.starts_with(std::string_view(piece, static_cast<std::size_t>(got)))) return false;
+        bytes.remove_prefix(static_cast<std::size_t>(got));
+    }
+    return true;
+}
+
 bool is_file(const std::string& path) {
     struct stat info {};
     return stat(path.c_str(), &info) == 0 && !S_ISDIR(info.st_mode);
@@ -82,10 +98,7 @@ FileSystem only_text(std::string text) {
 }
 
 std::optional<std::string> write_if_changed(const std::string& path, const std::string& bytes) {
-    if (is_file(path)) {
-        ReadResult before = read_from_disk(path);
-        if (before.error.empty() && before.text == bytes) return std::nullopt;
-    }
+    if (holds(path, bytes)) return std::nullopt;
     std::error_code error;
     if (fs::path parent = fs::path(path).parent_path(); !parent.empty()) fs::create_directories(parent, error);
     std::FILE* file = std::fopen(path.c_str(), "wb");

@@ -99,7 +99,11 @@ private:
     enum class Flow { next, break_, continue_, return_, stuck };
     using Frame = std::unordered_map<LocalId, Value>;
 
-    Value zero(TypeId type) { return {type, std::vector<Lane>(lane_count(program_, type))}; }
+    Value zero(TypeId type) {
+        Value value{type, {}};
+        value.lanes.assign(lane_count(program_, type), Lane{});
+        return value;
+    }
     std::optional<Value> construct(const Expr& expr);
     std::optional<Value> binary(const Expr& expr);
     std::optional<Value> intrinsic(const Expr& expr);
@@ -179,7 +183,7 @@ std::optional<Value> Interpreter::value_of(ExprId id) {
         auto value = value_of(expr.operands[0]);
         if (!value) return std::nullopt;
         Value result{expr.type, {Lane{.bits = 1}}};
-        result.lanes.insert(result.lanes.end(), value->lanes.begin(), value->lanes.end());
+        result.lanes.append(value->lanes);
         return result;
     }
     case Op::has_value: {
@@ -201,7 +205,7 @@ std::optional<Value> Interpreter::construct(const Expr& expr) {
     for (ExprId operand : expr.operands) {
         auto value = value_of(operand);
         if (!value) return std::nullopt;
-        result.lanes.insert(result.lanes.end(), value->lanes.begin(), value->lanes.end());
+        result.lanes.append(value->lanes);
     }
     std::size_t wanted = lane_count(program_, expr.type);
     if (result.lanes.size() == 1 && wanted > 1 && types_.is_vector(expr.type))

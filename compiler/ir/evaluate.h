@@ -20,7 +20,7 @@ struct Lane {
 /// flag first, then the value's lanes (zeros for none).
 struct Value {
     TypeId type;
-    std::vector<Lane> lanes;
+    SmallVector<Lane, 4> lanes;
     bool operator==(const Value&) const = default;
 
     std::uint64_t bits() const { return lanes.empty() ? 0 : lanes[0].bits; }

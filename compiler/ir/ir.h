@@ -7,6 +7,7 @@
 
 #include "base/arena.h"
 #include "base/name.h"
+#include "base/small_vector.h"
 #include "ir/intrinsics.h"
 #include "ir/types.h"
 #include "source/source.h"
@@ -27,6 +28,7 @@ using ExprId = Id<Expr>;
 using StmtId = Id<Stmt>;
 using LocalId = Id<Local>;
 using FunctionId = Id<Function>;
+using Operands = SmallVector<ExprId, 4>;
 
 /// A structure seen from a function or kernel: structure parameter `root`, then nested structure members by index.
 /// In a structure's own expressions (memory sizes, via arguments, …) root 0 is the structure itself; in a translator's
@@ -36,7 +38,7 @@ using FunctionId = Id<Function>;
 /// host_read, slice, …).
 struct Place {
     std::uint32_t root = 0;
-    std::vector<std::uint32_t> members;
+    SmallVector<std::uint32_t, 4> members;
     bool operator==(const Place&) const = default;
 };
 
@@ -151,7 +153,7 @@ struct Expr {
     Op op = Op::constant;
     TypeId type;
     Span span;
-    std::vector<ExprId> operands;
+    Operands operands;
     std::uint64_t bits = 0;
     double number = 0;
     LocalId local;
@@ -219,13 +221,12 @@ struct Stmt {
     ExprId limit;
     std::vector<StmtId> body;
     std::vector<StmtId> otherwise;
-    std::vector<ExprId> arguments;
+    Operands arguments;
     std::vector<LocalId> locals;  ///< release
     bool unrolled = false;        ///< for_: shaders ask for it to be unrolled
     std::uint32_t slot = 0;
     Combine combine = Combine::replace;
     Place place;
-    std::string comment;  ///< printed before the statement where not empty (lowering says what it did)
 };
 
 enum class Storage : std::uint8_t { value, shared };

@@ -101,7 +101,7 @@ public:
     unsigned indent_ = 0;
 
 private:
-    std::string list(const std::vector<ExprId>& operands, std::size_t from = 0);
+    std::string list(const Operands& operands, std::size_t from = 0);
     std::string place(const Place& place);
     std::string local(LocalId id);
     std::string low(const Expr& node);
@@ -121,7 +121,7 @@ private:
     std::unordered_map<std::string, unsigned> taken_;
 };
 
-std::string Printer::list(const std::vector<ExprId>& operands, std::size_t from) {
+std::string Printer::list(const Operands& operands, std::size_t from) {
     std::string text;
     for (std::size_t i = from; i < operands.size(); ++i) text += (i > from ? ", " : "") + expr(operands[i]);
     return text;
@@ -233,7 +233,6 @@ void Printer::body(const std::vector<StmtId>& body) {
 }
 
 void Printer::stmt(const Stmt& stmt) {
-    if (!stmt.comment.empty()) line("// " + stmt.comment);
     switch (stmt.op) {
     case StmtOp::let: {
         const Local& of = p.locals[stmt.local];

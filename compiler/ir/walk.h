@@ -1,9 +1,8 @@
 // Walks over statements and expressions.
 #pragma once
 
+#include "base/id_set.h"
 #include "ir/ir.h"
-
-#include <unordered_set>
 
 namespace gliftc::ir {
 
@@ -18,9 +17,8 @@ template <class Visit> void for_each_statement(const Program& program, const std
 }
 
 namespace detail {
-template <class Visit>
-void walk_nodes(const Program& program, ExprId id, std::unordered_set<ExprId>& seen, Visit& visit) {
-    if (!id || !seen.insert(id).second) return;
+template <class Visit> void walk_nodes(const Program& program, ExprId id, IdSet<Expr>& seen, Visit& visit) {
+    if (!id || !seen.insert(id)) return;
     visit(id);
     for (ExprId operand : program.exprs[id].operands) walk_nodes(program, operand, seen, visit);
 }
@@ -28,7 +26,7 @@ void walk_nodes(const Program& program, ExprId id, std::unordered_set<ExprId>& s
 
 /// Calls visit(ExprId) once for every node of an expression.
 template <class Visit> void for_each_node(const Program& program, ExprId id, Visit&& visit) {
-    std::unordered_set<ExprId> seen;
+    IdSet<Expr> seen;
     detail::walk_nodes(program, id, seen, visit);
 }
 
@@ -43,7 +41,7 @@ template <class Visit> void for_each_root(const Stmt& stmt, Visit&& visit) {
 /// Calls visit(ExprId) once for every node of every expression of the statements.
 template <class Visit>
 void for_each_expression(const Program& program, const std::vector<StmtId>& body, Visit&& visit) {
-    std::unordered_set<ExprId> seen;
+    IdSet<Expr> seen;
     for_each_statement(program, body, [&](const Stmt& stmt) {
         for_each_root(stmt, [&](ExprId id) { detail::walk_nodes(program, id, seen, visit); });
     });

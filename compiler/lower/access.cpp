@@ -223,7 +223,7 @@ ExprId Expander::near(const Expr& node) {
     for (std::int64_t part : *offset) is_centre = is_centre && part == 0;
     if (is_centre) return element(place.root, node.span);
     TypeId address_type = make.type(centre_address(place.root));
-    std::vector<ExprId> parts;
+    Operands parts;
     for (std::int64_t part : *offset) parts.push_back(make.uint(static_cast<std::uint32_t>(part)));
     ExprId step = parts.size() == 1 ? parts[0] : make.construct(address_type, std::move(parts));
     ExprId address = make.add(centre_address(place.root), step);

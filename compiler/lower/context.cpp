@@ -25,12 +25,24 @@ ExprId Context::parameter_expr(std::uint32_t slot) {
 }
 
 LocalId Context::new_local(std::string_view name, TypeId type, Span span, bool is_mutable) {
+    return new_local(p.names->intern(name), type, span, is_mutable);
+}
+
+LocalId Context::new_local(Name name, TypeId type, Span span, bool is_mutable) {
     Local local;
-    local.name = p.names->intern(name);
+    local.name = name;
     local.type = type;
     local.span = span;
     local.is_mutable = is_mutable;
     return p.locals.add(local);
+}
+
+std::unique_ptr<NumberMemory> Context::take_number_memory() {
+    if (spare_number_memory.empty()) spare_number_memory.push_back(std::make_unique<NumberMemory>(first_expr));
+    std::unique_ptr<NumberMemory> memory = std::move(spare_number_memory.back());
+    spare_number_memory.pop_back();
+    memory->restart();
+    return memory;
 }
 
 const Structure& Context::structure_at(const Place& place) const {

@@ -1,13 +1,15 @@
 // What the passes over one kernel in one form share.
 #pragma once
 
+#include "base/id_set.h"
 #include "diag/diagnostics.h"
 #include "ir/pass.h"
-#include "lower/flat_map.h"
 #include "lower/lower.h"
 #include "lower/make.h"
+#include "lower/number_memory.h"
 
 #include <map>
+#include <memory>
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
@@ -27,7 +29,8 @@ struct FunctionKey {
 
 struct Context {
     Context(ir::Program& program, const ir::Kernel& kernel, ir::Pass& pass, Diagnostics& diagnostics, Checks checks)
-        : p(program), kernel(kernel), pass(pass), diagnostics(diagnostics), checks(checks), make(program) {}
+        : p(program), kernel(kernel), pass(pass), diagnostics(diagnostics), checks(checks),
+          make(program), first_expr{program.exprs.size()}, first_local{program.locals.size()} {}
 
     ir::Program& p;
     const ir::Kernel& kernel;
@@ -35,25 +38,32 @@ struct Context {
     Diagnostics& diagnostics;
     Checks checks;
     Make make;
+    /// What was made before does not belong to this pass alone.
+    ExprId first_expr;
+    LocalId first_local;
 
     /// The value of each immutable local that a `let` of this pass declares.
-    FlatMap<LocalId, ExprId> definitions;
+    NodeMap<LocalId, ExprId> definitions{first_local};
     /// What a value was called in the source; used where it gets a name of its own.
-    FlatMap<ExprId, Name> names;
+    NodeMap<ExprId, Name> names{first_expr};
     void name(ExprId id, std::string_view text) { names.emplace(id, p.names->intern(text)); }
     /// Locals that no source names: made for values used more than once.
-    std::unordered_set<LocalId> made;
+    IdSet<ir::Local> made;
     std::map<FunctionKey, ir::FunctionId> instances;
     std::unordered_set<ir::FunctionId> made_functions;  ///< the values of instances: they may load
     std::vector<LocalId> params;                        ///< of the function whose body is being simplified
     ExprId size;                                        ///< the iteration's size
-    FlatMap<ExprId, bool> uniform;
-    FlatMap<ExprId, std::uint8_t> traits;  ///< of number.h; valid once the bindings' access is settled
+    NodeMap<ExprId, bool> uniform{first_expr};
+    NodeMap<ExprId, std::uint8_t> traits{first_expr};  ///< of number.h; valid once the bindings' access is settled
+
+    std::vector<std::unique_ptr<NumberMemory>> spare_number_memory;
+    std::unique_ptr<NumberMemory> take_number_memory();
 
     bool is_direct() const { return pass.form == ir::Form::direct; }
     std::uint32_t parameter(ir::ParameterSource source, const std::string& name, TypeId type, std::uint32_t param);
     ExprId parameter_expr(std::uint32_t slot);
     StmtId add(ir::Stmt stmt) { return p.stmts.add(std::move(stmt)); }
+    LocalId new_local(Name name, TypeId type, Span span, bool is_mutable = false);
     LocalId new_local(std::string_view name, TypeId type, Span span, bool is_mutable = false);
     const ir::Structure& structure_at(const ir::Place& place) const;
     std::string name_of(const ir::Place& place) const;  ///< f, f_table

@@ -1,8 +1,6 @@
 #include "ir/walk.h"
 #include "lower/share.h"
 
-#include <unordered_set>
-
 namespace gliftc::lower {
 
 using namespace ir;
@@ -21,7 +19,7 @@ bool has_effect(const Program& p, ExprId id) {
 }
 
 /// Backwards, so that what only a dropped let used is dropped too.
-std::vector<StmtId> kept(Context& cx, const std::vector<StmtId>& body, std::unordered_set<LocalId>& used) {
+std::vector<StmtId> kept(Context& cx, const std::vector<StmtId>& body, IdSet<Local>& used) {
     std::vector<StmtId> result;
     auto use = [&](ExprId root) {
         for_each_node(cx.p, root, [&](ExprId part) {
@@ -29,26 +27,25 @@ std::vector<StmtId> kept(Context& cx, const std::vector<StmtId>& body, std::unor
         });
     };
     for (std::size_t i = body.size(); i-- > 0;) {
-        const Stmt stmt = cx.p.stmts[body[i]];
+        const Stmt& stmt = cx.p.stmts[body[i]];
         if (stmt.op == StmtOp::if_ && stmt.otherwise.empty() && cx.make.is_false(stmt.value)) continue;
         if (stmt.op == StmtOp::let && !used.contains(stmt.local) && !(stmt.value && has_effect(cx.p, stmt.value)))
             continue;
-        Stmt copy = stmt;
-        copy.body = kept(cx, stmt.body, used);
-        copy.otherwise = kept(cx, stmt.otherwise, used);
-        bool is_empty = copy.body.empty() && copy.otherwise.empty();
+        Make::Parts parts{stmt.target, stmt.value, stmt.limit, {}, {}};
+        parts.body = kept(cx, stmt.body, used);
+        parts.otherwise = kept(cx, stmt.otherwise, used);
+        bool is_empty = parts.body.empty() && parts.otherwise.empty();
         if ((stmt.op == StmtOp::if_ || stmt.op == StmtOp::block) && is_empty &&
             !(stmt.value && has_effect(cx.p, stmt.value)))
             continue;
         for_each_root(stmt, use);
-        bool same = copy.body == stmt.body && copy.otherwise == stmt.otherwise;
-        result.push_back(same ? body[i] : cx.add(std::move(copy)));
+        result.push_back(cx.make.again(body[i], std::move(parts)));
     }
     return {result.rbegin(), result.rend()};
 }
 
 /// Locals that an earlier round of a loop may leave for a later one are used wherever the loop names them.
-void use_in_loops(const Program& p, const std::vector<StmtId>& body, std::unordered_set<LocalId>& used) {
+void use_in_loops(const Program& p, const std::vector<StmtId>& body, IdSet<Local>& used) {
     for_each_statement(p, body, [&](const Stmt& stmt) {
         if (stmt.op != StmtOp::for_ && stmt.op != StmtOp::while_) return;
         for_each_statement(p, stmt.body, [&](const Stmt& inner) {
@@ -63,7 +60,7 @@ void use_in_loops(const Program& p, const std::vector<StmtId>& body, std::unorde
 }  // namespace
 
 std::vector<StmtId> drop_dead(Context& cx, const std::vector<StmtId>& body) {
-    std::unordered_set<LocalId> used;
+    IdSet<Local> used;
     use_in_loops(cx.p, body, used);
     return kept(cx, body, used);
 }

@@ -26,7 +26,7 @@ enum class Guards { checked, interior };
 /// One function (or the kernel) being expanded.
 struct Frame {
     std::vector<ir::Place> places;  ///< of each Place root, as seen from the kernel
-    std::unordered_map<LocalId, Pair> locals;
+    FlatMap<LocalId, Pair> locals;
     const ir::Stage* stage = nullptr;  ///< in a translator's functions: whose state
     ir::Place structure;               ///< … and the structure that the stage belongs to
     std::string prefix;                ///< of names made here

@@ -6,7 +6,7 @@ using namespace ir;
 
 Place Expander::resolved(const Place& place) const {
     Place result = frame_->places[place.root];
-    result.members.insert(result.members.end(), place.members.begin(), place.members.end());
+    result.members.append(place.members);
     return result;
 }
 
@@ -177,7 +177,7 @@ Pair Expander::expand(ExprId id) {
 }
 
 Pair Expander::expand_local(const Expr& node) {
-    if (auto found = frame_->locals.find(node.local); found != frame_->locals.end()) return found->second;
+    if (const Pair* found = frame_->locals.find(node.local)) return *found;
     // A value parameter or workgroup memory of the kernel.
     return {without_empty(make.local(node.local)), {}};
 }
@@ -188,7 +188,7 @@ ExprId Expander::without_empty(ExprId whole) {
     const Type type = p.types[id];
     if (is_empty(p, id)) return make.zero(id);
     if (!holds_empty(p, id) || type.kind == TypeKind::optional) return whole;
-    std::vector<ExprId> parts;
+    Operands parts;
     std::size_t count = type.kind == TypeKind::array ? type.count : p.structs[type.index].fields.size();
     for (std::uint32_t i = 0; i < count; ++i)
         parts.push_back(
@@ -197,7 +197,7 @@ ExprId Expander::without_empty(ExprId whole) {
 }
 
 Pair Expander::expand_again(ExprId id, const Expr& node) {
-    std::vector<ExprId> operands;
+    Operands operands;
     bool same = true;
     for (ExprId operand : node.operands) {
         TypeId type = make.type(operand);

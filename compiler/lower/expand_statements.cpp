@@ -122,9 +122,9 @@ ExprId Expander::expand_target(ExprId id) {
 void Expander::expand_assign(const Stmt& stmt) {
     const Expr& whole = p.exprs[stmt.target];
     if (whole.op == Op::local && p.types.kind(whole.type) == TypeKind::optional) {
-        auto found = frame_->locals.find(whole.local);
-        if (found == frame_->locals.end()) return;
-        Pair target = found->second, value = expand(stmt.value);
+        const Pair* found = frame_->locals.find(whole.local);
+        if (found == nullptr) return;
+        Pair target = *found, value = expand(stmt.value);
         assign(p.exprs[target.value].local, value.value);
         assign(p.exprs[target.has].local, value.has);
         return;

@@ -30,6 +30,11 @@ public:
         return {&slot.value, true};
     }
     Value& operator[](Key key) { return *emplace(key, Value{}).first; }
+    /// Calls visit(Key, Value&) for each, in no order.
+    template <class Visit> void for_each(Visit&& visit) {
+        for (Slot& slot : slots_)
+            if (slot.key != empty) visit(Key{slot.key}, slot.value);
+    }
     void clear() {
         slots_.clear();
         count_ = 0;
@@ -51,7 +56,7 @@ private:
         return at;
     }
     void grow() {
-        std::vector<Slot> old(slots_.empty() ? 64 : slots_.size() * 2);
+        std::vector<Slot> old(slots_.empty() ? 16 : slots_.size() * 2);
         std::swap(old, slots_);
         for (Slot& slot : old)
             if (slot.key != empty) slots_[place(slot.key)] = std::move(slot);

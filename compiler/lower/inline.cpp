@@ -250,7 +250,7 @@ void Expander::run_if(const Stmt& stmt) {
         run(make.is_true(condition) ? stmt.body : stmt.otherwise);
         return;
     }
-    const auto before = frame_->locals;
+    auto before = frame_->locals;
     Block yes = collect([&] { run(stmt.body); });
     const auto after_yes = frame_->locals;
     frame_->locals = before;
@@ -258,13 +258,13 @@ void Expander::run_if(const Stmt& stmt) {
     const auto after_no = frame_->locals;
     frame_->locals = before;
     std::vector<LocalId> changed;
-    for (const auto& [local, value] : before) {
-        Pair a = after_yes.at(local), b = after_no.at(local);
+    before.for_each([&](LocalId local, const Pair&) {
+        Pair a = *after_yes.find(local), b = *after_no.find(local);
         if (a.value != b.value || a.has != b.has) changed.push_back(local);
-    }
+    });
     std::sort(changed.begin(), changed.end());
     for (LocalId local : changed) {
-        Pair a = after_yes.at(local), b = after_no.at(local);
+        Pair a = *after_yes.find(local), b = *after_no.find(local);
         // The statements go with the first local; what they declare is used by all only if they are not conditional.
         if (is_speculatable(yes) && is_speculatable(no)) {
             frame_->locals[local] = merged(condition, std::move(yes), a, std::move(no), b, p.locals[local].type);
@@ -315,7 +315,7 @@ ExprId Expander::replaced(ExprId target, ExprId value) {
     if (node.op == Op::local) return value;
     ExprId whole = value_of(node.operands[0]);
     TypeId type = make.type(whole);
-    std::vector<ExprId> parts;
+    Operands parts;
     if (node.op == Op::field) {
         std::size_t count = p.structs[p.types[type].index].fields.size();
         for (std::uint32_t i = 0; i < count; ++i) parts.push_back(i == node.slot ? value : make.field(whole, i));

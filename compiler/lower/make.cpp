@@ -27,8 +27,6 @@ bool is_component_wise(const Types& types, const Expr& node) {
 
 }  // namespace
 
-ExprId Make::make(Expr node) { return p.exprs.add(std::move(node)); }
-
 ExprId Make::integer(TypeId scalar, std::uint64_t value) {
     Expr node;
     node.type = scalar;
@@ -97,7 +95,7 @@ ExprId Make::select(ExprId condition, ExprId yes, ExprId no) {
     return again(node, {condition, yes, no});
 }
 
-ExprId Make::construct(TypeId id, std::vector<ExprId> parts) {
+ExprId Make::construct(TypeId id, Operands parts) {
     Expr node;
     node.op = Op::construct;
     node.type = id;
@@ -140,7 +138,7 @@ ExprId Make::field(ExprId whole, std::uint32_t slot) {
     return again(node, {whole});
 }
 
-ExprId Make::intrinsic(Intrinsic intrinsic, TypeId id, std::vector<ExprId> operands) {
+ExprId Make::intrinsic(Intrinsic intrinsic, TypeId id, Operands operands) {
     Expr node;
     node.op = Op::intrinsic;
     node.type = id;
@@ -187,8 +185,7 @@ bool Make::is_number(ExprId id, double value) const {
 }
 
 /// Identities that hold for every value; those of floats are left out (-0, NaN).
-std::optional<ExprId> Make::simpler_binary(const Expr& node) {
-    ExprId a = node.operands[0], b = node.operands[1];
+std::optional<ExprId> Make::simpler_binary(const Expr& node, ExprId a, ExprId b) {
     auto whole = [&](ExprId id) { return type(id) == node.type; };
     switch (node.binary) {
     case BinaryOp::add:
@@ -242,7 +239,7 @@ std::optional<ExprId> Make::simpler_binary(const Expr& node) {
 
 /// One component of an operation on vectors, as the operation on components.
 std::optional<ExprId> Make::simpler_component(ExprId vector, std::uint32_t lane) {
-    const Expr node = p.exprs[vector];
+    const Expr& node = p.exprs[vector];
     if (node.op == Op::swizzle) return component(node.operands[0], node.lanes[lane]);
     if (node.op == Op::construct) {
         if (node.operands.size() == 1) {
@@ -264,21 +261,21 @@ std::optional<ExprId> Make::simpler_component(ExprId vector, std::uint32_t lane)
     }
     if (node.op == Op::intrinsic &&
         (node.intrinsic == Intrinsic::min || node.intrinsic == Intrinsic::max || node.intrinsic == Intrinsic::clamp)) {
-        std::vector<ExprId> parts;
+        Operands parts;
         for (ExprId operand : node.operands) parts.push_back(component(operand, lane));
         return intrinsic(node.intrinsic, p.types.scalar_of(node.type), std::move(parts));
     }
     if (!is_component_wise(p.types, node) || node.op == Op::select) return std::nullopt;
     for (ExprId operand : node.operands)
         if (p.types.is_matrix(type(operand))) return std::nullopt;
-    std::vector<ExprId> parts;
+    Operands parts;
     for (ExprId operand : node.operands) parts.push_back(component(operand, lane));
     Expr scalar = node;
     scalar.type = p.types.scalar_of(node.type);
     return again(scalar, std::move(parts));
 }
 
-ExprId Make::folded(Expr node) {
+ExprId Make::folded(Expr&& node) {
     bool constant = !node.operands.empty() && node.op != Op::call && node.op != Op::construct;
     for (ExprId operand : node.operands) constant = constant && is_constant(operand);
     ExprId id = make(std::move(node));
@@ -288,79 +285,103 @@ ExprId Make::folded(Expr node) {
     return materialize(p, *value, p.exprs[id].span);
 }
 
-ExprId Make::again(const Expr& original, std::vector<ExprId> operands) {
-    Expr node = original;
-    node.operands = std::move(operands);
+ExprId Make::again(const Expr& node, Operands operands) {
     switch (node.op) {
     case Op::binary:
-        if (auto simpler = simpler_binary(node)) return *simpler;
+        if (auto simpler = simpler_binary(node, operands[0], operands[1])) return *simpler;
         break;
     case Op::unary:
         if (node.unary == UnaryOp::logical_not) {
-            const Expr inner = p.exprs[node.operands[0]];
+            const Expr& inner = p.exprs[operands[0]];
             if (inner.op == Op::unary && inner.unary == UnaryOp::logical_not) return inner.operands[0];
         }
         break;
     case Op::select:
-        if (is_true(node.operands[0])) return node.operands[1];
-        if (is_false(node.operands[0])) return node.operands[2];
+        if (is_true(operands[0])) return operands[1];
+        if (is_false(operands[0])) return operands[2];
         if (node.type == p.types.bool_) {
-            if (is_true(node.operands[1]) && is_false(node.operands[2])) return node.operands[0];
-            if (is_false(node.operands[1]) && is_true(node.operands[2])) return negate(node.operands[0]);
-            if (is_false(node.operands[2])) return both(node.operands[0], node.operands[1]);
-            if (is_false(node.operands[1])) return both(negate(node.operands[0]), node.operands[2]);
+            if (is_true(operands[1]) && is_false(operands[2])) return operands[0];
+            if (is_false(operands[1]) && is_true(operands[2])) return negate(operands[0]);
+            if (is_false(operands[2])) return both(operands[0], operands[1]);
+            if (is_false(operands[1])) return both(negate(operands[0]), operands[2]);
         }
         break;
     case Op::swizzle: {
         std::uint32_t count = p.types.components(node.type);
-        if (count == 1) return component(node.operands[0], node.lanes[0]);
-        bool same = p.types.components(type(node.operands[0])) == count;
+        if (count == 1) return component(operands[0], node.lanes[0]);
+        bool same = p.types.components(type(operands[0])) == count;
         for (std::uint32_t i = 0; i < count; ++i) same = same && node.lanes[i] == i;
-        if (same) return node.operands[0];
-        if (p.exprs[node.operands[0]].op != Op::construct) break;
-        std::vector<ExprId> parts;
-        for (std::uint32_t i = 0; i < count; ++i) parts.push_back(component(node.operands[0], node.lanes[i]));
+        if (same) return operands[0];
+        if (p.exprs[operands[0]].op != Op::construct) break;
+        Operands parts;
+        for (std::uint32_t i = 0; i < count; ++i) parts.push_back(component(operands[0], node.lanes[i]));
         return construct(node.type, std::move(parts));
     }
     case Op::index:
-        if (auto at = bits_of(node.operands[1])) {
-            const Expr& whole = p.exprs[node.operands[0]];
+        if (auto at = bits_of(operands[1])) {
+            const Expr& whole = p.exprs[operands[0]];
             if (p.types.is_vector(whole.type)) {
                 std::uint32_t last = p.types.components(whole.type) - 1;
-                return component(node.operands[0], static_cast<std::uint32_t>(std::min<std::uint64_t>(*at, last)));
+                return component(operands[0], static_cast<std::uint32_t>(std::min<std::uint64_t>(*at, last)));
             }
             if (whole.op == Op::construct && *at < whole.operands.size() && p.types.kind(whole.type) == TypeKind::array)
                 return whole.operands[*at];
         }
         break;
     case Op::field: {
-        const Expr& whole = p.exprs[node.operands[0]];
+        const Expr& whole = p.exprs[operands[0]];
         if (whole.op == Op::construct) return whole.operands[node.slot];
         break;
     }
     case Op::construct: {
         // uint2(v.x, v.y) of a two-component v is v.
-        if (!p.types.is_vector(node.type) || node.operands.size() != p.types.components(node.type)) break;
+        if (!p.types.is_vector(node.type) || operands.size() != p.types.components(node.type)) break;
         ExprId whole;
-        for (std::uint32_t i = 0; i < node.operands.size(); ++i) {
-            const Expr& part = p.exprs[node.operands[i]];
+        for (std::uint32_t i = 0; i < operands.size(); ++i) {
+            const Expr& part = p.exprs[operands[i]];
             if (part.op != Op::swizzle || p.types.is_vector(part.type) || part.lanes[0] != i)
-                return make(std::move(node));
+                return with_operands(node, std::move(operands));
             const Expr& from = p.exprs[part.operands[0]];
             if (!whole) whole = part.operands[0];
             const Expr& first = p.exprs[whole];
             bool same = whole == part.operands[0] ||
                         (from.op == Op::local && first.op == Op::local && from.local == first.local);
-            if (!same || from.type != node.type) return make(std::move(node));
+            if (!same || from.type != node.type) return with_operands(node, std::move(operands));
         }
         return whole;
     }
     case Op::convert:
-        if (type(node.operands[0]) == node.type) return node.operands[0];
+        if (type(operands[0]) == node.type) return operands[0];
         break;
     default: break;
     }
-    return folded(std::move(node));
+    return with_operands(node, std::move(operands));
+}
+
+ExprId Make::with_operands(const Expr& node, Operands operands) {
+    Expr made = node;
+    made.operands = std::move(operands);
+    return folded(std::move(made));
+}
+
+StmtId Make::again(StmtId id, Parts parts) {
+    const Stmt& stmt = p.stmts[id];
+    if (parts.target == stmt.target && parts.value == stmt.value && parts.limit == stmt.limit &&
+        parts.body == stmt.body && parts.otherwise == stmt.otherwise)
+        return id;
+    Stmt made = statement(stmt.op, stmt.span);
+    made.local = stmt.local;
+    made.target = parts.target;
+    made.value = parts.value;
+    made.limit = parts.limit;
+    made.body = std::move(parts.body);
+    made.otherwise = std::move(parts.otherwise);
+    made.arguments = stmt.arguments;
+    made.unrolled = stmt.unrolled;
+    made.slot = stmt.slot;
+    made.combine = stmt.combine;
+    made.place = stmt.place;
+    return p.stmts.add(std::move(made));
 }
 
 Stmt statement(StmtOp op, Span span) {

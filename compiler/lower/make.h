@@ -14,6 +14,7 @@ namespace gliftc::lower {
 using ir::ExprId;
 using ir::LocalId;
 using ir::Op;
+using ir::Operands;
 using ir::StmtId;
 using ir::StmtOp;
 using ir::TypeId;
@@ -34,16 +35,24 @@ public:
     ExprId both(ExprId a, ExprId b);  ///< a && b; an absent one is true
     ExprId negate(ExprId a) { return unary(ir::UnaryOp::logical_not, a); }
     ExprId select(ExprId condition, ExprId yes, ExprId no);
-    ExprId construct(TypeId type, std::vector<ExprId> parts);
+    ExprId construct(TypeId type, Operands parts);
     ExprId convert(TypeId type, ExprId a);
     ExprId component(ExprId vector, std::uint32_t lane);
     ExprId index(ExprId whole, ExprId at);
     ExprId field(ExprId whole, std::uint32_t slot);
-    ExprId intrinsic(ir::Intrinsic intrinsic, TypeId type, std::vector<ExprId> operands);
+    ExprId intrinsic(ir::Intrinsic intrinsic, TypeId type, Operands operands);
     ExprId builtin(ir::Builtin builtin, TypeId type);
 
     /// `node` with other operands: the same operation, folded.
-    ExprId again(const ir::Expr& node, std::vector<ExprId> operands);
+    ExprId again(const ir::Expr& node, Operands operands);
+
+    /// What a statement is made of.
+    struct Parts {
+        ExprId target, value, limit;
+        std::vector<StmtId> body, otherwise;
+    };
+    /// The statement with other parts: itself where they are its own.
+    StmtId again(StmtId id, Parts parts);
 
     /// Whether `id` is a constant; does not compute.
     bool is_constant(ExprId id) const;
@@ -56,9 +65,10 @@ public:
     ir::Program& p;
 
 private:
-    ExprId make(ir::Expr node);
-    ExprId folded(ir::Expr node);
-    std::optional<ExprId> simpler_binary(const ir::Expr& node);
+    ExprId make(ir::Expr&& node) { return p.exprs.add(std::move(node)); }
+    ExprId folded(ir::Expr&& node);
+    ExprId with_operands(const ir::Expr& node, Operands operands);
+    std::optional<ExprId> simpler_binary(const ir::Expr& node, ExprId a, ExprId b);
     std::optional<ExprId> simpler_component(ExprId vector, std::uint32_t lane);
     bool is_number(ExprId id, double value) const;
 };

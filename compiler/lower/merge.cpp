@@ -23,13 +23,13 @@ private:
     };
 
     void count(ExprId id, unsigned loops);
-    bool is_merged(const Stmt& stmt);
+    bool is_merged(const Stmt& stmt, ExprId value);
     ExprId visit(ExprId id);
 
     Context& cx;
     Numbers numbers_;
-    std::unordered_map<LocalId, Use> uses_;
-    std::unordered_map<LocalId, ExprId> values_;
+    NodeMap<LocalId, Use> uses_{cx.first_local};
+    NodeMap<LocalId, ExprId> values_{cx.first_local};
 };
 
 void Merging::count(ExprId id, unsigned loops) {
@@ -53,19 +53,20 @@ void Merging::count(const std::vector<StmtId>& body, unsigned loops) {
     }
 }
 
-bool Merging::is_merged(const Stmt& stmt) {
-    if (stmt.op != StmtOp::let || !stmt.value || !cx.made.contains(stmt.local)) return false;
+/// Whether the let of this value vanishes.
+bool Merging::is_merged(const Stmt& stmt, ExprId value) {
+    if (stmt.op != StmtOp::let || !value || !cx.made.contains(stmt.local)) return false;
     const Use& use = uses_[stmt.local];
-    return use.count == 1 && use.loops == use.declared && numbers_.is_fixed(stmt.value);
+    return use.count == 1 && use.loops == use.declared && numbers_.is_fixed(value);
 }
 
 ExprId Merging::visit(ExprId id) {
-    const Expr node = cx.p.exprs[id];
+    const Expr& node = cx.p.exprs[id];
     if (node.op == Op::local) {
-        auto found = values_.find(node.local);
-        return found == values_.end() ? id : found->second;
+        const ExprId* found = values_.find(node.local);
+        return found == nullptr ? id : *found;
     }
-    std::vector<ExprId> operands;
+    Operands operands;
     for (ExprId operand : node.operands) operands.push_back(visit(operand));
     if (operands == node.operands) return id;
     Expr copy = node;
@@ -76,17 +77,18 @@ ExprId Merging::visit(ExprId id) {
 std::vector<StmtId> Merging::run(const std::vector<StmtId>& body) {
     std::vector<StmtId> result;
     for (StmtId id : body) {
-        Stmt copy = cx.p.stmts[id];
-        if (copy.value) copy.value = visit(copy.value);
-        if (copy.target) copy.target = visit(copy.target);
-        if (copy.limit) copy.limit = visit(copy.limit);
-        if (is_merged(copy)) {
-            values_[copy.local] = copy.value;
+        const Stmt& stmt = cx.p.stmts[id];
+        Make::Parts parts;
+        if (stmt.value) parts.value = visit(stmt.value);
+        if (stmt.target) parts.target = visit(stmt.target);
+        if (stmt.limit) parts.limit = visit(stmt.limit);
+        if (is_merged(stmt, parts.value)) {
+            values_[stmt.local] = parts.value;
             continue;
         }
-        copy.body = run(copy.body);
-        copy.otherwise = run(copy.otherwise);
-        result.push_back(cx.add(std::move(copy)));
+        parts.body = run(stmt.body);
+        parts.otherwise = run(stmt.otherwise);
+        result.push_back(cx.make.again(id, std::move(parts)));
     }
     return result;
 }

@@ -45,16 +45,9 @@ std::uint8_t Numbers::traits_of(ExprId id) {
     return trait;
 }
 
-void Numbers::Key::mix(std::uint64_t word) {
-    low = (low ^ word) * 0x9e3779b97f4a7c15ull;
-    low ^= low >> 32;
-    high = (high + word + 0x7f4a7c15u) * 0xd6e8feb86659fd93ull;
-    high ^= high >> 29;
-}
-
 /// What tells the node apart besides its operands.
-Numbers::Key Numbers::shape_of(const Expr& node) {
-    Key key;
+ShapeKey Numbers::shape_of(const Expr& node) const {
+    ShapeKey key;
     key.mix(static_cast<std::uint64_t>(node.op) << 32 | node.type.index);
     switch (node.op) {
     case Op::constant:
@@ -63,7 +56,7 @@ Numbers::Key Numbers::shape_of(const Expr& node) {
         break;
     case Op::local:
         key.mix(node.local.index);
-        key.mix(versions_[node.local]);
+        key.mix(version_of(node.local));
         break;
     case Op::unary: key.mix(static_cast<std::uint64_t>(node.unary)); break;
     case Op::binary: key.mix(static_cast<std::uint64_t>(node.binary)); break;
@@ -85,7 +78,7 @@ Numbers::Key Numbers::shape_of(const Expr& node) {
     case Op::image_load:
     case Op::image_sample:
         key.mix(node.slot);
-        key.mix(bindings_[node.slot]);
+        key.mix(version_of(node.slot));
         break;
     case Op::builtin: key.mix(static_cast<std::uint64_t>(node.builtin)); break;
     default: break;  // told apart by op, type and operands
@@ -94,40 +87,49 @@ Numbers::Key Numbers::shape_of(const Expr& node) {
 }
 
 ValueNumber Numbers::of(ExprId id) {
-    if (const ValueNumber* found = fixed_.find(id)) return *found;
+    if (ValueNumber number = memory_->known(id)) return number;
     const Expr& node = cx.p.exprs[id];
     if (node.op == Op::local) {
         if (const ValueNumber* found = locals_.find(node.local)) return *found;
     }
-    Key key = shape_of(node);
+    ShapeKey key = shape_of(node);
     if (has_effect(cx.pass, node)) key.mix(++next_ + (std::uint64_t{1} << 32));
     for (ExprId operand : node.operands) key.mix(of(operand));
-    auto [found, is_new] = table_.try_emplace(key, next_ + 1);
-    if (is_new) ++next_;
-    ValueNumber number = found->second;
-    if (is_fixed(id)) fixed_.emplace(id, number);
+    ValueNumber& number = memory_->number_of(key);
+    if (number == 0) number = ++next_;
+    // What has an effect is another value each time.
+    if (is_pure(id)) memory_->learn(id, number, is_fixed(id));
     return number;
 }
 
 void Numbers::change_all(const std::vector<StmtId>& body) {
-    for_each_statement(cx.p, body, [&](const Stmt& stmt) {
-        if (stmt.op == StmtOp::assign) {
-            ExprId root = stmt.target;
-            while (cx.p.exprs[root].op != Op::local) root = cx.p.exprs[root].operands[0];
-            change(cx.p.exprs[root].local);
-        }
-        if (stmt.op == StmtOp::store || stmt.op == StmtOp::image_store || stmt.op == StmtOp::atomic)
-            change_binding(stmt.slot);
-        if (stmt.op == StmtOp::barrier) {
-            for (std::uint32_t i = 0; i < cx.pass.bindings.size(); ++i) change_binding(i);
-            for (LocalId local : cx.pass.shared) change(local);
-        }
-        // Atomic operations write workgroup memory.
-        bool has_atomic = false;
-        for_each_root(stmt, [&](ExprId root) { has_atomic = has_atomic || !is_pure(root); });
-        if (has_atomic)
-            for (LocalId local : cx.pass.shared) change(local);
-    });
+    for (StmtId id : body) change_all(cx.p.stmts[id]);
+}
+
+void Numbers::change_all(const Stmt& stmt) {
+    change_by(stmt);
+    change_all(stmt.body);
+    change_all(stmt.otherwise);
+}
+
+/// Without the statements inside it.
+void Numbers::change_by(const Stmt& stmt) {
+    if (stmt.op == StmtOp::assign) {
+        ExprId root = stmt.target;
+        while (cx.p.exprs[root].op != Op::local) root = cx.p.exprs[root].operands[0];
+        change(cx.p.exprs[root].local);
+    }
+    if (stmt.op == StmtOp::store || stmt.op == StmtOp::image_store || stmt.op == StmtOp::atomic)
+        change_binding(stmt.slot);
+    if (stmt.op == StmtOp::barrier) {
+        for (std::uint32_t i = 0; i < cx.pass.bindings.size(); ++i) change_binding(i);
+        for (LocalId local : cx.pass.shared) change(local);
+    }
+    // Atomic operations write workgroup memory.
+    bool has_atomic = false;
+    for_each_root(stmt, [&](ExprId root) { has_atomic = has_atomic || !is_pure(root); });
+    if (has_atomic)
+        for (LocalId local : cx.pass.shared) change(local);
 }
 
 }  // namespace gliftc::lower

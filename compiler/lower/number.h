@@ -3,7 +3,8 @@
 
 #include "lower/context.h"
 
-#include <unordered_map>
+#include <memory>
+#include <vector>
 
 namespace gliftc::lower {
 
@@ -12,23 +13,37 @@ using ValueNumber = std::uint32_t;
 /// Numbers expressions while the statements are walked in order; assignments and writes start new versions.
 class Numbers {
 public:
-    explicit Numbers(Context& context) : cx(context) {}
+    explicit Numbers(Context& context) : cx(context), memory_(context.take_number_memory()) {}
+    Numbers(const Numbers&) = delete;
+    Numbers& operator=(const Numbers&) = delete;
+    ~Numbers() { cx.spare_number_memory.push_back(std::move(memory_)); }
 
     ValueNumber of(ExprId id);
 
     /// The let's local has this number from here on.
-    void define(LocalId local, ValueNumber number) { locals_[local] = number; }
+    void define(LocalId local, ValueNumber number) {
+        locals_[local] = number;
+        memory_->note_change();
+    }
     /// To walk the same statements again: numbers stay.
     void restart() {
         versions_.clear();
         bindings_.clear();
+        memory_->note_change();
     }
     ValueNumber count() const { return next_ + 1; }
     /// The local, or the memory behind a binding, may have changed.
-    void change(LocalId local) { ++versions_[local]; }
-    void change_binding(std::uint32_t binding) { ++bindings_[binding]; }
+    void change(LocalId local) {
+        ++versions_[local];
+        memory_->note_change();
+    }
+    void change_binding(std::uint32_t binding) {
+        ++bindings_[binding];
+        memory_->note_change();
+    }
     /// Everything that the statements may change.
     void change_all(const std::vector<StmtId>& body);
+    void change_all(const ir::Stmt& stmt);
 
     /// Whether equal numbers mean equal values: false for what has an effect or differs at each evaluation.
     bool is_pure(ExprId id);
@@ -37,23 +52,22 @@ public:
     bool is_fixed(ExprId id);
 
 private:
+    void change_by(const ir::Stmt& stmt);
     std::uint8_t traits_of(ExprId id);
-    Context& cx;
-    /// The shape of a node, hashed to 128 bits: two shapes with one hash do not happen.
-    struct Key {
-        std::uint64_t high = 0, low = 0;
-        bool operator==(const Key&) const = default;
-        void mix(std::uint64_t word);
-    };
-    struct KeyHash {
-        std::size_t operator()(const Key& key) const { return key.low; }
-    };
-    Key shape_of(const ir::Expr& node);
+    std::uint32_t version_of(LocalId local) const {
+        const std::uint32_t* found = versions_.find(local);
+        return found == nullptr ? 0 : *found;
+    }
+    std::uint32_t version_of(std::uint32_t binding) const {
+        const std::uint32_t* found = bindings_.find(binding);
+        return found == nullptr ? 0 : *found;
+    }
+    ShapeKey shape_of(const ir::Expr& node) const;
 
-    std::unordered_map<Key, ValueNumber, KeyHash> table_;
-    FlatMap<ExprId, ValueNumber> fixed_;
-    FlatMap<LocalId, ValueNumber> locals_;
-    FlatMap<LocalId, std::uint32_t> versions_;
+    Context& cx;
+    std::unique_ptr<NumberMemory> memory_;
+    NodeMap<LocalId, ValueNumber> locals_{cx.first_local};
+    NodeMap<LocalId, std::uint32_t> versions_{cx.first_local};
     FlatMap<std::uint32_t, std::uint32_t> bindings_;
     ValueNumber next_ = 0;
 };

@@ -1,6 +1,7 @@
 // The passes in order. Each says in its header what it needs and what it guarantees.
 #include "ir/validate.h"
 #include "lower/affine.h"
+#include "lower/compact.h"
 #include "lower/dispatch.h"
 #include "lower/expand.h"
 #include "lower/loops.h"
@@ -10,6 +11,7 @@
 #include "lower/temporaries.h"
 #include "lower/uniforms.h"
 
+#include <array>
 #include <cassert>
 #include <cstdio>
 
@@ -174,9 +176,11 @@ Lowered lower(Program& program, Diagnostics& diagnostics, Checks checks) {
     Lowered result;
     for (std::uint32_t i = 0; i < program.kernels.size(); ++i) {
         Lowered::Forms forms;
+        const Mark before(program);
         forms.direct = lowered(program, diagnostics, i, Form::direct, checks);
         forms.general = lowered(program, diagnostics, i, Form::general, checks);
         agree(program, forms.direct, forms.general);
+        compact(program, before, std::array{&forms.direct, &forms.general});
         forms.wide = widened(program, forms.general);
         result.passes.push_back(std::move(forms));
     }

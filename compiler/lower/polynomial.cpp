@@ -1,6 +1,7 @@
 #include "lower/polynomial.h"
 
 #include <algorithm>
+#include <compare>
 
 namespace gliftc::lower {
 
@@ -10,27 +11,45 @@ namespace {
 
 constexpr std::size_t term_limit = 64;
 
-void accumulate(Polynomial& sum, const std::vector<ValueNumber>& product, std::uint32_t factor) {
-    auto [found, is_new] = sum.try_emplace(product, 0);
-    found->second += factor;
-    if (found->second == 0) sum.erase(found);
+std::strong_ordering order(const Term& a, const Term& b) {
+    return std::lexicographical_compare_three_way(a.product.begin(), a.product.end(), b.product.begin(),
+                                                  b.product.end());
 }
 
+/// a + factor * b.
 Polynomial scaled_sum(const Polynomial& a, const Polynomial& b, std::uint32_t factor) {
-    Polynomial result = a;
-    for (const auto& [product, count] : b) accumulate(result, product, count * factor);
+    Polynomial result;
+    result.reserve(a.size() + b.size());
+    auto x = a.begin(), y = b.begin();
+    const auto add_scaled = [&](const Term& term, std::uint32_t before) {
+        if (std::uint32_t sum = before + term.factor * factor) result.push_back({term.product, sum});
+    };
+    while (x != a.end() && y != b.end()) {
+        const std::strong_ordering which = order(*x, *y);
+        if (which < 0) result.push_back(*x++);
+        else if (which > 0) add_scaled(*y++, 0);
+        else add_scaled(*y++, (x++)->factor);
+    }
+    result.insert(result.end(), x, a.end());
+    for (; y != b.end(); ++y) add_scaled(*y, 0);
     return result;
 }
 
-std::optional<Polynomial> product_of(const Polynomial& a, const Polynomial& b) {
-    if (a.size() * b.size() > term_limit) return std::nullopt;
+Polynomial product_of(const Polynomial& a, const Polynomial& b) {
+    if (a.size() == 1 && a[0].product.empty()) return scaled_sum({}, b, a[0].factor);
     Polynomial result;
-    for (const auto& [left, m] : a)
-        for (const auto& [right, n] : b) {
-            std::vector<ValueNumber> both;
-            std::merge(left.begin(), left.end(), right.begin(), right.end(), std::back_inserter(both));
-            accumulate(result, both, m * n);
+    for (const Term& left : a) {
+        Polynomial row;
+        row.reserve(b.size());
+        for (const Term& right : b) {
+            Term both{left.product, left.factor * right.factor};
+            both.product.append(right.product);
+            std::sort(both.product.begin(), both.product.end());
+            if (both.factor != 0) row.push_back(std::move(both));
         }
+        std::sort(row.begin(), row.end(), [](const Term& x, const Term& y) { return order(x, y) < 0; });
+        result = result.empty() ? std::move(row) : scaled_sum(result, row, 1);
+    }
     return result;
 }
 
@@ -54,59 +73,79 @@ ExprId Polynomials::definition(const Expr& node) {
     return *found;
 }
 
-std::optional<Polynomial> Polynomials::of(ExprId id) {
+const Polynomial* Polynomials::of(ExprId id) {
     if (const auto* found = known_.find(id)) return *found;
-    const Expr& node = cx.p.exprs[id];
-    std::optional<Polynomial> result;
-    if (node.op == Op::constant) {
-        result = Polynomial{};
-        if (node.bits) result->emplace(std::vector<ValueNumber>{}, static_cast<std::uint32_t>(node.bits));
-    } else if (ExprId sum = definition(node)) {
+    const Polynomial* result = nullptr;
+    if (ExprId sum = definition(cx.p.exprs[id])) {
         result = of(sum);
-    } else if (node.op == Op::binary && (node.binary == BinaryOp::add || node.binary == BinaryOp::subtract)) {
-        auto a = of(node.operands[0]), b = of(node.operands[1]);
-        if (a && b) result = scaled_sum(*a, *b, node.binary == BinaryOp::add ? 1u : ~0u);
-    } else if (node.op == Op::binary && node.binary == BinaryOp::multiply) {
-        auto a = of(node.operands[0]), b = of(node.operands[1]);
-        if (a && b) result = product_of(*a, *b);
-    } else if (node.op == Op::binary && node.binary == BinaryOp::shift_left &&
-               cx.make.bits_of(node.operands[1]).value_or(32) < 32) {
-        auto a = of(node.operands[0]);
-        if (a) result = product_of(*a, {{{}, 1u << *cx.make.bits_of(node.operands[1])}});
-    } else {
-        result = Polynomial{{{atom(id)}, 1u}};
+    } else if (Polynomial made; find(id, made) && made.size() <= term_limit) {
+        result = &made_.emplace_back(std::move(made));
     }
-    if (result && result->size() > term_limit) result.reset();
     known_.emplace(id, result);
     return result;
 }
 
+bool Polynomials::find(ExprId id, Polynomial& result) {
+    const Expr& node = cx.p.exprs[id];
+    if (node.op == Op::constant) {
+        if (node.bits) result.push_back({{}, static_cast<std::uint32_t>(node.bits)});
+        return true;
+    }
+    const bool is_sum = node.op == Op::binary && (node.binary == BinaryOp::add || node.binary == BinaryOp::subtract);
+    const bool is_product = node.op == Op::binary && node.binary == BinaryOp::multiply;
+    const bool is_shift = node.op == Op::binary && node.binary == BinaryOp::shift_left &&
+                          cx.make.bits_of(node.operands[1]).value_or(32) < 32;
+    if (!is_sum && !is_product && !is_shift) {
+        result.push_back({{atom(id)}, 1u});
+        return true;
+    }
+    const Polynomial* a = of(node.operands[0]);
+    if (is_shift) {
+        if (a != nullptr) result = scaled_sum({}, *a, 1u << *cx.make.bits_of(node.operands[1]));
+        return a != nullptr;
+    }
+    const Polynomial* b = of(node.operands[1]);
+    if (a == nullptr || b == nullptr || (is_product && a->size() * b->size() > term_limit)) return false;
+    if (is_product) result = product_of(*a, *b);
+    else result = scaled_sum(*a, *b, node.binary == BinaryOp::add ? 1u : ~0u);
+    return true;
+}
+
 Polynomial Polynomials::varying(const Polynomial& polynomial) const {
     Polynomial result;
-    for (const auto& [product, factor] : polynomial)
-        if (std::any_of(product.begin(), product.end(), [&](ValueNumber atom) { return !uniform_.at(atom); }))
-            result.emplace(product, factor);
+    result.reserve(polynomial.size());
+    for (const Term& term : polynomial)
+        if (std::any_of(term.product.begin(), term.product.end(),
+                        [&](ValueNumber atom) { return !*uniform_.find(atom); }))
+            result.push_back(term);
     return result;
 }
 
 Polynomials::Difference Polynomials::difference(const Polynomial& a, const Polynomial& b) {
-    Polynomial apart = scaled_sum(a, b, ~0u);
-    Difference result;
-    auto is_minus = [](std::uint32_t factor) { return factor > 0x80000000u; };
-    result.is_negative =
-        !apart.empty() && std::all_of(apart.begin(), apart.end(), [&](auto& term) { return is_minus(term.second); });
-    for (const auto& [product, signed_factor] : apart) {
-        std::uint32_t factor = result.is_negative ? 0 - signed_factor : signed_factor;
-        ExprId term;
-        // From the last on, so that z * (y * x) holds the product that y * x is.
-        for (std::size_t i = product.size(); i-- > 0; ++result.operations)
-            term = term ? cx.make.multiply(atoms_.at(product[i]), term) : atoms_.at(product[i]);
-        if (!term) term = cx.make.uint(factor);
-        else if (factor != 1) term = cx.make.multiply(term, cx.make.uint(factor));
-        result.amount = result.amount ? cx.make.add(result.amount, term) : term;
-        ++result.operations;
+    Difference result{scaled_sum(a, b, ~0u)};
+    auto is_minus = [](const Term& term) { return term.factor > 0x80000000u; };
+    result.is_negative = !result.terms.empty() && std::all_of(result.terms.begin(), result.terms.end(), is_minus);
+    for (Term& term : result.terms) {
+        if (result.is_negative) term.factor = 0 - term.factor;
+        result.operations += static_cast<unsigned>(term.product.size()) + 1;
     }
     return result;
+}
+
+ExprId Polynomials::expression(const Polynomial& polynomial) {
+    ExprId sum;
+    for (const Term& term : polynomial) {
+        ExprId product;
+        // From the last on, so that z * (y * x) holds the product that y * x is.
+        for (std::size_t i = term.product.size(); i-- > 0;) {
+            ExprId atom = *atoms_.find(term.product[i]);
+            product = product ? cx.make.multiply(atom, product) : atom;
+        }
+        if (!product) product = cx.make.uint(term.factor);
+        else if (term.factor != 1) product = cx.make.multiply(product, cx.make.uint(term.factor));
+        sum = sum ? cx.make.add(sum, product) : product;
+    }
+    return sum;
 }
 
 }  // namespace gliftc::lower

@@ -3,42 +3,53 @@
 
 #include "lower/number.h"
 
-#include <map>
-#include <optional>
+#include <deque>
 #include <vector>
 
 namespace gliftc::lower {
 
-/// Each product of atoms (sorted) with its factor; factors are never zero.
-using Polynomial = std::map<std::vector<ValueNumber>, std::uint32_t>;
+/// A product of atoms (sorted), so many times.
+struct Term {
+    SmallVector<ValueNumber, 4> product;
+    std::uint32_t factor = 0;
+    bool operator==(const Term&) const = default;
+};
+
+/// In the order of the products, each once; factors are never zero.
+using Polynomial = std::vector<Term>;
 
 class Polynomials {
 public:
     Polynomials(Context& context, Numbers& numbers) : cx(context), numbers_(numbers) {}
 
-    /// The polynomial of a uint expression that is fixed within the pass; nothing if it grows too large.
-    std::optional<Polynomial> of(ExprId id);
+    /// The polynomial of a uint expression that is fixed within the pass; none if it grows too large.
+    const Polynomial* of(ExprId id);
 
     /// The terms that depend on the invocation; two values with the same ones differ by a uniform amount.
     Polynomial varying(const Polynomial& polynomial) const;
 
-    /// a - b, which must have no varying term, as an expression; and whether it is better subtracted than added.
+    /// a - b, or b - a where that is better subtracted than added.
     struct Difference {
-        ExprId amount;  ///< absent: zero
+        Polynomial terms;
         bool is_negative = false;
         unsigned operations = 0;
     };
-    Difference difference(const Polynomial& a, const Polynomial& b);
+    static Difference difference(const Polynomial& a, const Polynomial& b);
+
+    /// The sum as an expression; absent: zero.
+    ExprId expression(const Polynomial& polynomial);
 
 private:
     ValueNumber atom(ExprId id);
     ExprId definition(const ir::Expr& node);
+    bool find(ExprId id, Polynomial& result);
 
     Context& cx;
     Numbers& numbers_;
-    std::map<ValueNumber, ExprId> atoms_;
-    std::map<ValueNumber, bool> uniform_;
-    FlatMap<ExprId, std::optional<Polynomial>> known_;
+    FlatMap<ValueNumber, ExprId> atoms_;
+    FlatMap<ValueNumber, bool> uniform_;
+    NodeMap<ExprId, const Polynomial*> known_{cx.first_expr};
+    std::deque<Polynomial> made_;  ///< what is known; they stay where they are
 };
 
 }  // namespace gliftc::lower

@@ -158,7 +158,7 @@ void Expander::write_several(const Stmt& stmt) {
             Stmt made = statement(StmtOp::store, stmt.span);
             made.slot = slot;
             made.target = vector_at(rows, first, row);
-            std::vector<ExprId> four;
+            Operands four;
             for (std::uint32_t lane = 0; lane < row_width; ++lane) four.push_back(item_of(rows, items, row, lane));
             made.value = make.construct(p.types.vector(element, row_width), std::move(four));
             append(std::move(made));

@@ -53,16 +53,16 @@ ExprId Expander::filtered(const Place& place, ExprId at) {
     // Negative corners wrap to addresses outside the domain, where reads give the structure's otherwise.
     TypeId ints = p.types.with_scalar(numbers, p.types.int_);
     ExprId base = named(name + "_base", make.convert(numbers, make.convert(ints, corner)));
-    std::vector<ExprId> values;
+    Operands values;
     for (std::uint32_t i = 0; i < (1u << axes); ++i) {
-        std::vector<ExprId> step;
+        Operands step;
         for (std::uint32_t axis = 0; axis < axes; ++axis) step.push_back(make.uint(i >> axis & 1));
         ExprId offset = axes == 1 ? step[0] : make.construct(numbers, std::move(step));
         std::string corner_name = name + "_corner" + std::to_string(i);
         values.push_back(named(corner_name, read(place, make.add(base, offset), corner_name)));
     }
     for (std::uint32_t axis = 0; axis < axes; ++axis) {
-        std::vector<ExprId> mixed;
+        Operands mixed;
         ExprId t = make.component(weight, axis);
         for (std::size_t i = 0; i < values.size(); i += 2)
             mixed.push_back(make.intrinsic(Intrinsic::mix, make.type(values[i]), {values[i], values[i + 1], t}));

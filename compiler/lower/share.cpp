@@ -15,8 +15,8 @@ namespace {
 /// One value that may be used more than once.
 struct Record {
     std::uint32_t uses = 0;
-    LocalId local;  ///< that holds it, once it is declared
-    std::string name;
+    LocalId local;        ///< that holds it, once it is declared
+    Name name;            ///< that the source gave it, if any
     bool is_let = false;  ///< the source gives it a local
 };
 
@@ -27,11 +27,14 @@ public:
     Sharing(Context& context, Numbers& numbers, std::vector<Record>& records, const std::vector<ExprId>& facts,
             bool rewrites)
         : cx(context), numbers_(numbers), records_(records), rewrites_(rewrites) {
+        undo_.reserve(64);
+        available_.reserve(256);
         for (ExprId fact : facts) known_.emplace(numbers_.of(fact), true);
     }
 
     std::vector<StmtId> run(const std::vector<StmtId>& body) {
         std::vector<StmtId> result;
+        if (rewrites_) result.reserve(body.size());
         Scope scope{*this};
         std::vector<StmtId>* outer = out_;
         out_ = &result;
@@ -57,8 +60,8 @@ private:
     };
 
     void statement_(StmtId id);
-    void let_(const Stmt& stmt);
-    void loop_(const Stmt& stmt);
+    void let_(StmtId id);
+    void loop_(StmtId id);
     ExprId visit(ExprId id, Where where);
     ExprId visit_operands(ExprId id, Where where);
     ExprId visit_target(ExprId id, Where where);
@@ -68,13 +71,15 @@ private:
             available_.resize(std::max<std::size_t>(number + 1, available_.size() * 2), none);
         return available_[number];
     }
-    void append(Stmt stmt) {
-        if (rewrites_) out_->push_back(cx.add(std::move(stmt)));
+    void append(Stmt stmt) { out_->push_back(cx.add(std::move(stmt))); }
+    void append(StmtId id, Make::Parts parts) {
+        if (rewrites_) out_->push_back(cx.make.again(id, std::move(parts)));
     }
     std::vector<StmtId> run_knowing(const std::vector<StmtId>& body, ExprId condition, bool holds);
     std::optional<bool> known(ExprId id);
     bool is_leaf(ExprId id);
-    std::string name_for(ExprId id);
+    Name name_in_source(ExprId id) const;
+    Name made_name(ExprId id);
 
     Context& cx;
     Numbers& numbers_;
@@ -84,7 +89,7 @@ private:
     static constexpr std::uint32_t none = 0xffffffffu;
     std::vector<std::uint32_t> available_;  ///< the record of each number in scope, or none
     std::vector<std::pair<ValueNumber, std::uint32_t>> undo_;
-    std::unordered_map<LocalId, LocalId> renamed_;
+    NodeMap<LocalId, LocalId> renamed_{cx.first_local};
     std::unordered_map<ValueNumber, bool> known_;  ///< conditions that are decided here
     std::vector<StmtId>* out_ = nullptr;
     Span span_;
@@ -107,13 +112,17 @@ bool Sharing::is_leaf(ExprId id) {
     return is_uniform(cx, id);
 }
 
-std::string Sharing::name_for(ExprId id) {
-    if (const Name* found = cx.names.find(id)) return (*cx.p.names)[*found];
+Name Sharing::name_in_source(ExprId id) const {
+    const Name* found = cx.names.find(id);
+    return found == nullptr ? Name{} : *found;
+}
+
+Name Sharing::made_name(ExprId id) {
     const Expr& node = cx.p.exprs[id];
-    if (node.op == Op::load || node.op == Op::image_load) return cx.pass.bindings[node.slot].name + "_value";
-    if (node.op == Op::call) return (*cx.p.names)[cx.p.functions[node.function].name] + "_result";
-    if (node.type == cx.p.types.bool_) return "test";
-    return "value";
+    const auto name = [&](std::string_view text) { return cx.p.names->intern(text); };
+    if (node.op == Op::load || node.op == Op::image_load) return name(cx.pass.bindings[node.slot].name + "_value");
+    if (node.op == Op::call) return name((*cx.p.names)[cx.p.functions[node.function].name] + "_result");
+    return name(node.type == cx.p.types.bool_ ? "test" : "value");
 }
 
 /// A body where the condition is known. What may change within the body is not.
@@ -138,8 +147,8 @@ ExprId Sharing::visit(ExprId id, Where where) {
     const Expr& node = cx.p.exprs[id];
     if (auto decided = known(id)) return rewrites_ ? cx.make.truth(*decided) : id;
     if (node.op == Op::local) {
-        auto found = renamed_.find(node.local);
-        return found == renamed_.end() || !rewrites_ ? id : cx.make.local(found->second);
+        const LocalId* found = renamed_.find(node.local);
+        return found == nullptr || !rewrites_ ? id : cx.make.local(*found);
     }
     if (is_leaf(id) || !numbers_.is_pure(id)) return visit_operands(id, where);
     if (where != Where::before && numbers_.has_load(id)) return visit_operands(id, where);
@@ -155,13 +164,13 @@ ExprId Sharing::visit(ExprId id, Where where) {
     std::uint32_t index = new_record(number);
     if (!rewrites_) {
         records_[index].uses = 1;
-        records_[index].name = name_for(id);
+        records_[index].name = name_in_source(id);
         return visit_operands(id, where);
     }
     ExprId value = visit_operands(id, where);
     Record& record = records_[index];
     if (record.uses < 2) return value;
-    record.local = cx.new_local(record.name, node.type, span_);
+    record.local = cx.new_local(record.name ? record.name : made_name(id), node.type, span_);
     cx.definitions[record.local] = value;
     cx.made.insert(record.local);
     numbers_.define(record.local, number);
@@ -175,7 +184,7 @@ ExprId Sharing::visit(ExprId id, Where where) {
 ExprId Sharing::visit_operands(ExprId id, Where where) {
     const Expr& node = cx.p.exprs[id];
     if (node.operands.empty()) return id;
-    std::vector<ExprId> operands;
+    Operands operands;
     bool same = true;
     for (std::size_t i = 0; i < node.operands.size(); ++i) {
         if (i == 0 && node.op == Op::intrinsic && signature_of(node.intrinsic)[0] == '@') {
@@ -199,7 +208,7 @@ ExprId Sharing::visit_operands(ExprId id, Where where) {
 }
 
 ExprId Sharing::visit_target(ExprId id, Where where) {
-    const Expr node = cx.p.exprs[id];
+    const Expr& node = cx.p.exprs[id];
     if (node.op == Op::local) return id;
     Expr copy = node;
     copy.operands[0] = node.op == Op::load ? visit(node.operands[0], where) : visit_target(node.operands[0], where);
@@ -208,18 +217,19 @@ ExprId Sharing::visit_target(ExprId id, Where where) {
 }
 
 /// A let that repeats an earlier value is dropped; otherwise it is the value's name from here on.
-void Sharing::let_(const Stmt& stmt) {
+void Sharing::let_(StmtId id) {
+    const Stmt& stmt = cx.p.stmts[id];
+    Make::Parts parts{{}, stmt.value, {}, {}, {}};
     bool is_plain = stmt.value && !cx.p.locals[stmt.local].is_mutable && numbers_.is_pure(stmt.value);
-    Stmt copy = stmt;
     if (!is_plain) {
-        if (stmt.value) copy.value = visit(stmt.value, Where::before);
-        append(std::move(copy));
+        if (stmt.value) parts.value = visit(stmt.value, Where::before);
+        append(id, std::move(parts));
         return;
     }
     if (auto decided = known(stmt.value)) {
         numbers_.define(stmt.local, numbers_.of(stmt.value));
-        if (rewrites_) copy.value = cx.make.truth(*decided);
-        append(std::move(copy));
+        if (rewrites_) parts.value = cx.make.truth(*decided);
+        append(id, std::move(parts));
         return;
     }
     ValueNumber number = numbers_.of(stmt.value);
@@ -233,8 +243,7 @@ void Sharing::let_(const Stmt& stmt) {
     if (std::uint32_t found = available(number); found != none) {
         Record& record = records_[found];
         ++record.uses;
-        if (!record.is_let && !rewrites_)
-            record.name = (*cx.p.names)[cx.p.locals[stmt.local].name], record.is_let = true;
+        if (!record.is_let && !rewrites_) record.name = cx.p.locals[stmt.local].name, record.is_let = true;
         numbers_.define(stmt.local, number);
         if (rewrites_ && record.local) {
             renamed_[stmt.local] = record.local;
@@ -244,8 +253,8 @@ void Sharing::let_(const Stmt& stmt) {
     }
     if (is_leaf(stmt.value)) {
         numbers_.define(stmt.local, number);
-        copy.value = visit_operands(stmt.value, Where::before);
-        append(std::move(copy));
+        parts.value = visit_operands(stmt.value, Where::before);
+        append(id, std::move(parts));
         return;
     }
     std::uint32_t index = new_record(number);
@@ -254,57 +263,61 @@ void Sharing::let_(const Stmt& stmt) {
         records_[index].is_let = true;
         visit_operands(stmt.value, Where::before);
     } else {
-        copy.value = visit_operands(stmt.value, Where::before);
-        cx.definitions[stmt.local] = copy.value;
+        parts.value = visit_operands(stmt.value, Where::before);
+        cx.definitions[stmt.local] = parts.value;
         records_[index].local = stmt.local;
-        append(std::move(copy));
+        append(id, std::move(parts));
     }
     numbers_.define(stmt.local, number);
 }
 
-void Sharing::loop_(const Stmt& stmt) {
-    Stmt copy = stmt;
+void Sharing::loop_(StmtId id) {
+    const Stmt& stmt = cx.p.stmts[id];
+    Make::Parts parts;
     if (stmt.op == StmtOp::for_) {
-        copy.value = visit(stmt.value, Where::before);
-        copy.limit = visit(stmt.limit, Where::before);
+        parts.value = visit(stmt.value, Where::before);
+        parts.limit = visit(stmt.limit, Where::before);
         numbers_.change_all(stmt.body);
     } else {
         numbers_.change_all(stmt.body);
-        copy.value = visit(stmt.value, Where::loop_condition);
+        parts.value = visit(stmt.value, Where::loop_condition);
     }
-    copy.body = run(stmt.body);
+    parts.body = run(stmt.body);
     numbers_.change_all(stmt.body);
-    append(std::move(copy));
+    append(id, std::move(parts));
 }
 
 void Sharing::statement_(StmtId id) {
-    const Stmt stmt = cx.p.stmts[id];
+    const Stmt& stmt = cx.p.stmts[id];
     span_ = stmt.span;
     switch (stmt.op) {
-    case StmtOp::let: let_(stmt); return;
+    case StmtOp::let: let_(id); return;
     case StmtOp::for_:
-    case StmtOp::while_: loop_(stmt); return;
+    case StmtOp::while_: loop_(id); return;
     default: break;  // expressions first, then what is inside, then what changes
     }
-    Stmt copy = stmt;
-    if (stmt.value) copy.value = visit(stmt.value, Where::before);
+    Make::Parts parts{{}, {}, stmt.limit, {}, {}};
+    if (stmt.value) parts.value = visit(stmt.value, Where::before);
     if (stmt.target)
-        copy.target =
+        parts.target =
             stmt.op == StmtOp::assign ? visit_target(stmt.target, Where::before) : visit(stmt.target, Where::before);
-    if (stmt.op == StmtOp::if_ || stmt.op == StmtOp::block) {
-        bool is_if = stmt.op == StmtOp::if_;
-        copy.body = is_if ? run_knowing(stmt.body, stmt.value, true) : run(stmt.body);
-        copy.otherwise = is_if ? run_knowing(stmt.otherwise, stmt.value, false) : run(stmt.otherwise);
+    if (stmt.op == StmtOp::if_) {
+        parts.body = run_knowing(stmt.body, stmt.value, true);
+        parts.otherwise = run_knowing(stmt.otherwise, stmt.value, false);
+    } else {
+        parts.body = run(stmt.body);
+        parts.otherwise = run(stmt.otherwise);
     }
     span_ = stmt.span;
-    numbers_.change_all({id});
-    append(std::move(copy));
+    numbers_.change_all(stmt);
+    append(id, std::move(parts));
 }
 
 }  // namespace
 
 std::vector<StmtId> share(Context& cx, const std::vector<StmtId>& body, const std::vector<ExprId>& facts) {
     std::vector<Record> records;
+    records.reserve(64);
     Numbers numbers(cx);
     Sharing(cx, numbers, records, facts, false).run(body);
     numbers.restart();

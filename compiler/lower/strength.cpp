@@ -23,13 +23,14 @@ public:
 private:
     struct Candidate {
         LocalId local;
-        Polynomial polynomial, varying;
+        const Polynomial* polynomial;
+        Polynomial varying;
     };
 
     StmtId statement_(StmtId id);
     ExprId visit(ExprId id);
     ExprId relative(ExprId id);
-    ExprId around_select(const Expr& node, std::vector<ExprId> operands);
+    ExprId around_select(const Expr& node, Operands operands);
     bool is_sum(ExprId id) const;
 
     Context& cx;
@@ -48,29 +49,30 @@ bool Strength::is_sum(ExprId id) const {
 /// The sum as an earlier local plus a uniform amount, if there is one such.
 ExprId Strength::relative(ExprId id) {
     if (!is_sum(id) || !numbers_.is_fixed(id) || is_uniform(cx, id)) return {};
-    auto polynomial = polynomials_.of(id);
-    if (!polynomial) return {};
+    const Polynomial* polynomial = polynomials_.of(id);
+    if (polynomial == nullptr) return {};
     Polynomial varying = polynomials_.varying(*polynomial);
     if (varying.empty()) return {};
     // One term alone, as in x + 1, is already as short as it can be.
-    if (varying.size() == 1 && varying.begin()->first.size() == 1 && varying.begin()->second == 1) return {};
+    if (varying.size() == 1 && varying[0].product.size() == 1 && varying[0].factor == 1) return {};
     const Candidate* best = nullptr;
     Polynomials::Difference nearest;
     for (const Candidate& candidate : candidates_) {
         if (candidate.varying != varying) continue;
-        auto difference = polynomials_.difference(*polynomial, candidate.polynomial);
+        auto difference = Polynomials::difference(*polynomial, *candidate.polynomial);
         if (best && difference.operations >= nearest.operations) continue;
         best = &candidate;
-        nearest = difference;
+        nearest = std::move(difference);
     }
     if (!best) return {};
     ExprId base = cx.make.local(best->local);
-    if (!nearest.amount) return base;
-    return cx.make.binary(nearest.is_negative ? BinaryOp::subtract : BinaryOp::add, base, nearest.amount);
+    ExprId amount = polynomials_.expression(nearest.terms);
+    if (!amount) return base;
+    return cx.make.binary(nearest.is_negative ? BinaryOp::subtract : BinaryOp::add, base, amount);
 }
 
 /// c ? base + step : base is base + (c ? step : 0): one choice between small values, no branch.
-ExprId Strength::around_select(const Expr& node, std::vector<ExprId> operands) {
+ExprId Strength::around_select(const Expr& node, Operands operands) {
     const Expr* named = &cx.p.exprs[operands[1]];
     const ExprId* definition = named->op == Op::local ? cx.definitions.find(named->local) : nullptr;
     const Expr& moved = definition ? cx.p.exprs[*definition] : *named;
@@ -90,9 +92,9 @@ ExprId Strength::around_select(const Expr& node, std::vector<ExprId> operands) {
 
 ExprId Strength::visit(ExprId id) {
     if (ExprId shorter = relative(id)) return shorter;
-    const Expr node = cx.p.exprs[id];
+    const Expr& node = cx.p.exprs[id];
     if (node.operands.empty() || is_uniform(cx, id)) return id;
-    std::vector<ExprId> operands;
+    Operands operands;
     for (ExprId operand : node.operands) operands.push_back(visit(operand));
     if (node.op == Op::select && node.type == cx.p.types.uint) return around_select(node, std::move(operands));
     if (operands == node.operands) return id;
@@ -100,22 +102,23 @@ ExprId Strength::visit(ExprId id) {
 }
 
 StmtId Strength::statement_(StmtId id) {
-    Stmt copy = cx.p.stmts[id];
-    ExprId before = copy.value;
-    if (copy.value) copy.value = visit(copy.value);
-    if (copy.target && copy.op != StmtOp::assign) copy.target = visit(copy.target);
-    copy.body = run(copy.body);
-    copy.otherwise = run(copy.otherwise);
-    if (copy.op == StmtOp::let && copy.value && !cx.p.locals[copy.local].is_mutable) {
-        cx.definitions[copy.local] = copy.value;
+    const Stmt& stmt = cx.p.stmts[id];
+    Make::Parts parts{stmt.target, stmt.value, stmt.limit, {}, {}};
+    const ExprId before = stmt.value;
+    if (stmt.value) parts.value = visit(stmt.value);
+    if (stmt.target && stmt.op != StmtOp::assign) parts.target = visit(stmt.target);
+    parts.body = run(stmt.body);
+    parts.otherwise = run(stmt.otherwise);
+    if (stmt.op == StmtOp::let && stmt.value && !cx.p.locals[stmt.local].is_mutable) {
+        cx.definitions[stmt.local] = parts.value;
         if (cx.make.type(before) == cx.p.types.uint && is_sum(before) && numbers_.is_fixed(before)) {
-            if (auto polynomial = polynomials_.of(before)) {
+            if (const Polynomial* polynomial = polynomials_.of(before)) {
                 Polynomial varying = polynomials_.varying(*polynomial);
-                if (!varying.empty()) candidates_.push_back({copy.local, std::move(*polynomial), std::move(varying)});
+                if (!varying.empty()) candidates_.push_back({stmt.local, polynomial, std::move(varying)});
             }
         }
     }
-    return cx.add(std::move(copy));
+    return cx.make.again(id, std::move(parts));
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ Pair Expander::translated(const Place& place, ExprId address, const std::string&
         frame.prefix = name;
         for (const Place& member : stage.structures) {
             Place nested = place;
-            nested.members.insert(nested.members.end(), member.members.begin(), member.members.end());
+            nested.members.append(member.members);
             frame.places.push_back(std::move(nested));
         }
         std::vector<Pair> arguments{{at.value, {}}};

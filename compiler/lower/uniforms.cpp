@@ -59,14 +59,14 @@ private:
     Lifted lifted_;
     Numbers numbers_;
     std::map<ValueNumber, std::uint32_t> leaves_;  ///< leaves that are used, and which of their components
-    FlatMap<ExprId, bool> seen_;
+    NodeMap<ExprId, bool> seen_{cx.first_expr};
     std::unordered_map<ValueNumber, std::uint32_t> slots_;
     // of one body
-    FlatMap<ExprId, ExprId> visited_;
+    NodeMap<ExprId, ExprId> visited_{cx.first_expr};
     std::unordered_map<ValueNumber, unsigned> counts_;  ///< uses of what stays in the shader
     std::unordered_map<ValueNumber, LocalId> locals_;   ///< that hold them
     std::vector<StmtId> top_;                           ///< their lets
-    FlatMap<ExprId, ExprId> closed_;
+    NodeMap<ExprId, ExprId> closed_{cx.first_expr};
 };
 
 bool Uniforms::is_leaf(ExprId id) const {
@@ -107,13 +107,13 @@ bool Uniforms::is_single(ExprId part) {
 /// The uniform value without locals of the pass: what the host can evaluate.
 ExprId Uniforms::closed(ExprId id) {
     if (const ExprId* found = closed_.find(id)) return *found;
-    const Expr node = cx.p.exprs[id];
+    const Expr& node = cx.p.exprs[id];
     ExprId result = id;
     const ExprId* definition = node.op == Op::local ? cx.definitions.find(node.local) : nullptr;
     if (definition) {
         result = closed(*definition);
     } else if (!node.operands.empty()) {
-        std::vector<ExprId> operands;
+        Operands operands;
         bool same = true;
         for (ExprId operand : node.operands) {
             operands.push_back(closed(operand));
@@ -268,8 +268,8 @@ void Uniforms::count(ExprId id) {
 }
 
 ExprId Uniforms::visit_operands(ExprId id) {
-    const Expr node = cx.p.exprs[id];
-    std::vector<ExprId> operands;
+    const Expr& node = cx.p.exprs[id];
+    Operands operands;
     for (ExprId operand : node.operands) operands.push_back(visit(operand));
     return operands == node.operands ? id : cx.make.again(node, std::move(operands));
 }
@@ -309,15 +309,16 @@ ExprId Uniforms::visit(ExprId id) {
 std::vector<StmtId> Uniforms::rewrite(const std::vector<StmtId>& body) {
     std::vector<StmtId> result;
     for (StmtId id : body) {
-        Stmt copy = cx.p.stmts[id];
-        if (copy.op == StmtOp::let && copy.value && !cx.p.locals[copy.local].is_mutable && is_lifted(copy.value))
+        const Stmt& stmt = cx.p.stmts[id];
+        if (stmt.op == StmtOp::let && stmt.value && !cx.p.locals[stmt.local].is_mutable && is_lifted(stmt.value))
             continue;
-        if (copy.value) copy.value = visit(copy.value);
-        if (copy.target) copy.target = visit(copy.target);
-        if (copy.limit) copy.limit = visit(copy.limit);
-        copy.body = rewrite(copy.body);
-        copy.otherwise = rewrite(copy.otherwise);
-        result.push_back(cx.add(std::move(copy)));
+        Make::Parts parts;
+        if (stmt.value) parts.value = visit(stmt.value);
+        if (stmt.target) parts.target = visit(stmt.target);
+        if (stmt.limit) parts.limit = visit(stmt.limit);
+        parts.body = rewrite(stmt.body);
+        parts.otherwise = rewrite(stmt.otherwise);
+        result.push_back(cx.make.again(id, std::move(parts)));
     }
     return result;
 }

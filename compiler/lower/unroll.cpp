@@ -3,8 +3,6 @@
 #include "ir/evaluate.h"
 #include "ir/walk.h"
 
-#include <unordered_set>
-
 namespace gliftc::lower {
 
 using namespace ir;
@@ -33,7 +31,8 @@ bool indexes_array_by_loop(const Program& program, const Stmt& loop) {
 }
 
 bool has_near_depending_on_loop(const Program& program, const Stmt& loop) {
-    std::unordered_set<LocalId> inner{loop.local};
+    IdSet<Local> inner;
+    inner.insert(loop.local);
     for_each_statement(program, loop.body, [&](const Stmt& stmt) {
         if (stmt.op == StmtOp::let || stmt.op == StmtOp::for_) inner.insert(stmt.local);
     });

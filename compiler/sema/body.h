@@ -134,8 +134,7 @@ std::optional<ir::Intrinsic> find_intrinsic(std::string_view name);
 // structures as seen by code
 Operand structure_member(Body&, const Operand& structure, ast::Identifier member);
 ir::ExprId make_read(Body&, const Operand& structure, ir::ExprId address, Span);
-ir::ExprId structure_operation(Body&, ir::Op, ir::TypeId, const Operand& structure, Span,
-                               std::vector<ir::ExprId> operands = {});
+ir::ExprId structure_operation(Body&, ir::Op, ir::TypeId, const Operand& structure, Span, ir::Operands operands = {});
 ir::TypeId signed_address(ir::Types&, ir::TypeId domain);  ///< int, int2 … for uint, uint2 …
 
 // statements

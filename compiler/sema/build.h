@@ -5,7 +5,7 @@
 
 namespace gliftc::sema {
 
-inline ir::ExprId add(ir::Program& p, ir::Op op, ir::TypeId type, Span span, std::vector<ir::ExprId> operands = {}) {
+inline ir::ExprId add(ir::Program& p, ir::Op op, ir::TypeId type, Span span, ir::Operands operands = {}) {
     ir::Expr expr;
     expr.op = op;
     expr.type = type;

@@ -95,7 +95,7 @@ Operand construct_value(Body& body, ir::TypeId id, const ast::Expr& call) {
     const ir::Type type = types[id];
     bool is_tuple = call.kind == ast::ExprKind::tuple;
     std::vector<ast::ExprId> written = is_tuple ? call.operands : arguments_of(call);
-    std::vector<ir::ExprId> operands;
+    ir::Operands operands;
     if (type.kind == ir::TypeKind::struct_ || type.kind == ir::TypeKind::array) {
         std::vector<ir::TypeId> parts;
         if (type.kind == ir::TypeKind::array) parts.assign(type.count, type.element);

@@ -80,10 +80,9 @@ Operand no_value(Body& body, Span span) {
     return value_operand(body, add(body.program(), ir::Op::constant, body.types().void_, span), span);
 }
 
-std::optional<std::vector<ir::ExprId>> kernel_arguments(Body& body, std::uint32_t kernel_index,
-                                                        std::vector<Argument>& arguments) {
+std::optional<ir::Operands> kernel_arguments(Body& body, std::uint32_t kernel_index, std::vector<Argument>& arguments) {
     Context& c = body.context;
-    std::vector<ir::ExprId> values;
+    ir::Operands values;
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         const ir::KernelParam param = body.program().kernels[kernel_index].params[i];
         Span span = c[arguments[i].written].span;
@@ -196,7 +195,7 @@ std::optional<Operand> call_pipeline(Body& body, ast::DeclId id, const std::vect
     auto pipeline =
         instantiate_pipeline(c, id, env, structures, owner ? std::optional(owner->structure) : std::nullopt, call.span);
     if (!pipeline) return std::nullopt;
-    std::vector<ir::ExprId> values;
+    ir::Operands values;
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         const ir::PipelineParam param = body.program().pipelines[*pipeline].params[i];
         ir::TypeId wanted = body.program().locals[param.local].type;
@@ -268,7 +267,7 @@ Operand as_structure(Body& body, const Operand& operand, Span span) {
     return structure;
 }
 
-void emit_expect(Body& body, ir::StmtOp op, std::vector<ir::ExprId> arguments, Span span) {
+void emit_expect(Body& body, ir::StmtOp op, ir::Operands arguments, Span span) {
     ir::StmtId stmt = add(body.program(), op, span);
     if (op == ir::StmtOp::expect) body.program().stmts[stmt].value = arguments[0];
     else body.program().stmts[stmt].arguments = std::move(arguments);
@@ -305,7 +304,7 @@ std::optional<Operand> check_expect(Body& body, std::string_view name, const ast
         emit_expect(body, ir::StmtOp::expect_near, {a, b, tolerance}, call.span);
         return no_value(body, call.span);
     }
-    std::vector<ir::ExprId> values;
+    ir::Operands values;
     std::vector<std::uint32_t> structures;
     for (std::size_t i = 0; i < 2; ++i) {
         Operand operand = check(body, arguments[i]);
@@ -398,7 +397,7 @@ Operand construct_structure(Body& body, ir::TypeId type, const ast::Expr& call) 
              c[decl].name.span, "declared here");
         return error_operand(call.span);
     }
-    std::vector<ir::ExprId> values;
+    ir::Operands values;
     for (std::size_t i = 0; i < written.size(); ++i) {
         ir::TypeId wanted = type_of(c, *c.structure_env.at(index), (*params)[i].type);
         values.push_back(check_value(body, written[i], wanted));

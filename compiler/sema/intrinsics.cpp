@@ -165,7 +165,8 @@ Operand call_intrinsic(Body& body, ir::Intrinsic intrinsic, const std::vector<as
              "write 'group(size)' after the kernel's parameters");
         return error_operand(call.span);
     }
-    std::vector<ir::ExprId> operands(arguments.size());
+    ir::Operands operands;
+    operands.assign(arguments.size(), {});
     ir::TypeId common;
     for (int round = 0; round < 2; ++round) {
         for (std::size_t i = 0; i < arguments.size(); ++i) {

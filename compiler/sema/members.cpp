@@ -197,7 +197,7 @@ Operand index_iterator(Body& body, const Operand& left, const ast::Expr& expr) {
 ir::TypeId signed_address(ir::Types& types, ir::TypeId domain) { return types.with_scalar(domain, types.int_); }
 
 ir::ExprId structure_operation(Body& body, ir::Op op, ir::TypeId type, const Operand& structure, Span span,
-                               std::vector<ir::ExprId> operands) {
+                               ir::Operands operands) {
     ir::ExprId id = add(body.program(), op, type, span, std::move(operands));
     body.program().exprs[id].place = structure.place;
     body.program().exprs[id].local = structure.local;

@@ -158,7 +158,7 @@ Operand finish_call(Body& body, ast::DeclId id, const Env& env, CheckedArguments
                     const std::vector<ast::ExprId>& written, const ast::Expr& call, const Operand* self) {
     Context& c = body.context;
     const auto& function = std::get<ast::Function>(c[id].body);
-    std::vector<ir::ExprId> values;
+    ir::Operands values;
     std::vector<std::uint32_t> structures;
     std::vector<ir::Place> places;
     if (self) {

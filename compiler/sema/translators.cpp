@@ -166,7 +166,7 @@ ir::ExprId substitute_state(Context& c, ir::ExprId id, const ir::Stage& stage) {
     bool placed = expr.op == ir::Op::member || expr.op == ir::Op::memory_extent || expr.op == ir::Op::domain;
     if (placed && expr.place.root < stage.structures.size()) {
         ir::Place place = stage.structures[expr.place.root];
-        place.members.insert(place.members.end(), expr.place.members.begin(), expr.place.members.end());
+        place.members.append(expr.place.members);
         expr.place = std::move(place);
     }
     return c.program.exprs.add(std::move(expr));

@@ -33,11 +33,16 @@ std::string_view Sources::text(Span span) const {
     return std::string_view(files_[span.file].text).substr(span.begin, span.end - span.begin);
 }
 
+std::uint32_t Sources::line_of(Span span) const {
+    if (!span) return 1;
+    const std::vector<std::uint32_t>& starts = files_[span.file].line_starts;
+    return static_cast<std::uint32_t>(std::upper_bound(starts.begin(), starts.end(), span.begin) - starts.begin());
+}
+
 Position Sources::position(Span span) const {
     if (!span) return {};
     const SourceFile& file = files_[span.file];
-    auto next = std::upper_bound(file.line_starts.begin(), file.line_starts.end(), span.begin);
-    auto line = static_cast<std::uint32_t>(next - file.line_starts.begin());
+    const std::uint32_t line = line_of(span);
     std::uint32_t start = file.line_starts[line - 1];
     std::uint32_t column = 1;
     for (std::uint32_t i = start; i < span.begin && i < file.text.size(); ++i)

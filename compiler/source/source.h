@@ -48,6 +48,7 @@ public:
 
     std::string_view text(Span span) const;
     Position position(Span span) const;                                   ///< of the span's first byte
+    std::uint32_t line_of(Span span) const;                               ///< the position's line
     std::string_view line(std::uint32_t file, std::uint32_t line) const;  ///< without its end of line
 
 private:

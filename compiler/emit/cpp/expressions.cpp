@@ -42,7 +42,7 @@ Operator operator_of(BinaryOp op) {
     return {" ? ", Level::ternary, Level::postfix};
 }
 
-Text function_call(Printer& p, const std::string& name, const std::vector<ExprId>& operands) {
+Text function_call(Printer& p, const std::string& name, const ir::Operands& operands) {
     return {name + "(" + join_arguments(p, operands) + ")"};
 }
 
@@ -224,7 +224,7 @@ std::string print(Printer& p, ExprId expr, Level least) { return wrap(print(p, e
 
 std::string print_any(Printer& p, ExprId expr) { return print(p, expr).text; }
 
-std::string join_arguments(Printer& p, const std::vector<ExprId>& arguments) {
+std::string join_arguments(Printer& p, const ir::Operands& arguments) {
     std::string text;
     for (ExprId argument : arguments) text += (text.empty() ? "" : ", ") + print_any(p, argument);
     return text;

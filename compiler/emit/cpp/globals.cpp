@@ -28,6 +28,8 @@ Globals make_globals(const ir::Program& program, const Sources& sources) {
         const bool generic = each.display.find('<') != std::string::npos;
         globals.structure_names[i] = globals.names.declare(generic ? each.display : names[each.name]);
     }
+    for (std::uint32_t i = 0; i < program.structures.size(); ++i)
+        globals.class_names.push_back(class_names(program, i));
     return globals;
 }
 

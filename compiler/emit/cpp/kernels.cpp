@@ -136,11 +136,11 @@ std::string memories_text(Unit& unit, const Kernel& kernel, const Pass& pass) {
         std::string object = param_name(unit, param) + "->";
         std::uint32_t structure = param.structure;
         for (std::uint32_t member : binding.place.members) {
-            object += class_names(unit.program, structure).members[member] + "().";
+            object += unit.globals.class_names[structure].members[member] + "().";
             structure = unit.program.structures[structure].members[member].structure;
         }
         text +=
-            (text.empty() ? "" : ", ") + object + class_names(unit.program, structure).memories[binding.memory] + "()";
+            (text.empty() ? "" : ", ") + object + unit.globals.class_names[structure].memories[binding.memory] + "()";
     }
     return text;
 }
@@ -345,7 +345,7 @@ void print_kernel_code(Unit& unit, Writer& out, std::uint32_t index) {
     if (any.has_status()) out.line(".reports = true,");
     if (any.loop_rounds != 0 && any.longest_loop)
         out.line(".longest_loop = {\"" + file_name(unit.sources, any.longest_loop.file) + "\", " +
-                 std::to_string(unit.sources.position(any.longest_loop).line) + "},");
+                 std::to_string(unit.sources.line_of(any.longest_loop)) + "},");
     if (any.files.size() > 1) out.line(".other_files = " + name + "_other_files,");
     out.close(";");
 }

@@ -1,6 +1,5 @@
 #include "emit/cpp/names.h"
 
-#include <algorithm>
 #include <array>
 
 namespace gliftc::cpp {
@@ -119,6 +118,7 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// float4, uint3x3 and the like: types of the language.
 bool is_type_name(std::string_view name) {
+    if (name.empty() || !is_digit(name.back())) return false;
     for (std::string_view scalar : {"bool", "int", "uint", "float", "half", "double"}) {
         if (!name.starts_with(scalar)) continue;
         std::string_view rest = name.substr(scalar.size());
@@ -131,7 +131,8 @@ bool is_type_name(std::string_view name) {
 }  // namespace
 
 bool is_reserved(std::string_view name) {
-    return std::binary_search(words.begin(), words.end(), name) || is_type_name(name);
+    static const std::unordered_set<std::string_view> reserved(words.begin(), words.end());
+    return reserved.contains(name) || is_type_name(name);
 }
 
 std::string identifier(std::string_view text) {

@@ -34,6 +34,11 @@ struct Text {
     Level level = Level::postfix;
 };
 
+/// The names of a generated class's members; the same wherever they are used.
+struct ClassNames {
+    std::vector<std::string> arguments, memories, members, host;
+};
+
 /// Names that a whole generated file shares.
 struct Globals {
     const ir::Program& program;
@@ -41,6 +46,7 @@ struct Globals {
     Scopes names;                              ///< of the module's namespace
     std::vector<std::string> struct_names;     ///< of Program::structs
     std::vector<std::string> structure_names;  ///< of Program::structures
+    std::vector<ClassNames> class_names;       ///< of Program::structures
     std::unordered_map<ir::FunctionId, std::string> function_names;
     std::string functions;                                        ///< printed so far, callees first
     std::unordered_map<std::uint32_t, std::string> kernel_names;  ///< of Program::kernels
@@ -86,7 +92,7 @@ bool holds_bool(const ir::Program& program, ir::TypeId type);
 Text print(Printer& p, ir::ExprId expr);
 std::string print(Printer& p, ir::ExprId expr, Level least);  ///< in parentheses if looser than `least`
 std::string print_any(Printer& p, ir::ExprId expr);
-std::string join_arguments(Printer& p, const std::vector<ir::ExprId>& arguments);
+std::string join_arguments(Printer& p, const ir::Operands& arguments);
 std::string wrap(Text text, Level least);
 
 // surroundings.cpp
@@ -94,10 +100,6 @@ std::string wrap(Text text, Level least);
 /// class.
 Text structure_property(const Globals& globals, const ir::Expr& expr, std::uint32_t root_structure,
                         const std::string& object);
-/// The names of a generated class's members; the same wherever they are used.
-struct ClassNames {
-    std::vector<std::string> arguments, memories, members, host;
-};
 ClassNames class_names(const ir::Program& program, std::uint32_t structure);
 
 // statements.cpp

@@ -82,7 +82,7 @@ void print_if(Printer& p, const Stmt& stmt) {
     const Stmt* rest = &stmt;
     while (!rest->otherwise.empty()) {
         const Stmt& next = p.program.stmts[rest->otherwise[0]];
-        if (rest->otherwise.size() == 1 && next.op == StmtOp::if_ && next.comment.empty()) {
+        if (rest->otherwise.size() == 1 && next.op == StmtOp::if_) {
             p.out.dedent();
             p.out.open("} else if (" + print_any(p, next.value) + ")");
             print_nested(p, next.body);
@@ -142,12 +142,12 @@ std::string file_name(const Sources& sources, std::uint32_t file) {
 }
 
 std::string place_text(const Sources& sources, Span span) {
-    return span ? file_name(sources, span.file) + ":" + std::to_string(sources.position(span).line) : "";
+    return span ? file_name(sources, span.file) + ":" + std::to_string(sources.line_of(span)) : "";
 }
 
 void mark_line(Printer& p, Span span) {
     if (!span) return;
-    const std::uint32_t line = p.globals.sources.position(span).line;
+    const std::uint32_t line = p.globals.sources.line_of(span);
     if (span.file == p.marked_file && line == p.marked_line) return;
     p.marked_file = span.file;
     p.marked_line = line;
@@ -161,7 +161,6 @@ void print_statements(Printer& p, const std::vector<ir::StmtId>& body) {
 void print_statement(Printer& p, ir::StmtId id) {
     const Stmt& stmt = p.program.stmts[id];
     if (stmt.op != StmtOp::block && stmt.op != StmtOp::release) mark_line(p, stmt.span);
-    if (!stmt.comment.empty()) p.out.line("// " + stmt.comment);
     switch (stmt.op) {
     case StmtOp::let: return print_let(p, stmt);
     case StmtOp::assign: return print_assign(p, stmt);
@@ -242,7 +241,7 @@ void require_function(Globals& globals, ir::FunctionId id) {
     if (function.span) p.out.line("// " + place_text(globals.sources, function.span) + ": " + function.display);
     p.out.open("inline " + type_text(globals, function.result) + " " + name + "(" + parameters + ")");
     p.marked_file = function.span.file;
-    p.marked_line = function.span ? globals.sources.position(function.span).line : 0;
+    p.marked_line = function.span ? globals.sources.line_of(function.span) : 0;
     print_statements(p, function.body);
     p.out.close();
     globals.functions += p.out.take() + "\n";

@@ -231,7 +231,7 @@ void print_transfers(Unit& unit, Writer& out, std::uint32_t index) {
 
 void print_class(Unit& unit, Writer& out, std::uint32_t index, bool qualified) {
     const Structure& structure = unit.program.structures[index];
-    const ClassNames names = class_names(unit.program, index);
+    const ClassNames& names = unit.globals.class_names[index];
     const std::string& type = unit.class_name(index);
     const std::string shown = structure.alias ? unit.name(structure.alias) : structure.display;
     if (structure.doc.empty())
@@ -302,7 +302,7 @@ void print_class(Unit& unit, Writer& out, std::uint32_t index, bool qualified) {
 
 void print_class_members(Unit& unit, Writer& out, std::uint32_t index) {
     const Structure& structure = unit.program.structures[index];
-    const ClassNames names = class_names(unit.program, index);
+    const ClassNames& names = unit.globals.class_names[index];
     print_constructors(unit, out, index, names);
     if (structure.kind != StructureKind::adaptor) {
         Printer p = own_printer(unit, index);

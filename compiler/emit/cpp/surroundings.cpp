@@ -25,11 +25,11 @@ Text structure_property(const Globals& globals, const ir::Expr& expr, std::uint3
     std::string prefix = object;
     bool own = object.empty();  // the fields themselves, not their accessors
     for (std::uint32_t member : expr.place.members) {
-        prefix += class_names(globals.program, structure).members[member] + (own ? "_." : "().");
+        prefix += globals.class_names[structure].members[member] + (own ? "_." : "().");
         own = false;
         structure = globals.program.structures[structure].members[member].structure;
     }
-    const ClassNames names = class_names(globals.program, structure);
+    const ClassNames& names = globals.class_names[structure];
     const char* end = own ? "_" : "()";
     switch (expr.op) {
     case ir::Op::member: return {prefix + names.arguments[expr.slot] + end};

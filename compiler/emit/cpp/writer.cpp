@@ -44,10 +44,10 @@ std::vector<Break> breaks_of(std::string_view text) {
 }  // namespace
 
 void Writer::line(std::string_view text) {
-    std::string indent(static_cast<std::size_t>(depth_) * 4, ' ');
+    std::size_t indent = static_cast<std::size_t>(depth_) * 4;
     std::string_view comment = text.starts_with("//") ? text : std::string_view();
-    while (comment.empty() && indent.size() + text.size() > line_width) {
-        const std::size_t room = line_width - indent.size();
+    while (comment.empty() && indent + text.size() > line_width) {
+        const std::size_t room = line_width - indent;
         std::size_t best = 0;
         int best_depth = 1 << 30;
         for (const Break& candidate : breaks_of(text)) {
@@ -58,13 +58,13 @@ void Writer::line(std::string_view text) {
         if (best == 0) break;
         std::string_view head = text.substr(0, best);
         while (head.ends_with(' ')) head.remove_suffix(1);
-        out_ += indent;
+        out_.append(indent, ' ');
         out_ += head;
         out_ += '\n';
         text.remove_prefix(best);
-        indent.assign(static_cast<std::size_t>(depth_ + 1) * 4, ' ');
+        indent = static_cast<std::size_t>(depth_ + 1) * 4;
     }
-    if (!text.empty()) out_ += indent;
+    if (!text.empty()) out_.append(indent, ' ');
     out_ += text;
     out_ += '\n';
 }

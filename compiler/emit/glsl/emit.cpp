@@ -127,8 +127,8 @@ std::string heading(Printer& p) {
     const ir::Kernel& kernel = p.program.kernels[p.pass.kernel];
     std::string name = kernel.display.empty() ? (*p.program.names)[kernel.name] : kernel.display, where;
     if (kernel.span)
-        where = ", " + file_name(p.sources[kernel.span.file].path) + ":" +
-                std::to_string(p.sources.position(kernel.span).line);
+        where =
+            ", " + file_name(p.sources[kernel.span.file].path) + ":" + std::to_string(p.sources.line_of(kernel.span));
     return "// " + name + where + ": " + form_text(p.pass.form) + ".\n";
 }
 

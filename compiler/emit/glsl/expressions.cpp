@@ -371,7 +371,7 @@ std::string print_negated(Printer& p, ExprId id) {
     return "!" + print(p, id, Level::unary);
 }
 
-std::string join_arguments(Printer& p, const std::vector<ExprId>& arguments) {
+std::string join_arguments(Printer& p, const ir::Operands& arguments) {
     std::string text;
     for (ExprId argument : arguments)
         if (!is_empty(p.program, p.program.exprs[argument].type))

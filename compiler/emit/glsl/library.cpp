@@ -112,8 +112,7 @@ std::string state_text(Printer& p, const std::string& name, const std::string& m
 std::string heading(const Program& program, const Sources& sources, std::uint32_t structure, const std::string& macro) {
     const Structure& s = program.structures[structure];
     std::string text = "// " + s.display;
-    if (s.span)
-        text += ", " + file_name(sources[s.span.file].path) + ":" + std::to_string(sources.position(s.span).line);
+    if (s.span) text += ", " + file_name(sources[s.span.file].path) + ":" + std::to_string(sources.line_of(s.span));
     return text + ".\n// Define before including: " + macro + "_SET, " + macro +
            "_BINDING (the state; memory k follows at + 1 + k), " + macro + "_STATE, " + macro + "_READONLY.\n";
 }

@@ -85,8 +85,7 @@ void print_if(Printer& p, const Stmt& stmt, const std::string& before) {
     print_block(p, stmt.body);
     if (stmt.otherwise.empty()) return line(p, "}");
     const Stmt& only = p.program.stmts[stmt.otherwise[0]];
-    if (stmt.otherwise.size() == 1 && only.op == StmtOp::if_ && only.comment.empty())
-        return print_if(p, only, "} else ");
+    if (stmt.otherwise.size() == 1 && only.op == StmtOp::if_) return print_if(p, only, "} else ");
     line(p, "} else {");
     print_block(p, stmt.otherwise);
     line(p, "}");
@@ -157,9 +156,7 @@ bool is_about_nothing(const Printer& p, const Stmt& stmt) {
     return stmt.op == StmtOp::evaluate && is_empty(p.program, p.program.exprs[stmt.value].type);
 }
 
-void print_comment(Printer& p, const Stmt& stmt) {
-    if (!stmt.comment.empty()) line(p, "// " + stmt.comment);
-}
+void print_comment(Printer& p, const Stmt& stmt) {}
 
 }  // namespace
 
@@ -183,7 +180,7 @@ void line(Printer& p, std::string text) {
 
 void mark_line(Printer& p, Span span) {
     if (!span) return;
-    std::uint32_t number = p.sources.position(span).line;
+    std::uint32_t number = p.sources.line_of(span);
     std::string file = file_name(p.sources[span.file].path);
     if (p.options.lines == LineMarks::directives) {
         p.out += "#line " + std::to_string(number) + " \"" + file + "\"\n";

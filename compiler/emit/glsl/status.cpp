@@ -81,7 +81,7 @@ std::string status_definitions(Printer& p) {
 std::string place_parameters(const Printer& p) { return names_files(p) ? "uint line, uint file" : "uint line"; }
 
 std::string place_arguments(const Printer& p, Span span) {
-    std::string line = std::to_string(span ? p.sources.position(span).line : 0) + "u";
+    std::string line = std::to_string(span ? p.sources.line_of(span) : 0) + "u";
     if (!names_files(p)) return line;
     auto file = std::find(p.pass.files.begin(), p.pass.files.end(), span.file);
     std::size_t index = span && file != p.pass.files.end() ? static_cast<std::size_t>(file - p.pass.files.begin()) : 0;

@@ -131,7 +131,7 @@ std::string_view combine_name(ir::Combine combine) {
 std::string report_text(Body& body, const Stmt& stmt) {
     const std::vector<std::uint32_t>& files = body.pass.files;
     const auto file = std::find(files.begin(), files.end(), stmt.span.file);
-    std::string record = ".line = " + std::to_string(stmt.span ? body.p.globals.sources.position(stmt.span).line : 0) +
+    std::string record = ".line = " + std::to_string(stmt.span ? body.p.globals.sources.line_of(stmt.span) : 0) +
                          ", .binding = " + (stmt.slot == ir::no_binding ? "UINT32_MAX" : std::to_string(stmt.slot));
     if (stmt.span && file != files.end() && file != files.begin())
         record += ", .file = " + std::to_string(file - files.begin());

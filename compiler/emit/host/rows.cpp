@@ -2,6 +2,7 @@
 #include "emit/cpp/visit.h"
 #include "emit/host/affine.h"
 #include "emit/host/body.h"
+#include "ir/walk.h"
 
 #include <map>
 
@@ -69,27 +70,24 @@ std::vector<RowAccess> row_accesses(const ir::Program& program, const ir::Pass& 
 /// Calls of clamp, min and max on a signed integer that advances by one along the row: in the middle of the row they
 /// change nothing, whatever translator they come from.
 std::set<ExprId> row_clamps(const ir::Program& program, const ir::Pass& pass, const std::vector<StmtId>& body) {
+    std::set<ExprId> clamps;
+    ir::for_each_expression(program, body, [&](ExprId id) {
+        const ir::Expr& expr = program.exprs[id];
+        if (expr.op == Op::intrinsic && expr.type == program.types.int_ &&
+            (expr.intrinsic == ir::Intrinsic::clamp || expr.intrinsic == ir::Intrinsic::min ||
+             expr.intrinsic == ir::Intrinsic::max))
+            clamps.insert(id);
+    });
+    if (clamps.empty()) return clamps;
     Affine affine(program, pass.address);
     for (StmtId id : body) affine.learn(program.stmts[id]);
-    std::set<ExprId> found, seen;
-    const auto visit = [&](const auto& self, ExprId id) -> void {
-        if (!id || !seen.insert(id).second) return;
-        const ir::Expr& expr = program.exprs[id];
-        const bool clamps = expr.op == Op::intrinsic && expr.type == program.types.int_ &&
-                            (expr.intrinsic == ir::Intrinsic::clamp || expr.intrinsic == ir::Intrinsic::min ||
-                             expr.intrinsic == ir::Intrinsic::max);
-        if (clamps && affine.is_row(expr.operands[0])) {
-            bool steady = true;
-            for (std::size_t i = 1; i < expr.operands.size(); ++i)
-                steady = steady && affine.is_steady(expr.operands[i]);
-            if (steady) found.insert(id);
-        }
-        for (ExprId operand : expr.operands) self(self, operand);
-    };
-    cpp::for_each_statement(program, body, [&](const Stmt& stmt) {
-        for (ExprId expr : {stmt.target, stmt.value, stmt.limit}) visit(visit, expr);
+    std::erase_if(clamps, [&](ExprId id) {
+        const ir::Operands& operands = program.exprs[id].operands;
+        bool steady = affine.is_row(operands[0]);
+        for (std::size_t i = 1; i < operands.size(); ++i) steady = steady && affine.is_steady(operands[i]);
+        return !steady;
     });
-    return found;
+    return clamps;
 }
 
 /// The `let`s that an expression needs, in order.
@@ -118,7 +116,7 @@ struct Rows {
     void print_address(const std::string& x);
     void print_row_pointers(const std::vector<StmtId>& statements, const std::vector<RowAccess>& accesses,
                             const std::string& begin);
-    std::vector<StmtId> without_unused(std::vector<StmtId> statements, std::set<ir::LocalId>& read) const;
+    std::vector<StmtId> without_unused(std::vector<StmtId> statements, IdSet<ir::Local>& read) const;
     void print_element(const std::vector<StmtId>& statements);
     void print_values_at(const std::vector<StmtId>& statements, const std::vector<ExprId>& wanted,
                          const std::string& begin);
@@ -186,7 +184,7 @@ void Rows::print_row_pointers(const std::vector<StmtId>& statements, const std::
 }
 
 /// Without the `let`s that nothing reads, now that row pointers stand for what was computed with them.
-std::vector<StmtId> Rows::without_unused(std::vector<StmtId> statements, std::set<ir::LocalId>& read) const {
+std::vector<StmtId> Rows::without_unused(std::vector<StmtId> statements, IdSet<ir::Local>& read) const {
     const auto note = [&](const auto& self, ExprId id) -> void {
         if (!id) return;
         const ir::Expr& expr = program.exprs[id];
@@ -249,7 +247,7 @@ void Rows::print_plain_loop(const std::vector<StmtId>& statements, const std::st
         p.out.open("if (" + begin + " < " + end + ")");
         print_row_pointers(statements, accesses, begin);
     }
-    std::set<ir::LocalId> read;
+    IdSet<ir::Local> read;
     const std::vector<StmtId> kept = without_unused(statements, read);
     if (is_independent(kept)) p.out.line("GLIFT_INDEPENDENT");
     if (accesses.empty()) {
@@ -289,7 +287,7 @@ void Rows::print_blocks(const std::vector<StmtId>& statements, const std::string
     p.names.enter();
     p.out.open("if (" + begin + " < " + end + ")");
     print_row_pointers(statements, accesses, begin);
-    std::set<ir::LocalId> read;
+    IdSet<ir::Local> read;
     const std::vector<StmtId> kept = without_unused(statements, read);
     p.out.line("const std::size_t count = " + end + " - " + begin + ";");
     p.out.open("for (std::size_t block = 0; block < count; block += glift::host::block_elements)");
@@ -358,7 +356,7 @@ void Rows::close_sections() {
 void Rows::print_strides(const std::vector<StmtId>& statements, const std::string& begin, const std::string& end) {
     p.marked_line = 0;
     p.names.enter();
-    std::set<ir::LocalId> read;
+    IdSet<ir::Local> read;
     const std::vector<StmtId> kept = without_unused(statements, read);
     p.out.open("for (uint x = " + begin + "; x < " + end + "; ++x)");
     if (read.contains(pass.address)) p.out.line("const uint address = x * " + std::to_string(pass.items) + ";");

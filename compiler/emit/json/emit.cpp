@@ -20,7 +20,7 @@ struct Writer {
 
     const std::string& name(Name name) const { return (*program.names)[name]; }
     std::string type(ir::TypeId id) const { return ir::to_text(program, id); }
-    std::uint32_t line(Span span) const { return span ? sources.position(span).line : 0; }
+    std::uint32_t line(Span span) const { return span ? sources.line_of(span) : 0; }
 
     std::string structure_name(std::uint32_t index) const {
         const ir::Structure& s = program.structures[index];
@@ -71,7 +71,7 @@ Json Writer::stages(const ir::Structure& s, const std::vector<Root>& roots) cons
         for (ir::ExprId scalar : stage.scalars) arguments.push_back(expression_text(program, scalar, roots));
         for (const ir::Place& place : stage.structures) arguments.push_back(place_text(program, roots, place));
         json["arguments"] = arguments;
-        via.push_back(json);
+        via.push_back(std::move(json));
     }
     return via;
 }
@@ -95,7 +95,7 @@ Json Writer::structure(std::uint32_t index) const {
         if (m.shape != ir::MemoryShape::buffer) memory["format"] = word(m.format);
         memory["extent"] = m.extent ? expression_text(program, m.extent, self) : "";
         if (m.linear) memory["filter"] = "linear";
-        json["memories"].push_back(memory);
+        json["memories"].push_back(std::move(memory));
     }
     json["members"] = Json::array();
     for (const ir::MemberStructure& m : s.members) {
@@ -151,7 +151,7 @@ Json Writer::parameters(const ir::Pass& pass, const std::vector<Root>& roots) co
         if (p.source == ir::ParameterSource::origin || p.source == ir::ParameterSource::range_size)
             member["of"] = roots.at(p.param).name;
         if (p.source == ir::ParameterSource::address) member["of"] = pass.bindings.at(p.param).name;
-        members.push_back(member);
+        members.push_back(std::move(member));
     }
     return {{"bytes", pass.parameter_bytes}, {"push_constants", pass.push_constants}, {"members", members}};
 }
@@ -171,7 +171,7 @@ Json Writer::bindings(const ir::Pass& pass, const std::vector<Root>& roots) cons
             json["format"] = word(b.format);
             json["sampled"] = b.sampled;
         }
-        all.push_back(json);
+        all.push_back(std::move(json));
     }
     return all;
 }
@@ -204,7 +204,7 @@ Json Writer::kernel(std::uint32_t index) const {
         }
         if (p.pattern == ir::Pattern::near) param["radius"] = p.radius;
         if (p.pattern == ir::Pattern::scatter) param["combine"] = word(p.combine);
-        json["params"].push_back(param);
+        json["params"].push_back(std::move(param));
     }
     if (index < lowered.passes.size()) {
         const ir::Lowered::Forms& forms = lowered.passes[index];
@@ -227,7 +227,7 @@ Json Writer::pipeline(const ir::Pipeline& p) const {
             one["direction"] = word(param.direction);
             one["structure"] = structure_name(param.structure);
         }
-        json["params"].push_back(one);
+        json["params"].push_back(std::move(one));
     }
     json["result"] = type(p.result);
     document(json, p.doc);

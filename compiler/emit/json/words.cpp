@@ -150,7 +150,7 @@ struct Speller {
 
     std::string name(Name name) const { return (*program.names)[name]; }
 
-    std::string joined(const std::vector<ExprId>& operands) const {
+    std::string joined(const ir::Operands& operands) const {
         std::string text;
         for (ExprId operand : operands) text += (text.empty() ? "" : ", ") + spell(operand);
         return text;

@@ -40,14 +40,14 @@ struct Builder {
     }
 
     ExprId add(Expr expr) { return program.exprs.add(std::move(expr)); }
-    ExprId make(Op op, TypeId type, std::vector<ExprId> operands = {}) {
+    ExprId make(Op op, TypeId type, Operands operands = {}) {
         Expr expr;
         expr.op = op;
         expr.type = type;
         expr.operands = std::move(operands);
         return add(std::move(expr));
     }
-    ExprId with(Op op, TypeId type, std::vector<ExprId> operands, std::uint32_t slot) {
+    ExprId with(Op op, TypeId type, Operands operands, std::uint32_t slot) {
         ExprId id = make(op, type, std::move(operands));
         program.exprs[id].slot = slot;
         return id;
@@ -82,7 +82,7 @@ struct Builder {
         program.exprs[id].unary = op;
         return id;
     }
-    ExprId intrinsic(Intrinsic which, TypeId type, std::vector<ExprId> operands) {
+    ExprId intrinsic(Intrinsic which, TypeId type, Operands operands) {
         ExprId id = make(Op::intrinsic, type, std::move(operands));
         program.exprs[id].intrinsic = which;
         return id;

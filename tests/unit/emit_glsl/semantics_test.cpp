@@ -222,8 +222,11 @@ TEST(Intrinsics, AllCompile) {
             ExprId x = b.make(Op::construct, type, {as_float(b, a)});
             ExprId sum = x;
             for (Intrinsic which : floats) sum = b.plus(sum, b.intrinsic(which, type, {x}));
-            for (auto [which, operands] : more)
-                sum = b.plus(sum, b.intrinsic(which, type, std::vector<ExprId>(operands, x)));
+            for (auto [which, count_of_operands] : more) {
+                Operands operands;
+                operands.assign(count_of_operands, x);
+                sum = b.plus(sum, b.intrinsic(which, type, operands));
+            }
             if (count == 3) {
                 sum = b.plus(sum, b.intrinsic(Intrinsic::cross, type, {x, x}));
                 sum = b.plus(sum, b.intrinsic(Intrinsic::reflect, type, {x, x}));

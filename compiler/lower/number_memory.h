@@ -1,0 +1,85 @@
+// What value numbering remembers. Every pass numbers a body anew; entries carry the time at which they were made, so
+// that memory that one pass filled is empty for the next without being cleared.
+#pragma once
+
+#include "ir/ir.h"
+#include "lower/node_map.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace gliftc::lower {
+
+/// The shape of a node, hashed to 128 bits: two shapes with one hash do not happen.
+struct ShapeKey {
+    std::uint64_t high = 0, low = 0;
+    bool operator==(const ShapeKey&) const = default;
+    void mix(std::uint64_t word) {
+        low = (low ^ word) * 0x9e3779b97f4a7c15ull;
+        low ^= low >> 32;
+        high = (high + word + 0x7f4a7c15u) * 0xd6e8feb86659fd93ull;
+        high ^= high >> 29;
+    }
+};
+
+class NumberMemory {
+public:
+    explicit NumberMemory(ir::ExprId first) : known_(first) {}
+
+    /// Forgets everything.
+    void restart() {
+        start_ = ++time_;
+        ++time_;  // what is known now is not known for ever
+        shapes_ = 0;
+    }
+    /// Forgets the numbers of nodes whose values may change, for something has.
+    void note_change() { ++time_; }
+
+    /// The number of a shape; 0 where it has none yet.
+    std::uint32_t& number_of(const ShapeKey& key) {
+        if (++shapes_ * 2 > slots_.size()) grow();
+        Slot& slot = slots_[place(key)];
+        if (slot.start == start_) --shapes_;
+        else slot = {key, 0, start_};
+        return slot.number;
+    }
+
+    /// The number of a node, if it is known and the same as then; or 0.
+    std::uint32_t known(ir::ExprId id) const {
+        const Known* found = known_.find(id);
+        return found != nullptr && (found->time == start_ || found->time == time_) ? found->number : 0;
+    }
+    void learn(ir::ExprId id, std::uint32_t number, bool is_fixed) { known_[id] = {number, is_fixed ? start_ : time_}; }
+
+private:
+    struct Slot {
+        ShapeKey key;
+        std::uint32_t number = 0, start = 0;
+    };
+    struct Known {
+        std::uint32_t number = 0, time = 0;
+    };
+
+    /// Open addressing, never more than half full.
+    std::size_t place(const ShapeKey& key) const {
+        const std::size_t mask = slots_.size() - 1;
+        std::size_t at = key.low & mask;
+        while (slots_[at].start == start_ && slots_[at].key != key) at = (at + 1) & mask;
+        return at;
+    }
+    void grow() {
+        std::vector<Slot> before(std::max<std::size_t>(512, slots_.size() * 2));
+        before.swap(slots_);
+        for (const Slot& slot : before)
+            if (slot.start == start_) slots_[place(slot.key)] = slot;
+    }
+
+    std::vector<Slot> slots_;
+    std::size_t shapes_ = 0;
+    NodeMap<ir::ExprId, Known> known_;
+    std::uint32_t time_ = 0;   ///< counts what may give nodes other numbers
+    std::uint32_t start_ = 0;  ///< the time of what stays known
+};
+
+}  // namespace gliftc::lower
