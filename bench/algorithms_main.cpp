@@ -6,6 +6,7 @@
 // again within the recording; the time of that alone is taken off.
 #include "algorithms.glift.hpp"
 #include "median.h"
+#include "solvers.glift.hpp"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -82,7 +83,39 @@ std::vector<Case> cases(const glift::Device& device, std::uint32_t n) {
     for (std::uint32_t run : {1u, 8u, 256u})
         add("unique", "runs_" + std::to_string(run), 4, algorithms::select_unique, input(run));
     add("histogram", "below_256", 4, algorithms::count_bytes, bytes);
+    add("radix_sort", "keys_u32", 8, algorithms::sort_keys, x);
+    const algorithms::Keys values = input(1), values_to(device, n);
+    all.push_back(
+        {"radix_sort",
+         "pairs_u32",
+         n,
+         std::uint64_t{16} * n,
+         [=](const glift::Commands& commands) { algorithms::sort_with_values(commands, x, values, y, values_to); },
+         {}});
     return all;
+}
+
+/// n systems of n unknowns.
+std::vector<Case> systems(const glift::Device& device, std::uint32_t n) {
+    const glift::uint2 size(n, n);
+    solvers::Grid lower(device, size), middle(device, size), upper(device, size), right(device, size), x(device, size);
+    solvers::Grid3 right3(device, size), x3(device, size);
+    solvers::make_systems(device, n, lower, middle, upper, right);
+    solvers::make_right(device, n, right3);
+    const std::uint64_t count = std::uint64_t{n} * n;
+    const std::string variant = "n_" + std::to_string(n);
+    return {{"tridiagonal",
+             variant,
+             count,
+             20 * count,
+             [=](const glift::Commands& commands) { solvers::solve(commands, lower, middle, upper, right, x); },
+             {}},
+            {"tridiagonal",
+             variant + "_three",
+             3 * count,
+             36 * count,
+             [=](const glift::Commands& commands) { solvers::solve_three(commands, lower, middle, upper, right3, x3); },
+             {}}};
 }
 
 }  // namespace
@@ -90,11 +123,12 @@ std::vector<Case> cases(const glift::Device& device, std::uint32_t n) {
 int main(int count, char** arguments) {
     CLI::App app("stdlib/algorithms on one device, by its clock");
     std::string name, only, json_file;
-    std::vector<unsigned> log2 = {20, 24};
+    std::vector<unsigned> log2 = {20, 24}, sides;
     int runs = 11;
     double seconds = 0.005;
     app.add_option("--device", name, "as Device::open takes it");
     app.add_option("--log2", log2, "sizes")->delimiter(',');
+    app.add_option("--systems", sides, "so many tridiagonal systems of so many unknowns")->delimiter(',');
     app.add_option("--only", only, "one algorithm");
     app.add_option("--runs", runs, "of which the median is taken");
     app.add_option("--seconds", seconds, "of a run");
@@ -103,8 +137,8 @@ int main(int count, char** arguments) {
     try {
         const glift::Device device = glift::Device::open(name);
         nlohmann::ordered_json rows = nlohmann::ordered_json::array();
-        for (unsigned exponent : log2) {
-            for (const Case& one : cases(device, 1u << exponent)) {
+        const auto time_all = [&](const std::vector<Case>& all) {
+            for (const Case& one : all) {
                 if (!only.empty() && only != one.algorithm) continue;
                 double time = measure(device, one.work, one.refill, runs, seconds);
                 if (one.refill) time -= measure(device, {}, one.refill, runs, seconds);
@@ -119,7 +153,9 @@ int main(int count, char** arguments) {
                                 {"bytes_moved", one.bytes},
                                 {"runs", runs}});
             }
-        }
+        };
+        for (unsigned exponent : log2) time_all(cases(device, 1u << exponent));
+        for (unsigned n : sides) time_all(systems(device, n));
         if (!json_file.empty()) std::ofstream(json_file) << rows.dump(1) << "\n";
     } catch (const glift::Error& error) {
         std::fprintf(stderr, "bench_algorithms: %s\n", error.what());

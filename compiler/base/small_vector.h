@@ -96,10 +96,7 @@ private:
     }
     /// The other's elements; it is empty then. All bytes are copied, those that hold nothing too: that takes no test.
     void take(SmallVector& other) {
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
         std::memcpy(bytes_, other.bytes_, sizeof bytes_);
-#pragma GCC diagnostic pop
         size_ = std::exchange(other.size_, 0);
         capacity_ = std::exchange(other.capacity_, Inside);
     }
@@ -113,7 +110,7 @@ private:
     }
 
     std::uint32_t size_ = 0, capacity_ = Inside;
-    alignas(T) alignas(T*) std::byte bytes_[std::max(sizeof(T) * Inside, sizeof(T*))];
+    alignas(T) alignas(T*) std::byte bytes_[std::max(sizeof(T) * Inside, sizeof(T*))] = {};
 };
 
 }  // namespace gliftc

@@ -134,7 +134,14 @@ enum class Invocation : std::uint8_t {
 };
 
 /// What a pipeline can ask of its device, to choose between variants of an algorithm.
-enum class DeviceProperty : std::uint8_t { is_host, is_gpu, subgroup_size, subgroup_arithmetic, int64, shared_memory_bytes };
+enum class DeviceProperty : std::uint8_t {
+    is_host,
+    is_gpu,
+    subgroup_size,
+    subgroup_arithmetic,
+    int64,
+    shared_memory_bytes
+};
 
 /// What a shader is given; only made by lower/dispatch.
 enum class Builtin : std::uint8_t {

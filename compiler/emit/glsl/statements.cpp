@@ -156,8 +156,6 @@ bool is_about_nothing(const Printer& p, const Stmt& stmt) {
     return stmt.op == StmtOp::evaluate && is_empty(p.program, p.program.exprs[stmt.value].type);
 }
 
-void print_comment(Printer& p, const Stmt& stmt) {}
-
 }  // namespace
 
 std::string file_name(std::string_view path) {
@@ -200,7 +198,6 @@ void print_statement(Printer& p, StmtId id) {
     const Stmt& stmt = p.program.stmts[id];
     if (is_about_nothing(p, stmt)) return;
     if (stmt.op != StmtOp::block) mark_line(p, stmt.span);
-    print_comment(p, stmt);
     switch (stmt.op) {
     case StmtOp::let: return print_let(p, stmt);
     case StmtOp::assign:

@@ -213,7 +213,8 @@ bool Rows::is_independent(const std::vector<StmtId>& statements) const {
     bool independent = true;
     cpp::for_each_statement(program, statements,
                             [&](const Stmt& stmt) { independent = independent && stmt.op != StmtOp::atomic; });
-    for (const ir::PassBinding& binding : pass.bindings) independent = independent && !binding.atomic && !binding.coherent;
+    for (const ir::PassBinding& binding : pass.bindings)
+        independent = independent && !binding.atomic && !binding.coherent;
     return independent;
 }
 
