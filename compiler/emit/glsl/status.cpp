@@ -47,11 +47,13 @@ std::string count_text(const Printer& p) {
                        " = 0u;   // after so many rounds the device cuts loops off; 0: never\n";
     text += "shared uint " + s.rounds + "[" + s.limit + " == 0u ? 1u : " + std::to_string(subgroups) + "u];\n\n";
     text += "// False, and reported, where the device would cut the loop off. Lanes run in step: a round of one is a "
-            "round of all. The device\n// enters what is inside a loop whatever the conditions: `rounds_inside` are "
-            "counted with each of the loop's.\n";
-    text += "bool " + s.another_round + "(uint rounds_inside, " + place_parameters(p) + ") {\n";
+            "round of all.\n";
+    text +=
+        "// The device runs loops whatever the conditions around them say: the `idle_rounds` inside this one count, "
+        "too.\n";
+    text += "bool " + s.another_round + "(uint idle_rounds, " + place_parameters(p) + ") {\n";
     text += "    if (" + s.limit + " == 0u) return true;\n";
-    text += "    uint rounds = " + s.rounds + "[gl_SubgroupID] + 1u + rounds_inside;\n";
+    text += "    uint rounds = " + s.rounds + "[gl_SubgroupID] + 1u + idle_rounds;\n";
     text += "    " + s.rounds + "[gl_SubgroupID] = rounds;\n";
     text += "    if (rounds < " + s.limit + ") return true;\n";
     text += "    if (atomicCompSwap(" + s.block + ".code, 0u, 1u) == 0u) " + place_assigned(p) + "\n";
@@ -94,7 +96,9 @@ namespace {
 std::uint32_t loops_in(const Printer& p, const std::vector<ir::StmtId>& body) {
     std::uint32_t loops = 0;
     for_each_statement(p.program, body, [&](const ir::Stmt& stmt) {
-        loops += stmt.op == ir::StmtOp::for_ || stmt.op == ir::StmtOp::while_ || stmt.op == ir::StmtOp::atomic;
+        // Sums of floats are tried again and again.
+        const bool is_retried = stmt.op == ir::StmtOp::atomic && stored_as_bits(p, p.pass.bindings[stmt.slot]);
+        loops += stmt.op == ir::StmtOp::for_ || stmt.op == ir::StmtOp::while_ || is_retried;
     });
     for_each_expression(p.program, body, [&](ir::ExprId id) {
         const ir::Expr& node = p.program.exprs[id];
@@ -103,11 +107,35 @@ std::uint32_t loops_in(const Printer& p, const std::vector<ir::StmtId>& body) {
     return loops;
 }
 
+bool leaves(const Printer& p, const ir::Stmt& stmt) {
+    using ir::StmtOp;
+    if (stmt.op == StmtOp::break_ || stmt.op == StmtOp::continue_ || stmt.op == StmtOp::return_) return true;
+    const auto one_leaves = [&](ir::StmtId id) { return leaves(p, p.program.stmts[id]); };
+    return std::ranges::any_of(stmt.body, one_leaves) || std::ranges::any_of(stmt.otherwise, one_leaves);
+}
+
+/// Rounds of the loops in a body that the device runs for nothing: one of each loop that a condition may leave out, and
+/// one of what is inside a loop when that ends.
+std::uint32_t idle_rounds(const Printer& p, const std::vector<ir::StmtId>& body, bool may_be_left_out) {
+    std::uint32_t rounds = 0;
+    for (ir::StmtId id : body) {
+        const ir::Stmt& stmt = p.program.stmts[id];
+        const bool is_loop = stmt.op == ir::StmtOp::for_ || stmt.op == ir::StmtOp::while_;
+        if (is_loop) rounds += (may_be_left_out ? 1 : 0) + loops_in(p, stmt.body);
+        else if (stmt.op == ir::StmtOp::if_)
+            rounds += idle_rounds(p, stmt.body, true) + idle_rounds(p, stmt.otherwise, true);
+        else if (stmt.op == ir::StmtOp::block) rounds += idle_rounds(p, stmt.body, may_be_left_out);
+        else rounds += loops_in(p, {id});
+        may_be_left_out = may_be_left_out || leaves(p, stmt);
+    }
+    return rounds;
+}
+
 }  // namespace
 
 std::string round_test(const Printer& p, const std::vector<ir::StmtId>& body, const std::string& place) {
     if (p.status.another_round.empty()) return "";
-    return p.status.another_round + "(" + std::to_string(loops_in(p, body)) + "u, " + place + ")";
+    return p.status.another_round + "(" + std::to_string(idle_rounds(p, body, false)) + "u, " + place + ")";
 }
 
 std::string report_text(Printer& p, const ir::Stmt& stmt) {
@@ -122,7 +150,8 @@ std::string report_text(Printer& p, const ir::Stmt& stmt) {
 
 void print_round_start(Printer& p) {
     if (p.pass.counts_rounds())
-        line(p, "if (" + p.status.limit + " != 0u) " + p.status.rounds + "[gl_SubgroupID] = 0u;");
+        line(p, "if (" + p.status.limit + " != 0u) " + p.status.rounds +
+                    "[gl_SubgroupID] = " + std::to_string(idle_rounds(p, p.pass.body, false)) + "u;");
 }
 
 }  // namespace gliftc::glsl

@@ -26,9 +26,10 @@ layout(constant_id = 101) const uint loop_round_limit = 0u;   // after so many r
 shared uint loop_rounds[loop_round_limit == 0u ? 1u : 64u];
 
 // False, and reported, where the device would cut the loop off. Lanes run in step: a round of one is a round of all.
-bool another_round(uint line) {
+// The device runs loops whatever the conditions around them say: the `idle_rounds` inside this one count, too.
+bool another_round(uint idle_rounds, uint line) {
     if (loop_round_limit == 0u) return true;
-    uint rounds = loop_rounds[gl_SubgroupID] + 1u;
+    uint rounds = loop_rounds[gl_SubgroupID] + 1u + idle_rounds;
     loop_rounds[gl_SubgroupID] = rounds;
     if (rounds < loop_round_limit) return true;
     if (atomicCompSwap(status.code, 0u, 1u) == 0u) status.line = line;
@@ -41,7 +42,7 @@ float halves(float x) {
     // control_flow.glift:19
     float y = x;
     // control_flow.glift:20
-    for (uint i = 0u; another_round(20u) && i < 3u; ++i) {
+    for (uint i = 0u; another_round(0u, 20u) && i < 3u; ++i) {
         y *= 0.5;
     }
     // control_flow.glift:21
@@ -55,7 +56,7 @@ uint collatz(uint start) {
     // control_flow.glift:31
     uint steps = 0u;
     // control_flow.glift:32
-    while (another_round(32u) && n > 1u) {
+    while (another_round(0u, 32u) && n > 1u) {
         // control_flow.glift:33
         if (steps == 100u) {
             break;
@@ -74,7 +75,7 @@ uint collatz(uint start) {
 }
 
 void main() {
-    if (loop_round_limit != 0u) loop_rounds[gl_SubgroupID] = 0u;
+    if (loop_round_limit != 0u) loop_rounds[gl_SubgroupID] = 2u;
     // control_flow.glift:40
     uint address = gl_GlobalInvocationID.y * (gl_NumWorkGroups.x * 256u) + gl_GlobalInvocationID.x;
     if (address >= a_extent) return;

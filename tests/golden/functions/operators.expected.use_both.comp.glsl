@@ -24,9 +24,10 @@ layout(constant_id = 101) const uint loop_round_limit = 0u;   // after so many r
 shared uint loop_rounds[loop_round_limit == 0u ? 1u : 64u];
 
 // False, and reported, where the device would cut the loop off. Lanes run in step: a round of one is a round of all.
-bool another_round(uint line) {
+// The device runs loops whatever the conditions around them say: the `idle_rounds` inside this one count, too.
+bool another_round(uint idle_rounds, uint line) {
     if (loop_round_limit == 0u) return true;
-    uint rounds = loop_rounds[gl_SubgroupID] + 1u;
+    uint rounds = loop_rounds[gl_SubgroupID] + 1u + idle_rounds;
     loop_rounds[gl_SubgroupID] = rounds;
     if (rounds < loop_round_limit) return true;
     if (atomicCompSwap(status.code, 0u, 1u) == 0u) status.line = line;
@@ -46,7 +47,7 @@ uint repeated(uint a, uint limit) {
     // operators.glift:26
     uint rounds = 0u;
     // operators.glift:27
-    while (another_round(27u) && rounds < limit) {
+    while (another_round(0u, 27u) && rounds < limit) {
         // operators.glift:28
         x = combine(x, a);
         // operators.glift:29
@@ -69,7 +70,7 @@ uint repeated_Affine(Affine op, uint a, uint limit) {
     // operators.glift:26
     uint rounds = 0u;
     // operators.glift:27
-    while (another_round(27u) && rounds < limit) {
+    while (another_round(0u, 27u) && rounds < limit) {
         // operators.glift:28
         x = combine_1(op, x, a);
         // operators.glift:29
@@ -80,7 +81,7 @@ uint repeated_Affine(Affine op, uint a, uint limit) {
 }
 
 void main() {
-    if (loop_round_limit != 0u) loop_rounds[gl_SubgroupID] = 0u;
+    if (loop_round_limit != 0u) loop_rounds[gl_SubgroupID] = 2u;
     // operators.glift:34
     uint address = gl_GlobalInvocationID.y * (gl_NumWorkGroups.x * 256u) + gl_GlobalInvocationID.x;
     if (address >= a_extent) return;

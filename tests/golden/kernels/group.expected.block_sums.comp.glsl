@@ -22,9 +22,10 @@ layout(constant_id = 101) const uint loop_round_limit = 0u;   // after so many r
 shared uint loop_rounds[loop_round_limit == 0u ? 1u : 16u];
 
 // False, and reported, where the device would cut the loop off. Lanes run in step: a round of one is a round of all.
-bool another_round(uint line) {
+// The device runs loops whatever the conditions around them say: the `idle_rounds` inside this one count, too.
+bool another_round(uint idle_rounds, uint line) {
     if (loop_round_limit == 0u) return true;
-    uint rounds = loop_rounds[gl_SubgroupID] + 1u;
+    uint rounds = loop_rounds[gl_SubgroupID] + 1u + idle_rounds;
     loop_rounds[gl_SubgroupID] = rounds;
     if (rounds < loop_round_limit) return true;
     if (atomicCompSwap(status.code, 0u, 1u) == 0u) status.line = line;
@@ -46,7 +47,7 @@ void main() {
     // group.glift:13
     uint step_1 = 32u;
     // group.glift:14
-    while (another_round(14u) && step_1 > 0u) {
+    while (another_round(0u, 14u) && step_1 > 0u) {
         // group.glift:15
         if (i < step_1) {
             part[min(i, 63u)] += part[min(i + step_1, 63u)];

@@ -28,9 +28,10 @@ layout(constant_id = 101) const uint loop_round_limit = 0u;   // after so many r
 shared uint loop_rounds[loop_round_limit == 0u ? 1u : 16u];
 
 // False, and reported, where the device would cut the loop off. Lanes run in step: a round of one is a round of all.
-bool another_round(uint line) {
+// The device runs loops whatever the conditions around them say: the `idle_rounds` inside this one count, too.
+bool another_round(uint idle_rounds, uint line) {
     if (loop_round_limit == 0u) return true;
-    uint rounds = loop_rounds[gl_SubgroupID] + 1u;
+    uint rounds = loop_rounds[gl_SubgroupID] + 1u + idle_rounds;
     loop_rounds[gl_SubgroupID] = rounds;
     if (rounds < loop_round_limit) return true;
     if (atomicCompSwap(status.code, 0u, 1u) == 0u) status.line = line;
@@ -99,7 +100,7 @@ void main() {
     // subgroups.glift:24
     uint stride = gl_SubgroupSize / 2u;
     // subgroups.glift:25
-    while (another_round(25u) && stride > 0u) {
+    while (another_round(0u, 25u) && stride > 0u) {
         // subgroups.glift:26
         best = better(best, shuffled_xor(best, stride));
         // subgroups.glift:27
