@@ -160,7 +160,8 @@ std::string library_of(const Program& program, const Sources& sources, const Lib
         carry_over(all, p);
         p.binding_names = bindings[i];
         p.parameter_names = parameters[i];
-        std::string text = callees_text(p) + print_function(p, function, names[i]);
+        std::string text = callees_text(p);  // names what the function calls
+        text += print_function(p, function, names[i]);
         bool writes = program.types.kind(function.result) == TypeKind::void_;
         functions += writes ? "#ifndef " + macro + "_READONLY\n" + text + "#endif\n" : text + "\n";
         carry_over(p, all);

@@ -72,5 +72,16 @@ TEST(Library, OfMortonOrder) {
     prove(text, "", "Cloud_write(id, Cloud_read(id.zyx));\n");
 }
 
+// A translator with a loop is a function of its own: it is named before what calls it is printed.
+TEST(Library, OfATranslatorWithALoop) {
+    std::string text = library(
+        "module own;\ntranslator Halved : uint -> uint {\n    n: uint;\n    domain() { return n; }\n"
+        "    translate(va) {\n        var p = va;\n        while p > 100u {\n            p = p / 2u;\n        }\n"
+        "        return p;\n    }\n}\npub structure Few(n: uint) {\n    memory data = buffer<float>[n];\n"
+        "    via Halved(n);\n}\n");
+    EXPECT_THAT(text, HasSubstr("return Halved_translate(address);"));
+    prove(text, "", "Few_write(id.x, Few_read(id.y));\n");
+}
+
 }  // namespace
 }  // namespace gliftc::test
