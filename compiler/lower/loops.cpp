@@ -48,12 +48,24 @@ private:
         if (stmt.op == StmtOp::while_ || (stmt.op == StmtOp::atomic && is_retried(cx.p, cx.pass, stmt)))
             inside = note(stmt, unknown);
         if (stmt.op == StmtOp::for_) {
-            // The test that ends the loop is a round too.
+            // The test that ends the loop is a round too, in which devices run what is inside for nothing.
             auto known = rounds_of(cx.p, stmt.value, stmt.limit);
             std::uint64_t count = known ? known->count : most(stmt.limit);
-            inside = note(stmt, plus(times(count, plus(inside, 1)), 1));
+            inside = note(stmt, plus(times(count, plus(inside, 1)), plus(1, loops_in(stmt.body))));
         }
         return plus(total, inside);
+    }
+
+    /// Loops in the statements and in the functions that they call.
+    std::uint64_t loops_in(const std::vector<StmtId>& body) const {
+        std::uint64_t loops = 0;
+        for_each_statement(cx.p, body, [&](const Stmt& stmt) {
+            loops += stmt.op == StmtOp::for_ || stmt.op == StmtOp::while_ || stmt.op == StmtOp::atomic;
+        });
+        for_each_expression(cx.p, body, [&](ExprId id) {
+            if (cx.p.exprs[id].op == Op::call) loops += loops_in(cx.p.functions[cx.p.exprs[id].function].body);
+        });
+        return loops;
     }
 
     /// No uint value of the expression is larger.

@@ -70,6 +70,10 @@ TEST_P(Loops, ThatNoInvocationEnters) {
     expect("rarely", "loops.glift:93", true, 64, 40000, [&](Line& line) { loops::rarely(device, line, 40000); });
 }
 
+TEST_P(Loops, WhoseEndsWeighAsMuchAsTheirRounds) {
+    expect("ends", "loops.glift:108", true, 64, 12000, [&](Line& line) { loops::ends(device, line); });
+}
+
 TEST_P(Loops, InAFunctionOfAnotherFile) {
     Line from(device, 3), to(device, 3);
     from.write({0}, {3}, std::vector<std::uint32_t>{27, 1, 97});
