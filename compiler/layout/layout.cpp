@@ -1,5 +1,7 @@
 #include "layout/layout.h"
 
+#include "layout/workgroup.h"
+
 #include <algorithm>
 
 namespace gliftc::layout {
@@ -98,7 +100,10 @@ void lay_out(const Program& program, Pass& pass) {
 
 void lay_out(Program& program, Lowered& lowered) {
     for (Lowered::Forms& forms : lowered.passes)
-        for (Pass* pass : {&forms.direct, &forms.general, &forms.wide}) lay_out(program, *pass);
+        for (Pass* pass : {&forms.direct, &forms.general, &forms.wide}) {
+            lay_out(program, *pass);
+            place_shared(program, *pass);
+        }
 }
 
 }  // namespace gliftc::layout

@@ -343,6 +343,7 @@ void print_kernel_code(Unit& unit, Writer& out, std::uint32_t index) {
     if (has_parameters) out.line(".parameters = " + name + "_parameters,");
     if (any.items != 1) out.line(".items = " + std::to_string(any.items) + ",");
     if (any.has_status()) out.line(".reports = true,");
+    if (any.shared_bytes) out.line(".shared_bytes = " + std::to_string(any.shared_bytes) + ",");
     if (any.loop_rounds != 0 && any.longest_loop)
         out.line(".longest_loop = {\"" + file_name(unit.sources, any.longest_loop.file) + "\", " +
                  std::to_string(unit.sources.line_of(any.longest_loop)) + "},");

@@ -2,7 +2,9 @@
 #include "emit/glsl/emit.h"
 
 #include "emit/glsl/printer.h"
+#include "layout/layout.h"
 
+#include <algorithm>
 #include <cctype>
 
 namespace gliftc::glsl {
@@ -12,6 +14,21 @@ namespace {
 std::string capitalised(std::string name) {
     name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
     return name;
+}
+
+/// What takes one place after the other has one name.
+void name_shared(Printer& p) {
+    for (const std::vector<ir::LocalId>& place : p.pass.shared_places) {
+        std::vector<std::string> names;
+        for (ir::LocalId id : place) {
+            const std::string& name = (*p.program.names)[p.program.locals[id].name];
+            if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+        }
+        std::string joined = names.front();
+        for (std::size_t i = 1; i < names.size(); ++i) joined += "_or_" + names[i];
+        joined = p.names.declare(joined);
+        for (ir::LocalId id : place) p.local_names[id] = joined;
+    }
 }
 
 /// Everything outside functions is named first, so that no local hides it.
@@ -37,8 +54,7 @@ void name_globals(Printer& p) {
     name_structs(p);
     name_status(p);
     name_order(p);
-    for (ir::LocalId id : p.pass.shared)
-        p.local_names[id] = p.names.declare((*p.program.names)[p.program.locals[id].name]);
+    name_shared(p);
 }
 
 std::string take(Printer& p) {
@@ -102,8 +118,11 @@ std::string main_text(Printer& p) {
 
 std::string shared_text(Printer& p) {
     std::string text;
-    for (ir::LocalId id : p.pass.shared)
-        text += "shared " + declaration(p, p.program.locals[id].type, p.local_names[id]) + ";\n";
+    for (const std::vector<ir::LocalId>& place : p.pass.shared_places) {
+        const ir::LocalId largest = *std::ranges::max_element(
+            place, {}, [&](ir::LocalId id) { return layout::size_of(p.program, p.program.locals[id].type).size; });
+        text += "shared " + declaration(p, p.program.locals[largest].type, p.local_names[largest]) + ";\n";
+    }
     return text.empty() ? "" : text + "\n";
 }
 

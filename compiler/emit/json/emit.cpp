@@ -181,6 +181,7 @@ Json Writer::form(const ir::Pass& pass, const std::vector<Root>& roots) const {
     Json json = {{"group", pass.group}, {"parameters", parameters(pass, roots)}, {"bindings", bindings(pass, roots)}};
     json["loop_rounds"] = pass.loop_rounds == UINT64_MAX ? Json(nullptr) : Json(pass.loop_rounds);
     json["exact"] = pass.exact;
+    if (pass.shared_bytes) json["shared_bytes"] = pass.shared_bytes;
     if (pass.has_status()) json["status_binding"] = pass.bindings.size() + 1;
     return json;
 }

@@ -120,6 +120,7 @@ struct Kernel {
     std::uint32_t items = 1;                        ///< elements along x that one invocation takes
     bool reports = false;                           ///< has a StatusRecord: a storage buffer (scalar layout) at binding
                                                     ///< bindings.size() + 1 in every form
+    std::uint32_t shared_bytes = 0;                 ///< workgroup memory
     SourceLine longest_loop = {};                   ///< of its loops, the one of most rounds
     std::span<const char* const> other_files = {};  ///< that reports may name, beside `file`
 };
