@@ -87,11 +87,12 @@ struct Pass {
     std::uint32_t interior_origin = 0xffffffffu;  ///< parameter that holds the origin of the centre's range; none: zero
     std::vector<FunctionId> functions;            ///< called by the body, callees first, all low level
     std::vector<LocalId> shared;
-    std::vector<std::vector<LocalId>> shared_places;  ///< set by layout/: which of them share memory, one after the other
-    std::uint32_t shared_bytes = 0;                   ///< set by layout/
-    std::vector<LocalId> params;    ///< of a library\'s function
-    std::uint64_t loop_rounds = 0;  ///< bound on the rounds of one invocation's loops, with the tests that end them;
-                                    ///< UINT64_MAX: not known at compile time. The same in all forms
+    std::vector<std::vector<LocalId>>
+        shared_places;               ///< set by layout/: which of them share memory, one after the other
+    std::uint32_t shared_bytes = 0;  ///< set by layout/
+    std::vector<LocalId> params;     ///< of a library\'s function
+    std::uint64_t loop_rounds = 0;   ///< bound on the rounds of one invocation's loops, with the tests that end them;
+                                     ///< UINT64_MAX: not known at compile time. The same in all forms
     Span longest_loop;
     bool has_reports = false;          ///< some statement is a `report`. The same in all forms
     std::vector<std::uint32_t> files;  ///< that reports name: the kernel's, then others. The same in all forms

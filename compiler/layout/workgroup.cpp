@@ -38,12 +38,9 @@ void find(const Program& program, const std::vector<StmtId>& body, std::size_t& 
     for (StmtId id : body) {
         const Stmt& stmt = program.stmts[id];
         ++place;
-        if (stmt.op == StmtOp::block)
-            find(program, stmt.body, place, lifetimes);
-        else if (stmt.op == StmtOp::barrier)
-            lifetimes.barriers.push_back(place);
-        else
-            mention_all(program, id, place, lifetimes);
+        if (stmt.op == StmtOp::block) find(program, stmt.body, place, lifetimes);
+        else if (stmt.op == StmtOp::barrier) lifetimes.barriers.push_back(place);
+        else mention_all(program, id, place, lifetimes);
     }
 }
 

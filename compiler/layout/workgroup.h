@@ -5,8 +5,8 @@
 
 namespace gliftc::layout {
 
-/// Fills shared_places and shared_bytes. An array lives from the first to the last statement of the body that names it; two are
-/// apart where a barrier that all invocations come by lies between.
+/// Fills shared_places and shared_bytes. An array lives from the first to the last statement of the body that names it;
+/// two are apart where a barrier that all invocations come by lies between.
 void place_shared(const ir::Program& program, ir::Pass& pass);
 
 }  // namespace gliftc::layout

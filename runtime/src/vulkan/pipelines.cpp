@@ -43,8 +43,8 @@ const char* form_text(CompiledForm form) {
 
 void check_limits(const Context& context, const Kernel& kernel, const Form& form) {
     const DeviceProperties& p = context.properties;
-    const auto refuse = [&](const std::string& what, const std::string& why) {
-        throw Error(ErrorCode::too_large, what, kernel_text(kernel), p.name + " " + why);
+    const auto refuse = [&](const std::string& what, const std::string& why, const std::string& remedy) {
+        throw Error(ErrorCode::too_large, what, kernel_text(kernel), p.name + " " + why, remedy);
     };
     if (kernel.loop_rounds != UINT64_MAX && kernel.loop_rounds > p.loop_round_limit) {
         const SourceLine& loop = kernel.longest_loop;
@@ -59,16 +59,19 @@ void check_limits(const Context& context, const Kernel& kernel, const Form& form
     if (std::uint64_t(g[0]) * g[1] * g[2] > p.max_workgroup_invocations || g[0] > p.max_workgroup_size[0] ||
         g[1] > p.max_workgroup_size[1] || g[2] > p.max_workgroup_size[2]) {
         refuse("the kernel's workgroup is larger than the device allows",
-               "allows " + std::to_string(p.max_workgroup_invocations) + " invocations");
+               "allows " + std::to_string(p.max_workgroup_invocations) + " invocations",
+               "give the kernel a smaller group");
     }
     if (kernel.shared_bytes > p.shared_memory_bytes) {
         refuse("the kernel's workgroup memory, " + std::to_string(kernel.shared_bytes) +
                    " bytes, is larger than the device allows",
-               "has " + std::to_string(p.shared_memory_bytes) + " bytes a workgroup");
+               "has " + std::to_string(p.shared_memory_bytes) + " bytes a workgroup",
+               "declare less shared memory; a pipeline can ask device.shared_memory_bytes and run another kernel");
     }
     if (form.push_constants && form.parameter_bytes > p.max_push_constant_bytes) {
         refuse("the kernel's parameters do not fit in push constants",
-               "has " + std::to_string(p.max_push_constant_bytes) + " bytes");
+               "has " + std::to_string(p.max_push_constant_bytes) + " bytes",
+               "compile the kernel with this version of gliftc: it takes no more than every device has");
     }
 }
 

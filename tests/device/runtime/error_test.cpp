@@ -210,6 +210,27 @@ TEST_P(CallErrors, LoopsBeyondTheDevice) {
     EXPECT_NE(error.where().find("loops"), std::string::npos);
 }
 
+TEST_P(CallErrors, WorkgroupMemoryBeyondTheDevice) {
+    if (device.is_host()) GTEST_SKIP() << "no limit here";
+    const auto g = buffer(device, "g.data", 256);
+    static const glift::Kernel crowded = [&] {
+        glift::Kernel kernel = store_value;
+        kernel.name = "crowded";
+        kernel.shared_bytes = device.properties().shared_memory_bytes + 4;
+        return kernel;
+    }();
+    const AddParameters block = {64, 1};
+    const auto error = error_of([&] {
+        device.commands().dispatch(crowded, {.form = glift::FormName::direct,
+                                             .memories = {&g, 1},
+                                             .parameters = bytes_of(block),
+                                             .size = {64, 1, 1, 1}});
+    });
+    expect_complete(error, ErrorCode::too_large);
+    EXPECT_NE(error.where().find("crowded"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find(std::to_string(crowded.shared_bytes)), std::string::npos);
+}
+
 TEST_P(CallErrors, WhatAKernelReportsIsThrown) {
     const auto g = buffer(device, "g.data", 256);
     const auto run = [&](std::uint32_t size) {

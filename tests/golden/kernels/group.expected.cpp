@@ -236,6 +236,7 @@ const glift::Kernel block_sums_kernel = {
     .wide = {},
     .parameters = block_sums_parameters,
     .reports = true,
+    .shared_bytes = 256,
     .longest_loop = {"group.glift", 14},
 };
 
