@@ -1,10 +1,17 @@
 // bench_rivals: the hand-written rivals of stdlib/algorithms checked against the C++ standard library, and their speed.
 //
-//     bench_rivals [--device NAME] [--runs N] [--log2 22,24]
+//     bench_rivals [--device NAME] [--log2 22,24] [--host-log2 22,24] [--runs N] [--unchecked] [--json FILE]
+//
+// The twins in GLSL run on the device that is named, or that GLIFT_DEVICE names, which cannot be the host; those in C++
+// on the host.
 #include "algorithm_twins.h"
 #include "bench_input.h"
+#include "figures.h"
 #include "host_rivals.h"
 #include "median.h"
+#include "timing.h"
+
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -23,40 +30,11 @@ namespace {
 using Words = std::vector<std::uint32_t>;
 
 struct Options {
-    std::string device;
+    std::string device, json;
+    std::vector<unsigned> log2 = {22, 24}, host_log2 = {22, 24};
     int runs = 11;
-    std::vector<unsigned> log2 = {22, 24};
+    bool unchecked = false;
 };
-
-[[noreturn]] void usage() {
-    std::fprintf(stderr, "usage: bench_rivals [--device NAME] [--runs N] [--log2 22,24]\n");
-    std::exit(2);
-}
-
-std::vector<unsigned> numbers_in(const std::string& text) {
-    std::vector<unsigned> numbers;
-    for (std::size_t at = 0; at < text.size(); at = text.find(',', at)) {
-        if (text[at] == ',') ++at;
-        numbers.push_back(static_cast<unsigned>(std::atoi(text.c_str() + at)));
-    }
-    return numbers;
-}
-
-Options parse(int count, char** arguments) {
-    Options options;
-    if (count % 2 == 0) usage();
-    for (int i = 1; i + 1 < count; i += 2) {
-        const std::string name = arguments[i], value = arguments[i + 1];
-        if (name == "--device") options.device = value;
-        else if (name == "--runs") options.runs = std::max(1, std::atoi(value.c_str()));
-        else if (name == "--log2") options.log2 = numbers_in(value);
-        else usage();
-    }
-    for (unsigned log2 : options.log2) {
-        if (log2 > 28) usage();
-    }
-    return options;
-}
 
 /// The three memories of an algorithm on a device, and what the host expects of it.
 class OnDevice {
@@ -71,9 +49,11 @@ public:
         device_.commands().upload(x_, 0, std::as_bytes(std::span(values)));
         poison(static_cast<std::uint32_t>(values.size()));
     }
-    void scan(std::uint32_t count) const { scan_.record(device_, x_, y_, count); }
-    void compact(std::uint32_t count) const { compact_.record(device_, x_, y_, kept_, count); }
-    void sort(std::uint32_t count) const { sort_.record(device_, x_, y_, count); }
+    void scan(const glift::Commands& commands, std::uint32_t count) const { scan_.record(commands, x_, y_, count); }
+    void compact(const glift::Commands& commands, std::uint32_t count) const {
+        compact_.record(commands, x_, y_, kept_, count);
+    }
+    void sort(const glift::Commands& commands, std::uint32_t count) const { sort_.record(commands, x_, y_, count); }
 
     Words result(std::uint32_t count) const { return words(y_, count); }
     std::uint32_t kept() const { return words(kept_, 1)[0]; }
@@ -112,17 +92,17 @@ void require(bool holds, const char* what, std::uint32_t count) {
         throw std::runtime_error(std::string(what) + ": wrong result of " + std::to_string(count) + " elements");
 }
 
-void check_device(const OnDevice& on, const Words& x, const Expected& expected) {
+void check_device(const glift::Device& device, const OnDevice& on, const Words& x, const Expected& expected) {
     const auto count = static_cast<std::uint32_t>(x.size());
     on.give(x);
-    on.scan(count);
+    on.scan(device, count);
     require(on.result(count) == expected.scanned, "scan twin", count);
     on.poison(count);
-    on.compact(count);
+    on.compact(device, count);
     const std::uint32_t kept = on.kept();
     require(kept == expected.compacted.size() && on.result(kept) == expected.compacted, "compact twin", count);
     on.poison(count);
-    on.sort(count);
+    on.sort(device, count);
     require(on.result(count) == expected.sorted, "radix sort twin", count);
 }
 
@@ -210,33 +190,28 @@ void check(const glift::Device& device) {
     for (std::uint32_t count : sizes) {
         for (const Words& x : inputs_of(count)) {
             const Expected expected = expected_of(x);
-            check_device(on, x, expected);
+            check_device(device, on, x, expected);
             check_host(x, expected);
         }
     }
 }
 
-void print(const char* name, std::uint32_t count, const std::vector<double>& seconds) {
-    const double best = *std::min_element(seconds.begin(), seconds.end()), median = bench::median(seconds);
-    std::printf("| %s | %u | %.3f ms | %.0f M/s | %.0f M/s |\n", name, count, median * 1e3, count / median / 1e6,
-                count / best / 1e6);
+/// What is timed: as in bench_algorithms.
+struct What {
+    const char *by, *algorithm, *variant;
+    std::uint64_t bytes;  ///< an element, the least that must be moved
+};
+
+constexpr double seconds_of_a_run = 0.005;
+
+bench::Figure figure_of(const What& what, std::uint32_t count, double seconds, int runs) {
+    const bench::Figure figure{what.by, what.algorithm, what.variant, count, seconds, what.bytes * count, runs};
+    bench::print(figure);
+    return figure;
 }
 
-void time_on_device(const glift::Device& device, const char* name, std::uint32_t count, int runs,
-                    const std::function<void()>& work) {
-    std::vector<double> seconds;
-    for (int run = 0; run <= runs; ++run) {  // the first compiles
-        const glift::Timestamp before = device.commands().timestamp();
-        work();
-        const glift::Timestamp after = device.commands().timestamp();
-        device.wait();
-        if (run) seconds.push_back(after - before);
-    }
-    print(name, count, seconds);
-}
-
-void time_on_host(const char* name, std::uint32_t count, int runs, const std::function<void()>& refill,
-                  const std::function<void()>& work) {
+bench::Figure time_on_host(const What& what, std::uint32_t count, int runs, const std::function<void()>& refill,
+                           const std::function<void()>& work) {
     std::vector<double> seconds;
     for (int run = 0; run <= runs; ++run) {
         refill();
@@ -244,65 +219,87 @@ void time_on_host(const char* name, std::uint32_t count, int runs, const std::fu
         work();
         if (run) seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
     }
-    print(name, count, seconds);
+    return figure_of(what, count, bench::median(seconds), runs);
 }
 
-void time_twins(const glift::Device& device, std::uint32_t count, int runs) {
+std::vector<bench::Figure> time_twins(const glift::Device& device, std::uint32_t count, int runs) {
     const OnDevice on(device, count);
     on.give(bench::hashed(count));
-    time_on_device(device, "GLSL: scan", count, runs, [&] { on.scan(count); });
-    time_on_device(device, "GLSL: compact, 1 in 8", count, runs, [&] { on.compact(count); });
-    time_on_device(device, "GLSL: radix sort", count, runs, [&] { on.sort(count); });
+    const auto timed = [&](const What& what, const std::function<void(const glift::Commands&)>& work) {
+        return figure_of(what, count, bench::time_of(device, work, runs, seconds_of_a_run), runs);
+    };
+    return {
+        timed({"GLSL", "scan", "exclusive_sum_u32", 8}, [&](const auto& commands) { on.scan(commands, count); }),
+        timed({"GLSL", "select", "if_1_in_8", 4}, [&](const auto& commands) { on.compact(commands, count); }),
+        timed({"GLSL", "radix_sort", "keys_u32", 8}, [&](const auto& commands) { on.sort(commands, count); }),
+    };
 }
 
-void time_host(std::uint32_t count, int runs) {
+std::vector<bench::Figure> time_host(std::uint32_t count, int runs) {
     const Words x = bench::hashed(count);
     const std::vector<float> floats(x.begin(), x.end());
     Words y(count);
     std::vector<host_rivals::KeyValue> pairs(count);
     const auto nothing = [] {};
-    float sink = 0;
-    using namespace host_rivals;
-    time_on_host("C++: scan", count, runs, nothing, [&] { exclusive_scan(x, y); });
-    time_on_host("C++: scan, narrow", count, runs, nothing, [&] { exclusive_scan_narrow(x, y); });
-    time_on_host("C++: sum", count, runs, nothing, [&] { sink += static_cast<float>(sum(std::span(x))); });
-    time_on_host("C++: sum, narrow", count, runs, nothing,
-                 [&] { sink += static_cast<float>(sum_narrow(std::span(x))); });
-    time_on_host("C++: sum of floats", count, runs, nothing, [&] { sink += sum(std::span(floats)); });
-    time_on_host("C++: sum of floats, narrow", count, runs, nothing, [&] { sink += sum_narrow(std::span(floats)); });
-    time_on_host("C++: copy_if, 1 in 8", count, runs, nothing, [&] { copy_multiples_of_8(x, y); });
-    time_on_host("C++: copy_if, 1 in 8, narrow", count, runs, nothing, [&] { copy_multiples_of_8_narrow(x, y); });
-    time_on_host(
-        "C++: sort", count, runs, [&] { y = x; }, [&] { sort(y); });
+    const auto refill_keys = [&] { y = x; };
     const auto refill_pairs = [&] {
         for (std::uint32_t i = 0; i < count; ++i) pairs[i] = {x[i], i};
     };
-    time_on_host("C++: sort of pairs", count, runs, refill_pairs, [&] { sort(pairs); });
-    if (sink == 1) std::puts("");  // the sums are used
+    volatile std::uint32_t sink = 0;  // the sums are used
+    volatile float float_sink = 0;
+    constexpr const char *wide = "oneTBB", *narrow = "oneTBB, narrow";
+    using namespace host_rivals;
+    return {
+        time_on_host({wide, "scan", "exclusive_sum_u32", 8}, count, runs, nothing, [&] { exclusive_scan(x, y); }),
+        time_on_host({narrow, "scan", "exclusive_sum_u32", 8}, count, runs, nothing,
+                     [&] { exclusive_scan_narrow(x, y); }),
+        time_on_host({wide, "reduce", "sum_u32", 4}, count, runs, nothing, [&] { sink = sum(std::span(x)); }),
+        time_on_host({narrow, "reduce", "sum_u32", 4}, count, runs, nothing, [&] { sink = sum_narrow(std::span(x)); }),
+        time_on_host({wide, "reduce", "sum_f32", 4}, count, runs, nothing,
+                     [&] { float_sink = sum(std::span(floats)); }),
+        time_on_host({narrow, "reduce", "sum_f32", 4}, count, runs, nothing,
+                     [&] { float_sink = sum_narrow(std::span(floats)); }),
+        time_on_host({wide, "select", "if_1_in_8", 4}, count, runs, nothing, [&] { copy_multiples_of_8(x, y); }),
+        time_on_host({narrow, "select", "if_1_in_8", 4}, count, runs, nothing,
+                     [&] { copy_multiples_of_8_narrow(x, y); }),
+        time_on_host({wide, "radix_sort", "keys_u32", 8}, count, runs, refill_keys, [&] { sort(y); }),
+        time_on_host({wide, "radix_sort", "pairs_u32", 16}, count, runs, refill_pairs, [&] { sort(pairs); }),
+    };
 }
 
-int run(const Options& options) {
+void append(std::vector<bench::Figure>& all, const std::vector<bench::Figure>& more) {
+    all.insert(all.end(), more.begin(), more.end());
+}
+
+void run(const Options& options) {
     const glift::Device device = glift::Device::open(options.device);
-    check(device);
+    if (!options.unchecked) check(device);
     const std::vector<std::string> messages = device.validation_messages();
     if (!messages.empty()) throw std::runtime_error(messages.front());
-    std::printf("%s: results are right\n\n", device.properties().name.c_str());
-    std::printf("| rival | elements | median | by median | by minimum |\n| --- | ---: | ---: | ---: | ---: |\n");
-    for (unsigned log2 : options.log2) {
-        time_twins(device, 1u << log2, options.runs);
-        time_host(1u << log2, options.runs);
-    }
-    return 0;
+    bench::DeviceFigures twins{device.properties().name, {}}, host{"host", {}};
+    for (unsigned log2 : options.log2) append(twins.rows, time_twins(device, 1u << log2, options.runs));
+    for (unsigned log2 : options.host_log2) append(host.rows, time_host(1u << log2, options.runs));
+    if (!options.json.empty()) bench::write_json(options.json, {twins, host});
 }
 
 }  // namespace
 
 int main(int count, char** arguments) {
-    const Options options = parse(count, arguments);
+    CLI::App app("the hand-written rivals of stdlib/algorithms: checked, and timed");
+    Options options;
+    app.add_option("--device", options.device, "as Device::open takes it: what runs the twins in GLSL");
+    app.add_option("--log2", options.log2, "sizes of the twins in GLSL")->delimiter(',')->check(CLI::Range(0u, 28u));
+    app.add_option("--host-log2", options.host_log2, "sizes of those in C++")
+        ->delimiter(',')
+        ->check(CLI::Range(0u, 28u));
+    app.add_option("--runs", options.runs, "of which the median is taken")->check(CLI::PositiveNumber);
+    app.add_flag("--unchecked", options.unchecked, "another run has checked the results");
+    app.add_option("--json", options.json, "where the figures go");
+    CLI11_PARSE(app, count, arguments);
     try {
-        return run(options);
+        run(options);
     } catch (const std::exception& error) {
-        std::fprintf(stderr, "%s\n", error.what());
+        std::fprintf(stderr, "bench_rivals: %s\n", error.what());
         return 1;
     }
 }

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Runs all benches of a build and prints their tables as Markdown.
 
-    bench/run.py BUILD_FOLDER [--json FILE] [--runs N]
+    bench/run.py BUILD_FOLDER [--only PART] [--json FILE] [--plots FOLDER] [--runs N] [options of algorithms.py]
 
-The device is the one that GLIFT_DEVICE names, or the best there is.
+The device is the one that GLIFT_DEVICE names, or the best there is; algorithms run on the host device, too.
 """
 import argparse
 import json
@@ -12,7 +12,10 @@ import subprocess
 import sys
 import tempfile
 
+import algorithm_tables
+import algorithms
 import compile_speed
+import plot
 
 DISPATCH_ROWS = {
     "record_passes": "runtime call, into the device's stream",
@@ -52,32 +55,76 @@ def dispatch_table(rows):
     return "\n".join(lines)
 
 
+def print_twins(bench, options, folder):
+    print("## Generated shaders beside shaders written by hand\n")
+    file = os.path.join(folder, "twins.json")
+    return run_bench([os.path.join(bench, "glift_bench"), "--runs", str(options.runs), "--json", file], file)
+
+
+def print_dispatch(bench, _, folder):
+    print("\n## What a pass costs the host\n")
+    passes = dispatch(os.path.join(bench, "bench_dispatch"), folder)
+    print(dispatch_table(passes))
+    return passes, True
+
+
+def print_host(bench, options, folder):
+    print("\n## Diffusion on the host device beside a loop written by hand\n")
+    file = os.path.join(folder, "host.json")
+    return run_bench([os.path.join(bench, "bench_host"), "--runs", str(options.runs), "--json", file], file)
+
+
+def print_algorithms(bench, options, folder):
+    print("\n## Algorithms: Glift / rival = ratio, G elements/s\n")
+    groups = algorithms.measure(bench, options, folder)
+    for group in groups:
+        for part in (group["device"] + ":", algorithm_tables.speeds(group), algorithm_tables.systems(group)):
+            if part:
+                print(part + "\n")
+    if options.plots:
+        draw(groups, options.plots)
+    return groups, True
+
+
+def draw(groups, folder):
+    os.makedirs(folder, exist_ok=True)
+    try:
+        for group in groups:
+            plot.draw(group, os.path.join(folder, plot.file_name(group["device"]) + ".svg"))
+    except plot.NothingToDrawWith as error:
+        print(f"\nNothing is drawn: {error}. The figures of --json can be drawn elsewhere: bench/plot.py.")
+
+
+def print_compiler(bench, *_):
+    print("\n## Compiling, all outputs but SPIR-V\n")
+    compiling = compile_speed.measure(os.path.join(bench, "..", "bin", "gliftc"))
+    print(compile_speed.table(compiling))
+    return compiling, True
+
+
+PARTS = {"twins": print_twins, "dispatch": print_dispatch, "host": print_host, "algorithms": print_algorithms,
+         "compiler": print_compiler}
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("build")
-    parser.add_argument("--json")
-    parser.add_argument("--runs", type=int, default=20)
+    parser.add_argument("--only", choices=PARTS)
+    parser.add_argument("--json", help="where all figures go")
+    parser.add_argument("--plots", help="folder for a plot of the algorithms of each device")
+    parser.add_argument("--runs", type=int, default=20, help="of shaders and loops beside those by hand (%(default)s)")
+    algorithms.add_options(parser)
     options = parser.parse_args()
-    bench = os.path.join(options.build, "bench")
+    figures, all_good = {}, True
     with tempfile.TemporaryDirectory() as folder:
-        twins_file, host_file = os.path.join(folder, "twins.json"), os.path.join(folder, "host.json")
-        print("## Generated shaders beside shaders written by hand\n")
-        twins, twins_good = run_bench([os.path.join(bench, "glift_bench"), "--runs", str(options.runs), "--json", twins_file],
-                                      twins_file)
-        print("\n## What a pass costs the host\n")
-        passes = dispatch(os.path.join(bench, "bench_dispatch"), folder)
-        print(dispatch_table(passes))
-        print("\n## Diffusion on the host device beside a loop written by hand\n")
-        host, host_good = run_bench([os.path.join(bench, "bench_host"), "--runs", str(options.runs), "--json", host_file],
-                                    host_file)
-    print("\n## Compiling, all outputs but SPIR-V\n")
-    compiling = compile_speed.measure(os.path.join(options.build, "bin", "gliftc"))
-    print(compile_speed.table(compiling))
+        for name in [options.only] if options.only else PARTS:
+            figures[name], good = PARTS[name](os.path.join(options.build, "bench"), options, folder)
+            all_good = all_good and good
     if options.json:
         with open(options.json, "w", encoding="utf-8") as out:
-            json.dump({"twins": twins, "dispatch": passes, "host": host, "compiler": compiling}, out, indent=2)
+            json.dump(figures, out, indent=2)
             out.write("\n")
-    return 0 if twins_good and host_good else 1
+    return 0 if all_good else 1
 
 
 if __name__ == "__main__":

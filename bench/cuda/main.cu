@@ -62,17 +62,27 @@ Options parse(int count, char** arguments) {
     return options;
 }
 
+const char* rival_of(const std::string& algorithm) {
+    return algorithm == "copy" ? "CUDA" : algorithm == "tridiagonal" ? "cuSPARSE" : "CUB";
+}
+
+/// As bench/figures.py reads it.
 void print(std::ostream& out, const std::vector<rivals::Row>& rows) {
+    cudaDeviceProp device;
+    RIVALS_CUDA(cudaGetDeviceProperties(&device, 0));
     out.precision(9);
-    out << "[";
+    out << "[{\"device\": \"" << device.name << "\", \"rows\": [";
     const char* before = "\n";
     for (const rivals::Row& row : rows) {
-        out << before << "  {\"algorithm\": \"" << row.algorithm << "\", \"variant\": \"" << row.variant
-            << "\", \"elements\": " << row.elements << ", \"seconds\": " << row.seconds
-            << ", \"bytes_moved\": " << row.bytes_moved << ", \"runs\": " << row.runs << "}";
+        out << before << "  {\"by\": \"" << rival_of(row.algorithm) << "\", \"algorithm\": \"" << row.algorithm
+            << "\", \"variant\": \"" << row.variant << "\", \"elements\": " << row.elements
+            << ", \"seconds\": " << row.seconds << ", \"bytes_moved\": " << row.bytes_moved
+            << ", \"runs\": " << row.runs;
+        if (row.error >= 0) out << ", \"error\": " << row.error;
+        out << "}";
         before = ",\n";
     }
-    out << "\n]\n";
+    out << "\n]}]\n";
 }
 
 }  // namespace

@@ -131,6 +131,7 @@ struct Row {
     double seconds;             ///< median
     std::uint64_t bytes_moved;  ///< the least possible: what is read once and written once
     int runs;
+    double error = -1;  ///< largest relative error; negative: results are exact
 };
 
 /// The measurements asked for, and their results. All work is put into the default stream.
@@ -145,6 +146,9 @@ public:
     void time(
         const std::string& algorithm, const std::string& variant, std::uint64_t elements, std::uint64_t bytes_moved,
         const Work& run, const Work& refill = [] {});
+
+    /// Of the row that was added last.
+    void note_error(double error);
 
     const std::vector<Row>& rows() const { return rows_; }
 

@@ -77,4 +77,10 @@ void Bench::time(const std::string& algorithm, const std::string& variant, std::
                  bytes_moved / seconds * 1e-9);
 }
 
+void Bench::note_error(double error) {
+    rows_.back().error = error;
+    std::fprintf(stderr, "%-12s %-18s error %.1e\n", rows_.back().algorithm.c_str(), rows_.back().variant.c_str(),
+                 error);
+}
+
 }  // namespace rivals

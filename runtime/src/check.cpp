@@ -16,7 +16,7 @@ namespace {
 
 void check_owner(const DeviceObject* device, const Memory& memory, const char* call) {
     if (!memory) wrong("an empty memory handle was passed", call);
-    if (memory.object()->device().get() != device) {
+    if (!device->reaches(*memory.object())) {
         wrong("a memory of another device was passed", std::string(call) + ", " + memory_text(memory.description()), {},
               "allocate it on the device that runs the call, or copy it there through the host");
     }
@@ -46,6 +46,25 @@ void check_patches(const DeviceObject* device, const Kernel& kernel, const Call&
         if (patch.offset % 4 || patch.value.offset % 4 || patch.offset + 4 > call.parameters.size()) {
             wrong("a device value's offset is not a multiple of 4 or is outside the parameters", kernel_text(kernel));
         }
+    }
+}
+
+void check_description(const MemoryDescription& d) {
+    const bool buffer = d.kind == MemoryKind::buffer;
+    if (buffer != (d.format == Format::none)) {
+        wrong(buffer ? "a buffer has no texel format" : "an image needs a texel format", memory_text(d));
+    }
+    if (buffer) return;
+    const auto e = d.extent;
+    const std::uint32_t largest = std::max(e[0], std::max(e[1], e[2]));
+    if (e[0] == 0 || e[1] == 0 || e[2] == 0) wrong("an image has no texels", memory_text(d));
+    if (d.mips == 0 || d.mips > 32 || (d.mips > 1 && (largest >> (d.mips - 1)) == 0)) {
+        wrong("an image has more levels than its extent can halve, or none", memory_text(d));
+    }
+    const bool flat = d.kind != MemoryKind::image3d;
+    if ((flat && e[2] != 1) || (d.kind == MemoryKind::image1d && e[1] != 1) ||
+        (d.kind == MemoryKind::imagecube && e[0] != e[1])) {
+        wrong("the extent does not fit the kind of image", memory_text(d));
     }
 }
 
@@ -84,23 +103,12 @@ void check_call(const DeviceObject* device, const Kernel& kernel, const Call& ca
     if (!call.patches.empty()) check_patches(device, kernel, call);
 }
 
-void check_description(const MemoryDescription& d) {
-    const bool buffer = d.kind == MemoryKind::buffer;
-    if (buffer != (d.format == Format::none)) {
-        wrong(buffer ? "a buffer has no texel format" : "an image needs a texel format", memory_text(d));
-    }
-    if (buffer) return;
-    const auto e = d.extent;
-    const std::uint32_t largest = std::max(e[0], std::max(e[1], e[2]));
-    if (e[0] == 0 || e[1] == 0 || e[2] == 0) wrong("an image has no texels", memory_text(d));
-    if (d.mips == 0 || d.mips > 32 || (d.mips > 1 && (largest >> (d.mips - 1)) == 0)) {
-        wrong("an image has more levels than its extent can halve, or none", memory_text(d));
-    }
-    const bool flat = d.kind != MemoryKind::image3d;
-    if ((flat && e[2] != 1) || (d.kind == MemoryKind::image1d && e[1] != 1) ||
-        (d.kind == MemoryKind::imagecube && e[0] != e[1])) {
-        wrong("the extent does not fit the kind of image", memory_text(d));
-    }
+MemoryDescription whole_description(const MemoryDescription& description) {
+    MemoryDescription whole = description;
+    if (!whole.name) whole.name = "";
+    check_description(whole);
+    if (whole.kind != MemoryKind::buffer) whole.bytes = image_bytes(whole);
+    return whole;
 }
 
 void check_range(const DeviceObject* device, const Memory& buffer, std::uint64_t offset, std::uint64_t bytes,

@@ -7,7 +7,8 @@ namespace glift::detail {
 
 void check_call(const DeviceObject* device, const Kernel& kernel, const Call& call);
 void check_memories(const DeviceObject* device, const Kernel& kernel, std::span<const Memory> memories);
-void check_description(const MemoryDescription& description);
+/// Checked, and with the bytes of images.
+MemoryDescription whole_description(const MemoryDescription& description);
 void check_range(const DeviceObject* device, const Memory& buffer, std::uint64_t offset, std::uint64_t bytes,
                  const char* call);
 void check_image_regions(const DeviceObject* device, const Memory& image, std::span<const ImageRegion> regions,

@@ -1,5 +1,6 @@
 // The public handles: check, then forward.
 #include "check.h"
+#include "measuring.h"
 #include "objects.h"
 #include "text.h"
 
@@ -16,6 +17,7 @@ bool Download::ready() const { return object_->ready(); }
 std::span<const std::byte> Download::get() const { return object_->get(); }
 double Timestamp::seconds() const { return object_->seconds(); }
 void Recording::submit() const { object_->submit(); }
+std::uint64_t Recording::workspace_bytes() const { return object_->workspace_bytes(); }
 
 Commands::Commands(const Device& device) : stream_(device.share(), &device.share()->stream()) {}
 
@@ -59,7 +61,7 @@ void Commands::dispatch(const Kernel& kernel, const Call& call) const {
 }
 
 Memory Commands::allocate(const MemoryDescription& description) const {
-    const Memory memory = device().allocate(description);
+    const Memory memory = stream_->allocate(detail::whole_description(description));
     if (description.zeroed && stream_->is_recording()) stream_->clear(memory);
     return memory;
 }
@@ -162,7 +164,15 @@ void Commands::wait() const { stream_->wait(); }
 
 namespace detail {
 
+Memory Stream::allocate(const MemoryDescription& description) { return Memory(device()->allocate(description)); }
+
 Commands begin_recording(const Device& device) { return Commands(device.share()->begin_recording()); }
+
+Device begin_measuring(const Device& device) { return Device(std::make_shared<MeasuringDevice>(device.share())); }
+
+std::uint64_t measured_bytes(const Device& measuring) {
+    return static_cast<const MeasuringDevice&>(*measuring.share()).workspace_bytes();
+}
 
 Recording end_recording(const Commands& commands) {
     return Recording(commands.share()->device()->end_recording(*commands.share()));

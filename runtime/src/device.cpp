@@ -1,6 +1,6 @@
 #include "check.h"
 #include "host/host_device.h"
-#include "image_layout.h"
+#include "measuring.h"
 #include "objects.h"
 #include "vulkan/vulkan_device.h"
 
@@ -32,11 +32,7 @@ Device Device::open(std::string_view which) {
 const DeviceProperties& Device::properties() const { return object_->properties(); }
 
 Memory Device::allocate(const MemoryDescription& description) const {
-    MemoryDescription whole = description;
-    if (!whole.name) whole.name = "";
-    detail::check_description(whole);
-    if (whole.kind != MemoryKind::buffer) whole.bytes = detail::image_bytes(whole);
-    return Memory(object_->allocate(whole));
+    return Memory(object_->allocate(detail::whole_description(description)));
 }
 
 Commands Device::commands() const { return Commands(*this); }

@@ -1,6 +1,8 @@
 // What stands behind the public handles. Two families implement it: vulkan/ and host/.
 #pragma once
 
+#include "workspace.h"
+
 #include <glift/commands.h>
 #include <glift/device.h>
 #include <glift/memory.h>
@@ -10,7 +12,7 @@
 
 namespace glift::detail {
 
-class MemoryObject {
+class MemoryObject : public std::enable_shared_from_this<MemoryObject> {
 public:
     MemoryObject(std::shared_ptr<DeviceObject> device, const MemoryDescription& description);
     virtual ~MemoryObject() = default;
@@ -42,6 +44,7 @@ class RecordingObject {
 public:
     virtual ~RecordingObject() = default;
     virtual void submit() = 0;
+    virtual std::uint64_t workspace_bytes() const = 0;
 };
 
 /// Arguments are checked before they get here (check.h).
@@ -49,6 +52,8 @@ class Stream {
 public:
     virtual ~Stream() = default;
     virtual std::shared_ptr<DeviceObject> device() = 0;
+    /// For what is put here; the description is checked and whole.
+    virtual Memory allocate(const MemoryDescription& description);
     virtual bool needs_general(const Kernel& kernel, std::span<const Memory> memories,
                                const std::array<std::uint32_t, 4>& size) = 0;
     /// Zeros, in buffers and images of any kind.
@@ -77,7 +82,11 @@ class DeviceObject : public std::enable_shared_from_this<DeviceObject> {
 public:
     virtual ~DeviceObject() = default;
     virtual const DeviceProperties& properties() const = 0;
+    /// Whether commands put here may use the memory.
+    virtual bool reaches(const MemoryObject& memory) const { return memory.device().get() == this; }
     virtual std::shared_ptr<MemoryObject> allocate(const MemoryDescription& description) = 0;
+    /// What a memory so described would take; allocates nothing.
+    virtual StorageNeeds storage_needs(const MemoryDescription& description) = 0;
     virtual Stream& stream() = 0;
     virtual std::shared_ptr<Stream> begin_recording() = 0;
     virtual std::shared_ptr<RecordingObject> end_recording(Stream& stream) = 0;

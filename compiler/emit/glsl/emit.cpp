@@ -108,6 +108,7 @@ std::string main_text(Printer& p) {
     p.names.enter();
     p.indent = 1;
     print_round_start(p);
+    print_parameter_reads(p);
     print_prologue(p, grouped);
     print_body(p, p.pass.body);
     p.indent = 0;

@@ -102,9 +102,8 @@ std::string memories_text(Printer& p, const std::string& macro) {
 
 std::string state_text(Printer& p, const std::string& name, const std::string& macro) {
     if (p.pass.parameters.empty()) return "";
-    std::string text = parameters_text(p);
-    replace_all(text, "set = 0, binding = 0", "set = " + macro + "_SET, binding = " + macro + "_BINDING");
-    replace_all(text, "buffer Parameters", "buffer " + name + "_state");
+    const std::string text = "layout(scalar, set = " + macro + "_SET, binding = " + macro +
+                             "_BINDING) readonly buffer " + name + "_state {\n" + parameter_members(p) + "};\n";
     return "#ifndef " + macro + "_STATE  // define it where the members below are declared in a block of your own\n" +
            text + "#endif\n\n";
 }

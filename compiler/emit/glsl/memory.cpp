@@ -200,19 +200,37 @@ std::string bindings_text(Printer& p) {
     return text;
 }
 
+namespace {
+
+std::string parameter_declaration(Printer& p, std::size_t i) {
+    const ir::PassParameter& param = p.pass.parameters[i];
+    return param.source == ir::ParameterSource::address ? p.block_names.at(param.param) + " " + p.parameter_names[i]
+                                                        : declaration(p, param.type, p.parameter_names[i]);
+}
+
+}  // namespace
+
+std::string parameter_members(Printer& p) {
+    std::string text;
+    for (std::size_t i = 0; i < p.pass.parameters.size(); ++i) {
+        note_storage(p, p.pass.parameters[i].type);
+        text += "    " + parameter_declaration(p, i) + ";\n";
+    }
+    return text;
+}
+
 std::string parameters_text(Printer& p) {
     if (p.pass.parameters.empty()) return "";
-    std::string text = p.pass.push_constants ? "layout(push_constant, scalar) uniform Parameters {\n"
-                                             : "layout(scalar, set = 0, binding = 0) readonly buffer Parameters {\n";
-    for (std::size_t i = 0; i < p.pass.parameters.size(); ++i) {
-        const ir::PassParameter& param = p.pass.parameters[i];
-        std::string member = param.source == ir::ParameterSource::address
-                                 ? p.block_names.at(param.param) + " " + p.parameter_names[i]
-                                 : declaration(p, param.type, p.parameter_names[i]);
-        note_storage(p, param.type);
-        text += "    " + member + ";\n";
-    }
-    return text + "};\n";
+    if (p.pass.push_constants)
+        return "layout(push_constant, scalar) uniform Parameters {\n" + parameter_members(p) + "};\n";
+    return "layout(scalar, set = 0, binding = 0) readonly buffer Parameters {\n" + parameter_members(p) +
+           "} parameters;\n";
+}
+
+void print_parameter_reads(Printer& p) {
+    if (p.pass.push_constants) return;
+    for (std::size_t i = 0; i < p.pass.parameters.size(); ++i)
+        line(p, parameter_declaration(p, i) + " = parameters." + p.parameter_names[i] + ";");
 }
 
 Text print_load(Printer& p, const ir::Expr& expr) {

@@ -245,6 +245,7 @@ const std::unordered_set<std::string_view>& reserved_words() {
         // this printer's own
         "main",
         "Parameters",
+        "parameters",
         "quotient",
         "remainder",
         "modulo",

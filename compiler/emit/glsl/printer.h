@@ -158,7 +158,11 @@ Text print_load(Printer& p, const ir::Expr& expr);
 std::string store_text(Printer& p, const ir::Stmt& stmt);
 std::string atomic_text(Printer& p, const ir::Stmt& stmt);
 std::string bindings_text(Printer& p);
+std::string parameter_members(Printer& p);
 std::string parameters_text(Printer& p);
+/// What lies in a buffer is read once, when the shader begins: drivers that do not know that nobody writes it would
+/// read it again wherever it is used, llvmpipe for each lane.
+void print_parameter_reads(Printer& p);
 bool stored_as_bits(const Printer& p, const ir::PassBinding& binding);
 std::string atomic_definitions(Printer& p);
 

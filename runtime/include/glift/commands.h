@@ -98,7 +98,8 @@ public:
     /// take the direct form, and the host device, use the values as they are.
     Commands specialised(std::vector<std::string> parameters = {}) const;
 
-    /// Like Device::allocate. In a recording the memory is zeros again whenever a replay comes here.
+    /// Like Device::allocate. In a recording the memory is zeros again whenever a replay comes here, lies in the
+    /// recording's workspace, and belongs to whatever comes later once its last handle is gone.
     Memory allocate(const MemoryDescription& description) const;
 
     void fill(const Memory& memory, std::uint64_t offset, std::uint64_t bytes,

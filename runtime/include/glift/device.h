@@ -89,6 +89,12 @@ public:
     /// Captures what body(Commands&) does, to be submitted any number of times. See recording.h.
     template <class Body> Recording record(Body&& body) const;
 
+    /// The bytes of temporary memory that a recording of what body(const Commands&) does would take, as its own
+    /// Recording::workspace_bytes() then says. Nothing is allocated and nothing runs: in the body, structures made from
+    /// its Commands have no storage. So it throws wrong_argument where the body waits for a value of the device
+    /// (`await` in a pipeline). See recording.h.
+    template <class Body> std::uint64_t workspace_bytes(Body&& body) const;
+
     void wait() const;  ///< submits what is recorded and waits for all of it
     Statistics statistics() const;
 

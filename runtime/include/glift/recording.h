@@ -13,8 +13,10 @@ namespace detail {
 class RecordingObject;
 }
 
-/// Holds the memories that its passes use. Parameters are those of the moment of recording; device values (patches,
-/// indirect sizes) are read anew by each replay.
+/// Holds the memories that its passes use. Memories that were made by its Commands, which is what temporaries of
+/// pipelines are, lie in a workspace of its own: where the last handle of one is gone before another is made, the two
+/// may have the same storage (buffers only: images have storage of their own on Vulkan devices). Parameters are those
+/// of the moment of recording; device values (patches, indirect sizes) are read anew by each replay.
 class GLIFT_API Recording {
 public:
     Recording() = default;
@@ -23,6 +25,9 @@ public:
     /// One submission, in order with the device's own stream; may be called again at once.
     void submit() const;
 
+    /// The size of the workspace.
+    std::uint64_t workspace_bytes() const;
+
 private:
     std::shared_ptr<detail::RecordingObject> object_;
 };
@@ -30,12 +35,21 @@ private:
 namespace detail {
 GLIFT_API Commands begin_recording(const Device& device);
 GLIFT_API Recording end_recording(const Commands& commands);
+GLIFT_API Device begin_measuring(const Device& device);
+GLIFT_API std::uint64_t measured_bytes(const Device& measuring);
 }  // namespace detail
 
 template <class Body> Recording Device::record(Body&& body) const {
     const Commands commands = detail::begin_recording(*this);
     body(commands);
     return detail::end_recording(commands);
+}
+
+template <class Body> std::uint64_t Device::workspace_bytes(Body&& body) const {
+    const Device measuring = detail::begin_measuring(*this);
+    const Commands commands = measuring.commands();
+    body(commands);
+    return detail::measured_bytes(measuring);
 }
 
 }  // namespace glift

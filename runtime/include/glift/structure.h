@@ -386,7 +386,7 @@ public:
     DeviceScalar<T> element(const Commands& commands, A address) const {
         const Range<Self> range(self(), address, A(1));
         check("element", range);
-        const Memory box = new_box(sizeof(T));
+        const Memory box = commands.allocate(box_description(sizeof(T)));
         self().copy_out(commands, range, box);
         return {box, 0};
     }
@@ -434,9 +434,10 @@ private:
         return commands.download(box, 0, bytes);
     }
 
-    Memory new_box(std::size_t bytes) const {
-        return device().allocate({.name = "box", .bytes = (bytes + 3) / 4 * 4, .zeroed = false});
+    static MemoryDescription box_description(std::size_t bytes) {
+        return {.name = "box", .bytes = (bytes + 3) / 4 * 4, .zeroed = false};
     }
+    Memory new_box(std::size_t bytes) const { return device().allocate(box_description(bytes)); }
     void check(const char* operation, const Range<Self>& range) const {
         const detail::Box box{Self::type_name, detail::Axes<A>::count, detail::extent_of(range.origin(), 0),
                               detail::extent_of(range.size()), detail::extent_of(self().domain())};

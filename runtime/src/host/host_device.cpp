@@ -29,8 +29,10 @@ public:
     const DeviceProperties& properties() const override { return properties_; }
 
     std::shared_ptr<MemoryObject> allocate(const MemoryDescription& description) override {
-        return std::make_shared<HostMemoryObject>(shared_from_this(), description, counters_);
+        auto storage = std::make_shared<HostStorage>(description.bytes, description, counters_);
+        return std::make_shared<HostMemoryObject>(shared_from_this(), description, std::move(storage), 0, counters_);
     }
+    StorageNeeds storage_needs(const MemoryDescription& description) override { return {.bytes = description.bytes}; }
 
     Stream& stream() override { return stream_; }
     std::shared_ptr<Stream> begin_recording() override {

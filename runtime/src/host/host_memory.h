@@ -11,11 +11,28 @@ struct HostCounters {
     std::atomic<std::uint64_t> passes{0}, memories{0}, bytes{0};
 };
 
+/// The bytes behind one memory, or behind the temporaries that share them.
+class HostStorage {
+public:
+    /// Throws out_of_memory, in the name of what is described.
+    HostStorage(std::uint64_t bytes, const MemoryDescription& description, HostCounters& counters);
+    ~HostStorage();
+    HostStorage(const HostStorage&) = delete;
+    HostStorage& operator=(const HostStorage&) = delete;
+
+    std::byte* data() const { return data_; }
+
+private:
+    std::uint64_t bytes_;
+    void* allocated_ = nullptr;
+    std::byte* data_ = nullptr;
+    HostCounters& counters_;
+};
+
 class HostMemoryObject final : public MemoryObject {
 public:
-    /// Throws out_of_memory.
     HostMemoryObject(std::shared_ptr<DeviceObject> device, const MemoryDescription& description,
-                     HostCounters& counters);
+                     std::shared_ptr<HostStorage> storage, std::uint64_t offset, HostCounters& counters);
     ~HostMemoryObject() override;
 
     std::byte* data() const { return data_; }
@@ -25,8 +42,8 @@ public:
     }
 
 private:
-    void* storage_ = nullptr;
-    std::byte* data_ = nullptr;
+    std::shared_ptr<HostStorage> storage_;
+    std::byte* data_;
     HostCounters& counters_;
 };
 

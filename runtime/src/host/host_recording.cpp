@@ -8,66 +8,98 @@ namespace {
 
 template <class T> std::vector<T> copied(std::span<const T> values) { return {values.begin(), values.end()}; }
 
+std::vector<Memory> kept_all(std::span<const Memory> memories) {
+    std::vector<Memory> result;
+    for (const Memory& memory : memories) result.push_back(kept(memory));
+    return result;
+}
+
+std::vector<Patch> kept_all(std::span<const Patch> patches) {
+    std::vector<Patch> result(patches.begin(), patches.end());
+    for (Patch& patch : result) patch.value.memory = kept(patch.value.memory);
+    return result;
+}
+
 class HostRecording final : public RecordingObject {
 public:
-    HostRecording(std::shared_ptr<DeviceObject> device, std::vector<std::function<void(HostStream&)>> steps)
-        : device_(std::move(device)), steps_(std::move(steps)) {}
+    HostRecording(std::shared_ptr<DeviceObject> device, std::vector<std::function<void(HostStream&)>> steps,
+                  std::uint64_t workspace_bytes)
+        : device_(std::move(device)), steps_(std::move(steps)), workspace_bytes_(workspace_bytes) {}
 
     void submit() override {
         auto& stream = static_cast<HostStream&>(device_->stream());
         for (const auto& step : steps_) step(stream);
     }
+    std::uint64_t workspace_bytes() const override { return workspace_bytes_; }
 
 private:
     std::shared_ptr<DeviceObject> device_;
     std::vector<std::function<void(HostStream&)>> steps_;
+    std::uint64_t workspace_bytes_;
 };
 
 }  // namespace
 
+Memory HostRecordingStream::allocate(const MemoryDescription& description) {
+    const Workspace::Place place = workspace_->take(device_.storage_needs(description));
+    if (place.is_new_block) blocks_.push_back(std::make_shared<HostStorage>(place.bytes, description, counters_));
+    auto object = std::make_shared<HostMemoryObject>(keep_, description, blocks_[place.block], place.offset, counters_);
+    return temporary(std::move(object), workspace_, place);
+}
+
 void HostRecordingStream::dispatch(const Kernel& kernel, const Call& call) {
     check_call(&device_, kernel, call);
-    steps_.push_back([&kernel, form = call.form, memories = copied(call.memories), parameters = copied(call.parameters),
-                      size = call.size, patches = copied(call.patches)](HostStream& stream) {
+    steps_.push_back([&kernel, form = call.form, memories = kept_all(call.memories),
+                      parameters = copied(call.parameters), size = call.size,
+                      patches = kept_all(call.patches)](HostStream& stream) {
         stream.dispatch(kernel, {form, memories, parameters, size, patches});
     });
 }
 
 void HostRecordingStream::fill(const Memory& memory, std::uint64_t offset, std::uint64_t bytes, std::uint32_t value) {
-    steps_.push_back([=](HostStream& stream) { stream.fill(memory, offset, bytes, value); });
+    steps_.push_back([=, memory = kept(memory)](HostStream& stream) { stream.fill(memory, offset, bytes, value); });
 }
 
 void HostRecordingStream::clear(const Memory& memory) {
-    steps_.push_back([=](HostStream& stream) { stream.clear(memory); });
+    steps_.push_back([memory = kept(memory)](HostStream& stream) { stream.clear(memory); });
 }
 
 void HostRecordingStream::copy(const Memory& from, const Memory& to, std::span<const CopyRegion> regions) {
-    steps_.push_back([from, to, r = copied(regions)](HostStream& stream) { stream.copy(from, to, r); });
+    steps_.push_back(
+        [from = kept(from), to = kept(to), r = copied(regions)](HostStream& stream) { stream.copy(from, to, r); });
 }
 
 void HostRecordingStream::copy_to_image(const Memory& buffer, const Memory& image,
                                         std::span<const ImageRegion> regions) {
-    steps_.push_back([=, r = copied(regions)](HostStream& stream) { stream.copy_to_image(buffer, image, r); });
+    steps_.push_back([buffer = kept(buffer), image = kept(image), r = copied(regions)](HostStream& stream) {
+        stream.copy_to_image(buffer, image, r);
+    });
 }
 
 void HostRecordingStream::copy_from_image(const Memory& image, const Memory& buffer,
                                           std::span<const ImageRegion> regions) {
-    steps_.push_back([=, r = copied(regions)](HostStream& stream) { stream.copy_from_image(image, buffer, r); });
+    steps_.push_back([buffer = kept(buffer), image = kept(image), r = copied(regions)](HostStream& stream) {
+        stream.copy_from_image(image, buffer, r);
+    });
 }
 
 void HostRecordingStream::copy_images(const Memory& from, const Memory& to, std::span<const ImageCopyRegion> regions) {
-    steps_.push_back([=, r = copied(regions)](HostStream& stream) { stream.copy_images(from, to, r); });
+    steps_.push_back([from = kept(from), to = kept(to), r = copied(regions)](HostStream& stream) {
+        stream.copy_images(from, to, r);
+    });
 }
 
 void HostRecordingStream::upload(const Memory& to, std::span<const CopyRegion> regions,
                                  std::span<const std::byte> bytes) {
-    steps_.push_back([=, r = copied(regions), b = copied(bytes)](HostStream& stream) { stream.upload(to, r, b); });
+    steps_.push_back(
+        [to = kept(to), r = copied(regions), b = copied(bytes)](HostStream& stream) { stream.upload(to, r, b); });
 }
 
 void HostRecordingStream::upload_image(const Memory& image, std::span<const ImageRegion> regions,
                                        std::span<const std::byte> bytes) {
-    steps_.push_back(
-        [=, r = copied(regions), b = copied(bytes)](HostStream& stream) { stream.upload_image(image, r, b); });
+    steps_.push_back([image = kept(image), r = copied(regions), b = copied(bytes)](HostStream& stream) {
+        stream.upload_image(image, r, b);
+    });
 }
 
 std::shared_ptr<DownloadObject> HostRecordingStream::download(const Memory&, std::span<const CopyRegion>,
@@ -85,7 +117,7 @@ void HostRecordingStream::flush() { throw_not_in_recording("Commands::flush"); }
 void HostRecordingStream::wait() { throw_not_in_recording("Commands::wait"); }
 
 std::shared_ptr<RecordingObject> HostRecordingStream::finish() {
-    return std::make_shared<HostRecording>(keep_, std::move(steps_));
+    return std::make_shared<HostRecording>(keep_, std::move(steps_), workspace_->bytes());
 }
 
 }  // namespace glift::detail

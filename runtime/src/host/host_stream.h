@@ -47,6 +47,7 @@ public:
 
     void dispatch(const Kernel& kernel, const Call& call) override;
     void fill(const Memory& memory, std::uint64_t offset, std::uint64_t bytes, std::uint32_t value) override;
+    Memory allocate(const MemoryDescription& description) override;
     void clear(const Memory& memory) override;
     bool is_recording() const override { return true; }
     void copy(const Memory& from, const Memory& to, std::span<const CopyRegion> regions) override;
@@ -66,6 +67,8 @@ public:
 
 private:
     std::shared_ptr<DeviceObject> keep_;
+    std::shared_ptr<Workspace> workspace_ = std::make_shared<Workspace>();
+    std::vector<std::shared_ptr<HostStorage>> blocks_;  ///< of the workspace
     std::vector<std::function<void(HostStream&)>> steps_;
 };
 

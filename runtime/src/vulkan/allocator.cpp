@@ -1,5 +1,7 @@
 #include "allocator.h"
 
+#include "../free_ranges.h"
+
 #include <algorithm>
 #include <cstdlib>
 
@@ -9,50 +11,23 @@ struct Block {
     VkDeviceMemory memory = VK_NULL_HANDLE;
     VkDeviceSize bytes = 0, used = 0;
     std::byte* mapped = nullptr;
-    std::map<VkDeviceSize, VkDeviceSize> free;  // offset -> bytes
+    FreeRanges free;
     std::size_t pool = 0;
 };
 
 namespace {
 
+/// Takes from what is free in the block.
+bool take(Block& block, VkDeviceSize bytes, VkDeviceSize alignment, VkDeviceSize& offset) {
+    const auto found = block.free.take(bytes, alignment);
+    if (!found) return false;
+    offset = *found;
+    block.used += bytes;
+    return true;
+}
+
 constexpr VkDeviceSize first_block = VkDeviceSize(16) << 20;
 constexpr VkDeviceSize largest_block = VkDeviceSize(256) << 20;
-
-VkDeviceSize align_up(VkDeviceSize value, VkDeviceSize alignment) {
-    return (value + alignment - 1) / alignment * alignment;
-}
-
-// First fit. Splits what is left before and after.
-bool take(Block& block, VkDeviceSize bytes, VkDeviceSize alignment, VkDeviceSize& offset) {
-    for (auto it = block.free.begin(); it != block.free.end(); ++it) {
-        const auto [begin, size] = *it;
-        offset = align_up(begin, alignment);
-        if (offset + bytes > begin + size) continue;
-        block.free.erase(it);
-        if (offset > begin) block.free[begin] = offset - begin;
-        if (begin + size > offset + bytes) block.free[offset + bytes] = begin + size - offset - bytes;
-        block.used += bytes;
-        return true;
-    }
-    return false;
-}
-
-void give_back(Block& block, VkDeviceSize offset, VkDeviceSize bytes) {
-    auto [it, inserted] = block.free.emplace(offset, bytes);
-    const auto next = std::next(it);
-    if (next != block.free.end() && it->first + it->second == next->first) {
-        it->second += next->second;
-        block.free.erase(next);
-    }
-    if (it != block.free.begin()) {
-        const auto before = std::prev(it);
-        if (before->first + before->second == it->first) {
-            before->second += it->second;
-            block.free.erase(it);
-        }
-    }
-    block.used -= bytes;
-}
 
 }  // namespace
 
@@ -115,7 +90,7 @@ Block* Allocator::add_block(Pool& pool, VkDeviceSize bytes) {
                                        .pNext = pool.linear ? &flags : nullptr,
                                        .allocationSize = bytes,
                                        .memoryTypeIndex = pool.type};
-    auto block = std::make_unique<Block>();
+    auto block = std::make_unique<Block>(Block{.bytes = bytes, .free = FreeRanges(bytes)});
     const VkResult result = context_.vk.vkAllocateMemory(context_.device, &info, nullptr, &block->memory);
     if (result == VK_ERROR_DEVICE_LOST) context_.fail(result, "vkAllocateMemory");
     if (result != VK_SUCCESS) return nullptr;
@@ -124,8 +99,6 @@ Block* Allocator::add_block(Pool& pool, VkDeviceSize bytes) {
         context_.vk.vkMapMemory(context_.device, block->memory, 0, VK_WHOLE_SIZE, 0, &mapped);
         block->mapped = static_cast<std::byte*>(mapped);
     }
-    block->bytes = bytes;
-    block->free[0] = bytes;
     reserved_ += bytes;
     for (std::size_t k = 0; k < pools_.size(); ++k) {
         if (pools_[k].get() == &pool) block->pool = k;
@@ -180,7 +153,8 @@ bool Allocator::allocate(const VkMemoryRequirements& needs, MemoryUse use, bool 
 
 void Allocator::free(const Allocation& allocation) {
     if (!allocation.block) return;
-    give_back(*allocation.block, allocation.offset, allocation.bytes);
+    allocation.block->free.give_back(allocation.offset, allocation.bytes);
+    allocation.block->used -= allocation.bytes;
     used_ -= allocation.bytes;
     if (allocation.block->used) return;
     // One empty block of ordinary size stays for the next memory.

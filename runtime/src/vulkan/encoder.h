@@ -38,6 +38,9 @@ public:
     Slice download_image(const VulkanMemory& image, std::span<const ImageRegion> regions, std::uint64_t bytes);
     void timestamp(VkQueryPool pool, std::uint32_t query);
 
+    /// A memory got storage that other memories of this stream had.
+    void pass_storage_on() { hazards_.pass_storage_on(); }
+
     /// Orders everything before, on the whole queue and the host, against everything after.
     void full_barrier();
 

@@ -21,6 +21,7 @@ struct MemoryId {
 class Hazards {
 public:
     bool conflicts(MemoryId id, Access access) const {
+        if (storage_changes_hands_) return true;
         if (id.slot >= states_.size()) return false;
         const State& state = states_[id.slot];
         if (state.epoch != epoch_ || state.serial != id.serial) return false;
@@ -34,8 +35,14 @@ public:
         if (access != Access::read) state.written = true;
     }
 
+    /// Storage that others had goes to a new memory: what follows comes after what they did.
+    void pass_storage_on() { storage_changes_hands_ = true; }
+
     /// After a barrier nothing is pending.
-    void barrier() { ++epoch_; }
+    void barrier() {
+        ++epoch_;
+        storage_changes_hands_ = false;
+    }
 
 private:
     struct State {
@@ -45,6 +52,7 @@ private:
     };
     std::vector<State> states_;
     std::uint64_t epoch_ = 1;
+    bool storage_changes_hands_ = false;
 };
 
 }  // namespace glift::detail

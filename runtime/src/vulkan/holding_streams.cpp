@@ -11,8 +11,10 @@ namespace {
 
 class VulkanRecording final : public RecordingObject {
 public:
-    VulkanRecording(std::shared_ptr<VulkanDevice> device, std::unique_ptr<CommandBatch> batch, std::vector<Memory> held)
-        : device_(std::move(device)), batch_(std::move(batch)), held_(std::move(held)) {}
+    VulkanRecording(std::shared_ptr<VulkanDevice> device, std::unique_ptr<CommandBatch> batch, std::vector<Memory> held,
+                    std::uint64_t workspace_bytes)
+        : device_(std::move(device)), batch_(std::move(batch)), held_(std::move(held)),
+          workspace_bytes_(workspace_bytes) {}
 
     ~VulkanRecording() override {
         const std::lock_guard lock(device_->mutex());
@@ -27,10 +29,13 @@ public:
         device_->collect();
     }
 
+    std::uint64_t workspace_bytes() const override { return workspace_bytes_; }
+
 private:
     std::shared_ptr<VulkanDevice> device_;
     std::unique_ptr<CommandBatch> batch_;
     std::vector<Memory> held_;
+    std::uint64_t workspace_bytes_;
 };
 
 }  // namespace
@@ -53,7 +58,7 @@ void HoldingStream::hold(const Memory& memory) {
     if (slot >= held_slots_.size()) held_slots_.resize(slot + 64);
     if (held_slots_[slot]) return;
     held_slots_[slot] = true;
-    held_.push_back(memory);
+    held_.push_back(kept(memory));
 }
 
 std::shared_ptr<DownloadObject> HoldingStream::download(const Memory&, std::span<const CopyRegion>, std::uint64_t) {
@@ -83,6 +88,25 @@ RecordingStream::~RecordingStream() {
     batch_.reset();
 }
 
+Memory RecordingStream::allocate(const MemoryDescription& description) {
+    const std::lock_guard lock(device_.mutex());
+    open();
+    if (description.kind != MemoryKind::buffer) {
+        const std::shared_ptr<VulkanMemory> image = device_.new_memory(description);
+        workspace_->add(image->parts.allocation.bytes);
+        return Memory(image);
+    }
+    const std::shared_ptr<VulkanMemory> buffer = device_.new_object(description);
+    const Workspace::Place place = workspace_->take(device_.storage_needs(description));
+    if (place.is_new_block) {
+        blocks_.push_back(device_.new_memory({.name = description.name, .bytes = place.bytes, .zeroed = false}));
+    } else {
+        encoder_.pass_storage_on();
+    }
+    buffer->place(blocks_[place.block], place.offset);
+    return temporary(buffer, workspace_, place);
+}
+
 std::shared_ptr<RecordingObject> RecordingStream::finish() {
     const std::lock_guard lock(device_.mutex());
     open();
@@ -90,7 +114,7 @@ std::shared_ptr<RecordingObject> RecordingStream::finish() {
     encoder_.full_barrier();
     Context& context = device_.context();
     context.check(context.vk.vkEndCommandBuffer(batch_->commands), "vkEndCommandBuffer");
-    return std::make_shared<VulkanRecording>(keep_, std::move(batch_), std::move(held_));
+    return std::make_shared<VulkanRecording>(keep_, std::move(batch_), std::move(held_), workspace_->bytes());
 }
 
 ExternalStream::ExternalStream(std::shared_ptr<VulkanDevice> device, VkCommandBuffer commands)

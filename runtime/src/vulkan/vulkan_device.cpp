@@ -62,14 +62,31 @@ MemoryId VulkanDevice::new_id() {
 
 std::shared_ptr<MemoryObject> VulkanDevice::allocate(const MemoryDescription& description) {
     const std::lock_guard lock(mutex_);
+    return new_memory(description);
+}
+
+std::shared_ptr<VulkanMemory> VulkanDevice::new_memory(const MemoryDescription& description) {
+    const auto memory = new_object(description);
+    Allocation own;
+    allocate_parts(VulkanMemory::needs_of(*this, description), memory->is_buffer(), description, own);
+    memory->place(own);
+    stream_->clear_new(*memory);
+    return memory;
+}
+
+std::shared_ptr<VulkanMemory> VulkanDevice::new_object(const MemoryDescription& description) {
     context_->require_not_lost();
     collect();
     auto memory = std::make_shared<VulkanMemory>(shared_from_this(), description);
     memory->id = new_id();
     ++memories_;
-    memory->create();
-    stream_->clear_new(*memory);
+    memory->make();
     return memory;
+}
+
+StorageNeeds VulkanDevice::storage_needs(const MemoryDescription& description) {
+    const VkMemoryRequirements needs = VulkanMemory::needs_of(*this, description);
+    return {needs.size, needs.alignment, description.kind == MemoryKind::buffer};
 }
 
 void VulkanDevice::throw_too_large(const MemoryDescription& description) const {

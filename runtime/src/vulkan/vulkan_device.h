@@ -24,6 +24,7 @@ public:
 
     const DeviceProperties& properties() const override { return context_->properties; }
     std::shared_ptr<MemoryObject> allocate(const MemoryDescription& description) override;
+    StorageNeeds storage_needs(const MemoryDescription& description) override;
     Stream& stream() override { return *stream_; }
     std::shared_ptr<Stream> begin_recording() override;
     std::shared_ptr<RecordingObject> end_recording(Stream& stream) override;
@@ -39,6 +40,8 @@ public:
     VulkanCounters& counters() { return counters_; }
 
     /// The lock is held in these.
+    std::shared_ptr<VulkanMemory> new_object(const MemoryDescription& description);  ///< without storage
+    std::shared_ptr<VulkanMemory> new_memory(const MemoryDescription& description);
     ChunkPool& chunks() { return *chunks_; }
     Pipelines& pipelines() { return *pipelines_; }
     Queries& queries() { return *queries_; }

@@ -75,6 +75,27 @@ VkImageUsageFlags image_usage(Context& context, const MemoryDescription& d) {
     return usage;
 }
 
+VkBufferCreateInfo buffer_info(const VulkanDevice& owner, const MemoryDescription& d) {
+    // Shaders may load vectors of four words: there is always room for one, and for what the last words begin.
+    const VkDeviceSize size = (std::max<VkDeviceSize>(d.bytes, 1) + 15) / 16 * 16;
+    if (size > owner.properties().max_allocation_bytes) owner.throw_too_large(d);
+    return {.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO, .size = size, .usage = buffer_usage};
+}
+
+VkImageCreateInfo image_info(VulkanDevice& owner, const MemoryDescription& d) {
+    if (d.bytes > owner.properties().max_allocation_bytes) owner.throw_too_large(d);
+    return {.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
+            .flags = d.kind == MemoryKind::imagecube ? VkImageCreateFlags(VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT) : 0,
+            .imageType = image_type(d.kind),
+            .format = vulkan_format(d.format),
+            .extent = {d.extent[0], d.extent[1], d.extent[2]},
+            .mipLevels = d.mips,
+            .arrayLayers = face_count(d),
+            .samples = VK_SAMPLE_COUNT_1_BIT,
+            .tiling = VK_IMAGE_TILING_OPTIMAL,
+            .usage = image_usage(owner.context(), d)};
+}
+
 void check_image_limits(Context& context, const MemoryDescription& d, const VkImageCreateInfo& info) {
     VkImageFormatProperties limits = {};
     const VkResult result = context.instance->vk().vkGetPhysicalDeviceImageFormatProperties(
@@ -133,54 +154,65 @@ VulkanDevice& VulkanMemory::owner() const { return static_cast<VulkanDevice&>(*d
 
 VulkanMemory::~VulkanMemory() { owner().retire(parts, id); }
 
-void VulkanMemory::create() {
+VkMemoryRequirements VulkanMemory::needs_of(VulkanDevice& owner, const MemoryDescription& d) {
+    Context& context = owner.context();
+    VkMemoryRequirements2 needs = {.sType = VK_STRUCTURE_TYPE_MEMORY_REQUIREMENTS_2};
+    if (d.kind == MemoryKind::buffer) {
+        const VkBufferCreateInfo buffer = buffer_info(owner, d);
+        const VkDeviceBufferMemoryRequirements info = {.sType = VK_STRUCTURE_TYPE_DEVICE_BUFFER_MEMORY_REQUIREMENTS,
+                                                       .pCreateInfo = &buffer};
+        context.vk.vkGetDeviceBufferMemoryRequirements(context.device, &info, &needs);
+    } else {
+        const VkImageCreateInfo image = image_info(owner, d);
+        const VkDeviceImageMemoryRequirements info = {.sType = VK_STRUCTURE_TYPE_DEVICE_IMAGE_MEMORY_REQUIREMENTS,
+                                                      .pCreateInfo = &image};
+        context.vk.vkGetDeviceImageMemoryRequirements(context.device, &info, &needs);
+    }
+    return needs.memoryRequirements;
+}
+
+void VulkanMemory::make() {
     Context& context = owner().context();
     const MemoryDescription& d = description();
-    VkMemoryRequirements needs;
     if (d.kind == MemoryKind::buffer) {
-        // Shaders may load vectors of four words: there is always room for one, and for what the last words begin.
-        range = (std::max<VkDeviceSize>(d.bytes, 1) + 15) / 16 * 16;
-        const VkDeviceSize size = range;
-        if (size > context.properties.max_allocation_bytes) owner().throw_too_large(d);
-        const VkBufferCreateInfo info = {
-            .sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO, .size = size, .usage = buffer_usage};
+        const VkBufferCreateInfo info = buffer_info(owner(), d);
+        range = info.size;
         context.check(context.vk.vkCreateBuffer(context.device, &info, nullptr, &parts.buffer), "vkCreateBuffer");
         context.set_name(VK_OBJECT_TYPE_BUFFER, reinterpret_cast<std::uint64_t>(parts.buffer), d.name);
-        context.vk.vkGetBufferMemoryRequirements(context.device, parts.buffer, &needs);
-        owner().allocate_parts(needs, true, d, parts.allocation);
-        context.check(context.vk.vkBindBufferMemory(context.device, parts.buffer, parts.allocation.memory,
-                                                    parts.allocation.offset),
-                      "vkBindBufferMemory");
-        const VkBufferDeviceAddressInfo info_address = {.sType = VK_STRUCTURE_TYPE_BUFFER_DEVICE_ADDRESS_INFO,
-                                                        .buffer = parts.buffer};
-        address = context.vk.vkGetBufferDeviceAddress(context.device, &info_address);
         return;
     }
-    if (d.bytes > context.properties.max_allocation_bytes) owner().throw_too_large(d);
-    const VkImageUsageFlags usage = image_usage(context, d);
-    const VkImageCreateInfo info = {
-        .sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
-        .flags = d.kind == MemoryKind::imagecube ? VkImageCreateFlags(VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT) : 0,
-        .imageType = image_type(d.kind),
-        .format = vulkan_format(d.format),
-        .extent = {d.extent[0], d.extent[1], d.extent[2]},
-        .mipLevels = d.mips,
-        .arrayLayers = face_count(d),
-        .samples = VK_SAMPLE_COUNT_1_BIT,
-        .tiling = VK_IMAGE_TILING_OPTIMAL,
-        .usage = usage};
+    const VkImageCreateInfo info = image_info(owner(), d);
     check_image_limits(context, d, info);
     context.check(context.vk.vkCreateImage(context.device, &info, nullptr, &parts.image), "vkCreateImage");
     context.set_name(VK_OBJECT_TYPE_IMAGE, reinterpret_cast<std::uint64_t>(parts.image), d.name);
-    context.vk.vkGetImageMemoryRequirements(context.device, parts.image, &needs);
-    owner().allocate_parts(needs, false, d, parts.allocation);
-    context.check(
-        context.vk.vkBindImageMemory(context.device, parts.image, parts.allocation.memory, parts.allocation.offset),
-        "vkBindImageMemory");
+}
+
+void VulkanMemory::bind(VkDeviceMemory memory, VkDeviceSize offset) {
+    Context& context = owner().context();
+    const MemoryDescription& d = description();
+    if (is_buffer()) {
+        context.check(context.vk.vkBindBufferMemory(context.device, parts.buffer, memory, offset),
+                      "vkBindBufferMemory");
+        const VkBufferDeviceAddressInfo info = {.sType = VK_STRUCTURE_TYPE_BUFFER_DEVICE_ADDRESS_INFO,
+                                                .buffer = parts.buffer};
+        address = context.vk.vkGetBufferDeviceAddress(context.device, &info);
+        return;
+    }
+    context.check(context.vk.vkBindImageMemory(context.device, parts.image, memory, offset), "vkBindImageMemory");
     parts.sampled_view = make_view(context, parts.image, d, d.mips, VK_IMAGE_USAGE_SAMPLED_BIT);
-    if (usage & VK_IMAGE_USAGE_STORAGE_BIT) {
+    if (image_usage(context, d) & VK_IMAGE_USAGE_STORAGE_BIT) {
         parts.storage_view = make_view(context, parts.image, d, 1, VK_IMAGE_USAGE_STORAGE_BIT);
     }
+}
+
+void VulkanMemory::place(const Allocation& own) {
+    parts.allocation = own;
+    bind(own.memory, own.offset);
+}
+
+void VulkanMemory::place(std::shared_ptr<VulkanMemory> block, VkDeviceSize offset) {
+    block_ = std::move(block);
+    bind(block_->parts.allocation.memory, block_->parts.allocation.offset + offset);
 }
 
 }  // namespace glift::detail

@@ -23,8 +23,14 @@ public:
     VulkanMemory(std::shared_ptr<DeviceObject> device, const MemoryDescription& description);
     ~VulkanMemory() override;
 
-    /// Makes buffer or image; throws out_of_memory, too_large, missing_feature.
-    void create();
+    /// What a memory so described takes; throws too_large, missing_feature.
+    static VkMemoryRequirements needs_of(VulkanDevice& owner, const MemoryDescription& description);
+
+    /// Makes the buffer or the image, which has no storage yet; throws as needs_of.
+    void make();
+    /// Gives it storage: of its own, or a part of another memory's, which lives as long.
+    void place(const Allocation& own);
+    void place(std::shared_ptr<VulkanMemory> block, VkDeviceSize offset);
 
     VulkanDevice& owner() const;
     bool is_buffer() const { return parts.buffer != VK_NULL_HANDLE; }
@@ -33,6 +39,11 @@ public:
     MemoryId id;
     VkDeviceSize range = 0;       ///< buffers: bytes that descriptors cover, a multiple of 4, at least 4
     VkDeviceAddress address = 0;  ///< buffers
+
+private:
+    void bind(VkDeviceMemory memory, VkDeviceSize offset);
+
+    std::shared_ptr<VulkanMemory> block_;  ///< null: the storage is its own
 };
 
 inline VulkanMemory& vulkan_memory(const Memory& memory) { return static_cast<VulkanMemory&>(*memory.object()); }

@@ -62,7 +62,12 @@ class RecordingStream final : public HoldingStream {
 public:
     explicit RecordingStream(std::shared_ptr<VulkanDevice> device);
     ~RecordingStream() override;
+    Memory allocate(const MemoryDescription& description) override;
     std::shared_ptr<RecordingObject> finish();
+
+private:
+    std::shared_ptr<Workspace> workspace_ = std::make_shared<Workspace>();
+    std::vector<std::shared_ptr<VulkanMemory>> blocks_;  ///< of the workspace
 };
 
 class ExternalStream final : public HoldingStream {

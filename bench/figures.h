@@ -1,0 +1,32 @@
+// The figures of benches of algorithms: a row each, in groups of one device, as bench/figures.py reads them.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace bench {
+
+struct Figure {
+    std::string by;  ///< who: `Glift`, or a rival
+    std::string algorithm, variant;
+    std::uint64_t elements = 0;
+    double seconds = 0;             ///< median
+    std::uint64_t bytes_moved = 0;  ///< the least possible
+    int runs = 0;
+    double error = -1;  ///< largest relative error; negative: results are exact
+};
+
+/// To stderr, as it is measured.
+void print(const Figure& figure);
+
+struct DeviceFigures {
+    std::string device;
+    std::vector<Figure> rows;
+};
+
+void write_json(const std::string& file, const std::vector<DeviceFigures>& devices);
+
+}  // namespace bench

@@ -1,0 +1,81 @@
+#include "algorithm_cases.h"
+
+#include "solvers.glift.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace bench {
+
+namespace {
+
+constexpr std::uint32_t systems_checked = 16;  // evenly spread, the first and the last among them
+
+struct Coefficients {
+    solvers::Grid lower, middle, upper;
+};
+
+float component(float x, int) { return x; }
+float component(const glift::float3& x, int k) { return k == 0 ? x.x : k == 1 ? x.y : x.z; }
+
+/// Thomas' algorithm in double precision, for component k of the right-hand sides of a system.
+template <class T> std::vector<double> solved(const std::vector<float>& lower, const std::vector<float>& middle,
+                                              const std::vector<float>& upper, const std::vector<T>& right, int k) {
+    const std::size_t n = middle.size();
+    std::vector<double> c(n), x(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        const double before_c = i ? c[i - 1] : 0, before_x = i ? x[i - 1] : 0;
+        const double pivot = middle[i] - lower[i] * before_c;
+        c[i] = upper[i] / pivot;
+        x[i] = (component(right[i], k) - lower[i] * before_x) / pivot;
+    }
+    for (std::size_t i = n - 1; i-- > 0;) x[i] -= c[i] * x[i + 1];
+    return x;
+}
+
+/// Of some of the systems, the largest max |x - exact| / max |exact|.
+template <class Grid> double largest_error(const Coefficients& a, const Grid& right, const Grid& found, int sides) {
+    const std::uint32_t n = found.domain().x, rows = found.domain().y, checked = std::min(rows, systems_checked);
+    double largest = 0;
+    for (std::uint32_t system = 0; system < checked; ++system) {
+        const glift::uint2 at(0, checked == 1 ? 0 : system * (rows - 1) / (checked - 1)), size(n, 1);
+        const auto lower = a.lower.read(at, size), middle = a.middle.read(at, size), upper = a.upper.read(at, size);
+        const auto b = right.read(at, size), x = found.read(at, size);
+        for (int k = 0; k < sides; ++k) {
+            const std::vector<double> exact = solved(lower, middle, upper, b, k);
+            double difference = 0, size_of_exact = 0;
+            for (std::uint32_t i = 0; i < n; ++i) {
+                const double distance = std::abs(component(x[i], k) - exact[i]);
+                difference = distance <= difference ? difference : distance;  // not-a-number stays
+                size_of_exact = std::max(size_of_exact, std::abs(exact[i]));
+            }
+            const double error = difference / size_of_exact;
+            largest = error <= largest ? largest : error;
+        }
+    }
+    return largest;
+}
+
+}  // namespace
+
+std::vector<AlgorithmCase> tridiagonal_cases(const glift::Device& device, std::uint32_t n) {
+    const glift::uint2 size(n, n);
+    Coefficients a{{device, size}, {device, size}, {device, size}};
+    solvers::Grid right(device, size), x(device, size);
+    solvers::Grid3 right3(device, size), x3(device, size);
+    solvers::make_systems(device, n, a.lower, a.middle, a.upper, right);
+    solvers::make_right(device, n, right3);
+    const std::uint64_t count = std::uint64_t{n} * n;
+    const std::string variant = "n_" + std::to_string(n);
+    return {{"tridiagonal", variant, count, 20 * count,
+             [=](const glift::Commands& commands) { solvers::solve(commands, a.lower, a.middle, a.upper, right, x); },
+             [=] { return largest_error(a, right, x, 1); }},
+            {"tridiagonal", variant + "_three", 3 * count, 36 * count,
+             [=](const glift::Commands& commands) {
+                 solvers::solve_three(commands, a.lower, a.middle, a.upper, right3, x3);
+             },
+             [=] { return largest_error(a, right3, x3, 3); }}};
+}
+
+}  // namespace bench

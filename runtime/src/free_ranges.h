@@ -1,0 +1,49 @@
+// Which bytes of a block of storage are free.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+
+namespace glift::detail {
+
+/// Not safe for several threads.
+class FreeRanges {
+public:
+    explicit FreeRanges(std::uint64_t bytes) : free_{{0, bytes}} {}
+
+    /// The first place that is large enough, if there is one.
+    std::optional<std::uint64_t> take(std::uint64_t bytes, std::uint64_t alignment) {
+        for (auto it = free_.begin(); it != free_.end(); ++it) {
+            const auto [begin, size] = *it;
+            const std::uint64_t offset = (begin + alignment - 1) / alignment * alignment;
+            if (offset + bytes > begin + size) continue;
+            free_.erase(it);
+            if (offset > begin) free_[begin] = offset - begin;
+            if (begin + size > offset + bytes) free_[offset + bytes] = begin + size - offset - bytes;
+            return offset;
+        }
+        return std::nullopt;
+    }
+
+    /// What was taken; it joins what is free on either side.
+    void give_back(std::uint64_t offset, std::uint64_t bytes) {
+        const auto it = free_.emplace(offset, bytes).first;
+        const auto next = std::next(it);
+        if (next != free_.end() && it->first + it->second == next->first) {
+            it->second += next->second;
+            free_.erase(next);
+        }
+        if (it == free_.begin()) return;
+        const auto before = std::prev(it);
+        if (before->first + before->second == it->first) {
+            before->second += it->second;
+            free_.erase(it);
+        }
+    }
+
+private:
+    std::map<std::uint64_t, std::uint64_t> free_;  // offset -> bytes
+};
+
+}  // namespace glift::detail
