@@ -223,14 +223,16 @@ std::string parameters_text(Printer& p) {
     if (p.pass.parameters.empty()) return "";
     if (p.pass.push_constants)
         return "layout(push_constant, scalar) uniform Parameters {\n" + parameter_members(p) + "};\n";
-    return "layout(scalar, set = 0, binding = 0) readonly buffer Parameters {\n" + parameter_members(p) +
-           "} parameters;\n";
+    std::string text = "layout(scalar, set = 0, binding = 0) readonly buffer Parameters {\n" + parameter_members(p) +
+                       "} parameters;\n\n";
+    for (std::size_t i = 0; i < p.pass.parameters.size(); ++i) text += parameter_declaration(p, i) + ";\n";
+    return text;
 }
 
 void print_parameter_reads(Printer& p) {
     if (p.pass.push_constants) return;
     for (std::size_t i = 0; i < p.pass.parameters.size(); ++i)
-        line(p, parameter_declaration(p, i) + " = parameters." + p.parameter_names[i] + ";");
+        line(p, p.parameter_names[i] + " = parameters." + p.parameter_names[i] + ";");
 }
 
 Text print_load(Printer& p, const ir::Expr& expr) {

@@ -3,6 +3,7 @@
 // condition that the first invocation has: it is uniform, or the kernel is wrong on every device.
 #include "emit/cpp/visit.h"
 #include "emit/host/body.h"
+#include "ir/walk.h"
 
 #include <map>
 
@@ -208,6 +209,25 @@ void Groups::run_uniform(const Stmt& stmt, bool in_loop) {
     }
 }
 
+bool mentions(const ir::Program& program, const std::vector<StmtId>& body, LocalId local) {
+    bool found = false;
+    ir::for_each_expression(program, body, [&](ExprId id) {
+        const ir::Expr& expr = program.exprs[id];
+        found = found || (expr.op == ir::Op::local && expr.local == local);
+    });
+    return found;
+}
+
+/// The body after what of the prologue it needs: a kernel that goes by its group alone has no address.
+std::vector<StmtId> needed(const ir::Program& program, const ir::Pass& pass) {
+    std::vector<StmtId> all = pass.body;
+    for (auto id = pass.prologue.rbegin(); id != pass.prologue.rend(); ++id) {
+        const ir::Stmt& stmt = program.stmts[*id];
+        if (stmt.op != StmtOp::let || mentions(program, all, stmt.local)) all.insert(all.begin(), *id);
+    }
+    return all;
+}
+
 }  // namespace
 
 std::string group_kernel(cpp::Globals& globals, const ir::Pass& pass, const std::string& name) {
@@ -216,8 +236,7 @@ std::string group_kernel(cpp::Globals& globals, const ir::Pass& pass, const std:
     for (const char* taken : {"group_id", "group_count", "local_index", "local_id", "global_id", "number", "returned",
                               "group_index", "group_total", "group_size"})
         p.names.declare(taken);
-    std::vector<StmtId> all = pass.prologue;
-    all.insert(all.end(), pass.body.begin(), pass.body.end());
+    const std::vector<StmtId> all = needed(globals.program, pass);
     groups.may_return = returns_early(globals.program, all);
     groups.run(all, false);
 
