@@ -40,7 +40,7 @@ def styles(panels):
 
 
 def draw_panel(axes, title, lines, style):
-    for by, rows in lines.items():
+    for by, rows in sorted(lines.items(), key=lambda line: line[0] != figures.OURS):
         axes.plot([row["elements"] for row in rows], [figures.throughput(row) for row in rows], label=by,
                   linewidth=2 if by == figures.OURS else 1.2, markersize=4, **style[by])
     axes.set_xscale("log", base=2)
