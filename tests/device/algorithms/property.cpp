@@ -14,6 +14,17 @@ std::uint64_t number(const char* name, std::uint64_t otherwise) {
     return text && *text ? std::strtoull(text, nullptr, 10) : otherwise;
 }
 
+/// Closed when the tests are over: drivers that are loaded later than the first static object go before it.
+class OpenDevices : public testing::Environment {
+public:
+    static std::map<std::string, glift::Device>& all() {
+        static std::map<std::string, glift::Device> devices;
+        return devices;
+    }
+    void TearDown() override { all().clear(); }
+};
+const auto* const open_devices = testing::AddGlobalTestEnvironment(new OpenDevices);
+
 const char* name_of(Form form) {
     switch (form) {
     case Form::dense: return "dense";
@@ -52,7 +63,7 @@ std::uint64_t first_seed() {
 }
 
 std::optional<glift::Device> device_of(const std::string& which) {
-    static std::map<std::string, glift::Device> devices;
+    std::map<std::string, glift::Device>& devices = OpenDevices::all();
     std::string name = which;
     if (which != "host") {
         const char* given = std::getenv("GLIFT_DEVICE");

@@ -68,59 +68,65 @@ Line length_of(const glift::Device& device, const Placed& placed) {
     return length;
 }
 
-TEST_P(Sorts, UintsInPlace) {
-    for_all("sort of uints in place", [&](Round& round) {
-        round.only(Form::dense);
+TEST_P(Sorts, UintsFromAnImage) {
+    using In = Input<Line, sorts::Folded, sorts::Folded, Line>;
+    for_all("sort_into of uints", [&](Round& round) {
+        round.only(Form::folded);
         const Placed placed(round, round.size());
         auto values = keys_of<std::uint32_t>(round, placed.count);
-        const Line length = length_of(device(), placed);
-        const Output<Line> out(device(), round, placed);
-        Line keys(device(), placed.extent);
+        const In in(device(), round, placed, values);
+        Output<Line> out(device(), round, placed);
         const auto found = twice(round, [&] {
-            keys.write(out.expected(placed, values));
-            sorts::sort_uints(device(), keys, placed.part<Part>(), length);
-            return keys.read();
+            return out.after(
+                [&](const Line& to) { sorts::sort_uints(device(), in.folded, placed.part<Part>(), in.length, to); });
         });
         std::ranges::sort(values);
         EXPECT_TRUE(equal(round, out.expected(placed, values), found));
     });
 }
 
-/// Keys alone, from an input of one form: `sort(in, part, length, descending, to)`.
-template <class In, class To, class Sort>
-void keys_alone(const glift::Device& device, Round& round, Form form, Sort sort) {
-    using T = typename To::Element;
-    round.only(form);
+/// Keys alone: `sort(keys, part, length, descending)`.
+template <class S, class Sort> void in_place(const glift::Device& device, Round& round, Sort sort) {
+    using T = typename S::Element;
+    round.only(Form::dense);
     const Placed placed(round, round.size());
     auto values = keys_of<T>(round, placed.count);
-    const In in(device, round, placed, values);
     const bool descending = round.chance(2);
     round.about(descending ? "descending" : "ascending");
-    Output<To> out(device, round, placed);
-    const auto found =
-        twice(round, [&] { return out.after([&](const To& to) { sort(in, placed.part<Part>(), descending, to); }); });
+    const Line length = length_of(device, placed);
+    const Output<S> out(device, round, placed);
+    S keys(device, placed.extent);
+    const auto found = twice(round, [&] {
+        keys.write(out.expected(placed, values));
+        sort(keys, placed.part<Part>(), length, descending);
+        return keys.read();
+    });
     std::ranges::stable_sort(values, Precedes{descending});
     EXPECT_TRUE(equal(round, out.expected(placed, values), found));
 }
 
 TEST_P(Sorts, Ints) {
-    using In = Input<sorts::Integers, sorts::FoldedIntegers, sorts::FoldedIntegers, Line>;
-    for_all("sort of ints", [&](Round& round) {
-        keys_alone<In, sorts::Integers>(
-            device(), round, Form::folded, [&](const In& in, Part part, bool descending, const sorts::Integers& to) {
-                sorts::sort_ints(device(), in.folded, part, in.length, descending, to);
-            });
+    for_all("sort_by of ints", [&](Round& round) {
+        in_place<sorts::Integers>(device(), round,
+                                  [&](const sorts::Integers& keys, Part part, const Line& length, bool descending) {
+                                      sorts::sort_ints(device(), keys, part, length, descending);
+                                  });
     });
 }
 
 TEST_P(Sorts, Longs) {
-    using In = Input<sorts::Longs, sorts::Longs, sorts::Longs, Line>;
-    for_all("sort of int64", [&](Round& round) {
-        keys_alone<In, sorts::Longs>(
-            device(), round, Form::strided, [&](const In& in, Part part, bool descending, const sorts::Longs& to) {
-                sorts::sort_longs(device(), in.dense, in.step, part, in.length, descending, to);
-            });
+    for_all("sort_by of int64", [&](Round& round) {
+        in_place<sorts::Longs>(device(), round,
+                               [&](const sorts::Longs& keys, Part part, const Line& length, bool descending) {
+                                   sorts::sort_longs(device(), keys, part, length, descending);
+                               });
     });
+}
+
+/// What is to be sorted in place: `count` elements of the part as in `from`.
+template <class S> void overlay(const Part& part, const Line& count, const S& from, const S& to) {
+    const glift::uint n = count.read()[0];
+    if (n > 0) S(to).write(part.first, n, from.read(part.first, n));
 }
 
 /// Keys with their places as values: these say whether equal keys kept their order.
@@ -143,7 +149,7 @@ void pairs(const glift::Device& device, Round& round, Form form, Sort sort) {
     const auto found = twice(round, [&] {
         return plain(out.after([&](const To& to) {
             values_found = values_out.after(
-                [&](const Line& values_to) { sort(in, values, placed.part<Part>(), descending, to, values_to); });
+                [&](Line& values_to) { sort(in, values, placed.part<Part>(), descending, to, values_to); });
         }));
     });
     std::iota(order.begin(), order.end(), 0u);
@@ -171,13 +177,14 @@ TEST_P(Sorts, FloatPairs) {
 }
 
 TEST_P(Sorts, WidePairs) {
-    using In = Input<sorts::TiledWides, sorts::TiledWides, sorts::TiledWides, Line>;
-    for_all("sort of pairs by uint64", [&](Round& round) {
-        pairs<In, sorts::Wides>(device(), round, Form::tiled,
+    using In = Input<sorts::Wides, sorts::Wides, sorts::Wides, Line>;
+    for_all("sort_pairs_by of uint64", [&](Round& round) {
+        pairs<In, sorts::Wides>(device(), round, Form::dense,
                                 [&](const In& in, const Line& values, Part part, bool descending,
-                                    const sorts::Wides& to, const Line& values_to) {
-                                    sorts::sort_wide_pairs(device(), in.tiled, values, part, in.length, descending, to,
-                                                           values_to);
+                                    const sorts::Wides& keys, Line& values_too) {
+                                    overlay(part, in.length, in.dense, keys);
+                                    overlay(part, in.length, values, values_too);
+                                    sorts::sort_wide_pairs(device(), keys, values_too, part, in.length, descending);
                                 });
     });
 }
