@@ -43,8 +43,8 @@ std::uint32_t limit_of(Round& round) {
 }
 
 /// Runs it twice over the same ground.
-template <class Run> Found run_twice(const glift::Device& device, const Round& round, Line& to, const Values& before,
-                                     Run run) {
+template <class Run>
+Found run_twice(const glift::Device& device, const Round& round, Line& to, const Values& before, Run run) {
     const auto once = [&] {
         to.write(before);
         const std::uint32_t count = run().await(device);
@@ -81,8 +81,7 @@ TEST_P(Choices, Partition) {
         Values values = arbitrary_values<std::uint32_t>(round, placed.count);
         const std::uint32_t limit = limit_of(round);
         const Uints in(device(), round, placed, values);
-        const Values before =
-            arbitrary_values<std::uint32_t>(round, std::max(placed.count + round.below(50), 1u));
+        const Values before = arbitrary_values<std::uint32_t>(round, std::max(placed.count + round.below(50), 1u));
         Line to(device(), static_cast<std::uint32_t>(before.size()));
         Found found = run_twice(device(), round, to, before, [&] {
             return choices::set_apart(device(), in.dense, in.step, placed.part<Part>(), in.length, limit, to);

@@ -1,11 +1,11 @@
 // Recursive filters beside a serial loop in double precision.
 //
-// The bound. In each step the five products and four sums round off at most 5 u M, where M is the largest |b0 x| + |b1 x| +
-// |b2 x| + |a1 y| + |a2 y| and u = 2^-24. What is wrong in one result goes on as the impulse response h of
-// 1 / (1 + a1 z + a2 z^2) does, so that a serial filter is wrong by no more than G 5 u M, G the sum of all |h|. A scan makes
-// the state that a piece begins from out of states of pieces, each wrong by so much, and powers of the matrix of a step,
-// whose elements G bounds, each rounded a few times a doubling: another factor of G, and 2 for each of log2(n) doublings.
-// In all 10 (4 + log2 n) u G^2 M.
+// The bound. In each step the five products and four sums round off at most 5 u M, where M is the largest |b0 x| + |b1
+// x| + |b2 x| + |a1 y| + |a2 y| and u = 2^-24. What is wrong in one result goes on as the impulse response h of 1 / (1
+// + a1 z + a2 z^2) does, so that a serial filter is wrong by no more than G 5 u M, G the sum of all |h|. A scan makes
+// the state that a piece begins from out of states of pieces, each wrong by so much, and powers of the matrix of a
+// step, whose elements G bounds, each rounded a few times a doubling: another factor of G, and 2 for each of log2(n)
+// doublings. In all 10 (4 + log2 n) u G^2 M.
 #include "box.h"
 #include "input.h"
 
@@ -92,7 +92,6 @@ struct Expected {
         }
     }
 };
-
 
 std::vector<float> samples(Round& round, std::uint32_t count) {
     std::vector<float> x(count);

@@ -56,8 +56,7 @@ template <class Dense, class Folded, class Tiled, class Line> struct Input {
     Line length;
 
     Input(const glift::Device& device, Round& round, const Placed& placed, const std::vector<T>& values)
-        : form(static_cast<glift::uint>(round.form())),
-          step(round.form() == Form::strided ? 2 + round.below(4) : 1),
+        : form(static_cast<glift::uint>(round.form())), step(round.form() == Form::strided ? 2 + round.below(4) : 1),
           dense(device, used_by_dense(round.form()) ? placed.extent * step : 1),
           folded(device, round.form() == Form::folded ? placed.extent : 1),
           tiled(device, round.form() == Form::tiled ? placed.extent : 1), length(device, 1) {

@@ -46,9 +46,8 @@ TEST_P(Moves, TransformPairs) {
         Line b(device(), placed.extent);
         b.write(others);
         Output<moves::Tiles> out(device(), round, placed);
-        const auto found = out.after([&](const moves::Tiles& to) {
-            moves::mixed(device(), in.folded, placed.part<Part>(), in.length, b, to);
-        });
+        const auto found = out.after(
+            [&](const moves::Tiles& to) { moves::mixed(device(), in.folded, placed.part<Part>(), in.length, b, to); });
         std::transform(values.begin(), values.end(), others.begin() + placed.first, values.begin(),
                        [](std::uint32_t x, std::uint32_t y) { return 3 * x ^ y; });
         EXPECT_TRUE(equal(round, out.expected(placed, values), found));
@@ -114,8 +113,8 @@ TEST_P(Moves, Fill) {
         length.write(Values{placed.count});
         Output<moves::Tiles> out(device(), round, placed);
         const auto value = arbitrary<std::uint32_t>(round);
-        const auto found = out.after(
-            [&](const moves::Tiles& to) { moves::filled(device(), placed.part<Part>(), length, value, to); });
+        const auto found =
+            out.after([&](const moves::Tiles& to) { moves::filled(device(), placed.part<Part>(), length, value, to); });
         EXPECT_TRUE(equal(round, out.expected(placed, Values(placed.count, value)), found));
     });
 }
@@ -127,8 +126,8 @@ TEST_P(Moves, Reverse) {
         Values values = arbitrary_values<std::uint32_t>(round, placed.count);
         const Uints in(device(), round, placed, values);
         Output<Line> out(device(), round, placed);
-        const auto found = out.after(
-            [&](const Line& to) { moves::reversed(device(), in.tiled, placed.part<Part>(), in.length, to); });
+        const auto found =
+            out.after([&](const Line& to) { moves::reversed(device(), in.tiled, placed.part<Part>(), in.length, to); });
         std::ranges::reverse(values);
         EXPECT_TRUE(equal(round, out.expected(placed, values), found));
     });
@@ -138,7 +137,8 @@ TEST_P(Moves, Histogram) {
     for_all("histogram", [&](Round& round) {
         const Placed placed(round, round.size());
         // Around what a workgroup has in memory of its own.
-        const std::uint32_t bins = round.chance(3) ? 1023 + round.below(3) : 1 + round.below(round.chance(2) ? 20 : 5000);
+        const std::uint32_t bins =
+            round.chance(3) ? 1023 + round.below(3) : 1 + round.below(round.chance(2) ? 20 : 5000);
         Values values(placed.count);
         const std::uint32_t kinds = round.chance(4) ? 1 : bins + round.below(3);
         for (std::uint32_t& x : values) x = round.chance(50) ? arbitrary<std::uint32_t>(round) : round.below(kinds);

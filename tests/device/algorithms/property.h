@@ -95,15 +95,15 @@ template <class T> std::string text_of(const T& value) {
         text << value;
     } else {
         text << std::hex;
-        for (std::size_t i = 0; i < sizeof(T); ++i) text << int(reinterpret_cast<const unsigned char*>(&value)[i]) << " ";
+        for (std::size_t i = 0; i < sizeof(T); ++i)
+            text << int(reinterpret_cast<const unsigned char*>(&value)[i]) << " ";
     }
     return text.str();
 }
 
 /// Bit for bit, and the first difference.
-template <class T>
-testing::AssertionResult equal(const Round& round, const std::vector<T>& expected, const std::vector<T>& found,
-                               const char* which = "") {
+template <class T> testing::AssertionResult equal(const Round& round, const std::vector<T>& expected,
+                                                  const std::vector<T>& found, const char* which = "") {
     if (expected.size() != found.size())
         return round.wrong(which + (" size expected " + std::to_string(expected.size()) + ", found ") +
                            std::to_string(found.size()));
@@ -115,14 +115,14 @@ testing::AssertionResult equal(const Round& round, const std::vector<T>& expecte
 }
 
 /// Each within its bound of what is exact; a bound that is not a number takes everything.
-template <class T>
-testing::AssertionResult near(const Round& round, const std::vector<double>& exact, const std::vector<double>& bounds,
-                              const std::vector<T>& found, const char* which = "") {
+template <class T> testing::AssertionResult near(const Round& round, const std::vector<double>& exact,
+                                                 const std::vector<double>& bounds, const std::vector<T>& found,
+                                                 const char* which = "") {
     if (exact.size() != found.size()) return round.wrong("wrong size");
     for (std::size_t i = 0; i < exact.size(); ++i)
         if (!(std::abs(double(found[i]) - exact[i]) <= bounds[i]))
-            return round.wrong(which + (" first wrong index " + std::to_string(i)) + ": expected " +
-                               text_of(exact[i]) + " +- " + text_of(bounds[i]) + ", found " + text_of(found[i]));
+            return round.wrong(which + (" first wrong index " + std::to_string(i)) + ": expected " + text_of(exact[i]) +
+                               " +- " + text_of(bounds[i]) + ", found " + text_of(found[i]));
     return testing::AssertionSuccess();
 }
 

@@ -28,8 +28,7 @@ double bound_of(double sum_of_sizes, double n) {
 std::vector<float> float_values(Round& round, std::uint32_t size) {
     std::vector<float> values(size);
     const bool exact = round.chance(2);
-    for (float& x : values)
-        x = exact ? float(round.below(17)) - 8 : float(round.real() * std::exp2(round.real() * 10));
+    for (float& x : values) x = exact ? float(round.below(17)) - 8 : float(round.real() * std::exp2(round.real() * 10));
     return values;
 }
 
@@ -58,8 +57,7 @@ TEST_P(Reductions, SumOfFloats) {
         reductions::Reals to(device(), 1);
         const auto found = twice(round, [&] {
             to.fill(77);
-            reductions::sum_of_floats(device(), in.form, in.dense, in.tiled, placed.part<Part>(),
-                                      in.length, to);
+            reductions::sum_of_floats(device(), in.form, in.dense, in.tiled, placed.part<Part>(), in.length, to);
             return to.read();
         });
         double sum = 0, sizes = 0;
@@ -119,8 +117,8 @@ TEST_P(Reductions, HowMany) {
         const auto values = arbitrary_values<std::uint32_t>(round, placed.count);
         const Uints in(device(), round, placed, values);
         const std::uint32_t limit = round.chance(5) ? 0 : arbitrary<std::uint32_t>(round);
-        const auto found = reductions::how_many(device(), in.tiled, placed.part<Part>(), in.length, limit)
-                               .await(device());
+        const auto found =
+            reductions::how_many(device(), in.tiled, placed.part<Part>(), in.length, limit).await(device());
         const auto count = std::ranges::count_if(values, [&](std::uint32_t x) { return x < limit; });
         EXPECT_TRUE(equal(round, {static_cast<std::uint32_t>(count)}, std::vector<std::uint32_t>{found}));
     });
@@ -135,8 +133,8 @@ TEST_P(Reductions, Find) {
         for (auto& x : values) x = round.below(kinds);
         const std::uint32_t value = round.below(kinds);
         const Uints in(device(), round, placed, values);
-        const auto found = reductions::where_is(device(), in.folded, placed.part<Part>(), in.length, value)
-                               .await(device());
+        const auto found =
+            reductions::where_is(device(), in.folded, placed.part<Part>(), in.length, value).await(device());
         const auto at = std::find(values.begin(), values.end(), value) - values.begin();
         EXPECT_TRUE(equal(round, {static_cast<std::uint32_t>(at)}, std::vector<std::uint32_t>{found}));
     });
@@ -151,8 +149,8 @@ TEST_P(Reductions, WhereTheExtremesAre) {
             if (round.chance(20)) x = NAN;
         const Floats in(device(), round, placed, values);
         const bool largest = round.chance(2);
-        const auto found = reductions::extreme(device(), in.dense, placed.part<Part>(), in.length, largest)
-                               .await(device());
+        const auto found =
+            reductions::extreme(device(), in.dense, placed.part<Part>(), in.length, largest).await(device());
         reductions::Element expected{.value = largest ? -INFINITY : INFINITY, .index = UINT32_MAX};
         for (std::uint32_t i = 0; i < placed.count; ++i)
             if (largest ? values[i] > expected.value : values[i] < expected.value) expected = {values[i], i};
@@ -213,8 +211,7 @@ TEST_P(Reductions, Equal) {
         if (other.empty()) other.push_back(1);
         reductions::Line b(device(), static_cast<std::uint32_t>(other.size()));
         b.write(other);
-        const auto found = reductions::is_equal(device(), in.folded, placed.part<Part>(), in.length, b)
-                               .await(device());
+        const auto found = reductions::is_equal(device(), in.folded, placed.part<Part>(), in.length, b).await(device());
         EXPECT_TRUE(equal(round, {values == other ? 1u : 0u}, std::vector<std::uint32_t>{found}));
     });
 }

@@ -70,9 +70,8 @@ TEST_P(Scans, SumsOfFloats) {
         const Line length = length_of(device(), placed);
         Output<scans::Reals> out(device(), round, placed);
         const auto found = twice(round, [&] {
-            return out.after([&](const scans::Reals& to) {
-                scans::float_sums(device(), from, placed.part<Part>(), length, to);
-            });
+            return out.after(
+                [&](const scans::Reals& to) { scans::float_sums(device(), from, placed.part<Part>(), length, to); });
         });
         std::vector<double> expected(out.before.begin(), out.before.end()), bounds(placed.extent);
         double sum = 0, sizes = 0;
@@ -98,9 +97,8 @@ TEST_P(Scans, AnOperatorThatDoesNotCommute) {
         const Line length = length_of(device(), placed);
         Output<scans::Maps> out(device(), round, placed);
         const auto found = twice(round, [&] {
-            return out.after([&](const scans::Maps& to) {
-                scans::compositions(device(), from, placed.part<Part>(), length, to);
-            });
+            return out.after(
+                [&](const scans::Maps& to) { scans::compositions(device(), from, placed.part<Part>(), length, to); });
         });
         std::vector<Affine> values(all.begin() + placed.first, all.begin() + placed.first + placed.count);
         std::exclusive_scan(values.begin(), values.end(), values.begin(), Affine{1, 0}, [](Affine f, Affine g) {

@@ -16,8 +16,8 @@ using sorts::Part;
 
 GLIFT_PROPERTY_SUITE(Sorts);
 
-/// As std.radix_sort orders floats: zeros of both signs are equal, not-a-number comes after infinity, and not-a-number is
-/// equal to itself.
+/// As std.radix_sort orders floats: zeros of both signs are equal, not-a-number comes after infinity, and not-a-number
+/// is equal to itself.
 struct Precedes {
     bool descending = false;
 
@@ -130,8 +130,7 @@ template <class S> void overlay(const Part& part, const Line& count, const S& fr
 }
 
 /// Keys with their places as values: these say whether equal keys kept their order.
-template <class In, class To, class Sort>
-void pairs(const glift::Device& device, Round& round, Form form, Sort sort) {
+template <class In, class To, class Sort> void pairs(const glift::Device& device, Round& round, Form form, Sort sort) {
     using T = typename To::Element;
     round.only(form);
     const Placed placed(round, round.size());
@@ -170,8 +169,8 @@ TEST_P(Sorts, FloatPairs) {
         pairs<In, sorts::Reals>(device(), round, Form::mapped,
                                 [&](const In& in, const Line& values, Part part, bool descending,
                                     const sorts::Reals& to, const Line& values_to) {
-                                    sorts::sort_float_pairs(device(), in.dense, values, part, in.length, descending,
-                                                            to, values_to);
+                                    sorts::sort_float_pairs(device(), in.dense, values, part, in.length, descending, to,
+                                                            values_to);
                                 });
     });
 }

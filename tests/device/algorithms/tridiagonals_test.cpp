@@ -1,11 +1,12 @@
 // Tridiagonal systems beside the Thomas algorithm in double precision.
 //
-// The bound. Elimination without pivoting of a tridiagonal matrix A that is diagonally dominant solves (A + E) x = b with
-// |E| <= 12 u |A|, u = 2^-24: f(u) = 4 u of the factors and of the two substitutions, with |L| |U| <= 3 |A| (Higham,
-// Accuracy and Stability of Numerical Algorithms, 9.6). Methods that eliminate in log2(n) levels do this once a level, to
-// matrices that stay at least as dominant: 12 (1 + log2 n) u. So |x' - x| <= 12 (1 + log2 n) u |A^-1| |A| |x|, and of a
-// matrix that is dominant by rows |A^-1| is at most 1 / min (|d| - |l| - |r|) in the maximum norm, |A| max (|d| + |l| +
-// |r|). Where all of a row's sums are given and off-diagonals are negative, the sum is that difference.
+// The bound. Elimination without pivoting of a tridiagonal matrix A that is diagonally dominant solves (A + E) x = b
+// with |E| <= 12 u |A|, u = 2^-24: f(u) = 4 u of the factors and of the two substitutions, with |L| |U| <= 3 |A|
+// (Higham, Accuracy and Stability of Numerical Algorithms, 9.6). Methods that eliminate in log2(n) levels do this once
+// a level, to matrices that stay at least as dominant: 12 (1 + log2 n) u. So |x' - x| <= 12 (1 + log2 n) u |A^-1| |A|
+// |x|, and of a matrix that is dominant by rows |A^-1| is at most 1 / min (|d| - |l| - |r|) in the maximum norm, |A|
+// max (|d| + |l| + |r|). Where all of a row's sums are given and off-diagonals are negative, the sum is that
+// difference.
 #include "box.h"
 
 #include "tridiagonals.glift.hpp"
