@@ -1,0 +1,140 @@
+// Chosen elements beside std::copy_if, std::stable_partition and std::unique_copy.
+#include "input.h"
+
+#include "choices.glift.hpp"
+
+#include <algorithm>
+
+namespace {
+
+using namespace property;
+using choices::Line;
+using choices::Part;
+using Values = std::vector<std::uint32_t>;
+using Uints = Input<Line, choices::Folded, choices::Tiles, Line>;
+
+GLIFT_PROPERTY_SUITE(Choices);
+
+/// What an algorithm wrote to the start of a structure, whose further elements stay, and the number that it gave.
+struct Found {
+    Values elements;
+    std::uint32_t count = 0;
+    bool operator==(const Found&) const = default;
+};
+
+testing::AssertionResult start_with(const Round& round, const Values& before, const Values& expected,
+                                    const Found& found, const char* which = "") {
+    Values all = before;
+    const std::size_t fits = std::min(expected.size(), all.size());
+    std::copy_n(expected.begin(), fits, all.begin());
+    if (found.count != expected.size())
+        return round.wrong("count expected " + std::to_string(expected.size()) + ", found " +
+                           std::to_string(found.count));
+    return equal(round, all, found.elements, which);
+}
+
+/// Room for what is chosen, now and then for too little of it, which is then left out.
+std::uint32_t room_for(Round& round, std::uint32_t count) {
+    return std::max(round.chance(4) ? round.below(count + std::uint64_t{1}) : count + round.below(50), 1u);
+}
+
+std::uint32_t limit_of(Round& round) {
+    return round.chance(4) ? 0 : round.chance(4) ? UINT32_MAX : arbitrary<std::uint32_t>(round);
+}
+
+/// Runs it twice over the same ground.
+template <class Run>
+Found run_twice(const glift::Device& device, const Round& round, Line& to, const Values& before, Run run) {
+    const auto once = [&] {
+        to.write(before);
+        const std::uint32_t count = run().await(device);
+        return Found{to.read(), count};
+    };
+    Found first = once();
+    if (first != once()) ADD_FAILURE() << round.wrong("another result in another run").message();
+    return first;
+}
+
+TEST_P(Choices, Compact) {
+    for_all("compact", [&](Round& round) {
+        static constexpr Form forms[] = {Form::dense, Form::folded, Form::mapped};
+        round.only(forms[round.below(3)]);
+        const Placed placed(round, round.size());
+        const Values values = arbitrary_values<std::uint32_t>(round, placed.count);
+        const std::uint32_t limit = limit_of(round);
+        const Uints in(device(), round, placed, values);
+        const Values before = arbitrary_values<std::uint32_t>(round, room_for(round, placed.count));
+        Line to(device(), static_cast<std::uint32_t>(before.size()));
+        const Found found = run_twice(device(), round, to, before, [&] {
+            return choices::chosen(device(), in.form, in.dense, in.folded, placed.part<Part>(), in.length, limit, to);
+        });
+        Values expected;
+        std::ranges::copy_if(values, std::back_inserter(expected), [&](std::uint32_t x) { return x < limit; });
+        EXPECT_TRUE(start_with(round, before, expected, found));
+    });
+}
+
+TEST_P(Choices, Partition) {
+    for_all("partition", [&](Round& round) {
+        round.only(Form::strided);
+        const Placed placed(round, round.size());
+        Values values = arbitrary_values<std::uint32_t>(round, placed.count);
+        const std::uint32_t limit = limit_of(round);
+        const Uints in(device(), round, placed, values);
+        const Values before = arbitrary_values<std::uint32_t>(round, std::max(placed.count + round.below(50), 1u));
+        Line to(device(), static_cast<std::uint32_t>(before.size()));
+        Found found = run_twice(device(), round, to, before, [&] {
+            return choices::set_apart(device(), in.dense, in.step, placed.part<Part>(), in.length, limit, to);
+        });
+        const auto middle =
+            std::stable_partition(values.begin(), values.end(), [&](std::uint32_t x) { return x < limit; });
+        EXPECT_TRUE(equal(round, {static_cast<std::uint32_t>(middle - values.begin())}, Values{found.count}, "count:"));
+        found.count = placed.count;
+        EXPECT_TRUE(start_with(round, before, values, found));
+    });
+}
+
+TEST_P(Choices, Unique) {
+    for_all("unique", [&](Round& round) {
+        round.only(Form::dense);
+        const Placed placed(round, round.size());
+        const Values values = values_with_repeats<std::uint32_t>(round, placed.count);
+        const Uints in(device(), round, placed, values);
+        const Values before = arbitrary_values<std::uint32_t>(round, room_for(round, placed.count));
+        Line to(device(), static_cast<std::uint32_t>(before.size()));
+        const Found found = run_twice(device(), round, to, before, [&] {
+            return choices::different(device(), in.dense, placed.part<Part>(), in.length, to);
+        });
+        Values expected;
+        std::ranges::unique_copy(values, std::back_inserter(expected));
+        EXPECT_TRUE(start_with(round, before, expected, found));
+    });
+}
+
+TEST_P(Choices, RunLengths) {
+    for_all("run_lengths", [&](Round& round) {
+        round.only(Form::tiled);
+        const Placed placed(round, round.size());
+        const Values values = values_with_repeats<std::uint32_t>(round, placed.count);
+        const Uints in(device(), round, placed, values);
+        const Values before = arbitrary_values<std::uint32_t>(round, room_for(round, placed.count));
+        const auto room = static_cast<std::uint32_t>(before.size());
+        Line to(device(), room), lengths(device(), room);
+        lengths.write(before);
+        const Found found = run_twice(device(), round, to, before, [&] {
+            return choices::runs(device(), in.tiled, placed.part<Part>(), in.length, to, lengths);
+        });
+        Values expected, expected_lengths;
+        for (std::uint32_t i = 0; i < placed.count; ++i) {
+            if (i == 0 || values[i] != values[i - 1]) {
+                expected.push_back(values[i]);
+                expected_lengths.push_back(0);
+            }
+            ++expected_lengths.back();
+        }
+        EXPECT_TRUE(start_with(round, before, expected, found, "values:"));
+        EXPECT_TRUE(start_with(round, before, expected_lengths, {lengths.read(), found.count}, "lengths:"));
+    });
+}
+
+}  // namespace

@@ -1,0 +1,137 @@
+// Property tests: an algorithm on a device beside the C++ library's, over sizes, forms and values drawn at random.
+//
+// Environment: GLIFT_PROPERTY_ROUNDS, how many rounds a property has (24); GLIFT_PROPERTY_LIMIT, the most elements
+// (20000); GLIFT_PROPERTY_SEED, the seed of the first round (1), the next one's is one more. A seed and a limit say
+// everything about a round: a failure prints both. GLIFT_DEVICE names the device that is not the host (lavapipe).
+#pragma once
+
+#include <glift/glift.h>
+#include <glift/structure.h>
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cstdint>
+#include <cstring>
+#include <functional>
+#include <optional>
+#include <random>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace property {
+
+std::uint64_t rounds();
+std::uint32_t limit();
+std::uint64_t first_seed();
+
+/// One device for all tests of a process. Empty where GLIFT_DEVICE names the host and `which` does not.
+std::optional<glift::Device> device_of(const std::string& which);
+
+enum class Form : std::uint32_t { dense, folded, tiled, strided, mapped };
+enum class Taken : std::uint32_t { whole, part, counted };
+
+/// One draw of everything that a test varies, and the first thing that was found wrong.
+class Round {
+public:
+    Round(std::string algorithm, std::uint64_t seed);
+
+    std::uint32_t below(std::uint64_t bound);  ///< 0 where the bound is
+    bool chance(std::uint32_t one_in) { return below(one_in) == 0; }
+    /// 0 to `most`: evenly over powers, or about what an algorithm does in one piece.
+    std::uint32_t size(std::uint32_t most = limit());
+    double real();  ///< -1 to 1
+    std::mt19937_64& engine() { return engine_; }
+
+    std::uint64_t seed() const { return seed_; }
+    Form form() const { return form_; }
+    Taken taken() const { return taken_; }
+    void only(Form form) { form_ = form; }
+    void only(Taken taken) { taken_ = taken; }
+    void about(const std::string& what) { about_ += ", " + what; }  ///< for the message
+    void has_size(std::uint64_t size) { about("size " + std::to_string(size)); }
+
+    /// The failure, with everything that makes the round again.
+    testing::AssertionResult wrong(const std::string& what) const;
+
+private:
+    std::string algorithm_, about_;
+    std::uint64_t seed_;
+    std::mt19937_64 engine_;
+    Form form_;
+    Taken taken_;
+};
+
+class Property : public testing::TestWithParam<const char*> {
+protected:
+    void SetUp() override;
+    void TearDown() override;
+
+    const glift::Device& device() const { return *device_; }
+    /// Ends at the first round that fails.
+    void for_all(const char* algorithm, const std::function<void(Round&)>& body);
+
+private:
+    std::optional<glift::Device> device_;
+};
+
+#define GLIFT_PROPERTY_SUITE(Suite)                                                                                    \
+    class Suite : public property::Property {};                                                                        \
+    INSTANTIATE_TEST_SUITE_P(, Suite, testing::Values("host", "vulkan"),                                               \
+                             [](const testing::TestParamInfo<const char*>& which) { return which.param; })
+
+/// Same bits; structs are compared member by member.
+template <class T> bool same(const T& a, const T& b) {
+    if constexpr (std::is_floating_point_v<T>) return std::memcmp(&a, &b, sizeof(T)) == 0;
+    else return a == b;
+}
+
+template <class T> std::string text_of(const T& value) {
+    std::ostringstream text;
+    if constexpr (std::is_floating_point_v<T>) {
+        text << value << " (" << std::hexfloat << value << ")";
+    } else if constexpr (requires { text << value; }) {
+        text << value;
+    } else {
+        text << std::hex;
+        for (std::size_t i = 0; i < sizeof(T); ++i)
+            text << int(reinterpret_cast<const unsigned char*>(&value)[i]) << " ";
+    }
+    return text.str();
+}
+
+/// Bit for bit, and the first difference.
+template <class T> testing::AssertionResult equal(const Round& round, const std::vector<T>& expected,
+                                                  const std::vector<T>& found, const char* which = "") {
+    if (expected.size() != found.size())
+        return round.wrong(which + (" size expected " + std::to_string(expected.size()) + ", found ") +
+                           std::to_string(found.size()));
+    for (std::size_t i = 0; i < expected.size(); ++i)
+        if (!same(expected[i], found[i]))
+            return round.wrong(which + (" first wrong index " + std::to_string(i)) + ": expected " +
+                               text_of(expected[i]) + ", found " + text_of(found[i]));
+    return testing::AssertionSuccess();
+}
+
+/// Each within its bound of what is exact; a bound that is not a number takes everything.
+template <class T> testing::AssertionResult near(const Round& round, const std::vector<double>& exact,
+                                                 const std::vector<double>& bounds, const std::vector<T>& found,
+                                                 const char* which = "") {
+    if (exact.size() != found.size()) return round.wrong("wrong size");
+    for (std::size_t i = 0; i < exact.size(); ++i)
+        if (!(std::abs(double(found[i]) - exact[i]) <= bounds[i]))
+            return round.wrong(which + (" first wrong index " + std::to_string(i)) + ": expected " + text_of(exact[i]) +
+                               " +- " + text_of(bounds[i]) + ", found " + text_of(found[i]));
+    return testing::AssertionSuccess();
+}
+
+/// What `run` gives, if it gives the same bits twice.
+template <class Run> auto twice(const Round& round, Run run) {
+    auto first = run();
+    const testing::AssertionResult again = equal(round, first, run(), "run to run:");
+    EXPECT_TRUE(again);
+    return first;
+}
+
+}  // namespace property
