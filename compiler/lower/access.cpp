@@ -44,7 +44,7 @@ Pair Expander::atomic(const Expr& node) {
     for (std::size_t i = 1; i < node.operands.size(); ++i) made.operands[i] = value_of(node.operands[i]);
     check_range(place, address, Access::read_write, node.span);
     Pair physical = translated(place, named(name + "_virtual", from_origin(place, address)), name);
-    ExprId inside = make.both(is_total(structure) ? inside_domain(place, address) : ExprId{}, physical.has);
+    ExprId inside = make.both(inside_domain(place, address), physical.has);
     Expr element;
     element.op = Op::load;
     element.type = structure.element;
@@ -275,8 +275,7 @@ void Expander::write(const Stmt& stmt) {
     ExprId value = stored(expand(stmt.value), structure.element);
     check_range(place, address, stmt.combine == Combine::replace ? Access::write : Access::read_write, stmt.span);
     Pair physical = translated(place, named(name + "_virtual", from_origin(place, address)), name);
-    ExprId guard = is_total(structure) ? inside_domain(place, address) : ExprId{};
-    store(place, physical, guard, stmt, value);
+    store(place, physical, inside_domain(place, address), stmt, value);
 }
 
 }  // namespace gliftc::lower

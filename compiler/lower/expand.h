@@ -42,6 +42,7 @@ public:
 
     /// The size of the iteration: that of the first range, or a parameter.
     ExprId iteration_size();
+    std::vector<StmtId> size_statements;  ///< which it needs before it
 
     /// Whether a near access had a guard: the interior body is different.
     bool has_near_guards = false;

@@ -21,14 +21,18 @@ std::vector<StmtId> Expander::kernel_body() {
 ExprId Expander::iteration_size() {
     Frame frame;
     for (std::uint32_t i = 0; i < cx.kernel.params.size(); ++i) frame.places.push_back({i, {}});
-    return inside(std::move(frame), [&]() -> ExprId {
-        for (std::uint32_t i = 0; cx.is_direct() && i < cx.kernel.params.size(); ++i) {
-            Pattern pattern = cx.kernel.params[i].pattern;
-            if (pattern == Pattern::each || pattern == Pattern::near || pattern == Pattern::at)
-                return domain_of({i, {}});
-        }
-        return cx.parameter_expr(cx.parameter(ParameterSource::size, "size", cx.kernel.domain_type, 0));
+    ExprId size;
+    size_statements = collect([&] {
+        size = inside(std::move(frame), [&]() -> ExprId {
+            for (std::uint32_t i = 0; cx.is_direct() && i < cx.kernel.params.size(); ++i) {
+                Pattern pattern = cx.kernel.params[i].pattern;
+                if (pattern == Pattern::each || pattern == Pattern::near || pattern == Pattern::at)
+                    return domain_of({i, {}});
+            }
+            return cx.parameter_expr(cx.parameter(ParameterSource::size, "size", cx.kernel.domain_type, 0));
+        });
     });
+    return size;
 }
 
 Expander::Block Expander::nested(const std::vector<StmtId>& body) {

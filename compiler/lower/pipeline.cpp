@@ -131,7 +131,8 @@ Pass lowered(Program& program, Diagnostics& diagnostics, std::uint32_t kernel, F
     pass.body = simplified(cx, std::move(body), facts);
     std::vector<StmtId> holders;
     pass.interior_body = interior(cx, expander, facts, holders);
-    pass.prologue = dispatch_prologue(cx);
+    pass.prologue = std::move(expander.size_statements);
+    for (StmtId id : dispatch_prologue(cx)) pass.prologue.push_back(id);
 
     std::vector<std::vector<StmtId>*> bodies{&pass.prologue, &pass.body, &pass.interior_body};
     simplify_functions(cx, bodies);

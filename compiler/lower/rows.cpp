@@ -144,8 +144,7 @@ void Expander::write_several(const Stmt& stmt) {
             ExprId next = named(rows.name + "_address", address_in(rows, row, lane));
             check_range(place, next, Access::write, stmt.span);
             Pair physical = translated(place, named(rows.name + "_virtual", from_origin(place, next)), rows.name);
-            ExprId guard = is_total(cx.structure_at(place)) ? inside_domain(place, next) : ExprId{};
-            store(place, physical, guard, stmt, item_of(rows, items, row, lane));
+            store(place, physical, inside_domain(place, next), stmt, item_of(rows, items, row, lane));
         }
     };
     if (!lie_in_vectors(rows)) return for_each_row(rows, one_by_one);
