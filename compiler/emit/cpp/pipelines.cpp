@@ -259,8 +259,7 @@ std::string signature(Unit& unit, std::uint32_t index, const std::string& owner,
     std::string parameters = "const glift::Commands& commands";
     if (is_test(unit, index)) parameters = "glift::Test& test, const glift::Commands& commands";
     const auto mark = [&](const ir::PipelineParam& param) -> std::string {
-        if (qualified || param.pattern != ir::HostPattern::value) return "";
-        return unused_mark(unit.program, pipeline.body, param.local);
+        return qualified ? std::string() : unused_mark(unit.program, pipeline.body, param.local);
     };
     for (const ir::PipelineParam& param : pipeline.params)
         parameters += ", " + (mark(param) + param_type(unit, param, qualified)) + identifier(unit.name(param.name));

@@ -46,11 +46,13 @@ void name_globals(Printer& p) {
         const ir::PassParameter& parameter = p.pass.parameters[i];
         if (parameter.source != ir::ParameterSource::address) continue;
         p.parameter_names[i] = p.binding_names.at(parameter.param);
+        const std::string address = "parameters." + p.parameter_names[i];
         if (!p.row_names[parameter.param].empty())
-            p.row_names[parameter.param] =
-                p.row_block_names[parameter.param] + "(" + p.binding_names[parameter.param] + ").rows";
-        p.binding_names[parameter.param] += ".at";
+            p.row_names[parameter.param] = p.row_block_names[parameter.param] + "(" + address + ").rows";
+        p.binding_names[parameter.param] = address + ".at";
     }
+    p.member_names = p.parameter_names;
+    if (!p.pass.push_constants) name_parameter_reads(p);
     name_structs(p);
     name_status(p);
     name_order(p);
@@ -108,7 +110,7 @@ std::string main_text(Printer& p) {
     p.names.enter();
     p.indent = 1;
     print_round_start(p);
-    print_parameter_reads(p);
+    print_parameter_copies(p);
     print_prologue(p, grouped);
     print_body(p, p.pass.body);
     p.indent = 0;

@@ -204,9 +204,12 @@ namespace {
 
 std::string parameter_declaration(Printer& p, std::size_t i) {
     const ir::PassParameter& param = p.pass.parameters[i];
-    return param.source == ir::ParameterSource::address ? p.block_names.at(param.param) + " " + p.parameter_names[i]
-                                                        : declaration(p, param.type, p.parameter_names[i]);
+    const std::string& name = p.member_names.empty() ? p.parameter_names[i] : p.member_names[i];
+    return param.source == ir::ParameterSource::address ? p.block_names.at(param.param) + " " + name
+                                                        : declaration(p, param.type, name);
 }
+
+bool is_copied(const ir::PassParameter& parameter) { return parameter.source != ir::ParameterSource::address; }
 
 }  // namespace
 
@@ -224,15 +227,27 @@ std::string parameters_text(Printer& p) {
     if (p.pass.push_constants)
         return "layout(push_constant, scalar) uniform Parameters {\n" + parameter_members(p) + "};\n";
     std::string text = "layout(scalar, set = 0, binding = 0) readonly buffer Parameters {\n" + parameter_members(p) +
-                       "} parameters;\n\n";
-    for (std::size_t i = 0; i < p.pass.parameters.size(); ++i) text += parameter_declaration(p, i) + ";\n";
+                       "} parameters;\n\n"
+                       "layout(constant_id = 103) const bool copies_parameters = false;\n"
+                       "#define parameter(name) (copies_parameters ? name : parameters.name)\n";
+    for (std::size_t i = 0; i < p.pass.parameters.size(); ++i)
+        if (is_copied(p.pass.parameters[i])) text += parameter_declaration(p, i) + ";\n";
     return text;
 }
 
-void print_parameter_reads(Printer& p) {
-    if (p.pass.push_constants) return;
+void name_parameter_reads(Printer& p) {
     for (std::size_t i = 0; i < p.pass.parameters.size(); ++i)
-        line(p, p.parameter_names[i] + " = parameters." + p.parameter_names[i] + ";");
+        if (is_copied(p.pass.parameters[i])) p.parameter_names[i] = "parameter(" + p.member_names[i] + ")";
+}
+
+void print_parameter_copies(Printer& p) {
+    if (p.pass.push_constants || std::ranges::none_of(p.pass.parameters, is_copied)) return;
+    line(p, "if (copies_parameters) {");
+    ++p.indent;
+    for (std::size_t i = 0; i < p.pass.parameters.size(); ++i)
+        if (is_copied(p.pass.parameters[i])) line(p, p.member_names[i] + " = parameters." + p.member_names[i] + ";");
+    --p.indent;
+    line(p, "}");
 }
 
 Text print_load(Printer& p, const ir::Expr& expr) {

@@ -245,6 +245,8 @@ const std::unordered_set<std::string_view>& reserved_words() {
         // this printer's own
         "main",
         "Parameters",
+        "copies_parameters",
+        "parameter",
         "parameters",
         "quotient",
         "remainder",

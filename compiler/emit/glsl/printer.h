@@ -110,6 +110,7 @@ struct Printer {
     std::vector<std::string> row_names;      ///< the same memory as vectors of four, as expressions; empty: not needed
     std::vector<std::string> row_block_names;
     std::vector<std::string> parameter_names;
+    std::vector<std::string> member_names;  ///< of the block of parameters; empty: as parameter_names
     StatusNames status;                     ///< named only where the pass has a status record
     OrderNames order;                       ///< named only where atomic operations order coherent memory
     std::vector<std::string> struct_names;  ///< of Program::structs
@@ -160,9 +161,11 @@ std::string atomic_text(Printer& p, const ir::Stmt& stmt);
 std::string bindings_text(Printer& p);
 std::string parameter_members(Printer& p);
 std::string parameters_text(Printer& p);
-/// What lies in a buffer is read once, when the shader begins: drivers that do not know that nobody writes it would
-/// read it again wherever it is used, llvmpipe for each lane.
-void print_parameter_reads(Printer& p);
+/// Parameters that lie in a buffer are copied when the shader begins where constant 103 says so: llvmpipe, which does
+/// not know that nobody writes them, would read them again for each lane wherever they are used. GPUs read them in
+/// place; there copies would take registers.
+void name_parameter_reads(Printer& p);
+void print_parameter_copies(Printer& p);
 bool stored_as_bits(const Printer& p, const ir::PassBinding& binding);
 std::string atomic_definitions(Printer& p);
 

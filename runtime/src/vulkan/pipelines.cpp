@@ -22,6 +22,7 @@ constexpr std::uint32_t exact_division_constant = 100;
 /// limit.
 constexpr std::uint32_t loop_round_constant = 101;
 constexpr std::uint32_t fence_constant = 102;
+constexpr std::uint32_t copy_constant = 103;
 
 const Form& form_of(const Kernel& kernel, CompiledForm form) {
     switch (form) {
@@ -246,10 +247,12 @@ VkPipeline Pipelines::make_handle(const Pipeline& pipeline) {
     const std::uint64_t rounds = context_.properties.loop_round_limit;
     const std::uint32_t values[] = {context_.properties.kind == DeviceKind::cpu ? VK_TRUE : VK_FALSE,
                                     rounds == unlimited ? 0 : static_cast<std::uint32_t>(rounds),
-                                    context_.properties.fences_are_barriers ? VK_TRUE : VK_FALSE};
+                                    context_.properties.fences_are_barriers ? VK_TRUE : VK_FALSE,
+                                    context_.properties.kind == DeviceKind::cpu ? VK_TRUE : VK_FALSE};
     const VkSpecializationMapEntry entries[] = {{exact_division_constant, 0, sizeof values[0]},
                                                 {loop_round_constant, sizeof values[0], sizeof values[1]},
-                                                {fence_constant, 2 * sizeof values[0], sizeof values[2]}};
+                                                {fence_constant, 2 * sizeof values[0], sizeof values[2]},
+                                                {copy_constant, 3 * sizeof values[0], sizeof values[3]}};
     const VkSpecializationInfo special = {std::size(entries), entries, sizeof values, values};
     const VkComputePipelineCreateInfo info = {.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO,
                                               .stage = {.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
