@@ -209,7 +209,12 @@ std::string parameter_declaration(Printer& p, std::size_t i) {
                                                         : declaration(p, param.type, name);
 }
 
-bool is_copied(const ir::PassParameter& parameter) { return parameter.source != ir::ParameterSource::address; }
+/// Numbers and vectors. A struct has another type in a block than in a variable, which glslang's `?:` mixes up.
+bool is_copied(const Printer& p, const ir::PassParameter& parameter) {
+    const ir::TypeKind kind = p.program.types.kind(parameter.type);
+    return parameter.source != ir::ParameterSource::address && kind != ir::TypeKind::struct_ &&
+           kind != ir::TypeKind::array && kind != ir::TypeKind::matrix && kind != ir::TypeKind::optional;
+}
 
 }  // namespace
 
@@ -231,21 +236,24 @@ std::string parameters_text(Printer& p) {
                        "layout(constant_id = 103) const bool copies_parameters = false;\n"
                        "#define parameter(name) (copies_parameters ? name : parameters.name)\n";
     for (std::size_t i = 0; i < p.pass.parameters.size(); ++i)
-        if (is_copied(p.pass.parameters[i])) text += parameter_declaration(p, i) + ";\n";
+        if (is_copied(p, p.pass.parameters[i])) text += parameter_declaration(p, i) + ";\n";
     return text;
 }
 
 void name_parameter_reads(Printer& p) {
     for (std::size_t i = 0; i < p.pass.parameters.size(); ++i)
-        if (is_copied(p.pass.parameters[i])) p.parameter_names[i] = "parameter(" + p.member_names[i] + ")";
+        if (p.pass.parameters[i].source != ir::ParameterSource::address)
+            p.parameter_names[i] = is_copied(p, p.pass.parameters[i]) ? "parameter(" + p.member_names[i] + ")"
+                                                                      : "parameters." + p.member_names[i];
 }
 
 void print_parameter_copies(Printer& p) {
-    if (p.pass.push_constants || std::ranges::none_of(p.pass.parameters, is_copied)) return;
+    const auto copied = [&](const ir::PassParameter& parameter) { return is_copied(p, parameter); };
+    if (p.pass.push_constants || std::ranges::none_of(p.pass.parameters, copied)) return;
     line(p, "if (copies_parameters) {");
     ++p.indent;
     for (std::size_t i = 0; i < p.pass.parameters.size(); ++i)
-        if (is_copied(p.pass.parameters[i])) line(p, p.member_names[i] + " = parameters." + p.member_names[i] + ";");
+        if (copied(p.pass.parameters[i])) line(p, p.member_names[i] + " = parameters." + p.member_names[i] + ";");
     --p.indent;
     line(p, "}");
 }
