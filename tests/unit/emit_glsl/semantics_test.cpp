@@ -298,6 +298,7 @@ TEST(Subgroups, AskForTheirExtensionsOnly) {
     LocalId tile = b.local("tile", b.types().array(b.types().uint, 64)), total = b.local("total", b.types().uint);
     b.program.locals[tile].storage = Storage::shared;
     b.pass.shared = {tile};
+    b.pass.shared_places = {{tile}};
     ExprId element = b.make(Op::index, b.types().uint, {b.use(tile), address});
     ExprId sum = b.intrinsic(Intrinsic::subgroupExclusiveAdd, b.types().uint, {address});
     ExprId counted = b.intrinsic(Intrinsic::subgroupBallotExclusiveCount, b.types().uint, {b.less(address, b.u(5))});

@@ -68,8 +68,11 @@ TEST(Shader, HasParametersInABufferWhereTheyAreNotPushed) {
     ExprId flag = b.parameter("flag", b.types().bool_);
     auto out = b.buffer("g_data", b.types().float_, Access::write);
     b.pass.body = {b.branch(flag, {b.store(out, address, dt)})};
-    EXPECT_THAT(proved(b), HasSubstr("layout(scalar, set = 0, binding = 0) readonly buffer Parameters {\n    uint "
-                                     "size;\n    float dt;\n    bool flag;\n};"));
+    const std::string text = proved(b);
+    EXPECT_THAT(text, HasSubstr("layout(scalar, set = 0, binding = 0) readonly buffer Parameters {\n    uint "
+                                "size;\n    float dt;\n    bool flag;\n} parameters;"));
+    EXPECT_THAT(text, HasSubstr("if (copies_parameters) {\n        size = parameters.size;\n"));
+    EXPECT_THAT(text, HasSubstr("if (parameter(flag))"));
 }
 
 TEST(Shader, ReachesBuffersByAddressInTheWideForm) {
@@ -88,7 +91,7 @@ TEST(Shader, ReachesBuffersByAddressInTheWideForm) {
     std::string text = proved(b);
     EXPECT_THAT(text, HasSubstr("layout(buffer_reference, scalar) readonly buffer F_data { vec3 at[]; };"));
     EXPECT_THAT(text, HasSubstr("    G_data g_data;\n"));
-    EXPECT_THAT(text, HasSubstr("g_data.at[address] = f_data.at[address];"));
+    EXPECT_THAT(text, HasSubstr("parameters.g_data.at[address] = parameters.f_data.at[address];"));
 }
 
 TEST(Shader, ReadsAndWritesImages) {
