@@ -35,11 +35,15 @@ void for_each_expression(const ir::Program& program, const std::vector<ir::StmtI
     });
 }
 
+inline bool mentions(const ir::Program& program, const std::vector<ir::StmtId>& body, ir::LocalId local) {
+    bool found = false;
+    for_each_expression(program, body, [&](const ir::Expr& expr) { found |= expr.local == local; });
+    return found;
+}
+
 /// "[[maybe_unused]] " before a parameter that the body has no use for.
 inline const char* unused_mark(const ir::Program& program, const std::vector<ir::StmtId>& body, ir::LocalId local) {
-    bool used = false;
-    for_each_expression(program, body, [&](const ir::Expr& expr) { used |= expr.local == local; });
-    return used ? "" : "[[maybe_unused]] ";
+    return mentions(program, body, local) ? "" : "[[maybe_unused]] ";
 }
 
 }  // namespace gliftc::cpp

@@ -3,7 +3,6 @@
 // condition that the first invocation has: it is uniform, or the kernel is wrong on every device.
 #include "emit/cpp/visit.h"
 #include "emit/host/body.h"
-#include "ir/walk.h"
 
 #include <map>
 
@@ -209,21 +208,12 @@ void Groups::run_uniform(const Stmt& stmt, bool in_loop) {
     }
 }
 
-bool mentions(const ir::Program& program, const std::vector<StmtId>& body, LocalId local) {
-    bool found = false;
-    ir::for_each_expression(program, body, [&](ExprId id) {
-        const ir::Expr& expr = program.exprs[id];
-        found = found || (expr.op == ir::Op::local && expr.local == local);
-    });
-    return found;
-}
-
 /// The body after what of the prologue it needs: a kernel that goes by its group alone has no address.
 std::vector<StmtId> needed(const ir::Program& program, const ir::Pass& pass) {
     std::vector<StmtId> all = pass.body;
     for (auto id = pass.prologue.rbegin(); id != pass.prologue.rend(); ++id) {
         const ir::Stmt& stmt = program.stmts[*id];
-        if (stmt.op != StmtOp::let || mentions(program, all, stmt.local)) all.insert(all.begin(), *id);
+        if (stmt.op != StmtOp::let || cpp::mentions(program, all, stmt.local)) all.insert(all.begin(), *id);
     }
     return all;
 }
