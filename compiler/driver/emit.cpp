@@ -102,7 +102,7 @@ std::set<std::uint32_t> kernels_with_code(const Options& options, const Compilat
         for (std::uint32_t k = 0; k < c.program.kernels.size(); ++k)
             if (c.program.kernels[k].module == module) kernels.insert(k);
     if (options.wants(Target::cpp) && !options.host_only)
-        for (std::uint32_t k : cpp::kernels_of(c.program, module, cpp)) kernels.insert(k);
+        for (std::uint32_t k : cpp::vulkan_kernels_of(c.program, module, cpp)) kernels.insert(k);
     return kernels;
 }
 

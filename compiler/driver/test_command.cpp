@@ -61,6 +61,7 @@ private:
 /// Runs a program with this one's input and outputs; its exit code, or 1 where it was killed.
 int run(const std::vector<std::string>& words) {
     std::vector<char*> arguments;
+    // -Og: a third less to wait for than with -O1, and good to step through.
     for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
     arguments.push_back(nullptr);
     std::fflush(nullptr);
@@ -96,8 +97,9 @@ int build_and_run(const Options& options, const RuntimePaths& runtime, const fs:
     const std::string program = fs::path(source).replace_extension().string();
     std::vector<std::string> build = compiler_command();
     const std::string library = runtime.library.string();
+    // -Og: a third less to wait for than with -O1, and good to step through.
     for (const std::string& word :
-         {std::string("-std=c++20"), std::string("-O1"), std::string("-ffp-contract=off"), std::string("-fwrapv"),
+         {std::string("-std=c++20"), std::string("-Og"), std::string("-ffp-contract=off"), std::string("-fwrapv"),
           std::string("-fno-math-errno"), std::string("-fno-trapping-math"), "-I" + runtime.include.string(),
           "-I" + source.parent_path().string(), source.string(), "-L" + library, "-Wl,-rpath," + library,
           std::string("-lglift"), std::string("-ltbb"), std::string("-o"), program})

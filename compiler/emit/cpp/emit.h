@@ -29,7 +29,8 @@ struct Module {
 };
 
 /// The kernels, as indices, whose code the module's C++ contains: the others need no SPIR-V.
-std::vector<std::uint32_t> kernels_of(const ir::Program& program, std::uint32_t module, const Options& options = {});
+std::vector<std::uint32_t> vulkan_kernels_of(const ir::Program& program, std::uint32_t module,
+                                             const Options& options = {});
 
 /// `code` is indexed as Program::kernels; it may be empty where no Vulkan code is wanted.
 Module module_of(const ir::Program& program, const ir::Lowered& lowered, const Sources& sources, std::uint32_t module,

@@ -1,6 +1,6 @@
 // Kernels: their code as data, and the functions that call them.
 #include "emit/cpp/unit.h"
-#include "emit/cpp/visit.h"
+#include "ir/walk.h"
 
 #include <algorithm>
 
@@ -68,7 +68,7 @@ struct Words {
 
 Words print_code(Unit& unit, Writer& out, std::uint32_t kernel, const std::string& name) {
     Words words;
-    if (kernel >= unit.code.size()) return words;
+    if (kernel >= unit.code.size() || !unit.reach.vulkan_kernels.contains(kernel)) return words;
     const KernelCode& code = unit.code[kernel];
     const auto print = [&](const std::vector<std::uint32_t>& spirv, const char* form) -> std::string {
         if (spirv.empty()) return "";
@@ -281,8 +281,10 @@ static std::string value_mark(const Unit& unit, std::uint32_t kernel, ir::LocalI
     const ir::Lowered::Forms& forms = unit.lowered.passes[kernel];
     for (const Pass* pass : {&forms.direct, &forms.general})
         for (const PassParameter& parameter : pass->parameters)
-            for_each_expression(unit.program, parameter.value,
-                                [&](const ir::Expr& expr) { used |= expr.local == value; });
+            ir::for_each_node(unit.program, parameter.value, [&](ir::ExprId node) {
+                const ir::Expr& expr = unit.program.exprs[node];
+                used |= expr.local == value;
+            });
     return used ? "" : "[[maybe_unused]] ";
 }
 
@@ -314,7 +316,7 @@ void print_kernel_code(Unit& unit, Writer& out, std::uint32_t index) {
         const std::string form = name + (pass->form == ir::Form::direct ? "_direct" : "_general");
         out.raw(parameters_of(unit.globals, *pass, form));
         if (!pass->parameters.empty()) out.gap();
-        if (!unit.options.host_kernel) continue;
+        if (!unit.options.host_kernel || !unit.reach.host_kernels.contains(index)) continue;
         out.raw(unit.options.host_kernel(unit.globals, *pass, form));
         out.gap();
         (pass->form == ir::Form::direct ? direct : general) = form;

@@ -1,6 +1,6 @@
 // Pipelines as functions that call kernels and other pipelines.
+#include "emit/cpp/mentions.h"
 #include "emit/cpp/unit.h"
-#include "emit/cpp/visit.h"
 
 namespace gliftc::cpp {
 

@@ -1,18 +1,29 @@
 // What a module's C++ must contain: its public components, its pipelines, and all that these need.
 #include "emit/cpp/unit.h"
-#include "emit/cpp/visit.h"
+#include "ir/walk.h"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 namespace gliftc::cpp {
 
 namespace {
+
+/// Kinds of devices that may come to some statement of a pipeline.
+struct Devices {
+    bool host = true, vulkan = true;
+
+    Devices only(Devices others) const { return {host && others.host, vulkan && others.vulkan}; }
+};
 
 struct Collector {
     const ir::Program& program;
     Reach reach;
     std::set<std::uint32_t> seen;
     std::set<ir::FunctionId> functions;
+    std::set<std::uint32_t> host_pipelines, vulkan_pipelines;
+    Devices devices;  ///< those that come to what is looked at
 
     void type(ir::TypeId id, bool visible);
     void structure_type(std::uint32_t index);
@@ -23,8 +34,33 @@ struct Collector {
     void structure(std::uint32_t index, bool visible);
     void kernel(std::uint32_t index, bool visible);
     void pipeline(std::uint32_t index, bool visible);
+    void step(const ir::Stmt& stmt);
+    Devices steps(const std::vector<ir::StmtId>& body, Devices come);
     void transfers(std::uint32_t structure);
 };
+
+/// What a condition of a pipeline is on a kind of device: known where it asks only for the kind.
+std::optional<bool> holds(const ir::Program& program, ir::ExprId id, bool host) {
+    const ir::Expr& expr = program.exprs[id];
+    if (expr.op == ir::Op::device_property) {
+        const auto property = static_cast<ir::DeviceProperty>(expr.slot);
+        if (property == ir::DeviceProperty::is_host) return host;
+        if (property == ir::DeviceProperty::is_gpu && host) return false;
+    }
+    if (expr.op == ir::Op::unary && expr.unary == ir::UnaryOp::logical_not) {
+        const std::optional<bool> operand = holds(program, expr.operands[0], host);
+        if (operand) return !*operand;
+    }
+    if (expr.op == ir::Op::binary &&
+        (expr.binary == ir::BinaryOp::logical_and || expr.binary == ir::BinaryOp::logical_or)) {
+        const bool decides = expr.binary == ir::BinaryOp::logical_or;
+        const std::optional<bool> a = holds(program, expr.operands[0], host);
+        const std::optional<bool> b = holds(program, expr.operands[1], host);
+        if (a == decides || b == decides) return decides;
+        if (a && b) return !decides;
+    }
+    return std::nullopt;
+}
 
 void Collector::type(ir::TypeId id, bool visible) {
     if (!id) return;
@@ -66,14 +102,20 @@ void Collector::expression(const ir::Expr& expr) {
 
 /// The types of all values in a body, and in the functions that it calls.
 void Collector::code(const std::vector<ir::StmtId>& body) {
-    for_each_statement(program, body, [&](const ir::Stmt& stmt) {
+    ir::for_each_statement(program, body, [&](const ir::Stmt& stmt) {
         if (stmt.local) type(program.locals[stmt.local].type, false);
     });
-    for_each_expression(program, body, [&](const ir::Expr& expr) { expression(expr); });
+    ir::for_each_expression(program, body, [&](ir::ExprId node) {
+        const ir::Expr& expr = program.exprs[node];
+        expression(expr);
+    });
 }
 
 void Collector::value(ir::ExprId id) {
-    for_each_expression(program, id, [&](const ir::Expr& expr) { expression(expr); });
+    ir::for_each_node(program, id, [&](ir::ExprId node) {
+        const ir::Expr& expr = program.exprs[node];
+        expression(expr);
+    });
 }
 
 void Collector::function(ir::FunctionId id) {
@@ -109,13 +151,17 @@ void Collector::structure(std::uint32_t index, bool visible) {
     for (const ir::MemberStructure& member : structure.members)
         for (ir::ExprId argument : member.arguments) value(argument);
     value(structure.domain);
+    const Devices before = std::exchange(devices, {});
     for (std::uint32_t pipeline : structure.pipelines) this->pipeline(pipeline, visible);
     transfers(index);
+    devices = before;
 }
 
 void Collector::kernel(std::uint32_t index, bool visible) {
     if (index >= program.kernels.size()) return;
     if (visible) reach.pub_kernels.insert(index);
+    if (devices.host) reach.host_kernels.insert(index);
+    if (devices.vulkan) reach.vulkan_kernels.insert(index);
     const bool is_new = reach.kernels.insert(index).second;
     if (!is_new && !visible) return;
     for (const ir::KernelParam& param : program.kernels[index].params) {
@@ -126,27 +172,52 @@ void Collector::kernel(std::uint32_t index, bool visible) {
 
 void Collector::pipeline(std::uint32_t index, bool visible) {
     const bool is_new = reach.pipelines.insert(index).second;
+    const bool is_new_on_host = devices.host && host_pipelines.insert(index).second;
+    const bool is_new_on_vulkan = devices.vulkan && vulkan_pipelines.insert(index).second;
     const ir::Pipeline& pipeline = program.pipelines[index];
     if (visible || is_new) {
         if (pipeline.owner) structure(*pipeline.owner, visible);
         for (const ir::PipelineParam& param : pipeline.params) type(program.locals[param.local].type, visible);
         type(pipeline.result, visible);
     }
-    if (!is_new) return;
-    for_each_statement(program, pipeline.body, [&](const ir::Stmt& stmt) {
-        if (stmt.op == ir::StmtOp::dispatch) kernel(stmt.slot, false);
-        if (stmt.local) type(program.locals[stmt.local].type, false);
+    if (is_new || is_new_on_host || is_new_on_vulkan) steps(pipeline.body, devices);
+}
+
+/// The devices that come to the end of the statements, of those that come to their begin.
+Devices Collector::steps(const std::vector<ir::StmtId>& body, Devices come) {
+    const Devices before = std::exchange(devices, come);
+    for (ir::StmtId id : body) step(program.stmts[id]);
+    return std::exchange(devices, before);
+}
+
+void Collector::step(const ir::Stmt& stmt) {
+    if (stmt.op == ir::StmtOp::dispatch) kernel(stmt.slot, false);
+    if (stmt.local) type(program.locals[stmt.local].type, false);
+    ir::for_each_root(stmt, [&](ir::ExprId root) {
+        ir::for_each_node(program, root, [&](ir::ExprId node) {
+            const ir::Expr& expr = program.exprs[node];
+            if (expr.op == ir::Op::pipeline_call) this->pipeline(expr.slot, false);
+            expression(expr);
+        });
     });
-    for_each_expression(program, pipeline.body, [&](const ir::Expr& expr) {
-        if (expr.op == ir::Op::pipeline_call) this->pipeline(expr.slot, false);
-        expression(expr);
-    });
+    switch (stmt.op) {
+    case ir::StmtOp::if_: {
+        const std::optional<bool> host = holds(program, stmt.value, true), vulkan = holds(program, stmt.value, false);
+        const Devices a = steps(stmt.body, devices.only({host != false, vulkan != false}));
+        const Devices b = steps(stmt.otherwise, devices.only({host != true, vulkan != true}));
+        devices = {a.host || b.host, a.vulkan || b.vulkan};
+        return;
+    }
+    case ir::StmtOp::block: devices = steps(stmt.body, devices); return;
+    case ir::StmtOp::return_: devices = {false, false}; return;
+    default: steps(stmt.body, devices); return;  // a loop may not run
+    }
 }
 
 }  // namespace
 
 Reach reach_of(const ir::Program& program, std::uint32_t module, const Options& options) {
-    Collector collector{program, {}, {}, {}};
+    Collector collector{program, {}, {}, {}, {}, {}, {}};
     for (std::uint32_t i = 0; i < program.structs.size(); ++i) {
         if (program.structs[i].module == module && program.structs[i].is_pub) collector.structure_type(i);
     }
@@ -172,7 +243,7 @@ Reach reach_of(const ir::Program& program, std::uint32_t module, const Options& 
 }
 
 void add_inner_structs(Reach& reach, const ir::Program& program, const ir::Lowered& lowered) {
-    Collector collector{program, std::move(reach), {}, {}};
+    Collector collector{program, std::move(reach), {}, {}, {}, {}, {}};
     for (std::uint32_t kernel : std::set(collector.reach.kernels)) {
         for (const ir::Pass* pass : {&lowered.passes[kernel].direct, &lowered.passes[kernel].general}) {
             for (const auto* body : {&pass->body, &pass->interior_body}) collector.code(*body);
@@ -184,9 +255,9 @@ void add_inner_structs(Reach& reach, const ir::Program& program, const ir::Lower
     reach = std::move(collector.reach);
 }
 
-std::vector<std::uint32_t> kernels_of(const ir::Program& program, std::uint32_t module, const Options& options) {
+std::vector<std::uint32_t> vulkan_kernels_of(const ir::Program& program, std::uint32_t module, const Options& options) {
     const Reach reach = reach_of(program, module, options);
-    return {reach.kernels.begin(), reach.kernels.end()};
+    return {reach.vulkan_kernels.begin(), reach.vulkan_kernels.end()};
 }
 
 }  // namespace gliftc::cpp

@@ -1,6 +1,6 @@
 // Statements and whole functions as C++.
+#include "emit/cpp/mentions.h"
 #include "emit/cpp/printer.h"
-#include "emit/cpp/visit.h"
 
 namespace gliftc::cpp {
 
@@ -200,12 +200,13 @@ void print_statement(Printer& p, ir::StmtId id) {
 bool is_pure(const ir::Program& program, ir::FunctionId id) {
     bool pure = true;
     const ir::Function& function = program.functions[id];
-    for_each_statement(program, function.body, [&](const Stmt& stmt) {
+    ir::for_each_statement(program, function.body, [&](const Stmt& stmt) {
         if (stmt.op == StmtOp::store || stmt.op == StmtOp::image_store || stmt.op == StmtOp::atomic ||
             stmt.op == StmtOp::report)
             pure = false;
     });
-    for_each_expression(program, function.body, [&](const Expr& expr) {
+    ir::for_each_expression(program, function.body, [&](ir::ExprId node) {
+        const ir::Expr& expr = program.exprs[node];
         if (expr.op == Op::load || expr.op == Op::image_load || expr.op == Op::image_sample ||
             expr.op == Op::parameter || expr.op == Op::builtin || expr.op == Op::invocation)
             pure = false;

@@ -1,7 +1,7 @@
 // What only a test program has: the table of tests, and checks of translators that nobody wrote.
 #include "emit/cpp/translators.h"
 #include "emit/cpp/unit.h"
-#include "emit/cpp/visit.h"
+#include "ir/walk.h"
 
 namespace gliftc::cpp {
 
@@ -15,10 +15,11 @@ bool is_exact(const Unit& unit, std::uint32_t index, std::set<std::uint32_t>& se
     if (!seen.insert(index).second) return true;
     bool exact = true;
     const ir::Pipeline& pipeline = unit.program.pipelines[index];
-    for_each_statement(unit.program, pipeline.body, [&](const ir::Stmt& stmt) {
+    ir::for_each_statement(unit.program, pipeline.body, [&](const ir::Stmt& stmt) {
         if (stmt.op == ir::StmtOp::dispatch) exact = exact && unit.lowered.passes[stmt.slot].direct.exact;
     });
-    for_each_expression(unit.program, pipeline.body, [&](const ir::Expr& expr) {
+    ir::for_each_expression(unit.program, pipeline.body, [&](ir::ExprId node) {
+        const ir::Expr& expr = unit.program.exprs[node];
         if (expr.op == ir::Op::pipeline_call) exact = exact && is_exact(unit, expr.slot, seen);
     });
     return exact;

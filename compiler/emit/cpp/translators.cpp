@@ -1,15 +1,18 @@
 #include "emit/cpp/translators.h"
 
-#include "emit/cpp/visit.h"
+#include "emit/cpp/mentions.h"
 
 namespace gliftc::cpp {
 
 bool uses_state_elsewhere(const ir::Program& program, ir::FunctionId id) {
     bool found = false;
-    for_each_expression(program, program.functions[id].body, [&](const ir::Expr& expr) {
+    ir::for_each_expression(program, program.functions[id].body, [&](ir::ExprId node) {
+        const ir::Expr& expr = program.exprs[node];
         if (expr.op != ir::Op::call) return;
-        for_each_expression(program, program.functions[expr.function].body,
-                            [&](const ir::Expr& inner) { found = found || inner.op == ir::Op::state; });
+        ir::for_each_expression(program, program.functions[expr.function].body, [&](ir::ExprId node) {
+            const ir::Expr& inner = program.exprs[node];
+            found = found || inner.op == ir::Op::state;
+        });
     });
     return found;
 }

@@ -13,6 +13,8 @@ namespace gliftc::cpp {
 /// What of the program a module's C++ contains.
 struct Reach {
     std::set<std::uint32_t> kernels, pipelines, enums;
+    /// Those that the host device may come to, and Vulkan devices: the others have no code for them.
+    std::set<std::uint32_t> host_kernels, vulkan_kernels;
     std::vector<std::uint32_t> structs;     ///< those within others come first
     std::vector<std::uint32_t> structures;  ///< members and what `temp`s make come first
     std::set<std::uint32_t> in_header;      ///< structures that the header shows

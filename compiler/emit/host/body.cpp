@@ -1,6 +1,6 @@
 #include "emit/host/body.h"
 
-#include "emit/cpp/visit.h"
+#include "emit/cpp/mentions.h"
 
 #include <algorithm>
 
@@ -269,7 +269,7 @@ void declare_used(Body& body, cpp::Writer& out, const std::string& name) {
 
 bool returns_early(const ir::Program& program, const std::vector<ir::StmtId>& body) {
     bool found = false;
-    cpp::for_each_statement(program, body, [&](const Stmt& stmt) { found = found || stmt.op == StmtOp::return_; });
+    ir::for_each_statement(program, body, [&](const Stmt& stmt) { found = found || stmt.op == StmtOp::return_; });
     return found;
 }
 

@@ -1,7 +1,7 @@
 // Kernels with a group: one workgroup after the other on each thread. Barriers cut the body into regions. A region is a
 // loop over the invocations of the workgroup; a statement that contains a barrier runs once for all of them, with the
 // condition that the first invocation has: it is uniform, or the kernel is wrong on every device.
-#include "emit/cpp/visit.h"
+#include "emit/cpp/mentions.h"
 #include "emit/host/body.h"
 
 #include <map>
@@ -19,7 +19,7 @@ using ir::StmtOp;
 
 bool has_barrier(const ir::Program& program, StmtId id) {
     bool found = false;
-    cpp::for_each_statement(program, {id}, [&](const Stmt& stmt) { found = found || stmt.op == StmtOp::barrier; });
+    ir::for_each_statement(program, {id}, [&](const Stmt& stmt) { found = found || stmt.op == StmtOp::barrier; });
     return found;
 }
 
@@ -65,13 +65,14 @@ struct Groups {
 };
 
 void Groups::mention(ExprId id) {
-    cpp::for_each_expression(program, id, [&](const ir::Expr& expr) {
+    ir::for_each_node(program, id, [&](ir::ExprId node) {
+        const ir::Expr& expr = program.exprs[node];
         if (expr.op == Op::local) uses[expr.local].insert(region);
     });
 }
 
 void Groups::mention_all(const std::vector<StmtId>& list) {
-    cpp::for_each_statement(program, list, [&](const Stmt& stmt) {
+    ir::for_each_statement(program, list, [&](const Stmt& stmt) {
         if (stmt.op == StmtOp::let || stmt.op == StmtOp::for_) uses[stmt.local].insert(region);
         for (ExprId expr : {stmt.target, stmt.value, stmt.limit}) mention(expr);
     });
@@ -111,7 +112,8 @@ void Groups::print_region(const std::vector<StmtId>& list) {
     const std::array<std::uint32_t, 3>& g = pass.group;
     const std::string x = std::to_string(g[0]), y = std::to_string(g[1]);
     bool local_id = false, global_id = false;
-    cpp::for_each_expression(program, list, [&](const ir::Expr& expr) {
+    ir::for_each_expression(program, list, [&](ir::ExprId node) {
+        const ir::Expr& expr = program.exprs[node];
         if (expr.op != Op::builtin) return;
         local_id = local_id || expr.builtin == ir::Builtin::local_id;
         global_id = global_id || expr.builtin == ir::Builtin::global_id;
@@ -126,7 +128,7 @@ void Groups::print_region(const std::vector<StmtId>& list) {
                    ") + local_id;");
     p.names.enter();
     bool returns_in_loop = false;
-    cpp::for_each_statement(program, list, [&](const Stmt& stmt) {
+    ir::for_each_statement(program, list, [&](const Stmt& stmt) {
         if (stmt.op == StmtOp::for_ || stmt.op == StmtOp::while_)
             returns_in_loop = returns_in_loop || returns_early(program, stmt.body);
     });

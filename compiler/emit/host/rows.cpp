@@ -1,5 +1,4 @@
 // Kernels without a group: a loop along x for each row of elements.
-#include "emit/cpp/visit.h"
 #include "emit/host/affine.h"
 #include "emit/host/body.h"
 #include "ir/walk.h"
@@ -93,7 +92,8 @@ std::set<ExprId> row_clamps(const ir::Program& program, const ir::Pass& pass, co
 /// The `let`s that an expression needs, in order.
 void needed_lets(const ir::Program& program, const std::map<ir::LocalId, StmtId>& lets, ExprId id,
                  std::set<StmtId>& needed) {
-    cpp::for_each_expression(program, id, [&](const ir::Expr& expr) {
+    ir::for_each_node(program, id, [&](ir::ExprId node) {
+        const ir::Expr& expr = program.exprs[node];
         if (expr.op != Op::local) return;
         const auto let = lets.find(expr.local);
         if (let != lets.end() && needed.insert(let->second).second)
@@ -194,7 +194,7 @@ std::vector<StmtId> Rows::without_unused(std::vector<StmtId> statements, IdSet<i
     };
     for (bool changed = true; changed;) {
         read.clear();
-        cpp::for_each_statement(program, statements, [&](const Stmt& stmt) {
+        ir::for_each_statement(program, statements, [&](const Stmt& stmt) {
             if (stmt.op != StmtOp::store || !body.row_pointers.contains({stmt.slot, stmt.target}))
                 note(note, stmt.target);
             note(note, stmt.value);
@@ -211,8 +211,8 @@ std::vector<StmtId> Rows::without_unused(std::vector<StmtId> statements, IdSet<i
 
 bool Rows::is_independent(const std::vector<StmtId>& statements) const {
     bool independent = true;
-    cpp::for_each_statement(program, statements,
-                            [&](const Stmt& stmt) { independent = independent && stmt.op != StmtOp::atomic; });
+    ir::for_each_statement(program, statements,
+                           [&](const Stmt& stmt) { independent = independent && stmt.op != StmtOp::atomic; });
     for (const ir::PassBinding& binding : pass.bindings)
         independent = independent && !binding.atomic && !binding.coherent;
     return independent;
@@ -221,7 +221,7 @@ bool Rows::is_independent(const std::vector<StmtId>& statements) const {
 /// What one element does; `return` goes on with the next.
 void Rows::print_element(const std::vector<StmtId>& statements) {
     bool in_loop = false;
-    cpp::for_each_statement(program, statements, [&](const Stmt& stmt) {
+    ir::for_each_statement(program, statements, [&](const Stmt& stmt) {
         if (stmt.op == StmtOp::for_ || stmt.op == StmtOp::while_)
             in_loop = in_loop || returns_early(program, stmt.body);
     });
@@ -273,7 +273,7 @@ bool Rows::fills_blocks(const std::vector<StmtId>& statements) const {
         if (binding.access == ir::Access::read_write) return false;
     }
     bool straight = true;
-    cpp::for_each_statement(program, statements, [&](const Stmt& stmt) {
+    ir::for_each_statement(program, statements, [&](const Stmt& stmt) {
         straight = straight && (stmt.op == StmtOp::let || stmt.op == StmtOp::assign || stmt.op == StmtOp::store ||
                                 stmt.op == StmtOp::block);
     });

@@ -1,0 +1,395 @@
+// Made by gliftc from devices.glift. Changes are lost when it is made again.
+#include "devices.glift.hpp"
+
+#include <glift/host/image.h>
+#include <glift/host/math.h>
+#include <glift/host/parallel.h>
+
+#include <optional>
+
+namespace devices {
+
+using namespace glift::types;
+
+namespace {
+
+// address.glift:17: volume<1>
+inline uint volume(uint extent) {
+    // address.glift:18
+    uint product = extent;
+    // address.glift:19
+    for (uint axis = 1u; axis < 1u; ++axis) {
+        // address.glift:20
+        product *= extent;
+    }
+    // address.glift:22
+    return product;
+}
+
+// ----------------------------------------------------------------------------------------------------
+// devices.glift:8: on_any
+
+struct on_any_direct_parameters {
+    uint to_extent;
+};
+static_assert(offsetof(on_any_direct_parameters, to_extent) == 0);
+
+// devices.glift:8: on_any, some rows.
+GLIFT_HOST_KERNEL
+static void on_any_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    uint* to_data = glift::host::elements<uint>(call.memories[0]);
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint address = row.begin;
+            uint* to_data_row = glift::host::row_pointer(to_data + address);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // devices.glift:9
+                to_data_row[i] = 1u;
+            }
+        }
+    }
+}
+
+static void on_any_direct(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { on_any_direct_rows(call, rows); });
+}
+
+struct on_any_general_parameters {
+    uint size;
+    uint to_origin;
+};
+static_assert(offsetof(on_any_general_parameters, size) == 0);
+static_assert(offsetof(on_any_general_parameters, to_origin) == 4);
+
+// devices.glift:8: on_any, some rows.
+GLIFT_HOST_KERNEL
+static void on_any_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const on_any_general_parameters*>(call.parameters);
+    const uint to_origin = parameters.to_origin;
+    uint* to_data = glift::host::elements<uint>(call.memories[0]);
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint address = row.begin;
+            // devices.glift:9
+            const uint to_address = to_origin + address;
+            uint* to_data_row = glift::host::row_pointer(to_data + to_address);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // devices.glift:9
+                to_data_row[i] = 1u;
+            }
+        }
+    }
+}
+
+static void on_any_general(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { on_any_general_rows(call, rows); });
+}
+
+const glift::Binding on_any_bindings[] = {
+    {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 8},
+};
+constexpr glift::Parameter on_any_parameters[] = {
+    {"to_extent", 0, sizeof(on_any_direct_parameters::to_extent)},
+};
+const glift::Kernel on_any_kernel = {
+    .name = "on_any",
+    .file = "devices.glift",
+    .line = 8,
+    .rank = 1,
+    .group = {256, 1, 1},
+    .loop_rounds = 0,
+    .bindings = on_any_bindings,
+    .direct = {.host = &on_any_direct, .parameter_bytes = 4, .push_constants = true},
+    .general = {.host = &on_any_general, .parameter_bytes = 8},
+    .wide = {},
+    .parameters = on_any_parameters,
+};
+
+// ----------------------------------------------------------------------------------------------------
+// devices.glift:12: on_host
+
+struct on_host_direct_parameters {
+    uint to_extent;
+};
+static_assert(offsetof(on_host_direct_parameters, to_extent) == 0);
+
+// devices.glift:12: on_host, some rows.
+GLIFT_HOST_KERNEL
+static void on_host_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    uint* to_data = glift::host::elements<uint>(call.memories[0]);
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint address = row.begin;
+            uint* to_data_row = glift::host::row_pointer(to_data + address);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // devices.glift:13
+                to_data_row[i] = 2u;
+            }
+        }
+    }
+}
+
+static void on_host_direct(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { on_host_direct_rows(call, rows); });
+}
+
+struct on_host_general_parameters {
+    uint size;
+    uint to_origin;
+};
+static_assert(offsetof(on_host_general_parameters, size) == 0);
+static_assert(offsetof(on_host_general_parameters, to_origin) == 4);
+
+// devices.glift:12: on_host, some rows.
+GLIFT_HOST_KERNEL
+static void on_host_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const on_host_general_parameters*>(call.parameters);
+    const uint to_origin = parameters.to_origin;
+    uint* to_data = glift::host::elements<uint>(call.memories[0]);
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint address = row.begin;
+            // devices.glift:13
+            const uint to_address = to_origin + address;
+            uint* to_data_row = glift::host::row_pointer(to_data + to_address);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // devices.glift:13
+                to_data_row[i] = 2u;
+            }
+        }
+    }
+}
+
+static void on_host_general(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { on_host_general_rows(call, rows); });
+}
+
+const glift::Binding on_host_bindings[] = {
+    {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 8},
+};
+constexpr glift::Parameter on_host_parameters[] = {
+    {"to_extent", 0, sizeof(on_host_direct_parameters::to_extent)},
+};
+const glift::Kernel on_host_kernel = {
+    .name = "on_host",
+    .file = "devices.glift",
+    .line = 12,
+    .rank = 1,
+    .group = {256, 1, 1},
+    .loop_rounds = 0,
+    .bindings = on_host_bindings,
+    .direct = {.host = &on_host_direct, .parameter_bytes = 4, .push_constants = true},
+    .general = {.host = &on_host_general, .parameter_bytes = 8},
+    .wide = {},
+    .parameters = on_host_parameters,
+};
+
+// ----------------------------------------------------------------------------------------------------
+// devices.glift:16: on_gpu
+
+struct on_gpu_direct_parameters {
+    uint to_extent;
+};
+static_assert(offsetof(on_gpu_direct_parameters, to_extent) == 0);
+
+struct on_gpu_general_parameters {
+    uint size;
+    uint to_origin;
+};
+static_assert(offsetof(on_gpu_general_parameters, size) == 0);
+static_assert(offsetof(on_gpu_general_parameters, to_origin) == 4);
+
+const glift::Binding on_gpu_bindings[] = {
+    {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 8},
+};
+constexpr glift::Parameter on_gpu_parameters[] = {
+    {"to_extent", 0, sizeof(on_gpu_direct_parameters::to_extent)},
+};
+const glift::Kernel on_gpu_kernel = {
+    .name = "on_gpu",
+    .file = "devices.glift",
+    .line = 16,
+    .rank = 1,
+    .group = {256, 1, 1},
+    .loop_rounds = 0,
+    .bindings = on_gpu_bindings,
+    .direct = {.parameter_bytes = 4, .push_constants = true},
+    .general = {.parameter_bytes = 8},
+    .wide = {},
+    .parameters = on_gpu_parameters,
+};
+
+// ----------------------------------------------------------------------------------------------------
+// devices.glift:20: on_vulkan
+
+struct on_vulkan_direct_parameters {
+    uint to_extent;
+};
+static_assert(offsetof(on_vulkan_direct_parameters, to_extent) == 0);
+
+struct on_vulkan_general_parameters {
+    uint size;
+    uint to_origin;
+};
+static_assert(offsetof(on_vulkan_general_parameters, size) == 0);
+static_assert(offsetof(on_vulkan_general_parameters, to_origin) == 4);
+
+const glift::Binding on_vulkan_bindings[] = {
+    {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 8},
+};
+constexpr glift::Parameter on_vulkan_parameters[] = {
+    {"to_extent", 0, sizeof(on_vulkan_direct_parameters::to_extent)},
+};
+const glift::Kernel on_vulkan_kernel = {
+    .name = "on_vulkan",
+    .file = "devices.glift",
+    .line = 20,
+    .rank = 1,
+    .group = {256, 1, 1},
+    .loop_rounds = 0,
+    .bindings = on_vulkan_bindings,
+    .direct = {.parameter_bytes = 4, .push_constants = true},
+    .general = {.parameter_bytes = 8},
+    .wide = {},
+    .parameters = on_vulkan_parameters,
+};
+
+void on_any(const glift::Commands& commands, const glift::Range<Line>& to) {
+    glift::Iteration iteration(on_any_kernel);
+    iteration.each("to", to);
+    const glift::Memory memories[] = {to->data()};
+    if (iteration.is_whole() && !commands.needs_general(on_any_kernel, memories, iteration.size())) {
+        const on_any_direct_parameters parameters = {
+            .to_extent = to->extent(),
+        };
+        commands.dispatch(on_any_kernel, {.form = glift::FormName::direct, .memories = memories,
+            .parameters = glift::bytes_of(parameters), .size = iteration.size()});
+    } else {
+        const on_any_general_parameters parameters = {
+            .size = to.size(),
+            .to_origin = to.origin(),
+        };
+        commands.dispatch(on_any_kernel, {.form = glift::FormName::general, .memories = memories,
+            .parameters = glift::bytes_of(parameters), .size = iteration.size(),
+            .patches = iteration.patches({offsetof(on_any_general_parameters, size)})});
+    }
+}
+
+void on_host(const glift::Commands& commands, const glift::Range<Line>& to) {
+    glift::Iteration iteration(on_host_kernel);
+    iteration.each("to", to);
+    const glift::Memory memories[] = {to->data()};
+    if (iteration.is_whole() && !commands.needs_general(on_host_kernel, memories, iteration.size())) {
+        const on_host_direct_parameters parameters = {
+            .to_extent = to->extent(),
+        };
+        commands.dispatch(on_host_kernel, {.form = glift::FormName::direct, .memories = memories,
+            .parameters = glift::bytes_of(parameters), .size = iteration.size()});
+    } else {
+        const on_host_general_parameters parameters = {
+            .size = to.size(),
+            .to_origin = to.origin(),
+        };
+        commands.dispatch(on_host_kernel, {.form = glift::FormName::general, .memories = memories,
+            .parameters = glift::bytes_of(parameters), .size = iteration.size(),
+            .patches = iteration.patches({offsetof(on_host_general_parameters, size)})});
+    }
+}
+
+void on_gpu(const glift::Commands& commands, const glift::Range<Line>& to) {
+    glift::Iteration iteration(on_gpu_kernel);
+    iteration.each("to", to);
+    const glift::Memory memories[] = {to->data()};
+    if (iteration.is_whole() && !commands.needs_general(on_gpu_kernel, memories, iteration.size())) {
+        const on_gpu_direct_parameters parameters = {
+            .to_extent = to->extent(),
+        };
+        commands.dispatch(on_gpu_kernel, {.form = glift::FormName::direct, .memories = memories,
+            .parameters = glift::bytes_of(parameters), .size = iteration.size()});
+    } else {
+        const on_gpu_general_parameters parameters = {
+            .size = to.size(),
+            .to_origin = to.origin(),
+        };
+        commands.dispatch(on_gpu_kernel, {.form = glift::FormName::general, .memories = memories,
+            .parameters = glift::bytes_of(parameters), .size = iteration.size(),
+            .patches = iteration.patches({offsetof(on_gpu_general_parameters, size)})});
+    }
+}
+
+void on_vulkan(const glift::Commands& commands, const glift::Range<Line>& to) {
+    glift::Iteration iteration(on_vulkan_kernel);
+    iteration.each("to", to);
+    const glift::Memory memories[] = {to->data()};
+    if (iteration.is_whole() && !commands.needs_general(on_vulkan_kernel, memories, iteration.size())) {
+        const on_vulkan_direct_parameters parameters = {
+            .to_extent = to->extent(),
+        };
+        commands.dispatch(on_vulkan_kernel, {.form = glift::FormName::direct, .memories = memories,
+            .parameters = glift::bytes_of(parameters), .size = iteration.size()});
+    } else {
+        const on_vulkan_general_parameters parameters = {
+            .size = to.size(),
+            .to_origin = to.origin(),
+        };
+        commands.dispatch(on_vulkan_kernel, {.form = glift::FormName::general, .memories = memories,
+            .parameters = glift::bytes_of(parameters), .size = iteration.size(),
+            .patches = iteration.patches({offsetof(on_vulkan_general_parameters, size)})});
+    }
+}
+
+void by_gpu(const glift::Commands& commands, const Line& to);
+
+// devices.glift:24: by_gpu
+void by_gpu(const glift::Commands& commands, const Line& to) {
+    // devices.glift:25
+    on_gpu(commands, to);
+}
+
+}  // namespace
+
+Line::Line(const glift::Commands& commands, uint extent)
+    : Structure(commands.device()),
+      extent_(extent),
+      data_extent_(volume(extent_)),
+      data_(commands.allocate({.name = "Line.data", .bytes = glift::buffer_bytes<uint>(data_extent_)})) {}
+
+Line::Line(const glift::Commands& commands, uint extent, glift::Memory data)
+    : Structure(commands.device()),
+      extent_(extent),
+      data_extent_(volume(extent_)),
+      data_(std::move(data)) {}
+
+uint Line::domain() const {
+    return extent_;
+}
+
+bool Line::same_state(const Line& other) const {
+    return extent_ == other.extent_;
+}
+
+// devices.glift:28: fill
+void fill(const glift::Commands& commands, const Line& to, bool many) {
+    // devices.glift:29
+    on_any(commands, to);
+    // devices.glift:30
+    if ((commands.device().properties().kind == glift::DeviceKind::gpu) && many) {
+        // devices.glift:31
+        by_gpu(commands, to);
+    }
+    // devices.glift:33
+    if (commands.device().is_host()) {
+        // devices.glift:34
+        on_host(commands, to);
+        // devices.glift:35
+        return;
+    }
+    // devices.glift:37
+    on_vulkan(commands, to);
+}
+
+}  // namespace devices
