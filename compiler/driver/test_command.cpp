@@ -133,6 +133,7 @@ int run_tests(const Options& given) {
             throw std::runtime_error("cannot write " + output.name + ": " + *error);
     }
     if (options.validate) setenv("GLIFT_VALIDATE", "1", 0);
+    setenv("GLIFT_POISON", "1", 0);
     int code = 0;
     for (const Output& output : result.outputs) {
         if (!output.name.ends_with(".cpp")) continue;

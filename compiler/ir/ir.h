@@ -231,6 +231,7 @@ struct Stmt {
     Operands arguments;
     std::vector<LocalId> locals;  ///< release
     bool unrolled = false;        ///< for_: shaders ask for it to be unrolled
+    bool uninitialized = false;   ///< temp: its memory holds anything
     std::uint32_t slot = 0;
     Combine combine = Combine::replace;
     Place place;

@@ -293,8 +293,8 @@ void Printer::stmt(const Stmt& stmt) {
 void Printer::host_stmt(const Stmt& stmt) {
     switch (stmt.op) {
     case StmtOp::temp:
-        line("temp " + local(stmt.local) + " = " + to_text(p, p.locals[stmt.local].type) + "(" + list(stmt.arguments) +
-             ");");
+        line((stmt.uninitialized ? "uninitialized temp " : "temp ") + local(stmt.local) + " = " +
+             to_text(p, p.locals[stmt.local].type) + "(" + list(stmt.arguments) + ");");
         break;
     case StmtOp::release: {
         std::string text = "release";

@@ -358,9 +358,13 @@ bool check_structure_declaration(Body& body, const ast::Stmt& stmt) {
              "'temp' makes a structure: temp name = Structure(arguments); for values write 'let'");
         return true;
     }
+    if (stmt.is_uninitialized &&
+        body.program().structures[body.types()[node.type].index].kind == ir::StructureKind::view)
+        c.error(Diag::uninitialized_view, c[stmt.value].span, {c.text(node.type)});
     ir::LocalId local = declare_local(body, stmt.name, node.type, stmt.binding == ast::Binding::var);
     ir::StmtId id = add(body.program(), made ? ir::StmtOp::temp : ir::StmtOp::let, stmt.span);
     body.program().stmts[id].local = local;
+    body.program().stmts[id].uninitialized = stmt.is_uninitialized;
     if (made) body.program().stmts[id].arguments = node.operands;
     else body.program().stmts[id].value = value;
     emit(body, id);

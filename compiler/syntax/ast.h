@@ -96,7 +96,7 @@ enum class StmtKind : std::uint8_t {
     error,
     let,         // let/var/const name [: type] = value   (mutability in `binding`)
     shared,      // shared name: type;                     kernels with a group
-    temp,        // temp name [: type] = value;            pipelines
+    temp,        // [uninitialized] temp name [: type] = value;            pipelines
     assign,      // target op= value; op absent for plain `=`
     expression,  // value;
     if_,         // if (value | let name = value) body [else otherwise]
@@ -123,6 +123,7 @@ struct Stmt {
     std::vector<StmtId> body;       ///< if_, for_, while_, block
     std::vector<StmtId> otherwise;  ///< if_: the else part (one if_ statement for `else if`)
     bool has_else = false;
+    bool is_uninitialized = false;  ///< temp
 };
 
 // --------------------------------------------------------------------------------------------------- declarations

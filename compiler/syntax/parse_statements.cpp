@@ -73,7 +73,7 @@ ast::StmtId Parser::parse_statement() {
     if (at(kw_continue)) return parse_jump(StmtKind::continue_);
     if (at(open_brace)) return parse_block_statement();
     if (at_word_before_name(Word::shared)) return parse_shared();
-    if (at_word_before_name(Word::temp)) return parse_temp();
+    if (at_word_before_name(Word::temp) || at_word_before_name(Word::uninitialized)) return parse_temp();
     return parse_expression_statement();
 }
 
@@ -117,12 +117,13 @@ ast::StmtId Parser::parse_shared() {
     return finish(std::move(shared), first);
 }
 
-/// temp = "temp" name [ ":" type ] "=" expression ";" ;
+/// temp = [ "uninitialized" ] "temp" name [ ":" type ] "=" expression ";" ;
 ast::StmtId Parser::parse_temp() {
     std::uint32_t first = cursor_;
     Stmt temp;
     temp.kind = StmtKind::temp;
-    advance();
+    temp.is_uninitialized = accept_word(Word::uninitialized);
+    if (!accept_word(Word::temp)) fail_expected("'temp'", "'uninitialized' says how a temporary begins");
     temp.name = parse_name("a name");
     if (accept(TokenKind::colon)) temp.type = parse_type();
     expect(TokenKind::equal);

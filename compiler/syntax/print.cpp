@@ -179,7 +179,9 @@ private:
             return line(std::string("(") + word + " " + typed(s.name, s.type) + " " + expr(s.value) + ")");
         }
         case StmtKind::shared: return line("(shared " + typed(s.name, s.type) + ")");
-        case StmtKind::temp: return line("(temp " + typed(s.name, s.type) + " " + expr(s.value) + ")");
+        case StmtKind::temp:
+            return line((s.is_uninitialized ? "(uninitialized-temp " : "(temp ") + typed(s.name, s.type) + " " +
+                        expr(s.value) + ")");
         case StmtKind::assign:
             return line("(" + (s.op ? std::string(word_of(*s.op)) : "") + "= " + expr(s.target) + " " + expr(s.value) +
                         ")");

@@ -7,7 +7,9 @@
 #include <glift/error.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <cstring>
+#include <string_view>
 
 namespace glift {
 
@@ -33,7 +35,18 @@ Commands Commands::specialised(std::vector<std::string> parameters) const {
     return same;
 }
 
+Commands Commands::uninitialized() const {
+    Commands same = *this;
+    same.zeroes_ = false;
+    return same;
+}
+
 namespace {
+
+bool poisons() {
+    static const char* const text = std::getenv("GLIFT_POISON");
+    return text && *text && std::string_view(text) != "0";
+}
 
 /// The words of the call's parameters that the names ask for.
 std::vector<FixedWord> fixed_words(const Kernel& kernel, const Call& call, const std::vector<std::string>& names) {
@@ -61,8 +74,12 @@ void Commands::dispatch(const Kernel& kernel, const Call& call) const {
 }
 
 Memory Commands::allocate(const MemoryDescription& description) const {
-    const Memory memory = stream_->allocate(detail::whole_description(description));
-    if (description.zeroed && stream_->is_recording()) stream_->clear(memory);
+    MemoryDescription whole = detail::whole_description(description);
+    whole.zeroed = whole.zeroed && zeroes_;
+    const Memory memory = stream_->allocate(whole);
+    if (whole.zeroed && stream_->is_recording()) stream_->clear(memory);
+    if (!zeroes_ && poisons() && whole.kind == MemoryKind::buffer && whole.bytes >= 4)
+        stream_->fill(memory, 0, whole.bytes / 4 * 4, device().is_host() ? 0x7fa5a5a5u : 0x7fc3c3c3u);
     return memory;
 }
 

@@ -163,7 +163,8 @@ void PipelinePrinter::temporary(const Stmt& stmt) {
         std::string& list = kind(unit.program.exprs[argument].type) == TypeKind::structure ? structures : values;
         list += ", " + print_any(p, argument);
     }
-    std::string arguments = (made.kind == ir::StructureKind::view ? "" : ", commands") + structures + values;
+    const char* const commands = stmt.uninitialized ? ", commands.uninitialized()" : ", commands";
+    std::string arguments = (made.kind == ir::StructureKind::view ? "" : commands) + structures + values;
     const std::string name = declare_local(p, stmt.local);
     p.out.line(unit.class_name(type.index) + " " + name + "(" + (arguments.empty() ? "" : arguments.substr(2)) + ");");
 }

@@ -98,6 +98,11 @@ public:
     /// take the direct form, and the host device, use the values as they are.
     Commands specialised(std::vector<std::string> parameters = {}) const;
 
+    /// The same stream, which leaves what it allocates as it is: whatever was in that storage before, until it is
+    /// written. Where GLIFT_POISON=1 is set, as `gliftc test` does, buffers hold a pattern instead, another one on the
+    /// host device than on Vulkan devices, so that results that depend on it differ.
+    Commands uninitialized() const;
+
     /// Like Device::allocate. In a recording the memory is zeros again whenever a replay comes here, lies in the
     /// recording's workspace, and belongs to whatever comes later once its last handle is gone.
     Memory allocate(const MemoryDescription& description) const;
@@ -135,6 +140,7 @@ public:
 private:
     std::shared_ptr<detail::Stream> stream_;
     std::shared_ptr<const std::vector<std::string>> specialised_;  ///< null: nothing is
+    bool zeroes_ = true;                                           ///< what it allocates
 };
 
 }  // namespace glift

@@ -46,6 +46,7 @@ public:
 
 private:
     void barrier();
+    void barrier(const VkMemoryBarrier2& what);
     void clear_image(const VulkanMemory& memory);
     void touch(const VulkanMemory& memory, Access access);
     void touch(const VulkanMemory& from, const VulkanMemory& to);
