@@ -3,6 +3,7 @@
 #include "objects.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace glift::detail {
 
@@ -17,17 +18,19 @@ Workspace::Place Workspace::take(const StorageNeeds& needs) {
     const std::uint64_t alignment = std::max(needs.alignment, granularity);
     const std::uint64_t bytes = (std::max<std::uint64_t>(needs.bytes, 1) + granularity - 1) / granularity * granularity;
     for (std::size_t block = 0; block < blocks_.size(); ++block) {
-        if (const auto offset = blocks_[block].take(bytes, alignment)) return {block, *offset, bytes, false};
+        const auto offset = blocks_[block].take(bytes, alignment);
+        if (offset) return {block, *offset, bytes, false, std::exchange(was_given_back_, false)};
     }
     blocks_.emplace_back(bytes);
     blocks_.back().take(bytes, 1);
     bytes_ += bytes;
-    return {blocks_.size() - 1, 0, bytes, true};
+    return {blocks_.size() - 1, 0, bytes, true, false};
 }
 
 void Workspace::give_back(const Place& place) {
     const std::lock_guard lock(mutex_);
     blocks_[place.block].give_back(place.offset, place.bytes);
+    was_given_back_ = true;
 }
 
 void Workspace::add(std::uint64_t bytes) {

@@ -29,6 +29,7 @@ public:
         std::size_t block = 0;
         std::uint64_t offset = 0, bytes = 0;
         bool is_new_block = false;  ///< else others had this storage before
+        bool is_just_free = false;  ///< storage was given back since the last place was taken: work may still be on it
     };
 
     /// Of what shares storage.
@@ -44,6 +45,7 @@ private:
     mutable std::mutex mutex_;
     std::vector<FreeRanges> blocks_;
     std::uint64_t bytes_ = 0;
+    bool was_given_back_ = false;
 };
 
 /// A handle to a temporary; its place is free again when the last one is gone, though commands that were recorded may

@@ -220,7 +220,7 @@ Slice Encoder::prepare(const Pipeline& pipeline, const Call& call, const Slice& 
     if (conflict) barrier();
     for (const Patch& patch : call.patches) hazards_.note(vulkan_memory(patch.value.memory).id, Access::read);
     const VkDeviceAddress address = list.address();
-    device_.bind_prepare(commands_, address);
+    device_.prepare_pass().bind(commands_, &address);
     bound_ = VK_NULL_HANDLE;
     context_.vk.vkCmdDispatch(commands_, 1, 1, 1);
     barrier(before_indirect_work);

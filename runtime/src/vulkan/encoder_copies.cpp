@@ -37,6 +37,9 @@ std::vector<VkBufferCopy> buffer_copies(std::span<const CopyRegion> regions, VkD
     return result;
 }
 
+/// Beyond, the driver's own fill is as fast as memory.
+constexpr std::uint64_t most_filled_by_pass = 1u << 20;
+
 std::uint32_t count(const auto& list) { return static_cast<std::uint32_t>(list.size()); }
 
 VkOffset3D offset3d(const std::array<std::uint32_t, 3>& at) {
@@ -59,14 +62,20 @@ void Encoder::touch(const VulkanMemory& from, const VulkanMemory& to) {
 }
 
 void Encoder::fill(const VulkanMemory& memory, std::uint64_t offset, std::uint64_t bytes, std::uint32_t value) {
+    if (bytes == 0) return;
     touch(memory, Access::write);
-    context_.vk.vkCmdFillBuffer(commands_, memory.parts.buffer, offset, bytes, value);
+    if (bytes > most_filled_by_pass)
+        return context_.vk.vkCmdFillBuffer(commands_, memory.parts.buffer, offset, bytes, value);
+    const FillArguments arguments = {memory.address + offset, static_cast<std::uint32_t>(bytes / 4), value};
+    device_.fill_pass().bind(commands_, &arguments);
+    bound_ = VK_NULL_HANDLE;
+    context_.vk.vkCmdDispatch(commands_, (arguments.words + 255) / 256, 1, 1);
 }
 
 void Encoder::clear_new(const VulkanMemory& memory) {
     const MemoryDescription& d = memory.description();
     if (memory.is_buffer()) {
-        if (d.zeroed) fill(memory, 0, VK_WHOLE_SIZE, 0);
+        if (d.zeroed) clear(memory);
         return;
     }
     ++batch_->operations;
@@ -92,10 +101,9 @@ void Encoder::clear_new(const VulkanMemory& memory) {
 }
 
 void Encoder::clear(const VulkanMemory& memory) {
+    if (memory.is_buffer()) return fill(memory, 0, (memory.description().bytes + 3) / 4 * 4, 0);
     touch(memory, Access::write);
-    if (!memory.is_buffer()) clear_image(memory);
-    else if (memory.description().bytes)
-        context_.vk.vkCmdFillBuffer(commands_, memory.parts.buffer, 0, VK_WHOLE_SIZE, 0);
+    clear_image(memory);
 }
 
 void Encoder::clear_image(const VulkanMemory& memory) {

@@ -100,7 +100,8 @@ Memory RecordingStream::allocate(const MemoryDescription& description) {
     const Workspace::Place place = workspace_->take(device_.storage_needs(description));
     if (place.is_new_block) {
         blocks_.push_back(device_.new_memory({.name = description.name, .bytes = place.bytes, .zeroed = false}));
-    } else {
+    } else if (place.is_just_free) {
+        // Once for all that is free by now: the barrier that follows has everything before it done.
         encoder_.pass_storage_on();
     }
     buffer->place(blocks_[place.block], place.offset);

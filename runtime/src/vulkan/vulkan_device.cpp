@@ -2,6 +2,7 @@
 
 #include "../report.h"
 #include "../text.h"
+#include "fill_words.h"
 #include "prepare_indirect.h"
 
 #include <glift/error.h>
@@ -25,6 +26,8 @@ VulkanDevice::VulkanDevice(std::unique_ptr<Context> context)
     : context_(std::move(context)), timeline_(std::make_unique<Timeline>(*context_)),
       allocator_(std::make_unique<Allocator>(*context_)), chunks_(std::make_unique<ChunkPool>(*context_, *allocator_)),
       pipelines_(std::make_unique<Pipelines>(*context_)), queries_(std::make_unique<Queries>(*context_)),
+      prepare_(*context_, "glift prepare indirect", ::prepare_indirect, sizeof(VkDeviceAddress)),
+      fill_(*context_, "glift fill", ::fill_words, sizeof(FillArguments)),
       stream_(std::make_unique<ImmediateStream>(*this)) {
     status_ = chunks_->take(MemoryUse::readback, status_slots * status_stride);
     std::memset(status_->allocation.mapped, 0, status_slots * status_stride);
@@ -42,8 +45,6 @@ VulkanDevice::~VulkanDevice() {
     destroy_retired(completed_);
     idle_batches_.clear();
     status_.reset();
-    context_->vk.vkDestroyPipeline(context_->device, prepare_, nullptr);
-    context_->vk.vkDestroyPipelineLayout(context_->device, prepare_layout_, nullptr);
     queries_.reset();
     pipelines_.reset();
     chunks_->clear();
@@ -167,39 +168,6 @@ void VulkanDevice::check_reports() {
         std::memset(slot, 0, sizeof record);
         throw_report(*kernels[k], record);
     }
-}
-
-void VulkanDevice::bind_prepare(VkCommandBuffer commands, VkDeviceAddress arguments) {
-    const VolkDeviceTable& vk = context_->vk;
-    if (!prepare_) {
-        const VkPushConstantRange range = {VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof arguments};
-        const VkPipelineLayoutCreateInfo layout_info = {.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
-                                                        .pushConstantRangeCount = 1,
-                                                        .pPushConstantRanges = &range};
-        const VkShaderModuleCreateInfo module_info = {.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
-                                                      .codeSize = sizeof prepare_indirect,
-                                                      .pCode = prepare_indirect};
-        VkShaderModule module = VK_NULL_HANDLE;
-        context_->check(vk.vkCreatePipelineLayout(context_->device, &layout_info, nullptr, &prepare_layout_),
-                        "vkCreatePipelineLayout");
-        context_->check(vk.vkCreateShaderModule(context_->device, &module_info, nullptr, &module),
-                        "vkCreateShaderModule");
-        const VkComputePipelineCreateInfo info = {
-            .sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO,
-            .stage = {.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
-                      .stage = VK_SHADER_STAGE_COMPUTE_BIT,
-                      .module = module,
-                      .pName = "main"},
-            .layout = prepare_layout_};
-        const VkResult result =
-            vk.vkCreateComputePipelines(context_->device, VK_NULL_HANDLE, 1, &info, nullptr, &prepare_);
-        vk.vkDestroyShaderModule(context_->device, module, nullptr);
-        context_->check(result, "vkCreateComputePipelines");
-        context_->set_name(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<std::uint64_t>(prepare_),
-                           "glift prepare indirect");
-    }
-    vk.vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, prepare_);
-    vk.vkCmdPushConstants(commands, prepare_layout_, VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof arguments, &arguments);
 }
 
 void VulkanDevice::retire(const MemoryParts& parts, MemoryId id) {

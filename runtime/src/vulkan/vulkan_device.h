@@ -3,6 +3,7 @@
 
 #include "command_batch.h"
 #include "immediate_stream.h"
+#include "internal_pass.h"
 #include "queries.h"
 #include "timeline.h"
 #include "vulkan_memory.h"
@@ -46,7 +47,10 @@ public:
     Pipelines& pipelines() { return *pipelines_; }
     Queries& queries() { return *queries_; }
     VkBuffer status_buffer() const { return status_->buffer; }
-    void bind_prepare(VkCommandBuffer commands, VkDeviceAddress arguments);
+    /// Takes the address of its arguments.
+    InternalPass& prepare_pass() { return prepare_; }
+    /// Takes FillArguments; one invocation a word, 256 a workgroup.
+    InternalPass& fill_pass() { return fill_; }
     std::uint64_t submit(VkCommandBuffer commands);
     void collect();  ///< destroys and takes back what the device is done with
     void allocate_parts(const VkMemoryRequirements& needs, bool linear, const MemoryDescription& description,
@@ -88,8 +92,7 @@ private:
     std::unique_ptr<Pipelines> pipelines_;
     std::unique_ptr<Queries> queries_;
     std::shared_ptr<Chunk> status_;
-    VkPipelineLayout prepare_layout_ = VK_NULL_HANDLE;
-    VkPipeline prepare_ = VK_NULL_HANDLE;
+    InternalPass prepare_, fill_;
     std::vector<std::unique_ptr<CommandBatch>> idle_batches_;
     std::uint64_t completed_ = 0;  ///< of the timeline, when it was last looked at
     std::unique_ptr<ImmediateStream> stream_;

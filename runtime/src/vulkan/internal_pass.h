@@ -1,0 +1,37 @@
+// A pass of the runtime's own: one compute shader that takes everything by push constants.
+#pragma once
+
+#include "context.h"
+
+#include <cstdint>
+#include <span>
+
+namespace glift::detail {
+
+/// As fill_words.comp reads it.
+struct FillArguments {
+    VkDeviceAddress to;
+    std::uint32_t words, value;
+};
+
+class InternalPass {
+public:
+    /// `spirv` stays where it is. The pipeline is made when it is first bound.
+    InternalPass(Context& context, const char* name, std::span<const std::uint32_t> spirv, std::uint32_t push_bytes);
+    ~InternalPass();
+    InternalPass(const InternalPass&) = delete;
+
+    void bind(VkCommandBuffer commands, const void* push);
+
+private:
+    void create();
+
+    Context& context_;
+    const char* name_;
+    std::span<const std::uint32_t> spirv_;
+    std::uint32_t push_bytes_;
+    VkPipelineLayout layout_ = VK_NULL_HANDLE;
+    VkPipeline pipeline_ = VK_NULL_HANDLE;
+};
+
+}  // namespace glift::detail
