@@ -23,7 +23,7 @@ def cell(our, rival):
 
 def speeds(group):
     """A row for each algorithm and rival, a column for each size: ours / rival = ratio, in G elements/s."""
-    rows = [row for row in group["rows"] if row["algorithm"] != "tridiagonal"]
+    rows = [row for row in group["rows"] if row["algorithm"] not in ("tridiagonal", "move_equations")]
     panels = figures.panels({"rows": rows})
     sizes = sorted({row["elements"] for row in rows})
     if not panels:
@@ -49,9 +49,10 @@ def systems(group):
     sides = sorted({int(variant.split("_")[1]) for _, variant in rows})
     if not sides:
         return ""
+    moving = {row["variant"]: row for row in group["rows"] if row["algorithm"] == "move_equations"}
     rival = next((by for by, _ in rows if by != figures.OURS), None)
-    lines = [f"| n | one right-hand side | error | three | error | {rival or 'rival'}, one | error | ratio, one | ratio, three |",
-             "| ---: |" + " ---: |" * 8]
+    lines = [f"| n | one right-hand side | error | three | error | {rival or 'rival'}, one | error | ratio, one | ratio, three | of moving the data once, one | three |",
+             "| ---: |" + " ---: |" * 10]
     for n in sides:
         one, three, other = (rows.get(key) for key in ((figures.OURS, f"n_{n}"), (figures.OURS, f"n_{n}_three"), (rival, f"n_{n}")))
         cells = []
@@ -59,5 +60,8 @@ def systems(group):
             cells += [number(figures.throughput(row)) if row else "", error_of(row)]
         for row in (one, three):
             cells.append(f"{figures.throughput(row) / figures.throughput(other):.2f}" if row and other else "")
+        for row in (one, three):
+            once = moving.get(row["variant"]) if row else None
+            cells.append(f"{once['seconds'] / row['seconds']:.2f}" if once else "")
         lines.append(f"| {n} | " + " | ".join(cells) + " |")
     return "\n".join(lines)

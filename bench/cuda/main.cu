@@ -63,7 +63,7 @@ Options parse(int count, char** arguments) {
 }
 
 const char* rival_of(const std::string& algorithm) {
-    return algorithm == "copy" ? "CUDA" : algorithm == "tridiagonal" ? "cuSPARSE" : "CUB";
+    return algorithm == "copy" || algorithm == "move_equations" ? "CUDA" : algorithm == "tridiagonal" ? "cuSPARSE" : "CUB";
 }
 
 /// As bench/figures.py reads it.

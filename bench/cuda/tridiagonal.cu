@@ -109,11 +109,41 @@ void measure(Bench& bench, const Handle& handle, std::uint32_t n) {
     bench.note_error(largest_error(x, n));
 }
 
+/// What a solver must move at least: three coefficients and `sides` right-hand sides read, as many unknowns written.
+template <int sides> __global__ void move_elements(const float4* from, float4* to, std::size_t count) {
+    const std::size_t stride = static_cast<std::size_t>(gridDim.x) * blockDim.x;
+    for (std::size_t i = static_cast<std::size_t>(blockIdx.x) * blockDim.x + threadIdx.x; i < count; i += stride) {
+        const float4 a = from[i], b = from[count + i], c = from[2 * count + i];
+        for (int side = 0; side < sides; ++side) {
+            const float4 d = from[(3 + side) * count + i];
+            to[side * count + i] = {a.x + b.x + c.x + d.x, a.y + b.y + c.y + d.y, a.z + b.z + c.z + d.z,
+                                    a.w + b.w + c.w + d.w};
+        }
+    }
+}
+
+template <int sides> void measure_moving(Bench& bench, std::uint32_t n, const std::string& variant) {
+    const std::size_t count = std::size_t{n} * n, vectors = count / 4;
+    const DeviceArray<float> from((3 + sides) * count), to(sides * count);
+    from.fill(Right{});
+    const unsigned blocks = static_cast<unsigned>((vectors + 511) / 512);  // two vectors of each array a thread
+    const Work run = [&] {
+        move_elements<sides><<<blocks, 256>>>(reinterpret_cast<const float4*>(from.data()),
+                                              reinterpret_cast<float4*>(to.data()), vectors);
+        RIVALS_CUDA(cudaGetLastError());
+    };
+    bench.time("move_equations", variant, sides * count, (3 + 2 * sides) * sizeof(float) * count, run);
+}
+
 }  // namespace
 
 void tridiagonal(Bench& bench) {
     const Handle handle;
-    for (std::uint32_t n : {256u, 512u, 1024u, 2048u, 4096u}) measure(bench, handle, n);
+    for (std::uint32_t n : {256u, 512u, 1024u, 2048u, 4096u}) {
+        measure(bench, handle, n);
+        measure_moving<1>(bench, n, "n_" + std::to_string(n));
+        measure_moving<3>(bench, n, "n_" + std::to_string(n) + "_three");
+    }
 }
 
 }  // namespace rivals
