@@ -76,8 +76,8 @@ struct HostCall {
 
 /// One compiled form of a kernel.
 struct Form {
-    std::span<const std::uint32_t> spirv;     ///< empty: this form does not exist on Vulkan devices
-    void (*host)(const HostCall&) = nullptr;  ///< null: this form does not exist on the host device
+    std::span<const std::uint32_t> spirv = {};  ///< empty: this form does not exist on Vulkan devices
+    void (*host)(const HostCall&) = nullptr;    ///< null: this form does not exist on the host device
     std::uint32_t parameter_bytes = 0;
     bool push_constants = false;             ///< parameters are push constants, else the storage buffer at binding 0
     std::uint32_t size_offset = 0;           ///< byte offset in the parameters of the iteration size (`rank` uints)

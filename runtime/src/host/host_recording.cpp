@@ -23,8 +23,9 @@ std::vector<Patch> kept_all(std::span<const Patch> patches) {
 class HostRecording final : public RecordingObject {
 public:
     HostRecording(std::shared_ptr<DeviceObject> device, std::vector<std::function<void(HostStream&)>> steps,
-                  std::uint64_t workspace_bytes)
-        : device_(std::move(device)), steps_(std::move(steps)), workspace_bytes_(workspace_bytes) {}
+                  std::vector<std::shared_ptr<HostStorage>> workspace, std::uint64_t workspace_bytes)
+        : device_(std::move(device)), steps_(std::move(steps)), workspace_(std::move(workspace)),
+          workspace_bytes_(workspace_bytes) {}
 
     void submit() override {
         auto& stream = static_cast<HostStream&>(device_->stream());
@@ -35,6 +36,7 @@ public:
 private:
     std::shared_ptr<DeviceObject> device_;
     std::vector<std::function<void(HostStream&)>> steps_;
+    std::vector<std::shared_ptr<HostStorage>> workspace_;  ///< all of it, as was said, also what no step uses
     std::uint64_t workspace_bytes_;
 };
 
@@ -117,7 +119,7 @@ void HostRecordingStream::flush() { throw_not_in_recording("Commands::flush"); }
 void HostRecordingStream::wait() { throw_not_in_recording("Commands::wait"); }
 
 std::shared_ptr<RecordingObject> HostRecordingStream::finish() {
-    return std::make_shared<HostRecording>(keep_, std::move(steps_), workspace_->bytes());
+    return std::make_shared<HostRecording>(keep_, std::move(steps_), std::move(blocks_), workspace_->bytes());
 }
 
 }  // namespace glift::detail

@@ -310,8 +310,9 @@ TEST(Subgroups, AskForTheirExtensionsOnly) {
     EXPECT_THAT(text, HasSubstr("shared uint tile[64];"));
     EXPECT_THAT(text, HasSubstr("bool in_range = address < size;"));
     EXPECT_THAT(text, HasSubstr("coherent buffer G_data"));
-    EXPECT_THAT(text, HasSubstr("    controlBarrier(gl_ScopeWorkgroup, gl_ScopeWorkgroup, gl_StorageSemanticsBuffer | "
-                                "gl_StorageSemanticsShared, gl_SemanticsAcquireRelease);\n"));
+    EXPECT_THAT(
+        text, HasSubstr("    controlBarrier(gl_ScopeWorkgroup, gl_ScopeWorkgroup, gl_StorageSemanticsBuffer\n        | "
+                        "gl_StorageSemanticsShared, gl_SemanticsAcquireRelease);\n"));
     EXPECT_THAT(text, Not(HasSubstr("GL_KHR_shader_subgroup_shuffle")));
 }
 
