@@ -63,7 +63,8 @@ Options parse(int count, char** arguments) {
 }
 
 const char* rival_of(const std::string& algorithm) {
-    return algorithm == "copy" || algorithm == "move_equations" ? "CUDA" : algorithm == "tridiagonal" ? "cuSPARSE" : "CUB";
+    if (algorithm == "copy" || algorithm == "move_equations") return "CUDA";
+    return algorithm == "tridiagonal" ? "cuSPARSE" : "CUB";
 }
 
 /// As bench/figures.py reads it.

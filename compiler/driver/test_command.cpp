@@ -61,7 +61,6 @@ private:
 /// Runs a program with this one's input and outputs; its exit code, or 1 where it was killed.
 int run(const std::vector<std::string>& words) {
     std::vector<char*> arguments;
-    // -Og: a third less to wait for than with -O1, and good to step through.
     for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
     arguments.push_back(nullptr);
     std::fflush(nullptr);

@@ -281,10 +281,8 @@ static std::string value_mark(const Unit& unit, std::uint32_t kernel, ir::LocalI
     const ir::Lowered::Forms& forms = unit.lowered.passes[kernel];
     for (const Pass* pass : {&forms.direct, &forms.general})
         for (const PassParameter& parameter : pass->parameters)
-            ir::for_each_node(unit.program, parameter.value, [&](ir::ExprId node) {
-                const ir::Expr& expr = unit.program.exprs[node];
-                used |= expr.local == value;
-            });
+            ir::for_each_node(unit.program, parameter.value,
+                              [&](ir::ExprId node) { used |= unit.program.exprs[node].local == value; });
     return used ? "" : "[[maybe_unused]] ";
 }
 

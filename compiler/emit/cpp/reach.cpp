@@ -105,17 +105,11 @@ void Collector::code(const std::vector<ir::StmtId>& body) {
     ir::for_each_statement(program, body, [&](const ir::Stmt& stmt) {
         if (stmt.local) type(program.locals[stmt.local].type, false);
     });
-    ir::for_each_expression(program, body, [&](ir::ExprId node) {
-        const ir::Expr& expr = program.exprs[node];
-        expression(expr);
-    });
+    ir::for_each_expression(program, body, [&](ir::ExprId node) { expression(program.exprs[node]); });
 }
 
 void Collector::value(ir::ExprId id) {
-    ir::for_each_node(program, id, [&](ir::ExprId node) {
-        const ir::Expr& expr = program.exprs[node];
-        expression(expr);
-    });
+    ir::for_each_node(program, id, [&](ir::ExprId node) { expression(program.exprs[node]); });
 }
 
 void Collector::function(ir::FunctionId id) {
