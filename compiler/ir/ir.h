@@ -80,7 +80,7 @@ enum class Op : std::uint8_t {
     invocation,     // `invocation`: ids of a grouped kernel
     // host: only in pipelines and tests
     host_read,    // await place[ operands[0] ]: a value read back
-    device_read,  // place[ operands[0] ] left on the device
+    device_read,  // place[ operands[0] ] left on the device; slot 1: where it lies, since nothing writes it afterwards
     await_value,  // await operands[0] of a device type
     host_state,   // host state `slot` of the adaptor at `place`
     slice,  // place [ operands[0] .. operands[0] + operands[1] ]: origin and size; either may be of a device type. The
@@ -432,6 +432,8 @@ struct KernelParam {
     std::uint32_t radius = 0;     ///< near
     Combine combine = Combine::replace;  ///< scatter
     LocalId local;                       ///< value
+    std::uint32_t alike =
+        0;  ///< the first parameter that is taken to be made alike: in the direct form one state stands for both
 };
 
 /// As written and checked. Kernel bodies use Place{root = index in params}.

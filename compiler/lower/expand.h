@@ -151,6 +151,7 @@ private:
     Rows rows_of(const ir::Place& place, ExprId address, ExprId step, TypeId array);
     template <class Body> void for_each_row(const Rows& rows, Body&& body);
     ExprId item_of(const Rows& rows, ExprId items, ExprId row, std::uint32_t lane);
+    ExprId further(ExprId address, ExprId distance);
     ExprId address_in(const Rows& rows, ExprId row, std::uint32_t lane);
     bool lie_in_vectors(const Rows& rows);
     ExprId are_vectors(const Rows& rows, ExprId physical);

@@ -10,13 +10,9 @@ Place Expander::resolved(const Place& place) const {
     return result;
 }
 
-/// In the direct form parameters of one structure have one state: the first of them stands for all.
+/// In the direct form the first of the parameters that are made alike stands for all.
 std::uint32_t Expander::canonical_root(std::uint32_t root) const {
-    if (!cx.is_direct()) return root;
-    const auto& params = cx.kernel.params;
-    for (std::uint32_t i = 0; i < root; ++i)
-        if (params[i].pattern != Pattern::value && params[i].structure == params[root].structure) return i;
-    return root;
+    return cx.is_direct() ? cx.kernel.params[root].alike : root;
 }
 
 Place Expander::canonical(const Place& place) const { return {canonical_root(place.root), place.members}; }

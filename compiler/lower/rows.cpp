@@ -1,6 +1,7 @@
-// Several elements at once: rows of neighbours, a step apart. Where they also follow each other in memory they move as
-// vectors of four, if all rows begin at such a vector and lie inside; else one by one.
+// Several elements at once: rows of neighbours along x, a step apart. Where they also follow each other in memory they
+// move as vectors of four, if all rows begin at such a vector and lie inside; else one by one.
 #include "lower/expand.h"
+#include "lower/polynomial.h"
 #include "lower/unroll.h"
 
 namespace gliftc::lower {
@@ -41,9 +42,19 @@ Expander::Rows Expander::rows_of(const Place& place, ExprId address, ExprId step
     return rows;
 }
 
+/// An address so many elements further along x.
+ExprId Expander::further(ExprId address, ExprId distance) {
+    const TypeId type = make.type(address);
+    const std::uint32_t axes = p.types.components(type);
+    if (axes == 1) return make.add(address, distance);
+    Operands offset{distance};
+    while (offset.size() < axes) offset.push_back(make.uint(0));
+    return make.add(address, make.construct(type, std::move(offset)));
+}
+
 /// The address of an element.
 ExprId Expander::address_in(const Rows& rows, ExprId row, std::uint32_t lane) {
-    return make.add(make.add(rows.first, make.multiply(row, rows.step)), make.uint(lane));
+    return further(rows.first, make.add(make.multiply(row, rows.step), make.uint(lane)));
 }
 
 /// Whether elements are neighbours in a buffer of 32-bit numbers, whatever the address, and rows as far apart as in
@@ -55,13 +66,19 @@ bool Expander::lie_in_vectors(const Rows& rows) {
     bool is_word = memory.element == p.types.uint || memory.element == p.types.int_ || memory.element == p.types.float_;
     if (memory.shape != MemoryShape::buffer || !is_word) return false;
     bool neighbours = true;
+    Polynomials polynomials(cx, numbers_);
+    const auto same = [&](ExprId one, ExprId other) {
+        if (numbers_.of(one) == numbers_.of(other)) return true;
+        if (make.type(one) != p.types.uint) return false;
+        const Polynomial *a = polynomials.of(one), *b = polynomials.of(other);
+        return a != nullptr && b != nullptr && *a == *b;
+    };
     Block made = collect([&] {
         Pair first = translated(rows.place, rows.at, "probe");
         neighbours = !first.has;
         for (ExprId distance : {make.uint(1), make.uint(row_width - 1), rows.step}) {
-            Pair next = translated(rows.place, make.add(rows.at, distance), "probe");
-            neighbours =
-                neighbours && !next.has && numbers_.of(next.value) == numbers_.of(make.add(first.value, distance));
+            Pair next = translated(rows.place, further(rows.at, distance), "probe");
+            neighbours = neighbours && !next.has && same(next.value, make.add(first.value, distance));
         }
     });
     return neighbours && made.empty();
@@ -73,10 +90,17 @@ ExprId Expander::are_vectors(const Rows& rows, ExprId physical) {
         return make.binary(BinaryOp::equal, make.binary(BinaryOp::remainder, offset, make.uint(row_width)),
                            make.uint(0));
     };
-    ExprId size = domain_of(rows.place);
-    ExprId left = make.binary(BinaryOp::subtract, size, rows.first);
-    ExprId one = make.both(make.binary(BinaryOp::less, rows.first, size),
+    ExprId domain = domain_of(rows.place);
+    const std::uint32_t axes = p.types.components(make.type(rows.first));
+    const auto on_axis = [&](ExprId address, std::uint32_t axis) {
+        return axes == 1 ? address : make.component(address, axis);
+    };
+    ExprId size = on_axis(domain, 0), first = on_axis(rows.first, 0);
+    ExprId left = make.binary(BinaryOp::subtract, size, first);
+    ExprId one = make.both(make.binary(BinaryOp::less, first, size),
                            make.binary(BinaryOp::greater_equal, left, make.uint(row_width)));
+    for (std::uint32_t axis = 1; axis < axes; ++axis)
+        one = make.both(one, make.binary(BinaryOp::less, on_axis(rows.first, axis), on_axis(domain, axis)));
     one = make.both(one, at_vector(physical));
     if (rows.count == 1) return one;
     // As a quotient: the distance to the last row may be beyond all numbers.

@@ -50,6 +50,32 @@ std::vector<LocalId> aliases(const Program& p, const std::vector<StmtId>& body, 
     return result;
 }
 
+/// The read of one element of a temporary, left on the device, that a statement's value is.
+Expr* read_of(Program& p, const Stmt& stmt, LocalId temporary) {
+    if ((stmt.op != StmtOp::let && stmt.op != StmtOp::return_) || !stmt.value) return nullptr;
+    Expr& read = p.exprs[stmt.value];
+    const bool is_its = read.op == Op::device_read && read.local == temporary && read.place.members.empty();
+    return is_its ? &read : nullptr;
+}
+
+/// An element that is read for good needs no copy: nothing that follows in the temporary's own block, where it is made
+/// anew each time, may write it.
+void mark_last_reads(Program& p, const std::vector<StmtId>& body, std::size_t at) {
+    const LocalId temporary = p.stmts[body[at]].local;
+    for_each_statement(p, body, [&](const Stmt& stmt) {
+        if (stmt.op != StmtOp::return_) return;
+        if (Expr* read = read_of(p, stmt, temporary)) read->slot = 1;
+    });
+    std::vector<LocalId> names{temporary};
+    for (LocalId alias : aliases(p, body, temporary)) {
+        if (p.types.kind(p.locals[alias].type) != TypeKind::device) names.push_back(alias);
+    }
+    for (std::size_t k = body.size(); k-- > at + 1;) {
+        if (Expr* read = read_of(p, p.stmts[body[k]], temporary)) read->slot = 1;
+        if (std::ranges::any_of(names, [&](LocalId name) { return uses(p, body[k], name); })) return;
+    }
+}
+
 std::vector<StmtId> released(Program& p, const std::vector<StmtId>& body, const std::vector<StmtId>& pipeline) {
     std::map<std::size_t, std::vector<LocalId>> deaths;
     for (std::size_t i = 0; i < body.size(); ++i) {
@@ -63,6 +89,7 @@ std::vector<StmtId> released(Program& p, const std::vector<StmtId>& body, const 
                 if (uses(p, body[k], alias)) last = std::max(last, k);
         }
         if (!leaves) deaths[last].push_back(stmt.local);
+        mark_last_reads(p, body, i);
     }
     std::vector<StmtId> result;
     for (std::size_t i = 0; i < body.size(); ++i) {

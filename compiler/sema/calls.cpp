@@ -161,7 +161,7 @@ Operand construct_value(Body& body, ir::TypeId id, const ast::Expr& call) {
     return value_operand(body, add(body.program(), ir::Op::construct, id, call.span, std::move(operands)), call.span);
 }
 
-/// `let x: T[4] = s.load(a)` and `s.store(a, x)`: elements with addresses a, a + 1, …; of `s.load(a, step)` and
+/// `let x: T[4] = s.load(a)` and `s.store(a, x)`: elements with addresses a, a + 1, … along x; of `s.load(a, step)` and
 /// `s.store(a, step, x)` every fourth begins a row, `step` addresses after the row before.
 static Operand several_elements(Body& body, const Operand& self, ast::Identifier method, const ast::Expr& call,
                                 ir::TypeId wanted) {
@@ -176,12 +176,8 @@ static Operand several_elements(Body& body, const Operand& self, ast::Identifier
         return error_operand(call.span);
     }
     const bool has_step = arguments.size() == least + 1;
-    if (structure.domain_type != body.types().uint) {
-        c.error(Diag::several_axes, call.span, {structure.display, c.text(structure.domain_type)});
-        return error_operand(call.span);
-    }
     ir::ExprId address = check_value(body, arguments[0], structure.domain_type);
-    ir::ExprId step = has_step ? check_value(body, arguments[1], structure.domain_type) : ir::ExprId{};
+    ir::ExprId step = has_step ? check_value(body, arguments[1], body.types().uint) : ir::ExprId{};
     ir::ExprId value = is_load ? ir::ExprId{} : check_value(body, arguments.back());
     for (ir::ExprId part : {address, step, value}) {
         if (part && is_error(body, part)) return error_operand(call.span);

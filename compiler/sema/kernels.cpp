@@ -1,6 +1,7 @@
 #include "sema/components.h"
 #include "sema/generics.h"
 #include "sema/instances.h"
+#include "syntax/print.h"
 
 #include <algorithm>
 
@@ -210,6 +211,28 @@ void find_domain(Context& c, ir::Kernel& kernel, bool parameters_are_good) {
     }
 }
 
+bool follows_iteration(ir::Pattern pattern) {
+    return pattern == ir::Pattern::each || pattern == ir::Pattern::near || pattern == ir::Pattern::at;
+}
+
+/// Whether a caller will mostly pass two parameters of one structure that were made alike, of one size: what is visited
+/// together is, and what is written with the same type (`S` and `S`, not `S` and `D`).
+bool are_alike(const Context& c, const ast::Kernel& written, const ir::Kernel& kernel, std::size_t i, std::size_t k) {
+    const ir::KernelParam &one = kernel.params[i], &other = kernel.params[k];
+    if (one.pattern == ir::Pattern::value || other.pattern == ir::Pattern::value) return false;
+    if (one.structure != other.structure) return false;
+    if (follows_iteration(one.pattern) && follows_iteration(other.pattern)) return true;
+    return print(written.params[i].type, c.tree, c.names) == print(written.params[k].type, c.tree, c.names);
+}
+
+void find_alike(const Context& c, const ast::Kernel& written, ir::Kernel& kernel) {
+    for (std::uint32_t i = 0; i < kernel.params.size(); ++i) {
+        std::uint32_t k = 0;
+        while (k < i && !are_alike(c, written, kernel, k, i)) ++k;
+        kernel.params[i].alike = k == i ? i : kernel.params[k].alike;
+    }
+}
+
 /// `at<S, 16>`: the kernel runs once for so many consecutive elements.
 void read_items(Context& c, const Env& env, const ast::Kernel& written, ir::Kernel& kernel) {
     const ast::Param* first = nullptr;
@@ -281,6 +304,7 @@ std::optional<std::uint32_t> instantiate_kernel(Context& c, ast::DeclId id, cons
     for (const ast::Param& param : written.params) add_param(body, param, kernel);
     find_domain(c, kernel, c.diagnostics.error_count() == errors);
     read_items(c, env, written, kernel);
+    find_alike(c, written, kernel);
     open_scope(body);
     check_block(body, written.body);
     close_scope(body);

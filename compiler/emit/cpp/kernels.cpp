@@ -221,14 +221,14 @@ void print_dispatch(Unit& unit, Writer& out, const Kernel& kernel, const Pass& p
     out.line("commands.dispatch(" + name + "_kernel, " + call + "});");
 }
 
-/// Parameters of one structure type must have equal states in the direct form.
+/// Parameters that are taken to be made alike must have equal states in the direct form.
 std::string direct_condition(Unit& unit, const Kernel& kernel, const Pass& pass, const std::string& name) {
     std::string condition = "iteration.is_whole()";
     for (std::size_t i = 0; i < kernel.params.size(); ++i) {
         if (kernel.params[i].pattern == Pattern::value) continue;
         for (std::size_t k = i + 1; k < kernel.params.size(); ++k) {
             if (kernel.params[k].pattern == Pattern::value) continue;
-            if (kernel.params[k].structure != kernel.params[i].structure) continue;
+            if (kernel.params[k].alike != kernel.params[i].alike) continue;
             condition += " && " + param_name(unit, kernel.params[i]) + "->same_state(" +
                          param_name(unit, kernel.params[k]) + ".structure())";
             break;

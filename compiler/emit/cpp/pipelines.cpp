@@ -114,9 +114,11 @@ Text PipelinePrinter::expression(const Expr& expr) {
         return property(expr);
     case Op::device_property: return {device_property(static_cast<ir::DeviceProperty>(expr.slot))};
     case Op::element_count: return {"glift::element_count(" + base(expr) + ")"};
-    case Op::device_read: return {base(expr) + ".element(commands, " + print_any(p, expr.operands[0]) + ")"};
+    case Op::device_read:
+        return {base(expr) + (expr.slot == 0 ? ".element" : ".element_in_place") + "(commands, " +
+                print_any(p, expr.operands[0]) + ")"};
     case Op::host_read:
-        return {base(expr) + ".element(commands, " + print_any(p, expr.operands[0]) + ").await(commands)"};
+        return {base(expr) + ".element_in_place(commands, " + print_any(p, expr.operands[0]) + ").await(commands)"};
     case Op::await_value: return {print(p, expr.operands[0], Level::postfix) + ".await(commands)"};
     case Op::slice: return slice(expr);
     case Op::pipeline_call: return call(expr);

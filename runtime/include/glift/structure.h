@@ -111,6 +111,9 @@ public:
     /// As many elements from the first on as a value on the device says, all at most.
     Range first(DeviceValue count) const { return Range(*structure_, origin_, size_, std::move(count)); }
     /// An element of the box, left on the device.
+    auto element_in_place(const Commands& commands, Address address) const {
+        return structure_->element_in_place(commands, origin_ + address);
+    }
     auto element(const Commands& commands, Address address) const {
         return structure_->element(commands, origin_ + address);
     }
@@ -382,7 +385,16 @@ public:
     }
     std::vector<T> read() const { return read({}, self().domain()); }
 
-    /// One element, left on the device.
+    /// One element where it lies, left on the device: what it is when it is used, which may be later.
+    DeviceScalar<T> element_in_place(const Commands& commands, A address) const {
+        if constexpr (detail::HasRows<Self>) {
+            check("element", Range<Self>(self(), address, A(1)));
+            return {self().row_memory(), self().place(address) * sizeof(T)};
+        } else {
+            return element(commands, address);
+        }
+    }
+    /// One element as it is now, left on the device.
     DeviceScalar<T> element(const Commands& commands, A address) const {
         const Range<Self> range(self(), address, A(1));
         check("element", range);

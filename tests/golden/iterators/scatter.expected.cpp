@@ -68,14 +68,16 @@ inline uint linearize(uint address, uint extent) {
 
 struct histogram_direct_parameters {
     uint s_extent;
+    uint bins_extent;
 };
 static_assert(offsetof(histogram_direct_parameters, s_extent) == 0);
+static_assert(offsetof(histogram_direct_parameters, bins_extent) == 4);
 
 // scatter.glift:9: histogram, some rows.
 GLIFT_HOST_KERNEL
 static void histogram_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const histogram_direct_parameters*>(call.parameters);
-    const uint s_extent = parameters.s_extent;
+    const uint bins_extent = parameters.bins_extent;
     const uint* s_data = glift::host::elements<const uint>(call.memories[0]);
     uint* bins_data = glift::host::elements<uint>(call.memories[1]);
     for (const glift::host::Row row : rows) {
@@ -85,7 +87,7 @@ static void histogram_direct_rows(const glift::HostCall& call, const glift::host
             for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
                 // scatter.glift:9
                 const uint bins_address = s_data_row[i] % 64u;
-                if (bins_address < s_extent) {
+                if (bins_address < bins_extent) {
                     glift::host::atomic_add(bins_data[bins_address], 1u);
                 }
             }
@@ -145,6 +147,7 @@ const glift::Binding histogram_bindings[] = {
 };
 constexpr glift::Parameter histogram_parameters[] = {
     {"s_extent", 0, sizeof(histogram_direct_parameters::s_extent)},
+    {"bins_extent", 4, sizeof(histogram_direct_parameters::bins_extent)},
 };
 const glift::Kernel histogram_kernel = {
     .name = "histogram",
@@ -154,7 +157,7 @@ const glift::Kernel histogram_kernel = {
     .group = {256, 1, 1},
     .loop_rounds = 0,
     .bindings = histogram_bindings,
-    .direct = {.host = &histogram_direct, .parameter_bytes = 4, .push_constants = true},
+    .direct = {.host = &histogram_direct, .parameter_bytes = 8, .push_constants = true},
     .general = {.host = &histogram_general, .parameter_bytes = 16},
     .wide = {},
     .parameters = histogram_parameters,
@@ -525,10 +528,10 @@ void histogram(const glift::Commands& commands, const glift::Range<Bins>& s, con
     iteration.each("s", s);
     iteration.any("bins", bins);
     const glift::Memory memories[] = {s->data(), bins->data()};
-    if (iteration.is_whole() && s->same_state(bins.structure())
-        && !commands.needs_general(histogram_kernel, memories, iteration.size())) {
+    if (iteration.is_whole() && !commands.needs_general(histogram_kernel, memories, iteration.size())) {
         const histogram_direct_parameters parameters = {
             .s_extent = s->extent(),
+            .bins_extent = bins->extent(),
         };
         commands.dispatch(histogram_kernel, {.form = glift::FormName::direct, .memories = memories,
             .parameters = glift::bytes_of(parameters), .size = iteration.size()});

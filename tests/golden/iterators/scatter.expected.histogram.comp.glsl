@@ -6,6 +6,7 @@ layout(local_size_x = 256) in;
 
 layout(push_constant, scalar) uniform Parameters {
     uint s_extent;
+    uint bins_extent;
 };
 
 layout(scalar, set = 0, binding = 1) readonly buffer S_data { uint s_data[]; };
@@ -16,7 +17,7 @@ void main() {
     uint address = gl_GlobalInvocationID.y * (gl_NumWorkGroups.x * 256u) + gl_GlobalInvocationID.x;
     if (address >= s_extent) return;
     uint bins_address = s_data[address] % 64u;
-    if (bins_address < s_extent) {
+    if (bins_address < bins_extent) {
         atomicAdd(bins_data[bins_address], 1u);
     }
 }
