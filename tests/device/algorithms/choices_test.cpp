@@ -5,6 +5,7 @@
 #include "choices.glift.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace {
 
@@ -95,6 +96,30 @@ TEST_P(Choices, RunLengths) {
         }
         EXPECT_TRUE(start_with(round, before, expected, found, "values:"));
         EXPECT_TRUE(start_with(round, before, expected_lengths, Found<std::uint32_t>{lengths.read(), found.count}, "lengths:"));
+    });
+}
+
+TEST_P(Choices, OneAlgorithmAfterAnother) {
+    for_all("compact, sort, unique, inclusive_scan", [&](Round& round) {
+        round.only(Form::dense);
+        round.only(Taken::whole);
+        const std::uint32_t count = std::max(round.size(), 1u);
+        round.has_size(count);
+        const Values values = values_with_repeats<std::uint32_t>(round, count);
+        const std::uint32_t limit = round.chance(4) ? limit_of(round) : values[round.below(count)];
+        Line from(device(), count), to(device(), count), sums(device(), count);
+        from.write(values);
+        const Values before = arbitrary_values<std::uint32_t>(round, count);
+        sums.write(before);
+        const auto found = run_twice(device(), round, to, before,
+                                     [&] { return choices::chained(device(), from, limit, to, sums); });
+        Values expected;
+        std::ranges::copy_if(values, std::back_inserter(expected), [&](std::uint32_t x) { return x < limit; });
+        std::ranges::sort(expected);
+        expected.erase(std::unique(expected.begin(), expected.end()), expected.end());
+        EXPECT_TRUE(start_with(round, before, expected, found));
+        std::inclusive_scan(expected.begin(), expected.end(), expected.begin());
+        EXPECT_TRUE(start_with(round, before, expected, Found<std::uint32_t>{sums.read(), found.count}, "sums:"));
     });
 }
 
