@@ -95,7 +95,8 @@ TEST_P(Choices, RunLengths) {
             ++expected_lengths.back();
         }
         EXPECT_TRUE(start_with(round, before, expected, found, "values:"));
-        EXPECT_TRUE(start_with(round, before, expected_lengths, Found<std::uint32_t>{lengths.read(), found.count}, "lengths:"));
+        EXPECT_TRUE(
+            start_with(round, before, expected_lengths, Found<std::uint32_t>{lengths.read(), found.count}, "lengths:"));
     });
 }
 
@@ -111,8 +112,8 @@ TEST_P(Choices, OneAlgorithmAfterAnother) {
         from.write(values);
         const Values before = arbitrary_values<std::uint32_t>(round, count);
         sums.write(before);
-        const auto found = run_twice(device(), round, to, before,
-                                     [&] { return choices::chained(device(), from, limit, to, sums); });
+        const auto found =
+            run_twice(device(), round, to, before, [&] { return choices::chained(device(), from, limit, to, sums); });
         Values expected;
         std::ranges::copy_if(values, std::back_inserter(expected), [&](std::uint32_t x) { return x < limit; });
         std::ranges::sort(expected);

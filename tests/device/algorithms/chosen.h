@@ -14,9 +14,9 @@ template <class T> struct Found {
     bool operator==(const Found&) const = default;
 };
 
-template <class T>
-testing::AssertionResult start_with(const Round& round, const std::vector<T>& before, const std::vector<T>& expected,
-                                    const Found<T>& found, const char* which = "") {
+template <class T> testing::AssertionResult start_with(const Round& round, const std::vector<T>& before,
+                                                       const std::vector<T>& expected, const Found<T>& found,
+                                                       const char* which = "") {
     std::vector<T> all = before;
     const std::size_t fits = std::min(expected.size(), all.size());
     std::copy_n(expected.begin(), fits, all.begin());

@@ -34,8 +34,9 @@ struct Placed {
     }
 };
 
-template <class T>
-constexpr bool is_vector_of_floats = requires(T x) { requires std::is_floating_point_v<decltype(x.x)>; };
+template <class T> constexpr bool is_vector_of_floats = requires(T x) {
+    requires std::is_floating_point_v<decltype(x.x)>;
+};
 
 /// Numbers and vectors of them; structs of integers.
 template <class T> T arbitrary(Round& round) {

@@ -95,7 +95,8 @@ TEST_P(Items, Partition) {
         });
         const auto middle =
             std::stable_partition(values.begin(), values.end(), [&](const Item& x) { return x.key < limit; });
-        EXPECT_TRUE(equal(round, {static_cast<std::uint32_t>(middle - values.begin())}, Numbers{found.count}, "count:"));
+        EXPECT_TRUE(
+            equal(round, {static_cast<std::uint32_t>(middle - values.begin())}, Numbers{found.count}, "count:"));
         found.count = placed.count;
         EXPECT_TRUE(start_with(round, before, values, found));
     });
@@ -307,8 +308,7 @@ TEST_P(Items, Find) {
         const std::uint32_t limit = 1 + round.below(1000);
         for (Item& x : values) x.key = round.chance(1 + placed.count) ? round.below(limit) : std::max(x.key, limit);
         const In in(device(), round, placed, values);
-        const auto found =
-            items::where_is(device(), in.dense, placed.part<Part>(), in.length, limit).await(device());
+        const auto found = items::where_is(device(), in.dense, placed.part<Part>(), in.length, limit).await(device());
         const auto at = std::ranges::find_if(values, [&](const Item& x) { return x.key < limit; }) - values.begin();
         EXPECT_TRUE(equal(round, {static_cast<std::uint32_t>(at)}, Numbers{found}));
     });

@@ -73,8 +73,8 @@ TEST_P(Moves, Gather) {
         Line indices(device(), count), to(device(), count);
         indices.write(places);
         to.fill(77);
-        moves::gathered(device(), in.form, in.dense, in.folded, in.tiled, in.step, placed.part<Part>(),
-                        in.length, indices, to);
+        moves::gathered(device(), in.form, in.dense, in.folded, in.tiled, in.step, placed.part<Part>(), in.length,
+                        indices, to);
         EXPECT_TRUE(equal(round, expected, to.read()));
     });
 }
