@@ -19,7 +19,9 @@ struct Box {
         if (round.chance(4)) std::swap(length, systems);
         size = along == 0 ? glift::uint2(length, systems) : glift::uint2(systems, length);
         capacity = size;
-        if (taken == Taken::counted) capacity.x += round.below(round.chance(2) ? 600 : 3);
+        // Long columns have few neighbours that are not taken.
+        const std::uint32_t most = std::min(600u, limit() / std::max(size.y, 1u) + 3);
+        if (taken == Taken::counted) capacity.x += round.below(round.chance(2) ? most : 3);
         if (taken != Taken::whole) origin = {round.below(20), round.below(20)};
         extent = taken == Taken::whole ? size : origin + capacity + glift::uint2(round.below(20), round.below(20));
         if (extent.x == 0 || extent.y == 0) {
