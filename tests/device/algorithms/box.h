@@ -7,28 +7,43 @@ namespace property {
 
 /// Where in two-dimensional structures the systems lie that an algorithm takes; `along` is the axis of a system.
 struct Box {
-    bool whole = true;
+    Taken taken = Taken::whole;
     unsigned along = 0;
     std::uint32_t length = 0, systems = 0;
-    glift::uint2 extent, origin, size;
+    glift::uint2 extent, origin, size, capacity;  ///< capacity: of the box, where the size along x lives on the device
 
-    Box(Round& round, unsigned along) : whole(round.taken() == Taken::whole), along(along) {
-        if (!whole) round.only(Taken::part);
+    Box(Round& round, unsigned along) : taken(round.taken()), along(along) {
         length = round.size();
         // Long systems are few; now and then there are more systems than elements in one.
         systems = round.size(std::min(limit() / std::max(length, 1u), round.chance(4) ? 3000u : 70u));
         if (round.chance(4)) std::swap(length, systems);
         size = along == 0 ? glift::uint2(length, systems) : glift::uint2(systems, length);
-        if (!whole) origin = {round.below(20), round.below(20)};
-        extent = whole ? size : origin + size + glift::uint2(round.below(20), round.below(20));
+        capacity = size;
+        // Long columns have few neighbours that are not taken.
+        const std::uint32_t most = std::min(600u, limit() / std::max(size.y, 1u) + 3);
+        if (taken == Taken::counted) capacity.x += round.below(round.chance(2) ? most : 3);
+        if (taken != Taken::whole) origin = {round.below(20), round.below(20)};
+        extent = taken == Taken::whole ? size : origin + capacity + glift::uint2(round.below(20), round.below(20));
         if (extent.x == 0 || extent.y == 0) {
             // Structures have an element at least.
-            whole = false;
+            if (taken == Taken::whole) taken = Taken::part;
             extent = {std::max(extent.x, 1u), std::max(extent.y, 1u)};
         }
         round.about(std::to_string(systems) + " systems of " + std::to_string(length) + " along " +
                     std::to_string(along) + " from " + std::to_string(origin.x) + ", " + std::to_string(origin.y) +
-                    " of " + std::to_string(extent.x) + " x " + std::to_string(extent.y));
+                    " of " + std::to_string(extent.x) + " x " + std::to_string(extent.y) + ", place for " +
+                    std::to_string(capacity.x) + " x " + std::to_string(capacity.y));
+    }
+
+    /// Area of forms.glift.
+    template <class Area> Area area() const {
+        return {.taken = static_cast<glift::uint>(taken), .origin = origin, .size = capacity};
+    }
+    /// The size, on the device.
+    template <class Extents> Extents size_on(const glift::Device& device) const {
+        Extents sizes(device, 1);
+        sizes.write(std::vector<glift::uint2>{size});
+        return sizes;
     }
 
     std::size_t count() const { return std::size_t{extent.x} * extent.y; }

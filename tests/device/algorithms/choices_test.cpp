@@ -1,9 +1,11 @@
 // Chosen elements beside std::copy_if, std::stable_partition and std::unique_copy.
+#include "chosen.h"
 #include "input.h"
 
 #include "choices.glift.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace {
 
@@ -15,46 +17,6 @@ using Uints = Input<Line, choices::Folded, choices::Tiles, Line>;
 
 GLIFT_PROPERTY_SUITE(Choices);
 
-/// What an algorithm wrote to the start of a structure, whose further elements stay, and the number that it gave.
-struct Found {
-    Values elements;
-    std::uint32_t count = 0;
-    bool operator==(const Found&) const = default;
-};
-
-testing::AssertionResult start_with(const Round& round, const Values& before, const Values& expected,
-                                    const Found& found, const char* which = "") {
-    Values all = before;
-    const std::size_t fits = std::min(expected.size(), all.size());
-    std::copy_n(expected.begin(), fits, all.begin());
-    if (found.count != expected.size())
-        return round.wrong("count expected " + std::to_string(expected.size()) + ", found " +
-                           std::to_string(found.count));
-    return equal(round, all, found.elements, which);
-}
-
-/// Room for what is chosen, now and then for too little of it, which is then left out.
-std::uint32_t room_for(Round& round, std::uint32_t count) {
-    return std::max(round.chance(4) ? round.below(count + std::uint64_t{1}) : count + round.below(50), 1u);
-}
-
-std::uint32_t limit_of(Round& round) {
-    return round.chance(4) ? 0 : round.chance(4) ? UINT32_MAX : arbitrary<std::uint32_t>(round);
-}
-
-/// Runs it twice over the same ground.
-template <class Run>
-Found run_twice(const glift::Device& device, const Round& round, Line& to, const Values& before, Run run) {
-    const auto once = [&] {
-        to.write(before);
-        const std::uint32_t count = run().await(device);
-        return Found{to.read(), count};
-    };
-    Found first = once();
-    if (first != once()) ADD_FAILURE() << round.wrong("another result in another run").message();
-    return first;
-}
-
 TEST_P(Choices, Compact) {
     for_all("compact", [&](Round& round) {
         static constexpr Form forms[] = {Form::dense, Form::folded, Form::mapped};
@@ -65,7 +27,7 @@ TEST_P(Choices, Compact) {
         const Uints in(device(), round, placed, values);
         const Values before = arbitrary_values<std::uint32_t>(round, room_for(round, placed.count));
         Line to(device(), static_cast<std::uint32_t>(before.size()));
-        const Found found = run_twice(device(), round, to, before, [&] {
+        const auto found = run_twice(device(), round, to, before, [&] {
             return choices::chosen(device(), in.form, in.dense, in.folded, placed.part<Part>(), in.length, limit, to);
         });
         Values expected;
@@ -83,7 +45,7 @@ TEST_P(Choices, Partition) {
         const Uints in(device(), round, placed, values);
         const Values before = arbitrary_values<std::uint32_t>(round, std::max(placed.count + round.below(50), 1u));
         Line to(device(), static_cast<std::uint32_t>(before.size()));
-        Found found = run_twice(device(), round, to, before, [&] {
+        auto found = run_twice(device(), round, to, before, [&] {
             return choices::set_apart(device(), in.dense, in.step, placed.part<Part>(), in.length, limit, to);
         });
         const auto middle =
@@ -102,7 +64,7 @@ TEST_P(Choices, Unique) {
         const Uints in(device(), round, placed, values);
         const Values before = arbitrary_values<std::uint32_t>(round, room_for(round, placed.count));
         Line to(device(), static_cast<std::uint32_t>(before.size()));
-        const Found found = run_twice(device(), round, to, before, [&] {
+        const auto found = run_twice(device(), round, to, before, [&] {
             return choices::different(device(), in.dense, placed.part<Part>(), in.length, to);
         });
         Values expected;
@@ -121,7 +83,7 @@ TEST_P(Choices, RunLengths) {
         const auto room = static_cast<std::uint32_t>(before.size());
         Line to(device(), room), lengths(device(), room);
         lengths.write(before);
-        const Found found = run_twice(device(), round, to, before, [&] {
+        const auto found = run_twice(device(), round, to, before, [&] {
             return choices::runs(device(), in.tiled, placed.part<Part>(), in.length, to, lengths);
         });
         Values expected, expected_lengths;
@@ -133,7 +95,32 @@ TEST_P(Choices, RunLengths) {
             ++expected_lengths.back();
         }
         EXPECT_TRUE(start_with(round, before, expected, found, "values:"));
-        EXPECT_TRUE(start_with(round, before, expected_lengths, {lengths.read(), found.count}, "lengths:"));
+        EXPECT_TRUE(
+            start_with(round, before, expected_lengths, Found<std::uint32_t>{lengths.read(), found.count}, "lengths:"));
+    });
+}
+
+TEST_P(Choices, OneAlgorithmAfterAnother) {
+    for_all("compact, sort, unique, inclusive_scan", [&](Round& round) {
+        round.only(Form::dense);
+        round.only(Taken::whole);
+        const std::uint32_t count = std::max(round.size(), 1u);
+        round.has_size(count);
+        const Values values = values_with_repeats<std::uint32_t>(round, count);
+        const std::uint32_t limit = round.chance(4) ? limit_of(round) : values[round.below(count)];
+        Line from(device(), count), to(device(), count), sums(device(), count);
+        from.write(values);
+        const Values before = arbitrary_values<std::uint32_t>(round, count);
+        sums.write(before);
+        const auto found =
+            run_twice(device(), round, to, before, [&] { return choices::chained(device(), from, limit, to, sums); });
+        Values expected;
+        std::ranges::copy_if(values, std::back_inserter(expected), [&](std::uint32_t x) { return x < limit; });
+        std::ranges::sort(expected);
+        expected.erase(std::unique(expected.begin(), expected.end()), expected.end());
+        EXPECT_TRUE(start_with(round, before, expected, found));
+        std::inclusive_scan(expected.begin(), expected.end(), expected.begin());
+        EXPECT_TRUE(start_with(round, before, expected, Found<std::uint32_t>{sums.read(), found.count}, "sums:"));
     });
 }
 

@@ -16,7 +16,10 @@
 namespace {
 
 using namespace property;
+using filters::Area;
+using filters::Part;
 using filters::Recursion;
+using Floats = Input<filters::Line, filters::Folded, filters::Folded, filters::Number>;
 
 GLIFT_PROPERTY_SUITE(Filters);
 
@@ -103,17 +106,15 @@ std::vector<float> samples(Round& round, std::uint32_t count) {
 
 TEST_P(Filters, LineForward) {
     for_all("filter_line forward", [&](Round& round) {
-        round.only(Form::dense);
-        if (round.taken() == Taken::counted) round.only(Taken::part);
+        round.only(round.seed() % 2 ? Form::folded : Form::dense);
         const Placed placed(round, round.size());
         const std::vector<float> x = samples(round, placed.count);
         const Recursion f = any_filter(round);
-        filters::Line from(device(), placed.extent);
-        from.write(placed.among(arbitrary_values<float>(round, placed.extent), x));
+        const Floats in(device(), round, placed, x);
         Output<filters::Line> out(device(), round, placed);
         const auto found = twice(round, [&] {
             return out.after([&](const filters::Line& to) {
-                filters::line_forward(device(), from, f, placed.taken == Taken::whole, placed.first, placed.count, to);
+                filters::line_forward(device(), in.form, in.dense, in.folded, f, placed.part<Part>(), in.length, to);
             });
         });
         Expected expected{{out.before.begin(), out.before.end()}, std::vector<double>(placed.extent)};
@@ -123,23 +124,16 @@ TEST_P(Filters, LineForward) {
 }
 
 TEST_P(Filters, LineBackward) {
-    for_all("filter_line backward, every step-th", [&](Round& round) {
-        round.only(Form::strided);
-        if (round.taken() == Taken::counted) round.only(Taken::part);
+    for_all("filter_line backward, from views", [&](Round& round) {
+        round.only(round.seed() % 2 ? Form::strided : Form::mapped);
         const Placed placed(round, round.size());
         std::vector<float> x = samples(round, placed.count);
         const Recursion f = any_filter(round);
-        const std::uint32_t step = 2 + round.below(3);
-        const auto all = placed.among(arbitrary_values<float>(round, placed.extent), x);
-        auto spread = arbitrary_values<float>(round, placed.extent * step);
-        for (std::size_t i = 0; i < all.size(); ++i) spread[i * step] = all[i];
-        filters::Line from(device(), placed.extent * step);
-        from.write(spread);
+        const Floats in(device(), round, placed, x);
         Output<filters::Line> out(device(), round, placed);
         const auto found = twice(round, [&] {
             return out.after([&](const filters::Line& to) {
-                filters::line_backward(device(), from, step, f, placed.taken == Taken::whole, placed.first,
-                                       placed.count, to);
+                filters::line_backward(device(), in.form, in.dense, in.step, f, placed.part<Part>(), in.length, to);
             });
         });
         Expected expected{{out.before.begin(), out.before.end()}, std::vector<double>(placed.extent)};
@@ -158,9 +152,10 @@ TEST_P(Filters, RowsBackward) {
         filters::Tiles from(device(), box.extent);
         filters::Plane to(device(), box.extent);
         from.write(all);
+        const auto n = box.size_on<filters::Extents>(device());
         const auto found = twice(round, [&] {
             to.fill(5);
-            filters::rows_backward(device(), from, f, box.whole, box.origin, box.size, to);
+            filters::rows_backward(device(), from, f, box.area<Area>(), n, to);
             return to.read();
         });
         Expected expected{std::vector<double>(box.count(), 5), std::vector<double>(box.count())};
@@ -183,11 +178,13 @@ TEST_P(Filters, ColumnsForward) {
         const auto all = samples(round, count), others = samples(round, count);
         std::vector<glift::float2> both;
         for (std::uint32_t i = 0; i < count; ++i) both.push_back({all[i], others[i]});
-        filters::Plane2 from(device(), box.extent), to(device(), box.extent);
+        filters::Picture2 from(device(), box.extent);
+        filters::Plane2 to(device(), box.extent);
         from.write(both);
+        const auto n = box.size_on<filters::Extents>(device());
         const auto found = twice(round, [&] {
             to.fill({5, 5});
-            filters::columns_forward(device(), from, f, box.whole, box.origin, box.size, to);
+            filters::columns_forward(device(), from, f, box.area<Area>(), n, to);
             return to.read();
         });
         for (unsigned k = 0; k < 2; ++k) {

@@ -34,14 +34,34 @@ struct Placed {
     }
 };
 
+template <class T> constexpr bool is_vector_of_floats = requires(T x) {
+    requires std::is_floating_point_v<decltype(x.x)>;
+};
+
+/// Numbers and vectors of them; structs of integers.
 template <class T> T arbitrary(Round& round) {
-    if constexpr (std::is_floating_point_v<T>) return static_cast<T>(round.real());
-    else return static_cast<T>(round.engine()());
+    if constexpr (std::is_floating_point_v<T>) {
+        return static_cast<T>(round.real());
+    } else if constexpr (std::is_integral_v<T>) {
+        return static_cast<T>(round.engine()());
+    } else if constexpr (is_vector_of_floats<T>) {
+        T x;
+        for (std::size_t i = 0; i < sizeof(T) / sizeof(x.x); ++i) x[i] = static_cast<decltype(x.x)>(round.real());
+        return x;
+    } else {
+        T x;
+        static_assert(sizeof x % 4 == 0);
+        for (std::size_t i = 0; i < sizeof x; i += 4) {
+            const auto word = static_cast<std::uint32_t>(round.engine()());
+            std::memcpy(reinterpret_cast<char*>(&x) + i, &word, 4);
+        }
+        return x;
+    }
 }
 
-/// As in forms.glift.
+/// As in forms.glift; of structs, where these are.
 template <class T> T mirrored(T x) {
-    if constexpr (std::is_floating_point_v<T>) return -x;
+    if constexpr (std::is_floating_point_v<T> || is_vector_of_floats<T>) return -x;
     else return static_cast<T>(~x);
 }
 
@@ -94,7 +114,7 @@ template <class S> struct Output {
 
     Output(const glift::Device& device, Round& round, const Placed& placed) : structure(device, placed.extent) {
         before.resize(placed.extent);
-        for (T& x : before) x = arbitrary_bits(round);
+        for (T& x : before) x = arbitrary<T>(round);
     }
 
     /// What is there after a run over the same ground.
@@ -106,12 +126,6 @@ template <class S> struct Output {
 
     std::vector<T> expected(const Placed& placed, const std::vector<T>& values) const {
         return placed.among(before, values);
-    }
-
-private:
-    static T arbitrary_bits(Round& round) {
-        if constexpr (std::is_arithmetic_v<T>) return arbitrary<T>(round);
-        else return T{};
     }
 };
 

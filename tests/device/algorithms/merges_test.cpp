@@ -1,4 +1,5 @@
 // Merges beside std::merge.
+#include "chosen.h"
 #include "input.h"
 
 #include "merges.glift.hpp"
@@ -19,11 +20,6 @@ GLIFT_PROPERTY_SUITE(Merges);
 template <class T> std::vector<T> fitted(std::vector<T> before, const std::vector<T>& merged) {
     std::copy_n(merged.begin(), std::min(merged.size(), before.size()), before.begin());
     return before;
-}
-
-/// Room for both, now and then for too little.
-std::uint32_t room_for(Round& round, std::uint32_t count) {
-    return std::max(round.chance(4) ? round.below(count + std::uint64_t{1}) : count + round.below(50), 1u);
 }
 
 TEST_P(Merges, Uints) {
@@ -79,6 +75,35 @@ TEST_P(Merges, StructsInAnOrderOfTheirOwn) {
         std::vector<Item> merged;
         std::ranges::merge(a, b, std::back_inserter(merged), precedes);
         EXPECT_TRUE(equal(round, fitted(before, merged), to.read()));
+    });
+}
+
+TEST_P(Merges, Views) {
+    for_all("merge_by of views, the largest first", [&](Round& round) {
+        round.only(Form::strided);
+        const Placed placed(round, round.size());
+        auto a = values_with_repeats<std::uint32_t>(round, placed.count);
+        auto b = values_with_repeats<std::uint32_t>(round, round.size());
+        std::ranges::sort(a, std::greater());
+        std::ranges::sort(b, std::greater());
+        const auto count = static_cast<std::uint32_t>(b.size());
+        round.about("and " + std::to_string(count));
+        const Uints in(device(), round, placed, a);
+        auto stored = arbitrary_values<std::uint32_t>(round, count + round.below(500) + 1);
+        for (std::uint32_t i = 0; i < count; ++i) stored[i] = ~b[i];
+        Line second(device(), static_cast<std::uint32_t>(stored.size())), length(device(), 1);
+        second.write(stored);
+        length.write(std::vector<glift::uint>{count});
+        const auto before = arbitrary_values<std::uint32_t>(round, room_for(round, placed.count + count));
+        merges::Folded to(device(), static_cast<std::uint32_t>(before.size()));
+        const auto found = twice(round, [&] {
+            to.write(before);
+            merges::merge_views(device(), in.dense, in.step, placed.part<Part>(), in.length, second, length, to);
+            return to.read();
+        });
+        std::vector<std::uint32_t> merged;
+        std::ranges::merge(a, b, std::back_inserter(merged), std::greater());
+        EXPECT_TRUE(equal(round, fitted(before, merged), found));
     });
 }
 

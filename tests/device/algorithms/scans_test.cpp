@@ -7,6 +7,9 @@
 #include <cmath>
 #include <numeric>
 
+/// As in scans.glift.
+template <> scans::Affine property::mirrored(scans::Affine x) { return {x.offset, x.scale}; }
+
 namespace {
 
 using namespace property;
@@ -86,6 +89,26 @@ TEST_P(Scans, SumsOfFloats) {
     });
 }
 
+Affine composed(Affine f, Affine g) { return {f.scale * g.scale, g.scale * f.offset + g.offset}; }
+
+TEST_P(Scans, InclusiveCompositions) {
+    using In = Input<scans::Maps, scans::Maps, scans::Maps, Line>;
+    for_all("inclusive_scan, compositions", [&](Round& round) {
+        round.only(Form::mapped);
+        const Placed placed(round, round.size());
+        auto values = arbitrary_values<Affine>(round, placed.count);
+        const In in(device(), round, placed, values);
+        Output<scans::Maps> out(device(), round, placed);
+        const auto found = twice(round, [&] {
+            return out.after([&](const scans::Maps& to) {
+                scans::inclusive_compositions(device(), in.dense, placed.part<Part>(), in.length, to);
+            });
+        });
+        std::inclusive_scan(values.begin(), values.end(), values.begin(), composed);
+        EXPECT_TRUE(equal(round, out.expected(placed, values), found));
+    });
+}
+
 TEST_P(Scans, AnOperatorThatDoesNotCommute) {
     for_all("exclusive_scan, compositions", [&](Round& round) {
         round.only(Form::dense);
@@ -101,9 +124,7 @@ TEST_P(Scans, AnOperatorThatDoesNotCommute) {
                 [&](const scans::Maps& to) { scans::compositions(device(), from, placed.part<Part>(), length, to); });
         });
         std::vector<Affine> values(all.begin() + placed.first, all.begin() + placed.first + placed.count);
-        std::exclusive_scan(values.begin(), values.end(), values.begin(), Affine{1, 0}, [](Affine f, Affine g) {
-            return Affine{f.scale * g.scale, g.scale * f.offset + g.offset};
-        });
+        std::exclusive_scan(values.begin(), values.end(), values.begin(), Affine{1, 0}, composed);
         EXPECT_TRUE(equal(round, out.expected(placed, values), found));
     });
 }
@@ -137,22 +158,28 @@ TEST_P(Scans, SegmentedSums) {
     });
 }
 
-TEST_P(Scans, SegmentedExclusiveMaxima) {
-    for_all("segmented_exclusive_scan, maxima of uints", [&](Round& round) {
+TEST_P(Scans, SegmentedExclusiveLast) {
+    for_all("segmented_exclusive_scan, the last that is not zero", [&](Round& round) {
         round.only(Form::dense);
-        round.only(Taken::whole);
-        const std::uint32_t n = std::max(round.size(), 1u);
-        round.has_size(n);
-        const auto values = arbitrary_values<std::uint32_t>(round, n);
-        const auto segments = starts_of_segments(round, n);
-        Line from(device(), n), starts(device(), n), to(device(), n);
-        from.write(values);
+        const Placed placed(round, round.size());
+        auto values = arbitrary_values<std::uint32_t>(round, placed.count);
+        const std::uint32_t mean = 1 + round.below(100);
+        for (std::uint32_t& x : values)
+            if (!round.chance(mean)) x = 0;
+        const auto segments = starts_of_segments(round, placed.extent);
+        const Uints in(device(), round, placed, values);
+        scans::Tiles starts(device(), placed.extent);
         starts.write(segments);
-        scans::segmented_maxima(device(), from, starts, to);
-        std::vector<std::uint32_t> expected(n);
-        for (std::uint32_t i = 1; i < n; ++i)
-            if (segments[i] == 0) expected[i] = std::max(expected[i - 1], values[i - 1]);
-        EXPECT_TRUE(equal(round, expected, to.read()));
+        Output<Line> out(device(), round, placed);
+        const auto found = twice(round, [&] {
+            return out.after([&](const Line& to) {
+                scans::segmented_last(device(), in.dense, starts, placed.part<Part>(), in.length, to);
+            });
+        });
+        std::vector<std::uint32_t> expected(placed.count);
+        for (std::uint32_t i = 1; i < placed.count; ++i)
+            if (segments[placed.first + i] == 0) expected[i] = values[i - 1] ? values[i - 1] : expected[i - 1];
+        EXPECT_TRUE(equal(round, out.expected(placed, expected), found));
     });
 }
 

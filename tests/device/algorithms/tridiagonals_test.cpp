@@ -16,6 +16,7 @@
 namespace {
 
 using namespace property;
+using tridiagonals::Area;
 
 GLIFT_PROPERTY_SUITE(Tridiagonals);
 
@@ -96,9 +97,10 @@ TEST_P(Tridiagonals, Rows) {
         tridiagonals::Tiles b(device(), box.extent);
         tridiagonals::Picture c(device(), box.extent);
         a.write(lower), b.write(diagonal), c.write(upper), r.write(right);
+        const auto n = box.size_on<tridiagonals::Extents>(device());
         const auto found = twice(round, [&] {
             x.fill(5);
-            tridiagonals::solve_rows(device(), a, b, c, r, box.whole, box.origin, box.size, x);
+            tridiagonals::solve_rows(device(), a, b, c, r, box.area<Area>(), n, x);
             return x.read();
         });
         EXPECT_TRUE(near(round, expected.exact, expected.bounds, found));
@@ -134,14 +136,61 @@ TEST_P(Tridiagonals, ColumnsOfDiffusion) {
         tridiagonals::Plane c(device(), box.extent), s(device(), box.extent);
         tridiagonals::Plane3 r(device(), box.extent), x(device(), box.extent);
         c.write(conductivity), s.write(sums), r.write(right);
+        const auto n = box.size_on<tridiagonals::Extents>(device());
         const auto found = twice(round, [&] {
             x.fill({5, 5, 5});
-            tridiagonals::diffuse_columns(device(), c, s, r, box.whole, box.origin, box.size, x);
+            tridiagonals::diffuse_columns(device(), c, s, r, box.area<Area>(), n, x);
             return x.read();
         });
         for (unsigned k = 0; k < 3; ++k) {
             std::vector<float> component;
             for (const glift::float3& value : found) component.push_back(value[k]);
+            EXPECT_TRUE(near(round, expected[k].exact, expected[k].bounds, component));
+        }
+    });
+}
+
+TEST_P(Tridiagonals, RowsOfAMatrix) {
+    for_all("solve_tridiagonal_matrix, rows, sums, two right-hand sides", [&](Round& round) {
+        const Box box(round, 0);
+        std::vector<tridiagonals::Coefficients> matrix(box.count());
+        std::vector<glift::float2> right(box.count());
+        const double most = std::exp2(round.real() * 4);
+        for (std::size_t i = 0; i < box.count(); ++i) {
+            matrix[i] = {.lower = float((round.real() - 1) * most),
+                         .middle = float(1.5 + round.real()),
+                         .upper = round.chance(10) ? 0 : float((round.real() - 1) * most)};
+            right[i] = {float(round.real()), float(round.real() * 100)};
+        }
+        std::vector<Expected> expected(2, Expected(box.count(), 5));
+        for (std::uint32_t system = 0; system < box.systems && box.length > 0; ++system) {
+            matrix[box.place(system, 0)].lower = NAN;
+            matrix[box.place(system, box.length - 1)].upper = NAN;
+            for (unsigned k = 0; k < 2; ++k) {
+                std::vector<Row> rows;
+                for (std::uint32_t i = 0; i < box.length; ++i) {
+                    const std::size_t p = box.place(system, i);
+                    Row row{.right = right[p][k]};
+                    if (i > 0) row.lower = matrix[p].lower;
+                    if (i + 1 < box.length) row.upper = matrix[p].upper;
+                    row.diagonal = matrix[p].middle - row.lower - row.upper;
+                    rows.push_back(row);
+                }
+                expected[k].solve(box, system, rows);
+            }
+        }
+        tridiagonals::Matrix m(device(), box.extent);
+        tridiagonals::Picture2 r(device(), box.extent), x(device(), box.extent);
+        m.write(matrix), r.write(right);
+        const auto n = box.size_on<tridiagonals::Extents>(device());
+        const auto found = twice(round, [&] {
+            x.fill({5, 5});
+            tridiagonals::solve_matrix(device(), m, r, box.area<Area>(), n, x);
+            return x.read();
+        });
+        for (unsigned k = 0; k < 2; ++k) {
+            std::vector<float> component;
+            for (const glift::float2& value : found) component.push_back(value[k]);
             EXPECT_TRUE(near(round, expected[k].exact, expected[k].bounds, component));
         }
     });
