@@ -300,11 +300,20 @@ std::string kernel_signature(Unit& unit, std::uint32_t index, bool qualified, st
     return "void " + unit.globals.kernel_names.at(index) + "(" + parameters + ")";
 }
 
-void print_kernel_code(Unit& unit, Writer& out, std::uint32_t index) {
+bool requires_functions(const Unit& unit, std::uint32_t kernel) {
+    const ir::Lowered::Forms& forms = unit.lowered.passes[kernel];
+    const auto is_missing = [&](ir::FunctionId id) {
+        return !unit.globals.function_names.contains(id) && is_pure(unit.program, id);
+    };
+    return std::ranges::any_of(forms.direct.functions, is_missing) ||
+           std::ranges::any_of(forms.general.functions, is_missing);
+}
+
+std::string kernel_code(Unit& unit, std::uint32_t index) {
     const Kernel& kernel = unit.program.kernels[index];
     const ir::Lowered::Forms& forms = unit.lowered.passes[index];
     const std::string& name = unit.globals.kernel_names.at(index);
-    out.gap();
+    Writer out;
     out.line("// " + std::string(100, '-'));
     out.line("// " + place_text(unit.sources, kernel.span) + ": " + kernel.display);
     out.gap();
@@ -349,6 +358,7 @@ void print_kernel_code(Unit& unit, Writer& out, std::uint32_t index) {
                  std::to_string(unit.sources.line_of(any.longest_loop)) + "},");
     if (any.files.size() > 1) out.line(".other_files = " + name + "_other_files,");
     out.close(";");
+    return out.take();
 }
 
 void print_kernel_function(Unit& unit, Writer& out, std::uint32_t index) {

@@ -1,4 +1,5 @@
 // A module's header and source, put together from their parts.
+#include "base/parallel.h"
 #include "emit/cpp/unit.h"
 
 #include <algorithm>
@@ -7,6 +8,8 @@
 namespace gliftc::cpp {
 
 namespace {
+
+constexpr std::size_t kernels_of_a_thread = 16;  ///< to print fewer takes less time than a thread
 
 std::string space_of(const std::string& module) {
     std::string text;
@@ -121,12 +124,30 @@ bool has_reports(const Unit& unit) {
     return false;
 }
 
+/// Those that add functions to the file are printed first and in order, which is that of the functions. The others
+/// change nothing that they share.
+void print_kernel_codes(Unit& unit, Writer& out) {
+    const std::vector<std::uint32_t> kernels(unit.reach.kernels.begin(), unit.reach.kernels.end());
+    std::vector<std::string> codes(kernels.size());
+    std::vector<std::size_t> others;
+    for (std::size_t i = 0; i < kernels.size(); ++i) {
+        if (requires_functions(unit, kernels[i])) codes[i] = kernel_code(unit, kernels[i]);
+        else others.push_back(i);
+    }
+    for_each_parallel(others.size(), kernels_of_a_thread,
+                      [&](std::size_t i) { codes[others[i]] = kernel_code(unit, kernels[others[i]]); });
+    for (const std::string& code : codes) {
+        out.gap();
+        out.raw(code);
+    }
+}
+
 std::string source_of(Unit& unit, const std::string& stem) {
     Writer types, code, functions, members, pipelines;
     for (std::uint32_t structure : unit.reach.structures) {
         if (!unit.reach.in_header.contains(structure)) print_class(unit, types, structure, false);
     }
-    for (std::uint32_t kernel : unit.reach.kernels) print_kernel_code(unit, code, kernel);
+    print_kernel_codes(unit, code);
     Writer hidden_functions, hidden_members;
     for (std::uint32_t kernel : unit.reach.kernels) {
         print_kernel_function(unit, is_public(unit, kernel) ? functions : hidden_functions, kernel);

@@ -52,7 +52,9 @@ void print_structs(Unit& unit, Writer& out);
 // kernels.cpp
 /// The struct that mirrors the parameter block: `struct <name>_parameters { … };`. Empty without parameters.
 std::string parameters_of(const Globals& globals, const ir::Pass& pass, const std::string& name);
-void print_kernel_code(Unit& unit, Writer& out, std::uint32_t kernel);
+std::string kernel_code(Unit& unit, std::uint32_t kernel);
+/// Whether the kernel's code will add functions to those that the file shares.
+bool requires_functions(const Unit& unit, std::uint32_t kernel);
 /// With the parameters from the `first` on.
 std::string kernel_signature(Unit& unit, std::uint32_t kernel, bool qualified, std::size_t first = 0);
 void print_kernel_function(Unit& unit, Writer& out, std::uint32_t kernel);
