@@ -124,6 +124,17 @@ bool has_reports(const Unit& unit) {
     return false;
 }
 
+/// With an empty line after each.
+void append_parts(Writer& out, const std::vector<std::string_view>& parts) {
+    std::size_t bytes = 0;
+    for (std::string_view part : parts) bytes += part.size() + 1;
+    out.reserve(bytes);
+    for (std::string_view part : parts) {
+        out.raw(part);
+        out.gap();
+    }
+}
+
 /// Those that add functions to the file are printed first and in order, which is that of the functions. The others
 /// change nothing that they share.
 void print_kernel_codes(Unit& unit, Writer& out) {
@@ -136,10 +147,7 @@ void print_kernel_codes(Unit& unit, Writer& out) {
     }
     for_each_parallel(others.size(), kernels_of_a_thread,
                       [&](std::size_t i) { codes[others[i]] = kernel_code(unit, kernels[others[i]]); });
-    for (const std::string& code : codes) {
-        out.gap();
-        out.raw(code);
-    }
+    append_parts(out, {codes.begin(), codes.end()});
 }
 
 std::string source_of(Unit& unit, const std::string& stem) {
@@ -186,17 +194,11 @@ std::string source_of(Unit& unit, const std::string& stem) {
     out.gap();
     out.line("namespace {");
     out.raw("\n");
-    for (const std::string& part : {types.take(), unit.globals.functions, code.take(), hidden_functions.take(),
-                                    declarations, hidden_members.take(), hidden_pipelines.take()}) {
-        out.raw(part);
-        out.gap();
-    }
+    append_parts(out, {types.text(), unit.globals.functions, code.text(), hidden_functions.text(), declarations,
+                       hidden_members.text(), hidden_pipelines.text()});
     out.line("}  // namespace");
     out.gap();
-    for (const std::string& part : {functions.take(), members.take(), pipelines.take()}) {
-        out.raw(part);
-        out.gap();
-    }
+    append_parts(out, {functions.text(), members.text(), pipelines.text()});
     const std::string table = tests.take();
     out.raw(table);
     out.line("}  // namespace " + unit.space);
