@@ -135,31 +135,34 @@ void append_parts(Writer& out, const std::vector<std::string_view>& parts) {
     }
 }
 
-/// Those that add functions to the file are printed first and in order, which is that of the functions. The others
-/// change nothing that they share.
-void print_kernel_codes(Unit& unit, Writer& out) {
-    const std::vector<std::uint32_t> kernels(unit.reach.kernels.begin(), unit.reach.kernels.end());
-    std::vector<std::string> codes(kernels.size());
+/// What `print` makes of each kernel. Those that add functions to the file come first and in order, which is that of the
+/// functions; the others change nothing that they share.
+std::vector<std::string> printed_kernels(Unit& unit, const std::vector<std::uint32_t>& kernels,
+                                         bool (&adds_functions)(const Unit&, std::uint32_t),
+                                         std::string (&print)(Unit&, std::uint32_t)) {
+    std::vector<std::string> texts(kernels.size());
     std::vector<std::size_t> others;
     for (std::size_t i = 0; i < kernels.size(); ++i) {
-        if (requires_functions(unit, kernels[i])) codes[i] = kernel_code(unit, kernels[i]);
+        if (adds_functions(unit, kernels[i])) texts[i] = print(unit, kernels[i]);
         else others.push_back(i);
     }
     for_each_parallel(others.size(), kernels_of_a_thread,
-                      [&](std::size_t i) { codes[others[i]] = kernel_code(unit, kernels[others[i]]); });
-    append_parts(out, {codes.begin(), codes.end()});
+                      [&](std::size_t i) { texts[others[i]] = print(unit, kernels[others[i]]); });
+    return texts;
 }
 
 std::string source_of(Unit& unit, const std::string& stem) {
-    Writer types, code, functions, members, pipelines;
+    Writer types, functions, members, pipelines;
     for (std::uint32_t structure : unit.reach.structures) {
         if (!unit.reach.in_header.contains(structure)) print_class(unit, types, structure, false);
     }
-    print_kernel_codes(unit, code);
+    const std::vector<std::uint32_t> kernels(unit.reach.kernels.begin(), unit.reach.kernels.end());
+    const std::vector<std::string> codes = printed_kernels(unit, kernels, code_adds_functions, kernel_code);
+    const std::vector<std::string> callers = printed_kernels(unit, kernels, function_adds_functions, kernel_function);
     Writer hidden_functions, hidden_members;
-    for (std::uint32_t kernel : unit.reach.kernels) {
-        print_kernel_function(unit, is_public(unit, kernel) ? functions : hidden_functions, kernel);
-        if (is_public(unit, kernel)) print_short_kernel_function(unit, functions, kernel);
+    for (std::size_t i = 0; i < kernels.size(); ++i) {
+        if (is_public(unit, kernels[i])) append_parts(functions, {callers[i], short_kernel_function(unit, kernels[i])});
+        else append_parts(hidden_functions, {callers[i]});
     }
     for (std::uint32_t structure : unit.reach.structures)
         print_class_members(unit, unit.reach.in_header.contains(structure) ? members : hidden_members, structure);
@@ -194,8 +197,9 @@ std::string source_of(Unit& unit, const std::string& stem) {
     out.gap();
     out.line("namespace {");
     out.raw("\n");
-    append_parts(out, {types.text(), unit.globals.functions, code.text(), hidden_functions.text(), declarations,
-                       hidden_members.text(), hidden_pipelines.text()});
+    append_parts(out, {types.text(), unit.globals.functions});
+    append_parts(out, {codes.begin(), codes.end()});
+    append_parts(out, {hidden_functions.text(), declarations, hidden_members.text(), hidden_pipelines.text()});
     out.line("}  // namespace");
     out.gap();
     append_parts(out, {functions.text(), members.text(), pipelines.text()});
