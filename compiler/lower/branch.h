@@ -1,6 +1,6 @@
-// Kernels lowered on several threads: each thread adds nodes to a branch of the program, which sees the program's own and
-// leaves them as they are. Afterwards the nodes are moved into the program, kernel by kernel, so that nothing depends
-// on which thread did what.
+// Kernels lowered on several threads: each thread adds nodes to a branch of the program, which sees the program's own
+// and leaves them as they are. Afterwards the nodes are moved into the program, kernel by kernel, so that nothing
+// depends on which thread did what.
 #pragma once
 
 #include "ir/pass.h"

@@ -135,8 +135,8 @@ void append_parts(Writer& out, const std::vector<std::string_view>& parts) {
     }
 }
 
-/// What `print` makes of each kernel. Those that add functions to the file come first and in order, which is that of the
-/// functions; the others change nothing that they share.
+/// What `print` makes of each kernel. Those that add functions to the file come first and in order, which is that of
+/// the functions; the others change nothing that they share.
 std::vector<std::string> printed_kernels(Unit& unit, const std::vector<std::uint32_t>& kernels,
                                          bool (&adds_functions)(const Unit&, std::uint32_t),
                                          std::string (&print)(Unit&, std::uint32_t)) {

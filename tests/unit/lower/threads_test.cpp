@@ -8,8 +8,8 @@ constexpr int kernels = 60;
 /// No two alike; what they make has types and names that the program has not.
 std::string kernel(int k) {
     const std::string n = std::to_string(k);
-    const std::string rest = "fn rest" + n + "(s: Edged, a: uint3) -> float { var x" + n +
-                             " = 0.0; while x" + n + " < s[a] { x" + n + " += s[a] * 2.0; } return x" + n + "; }\n";
+    const std::string rest = "fn rest" + n + "(s: Edged, a: uint3) -> float { var x" + n + " = 0.0; while x" + n +
+                             " < s[a] { x" + n + " += s[a] * 2.0; } return x" + n + "; }\n";
     return rest + "kernel k" + n + "(f: in near<Field, 1>, s: in any<Edged>, g: out each<Field>) {\n    let sum" + n +
            " = f[0] + f[int3(1, 0, 0)] * " + n + ".0;\n    g = sum" + n + " * sum" + n + " + rest" + n +
            "(s, position());\n}\n";
@@ -43,7 +43,8 @@ TEST(Threads, MakeTheSameProgramEachTime) {
 TEST(Threads, ReportInTheOrderOfTheKernels) {
     std::string text;
     for (int k = 0; k < kernels; ++k)
-        text += "kernel k" + std::to_string(k) + "(f: in near<Field, 1>, g: out each<Field>) { g = f[int3(2, 0, 0)]; }\n";
+        text += "kernel k" + std::to_string(k) +
+                "(f: in near<Field, 1>, g: out each<Field>) { g = f[int3(2, 0, 0)]; }\n";
     Lowering lowering(text);
     const std::vector<Diagnostic>& found = lowering.diagnostics.all();
     EXPECT_EQ(found.size(), lowering.diagnostics.error_limit);
