@@ -53,9 +53,11 @@ template <class T> class Arena {
 
 public:
     Arena() = default;
-    Arena(Arena&& other) noexcept : blocks_(std::move(other.blocks_)), size_(std::exchange(other.size_, 0)) {}
+    Arena(Arena&& other) noexcept { *this = std::move(other); }
     Arena& operator=(Arena&& other) noexcept {
         std::swap(blocks_, other.blocks_);
+        std::swap(own_, other.own_);
+        std::swap(first_, other.first_);
         std::swap(size_, other.size_);
         return *this;
     }
@@ -64,12 +66,25 @@ public:
     }
     Arena& operator=(const Arena& other) { return *this = Arena(other); }
     ~Arena() {
-        for (std::uint32_t i = 0; i < size_; ++i) at(i).~T();
+        for (std::uint32_t i = first_; i < size_; ++i) at(i).~T();
+    }
+    /// Sees the values of `base` and adds its own after them. The base outlives it, and neither changes meanwhile what
+    /// was in it then.
+    static Arena extending(const Arena& base) {
+        Arena made;
+        const std::uint32_t full = base.size_ >> shift;
+        made.blocks_.assign(base.blocks_.begin(), base.blocks_.begin() + full);
+        made.first_ = made.size_ = full << shift;
+        for (std::uint32_t i = made.first_; i < base.size_; ++i) made.add(base.at(i));
+        return made;
     }
 
     Id<T> add(const T& value) { return add(T(value)); }
     Id<T> add(T&& value) {
-        if (size_ >> shift == blocks_.size()) blocks_.push_back(std::make_unique_for_overwrite<Block>());
+        if (size_ >> shift == blocks_.size()) {
+            own_.push_back(std::make_unique_for_overwrite<Block>());
+            blocks_.push_back(own_.back().get());
+        }
         new (place(size_)) T(std::move(value));
         return {size_++};
     }
@@ -99,7 +114,9 @@ private:
     T& at(std::uint32_t i) { return *std::launder(reinterpret_cast<T*>(place(i))); }
     const T& at(std::uint32_t i) const { return const_cast<Arena*>(this)->at(i); }
 
-    std::vector<std::unique_ptr<Block>> blocks_;
+    std::vector<Block*> blocks_;
+    std::vector<std::unique_ptr<Block>> own_;  ///< without those of the arena that this one extends
+    std::uint32_t first_ = 0;                  ///< of the values in blocks of its own
     std::uint32_t size_ = 0;
 };
 

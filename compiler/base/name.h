@@ -23,25 +23,29 @@ struct Name {
 class Names {
 public:
     Names() : slots_(1024) { intern(""); }
+    /// Sees the names of `base` and adds its own. The base outlives it, and no name is added to it meanwhile.
+    static Names extending(const Names& base) { return Names(&base); }
 
     Name intern(std::string_view text) {
-        std::uint32_t hash = hash_of(text);
-        std::size_t mask = slots_.size() - 1;
-        for (std::size_t i = hash & mask;; i = (i + 1) & mask) {
-            Slot& slot = slots_[i];
-            if (slot.index == empty) {
-                auto index = static_cast<std::uint32_t>(texts_.size());
-                slot = {hash, index};
-                texts_.emplace_back(text);
-                if (texts_.size() * 2 > slots_.size()) grow();
-                return {index};
-            }
-            if (slot.hash == hash && texts_[slot.index] == text) return {slot.index};
-        }
+        const std::uint32_t hash = hash_of(text);
+        if (base_ != nullptr)
+            if (const Slot& known = base_->slots_[base_->place(hash, text)]; known.index != empty) return {known.index};
+        Slot& slot = slots_[place(hash, text)];
+        if (slot.index != empty) return {slot.index};
+        const std::uint32_t index = size();
+        slot = {hash, index};
+        texts_.emplace_back(text);
+        if (texts_.size() * 2 > slots_.size()) grow();
+        return {index};
     }
-    const std::string& operator[](Name name) const { return texts_[name.index]; }
+    const std::string& operator[](Name name) const {
+        return name.index < first_ ? (*base_)[name] : texts_[name.index - first_];
+    }
+    std::uint32_t size() const { return first_ + static_cast<std::uint32_t>(texts_.size()); }
 
 private:
+    explicit Names(const Names* base) : base_(base), first_(base->size()), slots_(256) {}
+
     static constexpr std::uint32_t empty = 0xffffffffu;
     struct Slot {
         std::uint32_t hash = 0, index = empty;
@@ -52,6 +56,15 @@ private:
         std::uint32_t hash = 2166136261u;
         for (char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
         return hash ^ (hash >> 15);
+    }
+
+    /// Of the slot that holds the text, or is to hold it.
+    std::size_t place(std::uint32_t hash, std::string_view text) const {
+        const std::size_t mask = slots_.size() - 1;
+        std::size_t i = hash & mask;
+        while (slots_[i].index != empty && !(slots_[i].hash == hash && (*this)[{slots_[i].index}] == text))
+            i = (i + 1) & mask;
+        return i;
     }
 
     void grow() {
@@ -66,7 +79,9 @@ private:
         }
     }
 
-    std::deque<std::string> texts_;
+    const Names* base_ = nullptr;
+    std::uint32_t first_ = 0;        ///< of the names that are not the base's
+    std::deque<std::string> texts_;  ///< from the first on
     std::vector<Slot> slots_;
 };
 

@@ -29,12 +29,16 @@ public:
     template <std::forward_iterator It> SmallVector(It first, It last) {
         for (reserve(static_cast<std::size_t>(std::distance(first, last))); first != last; ++first) push_back(*first);
     }
-    SmallVector(const SmallVector& other) { append(other.data(), other.size_); }
+    SmallVector(const SmallVector& other) {
+        if (other.is_inside()) copy_inside(other);
+        else append(other.data(), other.size_);
+    }
     SmallVector(SmallVector&& other) noexcept { take(other); }
     SmallVector& operator=(const SmallVector& other) {
         if (this == &other) return *this;
         clear();
-        append(other.data(), other.size_);
+        if (is_inside() && other.is_inside()) copy_inside(other);
+        else append(other.data(), other.size_);
         return *this;
     }
     SmallVector& operator=(SmallVector&& other) noexcept {
@@ -93,6 +97,11 @@ private:
     T*& heap() { return *reinterpret_cast<T**>(bytes_); }
     void release() {
         if (!is_inside()) std::allocator<T>().deallocate(heap(), capacity_);
+    }
+    /// The other's elements, where both hold theirs inside. All bytes are copied, as in take().
+    void copy_inside(const SmallVector& other) {
+        std::memcpy(bytes_, other.bytes_, sizeof bytes_);
+        size_ = other.size_;
     }
     /// The other's elements; it is empty then. All bytes are copied, those that hold nothing too: that takes no test.
     void take(SmallVector& other) {

@@ -84,19 +84,34 @@ Diagnostic& Diagnostics::report(Diag id, Span span, std::initializer_list<std::s
         return dropped_;
     }
     if (severity == Severity::warning && (warnings_are_errors || among(promoted))) severity = Severity::error;
+    return keep({id, severity, span, fill(text_of(id), arguments), {}});
+}
+
+Diagnostic& Diagnostics::keep(Diagnostic&& made) {
     // Only the latest are looked at: repetitions come soon after, and thousands of warnings must not cost their square.
     auto latest = all_.size() > 100 ? all_.end() - 100 : all_.begin();
     bool repeated = std::any_of(latest, all_.end(), [&](const Diagnostic& earlier) {
-        bool same_place = span && earlier.span == span;
-        return same_place && (earlier.id == id || (severity == Severity::error && earlier.severity == Severity::error));
+        bool same_place = made.span && earlier.span == made.span;
+        return same_place && (earlier.id == made.id ||
+                              (made.severity == Severity::error && earlier.severity == Severity::error));
     });
-    if (repeated || (severity == Severity::error && at_limit())) {
+    if (repeated || (made.severity == Severity::error && at_limit())) {
         dropped_ = {};
         return dropped_;
     }
-    if (severity == Severity::error) ++errors_;
-    all_.push_back({id, severity, span, fill(text_of(id), arguments), {}});
-    return all_.back();
+    if (made.severity == Severity::error) ++errors_;
+    return all_.emplace_back(std::move(made));
+}
+
+void Diagnostics::append(Diagnostics&& others) {
+    for (Diagnostic& one : others.all_) keep(std::move(one));
+}
+
+Diagnostics Diagnostics::emptied() const {
+    Diagnostics made = *this;
+    made.all_.clear();
+    made.errors_ = 0;
+    return made;
 }
 
 std::optional<Diag> find_diagnostic(std::string_view id) {

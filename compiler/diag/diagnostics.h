@@ -46,6 +46,11 @@ public:
     /// Reports `id` at `span`; returns where notes can be added (valid until the next report).
     Diagnostic& report(Diag id, Span span, std::initializer_list<std::string_view> arguments = {});
 
+    /// Adds what others collected that began with these settings.
+    void append(Diagnostics&& others);
+    /// Collects nothing yet; its settings are the same.
+    Diagnostics emptied() const;
+
     bool has_errors() const { return errors_ > 0; }
     std::size_t error_count() const { return errors_; }
     const std::vector<Diagnostic>& all() const { return all_; }
@@ -57,6 +62,8 @@ public:
     bool at_limit() const { return error_limit != 0 && errors_ >= error_limit; }
 
 private:
+    Diagnostic& keep(Diagnostic&& made);
+
     std::vector<Diagnostic> all_;
     std::size_t errors_ = 0;
     Diagnostic dropped_{};

@@ -1,3 +1,4 @@
+#include "base/parallel.h"
 #include "driver/command_line.h"
 #include "driver/commands.h"
 #include "driver/compile.h"
@@ -17,9 +18,8 @@ void print_times(const Result& result) {
     std::fprintf(stderr, "%-10s %9.3f ms\n", "all", all);
 }
 
-/// False, with a message, where the file cannot be written.
-bool write_output(const std::string& path, const std::string& bytes) {
-    auto error = write_if_changed(path, bytes);
+/// False, with a message, where there was an error.
+bool is_written(const std::string& path, const std::optional<std::string>& error) {
     if (!error) return true;
     std::fprintf(stderr, "error: cannot write '%s': %s\n", path.c_str(), error->c_str());
     return false;
@@ -33,11 +33,17 @@ std::string depfile_of(const Options& options, const Result& result) {
 }
 
 bool write_outputs(const Options& options, const Result& result, const Compilation& compilation) {
+    constexpr std::size_t share = 64;  // a thread for fewer would take longer
+    const auto path_of = [&](const Output& output) { return options.output_folder + "/" + output.name; };
+    std::vector<std::optional<std::string>> errors(result.outputs.size());
+    for_each_parallel(result.outputs.size(), share, [&](std::size_t i) {
+        errors[i] = write_if_changed(path_of(result.outputs[i]), result.outputs[i].bytes);
+    });
     bool written = true;
-    for (const Output& output : result.outputs)
-        written &= write_output(options.output_folder + "/" + output.name, output.bytes);
+    for (std::size_t i = 0; i < errors.size(); ++i) written &= is_written(path_of(result.outputs[i]), errors[i]);
     std::string depfile = depfile_of(options, result);
-    if (!depfile.empty()) written &= write_output(depfile, make_depfile(options, result, compilation));
+    if (!depfile.empty())
+        written &= is_written(depfile, write_if_changed(depfile, make_depfile(options, result, compilation)));
     return written;
 }
 

@@ -1,5 +1,6 @@
 #include "driver/emit.h"
 
+#include "base/parallel.h"
 #include "driver/shaders.h"
 #include "emit/cpp/emit.h"
 #include "emit/glsl/emit.h"
@@ -58,19 +59,31 @@ std::string styled(const Options& options, std::string text) {
     return std::move(formatted.text);
 }
 
+/// Of each kernel the form that is easiest to read.
+std::vector<std::string> readable_shaders(const Compilation& c, const std::vector<std::uint32_t>& kernels) {
+    constexpr std::size_t share = 64;  // a thread for fewer would take longer
+    std::vector<std::string> texts(kernels.size());
+    for_each_parallel(kernels.size(), share, [&](std::size_t i) {
+        const auto& forms = c.lowered.passes[kernels[i]];
+        const ir::Pass& readable = forms.direct.exists ? forms.direct : forms.general;
+        if (readable.exists) texts[i] = glsl::glsl_of(c.program, c.sources, readable);
+    });
+    return texts;
+}
+
 void emit_shaders(const Options& options, const Compilation& c, std::uint32_t module, const std::string& base,
                   const std::vector<ShaderSet>& shaders, std::vector<Output>& outputs) {
+    std::vector<std::uint32_t> kernels;
+    for (std::uint32_t k = 0; k < c.program.kernels.size(); ++k)
+        if (c.program.kernels[k].module == module) kernels.push_back(k);
+    std::vector<std::string> readable(kernels.size());
+    if (options.wants(Target::glsl)) readable = readable_shaders(c, kernels);
     std::set<std::string> taken;
-    for (std::uint32_t k = 0; k < c.program.kernels.size(); ++k) {
-        const ir::Kernel& kernel = c.program.kernels[k];
-        if (kernel.module != module) continue;
-        std::string name = base + "." + shader_name(kernel.display, taken);
-        const auto& forms = c.lowered.passes[k];
-        const ir::Pass& readable = forms.direct.exists ? forms.direct : forms.general;
-        if (options.wants(Target::glsl) && readable.exists)
-            outputs.push_back({name + ".comp.glsl", glsl::glsl_of(c.program, c.sources, readable)});
+    for (std::size_t i = 0; i < kernels.size(); ++i) {
+        std::string name = base + "." + shader_name(c.program.kernels[kernels[i]].display, taken);
+        if (!readable[i].empty()) outputs.push_back({name + ".comp.glsl", std::move(readable[i])});
         if (!options.wants(Target::spirv)) continue;
-        const ShaderSet& code = shaders[k];
+        const ShaderSet& code = shaders[kernels[i]];
         if (!code.direct.empty()) outputs.push_back({name + ".comp.spv", bytes_of(code.direct)});
         if (!code.general.empty()) outputs.push_back({name + ".general.comp.spv", bytes_of(code.general)});
         if (!code.wide.empty()) outputs.push_back({name + ".wide.comp.spv", bytes_of(code.wide)});

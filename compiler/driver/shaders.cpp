@@ -1,11 +1,10 @@
 #include "driver/shaders.h"
 
+#include "base/parallel.h"
 #include "emit/glsl/emit.h"
 #include "emit/spirv/emit.h"
 
-#include <atomic>
 #include <stdexcept>
-#include <thread>
 
 namespace gliftc {
 
@@ -43,15 +42,7 @@ std::vector<ShaderSet> compile_shaders(const Compilation& c, const std::set<std:
     std::vector<ShaderSet> shaders(c.program.kernels.size());
     std::vector<Job> jobs = list_jobs(c, kernels, shaders);
     auto optimise = optimize ? spirv::Optimise::performance : spirv::Optimise::no;
-    std::atomic<std::size_t> next = 0;
-    auto work = [&] {
-        for (std::size_t i = next++; i < jobs.size(); i = next++) run(jobs[i], c, optimise);
-    };
-    std::size_t helpers = std::min<std::size_t>(std::thread::hardware_concurrency(), jobs.size());
-    std::vector<std::jthread> threads;
-    for (std::size_t i = 1; i < helpers; ++i) threads.emplace_back(work);
-    work();
-    threads.clear();
+    for_each_parallel(jobs.size(), 1, [&](std::size_t i) { run(jobs[i], c, optimise); });
     for (const Job& job : jobs)
         if (!job.error.empty())
             throw std::runtime_error("the GLSL made for kernel '" + c.program.kernels[job.pass->kernel].display +

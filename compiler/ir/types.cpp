@@ -55,6 +55,12 @@ TypeId Types::of_struct(std::uint32_t index) { return intern({.kind = TypeKind::
 TypeId Types::of_enum(std::uint32_t index) { return intern({.kind = TypeKind::enum_, .index = index}); }
 TypeId Types::of_structure(std::uint32_t index) { return intern({.kind = TypeKind::structure, .index = index}); }
 
+TypeId Types::same_as(const Types& other, TypeId id) {
+    Type type = other[id];
+    if (type.element) type.element = same_as(other, type.element);
+    return intern(type);
+}
+
 bool Types::is_scalar(TypeId id) const {
     TypeKind k = kind(id);
     return k >= TypeKind::bool_ && k <= TypeKind::uint64;

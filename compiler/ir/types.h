@@ -67,6 +67,10 @@ public:
     TypeId of_enum(std::uint32_t index);
     TypeId of_structure(std::uint32_t index);
 
+    /// The type that `id` is in the types of another program with the same structs, enums and structures.
+    TypeId same_as(const Types& other, TypeId id);
+
+    std::uint32_t size() const { return arena_.size(); }
     TypeKind kind(TypeId id) const { return arena_[id].kind; }
     bool is_scalar(TypeId id) const;    ///< bool to uint64
     bool is_number(TypeId id) const;    ///< a scalar that is not bool

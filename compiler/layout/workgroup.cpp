@@ -66,6 +66,7 @@ bool fits(const Program& program, const Lifetimes& lifetimes, const Place& place
 }  // namespace
 
 void place_shared(const Program& program, Pass& pass) {
+    if (pass.shared.empty()) return;
     Lifetimes lifetimes;
     std::size_t place = 0;
     find(program, pass.body, place, lifetimes);

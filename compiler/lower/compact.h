@@ -11,8 +11,9 @@ namespace gliftc::lower {
 /// How many nodes there were at one time.
 struct Mark {
     explicit Mark(const ir::Program& program)
-        : exprs(program.exprs.size()), stmts(program.stmts.size()), functions(program.functions.size()) {}
-    std::uint32_t exprs, stmts, functions;
+        : exprs(program.exprs.size()), stmts(program.stmts.size()), locals(program.locals.size()),
+          functions(program.functions.size()) {}
+    std::uint32_t exprs, stmts, locals, functions;
 };
 
 /// Of the expressions and statements made after `mark` only those stay that the passes or functions made after it name.

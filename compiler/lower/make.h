@@ -69,6 +69,7 @@ private:
     ExprId folded(ir::Expr&& node);
     ExprId with_operands(const ir::Expr& node, Operands operands);
     std::optional<ExprId> simpler_binary(const ir::Expr& node, ExprId a, ExprId b);
+    std::optional<ExprId> constant_binary(const ir::Expr& node, ExprId left, ExprId right);
     std::optional<ExprId> simpler_component(ExprId vector, std::uint32_t lane);
     bool is_number(ExprId id, double value) const;
 };

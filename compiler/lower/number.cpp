@@ -10,8 +10,6 @@ using namespace ir;
 
 namespace {
 
-enum Trait : std::uint8_t { known = 1, impure = 2, loads = 4, changes = 8 };
-
 bool has_effect(const Pass& pass, const Expr& node) {
     if (node.op == Op::load) return pass.bindings[node.slot].coherent;  // each one may see something else
     if (node.op != Op::intrinsic) return false;
@@ -21,12 +19,7 @@ bool has_effect(const Pass& pass, const Expr& node) {
 
 }  // namespace
 
-bool Numbers::is_pure(ExprId id) { return !(traits_of(id) & impure); }
-bool Numbers::has_load(ExprId id) { return traits_of(id) & loads; }
-bool Numbers::is_fixed(ExprId id) { return !(traits_of(id) & (changes | impure)); }
-
-std::uint8_t Numbers::traits_of(ExprId id) {
-    if (const std::uint8_t* found = cx.traits.find(id)) return *found;
+std::uint8_t Numbers::find_traits(ExprId id) {
     const Expr& node = cx.p.exprs[id];
     std::uint8_t trait = known;
     if (has_effect(cx.pass, node)) trait |= impure;

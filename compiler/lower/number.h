@@ -46,14 +46,20 @@ public:
     void change_all(const ir::Stmt& stmt);
 
     /// Whether equal numbers mean equal values: false for what has an effect or differs at each evaluation.
-    bool is_pure(ExprId id);
-    bool has_load(ExprId id);
+    bool is_pure(ExprId id) { return !(traits_of(id) & impure); }
+    bool has_load(ExprId id) { return traits_of(id) & loads; }
     /// Whether the value cannot change within the pass: no mutable local, no load from memory that is written.
-    bool is_fixed(ExprId id);
+    bool is_fixed(ExprId id) { return !(traits_of(id) & (changes | impure)); }
 
 private:
+    enum Trait : std::uint8_t { known = 1, impure = 2, loads = 4, changes = 8 };
+
     void change_by(const ir::Stmt& stmt);
-    std::uint8_t traits_of(ExprId id);
+    std::uint8_t traits_of(ExprId id) {
+        const std::uint8_t* found = cx.traits.find(id);
+        return found != nullptr ? *found : find_traits(id);
+    }
+    std::uint8_t find_traits(ExprId id);
     std::uint32_t version_of(LocalId local) const {
         const std::uint32_t* found = versions_.find(local);
         return found == nullptr ? 0 : *found;

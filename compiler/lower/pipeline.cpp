@@ -1,6 +1,8 @@
 // The passes in order. Each says in its header what it needs and what it guarantees.
+#include "base/parallel.h"
 #include "ir/validate.h"
 #include "lower/affine.h"
+#include "lower/branch.h"
 #include "lower/compact.h"
 #include "lower/dispatch.h"
 #include "lower/expand.h"
@@ -14,12 +16,16 @@
 #include <array>
 #include <cassert>
 #include <cstdio>
+#include <deque>
 
 namespace gliftc::lower {
 
 using namespace ir;
 
 namespace {
+
+/// Fewer take less time than a thread and its branch of the program.
+constexpr std::size_t kernels_of_a_thread = 8;
 
 /// Development builds stop at the pass that broke something.
 void check([[maybe_unused]] const Context& cx, [[maybe_unused]] const std::vector<StmtId>& body,
@@ -151,6 +157,53 @@ Pass lowered(Program& program, Diagnostics& diagnostics, std::uint32_t kernel, F
     return pass;
 }
 
+Lowered::Forms lowered_forms(Program& program, Diagnostics& diagnostics, std::uint32_t kernel, Checks checks) {
+    Lowered::Forms forms;
+    const Mark before(program);
+    forms.direct = lowered(program, diagnostics, kernel, Form::direct, checks);
+    forms.general = lowered(program, diagnostics, kernel, Form::general, checks);
+    agree(program, forms.direct, forms.general);
+    compact(program, before, std::array{&forms.direct, &forms.general});
+    forms.wide = widened(program, forms.general);
+    return forms;
+}
+
+/// What a thread made of one kernel.
+struct Made {
+    std::optional<Growth> growth;
+    Diagnostics diagnostics;
+};
+
+std::vector<Lowered::Forms> lowered_in_order(Program& program, Diagnostics& diagnostics, Checks checks) {
+    std::vector<Lowered::Forms> passes;
+    for (std::uint32_t i = 0; i < program.kernels.size(); ++i)
+        passes.push_back(lowered_forms(program, diagnostics, i, checks));
+    return passes;
+}
+
+std::vector<Lowered::Forms> lowered_on_threads(Program& program, Diagnostics& diagnostics, Checks checks) {
+    const std::size_t count = program.kernels.size(), threads = threads_for(count, kernels_of_a_thread);
+    std::vector<Lowered::Forms> passes(count);
+    std::vector<Made> made(count, {std::nullopt, diagnostics.emptied()});
+    std::deque<Branch> branches;
+    for (std::size_t i = 0; i < threads; ++i) branches.emplace_back(program);
+    Tickets kernels(count), unused(threads);
+    on_threads(threads, [&] {
+        Branch& branch = branches[*unused.take()];
+        while (auto kernel = kernels.take()) {
+            const Mark begin(branch.program);
+            auto index = static_cast<std::uint32_t>(*kernel);
+            passes[index] = lowered_forms(branch.program, made[index].diagnostics, index, checks);
+            made[index].growth = {&branch, begin, Mark(branch.program)};
+        }
+    });
+    for (std::size_t i = 0; i < count; ++i) {
+        graft(program, *made[i].growth, passes[i]);
+        diagnostics.append(std::move(made[i].diagnostics));
+    }
+    return passes;
+}
+
 }  // namespace
 
 Pass lower_function(Program& program, Diagnostics& diagnostics, const Kernel& kernel, std::vector<LocalId> params) {
@@ -174,17 +227,9 @@ Pass lower_function(Program& program, Diagnostics& diagnostics, const Kernel& ke
 
 Lowered lower(Program& program, Diagnostics& diagnostics, Checks checks) {
     mark_affine(program);
-    Lowered result;
-    for (std::uint32_t i = 0; i < program.kernels.size(); ++i) {
-        Lowered::Forms forms;
-        const Mark before(program);
-        forms.direct = lowered(program, diagnostics, i, Form::direct, checks);
-        forms.general = lowered(program, diagnostics, i, Form::general, checks);
-        agree(program, forms.direct, forms.general);
-        compact(program, before, std::array{&forms.direct, &forms.general});
-        forms.wide = widened(program, forms.general);
-        result.passes.push_back(std::move(forms));
-    }
+    // Of the number of kernels alone, so that all machines do the same.
+    const bool are_few = program.kernels.size() < 2 * kernels_of_a_thread;
+    Lowered result{(are_few ? lowered_in_order : lowered_on_threads)(program, diagnostics, checks), {}};
     release_temporaries(program);
     return result;
 }

@@ -63,6 +63,7 @@ private:
     void let_(StmtId id);
     void loop_(StmtId id);
     ExprId visit(ExprId id, Where where);
+    ExprId visit_operand(const Expr& node, std::size_t i, Where where);
     ExprId visit_operands(ExprId id, Where where);
     ExprId visit_target(ExprId id, Where where);
     std::uint32_t new_record(ValueNumber number);
@@ -181,24 +182,24 @@ ExprId Sharing::visit(ExprId id, Where where) {
     return cx.make.local(record.local);
 }
 
+ExprId Sharing::visit_operand(const Expr& node, std::size_t i, Where where) {
+    if (i == 0 && node.op == Op::intrinsic && signature_of(node.intrinsic)[0] == '@')
+        return visit_target(node.operands[0], where);  // a place, not its value
+    const bool may_skip = (node.op == Op::select && i > 0) ||
+                          (node.op == Op::binary && i == 1 &&
+                           (node.binary == BinaryOp::logical_and || node.binary == BinaryOp::logical_or));
+    return visit(node.operands[i], may_skip && where == Where::before ? Where::conditional : where);
+}
+
 ExprId Sharing::visit_operands(ExprId id, Where where) {
     const Expr& node = cx.p.exprs[id];
-    if (node.operands.empty()) return id;
-    Operands operands;
-    bool same = true;
-    for (std::size_t i = 0; i < node.operands.size(); ++i) {
-        if (i == 0 && node.op == Op::intrinsic && signature_of(node.intrinsic)[0] == '@') {
-            operands.push_back(visit_target(node.operands[0], where));  // a place, not its value
-            same = same && operands.back() == node.operands[0];
-            continue;
-        }
-        bool may_skip = (node.op == Op::select && i > 0) ||
-                        (node.op == Op::binary && i == 1 &&
-                         (node.binary == BinaryOp::logical_and || node.binary == BinaryOp::logical_or));
-        operands.push_back(visit(node.operands[i], may_skip && where == Where::before ? Where::conditional : where));
-        same = same && operands.back() == node.operands[i];
+    if (!rewrites_) {
+        for (std::size_t i = 0; i < node.operands.size(); ++i) visit_operand(node, i, where);
+        return id;
     }
-    if (same || !rewrites_) return id;
+    Operands operands;
+    for (std::size_t i = 0; i < node.operands.size(); ++i) operands.push_back(visit_operand(node, i, where));
+    if (operands == node.operands) return id;
     ExprId result = cx.make.again(node, std::move(operands));
     if (const Name* found = cx.names.find(id)) {
         Name name = *found;

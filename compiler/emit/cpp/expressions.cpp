@@ -193,9 +193,15 @@ const char* scope_of(const Printer& p, const Expr& expr) {
     return is_memory ? "glift::host::memory::" : "glift::host::";
 }
 
+const std::string& name_of_function(Printer& p, ir::FunctionId function) {
+    if (const auto found = p.local_functions.find(function); found != p.local_functions.end()) return found->second;
+    require_function(p.globals, function);
+    return p.globals.function_names.at(function);
+}
+
 /// Structures are passed before the values.
 Text print_call(Printer& p, const Expr& expr) {
-    require_function(p.globals, expr.function);
+    const std::string& name = name_of_function(p, expr.function);
     std::string arguments;
     for (const ir::Place& place : expr.places) {
         Expr whole;
@@ -205,7 +211,7 @@ Text print_call(Printer& p, const Expr& expr) {
     }
     const std::string values = join_arguments(p, expr.operands);
     if (!arguments.empty() && !values.empty()) arguments += ", ";
-    return {p.globals.function_names.at(expr.function) + "(" + arguments + values + ")"};
+    return {name + "(" + arguments + values + ")"};
 }
 
 Text print_local(Printer& p, ir::LocalId local) {

@@ -300,11 +300,32 @@ std::string kernel_signature(Unit& unit, std::uint32_t index, bool qualified, st
     return "void " + unit.globals.kernel_names.at(index) + "(" + parameters + ")";
 }
 
-void print_kernel_code(Unit& unit, Writer& out, std::uint32_t index) {
+bool code_adds_functions(const Unit& unit, std::uint32_t kernel) {
+    const ir::Lowered::Forms& forms = unit.lowered.passes[kernel];
+    const auto is_missing = [&](ir::FunctionId id) {
+        return !unit.globals.function_names.contains(id) && is_pure(unit.program, id);
+    };
+    return std::ranges::any_of(forms.direct.functions, is_missing) ||
+           std::ranges::any_of(forms.general.functions, is_missing);
+}
+
+bool function_adds_functions(const Unit& unit, std::uint32_t kernel) {
+    bool adds = false;
+    const ir::Lowered::Forms& forms = unit.lowered.passes[kernel];
+    for (const Pass* pass : {&forms.direct, &forms.general})
+        for (const PassParameter& parameter : pass->parameters)
+            ir::for_each_node(unit.program, parameter.value, [&](ir::ExprId node) {
+                const ir::Expr& expr = unit.program.exprs[node];
+                adds |= expr.op == ir::Op::call && !unit.globals.function_names.contains(expr.function);
+            });
+    return adds;
+}
+
+std::string kernel_code(Unit& unit, std::uint32_t index) {
     const Kernel& kernel = unit.program.kernels[index];
     const ir::Lowered::Forms& forms = unit.lowered.passes[index];
     const std::string& name = unit.globals.kernel_names.at(index);
-    out.gap();
+    Writer out;
     out.line("// " + std::string(100, '-'));
     out.line("// " + place_text(unit.sources, kernel.span) + ": " + kernel.display);
     out.gap();
@@ -349,14 +370,15 @@ void print_kernel_code(Unit& unit, Writer& out, std::uint32_t index) {
                  std::to_string(unit.sources.line_of(any.longest_loop)) + "},");
     if (any.files.size() > 1) out.line(".other_files = " + name + "_other_files,");
     out.close(";");
+    return out.take();
 }
 
-void print_kernel_function(Unit& unit, Writer& out, std::uint32_t index) {
+std::string kernel_function(Unit& unit, std::uint32_t index) {
     const Kernel& kernel = unit.program.kernels[index];
     const ir::Lowered::Forms& forms = unit.lowered.passes[index];
     const std::string& name = unit.globals.kernel_names.at(index);
     const Pass& any = forms.general.exists ? forms.general : forms.direct;
-    out.gap();
+    Writer out;
     out.open(kernel_signature(unit, index, false));
     out.line("glift::Iteration iteration(" + name + "_kernel);");
     for (bool near : {false, true}) {
@@ -384,18 +406,20 @@ void print_kernel_function(Unit& unit, Writer& out, std::uint32_t index) {
         print_dispatch(unit, out, kernel, any, name, forms.general.exists ? "general" : "direct");
     }
     out.close();
+    return out.take();
 }
 
-void print_short_kernel_function(Unit& unit, Writer& out, std::uint32_t index) {
+std::string short_kernel_function(Unit& unit, std::uint32_t index) {
     const Kernel& kernel = unit.program.kernels[index];
     const std::optional<std::size_t> range = range_of_first_at(kernel);
-    if (!range) return;
+    if (!range) return "";
     std::string arguments = "commands, " + param_name(unit, kernel.params[*range]);
     for (std::size_t i = 1; i < kernel.params.size(); ++i) arguments += ", " + param_name(unit, kernel.params[i]);
-    out.gap();
+    Writer out;
     out.open(kernel_signature(unit, index, false, 1));
     out.line(unit.globals.kernel_names.at(index) + "(" + arguments + ");");
     out.close();
+    return out.take();
 }
 
 }  // namespace gliftc::cpp

@@ -1,4 +1,5 @@
 // A module's header and source, put together from their parts.
+#include "base/parallel.h"
 #include "emit/cpp/unit.h"
 
 #include <algorithm>
@@ -7,6 +8,8 @@
 namespace gliftc::cpp {
 
 namespace {
+
+constexpr std::size_t kernels_of_a_thread = 16;  ///< to print fewer takes less time than a thread
 
 std::string space_of(const std::string& module) {
     std::string text;
@@ -121,16 +124,45 @@ bool has_reports(const Unit& unit) {
     return false;
 }
 
+/// With an empty line after each.
+void append_parts(Writer& out, const std::vector<std::string_view>& parts) {
+    std::size_t bytes = 0;
+    for (std::string_view part : parts) bytes += part.size() + 1;
+    out.reserve(bytes);
+    for (std::string_view part : parts) {
+        out.raw(part);
+        out.gap();
+    }
+}
+
+/// What `print` makes of each kernel. Those that add functions to the file come first and in order, which is that of
+/// the functions; the others change nothing that they share.
+std::vector<std::string> printed_kernels(Unit& unit, const std::vector<std::uint32_t>& kernels,
+                                         bool (&adds_functions)(const Unit&, std::uint32_t),
+                                         std::string (&print)(Unit&, std::uint32_t)) {
+    std::vector<std::string> texts(kernels.size());
+    std::vector<std::size_t> others;
+    for (std::size_t i = 0; i < kernels.size(); ++i) {
+        if (adds_functions(unit, kernels[i])) texts[i] = print(unit, kernels[i]);
+        else others.push_back(i);
+    }
+    for_each_parallel(others.size(), kernels_of_a_thread,
+                      [&](std::size_t i) { texts[others[i]] = print(unit, kernels[others[i]]); });
+    return texts;
+}
+
 std::string source_of(Unit& unit, const std::string& stem) {
-    Writer types, code, functions, members, pipelines;
+    Writer types, functions, members, pipelines;
     for (std::uint32_t structure : unit.reach.structures) {
         if (!unit.reach.in_header.contains(structure)) print_class(unit, types, structure, false);
     }
-    for (std::uint32_t kernel : unit.reach.kernels) print_kernel_code(unit, code, kernel);
+    const std::vector<std::uint32_t> kernels(unit.reach.kernels.begin(), unit.reach.kernels.end());
+    const std::vector<std::string> codes = printed_kernels(unit, kernels, code_adds_functions, kernel_code);
+    const std::vector<std::string> callers = printed_kernels(unit, kernels, function_adds_functions, kernel_function);
     Writer hidden_functions, hidden_members;
-    for (std::uint32_t kernel : unit.reach.kernels) {
-        print_kernel_function(unit, is_public(unit, kernel) ? functions : hidden_functions, kernel);
-        if (is_public(unit, kernel)) print_short_kernel_function(unit, functions, kernel);
+    for (std::size_t i = 0; i < kernels.size(); ++i) {
+        if (is_public(unit, kernels[i])) append_parts(functions, {callers[i], short_kernel_function(unit, kernels[i])});
+        else append_parts(hidden_functions, {callers[i]});
     }
     for (std::uint32_t structure : unit.reach.structures)
         print_class_members(unit, unit.reach.in_header.contains(structure) ? members : hidden_members, structure);
@@ -165,17 +197,12 @@ std::string source_of(Unit& unit, const std::string& stem) {
     out.gap();
     out.line("namespace {");
     out.raw("\n");
-    for (const std::string& part : {types.take(), unit.globals.functions, code.take(), hidden_functions.take(),
-                                    declarations, hidden_members.take(), hidden_pipelines.take()}) {
-        out.raw(part);
-        out.gap();
-    }
+    append_parts(out, {types.text(), unit.globals.functions});
+    append_parts(out, {codes.begin(), codes.end()});
+    append_parts(out, {hidden_functions.text(), declarations, hidden_members.text(), hidden_pipelines.text()});
     out.line("}  // namespace");
     out.gap();
-    for (const std::string& part : {functions.take(), members.take(), pipelines.take()}) {
-        out.raw(part);
-        out.gap();
-    }
+    append_parts(out, {functions.text(), members.text(), pipelines.text()});
     const std::string table = tests.take();
     out.raw(table);
     out.line("}  // namespace " + unit.space);

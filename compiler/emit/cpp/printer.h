@@ -65,6 +65,7 @@ struct Printer {
     Writer out;
     Scopes names;
     std::unordered_map<ir::LocalId, std::string> local_names;
+    std::unordered_map<ir::FunctionId, std::string> local_functions;  ///< declared where they are called
     /// Spells the operations that refer to the surroundings: parameters, loads, members, pipelines' host operations.
     std::function<Text(const ir::Expr&)> outer_expression;
     std::function<void(const ir::Stmt&)> outer_statement;

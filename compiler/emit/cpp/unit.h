@@ -52,14 +52,18 @@ void print_structs(Unit& unit, Writer& out);
 // kernels.cpp
 /// The struct that mirrors the parameter block: `struct <name>_parameters { … };`. Empty without parameters.
 std::string parameters_of(const Globals& globals, const ir::Pass& pass, const std::string& name);
-void print_kernel_code(Unit& unit, Writer& out, std::uint32_t kernel);
+std::string kernel_code(Unit& unit, std::uint32_t kernel);
+/// Whether the kernel's code will add functions to those that the file shares.
+bool code_adds_functions(const Unit& unit, std::uint32_t kernel);
 /// With the parameters from the `first` on.
 std::string kernel_signature(Unit& unit, std::uint32_t kernel, bool qualified, std::size_t first = 0);
-void print_kernel_function(Unit& unit, Writer& out, std::uint32_t kernel);
+std::string kernel_function(Unit& unit, std::uint32_t kernel);
+/// Whether it will add functions to those that the file shares.
+bool function_adds_functions(const Unit& unit, std::uint32_t kernel);
 /// A kernel whose first parameter is `at` may be called without it: the first `each` of the same structure gives the
 /// range.
 std::optional<std::size_t> range_of_first_at(const ir::Kernel& kernel);
-void print_short_kernel_function(Unit& unit, Writer& out, std::uint32_t kernel);
+std::string short_kernel_function(Unit& unit, std::uint32_t kernel);  ///< empty: it may not
 
 // pipelines.cpp
 std::string pipeline_signature(Unit& unit, std::uint32_t pipeline, bool qualified, bool in_class);

@@ -24,6 +24,8 @@ public:
     int depth() const { return depth_; }
     /// As it is: preprocessor lines, finished pieces.
     void raw(std::string_view text) { out_ += text; }
+    /// Makes room for so many more bytes.
+    void reserve(std::size_t bytes) { out_.reserve(out_.size() + bytes); }
 
     const std::string& text() const { return out_; }
     std::string take() { return std::move(out_); }

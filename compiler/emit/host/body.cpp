@@ -197,7 +197,7 @@ void print_outer(Body& body, const Stmt& stmt) {
 void print_local_function(Body& body, ir::FunctionId id) {
     cpp::Printer& p = body.p;
     const ir::Function& function = p.program.functions[id];
-    p.globals.function_names[id] = p.names.declare((*p.program.names)[function.name]);
+    const std::string name = p.local_functions[id] = p.names.declare((*p.program.names)[function.name]);
     p.names.enter();
     std::string parameters;
     for (ir::LocalId local : function.params) {
@@ -206,7 +206,7 @@ void print_local_function(Body& body, ir::FunctionId id) {
                       " " + cpp::declare_local(p, local);
     }
     cpp::mark_line(p, function.span);
-    p.out.open("const auto " + p.globals.function_names[id] + " = [&](" + parameters + ") -> " +
+    p.out.open("const auto " + name + " = [&](" + parameters + ") -> " +
                cpp::type_text(p.globals, function.result));
     auto print_return = std::exchange(p.print_return, nullptr);
     cpp::print_statements(p, function.body);

@@ -116,7 +116,7 @@ struct Rows {
     void print_address(const std::string& x);
     void print_row_pointers(const std::vector<StmtId>& statements, const std::vector<RowAccess>& accesses,
                             const std::string& begin);
-    std::vector<StmtId> without_unused(std::vector<StmtId> statements, IdSet<ir::Local>& read) const;
+    std::vector<StmtId> without_unused(const std::vector<StmtId>& statements, IdSet<ir::Local>& read) const;
     void print_element(const std::vector<StmtId>& statements);
     void print_values_at(const std::vector<StmtId>& statements, const std::vector<ExprId>& wanted,
                          const std::string& begin);
@@ -184,7 +184,7 @@ void Rows::print_row_pointers(const std::vector<StmtId>& statements, const std::
 }
 
 /// Without the `let`s that nothing reads, now that row pointers stand for what was computed with them.
-std::vector<StmtId> Rows::without_unused(std::vector<StmtId> statements, IdSet<ir::Local>& read) const {
+std::vector<StmtId> Rows::without_unused(const std::vector<StmtId>& statements, IdSet<ir::Local>& read) const {
     const auto note = [&](const auto& self, ExprId id) -> void {
         if (!id) return;
         const ir::Expr& expr = program.exprs[id];
@@ -192,21 +192,19 @@ std::vector<StmtId> Rows::without_unused(std::vector<StmtId> statements, IdSet<i
         if (expr.op == Op::load && body.row_pointers.contains({expr.slot, expr.operands[0]})) return;
         for (ExprId operand : expr.operands) self(self, operand);
     };
-    for (bool changed = true; changed;) {
-        read.clear();
-        ir::for_each_statement(program, statements, [&](const Stmt& stmt) {
+    std::vector<StmtId> kept;
+    for (std::size_t i = statements.size(); i-- > 0;) {  // what reads a value stands behind it
+        const Stmt& last = program.stmts[statements[i]];
+        if (is_let(last) && !read.contains(last.local)) continue;
+        kept.push_back(statements[i]);
+        ir::for_each_statement(program, {statements[i]}, [&](const Stmt& stmt) {
             if (stmt.op != StmtOp::store || !body.row_pointers.contains({stmt.slot, stmt.target}))
                 note(note, stmt.target);
             note(note, stmt.value);
             note(note, stmt.limit);
         });
-        const std::size_t removed = std::erase_if(statements, [&](StmtId id) {
-            const Stmt& stmt = program.stmts[id];
-            return is_let(stmt) && !read.contains(stmt.local);
-        });
-        changed = removed != 0;
     }
-    return statements;
+    return {kept.rbegin(), kept.rend()};
 }
 
 bool Rows::is_independent(const std::vector<StmtId>& statements) const {
@@ -402,9 +400,9 @@ void print_parts(Rows& rows) {
     const std::string interior =
         "glift::host::interior_of(row, " + origin + ", " + domain + ", " + std::to_string(pass.interior_radius) + ")";
     rows.p.local_names[pass.address] = "address";
-    const bool is_plain = row_clamps(rows.program, pass, pass.interior_body).empty() &&
-                          !row_accesses(rows.program, pass, pass.interior_body, {}).empty();
-    const bool in_blocks = is_plain && rows.fills_blocks(pass.interior_body);
+    const bool in_blocks = rows.fills_blocks(pass.interior_body) &&
+                           row_clamps(rows.program, pass, pass.interior_body).empty() &&
+                           !row_accesses(rows.program, pass, pass.interior_body, {}).empty();
     out.line("const glift::host::Part interior = " +
              (in_blocks ? "glift::host::in_blocks(" + interior + ", row.end)" : interior) + ";");
     rows.open_sections("part", "row.begin", "interior", "row.end");

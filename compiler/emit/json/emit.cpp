@@ -1,22 +1,22 @@
 #include "emit/json/emit.h"
 
 #include "emit/json/reach.h"
+#include "emit/json/text.h"
 #include "emit/json/words.h"
 #include "ir/evaluate.h"
 #include "layout/layout.h"
 
-#include <nlohmann/json.hpp>
+#include <algorithm>
 
 namespace gliftc::json {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 struct Writer {
     const ir::Program& program;
     const ir::Lowered& lowered;
     const Sources& sources;
+    Text out;
 
     const std::string& name(Name name) const { return (*program.names)[name]; }
     std::string type(ir::TypeId id) const { return ir::to_text(program, id); }
@@ -26,213 +26,281 @@ struct Writer {
         const ir::Structure& s = program.structures[index];
         return s.alias ? name(s.alias) : s.display;
     }
-    static void document(Json& json, const std::string& doc) {
-        if (!doc.empty()) json["doc"] = doc;
+    void document(const std::string& doc) {
+        if (!doc.empty()) out.field("doc", doc);
+    }
+    /// An array with what write(item) writes of each item.
+    template <class Items, class Write> void list(std::string_view key, const Items& items, Write&& write) {
+        out.key(key);
+        out.array([&] {
+            for (const auto& item : items) write(item);
+        });
+    }
+    void named(std::string_view name, std::string_view type) {
+        out.object([&] {
+            out.field("name", name);
+            out.field("type", type);
+        });
     }
 
-    Json translator(const ir::Translator& t) const;
-    Json stages(const ir::Structure& s, const std::vector<Root>& roots) const;
-    Json structure(std::uint32_t index) const;
-    Json struct_(const ir::Struct& s) const;
-    Json enum_(const ir::Enum& e) const;
-    Json kernel(std::uint32_t index) const;
-    Json form(const ir::Pass& pass, const std::vector<Root>& roots) const;
-    Json parameters(const ir::Pass& pass, const std::vector<Root>& roots) const;
-    Json bindings(const ir::Pass& pass, const std::vector<Root>& roots) const;
-    Json pipeline(const ir::Pipeline& p) const;
+    void translator(const ir::Translator& t);
+    void stages(const ir::Structure& s, const std::vector<Root>& roots);
+    void memory(const ir::Memory& m, const std::vector<Root>& roots);
+    void member(const ir::MemberStructure& m, const std::vector<Root>& roots);
+    void structure(std::uint32_t index);
+    void struct_(const ir::Struct& s);
+    void enum_(const ir::Enum& e);
+    void kernel_param(const ir::KernelParam& p);
+    void kernel(std::uint32_t index);
+    void form(const ir::Pass& pass, const std::vector<Root>& roots);
+    void parameters(const ir::Pass& pass, const std::vector<Root>& roots);
+    void binding(const ir::Pass& pass, std::size_t index, const std::vector<Root>& roots);
+    void pipeline_param(const ir::PipelineParam& p);
+    void pipeline(const ir::Pipeline& p);
 };
 
-Json Writer::translator(const ir::Translator& t) const {
-    Json json = {{"name", t.display}, {"virtual", type(t.virtual_type)}, {"physical", type(t.physical_type)}};
-    const ir::Properties& p = t.properties;
-    json["properties"] = {{"partial", p.partial},
-                          {"invertible", p.invertible},
-                          {"one_to_one", p.one_to_one},
-                          {"affine", p.affine},
-                          {"uniform", p.uniform},
-                          {"memory_complexity", p.memory_complexity},
-                          {"access_complexity", p.access_complexity},
-                          {"location", p.location}};
-    Json state = Json::array();
-    for (const ir::StructField& field : t.scalars)
-        state.push_back({{"name", name(field.name)}, {"type", type(field.type)}});
-    for (std::size_t i = 0; i < t.structures.size(); ++i)
-        state.push_back({{"name", name(t.structure_names[i])}, {"type", structure_name(t.structures[i])}});
-    json["state"] = state;
-    document(json, t.doc);
-    return json;
+void Writer::translator(const ir::Translator& t) {
+    out.object([&] {
+        out.field("name", t.display);
+        out.field("virtual", type(t.virtual_type));
+        out.field("physical", type(t.physical_type));
+        const ir::Properties& p = t.properties;
+        out.key("properties");
+        out.object([&] {
+            out.field("partial", p.partial);
+            out.field("invertible", p.invertible);
+            out.field("one_to_one", p.one_to_one);
+            out.field("affine", p.affine);
+            out.field("uniform", p.uniform);
+            out.field("memory_complexity", p.memory_complexity);
+            out.field("access_complexity", p.access_complexity);
+            out.field("location", p.location);
+        });
+        out.key("state");
+        out.array([&] {
+            for (const ir::StructField& field : t.scalars) named(name(field.name), type(field.type));
+            for (std::size_t i = 0; i < t.structures.size(); ++i)
+                named(name(t.structure_names[i]), structure_name(t.structures[i]));
+        });
+        document(t.doc);
+    });
 }
 
-Json Writer::stages(const ir::Structure& s, const std::vector<Root>& roots) const {
-    Json via = Json::array();
-    for (const ir::Stage& stage : s.via) {
-        Json json = {{"translator", translator(program.translators[stage.translator])}};
-        Json arguments = Json::array();
-        for (ir::ExprId scalar : stage.scalars) arguments.push_back(expression_text(program, scalar, roots));
-        for (const ir::Place& place : stage.structures) arguments.push_back(place_text(program, roots, place));
-        json["arguments"] = arguments;
-        via.push_back(std::move(json));
-    }
-    return via;
+void Writer::stages(const ir::Structure& s, const std::vector<Root>& roots) {
+    list("via", s.via, [&](const ir::Stage& stage) {
+        out.object([&] {
+            out.key("translator");
+            translator(program.translators[stage.translator]);
+            out.key("arguments");
+            out.array([&] {
+                for (ir::ExprId scalar : stage.scalars) out.value(expression_text(program, scalar, roots));
+                for (const ir::Place& place : stage.structures) out.value(place_text(program, roots, place));
+            });
+        });
+    });
 }
 
-Json Writer::structure(std::uint32_t index) const {
+void Writer::memory(const ir::Memory& m, const std::vector<Root>& roots) {
+    out.object([&] {
+        out.field("name", name(m.name));
+        out.field("kind", word(m.shape));
+        out.field("element", type(m.element));
+        if (m.shape != ir::MemoryShape::buffer) out.field("format", word(m.format));
+        out.field("extent", m.extent ? expression_text(program, m.extent, roots) : "");
+        if (m.linear) out.field("filter", "linear");
+    });
+}
+
+void Writer::member(const ir::MemberStructure& m, const std::vector<Root>& roots) {
+    out.object([&] {
+        out.field("name", name(m.name));
+        out.field("type", structure_name(m.structure));
+        list("arguments", m.arguments,
+             [&](ir::ExprId argument) { out.value(expression_text(program, argument, roots)); });
+        out.field("by_reference", m.by_reference);
+    });
+}
+
+void Writer::structure(std::uint32_t index) {
     const ir::Structure& s = program.structures[index];
     const std::vector<Root> self = {{"", index}};
-    Json json = {{"name", structure_name(index)}, {"type", s.display}, {"kind", word(s.kind)}};
-    if (s.kind != ir::StructureKind::adaptor) {
-        json["domain"] = type(s.domain_type);
-        json["element"] = type(s.element);
-    }
-    json["public"] = s.is_pub;
-    json["constructor"] = Json::array();
-    for (ir::LocalId id : s.constructor)
-        json["constructor"].push_back(
-            {{"name", name(program.locals[id].name)}, {"type", type(program.locals[id].type)}});
-    json["memories"] = Json::array();
-    for (const ir::Memory& m : s.memories) {
-        Json memory = {{"name", name(m.name)}, {"kind", word(m.shape)}, {"element", type(m.element)}};
-        if (m.shape != ir::MemoryShape::buffer) memory["format"] = word(m.format);
-        memory["extent"] = m.extent ? expression_text(program, m.extent, self) : "";
-        if (m.linear) memory["filter"] = "linear";
-        json["memories"].push_back(std::move(memory));
-    }
-    json["members"] = Json::array();
-    for (const ir::MemberStructure& m : s.members) {
-        Json arguments = Json::array();
-        for (ir::ExprId argument : m.arguments) arguments.push_back(expression_text(program, argument, self));
-        json["members"].push_back({{"name", name(m.name)},
-                                   {"type", structure_name(m.structure)},
-                                   {"arguments", arguments},
-                                   {"by_reference", m.by_reference}});
-    }
-    json["via"] = stages(s, self);
-    if (s.kind == ir::StructureKind::adaptor) {
-        json["host"] = Json::array();
-        for (const ir::HostField& field : s.host)
-            json["host"].push_back({{"name", name(field.name)}, {"type", type(field.type)}});
-    }
-    document(json, s.doc);
-    return json;
+    out.object([&] {
+        out.field("name", structure_name(index));
+        out.field("type", s.display);
+        out.field("kind", word(s.kind));
+        if (s.kind != ir::StructureKind::adaptor) {
+            out.field("domain", type(s.domain_type));
+            out.field("element", type(s.element));
+        }
+        out.field("public", s.is_pub);
+        list("constructor", s.constructor,
+             [&](ir::LocalId id) { named(name(program.locals[id].name), type(program.locals[id].type)); });
+        list("memories", s.memories, [&](const ir::Memory& m) { memory(m, self); });
+        list("members", s.members, [&](const ir::MemberStructure& m) { member(m, self); });
+        stages(s, self);
+        if (s.kind == ir::StructureKind::adaptor)
+            list("host", s.host, [&](const ir::HostField& field) { named(name(field.name), type(field.type)); });
+        document(s.doc);
+    });
 }
 
-Json Writer::struct_(const ir::Struct& s) const {
-    layout::Size size{s.size, 0};
-    std::vector<std::uint32_t> offsets = layout::offsets_of(program, s);
-    Json fields = Json::array();
+void Writer::struct_(const ir::Struct& s) {
+    const std::vector<std::uint32_t> offsets = layout::offsets_of(program, s);
     std::uint32_t end = 0, align = 1;
     for (std::size_t i = 0; i < s.fields.size(); ++i) {
-        layout::Size field = layout::size_of(program, s.fields[i].type);
-        fields.push_back({{"name", name(s.fields[i].name)}, {"type", type(s.fields[i].type)}, {"offset", offsets[i]}});
+        const layout::Size field = layout::size_of(program, s.fields[i].type);
         end = std::max(end, offsets[i] + field.size);
         align = std::max(align, field.align);
     }
-    if (size.size == 0) size.size = (end + align - 1) / align * align;
-    Json json = {{"name", s.display.empty() ? name(s.name) : s.display}, {"size", size.size}, {"fields", fields}};
-    if (!s.extern_header.empty()) json["header"] = s.extern_header;
-    document(json, s.doc);
-    return json;
+    out.object([&] {
+        out.field("name", s.display.empty() ? name(s.name) : s.display);
+        out.field("size", s.size != 0 ? s.size : (end + align - 1) / align * align);
+        out.key("fields");
+        out.array([&] {
+            for (std::size_t i = 0; i < s.fields.size(); ++i)
+                out.object([&] {
+                    out.field("name", name(s.fields[i].name));
+                    out.field("type", type(s.fields[i].type));
+                    out.field("offset", offsets[i]);
+                });
+        });
+        if (!s.extern_header.empty()) out.field("header", s.extern_header);
+        document(s.doc);
+    });
 }
 
-Json Writer::enum_(const ir::Enum& e) const {
-    Json values = Json::object();
-    for (std::size_t i = 0; i < e.enumerators.size(); ++i) values[name(e.enumerators[i])] = e.values[i];
-    Json json = {{"name", name(e.name)}, {"values", values}};
-    document(json, e.doc);
-    return json;
+void Writer::enum_(const ir::Enum& e) {
+    out.object([&] {
+        out.field("name", name(e.name));
+        out.key("values");
+        out.object([&] {
+            for (std::size_t i = 0; i < e.enumerators.size(); ++i) out.field(name(e.enumerators[i]), e.values[i]);
+        });
+        document(e.doc);
+    });
 }
 
-Json Writer::parameters(const ir::Pass& pass, const std::vector<Root>& roots) const {
-    Json members = Json::array();
-    for (const ir::PassParameter& p : pass.parameters) {
-        Json member = {{"name", p.name}, {"type", type(p.type)}, {"offset", p.offset}, {"source", word(p.source)}};
-        if (p.source == ir::ParameterSource::uniform && p.value)
-            member["value"] = expression_text(program, p.value, roots);
-        if (p.source == ir::ParameterSource::origin || p.source == ir::ParameterSource::range_size)
-            member["of"] = roots.at(p.param).name;
-        if (p.source == ir::ParameterSource::address) member["of"] = pass.bindings.at(p.param).name;
-        members.push_back(std::move(member));
-    }
-    return {{"bytes", pass.parameter_bytes}, {"push_constants", pass.push_constants}, {"members", members}};
+void Writer::parameters(const ir::Pass& pass, const std::vector<Root>& roots) {
+    out.object([&] {
+        out.field("bytes", pass.parameter_bytes);
+        out.field("push_constants", pass.push_constants);
+        list("members", pass.parameters, [&](const ir::PassParameter& p) {
+            out.object([&] {
+                out.field("name", p.name);
+                out.field("type", type(p.type));
+                out.field("offset", p.offset);
+                out.field("source", word(p.source));
+                if (p.source == ir::ParameterSource::uniform && p.value)
+                    out.field("value", expression_text(program, p.value, roots));
+                if (p.source == ir::ParameterSource::origin || p.source == ir::ParameterSource::range_size)
+                    out.field("of", roots.at(p.param).name);
+                if (p.source == ir::ParameterSource::address) out.field("of", pass.bindings.at(p.param).name);
+            });
+        });
+    });
 }
 
-Json Writer::bindings(const ir::Pass& pass, const std::vector<Root>& roots) const {
-    Json all = Json::array();
-    for (std::size_t i = 0; i < pass.bindings.size(); ++i) {
-        const ir::PassBinding& b = pass.bindings[i];
-        const ir::Structure& structure = program.structures[structure_at(program, roots, b.place)];
-        Json json = {{"binding", i + 1},
-                     {"name", b.name},
-                     {"memory", place_text(program, roots, b.place) + "." + name(structure.memories[b.memory].name)},
-                     {"kind", word(b.shape)},
-                     {"element", type(b.element)},
-                     {"access", word(b.access)}};
+void Writer::binding(const ir::Pass& pass, std::size_t index, const std::vector<Root>& roots) {
+    const ir::PassBinding& b = pass.bindings[index];
+    const ir::Structure& structure = program.structures[structure_at(program, roots, b.place)];
+    out.object([&] {
+        out.field("binding", index + 1);
+        out.field("name", b.name);
+        out.field("memory", place_text(program, roots, b.place) + "." + name(structure.memories[b.memory].name));
+        out.field("kind", word(b.shape));
+        out.field("element", type(b.element));
+        out.field("access", word(b.access));
         if (b.shape != ir::MemoryShape::buffer) {
-            json["format"] = word(b.format);
-            json["sampled"] = b.sampled;
+            out.field("format", word(b.format));
+            out.field("sampled", b.sampled);
         }
-        all.push_back(std::move(json));
-    }
-    return all;
+    });
 }
 
-Json Writer::form(const ir::Pass& pass, const std::vector<Root>& roots) const {
-    if (!pass.exists) return nullptr;
-    Json json = {{"group", pass.group}, {"parameters", parameters(pass, roots)}, {"bindings", bindings(pass, roots)}};
-    json["loop_rounds"] = pass.loop_rounds == UINT64_MAX ? Json(nullptr) : Json(pass.loop_rounds);
-    json["exact"] = pass.exact;
-    if (pass.shared_bytes) json["shared_bytes"] = pass.shared_bytes;
-    if (pass.has_status()) json["status_binding"] = pass.bindings.size() + 1;
-    return json;
+void Writer::form(const ir::Pass& pass, const std::vector<Root>& roots) {
+    if (!pass.exists) return out.null();
+    out.object([&] {
+        list("group", pass.group, [&](std::uint32_t extent) { out.value(extent); });
+        out.key("parameters");
+        parameters(pass, roots);
+        out.key("bindings");
+        out.array([&] {
+            for (std::size_t i = 0; i < pass.bindings.size(); ++i) binding(pass, i, roots);
+        });
+        out.key("loop_rounds");
+        if (pass.loop_rounds == UINT64_MAX) out.null();
+        else out.value(pass.loop_rounds);
+        out.field("exact", pass.exact);
+        if (pass.shared_bytes) out.field("shared_bytes", pass.shared_bytes);
+        if (pass.has_status()) out.field("status_binding", pass.bindings.size() + 1);
+    });
 }
 
-Json Writer::kernel(std::uint32_t index) const {
+void Writer::kernel_param(const ir::KernelParam& p) {
+    out.object([&] {
+        out.field("name", name(p.name));
+        out.field("pattern", word(p.pattern));
+        if (p.pattern == ir::Pattern::value) {
+            out.field("type", type(program.locals[p.local].type));
+        } else {
+            out.field("direction", word(p.direction));
+            out.field("structure", structure_name(p.structure));
+        }
+        if (p.pattern == ir::Pattern::near) out.field("radius", p.radius);
+        if (p.pattern == ir::Pattern::scatter) out.field("combine", word(p.combine));
+    });
+}
+
+void Writer::kernel(std::uint32_t index) {
     const ir::Kernel& k = program.kernels[index];
-    Json json = {{"name", k.display.empty() ? name(k.name) : k.display},
-                 {"line", line(k.span)},
-                 {"public", k.is_pub},
-                 {"domain", type(k.domain_type)}};
-    if (k.grouped()) json["group"] = k.group;
-    json["params"] = Json::array();
     std::vector<Root> roots;
-    for (const ir::KernelParam& p : k.params) {
-        roots.push_back({name(p.name), p.structure});
-        Json param = {{"name", name(p.name)}, {"pattern", word(p.pattern)}};
-        if (p.pattern == ir::Pattern::value) param["type"] = type(program.locals[p.local].type);
-        else {
-            param["direction"] = word(p.direction);
-            param["structure"] = structure_name(p.structure);
+    for (const ir::KernelParam& p : k.params) roots.push_back({name(p.name), p.structure});
+    out.object([&] {
+        out.field("name", k.display.empty() ? name(k.name) : k.display);
+        out.field("line", line(k.span));
+        out.field("public", k.is_pub);
+        out.field("domain", type(k.domain_type));
+        if (k.grouped()) list("group", k.group, [&](std::uint32_t extent) { out.value(extent); });
+        list("params", k.params, [&](const ir::KernelParam& p) { kernel_param(p); });
+        if (index < lowered.passes.size()) {
+            const ir::Lowered::Forms& forms = lowered.passes[index];
+            out.key("forms");
+            out.object([&] {
+                out.key("direct");
+                form(forms.direct, roots);
+                out.key("general");
+                form(forms.general, roots);
+                out.key("wide");
+                form(forms.wide, roots);
+            });
         }
-        if (p.pattern == ir::Pattern::near) param["radius"] = p.radius;
-        if (p.pattern == ir::Pattern::scatter) param["combine"] = word(p.combine);
-        json["params"].push_back(std::move(param));
-    }
-    if (index < lowered.passes.size()) {
-        const ir::Lowered::Forms& forms = lowered.passes[index];
-        json["forms"] = {{"direct", form(forms.direct, roots)},
-                         {"general", form(forms.general, roots)},
-                         {"wide", form(forms.wide, roots)}};
-    }
-    document(json, k.doc);
-    return json;
+        document(k.doc);
+    });
 }
 
-Json Writer::pipeline(const ir::Pipeline& p) const {
-    Json json = {{"name", p.display.empty() ? name(p.name) : p.display}, {"line", line(p.span)}, {"public", p.is_pub}};
-    if (p.owner) json["owner"] = structure_name(*p.owner);
-    json["params"] = Json::array();
-    for (const ir::PipelineParam& param : p.params) {
-        Json one = {{"name", name(param.name)}, {"pattern", word(param.pattern)}};
-        if (param.pattern == ir::HostPattern::value) one["type"] = type(program.locals[param.local].type);
-        else {
-            one["direction"] = word(param.direction);
-            one["structure"] = structure_name(param.structure);
+void Writer::pipeline_param(const ir::PipelineParam& p) {
+    out.object([&] {
+        out.field("name", name(p.name));
+        out.field("pattern", word(p.pattern));
+        if (p.pattern == ir::HostPattern::value) {
+            out.field("type", type(program.locals[p.local].type));
+        } else {
+            out.field("direction", word(p.direction));
+            out.field("structure", structure_name(p.structure));
         }
-        json["params"].push_back(std::move(one));
-    }
-    json["result"] = type(p.result);
-    document(json, p.doc);
-    return json;
+    });
+}
+
+void Writer::pipeline(const ir::Pipeline& p) {
+    out.object([&] {
+        out.field("name", p.display.empty() ? name(p.name) : p.display);
+        out.field("line", line(p.span));
+        out.field("public", p.is_pub);
+        if (p.owner) out.field("owner", structure_name(*p.owner));
+        list("params", p.params, [&](const ir::PipelineParam& param) { pipeline_param(param); });
+        out.field("result", type(p.result));
+        document(p.doc);
+    });
 }
 
 std::string file_name(std::string_view path) { return std::string(path.substr(path.find_last_of('/') + 1)); }
@@ -248,26 +316,35 @@ std::set<std::uint32_t> pipelines_of_tests(const ir::Program& program) {
 
 std::string reflection_of(const ir::Program& program, const ir::Lowered& lowered, const Sources& sources,
                           std::uint32_t module) {
-    Writer writer{program, lowered, sources};
+    Writer writer{program, lowered, sources, {}};
+    Text& out = writer.out;
     const ir::Module& m = program.modules[module];
     const Reached reached = reach(program, module);
     const std::set<std::uint32_t> of_tests = pipelines_of_tests(program);
-    Json json = {
-        {"schema", schema_version}, {"module", writer.name(m.name)}, {"source", file_name(sources[m.file].path)}};
-    Writer::document(json, m.doc);
-    for (const char* part : {"structs", "enums", "structures", "kernels", "pipelines", "tests"})
-        json[part] = Json::array();
-    for (std::uint32_t i : reached.structs) json["structs"].push_back(writer.struct_(program.structs[i]));
-    for (std::uint32_t i : reached.enums) json["enums"].push_back(writer.enum_(program.enums[i]));
-    for (std::uint32_t i : reached.structures) json["structures"].push_back(writer.structure(i));
+    std::vector<std::uint32_t> kernels, pipelines;
     for (std::uint32_t i = 0; i < program.kernels.size(); ++i)
-        if (program.kernels[i].module == module) json["kernels"].push_back(writer.kernel(i));
+        if (program.kernels[i].module == module) kernels.push_back(i);
     for (std::uint32_t i = 0; i < program.pipelines.size(); ++i)
-        if (program.pipelines[i].module == module && !of_tests.contains(i))
-            json["pipelines"].push_back(writer.pipeline(program.pipelines[i]));
-    for (const ir::Test& test : program.tests)
-        if (test.module == module) json["tests"].push_back({{"title", test.title}, {"line", writer.line(test.span)}});
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+        if (program.pipelines[i].module == module && !of_tests.contains(i)) pipelines.push_back(i);
+    out.object([&] {
+        out.field("schema", schema_version);
+        out.field("module", writer.name(m.name));
+        out.field("source", file_name(sources[m.file].path));
+        writer.document(m.doc);
+        writer.list("structs", reached.structs, [&](std::uint32_t i) { writer.struct_(program.structs[i]); });
+        writer.list("enums", reached.enums, [&](std::uint32_t i) { writer.enum_(program.enums[i]); });
+        writer.list("structures", reached.structures, [&](std::uint32_t i) { writer.structure(i); });
+        writer.list("kernels", kernels, [&](std::uint32_t i) { writer.kernel(i); });
+        writer.list("pipelines", pipelines, [&](std::uint32_t i) { writer.pipeline(program.pipelines[i]); });
+        writer.list("tests", program.tests, [&](const ir::Test& test) {
+            if (test.module != module) return;
+            out.object([&] {
+                out.field("title", test.title);
+                out.field("line", writer.line(test.span));
+            });
+        });
+    });
+    return out.take() + "\n";
 }
 
 }  // namespace gliftc::json

@@ -9,7 +9,7 @@
 namespace gliftc::json {
 
 /// Grows when a reader of the older form could misread the newer.
-inline constexpr int schema_version = 1;
+inline constexpr unsigned schema_version = 1;
 
 /// The reflection of one module: its kernels, pipelines and tests, and every structure, translator, struct and enum
 /// that these reach or that is pub. The same program gives the same bytes.

@@ -19,6 +19,14 @@ TEST(Types, EqualTypesHaveOneId) {
     EXPECT_FALSE(types.is_number(types.bool_));
 }
 
+TEST(Types, KnowTheTypesOfACopy) {
+    ir::Types types, copy = types;
+    types.vector(types.uint, 2);  // ids of the two mean different types from here on
+    const ir::TypeId made = copy.optional(copy.vector(copy.float_, 3));
+    EXPECT_EQ(types.same_as(copy, made), types.optional(types.vector(types.float_, 3)));
+    EXPECT_EQ(types.same_as(copy, copy.bool_), types.bool_);
+}
+
 TEST(Validate, FindsALocalBeforeItsLet) {
     Names names;
     ir::Program program;

@@ -1,0 +1,51 @@
+// Independent work on several threads.
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <functional>
+#include <future>
+#include <optional>
+#include <thread>
+#include <vector>
+
+namespace gliftc {
+
+/// The numbers below a count, each for one of the threads that ask.
+class Tickets {
+public:
+    explicit Tickets(std::size_t count) : count_(count) {}
+    std::optional<std::size_t> take() {
+        const std::size_t number = next_++;
+        return number < count_ ? std::optional(number) : std::nullopt;
+    }
+
+private:
+    std::atomic<std::size_t> next_ = 0;
+    std::size_t count_;
+};
+
+/// As many threads as there are processors for `count` pieces of work; a thread for fewer than `share` does not pay.
+inline std::size_t threads_for(std::size_t count, std::size_t share) {
+    return std::clamp<std::size_t>(count / share, 1, std::max(1u, std::thread::hardware_concurrency()));
+}
+
+/// Calls work() once on each of so many threads, this one among them, and returns when all have returned. Throws what
+/// one of them threw.
+template <class Work> void on_threads(std::size_t threads, Work&& work) {
+    std::vector<std::future<void>> others;
+    for (std::size_t i = 1; i < threads; ++i) others.push_back(std::async(std::launch::async, std::ref(work)));
+    work();
+    for (std::future<void>& other : others) other.get();
+}
+
+/// Calls work(i) for every i below `count`, in no order, on one thread for each `share` of them.
+template <class Work> void for_each_parallel(std::size_t count, std::size_t share, Work&& work) {
+    Tickets tickets(count);
+    on_threads(threads_for(count, share), [&] {
+        while (auto i = tickets.take()) work(*i);
+    });
+}
+
+}  // namespace gliftc

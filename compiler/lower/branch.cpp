@@ -1,0 +1,127 @@
+#include "lower/branch.h"
+
+namespace gliftc::lower {
+
+using namespace ir;
+
+namespace {
+
+Program extending(const Program& trunk, Names& names) {
+    Program program;
+    program.names = &names;
+    program.types = trunk.types;
+    program.exprs = Arena<Expr>::extending(trunk.exprs);
+    program.stmts = Arena<Stmt>::extending(trunk.stmts);
+    program.locals = Arena<Local>::extending(trunk.locals);
+    program.functions = Arena<Function>::extending(trunk.functions);
+    program.modules = trunk.modules;
+    program.structs = trunk.structs;
+    program.enums = trunk.enums;
+    program.constants = trunk.constants;
+    program.translators = trunk.translators;
+    program.structures = trunk.structures;
+    program.kernels = trunk.kernels;
+    return program;
+}
+
+/// Gives what refers to nodes of the branch the ids that they have in the trunk.
+class Grafting {
+public:
+    Grafting(Program& trunk, const Growth& growth)
+        : trunk_(trunk), branch_(*growth.branch), begin_(growth.begin), end_(growth.end), to_(trunk) {}
+
+    void run(Lowered::Forms& forms) {
+        move(branch_.program.exprs, trunk_.exprs, begin_.exprs, end_.exprs);
+        move(branch_.program.stmts, trunk_.stmts, begin_.stmts, end_.stmts);
+        move(branch_.program.locals, trunk_.locals, begin_.locals, end_.locals);
+        move(branch_.program.functions, trunk_.functions, begin_.functions, end_.functions);
+        for (Pass* pass : {&forms.direct, &forms.general, &forms.wide}) settle(*pass);
+    }
+
+private:
+    template <class T> void move(Arena<T>& from, Arena<T>& to, std::uint32_t begin, std::uint32_t end) {
+        for (std::uint32_t i = begin; i < end; ++i) {
+            T& node = from[{i}];
+            settle(node);
+            to.add(std::move(node));
+        }
+    }
+
+    void settle(Expr& expr) {
+        settle(expr.type);
+        settle(expr.local);
+        settle(expr.function);
+        for (ExprId& operand : expr.operands) settle(operand);
+    }
+    void settle(Stmt& stmt) {
+        settle(stmt.local);
+        for (ExprId* root : {&stmt.target, &stmt.value, &stmt.limit}) settle(*root);
+        for (ExprId& argument : stmt.arguments) settle(argument);
+        settle_all(stmt.body);
+        settle_all(stmt.otherwise);
+        settle_all(stmt.locals);
+    }
+    void settle(Local& local) {
+        settle(local.name);
+        settle(local.type);
+    }
+    void settle(Function& function) {
+        settle(function.name);
+        settle(function.result);
+        settle_all(function.params);
+        settle_all(function.shared);
+        settle_all(function.body);
+    }
+    void settle(Pass& pass) {
+        for (PassBinding& binding : pass.bindings) settle(binding.element);
+        for (PassParameter& parameter : pass.parameters) {
+            settle(parameter.type);
+            settle(parameter.value);
+        }
+        settle(pass.address);
+        settle(pass.in_range);
+        for (auto* body : {&pass.prologue, &pass.body, &pass.interior_body}) settle_all(*body);
+        settle_all(pass.functions);
+        settle_all(pass.shared);
+        settle_all(pass.params);
+    }
+    template <class Node> void settle_all(std::vector<Node>& ids) {
+        for (Node& id : ids) settle(id);
+    }
+
+    void settle(ExprId& id) const { settle(id, begin_.exprs, to_.exprs); }
+    void settle(StmtId& id) const { settle(id, begin_.stmts, to_.stmts); }
+    void settle(LocalId& id) const { settle(id, begin_.locals, to_.locals); }
+    void settle(FunctionId& id) const { settle(id, begin_.functions, to_.functions); }
+    template <class T> static void settle(Id<T>& id, std::uint32_t begin, std::uint32_t to) {
+        if (id && id.index >= begin) id.index += to - begin;
+    }
+    void settle(TypeId& id) {
+        if (!id || id.index < branch_.first_type) return;
+        branch_.trunk_types.resize(branch_.program.types.size() - branch_.first_type);
+        TypeId& known = branch_.trunk_types[id.index - branch_.first_type];
+        if (!known) known = trunk_.types.same_as(branch_.program.types, id);
+        id = known;
+    }
+    void settle(Name& name) {
+        if (name.index < branch_.first_name) return;
+        branch_.trunk_names.resize(branch_.names.size() - branch_.first_name);
+        Name& known = branch_.trunk_names[name.index - branch_.first_name];
+        if (!known) known = trunk_.names->intern(branch_.names[name]);
+        name = known;
+    }
+
+    Program& trunk_;
+    Branch& branch_;
+    const Mark begin_, end_, to_;
+};
+
+}  // namespace
+
+Branch::Branch(const Program& trunk)
+    : names(Names::extending(*trunk.names)), program(extending(trunk, names)), first_name(names.size()),
+      first_type(program.types.size()) {}
+
+void graft(Program& trunk, const Growth& growth, Lowered::Forms& forms) { Grafting(trunk, growth).run(forms); }
+
+}  // namespace gliftc::lower
