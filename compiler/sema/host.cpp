@@ -237,7 +237,8 @@ Operand check_slice(Body& body, const Operand& structure, const ast::Expr& range
     bool on_device = body.types().kind(high_type) == ir::TypeKind::device;
     if (on_device && body.types()[high_type].element == domain) {
         auto known = ir::evaluate(body.program(), low);
-        if (!known || known->bits() != 0) {
+        const auto is_other = [](const ir::Lane& lane) { return lane.bits != 0; };
+        if (!known || std::ranges::any_of(known->lanes, is_other)) {
             note(c.error(Diag::device_slice_origin, span), span,
                  "a slice with a length on the device begins at 0: a[0 .. n]");
             return error_operand(span);

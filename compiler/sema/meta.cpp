@@ -228,6 +228,8 @@ Meta meta_of_array(Context& c, const Env& env, const ast::Expr& expr) {
 std::vector<ast::DeclId> find_declarations(Context& c, std::uint32_t module, ast::Identifier name) {
     Visible visible = look_up(c, module, name);
     if (!visible.found.empty() || visible.hidden.empty()) return visible.found;
+    // What others keep to themselves hides nothing of the language's.
+    if (builtin(c, c.text(name.name)).kind != MetaKind::none) return {};
     std::string_view owner = c.text(c.modules[c.module_of.at(visible.hidden[0])].tree->name.name);
     note(c.error(Diag::not_public, name.span, {c.text(name.name), owner}), c[visible.hidden[0]].name.span,
          "write 'pub' before it to export it");

@@ -94,8 +94,8 @@ public:
 
     Range(const S& structure) : structure_(&structure), size_(structure.domain()), whole_(true) {}
     Range(const S& structure, Address origin, Address size) : structure_(&structure), origin_(origin), size_(size) {}
-    /// As many elements along x as a value on the device says, `size` at most.
-    Range(const S& structure, Address origin, Address size, DeviceValue count)
+    /// As many elements along each axis as a value on the device says, `size` at most.
+    Range(const S& structure, Address origin, Address size, DeviceScalar<Address> count)
         : structure_(&structure), origin_(origin), size_(size), count_(std::move(count)) {}
 
     const S& structure() const { return *structure_; }
@@ -103,13 +103,13 @@ public:
     Address origin() const { return origin_; }
     Address size() const { return size_; }
     bool is_whole() const { return whole_; }
-    /// Where the number of elements along x comes from; no memory where the host knows it.
+    /// Where the number of elements along each axis comes from; no memory where the host knows it.
     const DeviceValue& device_count() const { return count_; }
 
     /// A box of this box.
     Range range(Address origin, Address size) const { return Range(*structure_, origin_ + origin, size); }
-    /// As many elements from the first on as a value on the device says, all at most.
-    Range first(DeviceValue count) const { return Range(*structure_, origin_, size_, std::move(count)); }
+    /// As many elements from the first on, along each axis, as a value on the device says, all at most.
+    Range first(DeviceScalar<Address> count) const { return Range(*structure_, origin_, size_, std::move(count)); }
     /// An element of the box, left on the device.
     auto element_in_place(const Commands& commands, Address address) const {
         return structure_->element_in_place(commands, origin_ + address);
@@ -184,15 +184,17 @@ public:
     const Extent& size() const { return first_.size; }
     /// All ranges are whole structures.
     bool is_whole() const { return whole_; }
-    /// What to write into the parameters where a size along x comes from the device: the iteration's, at `offsets`.
+    /// What to write into the parameters where a size comes from the device: the iteration's, at `offsets`.
     std::span<const Patch> patches(std::initializer_list<std::size_t> offsets) {
         if (device_count_)
-            for (std::size_t offset : offsets) patch(*device_count_, offset, first_.size[0]);
+            for (std::size_t offset : offsets) patch(*device_count_, offset, first_.size, first_.rank);
         return {patches_.data(), patch_count_};
     }
     /// The same for the size of a range that is read or written anywhere. Before `patches`.
     template <class S> void count(const Range<S>& range, std::size_t offset) {
-        if (range.device_count().memory) patch(range.device_count(), offset, detail::extent_of(range.size())[0]);
+        if (range.device_count().memory)
+            patch(range.device_count(), offset, detail::extent_of(range.size()),
+                  detail::Axes<typename S::Address>::count);
     }
 
 private:
@@ -211,11 +213,14 @@ private:
                     "pass ranges of one size: all of each structure, or boxes made with range(origin, size)");
     }
 
-    void patch(const DeviceValue& value, std::size_t offset, std::uint32_t limit) {
-        if (patch_count_ == patches_.size())
+    /// A word for each axis.
+    void patch(const DeviceValue& value, std::size_t offset, const Extent& limits, unsigned axes) {
+        if (patch_count_ + axes > patches_.size())
             throw Error(ErrorCode::wrong_argument, "too many sizes that live on the device", where(),
-                        "one call takes " + std::to_string(patches_.size()), "split the kernel");
-        patches_[patch_count_++] = {value, static_cast<std::uint32_t>(offset), limit};
+                        "one call takes " + std::to_string(patches_.size()) + " numbers", "split the kernel");
+        for (unsigned axis = 0; axis < axes; ++axis)
+            patches_[patch_count_++] = {
+                {value.memory, value.offset + 4 * axis}, static_cast<std::uint32_t>(offset + 4 * axis), limits[axis]};
     }
 
     const Kernel& kernel_;
@@ -223,7 +228,7 @@ private:
     unsigned count_ = 0;
     bool whole_ = true;
     const DeviceValue* device_count_ = nullptr;
-    std::array<Patch, 8> patches_{};
+    std::array<Patch, 24> patches_{};
     std::size_t patch_count_ = 0;
 };
 
@@ -334,8 +339,8 @@ public:
         if (!box.is_inside()) detail::throw_outside(std::string(Self::type_name) + "::range", box);
         return Range<Self>(self, origin, size);
     }
-    /// As many elements from the first on as a value on the device says.
-    Range<Self> first(DeviceValue count) const {
+    /// As many elements from the first on, along each axis, as a value on the device says.
+    Range<Self> first(DeviceScalar<A> count) const {
         return Range<Self>(static_cast<const Self&>(*this)).first(std::move(count));
     }
 };
@@ -402,8 +407,8 @@ public:
         self().copy_out(commands, range, box);
         return {box, 0};
     }
-    /// As many elements from the first on as a value on the device says.
-    Range<Self> first(DeviceValue count) const { return Range<Self>(self()).first(std::move(count)); }
+    /// As many elements from the first on, along each axis, as a value on the device says.
+    Range<Self> first(DeviceScalar<A> count) const { return Range<Self>(self()).first(std::move(count)); }
 
     /// A box of another structure with the same elements; the two may be laid out differently.
     template <class Other> void copy_from(const Range<Other>& from, A to_origin = {}) {
