@@ -92,8 +92,8 @@ Diagnostic& Diagnostics::keep(Diagnostic&& made) {
     auto latest = all_.size() > 100 ? all_.end() - 100 : all_.begin();
     bool repeated = std::any_of(latest, all_.end(), [&](const Diagnostic& earlier) {
         bool same_place = made.span && earlier.span == made.span;
-        return same_place && (earlier.id == made.id ||
-                              (made.severity == Severity::error && earlier.severity == Severity::error));
+        return same_place &&
+               (earlier.id == made.id || (made.severity == Severity::error && earlier.severity == Severity::error));
     });
     if (repeated || (made.severity == Severity::error && at_limit())) {
         dropped_ = {};

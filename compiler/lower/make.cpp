@@ -288,8 +288,7 @@ ExprId Make::folded(Expr&& node) {
 /// An operation on two scalar constants: most of what is folded, and quicker so than by the interpreter.
 std::optional<ExprId> Make::constant_binary(const Expr& node, ExprId left, ExprId right) {
     const Expr &a = p.exprs[left], &b = p.exprs[right];
-    const bool is_known =
-        a.op == Op::constant && b.op == Op::constant && p.types.is_scalar(a.type) && a.type == b.type;
+    const bool is_known = a.op == Op::constant && b.op == Op::constant && p.types.is_scalar(a.type) && a.type == b.type;
     if (!is_known) return std::nullopt;
     const Lane lane = apply(p.types, node.binary, a.type, normalize(p.types, a.type, {a.bits, a.number}),
                             normalize(p.types, b.type, {b.bits, b.number}));

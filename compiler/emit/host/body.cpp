@@ -206,8 +206,7 @@ void print_local_function(Body& body, ir::FunctionId id) {
                       " " + cpp::declare_local(p, local);
     }
     cpp::mark_line(p, function.span);
-    p.out.open("const auto " + name + " = [&](" + parameters + ") -> " +
-               cpp::type_text(p.globals, function.result));
+    p.out.open("const auto " + name + " = [&](" + parameters + ") -> " + cpp::type_text(p.globals, function.result));
     auto print_return = std::exchange(p.print_return, nullptr);
     cpp::print_statements(p, function.body);
     p.print_return = print_return;

@@ -18,9 +18,7 @@ public:
     void value(std::string_view string);
     void value(const char* string) { value(std::string_view(string)); }
     void value(std::same_as<bool> auto truth) { literal(truth ? "true" : "false"); }
-    void value(std::unsigned_integral auto number)
-        requires(!std::same_as<decltype(number), bool>)
-    {
+    void value(std::unsigned_integral auto number) requires(!std::same_as<decltype(number), bool>) {
         literal(std::to_string(number));
     }
     void null() { literal("null"); }
@@ -51,7 +49,7 @@ private:
 
     std::string text_;
     std::size_t depth_ = 0;
-    bool is_empty_ = true;     ///< the object or array that is being written has no entry yet
+    bool is_empty_ = true;  ///< the object or array that is being written has no entry yet
     bool follows_key_ = false;
 };
 

@@ -43,8 +43,8 @@ TEST(Threads, MakeTheSameProgramEachTime) {
 TEST(Threads, ReportInTheOrderOfTheKernels) {
     std::string text;
     for (int k = 0; k < kernels; ++k)
-        text += "kernel k" + std::to_string(k) +
-                "(f: in near<Field, 1>, g: out each<Field>) { g = f[int3(2, 0, 0)]; }\n";
+        text +=
+            "kernel k" + std::to_string(k) + "(f: in near<Field, 1>, g: out each<Field>) { g = f[int3(2, 0, 0)]; }\n";
     Lowering lowering(text);
     const std::vector<Diagnostic>& found = lowering.diagnostics.all();
     EXPECT_EQ(found.size(), lowering.diagnostics.error_limit);
