@@ -3,6 +3,7 @@
 #include "median.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 namespace bench {
@@ -18,6 +19,15 @@ double seconds_of(const glift::Device& device, const glift::Recording& recording
     return after - before;
 }
 
+/// While its pipelines are made a GPU idles and lowers its clocks; it takes some tens of milliseconds of work to raise
+/// them.
+void warm_up(const glift::Device& device, const glift::Recording& recording) {
+    constexpr std::chrono::milliseconds enough(100);
+    const auto start = std::chrono::steady_clock::now();
+    do seconds_of(device, recording);
+    while (std::chrono::steady_clock::now() - start < enough);
+}
+
 }  // namespace
 
 double time_of(const glift::Device& device, const std::function<void(const glift::Commands&)>& work, int runs,
@@ -29,6 +39,7 @@ double time_of(const glift::Device& device, const std::function<void(const glift
     };
     const glift::Recording once = repeated(1);
     seconds_of(device, once);
+    warm_up(device, once);
     const double guess = std::max(seconds_of(device, once), 1e-6);
     const int repeats = std::clamp(static_cast<int>(std::ceil(seconds / guess)), 1, 200);
     const glift::Recording recording = repeated(repeats);

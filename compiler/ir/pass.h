@@ -28,14 +28,13 @@ struct PassBinding {
     bool atomic = false;  ///< some access is atomic
     bool coherent =
         false;             ///< workgroups see what others write within the pass: every access stays where it is written
-    bool in_rows = false;  ///< some load or store is of a vector of row_width elements, whose index counts vectors
+    bool in_rows = false;  ///< some load or store is of a vector of row_width numbers, whose index counts vectors
     std::uint32_t address_parameter = 0xffffffffu;  ///< wide form, buffers: the parameter that holds the address
 };
 
-/// Whether a load or store of this type moves a vector of four elements of the binding.
+/// Whether a load or store of this type moves a vector of four numbers of the binding, whatever an element has of them.
 inline bool is_row(const Types& types, const PassBinding& binding, TypeId type) {
-    return binding.in_rows && types.is_vector(type) && types.components(type) == row_width &&
-           types.scalar_of(type) == binding.element;
+    return binding.in_rows && types.is_vector(type) && types.components(type) == row_width && type != binding.element;
 }
 
 enum class ParameterSource : std::uint8_t {

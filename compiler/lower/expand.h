@@ -155,7 +155,12 @@ private:
     ExprId address_in(const Rows& rows, ExprId row, std::uint32_t lane);
     bool lie_in_vectors(const Rows& rows);
     ExprId are_vectors(const Rows& rows, ExprId physical);
-    ExprId vector_at(const Rows& rows, ExprId first_vector, ExprId row);
+    std::uint32_t parts_of(const Rows& rows);
+    ExprId first_vector(const Rows& rows, ExprId physical);
+    ExprId vector_at(const Rows& rows, ExprId first_vector, ExprId row, std::uint32_t part);
+    ExprId number_in(const std::vector<ExprId>& vectors, std::uint32_t i);
+    ExprId element_in(const Rows& rows, const std::vector<ExprId>& vectors, std::uint32_t lane);
+    ExprId vector_of(const Rows& rows, ExprId items, ExprId row, std::uint32_t part);
 
     // check.cpp
     bool checks_range(const ir::Place& place);

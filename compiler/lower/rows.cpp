@@ -1,5 +1,6 @@
 // Several elements at once: rows of neighbours along x, a step apart. Where they also follow each other in memory they
-// move as vectors of four, if all rows begin at such a vector and lie inside; else one by one.
+// move as vectors of four numbers, if all rows begin at such a vector and lie inside; else one by one. A row of four
+// elements of N numbers each is N such vectors.
 #include "lower/expand.h"
 #include "lower/polynomial.h"
 #include "lower/unroll.h"
@@ -57,14 +58,17 @@ ExprId Expander::address_in(const Rows& rows, ExprId row, std::uint32_t lane) {
     return further(rows.first, make.add(make.multiply(row, rows.step), make.uint(lane)));
 }
 
-/// Whether elements are neighbours in a buffer of 32-bit numbers, whatever the address, and rows as far apart as in
-/// addresses.
+/// Whether elements are neighbours in a buffer of 32-bit numbers or of two or three of them (four are a vector by
+/// themselves), whatever the address, and rows as far apart as in addresses.
 bool Expander::lie_in_vectors(const Rows& rows) {
     const Structure& structure = cx.structure_at(rows.place);
     if (structure.kind != StructureKind::stored || rows.width != row_width || !is_total(structure)) return false;
     const Memory& memory = structure.memories[structure.via_memory];
-    bool is_word = memory.element == p.types.uint || memory.element == p.types.int_ || memory.element == p.types.float_;
-    if (memory.shape != MemoryShape::buffer || !is_word) return false;
+    if (!p.types.is_scalar(memory.element) && !p.types.is_vector(memory.element)) return false;
+    const TypeId number = p.types.scalar_of(memory.element);
+    const bool is_word = number == p.types.uint || number == p.types.int_ || number == p.types.float_;
+    if (memory.shape != MemoryShape::buffer || !is_word || p.types.components(memory.element) == row_width)
+        return false;
     bool neighbours = true;
     Polynomials polynomials(cx, numbers_);
     const auto same = [&](ExprId one, ExprId other) {
@@ -109,9 +113,46 @@ ExprId Expander::are_vectors(const Rows& rows, ExprId physical) {
     return make.both(one, make.both(make.binary(BinaryOp::less_equal, rows.step, room), at_vector(rows.step)));
 }
 
-/// Where a row is in its buffer, in vectors.
-ExprId Expander::vector_at(const Rows& rows, ExprId first_vector, ExprId row) {
-    return make.add(first_vector, make.multiply(row, make.binary(BinaryOp::divide, rows.step, make.uint(row_width))));
+/// Where a row is in its buffer, in vectors, and its vectors one by one.
+ExprId Expander::vector_at(const Rows& rows, ExprId first_vector, ExprId row, std::uint32_t part) {
+    ExprId apart =
+        make.multiply(make.binary(BinaryOp::divide, rows.step, make.uint(row_width)), make.uint(parts_of(rows)));
+    return make.add(make.add(first_vector, make.multiply(row, apart)), make.uint(part));
+}
+
+/// The vectors of a row: as many as an element has numbers.
+std::uint32_t Expander::parts_of(const Rows& rows) { return p.types.components(cx.structure_at(rows.place).element); }
+
+/// The first vector of all rows, of which the first element is at `physical`.
+ExprId Expander::first_vector(const Rows& rows, ExprId physical) {
+    ExprId row = make.binary(BinaryOp::divide, physical, make.uint(row_width));
+    return named(rows.name + "_vector", make.multiply(row, make.uint(parts_of(rows))));
+}
+
+/// Number `i` of a row as its vectors have it.
+ExprId Expander::number_in(const std::vector<ExprId>& vectors, std::uint32_t i) {
+    return make.component(vectors[i / row_width], i % row_width);
+}
+
+/// A row's element from its vectors.
+ExprId Expander::element_in(const Rows& rows, const std::vector<ExprId>& vectors, std::uint32_t lane) {
+    const std::uint32_t parts = parts_of(rows);
+    if (parts == 1) return number_in(vectors, lane);
+    Operands numbers;
+    for (std::uint32_t i = 0; i < parts; ++i) numbers.push_back(number_in(vectors, lane * parts + i));
+    return make.construct(cx.structure_at(rows.place).element, std::move(numbers));
+}
+
+/// A row's vector from its elements.
+ExprId Expander::vector_of(const Rows& rows, ExprId items, ExprId row, std::uint32_t part) {
+    const std::uint32_t parts = parts_of(rows);
+    Operands four;
+    for (std::uint32_t i = part * row_width; i < (part + 1) * row_width; ++i) {
+        ExprId item = item_of(rows, items, row, i / parts);
+        four.push_back(parts == 1 ? item : make.component(item, i % parts));
+    }
+    return make.construct(p.types.vector(p.types.scalar_of(cx.structure_at(rows.place).element), row_width),
+                          std::move(four));
 }
 
 ExprId Expander::several(const Expr& node) {
@@ -141,15 +182,18 @@ ExprId Expander::several(const Expr& node) {
     cx.pass.bindings[slot].in_rows = true;
     // All rows in one branch, not a branch each: loads wait for no condition.
     Block vectors = collect([&] {
-        ExprId first = named(rows.name + "_vector", make.binary(BinaryOp::divide, physical, make.uint(row_width)));
+        ExprId first = first_vector(rows, physical);
         for_each_row(rows, [&](ExprId row) {
-            Expr load;
-            load.op = Op::load;
-            load.type = p.types.vector(element, row_width);
-            load.slot = slot;
-            load.operands = {vector_at(rows, first, row)};
-            ExprId four = make.local(let(rows.name + "_four", p.exprs.add(std::move(load)), span_));
-            for (std::uint32_t lane = 0; lane < row_width; ++lane) set(row, lane, make.component(four, lane));
+            std::vector<ExprId> vectors;
+            for (std::uint32_t part = 0; part < parts_of(rows); ++part) {
+                Expr load;
+                load.op = Op::load;
+                load.type = p.types.vector(p.types.scalar_of(element), row_width);
+                load.slot = slot;
+                load.operands = {vector_at(rows, first, row, part)};
+                vectors.push_back(make.local(let(rows.name + "_four", p.exprs.add(std::move(load)), span_)));
+            }
+            for (std::uint32_t lane = 0; lane < row_width; ++lane) set(row, lane, element_in(rows, vectors, lane));
         });
     });
     append_if(are_vectors(rows, physical), std::move(vectors), collect([&] { for_each_row(rows, one_by_one); }));
@@ -158,7 +202,7 @@ ExprId Expander::several(const Expr& node) {
 
 void Expander::write_several(const Stmt& stmt) {
     Place place = resolved(stmt.place);
-    const TypeId array = make.type(stmt.value), element = p.types[array].element;
+    const TypeId array = make.type(stmt.value);
     ExprId address = value_of(stmt.target);
     ExprId step = stmt.arguments.empty() ? ExprId{} : value_of(stmt.arguments[0]);
     const Rows rows = rows_of(place, address, step, array);
@@ -176,15 +220,15 @@ void Expander::write_several(const Stmt& stmt) {
     Block vectors = collect([&] {
         const std::uint32_t slot = binding(place, cx.structure_at(place).via_memory, Access::write);
         cx.pass.bindings[slot].in_rows = true;
-        ExprId first = named(rows.name + "_vector", make.binary(BinaryOp::divide, physical, make.uint(row_width)));
+        ExprId first = first_vector(rows, physical);
         for_each_row(rows, [&](ExprId row) {
-            Stmt made = statement(StmtOp::store, stmt.span);
-            made.slot = slot;
-            made.target = vector_at(rows, first, row);
-            Operands four;
-            for (std::uint32_t lane = 0; lane < row_width; ++lane) four.push_back(item_of(rows, items, row, lane));
-            made.value = make.construct(p.types.vector(element, row_width), std::move(four));
-            append(std::move(made));
+            for (std::uint32_t part = 0; part < parts_of(rows); ++part) {
+                Stmt made = statement(StmtOp::store, stmt.span);
+                made.slot = slot;
+                made.target = vector_at(rows, first, row, part);
+                made.value = vector_of(rows, items, row, part);
+                append(std::move(made));
+            }
         });
     });
     append_if(are_vectors(rows, physical), std::move(vectors), collect([&] { for_each_row(rows, one_by_one); }));

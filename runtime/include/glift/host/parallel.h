@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <cstring>
 #include <iterator>
 
 // Compiled once for each width of vectors; the dynamic linker takes the widest that this machine has.
@@ -143,14 +144,19 @@ template <class Body> void for_each_group(const std::array<std::uint32_t, 4>& si
     else tbb::parallel_for(std::size_t{0}, total, run);
 }
 
-/// Elements 4 * index, … of a buffer as one vector.
-template <class T> vec<std::remove_const_t<T>, 4> load_row(T* elements, std::size_t index) {
-    const T* row = elements + 4 * index;
-    return {row[0], row[1], row[2], row[3]};
+/// What elements are made of: themselves, or a vector's components.
+template <class T> struct NumberOf { using type = T; };
+template <class T, unsigned N> struct NumberOf<vec<T, N>> { using type = T; };
+template <class T> using RowOf = vec<typename NumberOf<std::remove_const_t<T>>::type, 4>;
+
+/// Numbers 4 * index, … of a buffer as one vector, whatever an element has of them.
+template <class T> RowOf<T> load_row(T* elements, std::size_t index) {
+    RowOf<T> row;
+    std::memcpy(&row, reinterpret_cast<const std::byte*>(elements) + index * sizeof row, sizeof row);
+    return row;
 }
-template <class T> void store_row(T* elements, std::size_t index, const vec<T, 4>& value) {
-    T* row = elements + 4 * index;
-    row[0] = value.x, row[1] = value.y, row[2] = value.z, row[3] = value.w;
+template <class T> void store_row(T* elements, std::size_t index, const RowOf<T>& row) {
+    std::memcpy(reinterpret_cast<std::byte*>(elements) + index * sizeof row, &row, sizeof row);
 }
 
 /// The elements of a buffer.
