@@ -59,6 +59,7 @@ struct Body {
     BodyKind kind = BodyKind::function;
     std::vector<std::unordered_map<Name, Symbol>> scopes = {{}};
     std::vector<ir::StmtId>* block = nullptr;  ///< where statements go; null: expressions only
+    ir::Definitions lets;                      ///< of the locals that never change
     ir::TypeId result;                         ///< of return
     unsigned loops = 0;
     unsigned depth = 0;
@@ -91,6 +92,11 @@ ir::LocalId emit_temporary(Body&, std::string_view name, ir::ExprId value, Span)
 void emit(Body&, ir::StmtId);
 
 // expressions
+/// The value of an expression, where it and the locals that it names are known at compile time.
+std::optional<ir::Value> known_value(Body&, ir::ExprId);
+/// The environment of the body for something written in it: with the constants among the locals that it names.
+const Env& env_for(Body&, ast::ExprId);
+const Env& env_for(Body&, const std::vector<ast::ExprId>&);
 Operand check(Body&, ast::ExprId, ir::TypeId wanted = {});
 /// The expression as a value, of exactly the wanted type where one is given; reports and gives an error node otherwise.
 ir::ExprId check_value(Body&, ast::ExprId, ir::TypeId wanted = {});

@@ -133,7 +133,7 @@ std::optional<Operand> call_kernel(Body& body, ast::DeclId id, const std::vector
     if (failed) return std::nullopt;
     Env& env = c.new_env(c.module_of.at(id));
     Arguments generics(c, c[id], env, call.span);
-    if (!generics.give(body.env, explicit_generics)) return std::nullopt;
+    if (!generics.give(env_for(body, explicit_generics), explicit_generics)) return std::nullopt;
     std::optional<std::size_t> left_out;
     if (arguments.size() + 1 == written.params.size()) left_out = only_address(written.params);
     std::vector<ast::Param> given = written.params;
@@ -180,7 +180,7 @@ std::optional<Operand> call_pipeline(Body& body, ast::DeclId id, const std::vect
     Env& env = c.new_env(c.module_of.at(id));
     if (owner) env.bindings = c.structure_env.at(owner->structure)->bindings;
     Arguments generics(c, c[id], env, call.span);
-    if (!generics.give(body.env, explicit_generics)) return std::nullopt;
+    if (!generics.give(env_for(body, explicit_generics), explicit_generics)) return std::nullopt;
     infer_arguments(generics, written.params, arguments, body);
     if (!generics.finish()) return std::nullopt;
     std::vector<std::uint32_t> structures;
@@ -218,7 +218,7 @@ std::optional<Operand> call_pipeline(Body& body, ast::DeclId id, const std::vect
 ir::ExprId slice_of(Body& body, const Operand& structure, ir::ExprId low, ir::ExprId high, Span span) {
     ir::TypeId domain = body.program().structures[structure.structure].domain_type;
     ir::ExprId size = high;
-    auto known = ir::evaluate(body.program(), low);
+    auto known = known_value(body, low);
     bool from_zero = known.has_value();
     if (known)
         for (const ir::Lane& lane : known->lanes) from_zero &= lane.bits == 0;
@@ -236,7 +236,7 @@ Operand check_slice(Body& body, const Operand& structure, const ast::Expr& range
     ir::TypeId high_type = body.program().exprs[high].type;
     bool on_device = body.types().kind(high_type) == ir::TypeKind::device;
     if (on_device && body.types()[high_type].element == domain) {
-        auto known = ir::evaluate(body.program(), low);
+        auto known = known_value(body, low);
         const auto is_other = [](const ir::Lane& lane) { return lane.bits != 0; };
         if (!known || std::ranges::any_of(known->lanes, is_other)) {
             note(c.error(Diag::device_slice_origin, span), span,
@@ -363,7 +363,13 @@ bool check_structure_declaration(Body& body, const ast::Stmt& stmt) {
         body.program().structures[body.types()[node.type].index].kind == ir::StructureKind::view)
         c.error(Diag::uninitialized_view, c[stmt.value].span, {c.text(node.type)});
     ir::LocalId local = declare_local(body, stmt.name, node.type, stmt.binding == ast::Binding::var);
-    ir::StmtId id = add(body.program(), made ? ir::StmtOp::temp : ir::StmtOp::let, stmt.span);
+    if (!made && stmt.binding != ast::Binding::var) body.lets[local] = value;
+    if (made) {
+        emit_temp(body, local, node.operands, stmt.span);
+        body.program().stmts[body.block->back()].uninitialized = stmt.is_uninitialized;
+        return true;
+    }
+    ir::StmtId id = add(body.program(), ir::StmtOp::let, stmt.span);
     body.program().stmts[id].local = local;
     body.program().stmts[id].uninitialized = stmt.is_uninitialized;
     if (made) body.program().stmts[id].arguments = node.operands;

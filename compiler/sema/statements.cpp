@@ -9,7 +9,7 @@ constexpr unsigned nesting_limit = 200;
 
 void check_let(Body& body, const ast::Stmt& stmt) {
     Context& c = body.context;
-    ir::TypeId wanted = stmt.type ? type_of(c, body.env, stmt.type) : ir::TypeId{};
+    ir::TypeId wanted = stmt.type ? type_of(c, env_for(body, stmt.type), stmt.type) : ir::TypeId{};
     ir::ExprId value;
     if (stmt.value) {
         Operand operand = check(body, stmt.value, wanted);
@@ -21,12 +21,13 @@ void check_let(Body& body, const ast::Stmt& stmt) {
         type = body.types().error;
     }
     if (stmt.binding == ast::Binding::const_ && value && !is_error(body, value)) {
-        auto known = ir::evaluate(body.program(), value);
+        auto known = known_value(body, value);
         if (!known) c.error(Diag::not_constant, c[stmt.value].span);
         else value = ir::materialize(body.program(), *known, c[stmt.value].span);
     }
     bool is_mutable = stmt.binding == ast::Binding::var;
     ir::LocalId local = declare_local(body, stmt.name, type, is_mutable);
+    if (!is_mutable && value) body.lets[local] = value;
     ir::StmtId let = add(body.program(), ir::StmtOp::let, stmt.span);
     body.program().stmts[let].local = local;
     body.program().stmts[let].value = value;
@@ -35,7 +36,7 @@ void check_let(Body& body, const ast::Stmt& stmt) {
 
 void check_shared(Body& body, const ast::Stmt& stmt) {
     Context& c = body.context;
-    ir::TypeId type = type_of(c, body.env, stmt.type);
+    ir::TypeId type = type_of(c, env_for(body, stmt.type), stmt.type);
     ir::LocalId local = declare_local(body, stmt.name, type, true);
     body.program().locals[local].storage = ir::Storage::shared;
     if (ir::holds_empty(body.program(), type)) {

@@ -2,6 +2,8 @@
 #include "emit/cpp/mentions.h"
 #include "emit/cpp/printer.h"
 
+#include <algorithm>
+
 namespace gliftc::cpp {
 
 namespace {
@@ -68,6 +70,20 @@ void print_let(Printer& p, const Stmt& stmt) {
     const std::string name = declare_local(p, stmt.local);
     const std::string type = (local.is_mutable ? "" : "const ") + type_text(p.globals, local.type, p.use_namespaces);
     p.out.line(type + " " + name + (stmt.value ? " = " + value : "{}") + ";");
+}
+
+bool is_constant(const Printer& p, ExprId id) {
+    const Expr& expr = p.program.exprs[id];
+    return expr.op == Op::constant ||
+           (expr.op == Op::construct &&
+            std::ranges::all_of(expr.operands, [&](ExprId operand) { return is_constant(p, operand); }));
+}
+
+/// A constant that only the compiler had a use for: in a type, as a generic argument.
+bool is_used_up(const Printer& p, const std::vector<ir::StmtId>& body, std::size_t at) {
+    const Stmt& stmt = p.program.stmts[body[at]];
+    if (stmt.op != StmtOp::let || !stmt.value || p.program.locals[stmt.local].is_mutable) return false;
+    return is_constant(p, stmt.value) && !mentions(p.program, {body.begin() + at + 1, body.end()}, stmt.local);
 }
 
 void print_nested(Printer& p, const std::vector<ir::StmtId>& body) {
@@ -155,7 +171,8 @@ void mark_line(Printer& p, Span span) {
 }
 
 void print_statements(Printer& p, const std::vector<ir::StmtId>& body) {
-    for (ir::StmtId stmt : body) print_statement(p, stmt);
+    for (std::size_t i = 0; i < body.size(); ++i)
+        if (!is_used_up(p, body, i)) print_statement(p, body[i]);
 }
 
 void print_statement(Printer& p, ir::StmtId id) {
