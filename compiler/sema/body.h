@@ -71,6 +71,7 @@ struct Body {
     std::vector<std::uint32_t> coherent;             ///< Place roots of the coherent parameters
     enum class Returns : std::uint8_t { nothing, host, device } returns = Returns::nothing;  ///< of a pipeline, so far
     bool in_test = false;
+    std::optional<ir::TypeId> range_result;  ///< pipelines that return a range: of what, once a return has said it
     bool allow_await = false;
 
     bool grouped() const { return group[0] != 0; }
@@ -157,6 +158,7 @@ Operand iterator_value(Body&, const Operand&);
 
 // pipelines
 bool check_pipeline_statement(Body&, const ast::Stmt&);  ///< false: not one of theirs
+void check_range_return(Body&, const ast::Stmt&);        ///< of a pipeline that returns a range
 std::optional<Operand> check_pipeline_call(Body&, const std::vector<ast::DeclId>&,
                                            const std::vector<ast::ExprId>& generics, const ast::Expr& call,
                                            const Operand* owner = nullptr);

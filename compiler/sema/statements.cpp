@@ -258,6 +258,7 @@ void check_return(Body& body, const ast::Stmt& stmt) {
              "invocations of a workgroup reach every barrier together: use 'if'");
         return;
     }
+    if (body.range_result) return check_range_return(body, stmt);
     ir::StmtId id = add(body.program(), ir::StmtOp::return_, stmt.span);
     if (stmt.value) {
         if (body.result == body.types().void_) {
