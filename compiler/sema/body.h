@@ -6,6 +6,7 @@
 #include "sema/meta.h"
 
 #include <algorithm>
+#include <optional>
 #include <unordered_map>
 
 namespace gliftc::sema {
@@ -58,8 +59,8 @@ struct Body {
     const Env& env;
     BodyKind kind = BodyKind::function;
     std::vector<std::unordered_map<Name, Symbol>> scopes = {{}};
-    std::vector<ir::StmtId>* block = nullptr;  ///< where statements go; null: expressions only
     ir::Definitions lets;                      ///< of the locals that never change
+    std::vector<ir::StmtId>* block = nullptr;  ///< where statements go; null: expressions only
     ir::TypeId result;                         ///< of return
     unsigned loops = 0;
     unsigned depth = 0;
@@ -70,8 +71,8 @@ struct Body {
     std::vector<std::uint32_t> structures;           ///< functions: structure parameters so far (Place roots)
     std::vector<std::uint32_t> coherent;             ///< Place roots of the coherent parameters
     enum class Returns : std::uint8_t { nothing, host, device } returns = Returns::nothing;  ///< of a pipeline, so far
-    bool in_test = false;
     std::optional<ir::TypeId> range_result;  ///< pipelines that return a range: of what, once a return has said it
+    bool in_test = false;
     bool allow_await = false;
 
     bool grouped() const { return group[0] != 0; }
@@ -91,13 +92,13 @@ ir::LocalId declare_local(Body&, ast::Identifier, ir::TypeId, bool is_mutable, b
 /// A local that the user did not write, holding `value`.
 ir::LocalId emit_temporary(Body&, std::string_view name, ir::ExprId value, Span);
 void emit(Body&, ir::StmtId);
-
-// expressions
 /// The value of an expression, where it and the locals that it names are known at compile time.
 std::optional<ir::Value> known_value(Body&, ir::ExprId);
 /// The environment of the body for something written in it: with the constants among the locals that it names.
 const Env& env_for(Body&, ast::ExprId);
 const Env& env_for(Body&, const std::vector<ast::ExprId>&);
+
+// expressions
 Operand check(Body&, ast::ExprId, ir::TypeId wanted = {});
 /// The expression as a value, of exactly the wanted type where one is given; reports and gives an error node otherwise.
 ir::ExprId check_value(Body&, ast::ExprId, ir::TypeId wanted = {});
@@ -157,12 +158,14 @@ bool check_iterator_assignment(Body&, const ast::Stmt&);
 Operand iterator_value(Body&, const Operand&);
 
 // pipelines
-bool check_pipeline_statement(Body&, const ast::Stmt&);  ///< false: not one of theirs
 void check_range_return(Body&, const ast::Stmt&);        ///< of a pipeline that returns a range
+bool check_pipeline_statement(Body&, const ast::Stmt&);  ///< false: not one of theirs
 std::optional<Operand> check_pipeline_call(Body&, const std::vector<ast::DeclId>&,
                                            const std::vector<ast::ExprId>& generics, const ast::Expr& call,
                                            const Operand* owner = nullptr);
 std::optional<Operand> check_pipeline_builtin(Body&, std::string_view name, const ast::Expr& call);
+/// A slice, or a structure that is made where it is used, as something that `place`-based operations can start at.
+std::optional<Operand> as_structure(Body&, const Operand&);
 Operand check_pipeline_index(Body&, const Operand& structure, const ast::Expr& index);
 Operand construct_structure(Body&, ir::TypeId, const ast::Expr& call);
 

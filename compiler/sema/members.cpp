@@ -329,8 +329,9 @@ Operand check_index(Body& body, ast::ExprId id, ir::TypeId) {
         return error_operand(expr.span);
     }
     if (left.kind == OperandKind::iterator) return index_iterator(body, left, expr);
+    if (body.kind == BodyKind::pipeline)
+        if (auto structure = as_structure(body, left)) return check_pipeline_index(body, *structure, expr);
     if (left.kind == OperandKind::structure) {
-        if (body.kind == BodyKind::pipeline) return check_pipeline_index(body, left, expr);
         const ir::Structure& structure = body.program().structures[left.structure];
         if (structure.kind == ir::StructureKind::adaptor) {
             c.error(Diag::not_indexable, expr.span, {structure.display});
