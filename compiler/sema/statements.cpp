@@ -143,9 +143,24 @@ void check_if_let(Body& body, const ast::Stmt& stmt) {
     emit(body, id);
 }
 
+/// An arm of a constant `if` in a function with a workgroup: it may end in a return.
+std::vector<ir::StmtId> check_arm(Body& body, const std::vector<ast::StmtId>& arm) {
+    Span outer = std::exchange(body.last, arm.empty() ? Span{} : body.context[arm.back()].span);
+    auto result = check_nested(body, arm);
+    body.last = outer;
+    return result;
+}
+
 void check_if(Body& body, const ast::Stmt& stmt) {
     if (stmt.name.name) return check_if_let(body, stmt);
     ir::ExprId condition = check_value(body, stmt.value, body.types().bool_);
+    if (body.kind == BodyKind::function && body.grouped()) {
+        if (auto known = known_value(body, condition)) {
+            auto then_body = check_arm(body, stmt.body), otherwise = check_arm(body, stmt.otherwise);
+            for (ir::StmtId id : known->bits() ? then_body : otherwise) emit(body, id);
+            return;
+        }
+    }
     ir::StmtId id = add(body.program(), ir::StmtOp::if_, stmt.span);
     auto then_body = check_nested(body, stmt.body);
     auto otherwise = check_nested(body, stmt.otherwise);
