@@ -119,6 +119,8 @@ Operand check_index(Body&, ast::ExprId, ir::TypeId wanted);
 Operand check_call(Body&, ast::ExprId, ir::TypeId wanted);
 Operand check_unary(Body&, ast::ExprId, ir::TypeId wanted);
 Operand check_binary(Body&, ast::ExprId, ir::TypeId wanted);
+bool has_equality(const ir::Program&, ir::TypeId);  ///< `==` and `!=` apply to two of the type
+ir::ExprId make_struct_equality(Body&, bool negated, ir::ExprId left, ir::ExprId right, Span);
 /// The value that `target op= value` assigns, where the target held `before`.
 ir::ExprId check_compound(Body&, const ast::Stmt&, ir::ExprId before);
 /// The type with its vector shape that components `x`, `yz` … give, or an error.
