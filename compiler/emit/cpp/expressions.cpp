@@ -125,17 +125,7 @@ Text print_construct(Printer& p, const Expr& expr) {
     const std::string name = type_text(p.globals, expr.type, p.use_namespaces);
     switch (type.kind) {
     case TypeKind::array: return {name + "{{" + join_arguments(p, expr.operands) + "}}"};
-    case TypeKind::struct_: {
-        std::string fields;
-        for (ir::ExprId operand : expr.operands) {
-            const TypeId field = p.program.exprs[operand].type;
-            std::string text = print_any(p, operand);
-            if (p.program.types.is_vector(field) && holds_bool(p.program, field))
-                text = storage_text(p.globals, field, p.use_namespaces) + "(" + text + ")";
-            fields += (fields.empty() ? "" : ", ") + text;
-        }
-        return {name + "{" + fields + "}"};
-    }
+    case TypeKind::struct_: return {name + "{" + join_arguments(p, expr.operands) + "}"};
     case TypeKind::matrix: {
         if (expr.operands.size() == type.count) return {name + "{{" + join_arguments(p, expr.operands) + "}}"};
         std::string columns;
