@@ -91,7 +91,8 @@ Lane apply_integer(const Types& types, BinaryOp op, TypeId type, Lane a, Lane b)
 /// Runs pure code over locals; gives up (stuck) at anything that is not known at compile time.
 class Interpreter {
 public:
-    explicit Interpreter(const Program& program) : program_(program), types_(program.types) {}
+    Interpreter(const Program& program, const Definitions& definitions)
+        : program_(program), types_(program.types), definitions_(definitions) {}
 
     std::optional<Value> value_of(ExprId id);
 
@@ -117,6 +118,7 @@ private:
 
     const Program& program_;
     const Types& types_;
+    const Definitions& definitions_;
     Frame* frame_ = nullptr;
     Value returned_;
     std::uint64_t steps_ = 0;
@@ -131,6 +133,8 @@ std::optional<Value> Interpreter::value_of(ExprId id) {
     case Op::local:
         if (frame_)
             if (auto found = frame_->find(expr.local); found != frame_->end()) return found->second;
+        if (auto defined = definitions_.find(expr.local); defined != definitions_.end())
+            return value_of(defined->second);
         return std::nullopt;
     case Op::construct: return construct(expr);
     case Op::convert: {
@@ -512,6 +516,10 @@ std::size_t lane_count(const Program& program, TypeId id) {
     }
 }
 
-std::optional<Value> evaluate(const Program& program, ExprId expr) { return Interpreter(program).value_of(expr); }
+std::optional<Value> evaluate(const Program& program, ExprId expr) { return evaluate(program, expr, {}); }
+
+std::optional<Value> evaluate(const Program& program, ExprId expr, const Definitions& definitions) {
+    return Interpreter(program, definitions).value_of(expr);
+}
 
 }  // namespace gliftc::ir

@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace gliftc::ir {
@@ -31,6 +32,12 @@ std::size_t lane_count(const Program& program, TypeId type);
 
 /// The value of `expr`, or nothing where it needs what is not known at compile time, or takes over a million steps.
 std::optional<Value> evaluate(const Program& program, ExprId expr);
+
+/// What locals that never change are declared with.
+using Definitions = std::unordered_map<LocalId, ExprId>;
+
+/// The same where locals may be known by their definitions.
+std::optional<Value> evaluate(const Program& program, ExprId expr, const Definitions& definitions);
 
 /// Makes the expression that gives `value`.
 ExprId materialize(Program& program, const Value& value, Span span);

@@ -126,7 +126,15 @@ ExprId Expander::view(const Place& place, ExprId address) {
 
 ExprId Expander::element(std::uint32_t root, Span) {
     Place place{root, {}};
-    if (cx.structure_at(place).kind == StructureKind::view) return view(place, centre_address(root));
+    const bool is_view = cx.structure_at(place).kind == StructureKind::view;
+    if (is_view && !cx.kernel.grouped()) return view(place, centre_address(root));
+    if (is_view) {
+        // Invocations that only fill up the last workgroup see zero.
+        TypeId type = cx.structure_at(place).element;
+        LocalId value = variable(cx.name_of(place) + "_value", type, make.zero(type));
+        append_if(make.local(cx.pass.in_range), collect([&] { assign(value, view(place, centre_address(root))); }), {});
+        return make.local(value);
+    }
     ExprId guard = cx.kernel.grouped() ? make.local(cx.pass.in_range) : ExprId{};
     ExprId value = guarded_load(place, centre(root), guard, {}, cx.name_of(place) + "_value");
     if (cx.kernel.params[root].direction == Direction::in || p.exprs[value].op == Op::local) return value;

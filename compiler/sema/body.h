@@ -6,6 +6,7 @@
 #include "sema/meta.h"
 
 #include <algorithm>
+#include <optional>
 #include <unordered_map>
 
 namespace gliftc::sema {
@@ -58,6 +59,7 @@ struct Body {
     const Env& env;
     BodyKind kind = BodyKind::function;
     std::vector<std::unordered_map<Name, Symbol>> scopes = {{}};
+    ir::Definitions lets;                      ///< of the locals that never change
     std::vector<ir::StmtId>* block = nullptr;  ///< where statements go; null: expressions only
     ir::TypeId result;                         ///< of return
     unsigned loops = 0;
@@ -69,6 +71,7 @@ struct Body {
     std::vector<std::uint32_t> structures;           ///< functions: structure parameters so far (Place roots)
     std::vector<std::uint32_t> coherent;             ///< Place roots of the coherent parameters
     enum class Returns : std::uint8_t { nothing, host, device } returns = Returns::nothing;  ///< of a pipeline, so far
+    std::optional<ir::TypeId> range_result;  ///< pipelines that return a range: of what, once a return has said it
     bool in_test = false;
     bool allow_await = false;
 
@@ -89,6 +92,11 @@ ir::LocalId declare_local(Body&, ast::Identifier, ir::TypeId, bool is_mutable, b
 /// A local that the user did not write, holding `value`.
 ir::LocalId emit_temporary(Body&, std::string_view name, ir::ExprId value, Span);
 void emit(Body&, ir::StmtId);
+/// The value of an expression, where it and the locals that it names are known at compile time.
+std::optional<ir::Value> known_value(Body&, ir::ExprId);
+/// The environment of the body for something written in it: with the constants among the locals that it names.
+const Env& env_for(Body&, ast::ExprId);
+const Env& env_for(Body&, const std::vector<ast::ExprId>&);
 
 // expressions
 Operand check(Body&, ast::ExprId, ir::TypeId wanted = {});
@@ -111,6 +119,8 @@ Operand check_index(Body&, ast::ExprId, ir::TypeId wanted);
 Operand check_call(Body&, ast::ExprId, ir::TypeId wanted);
 Operand check_unary(Body&, ast::ExprId, ir::TypeId wanted);
 Operand check_binary(Body&, ast::ExprId, ir::TypeId wanted);
+bool has_equality(const ir::Program&, ir::TypeId);  ///< `==` and `!=` apply to two of the type
+ir::ExprId make_struct_equality(Body&, bool negated, ir::ExprId left, ir::ExprId right, Span);
 /// The value that `target op= value` assigns, where the target held `before`.
 ir::ExprId check_compound(Body&, const ast::Stmt&, ir::ExprId before);
 /// The type with its vector shape that components `x`, `yz` … give, or an error.
@@ -150,11 +160,14 @@ bool check_iterator_assignment(Body&, const ast::Stmt&);
 Operand iterator_value(Body&, const Operand&);
 
 // pipelines
+void check_range_return(Body&, const ast::Stmt&);        ///< of a pipeline that returns a range
 bool check_pipeline_statement(Body&, const ast::Stmt&);  ///< false: not one of theirs
 std::optional<Operand> check_pipeline_call(Body&, const std::vector<ast::DeclId>&,
                                            const std::vector<ast::ExprId>& generics, const ast::Expr& call,
                                            const Operand* owner = nullptr);
 std::optional<Operand> check_pipeline_builtin(Body&, std::string_view name, const ast::Expr& call);
+/// A slice, or a structure that is made where it is used, as something that `place`-based operations can start at.
+std::optional<Operand> as_structure(Body&, const Operand&);
 Operand check_pipeline_index(Body&, const Operand& structure, const ast::Expr& index);
 Operand construct_structure(Body&, ir::TypeId, const ast::Expr& call);
 

@@ -80,7 +80,7 @@ Operand call_declarations(Body& body, const Meta& meta, const std::vector<ast::E
         if (auto result = check_pipeline_call(body, meta.declarations, generics, call)) return *result;
         return error_operand(call.span);
     }
-    Meta type = meta_of(c, body.env, call.operands[0]);
+    Meta type = meta_of(c, env_for(body, call.operands[0]), call.operands[0]);
     if (type.kind == MetaKind::type) return call_type(body, type.type, call);
     if (type.kind != MetaKind::none)
         c.error(Diag::not_callable, c[call.operands[0]].span, {"'" + c.text(c[meta.declarations[0]].name.name) + "'"});
@@ -306,7 +306,8 @@ static Operand call_named(Body& body, ast::Identifier name, const std::vector<as
     }
     if (meta.kind == MetaKind::declarations) return call_declarations(body, meta, generics, call, wanted);
     bool shape = c.text(name.name) == "vec" || c.text(name.name) == "mat";
-    if (!generics.empty() && (shape || meta.kind != MetaKind::none)) meta = meta_of(c, body.env, call.operands[0]);
+    if (!generics.empty() && (shape || meta.kind != MetaKind::none))
+        meta = meta_of(c, env_for(body, call.operands[0]), call.operands[0]);
     if (meta.kind == MetaKind::type) return call_type(body, meta.type, call);
     if (meta.kind == MetaKind::none) report_unknown(c, body.env, name);
     else c.error(Diag::not_callable, name.span, {"'" + c.text(name.name) + "'"});

@@ -102,6 +102,21 @@ void check_code(Context& c, std::uint32_t module, const std::vector<ast::DeclId>
     }
 }
 
+/// Programs make and fill what they pass to public kernels and pipelines, whoever declares it.
+void require_transfers_of_arguments(Context& c) {
+    std::vector<std::pair<std::uint32_t, Span>> passed;
+    const auto is_seen = [&](const auto& declared) { return declared.is_pub && c.modules[declared.module].is_root; };
+    for (const ir::Kernel& kernel : c.program.kernels)
+        if (is_seen(kernel))
+            for (const ir::KernelParam& param : kernel.params)
+                if (param.pattern != ir::Pattern::value) passed.emplace_back(param.structure, param.span);
+    for (const ir::Pipeline& pipeline : c.program.pipelines)
+        if (is_seen(pipeline))
+            for (const ir::PipelineParam& param : pipeline.params)
+                if (param.pattern != ir::HostPattern::value) passed.emplace_back(param.structure, param.span);
+    for (const auto& [structure, span] : passed) require_transfers(c, structure, span);
+}
+
 }  // namespace
 
 Env& Context::new_env(std::uint32_t module) {
@@ -139,6 +154,7 @@ ir::Program check(const std::vector<LoadedModule>& modules, const ast::Tree& tre
         if (program.structures[i].kind == ir::StructureKind::adaptor) check_adaptor_pipelines(c, i);
         if (!diagnostics.has_errors()) require_transfers(c, i, program.structures[i].span);
     }
+    if (!diagnostics.has_errors()) require_transfers_of_arguments(c);
     return program;
 }
 

@@ -213,7 +213,7 @@ Operand check_kind(Body& body, ast::ExprId id, ir::TypeId wanted) {
     case ast::ExprKind::generic:
     case ast::ExprKind::optional: {
         Operand operand;
-        operand.meta = meta_of(c, body.env, id);
+        operand.meta = meta_of(c, env_for(body, id), id);
         operand.kind = operand.meta.kind == MetaKind::none ? OperandKind::error : OperandKind::meta;
         operand.span = expr.span;
         return operand;

@@ -22,6 +22,36 @@ std::optional<std::uint32_t> structure_of(Body& body, const Operand& operand) {
     return std::nullopt;
 }
 
+Operand operand_of_local(Body& body, ir::LocalId local, ir::TypeId type, Span span) {
+    Operand structure;
+    structure.kind = OperandKind::structure;
+    structure.span = span;
+    structure.local = local;
+    structure.is_slice = body.types().kind(type) == ir::TypeKind::slice;
+    structure.structure = body.types()[structure.is_slice ? body.types()[type].element : type].index;
+    structure.type = type;
+    return structure;
+}
+
+void emit_temp(Body& body, ir::LocalId local, ir::Operands arguments, Span span) {
+    ir::StmtId id = add(body.program(), ir::StmtOp::temp, span);
+    body.program().stmts[id].local = local;
+    body.program().stmts[id].arguments = std::move(arguments);
+    emit(body, id);
+    require_transfers(body.context, body.types()[body.program().locals[local].type].index, span);
+}
+
+/// A structure that is made within an expression (a view, mostly) as if it had been declared before.
+Operand declared(Body& body, const Operand& operand) {
+    if (operand.kind != OperandKind::value || body.types().kind(operand.type) != ir::TypeKind::structure)
+        return operand;
+    const ir::Expr made = body.program().exprs[operand.expr];
+    if (made.op != ir::Op::construct) return operand;
+    ir::LocalId local = add_local(body.program(), body.context.names.intern("made"), made.type, operand.span);
+    emit_temp(body, local, made.operands, operand.span);
+    return operand_of_local(body, local, made.type, operand.span);
+}
+
 struct Argument {
     ast::ExprId written;
     Operand operand;
@@ -38,7 +68,7 @@ std::vector<Argument> check_arguments(Body& body, const ast::Expr& call, bool& f
         argument.waits =
             is_flexible(body.context, id) || kind == ast::ExprKind::tuple || kind == ast::ExprKind::none_literal;
         if (!argument.waits) {
-            argument.operand = check(body, id);
+            argument.operand = declared(body, check(body, id));
             failed |= argument.operand.kind == OperandKind::error;
             argument.structure = structure_of(body, argument.operand);
         }
@@ -133,7 +163,7 @@ std::optional<Operand> call_kernel(Body& body, ast::DeclId id, const std::vector
     if (failed) return std::nullopt;
     Env& env = c.new_env(c.module_of.at(id));
     Arguments generics(c, c[id], env, call.span);
-    if (!generics.give(body.env, explicit_generics)) return std::nullopt;
+    if (!generics.give(env_for(body, explicit_generics), explicit_generics)) return std::nullopt;
     std::optional<std::size_t> left_out;
     if (arguments.size() + 1 == written.params.size()) left_out = only_address(written.params);
     std::vector<ast::Param> given = written.params;
@@ -180,7 +210,7 @@ std::optional<Operand> call_pipeline(Body& body, ast::DeclId id, const std::vect
     Env& env = c.new_env(c.module_of.at(id));
     if (owner) env.bindings = c.structure_env.at(owner->structure)->bindings;
     Arguments generics(c, c[id], env, call.span);
-    if (!generics.give(body.env, explicit_generics)) return std::nullopt;
+    if (!generics.give(env_for(body, explicit_generics), explicit_generics)) return std::nullopt;
     infer_arguments(generics, written.params, arguments, body);
     if (!generics.finish()) return std::nullopt;
     std::vector<std::uint32_t> structures;
@@ -218,7 +248,7 @@ std::optional<Operand> call_pipeline(Body& body, ast::DeclId id, const std::vect
 ir::ExprId slice_of(Body& body, const Operand& structure, ir::ExprId low, ir::ExprId high, Span span) {
     ir::TypeId domain = body.program().structures[structure.structure].domain_type;
     ir::ExprId size = high;
-    auto known = ir::evaluate(body.program(), low);
+    auto known = known_value(body, low);
     bool from_zero = known.has_value();
     if (known)
         for (const ir::Lane& lane : known->lanes) from_zero &= lane.bits == 0;
@@ -236,7 +266,7 @@ Operand check_slice(Body& body, const Operand& structure, const ast::Expr& range
     ir::TypeId high_type = body.program().exprs[high].type;
     bool on_device = body.types().kind(high_type) == ir::TypeKind::device;
     if (on_device && body.types()[high_type].element == domain) {
-        auto known = ir::evaluate(body.program(), low);
+        auto known = known_value(body, low);
         const auto is_other = [](const ir::Lane& lane) { return lane.bits != 0; };
         if (!known || std::ranges::any_of(known->lanes, is_other)) {
             note(c.error(Diag::device_slice_origin, span), span,
@@ -252,20 +282,6 @@ Operand check_slice(Body& body, const Operand& structure, const ast::Expr& range
 
 ir::ExprId make_count(Body& body, const Operand& structure, Span span) {
     return structure_operation(body, ir::Op::element_count, body.types().uint, structure, span);
-}
-
-/// A slice value as something that `place`-based operations can start at.
-Operand as_structure(Body& body, const Operand& operand, Span span) {
-    if (operand.kind == OperandKind::structure || operand.kind == OperandKind::error) return operand;
-    ir::LocalId local = emit_temporary(body, "part", operand.expr, span);
-    Operand structure;
-    structure.kind = OperandKind::structure;
-    structure.span = span;
-    structure.local = local;
-    structure.is_slice = true;
-    structure.structure = body.types()[body.types()[operand.type].element].index;
-    structure.type = operand.type;
-    return structure;
 }
 
 void emit_expect(Body& body, ir::StmtOp op, ir::Operands arguments, Span span) {
@@ -308,11 +324,13 @@ std::optional<Operand> check_expect(Body& body, std::string_view name, const ast
     ir::Operands values;
     std::vector<std::uint32_t> structures;
     for (std::size_t i = 0; i < 2; ++i) {
-        Operand operand = check(body, arguments[i]);
+        Operand operand = declared(body, check(body, arguments[i]));
         auto structure = structure_of(body, operand);
         if (operand.kind == OperandKind::error) return operand;
-        if (!structure || body.program().structures[*structure].kind == ir::StructureKind::adaptor) {
-            c.error(Diag::structure_wanted, c[arguments[i]].span, {name});
+        if (!structure || body.program().structures[*structure].kind != ir::StructureKind::stored) {
+            Diagnostic& diagnostic = c.error(Diag::structure_wanted, c[arguments[i]].span, {name});
+            if (structure && body.program().structures[*structure].kind == ir::StructureKind::view)
+                note(diagnostic, c[arguments[i]].span, "a view has no elements in memory: copy it into a structure");
             return error_operand(call.span);
         }
         require_transfers(c, *structure, call.span);
@@ -363,13 +381,16 @@ bool check_structure_declaration(Body& body, const ast::Stmt& stmt) {
         body.program().structures[body.types()[node.type].index].kind == ir::StructureKind::view)
         c.error(Diag::uninitialized_view, c[stmt.value].span, {c.text(node.type)});
     ir::LocalId local = declare_local(body, stmt.name, node.type, stmt.binding == ast::Binding::var);
-    ir::StmtId id = add(body.program(), made ? ir::StmtOp::temp : ir::StmtOp::let, stmt.span);
+    if (!made && stmt.binding != ast::Binding::var) body.lets[local] = value;
+    if (made) {
+        emit_temp(body, local, node.operands, stmt.span);
+        body.program().stmts[body.block->back()].uninitialized = stmt.is_uninitialized;
+        return true;
+    }
+    ir::StmtId id = add(body.program(), ir::StmtOp::let, stmt.span);
     body.program().stmts[id].local = local;
-    body.program().stmts[id].uninitialized = stmt.is_uninitialized;
-    if (made) body.program().stmts[id].arguments = node.operands;
-    else body.program().stmts[id].value = value;
+    body.program().stmts[id].value = value;
     emit(body, id);
-    if (made) require_transfers(c, body.types()[node.type].index, stmt.span);
     return true;
 }
 
@@ -381,6 +402,15 @@ bool is_structure_value(Body& body, ast::ExprId id) {
 }
 
 }  // namespace
+
+std::optional<Operand> as_structure(Body& body, const Operand& operand) {
+    Operand structure = declared(body, operand);
+    if (structure.kind == OperandKind::structure) return structure;
+    if (structure.kind != OperandKind::value || body.types().kind(structure.type) != ir::TypeKind::slice)
+        return std::nullopt;
+    ir::LocalId local = emit_temporary(body, "part", structure.expr, structure.span);
+    return operand_of_local(body, local, structure.type, structure.span);
+}
 
 Operand construct_structure(Body& body, ir::TypeId type, const ast::Expr& call) {
     Context& c = body.context;
@@ -405,7 +435,8 @@ Operand construct_structure(Body& body, ir::TypeId type, const ast::Expr& call) 
     ir::Operands values;
     for (std::size_t i = 0; i < written.size(); ++i) {
         ir::TypeId wanted = type_of(c, *c.structure_env.at(index), (*params)[i].type);
-        values.push_back(check_value(body, written[i], wanted));
+        Operand value = declared(body, check(body, written[i], wanted));
+        values.push_back(coerce(body, to_value(body, value), wanted, c[written[i]].span));
         if (is_error(body, values.back())) return error_operand(call.span);
     }
     return value_operand(body, add(body.program(), ir::Op::construct, type, call.span, std::move(values)), call.span);
@@ -450,14 +481,13 @@ std::optional<Operand> check_pipeline_builtin(Body& body, std::string_view name,
         c.error(Diag::argument_count, call.span, {name, "1", std::to_string(arguments.size())});
         return error_operand(call.span);
     }
-    Operand operand = check(body, arguments[0]);
+    Operand operand = declared(body, check(body, arguments[0]));
     if (operand.kind == OperandKind::error) return operand;
     if (!structure_of(body, operand)) {
         c.error(Diag::structure_wanted, c[arguments[0]].span, {name});
         return error_operand(call.span);
     }
-    Operand structure = as_structure(body, operand, call.span);
-    return value_operand(body, make_count(body, structure, call.span), call.span);
+    return value_operand(body, make_count(body, *as_structure(body, operand), call.span), call.span);
 }
 
 bool check_pipeline_statement(Body& body, const ast::Stmt& stmt) {

@@ -135,6 +135,13 @@ static void declare_params(Body& body, const std::vector<ast::Param>& params, ir
     }
 }
 
+/// What follows a return that a constant `if` led to is never reached.
+static void cut_after_return(const ir::Program& program, std::vector<ir::StmtId>& body) {
+    auto is_return = [&](ir::StmtId id) { return program.stmts[id].op == ir::StmtOp::return_; };
+    auto found = std::ranges::find_if(body, is_return);
+    if (found != body.end()) body.erase(found + 1, body.end());
+}
+
 std::optional<ir::FunctionId> instantiate_function(Context& c, ast::DeclId id, const Env& env,
                                                    const std::vector<std::uint32_t>& structures, Span use) {
     const ast::Decl& decl = c[id];
@@ -181,6 +188,7 @@ std::optional<ir::FunctionId> instantiate_function(Context& c, ast::DeclId id, c
     declare_params(body, written.params, function, structures.size() - parameters, structures);
     check_block(body, written.body);
     close_scope(body);
+    if (function.grouped()) cut_after_return(c.program, function.body);
     bool returns = function.result == c.types().void_ || function.result == c.types().error || decl.is_extern ||
                    always_returns(c.program, function.body);
     if (!returns && c.diagnostics.error_count() == errors)

@@ -83,7 +83,7 @@ Operand meta_member(Body& body, const Operand& left, const ast::Expr& expr) {
         return operand;
     }
     if (left.meta.kind == MetaKind::declarations && left.meta.declarations.size() == 1) {
-        Meta type = meta_of(c, body.env, expr.operands[0]);
+        Meta type = meta_of(c, env_for(body, expr.operands[0]), expr.operands[0]);
         if (type.kind == MetaKind::type && body.types().kind(type.type) == ir::TypeKind::enum_)
             return enumerator(body, body.types()[type.type], type.type, member);
         if (type.kind == MetaKind::none) return error_operand(expr.span);
@@ -319,7 +319,7 @@ Operand check_index(Body& body, ast::ExprId id, ir::TypeId) {
     if (left.kind == OperandKind::error) return error_operand(expr.span);
     if (left.kind == OperandKind::meta) {
         Operand operand;
-        operand.meta = meta_of(c, body.env, id);  // T[n] as a type
+        operand.meta = meta_of(c, env_for(body, id), id);  // T[n] as a type
         operand.kind = operand.meta.kind == MetaKind::none ? OperandKind::error : OperandKind::meta;
         operand.span = expr.span;
         return operand;
@@ -329,8 +329,9 @@ Operand check_index(Body& body, ast::ExprId id, ir::TypeId) {
         return error_operand(expr.span);
     }
     if (left.kind == OperandKind::iterator) return index_iterator(body, left, expr);
+    if (body.kind == BodyKind::pipeline)
+        if (auto structure = as_structure(body, left)) return check_pipeline_index(body, *structure, expr);
     if (left.kind == OperandKind::structure) {
-        if (body.kind == BodyKind::pipeline) return check_pipeline_index(body, left, expr);
         const ir::Structure& structure = body.program().structures[left.structure];
         if (structure.kind == ir::StructureKind::adaptor) {
             c.error(Diag::not_indexable, expr.span, {structure.display});

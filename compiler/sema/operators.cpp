@@ -102,6 +102,9 @@ Operand mismatch(Body& body, const ast::Expr& expr, Pair sides) {
         note(diagnostic, expr.span,
              "values are never converted silently: convert one side, as in " + c.text(body.types().scalar_of(left)) +
                  "(…)");
+    else if (family_of(expr.binary) == Family::equality && left == right &&
+             body.types().kind(left) == ir::TypeKind::struct_)
+        note(diagnostic, expr.span, "structs of more than 64 members, those of arrays counted, are not compared whole");
     else if (family_of(expr.binary) == Family::ordering && body.types().is_vector(left))
         note(diagnostic, expr.span, "vectors are compared by lessThan, greaterThan …, all and any");
     return error_operand(expr.span);
@@ -186,8 +189,13 @@ Operand check_binary(Body& body, ast::ExprId id, ir::TypeId wanted) {
     ir::TypeId left = body.program().exprs[sides.left].type, right = body.program().exprs[sides.right].type;
     ir::TypeId result;
     if (family == Family::equality) {
-        bool comparable = types.is_scalar(left) || types.is_vector(left) || types.kind(left) == ir::TypeKind::enum_;
-        result = left == right && comparable ? types.bool_ : ir::TypeId{};
+        if (left != right || !has_equality(body.program(), left)) return mismatch(body, expr, sides);
+        if (types.kind(left) == ir::TypeKind::struct_) {
+            bool negated = expr.binary == ast::BinaryOp::not_equal;
+            return value_operand(body, make_struct_equality(body, negated, sides.left, sides.right, expr.span),
+                                 expr.span);
+        }
+        result = types.bool_;
     } else if (family == Family::ordering) {
         result = left == right && types.is_number(left) ? types.bool_ : ir::TypeId{};
     } else {

@@ -79,7 +79,8 @@ std::unique_ptr<Env> match(Body& body, ast::DeclId id, const Env* owner,
     }
     Arguments generics(c, decl, *env, call.span);
     if (!report && explicit_generics.size() > decl.generics.size()) return nullptr;
-    if (!explicit_generics.empty() && !generics.give(body.env, explicit_generics)) return nullptr;
+    if (!explicit_generics.empty() && !generics.give(env_for(body, explicit_generics), explicit_generics))
+        return nullptr;
     for (std::size_t i = 0; i < function.params.size(); ++i) {
         if (arguments.waits[i]) continue;
         if (arguments.operands[i].kind == OperandKind::structure)

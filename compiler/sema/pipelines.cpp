@@ -61,8 +61,10 @@ ir::TypeId result_type(Context& c, const Env& env, const ast::Pipeline& written,
     return type_of(c, env, written.result);
 }
 
-/// A range result is a slice of whatever structure the returned slice is of.
-void check_return(Body& body, const ast::Stmt& stmt, ir::TypeId& slice) {
+}  // namespace
+
+// A range result is a slice of whatever structure the returned slices are of.
+void check_range_return(Body& body, const ast::Stmt& stmt) {
     Context& c = body.context;
     ir::StmtId id = add(body.program(), ir::StmtOp::return_, stmt.span);
     if (!stmt.value) {
@@ -72,16 +74,15 @@ void check_return(Body& body, const ast::Stmt& stmt, ir::TypeId& slice) {
     ir::ExprId value = check_value(body, stmt.value);
     ir::TypeId type = body.program().exprs[value].type;
     if (is_error(body, value)) return;
+    ir::TypeId& slice = *body.range_result;
     if (body.types().kind(type) != ir::TypeKind::slice || (slice && slice != type)) {
-        c.error(Diag::type_mismatch, c[stmt.value].span, {"a range", c.text(type)});
+        c.error(Diag::type_mismatch, c[stmt.value].span, {slice ? c.text(slice) : "a range", c.text(type)});
         return;
     }
     slice = type;
     body.program().stmts[id].value = value;
     emit(body, id);
 }
-
-}  // namespace
 
 // A value of type T may be returned where the pipeline's result is T on the device or T: the caller sees what it is.
 std::optional<std::uint32_t> instantiate_pipeline(Context& c, ast::DeclId id, const Env& env,
@@ -117,14 +118,11 @@ std::optional<std::uint32_t> instantiate_pipeline(Context& c, ast::DeclId id, co
     pipeline.result = result_type(c, env, written, owner, deferred);
     body.result = pipeline.result;
     open_scope(body);
-    ir::TypeId slice;
-    for (ast::StmtId stmt : written.body) {
-        if (deferred && c[stmt].kind == ast::StmtKind::return_) check_return(body, c[stmt], slice);
-        else check_statement(body, stmt);
-    }
+    if (deferred) body.range_result = ir::TypeId{};
+    check_block(body, written.body);
     close_scope(body);
     close_scope(body);
-    if (deferred) pipeline.result = slice ? slice : c.types().error;
+    if (deferred) pipeline.result = *body.range_result ? *body.range_result : c.types().error;
     if (body.returns == Body::Returns::device) pipeline.result = c.types().device(pipeline.result);
     bool returns = pipeline.result == c.types().void_ || always_returns(c.program, pipeline.body);
     if (!returns && c.diagnostics.error_count() == errors)

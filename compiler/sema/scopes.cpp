@@ -37,6 +37,44 @@ ir::LocalId declare_local(Body& body, ast::Identifier name, ir::TypeId type, boo
     return local;
 }
 
+std::optional<ir::Value> known_value(Body& body, ir::ExprId expr) {
+    return ir::evaluate(body.program(), expr, body.lets);
+}
+
+/// Binds the constants among the locals that an expression names.
+static void bind_constants(Body& body, ast::ExprId id, std::vector<std::pair<Name, Meta>>& bindings) {
+    if (!id) return;
+    const ast::Expr& expr = body.context[id];
+    for (ast::ExprId operand : expr.operands) bind_constants(body, operand, bindings);
+    if (expr.kind != ast::ExprKind::name) return;
+    Symbol* symbol = find_symbol(body, expr.name);
+    if (!symbol || symbol->kind != SymbolKind::local) return;
+    auto definition = body.lets.find(symbol->local);
+    if (definition == body.lets.end()) return;
+    auto value = known_value(body, definition->second);
+    if (!value) return;
+    symbol->used = true;
+    Meta meta;
+    meta.kind = MetaKind::value;
+    meta.value = std::move(*value);
+    bindings.emplace_back(expr.name, std::move(meta));
+}
+
+const Env& env_for(Body& body, ast::ExprId id) { return env_for(body, std::vector{id}); }
+
+const Env& env_for(Body& body, const std::vector<ast::ExprId>& written) {
+    if (body.lets.empty()) return body.env;
+    std::vector<std::pair<Name, Meta>> bindings;
+    for (ast::ExprId id : written) bind_constants(body, id, bindings);
+    if (bindings.empty()) return body.env;
+    // Before those of the declaration: a local hides what is outside of it.
+    Env& env = body.context.new_env(body.env.module);
+    env.self = body.env.self;
+    env.bindings = std::move(bindings);
+    env.bindings.insert(env.bindings.end(), body.env.bindings.begin(), body.env.bindings.end());
+    return env;
+}
+
 void emit(Body& body, ir::StmtId stmt) {
     if (body.block) body.block->push_back(stmt);
 }

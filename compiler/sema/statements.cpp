@@ -9,7 +9,7 @@ constexpr unsigned nesting_limit = 200;
 
 void check_let(Body& body, const ast::Stmt& stmt) {
     Context& c = body.context;
-    ir::TypeId wanted = stmt.type ? type_of(c, body.env, stmt.type) : ir::TypeId{};
+    ir::TypeId wanted = stmt.type ? type_of(c, env_for(body, stmt.type), stmt.type) : ir::TypeId{};
     ir::ExprId value;
     if (stmt.value) {
         Operand operand = check(body, stmt.value, wanted);
@@ -21,12 +21,13 @@ void check_let(Body& body, const ast::Stmt& stmt) {
         type = body.types().error;
     }
     if (stmt.binding == ast::Binding::const_ && value && !is_error(body, value)) {
-        auto known = ir::evaluate(body.program(), value);
+        auto known = known_value(body, value);
         if (!known) c.error(Diag::not_constant, c[stmt.value].span);
         else value = ir::materialize(body.program(), *known, c[stmt.value].span);
     }
     bool is_mutable = stmt.binding == ast::Binding::var;
     ir::LocalId local = declare_local(body, stmt.name, type, is_mutable);
+    if (!is_mutable && value) body.lets[local] = value;
     ir::StmtId let = add(body.program(), ir::StmtOp::let, stmt.span);
     body.program().stmts[let].local = local;
     body.program().stmts[let].value = value;
@@ -35,7 +36,7 @@ void check_let(Body& body, const ast::Stmt& stmt) {
 
 void check_shared(Body& body, const ast::Stmt& stmt) {
     Context& c = body.context;
-    ir::TypeId type = type_of(c, body.env, stmt.type);
+    ir::TypeId type = type_of(c, env_for(body, stmt.type), stmt.type);
     ir::LocalId local = declare_local(body, stmt.name, type, true);
     body.program().locals[local].storage = ir::Storage::shared;
     if (ir::holds_empty(body.program(), type)) {
@@ -142,9 +143,24 @@ void check_if_let(Body& body, const ast::Stmt& stmt) {
     emit(body, id);
 }
 
+/// An arm of a constant `if` in a function with a workgroup: it may end in a return.
+std::vector<ir::StmtId> check_arm(Body& body, const std::vector<ast::StmtId>& arm) {
+    Span outer = std::exchange(body.last, arm.empty() ? Span{} : body.context[arm.back()].span);
+    auto result = check_nested(body, arm);
+    body.last = outer;
+    return result;
+}
+
 void check_if(Body& body, const ast::Stmt& stmt) {
     if (stmt.name.name) return check_if_let(body, stmt);
     ir::ExprId condition = check_value(body, stmt.value, body.types().bool_);
+    if (body.kind == BodyKind::function && body.grouped()) {
+        if (auto known = known_value(body, condition)) {
+            auto then_body = check_arm(body, stmt.body), otherwise = check_arm(body, stmt.otherwise);
+            for (ir::StmtId id : known->bits() ? then_body : otherwise) emit(body, id);
+            return;
+        }
+    }
     ir::StmtId id = add(body.program(), ir::StmtOp::if_, stmt.span);
     auto then_body = check_nested(body, stmt.body);
     auto otherwise = check_nested(body, stmt.otherwise);
@@ -257,6 +273,7 @@ void check_return(Body& body, const ast::Stmt& stmt) {
              "invocations of a workgroup reach every barrier together: use 'if'");
         return;
     }
+    if (body.range_result) return check_range_return(body, stmt);
     ir::StmtId id = add(body.program(), ir::StmtOp::return_, stmt.span);
     if (stmt.value) {
         if (body.result == body.types().void_) {

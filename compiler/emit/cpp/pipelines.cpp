@@ -168,7 +168,7 @@ void PipelinePrinter::temporary(const Stmt& stmt) {
     const char* const commands = stmt.uninitialized ? ", commands.uninitialized()" : ", commands";
     std::string arguments = (made.kind == ir::StructureKind::view ? "" : commands) + structures + values;
     const std::string name = declare_local(p, stmt.local);
-    p.out.line(unit.class_name(type.index) + " " + name + "(" + (arguments.empty() ? "" : arguments.substr(2)) + ");");
+    p.out.line(unit.class_name(type.index) + " " + name + (arguments.empty() ? ";" : "(" + arguments.substr(2) + ");"));
 }
 
 void PipelinePrinter::dispatch(const Stmt& stmt) {

@@ -2,6 +2,8 @@
 #include "emit/cpp/mentions.h"
 #include "emit/cpp/printer.h"
 
+#include <algorithm>
+
 namespace gliftc::cpp {
 
 namespace {
@@ -38,17 +40,35 @@ std::string_view compound_of(BinaryOp op) {
     return "";
 }
 
+/// What an assignment changes, where it lies: a value would be read as the language has it (bool2), not as memory does.
+std::string print_target(Printer& p, ExprId id) {
+    const Expr& expr = p.program.exprs[id];
+    if (expr.op != Op::field && expr.op != Op::index && expr.op != Op::swizzle) return print_any(p, id);
+    const ir::TypeId whole = p.program.exprs[expr.operands[0]].type;
+    const std::string base = print_target(p, expr.operands[0]);
+    if (expr.op == Op::field) {
+        const Name name = p.program.structs[p.program.types[whole].index].fields[expr.slot].name;
+        return base + "." + identifier((*p.program.names)[name]);
+    }
+    if (!p.program.types.is_vector(whole) && expr.op == Op::swizzle) return print_any(p, id);
+    if (expr.op == Op::swizzle) return base + "." + "xyzw"[expr.lanes[0]];
+    const Expr& index = p.program.exprs[expr.operands[1]];
+    if (index.op == Op::constant && p.program.types.is_vector(whole) && index.bits < 4)
+        return base + "." + "xyzw"[index.bits];
+    return base + "[" + print_any(p, expr.operands[1]) + "]";
+}
+
 void print_assign(Printer& p, const Stmt& stmt) {
     const Expr& target = p.program.exprs[stmt.target];
     const std::uint32_t lanes = target.op == Op::swizzle ? p.program.types.components(target.type) : 1;
     if (lanes > 1) {
         std::string list;
         for (std::uint32_t i = 0; i < lanes; ++i) list += (i ? ", " : "") + std::to_string(target.lanes[i]);
-        p.out.line("glift::assign_swizzle<" + list + ">(" + print_any(p, target.operands[0]) + ", " +
+        p.out.line("glift::assign_swizzle<" + list + ">(" + print_target(p, target.operands[0]) + ", " +
                    print_any(p, stmt.value) + ");");
         return;
     }
-    const std::string left = print_any(p, stmt.target);
+    const std::string left = print_target(p, stmt.target);
     const Expr& value = p.program.exprs[stmt.value];
     if (value.op == Op::binary && !compound_of(value.binary).empty() && print_any(p, value.operands[0]) == left) {
         p.out.line(left + std::string(compound_of(value.binary)) + print_any(p, value.operands[1]) + ";");
@@ -62,12 +82,29 @@ void print_let(Printer& p, const Stmt& stmt) {
     const bool outer = p.outer_local && !p.outer_local(stmt.local).empty();
     const std::string value = stmt.value ? print_any(p, stmt.value) : "";
     if (outer) {
-        p.out.line(p.outer_local(stmt.local) + " = " + (stmt.value ? value : "{}") + ";");
+        const ir::TypeKind kind = p.program.types.kind(local.type);
+        const bool has_parts = kind == ir::TypeKind::array || kind == ir::TypeKind::struct_;
+        if (!stmt.value && has_parts) p.out.line("glift::reset(" + p.outer_local(stmt.local) + ");");
+        else p.out.line(p.outer_local(stmt.local) + " = " + (stmt.value ? value : "{}") + ";");
         return;
     }
     const std::string name = declare_local(p, stmt.local);
     const std::string type = (local.is_mutable ? "" : "const ") + type_text(p.globals, local.type, p.use_namespaces);
     p.out.line(type + " " + name + (stmt.value ? " = " + value : "{}") + ";");
+}
+
+bool is_constant(const Printer& p, ExprId id) {
+    const Expr& expr = p.program.exprs[id];
+    return expr.op == Op::constant ||
+           (expr.op == Op::construct &&
+            std::ranges::all_of(expr.operands, [&](ExprId operand) { return is_constant(p, operand); }));
+}
+
+/// A constant that only the compiler had a use for: in a type, as a generic argument.
+bool is_used_up(const Printer& p, const std::vector<ir::StmtId>& body, std::size_t at) {
+    const Stmt& stmt = p.program.stmts[body[at]];
+    if (stmt.op != StmtOp::let || !stmt.value || p.program.locals[stmt.local].is_mutable) return false;
+    return is_constant(p, stmt.value) && !mentions(p.program, {body.begin() + at + 1, body.end()}, stmt.local);
 }
 
 void print_nested(Printer& p, const std::vector<ir::StmtId>& body) {
@@ -155,7 +192,8 @@ void mark_line(Printer& p, Span span) {
 }
 
 void print_statements(Printer& p, const std::vector<ir::StmtId>& body) {
-    for (ir::StmtId stmt : body) print_statement(p, stmt);
+    for (std::size_t i = 0; i < body.size(); ++i)
+        if (!is_used_up(p, body, i)) print_statement(p, body[i]);
 }
 
 void print_statement(Printer& p, ir::StmtId id) {

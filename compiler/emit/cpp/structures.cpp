@@ -178,7 +178,7 @@ void print_constructors(Unit& unit, Writer& out, std::uint32_t index, const Clas
         out.dedent();
         out.gap();
     };
-    head("", false);
+    if (!constructor_of(unit, index, names, false).parameters.empty()) head("", false);  // else the default one
     if (has_parts(structure)) head(memory_parameters(unit, index, names), true);
 }
 
@@ -249,7 +249,9 @@ void print_class(Unit& unit, Writer& out, std::uint32_t index, bool qualified) {
     // A module's own classes: what of them is used depends on what the module does.
     const std::string unused = qualified ? "" : "[[maybe_unused]] ";
     const Constructor constructor = constructor_of(unit, index, names, qualified);
-    out.line(unused + (constructor.parameters.size() == 1 ? "explicit " : "") + type + "(" + constructor.text() + ");");
+    if (!constructor.parameters.empty())
+        out.line(unused + (constructor.parameters.size() == 1 ? "explicit " : "") + type + "(" + constructor.text() +
+                 ");");
     if (has_parts(structure)) {
         out.line("/// Over parts that exist already.");
         out.line(unused + type + "(" + constructor.text() + memory_parameters(unit, index, names) + ");");

@@ -131,12 +131,15 @@ struct DeviceValue {
     std::uint64_t offset = 0;  ///< in bytes, a multiple of 4
 };
 
-/// Copies min(device value, limit) over four bytes of the parameters before the pass runs. A patch within the iteration
-/// size makes the dispatch indirect: the size becomes min(value, Call::size) along that axis, in the parameters too.
+/// Copies min(device value - before, limit) over four bytes of the parameters before the pass runs; 0 where the value
+/// is less than `before`. A patch within the iteration size makes the dispatch indirect: the size becomes min(value,
+/// Call::size) along that axis, in the parameters too.
 struct Patch {
     DeviceValue value;
     std::uint32_t offset;  ///< byte offset in the parameters, a multiple of 4
     std::uint32_t limit = UINT32_MAX;
+    std::uint32_t before = 0;
+    bool joins = false;  ///< the patch before it has the same offset: the smaller of the two counts
 };
 
 /// Four bytes of the direct form's parameters that are constants of the pipeline. Each set of values is a pipeline of

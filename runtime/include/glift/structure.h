@@ -87,6 +87,21 @@ template <class T> struct DeviceScalar {
     operator DeviceValue() const { return {memory, offset}; }
 };
 
+namespace detail {
+
+/// A size that lives on the device, of a box that begins `before` elements after what it is the size of.
+struct DeviceCount {
+    DeviceValue value;
+    Extent before{};
+
+    bool operator==(const DeviceCount& other) const {
+        return value.memory.object() == other.value.memory.object() && value.offset == other.value.offset &&
+               before == other.before;
+    }
+};
+
+}  // namespace detail
+
 /// A box of a structure of type S, or all of it. Holds on to the structure by address.
 template <class S> class Range {
 public:
@@ -96,20 +111,32 @@ public:
     Range(const S& structure, Address origin, Address size) : structure_(&structure), origin_(origin), size_(size) {}
     /// As many elements along each axis as a value on the device says, `size` at most.
     Range(const S& structure, Address origin, Address size, DeviceScalar<Address> count)
-        : structure_(&structure), origin_(origin), size_(size), count_(std::move(count)) {}
+        : structure_(&structure), origin_(origin), size_(size), counts_{{std::move(count), {}}} {}
 
     const S& structure() const { return *structure_; }
     const S* operator->() const { return structure_; }
     Address origin() const { return origin_; }
     Address size() const { return size_; }
     bool is_whole() const { return whole_; }
-    /// Where the number of elements along each axis comes from; no memory where the host knows it.
-    const DeviceValue& device_count() const { return count_; }
+    /// Where the number of elements along each axis comes from, the least of these; none where the host knows it.
+    const std::vector<detail::DeviceCount>& device_counts() const { return counts_; }
 
     /// A box of this box.
-    Range range(Address origin, Address size) const { return Range(*structure_, origin_ + origin, size); }
+    Range range(Address origin, Address size) const {
+        Range part(*structure_, origin_ + origin, size);
+        part.counts_ = counts_;
+        const Extent first = detail::extent_of(origin, 0);
+        for (detail::DeviceCount& count : part.counts_)
+            for (unsigned i = 0; i < 4; ++i) count.before[i] += first[i];
+        return part;
+    }
     /// As many elements from the first on, along each axis, as a value on the device says, all at most.
-    Range first(DeviceScalar<Address> count) const { return Range(*structure_, origin_, size_, std::move(count)); }
+    Range first(DeviceScalar<Address> count) const {
+        Range part(*structure_, origin_, size_);
+        part.counts_ = counts_;
+        part.counts_.push_back({std::move(count), {}});
+        return part;
+    }
     /// An element of the box, left on the device.
     auto element_in_place(const Commands& commands, Address address) const {
         return structure_->element_in_place(commands, origin_ + address);
@@ -123,7 +150,7 @@ private:
     const S* structure_;
     Address origin_{};
     Address size_;
-    DeviceValue count_{};
+    std::vector<detail::DeviceCount> counts_;
     bool whole_ = false;
 };
 
@@ -147,7 +174,8 @@ public:
         else if (box.size != first_.size) throw_sizes(first_, box);
         ++count_;
         whole_ = whole_ && range.is_whole();
-        if (range.device_count().memory) device_count_ = &range.device_count();
+        for (const detail::DeviceCount& count : range.device_counts())
+            if (std::ranges::find(counts_, count) == counts_.end()) counts_.push_back(count);
     }
 
     /// A range that is looked at around the current element. A whole structure follows the first visited range; a box
@@ -186,15 +214,12 @@ public:
     bool is_whole() const { return whole_; }
     /// What to write into the parameters where a size comes from the device: the iteration's, at `offsets`.
     std::span<const Patch> patches(std::initializer_list<std::size_t> offsets) {
-        if (device_count_)
-            for (std::size_t offset : offsets) patch(*device_count_, offset, first_.size, first_.rank);
+        for (std::size_t offset : offsets) patch(counts_, offset, first_.size, first_.rank);
         return {patches_.data(), patch_count_};
     }
     /// The same for the size of a range that is read or written anywhere. Before `patches`.
     template <class S> void count(const Range<S>& range, std::size_t offset) {
-        if (range.device_count().memory)
-            patch(range.device_count(), offset, detail::extent_of(range.size()),
-                  detail::Axes<typename S::Address>::count);
+        patch(range.device_counts(), offset, detail::extent_of(range.size()), detail::Axes<typename S::Address>::count);
     }
 
 private:
@@ -214,20 +239,25 @@ private:
     }
 
     /// A word for each axis.
-    void patch(const DeviceValue& value, std::size_t offset, const Extent& limits, unsigned axes) {
-        if (patch_count_ + axes > patches_.size())
+    void patch(const std::vector<detail::DeviceCount>& counts, std::size_t offset, const Extent& limits,
+               unsigned axes) {
+        if (patch_count_ + axes * counts.size() > patches_.size())
             throw Error(ErrorCode::wrong_argument, "too many sizes that live on the device", where(),
                         "one call takes " + std::to_string(patches_.size()) + " numbers", "split the kernel");
         for (unsigned axis = 0; axis < axes; ++axis)
-            patches_[patch_count_++] = {
-                {value.memory, value.offset + 4 * axis}, static_cast<std::uint32_t>(offset + 4 * axis), limits[axis]};
+            for (const detail::DeviceCount& count : counts)
+                patches_[patch_count_++] = {{count.value.memory, count.value.offset + 4 * axis},
+                                            static_cast<std::uint32_t>(offset + 4 * axis),
+                                            limits[axis],
+                                            count.before[axis],
+                                            &count != counts.data()};
     }
 
     const Kernel& kernel_;
     detail::Box first_{};
     unsigned count_ = 0;
     bool whole_ = true;
-    const DeviceValue* device_count_ = nullptr;
+    std::vector<detail::DeviceCount> counts_;  ///< of what is visited
     std::array<Patch, 24> patches_{};
     std::size_t patch_count_ = 0;
 };

@@ -5,13 +5,24 @@
 #include <glift/arithmetic.h>
 
 #include <cstdint>
+#include <type_traits>
 #include <utility>
 
 namespace glift {
 
 using uint = std::uint32_t;
 
+struct Bool;
+
 template <class T, unsigned N> struct vec;
+
+namespace detail {
+
+/// As values and as memory has them: one becomes the other where it is assigned.
+template <class T, class U> inline constexpr bool both_bools = (std::is_same_v<T, bool> && std::is_same_v<U, Bool>) ||
+                                                               (std::is_same_v<T, Bool> && std::is_same_v<U, bool>);
+
+}  // namespace detail
 
 template <class T> struct vec<T, 2> {
     T x{}, y{};
@@ -19,7 +30,8 @@ template <class T> struct vec<T, 2> {
     constexpr vec() = default;
     constexpr vec(T x, T y) : x(x), y(y) {}
     explicit constexpr vec(T all) : x(all), y(all) {}
-    template <class U> explicit constexpr vec(const vec<U, 2>& v) : x(convert<T>(v.x)), y(convert<T>(v.y)) {}
+    template <class U> explicit(!detail::both_bools<T, U>) constexpr vec(const vec<U, 2>& v)
+        : x(convert<T>(v.x)), y(convert<T>(v.y)) {}
 
     template <class I> constexpr T& operator[](I i) { return i <= 0 ? x : y; }
     template <class I> constexpr const T& operator[](I i) const { return i <= 0 ? x : y; }
@@ -34,7 +46,7 @@ template <class T> struct vec<T, 3> {
     explicit constexpr vec(T all) : x(all), y(all), z(all) {}
     constexpr vec(const vec<T, 2>& a, T z) : x(a.x), y(a.y), z(z) {}
     constexpr vec(T x, const vec<T, 2>& a) : x(x), y(a.x), z(a.y) {}
-    template <class U> explicit constexpr vec(const vec<U, 3>& v)
+    template <class U> explicit(!detail::both_bools<T, U>) constexpr vec(const vec<U, 3>& v)
         : x(convert<T>(v.x)), y(convert<T>(v.y)), z(convert<T>(v.z)) {}
 
     template <class I> constexpr T& operator[](I i) { return i <= 0 ? x : i == 1 ? y : z; }
@@ -57,7 +69,7 @@ template <class T> struct vec<T, 4> {
     constexpr vec(T x, T y, const vec<T, 2>& a) : x(x), y(y), z(a.x), w(a.y) {}
     constexpr vec(const vec<T, 3>& a, T w) : x(a.x), y(a.y), z(a.z), w(w) {}
     constexpr vec(T x, const vec<T, 3>& a) : x(x), y(a.x), z(a.y), w(a.z) {}
-    template <class U> explicit constexpr vec(const vec<U, 4>& v)
+    template <class U> explicit(!detail::both_bools<T, U>) constexpr vec(const vec<U, 4>& v)
         : x(convert<T>(v.x)), y(convert<T>(v.y)), z(convert<T>(v.z)), w(convert<T>(v.w)) {}
 
     template <class I> constexpr T& operator[](I i) { return i <= 0 ? x : i == 1 ? y : i == 2 ? z : w; }
@@ -187,8 +199,8 @@ template <unsigned... Lanes, class T, unsigned N> constexpr vec<T, sizeof...(Lan
 }
 
 /// v.zx = value is assign_swizzle<2, 0>(v, value).
-template <unsigned... Lanes, class T, unsigned N>
-constexpr void assign_swizzle(vec<T, N>& v, const vec<T, sizeof...(Lanes)>& value) {
+template <unsigned... Lanes, class T, unsigned N, class U>
+constexpr void assign_swizzle(vec<T, N>& v, const vec<U, sizeof...(Lanes)>& value) {
     unsigned i = 0;
     ((v[Lanes] = value[i++]), ...);
 }
@@ -233,6 +245,12 @@ template <class T, unsigned N> struct array {
     constexpr const T* begin() const { return values; }
     constexpr const T* end() const { return values + N; }
 };
+
+/// Gives it zeros. (g++ 12 takes neither `a = {}` nor `a = array<T, N>{}` where T has default values.)
+template <class T> constexpr void reset(T& value) {
+    const T zeros{};
+    value = zeros;
+}
 
 /// C columns of R rows, column after column; m[c] is a column.
 template <class T, unsigned C, unsigned R> struct mat {

@@ -61,16 +61,19 @@ template <class Row> void each_row(const Memory& image, std::span<const ImageReg
 // Applies device values to a copy of the parameters and to the size.
 std::vector<std::byte> patched(const Kernel& kernel, const Call& call, std::array<std::uint32_t, 4>& size) {
     std::vector<std::byte> parameters(call.parameters.begin(), call.parameters.end());
+    std::uint32_t last = 0;
     for (const Patch& patch : call.patches) {
         std::uint32_t value;
         std::memcpy(&value, host_memory(patch.value.memory).data() + patch.value.offset, 4);
-        value = std::min(value, patch.limit);
+        value = std::min(value - std::min(value, patch.before), patch.limit);
+        if (patch.joins) value = std::min(value, last);
         const std::uint32_t first = kernel.general.size_offset;
         if (patch.offset >= first && patch.offset < first + 4 * kernel.rank) {
             const std::uint32_t axis = (patch.offset - first) / 4;
             value = size[axis] = std::min(value, call.size[axis]);
         }
         std::memcpy(parameters.data() + patch.offset, &value, 4);
+        last = value;
     }
     return parameters;
 }

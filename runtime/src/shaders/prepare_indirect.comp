@@ -12,6 +12,8 @@ struct PatchSource {
     Words value;
     uint word;         // index in the block
     uint limit;
+    uint before;
+    uint joins;
 };
 
 layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer Arguments {
@@ -33,15 +35,19 @@ uint div_ceil(uint a, uint b) { return a / b + (a % b != 0u ? 1u : 0u); }
 
 void main() {
     uint size[4] = arguments.size;
+    uint last = 0u;
     for (uint k = 0u; k < arguments.patch_count; ++k) {
         const uint word = arguments.patches[k].word;
-        uint value = min(arguments.patches[k].value.word[0], arguments.patches[k].limit);
+        const uint stored = arguments.patches[k].value.word[0], before = arguments.patches[k].before;
+        uint value = min(stored - min(stored, before), arguments.patches[k].limit);
+        if (arguments.patches[k].joins != 0u) value = min(value, last);
         const uint axis = word - arguments.size_word;
         if (axis < arguments.rank) {
             value = min(value, size[axis]);
             size[axis] = value;
         }
         arguments.block.word[word] = value;
+        last = value;
     }
     uint x = div_ceil(size[0], arguments.per_group[0]);
     uint y = div_ceil(size[1], arguments.per_group[1]);

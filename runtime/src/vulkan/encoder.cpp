@@ -50,9 +50,9 @@ struct PrepareArguments {
 };
 struct PatchSource {
     VkDeviceAddress value;
-    std::uint32_t word, unused;
+    std::uint32_t word, limit, before, joins;
 };
-static_assert(sizeof(PrepareArguments) == 64 && sizeof(PatchSource) == 16);
+static_assert(sizeof(PrepareArguments) == 64 && sizeof(PatchSource) == 24);
 
 [[noreturn]] void throw_too_many_groups(const Kernel& kernel, const Context& context) {
     const auto& limit = context.properties.max_workgroups;
@@ -213,7 +213,8 @@ Slice Encoder::prepare(const Pipeline& pipeline, const Call& call, const Slice& 
     for (std::size_t k = 0; k < call.patches.size(); ++k) {
         const Patch& patch = call.patches[k];
         const VulkanMemory& memory = vulkan_memory(patch.value.memory);
-        const PatchSource source = {memory.address + patch.value.offset, patch.offset / 4, patch.limit};
+        const PatchSource source = {memory.address + patch.value.offset, patch.offset / 4, patch.limit, patch.before,
+                                    patch.joins};
         std::memcpy(list.data + sizeof arguments + k * sizeof source, &source, sizeof source);
         conflict = conflict || hazards_.conflicts(memory.id, Access::read);
     }

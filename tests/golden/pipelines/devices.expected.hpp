@@ -29,6 +29,16 @@ public:
     /// True if the two were made with equal arguments.
     bool same_state(const Line& other) const;
 
+    /// Gives every element, or those of a box, one value.
+    void fill(glift::uint value);
+    void fill(glift::uint value, const glift::Range<Line>& range);
+    /// Where an element lies in row_memory(), in elements; the address is an affine function of the virtual one.
+    std::uint64_t place(glift::uint address) const;
+    const glift::Memory& row_memory() const { return data_; }
+    /// Elements of a box to a linear buffer, and back.
+    void copy_out(const glift::Commands& commands, const glift::Range<Line>& range, const glift::Memory& box) const;
+    void copy_in(const glift::Commands& commands, const glift::Range<Line>& range, const glift::Memory& box) const;
+
 private:
     glift::uint extent_{};
     glift::uint data_extent_{};
