@@ -19,8 +19,7 @@ double seconds_of(const glift::Device& device, const glift::Recording& recording
     return after - before;
 }
 
-/// While its pipelines are made a GPU idles and lowers its clocks; it takes some tens of milliseconds of work to raise
-/// them.
+/// A GPU that idled while its pipelines were made takes a while to come up to speed again.
 void warm_up(const glift::Device& device, const glift::Recording& recording) {
     constexpr std::chrono::milliseconds enough(100);
     const auto start = std::chrono::steady_clock::now();
