@@ -82,8 +82,8 @@ private:
         settle_all(pass.shared);
         settle_all(pass.params);
     }
-    template <class Node> void settle_all(std::vector<Node>& ids) {
-        for (Node& id : ids) settle(id);
+    template <class Ids> void settle_all(Ids& ids) {
+        for (auto& id : ids) settle(id);
     }
 
     void settle(ExprId& id) const { settle(id, begin_.exprs, to_.exprs); }
