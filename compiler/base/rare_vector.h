@@ -19,16 +19,15 @@ public:
     RareVector(std::vector<T> values) {
         if (!values.empty()) values_ = std::make_unique<std::vector<T>>(std::move(values));
     }
-    RareVector(const RareVector& other) : RareVector(static_cast<const std::vector<T>&>(other)) {}
+    RareVector(const RareVector& other) {
+        if (other.values_) values_ = std::make_unique<std::vector<T>>(*other.values_);
+    }
     RareVector(RareVector&&) noexcept = default;
     RareVector& operator=(const RareVector& other) { return *this = RareVector(other); }
     RareVector& operator=(RareVector&&) noexcept = default;
     ~RareVector() = default;
 
-    operator const std::vector<T>&() const {
-        static const std::vector<T> nothing;
-        return values_ ? *values_ : nothing;
-    }
+    operator const std::vector<T>&() const { return values_ ? *values_ : nothing; }
     bool empty() const { return size() == 0; }
     std::size_t size() const { return values_ ? values_->size() : 0; }
     T* begin() { return values_ ? values_->data() : nullptr; }
@@ -53,6 +52,7 @@ private:
         return *values_;
     }
 
+    inline static const std::vector<T> nothing;
     std::unique_ptr<std::vector<T>> values_;
 };
 

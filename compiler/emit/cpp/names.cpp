@@ -1,6 +1,7 @@
 #include "emit/cpp/names.h"
 
 #include <array>
+#include <tuple>
 
 namespace gliftc::cpp {
 
@@ -149,16 +150,17 @@ std::string identifier(std::string_view text) {
 }
 
 void Scopes::leave() {
-    for (const std::string& name : scopes_.back()) used_.erase(name);
+    for (const std::string* name : scopes_.back()) used_.erase(used_.find(*name));
     scopes_.pop_back();
 }
 
 std::string Scopes::declare(std::string_view wanted) {
     const std::string base = identifier(wanted);
-    std::string name = base;
-    for (int i = 2; !used_.insert(name).second; ++i) name = base + (base.ends_with('_') ? "" : "_") + std::to_string(i);
-    scopes_.back().push_back(name);
-    return name;
+    auto [name, is_free] = used_.insert(base);
+    for (int i = 2; !is_free; ++i)
+        std::tie(name, is_free) = used_.insert(base + (base.ends_with('_') ? "" : "_") + std::to_string(i));
+    scopes_.back().push_back(&*name);
+    return *name;
 }
 
 }  // namespace gliftc::cpp

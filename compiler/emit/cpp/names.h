@@ -27,7 +27,7 @@ public:
 
 private:
     std::unordered_set<std::string> used_;
-    std::vector<std::vector<std::string>> scopes_;
+    std::vector<std::vector<const std::string*>> scopes_;  ///< of those used
 };
 
 }  // namespace gliftc::cpp
