@@ -157,7 +157,8 @@ enum class Builtin : std::uint8_t {
     subgroup_count
 };
 
-/// A program has hundreds of them a line: what is small stands together, and what few have takes no more than a pointer.
+/// A program has hundreds of them a line: what is small stands together, and what few have takes no more than a
+/// pointer.
 struct Expr {
     Op op = Op::constant;
     UnaryOp unary = {};

@@ -39,8 +39,7 @@ public:
     }
 
 private:
-    template <class T>
-    void settle_nodes(Arena<T>& nodes, std::uint32_t begin, std::uint32_t end, std::uint32_t to) {
+    template <class T> void settle_nodes(Arena<T>& nodes, std::uint32_t begin, std::uint32_t end, std::uint32_t to) {
         for (std::uint32_t i = to; i < to + (end - begin); ++i) settle(nodes[{i}]);
     }
 

@@ -17,7 +17,8 @@ struct Branch {
 
     Names names;
     ir::Program program;
-    // What its own names and types are in the trunk, as far as it has been grafted; those before the first are the trunk's.
+    // What its own names and types are in the trunk, as far as it has been grafted; those before the first are the
+    // trunk's.
     const std::uint32_t first_name, first_type;
     std::vector<Name> trunk_names;
     std::vector<ir::TypeId> trunk_types;

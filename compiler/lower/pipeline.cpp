@@ -193,9 +193,8 @@ std::vector<Lowered::Forms> lowered_on_threads(Program& program, Diagnostics& di
         Branch& branch = branches[*unused.take()];
         while (auto kernel = kernels.take()) {
             auto index = static_cast<std::uint32_t>(*kernel);
-            made[index].growth = grown(branch, [&] {
-                passes[index] = lowered_forms(branch.program, made[index].diagnostics, index, checks);
-            });
+            made[index].growth = grown(
+                branch, [&] { passes[index] = lowered_forms(branch.program, made[index].diagnostics, index, checks); });
         }
     });
     for (Made& one : made) {

@@ -261,11 +261,11 @@ Text print(Printer& p, ExprId id) {
         return {sign + operand, Level::unary};
     }
     case Op::binary: return print_binary(p, expr);
-    case Op::select:
-        return {concat(print(p, expr.operands[0], Level::logical_or), " ? ",
-                       print(p, expr.operands[1], Level::logical_or), " : ",
-                       print(p, expr.operands[2], Level::ternary)),
-                Level::ternary};
+    case Op::select: {
+        const std::string condition = print(p, expr.operands[0], Level::logical_or);
+        const std::string yes = print(p, expr.operands[1], Level::logical_or);
+        return {concat(condition, " ? ", yes, " : ", print(p, expr.operands[2], Level::ternary)), Level::ternary};
+    }
     case Op::swizzle: return print_swizzle(p, expr);
     case Op::index: return print_index(p, expr);
     case Op::field: {

@@ -1,7 +1,6 @@
 #include "emit/cpp/names.h"
 
 #include <array>
-#include <tuple>
 
 namespace gliftc::cpp {
 
@@ -155,12 +154,13 @@ void Scopes::leave() {
 }
 
 std::string Scopes::declare(std::string_view wanted) {
-    const std::string base = identifier(wanted);
-    auto [name, is_free] = used_.insert(base);
-    for (int i = 2; !is_free; ++i)
-        std::tie(name, is_free) = used_.insert(base + (base.ends_with('_') ? "" : "_") + std::to_string(i));
-    scopes_.back().push_back(&*name);
-    return *name;
+    std::string name = identifier(wanted);
+    if (used_.contains(name)) {
+        const std::string stem = name.ends_with('_') ? name : name + "_";
+        for (int i = 2; used_.contains(name); ++i) name = stem + std::to_string(i);
+    }
+    scopes_.back().push_back(&*used_.insert(name).first);
+    return name;
 }
 
 }  // namespace gliftc::cpp

@@ -18,6 +18,8 @@ std::string identifier(std::string_view text);
 class Scopes {
 public:
     Scopes() { enter(); }
+    Scopes(Scopes&&) = default;
+    Scopes& operator=(Scopes&&) = default;
 
     void enter() { scopes_.emplace_back(); }
     void leave();

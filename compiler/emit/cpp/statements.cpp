@@ -189,7 +189,7 @@ void mark_line(Printer& p, Span span) {
     if (span.file == p.marked_file && line == p.marked_line) return;
     p.marked_file = span.file;
     p.marked_line = line;
-    p.out.line(concat("// ", place_text(p.globals.sources, span)));
+    p.out.line(concat("// ", file_name(p.globals.sources, span.file), ":", std::to_string(line)));
 }
 
 void print_statements(Printer& p, const std::vector<ir::StmtId>& body) {

@@ -162,6 +162,7 @@ void Rows::print_values_at(const std::vector<StmtId>& statements, const std::vec
 void Rows::print_row_pointers(const std::vector<StmtId>& statements, const std::vector<RowAccess>& accesses,
                               const std::string& begin) {
     std::vector<ExprId> wanted;
+    wanted.reserve(accesses.size());
     for (const RowAccess& access : accesses) wanted.push_back(access.index);
     print_values_at(statements, wanted, begin);
     std::map<std::pair<std::uint32_t, std::string>, std::string> pointers;
