@@ -25,7 +25,7 @@ template <class T> struct Id {
 /// Owns values of one type; ids and references stay valid as it grows. Values lie in blocks of equal size, so that
 /// finding one is a shift and a mask.
 template <class T> class Arena {
-    static constexpr std::uint32_t shift = 8, block_size = 1u << shift, mask = block_size - 1;
+    static constexpr std::uint32_t shift = 6, block_size = 1u << shift, mask = block_size - 1;
 
     template <class A, class V> class Iterator {
     public:
@@ -66,7 +66,8 @@ public:
     }
     Arena& operator=(const Arena& other) { return *this = Arena(other); }
     ~Arena() {
-        for (std::uint32_t i = first_; i < size_; ++i) at(i).~T();
+        for (std::uint32_t i = first_; i < size_; ++i)
+            if (own_[(i - first_) >> shift]) at(i).~T();
     }
     /// Sees the values of `base` and adds its own after them. The base outlives it, and neither changes meanwhile what
     /// was in it then.
@@ -87,6 +88,20 @@ public:
         }
         new (place(size_)) T(std::move(value));
         return {size_++};
+    }
+    /// Fills the last block, so that what is added next begins one.
+    void fill_block() {
+        while (size_ & mask) add(T());
+    }
+    /// Takes the blocks that hold these values of another arena, which are then not to be asked for there. The values
+    /// begin a block and end one, and so do those that are here.
+    void adopt(Arena& from, std::uint32_t begin, std::uint32_t end) {
+        assert(((size_ | begin | end) & mask) == 0 && begin >= from.first_);
+        for (std::uint32_t i = begin; i < end; i += block_size) {
+            own_.push_back(std::move(from.own_[(i - from.first_) >> shift]));
+            blocks_.push_back(own_.back().get());
+        }
+        size_ += end - begin;
     }
     /// Forgets the values from this one on; their memory is used for those that come next.
     void truncate(std::uint32_t size) {

@@ -4,7 +4,6 @@
 
 #include <bit>
 #include <cmath>
-#include <unordered_map>
 #include <utility>
 
 namespace gliftc::ir {
@@ -98,7 +97,22 @@ public:
 
 private:
     enum class Flow { next, break_, continue_, return_, stuck };
-    using Frame = std::unordered_map<LocalId, Value>;
+    /// The locals of one call: so few that looking through them is quickest.
+    class Frame {
+    public:
+        Value* find(LocalId local) {
+            for (auto& [known, value] : values_)
+                if (known == local) return &value;
+            return nullptr;
+        }
+        void set(LocalId local, Value value) {
+            if (Value* known = find(local)) *known = std::move(value);
+            else values_.emplace_back(local, std::move(value));
+        }
+
+    private:
+        std::vector<std::pair<LocalId, Value>> values_;
+    };
 
     Value zero(TypeId type) {
         Value value{type, {}};
@@ -132,7 +146,7 @@ std::optional<Value> Interpreter::value_of(ExprId id) {
     case Op::constant: return Value{expr.type, {normalize(types_, expr.type, {expr.bits, expr.number})}};
     case Op::local:
         if (frame_)
-            if (auto found = frame_->find(expr.local); found != frame_->end()) return found->second;
+            if (const Value* found = frame_->find(expr.local)) return *found;
         if (auto defined = definitions_.find(expr.local); defined != definitions_.end())
             return value_of(defined->second);
         return std::nullopt;
@@ -322,7 +336,7 @@ std::optional<Value> Interpreter::call(const Expr& expr) {
     for (std::size_t i = 0; i < expr.operands.size(); ++i) {
         auto value = value_of(expr.operands[i]);
         if (!value) return std::nullopt;
-        frame[function.params[i]] = std::move(*value);
+        frame.set(function.params[i], std::move(*value));
     }
     Frame* outer = std::exchange(frame_, &frame);
     ++depth_;
@@ -366,10 +380,10 @@ bool Interpreter::assign(const Stmt& stmt) {
     ExprId base = target.op == Op::swizzle ? target.operands[0] : stmt.target;
     auto place = target_of(base);
     if (!place) return false;
-    auto found = frame_->find(place->first);
-    if (found == frame_->end()) return false;
+    Value* found = frame_->find(place->first);
+    if (!found) return false;
     for (std::size_t i = 0; i < value->lanes.size(); ++i)
-        found->second.lanes[place->second + (target.op == Op::swizzle ? target.lanes[i] : i)] = value->lanes[i];
+        found->lanes[place->second + (target.op == Op::swizzle ? target.lanes[i] : i)] = value->lanes[i];
     return true;
 }
 
@@ -379,7 +393,7 @@ Interpreter::Flow Interpreter::run_for(const Stmt& stmt) {
     TypeId type = first->type;
     Lane at = first->lanes[0];
     while (compare(types_, BinaryOp::less, type, at, limit->lanes[0]).bits) {
-        (*frame_)[stmt.local] = Value{type, {at}};
+        frame_->set(stmt.local, Value{type, {at}});
         Flow flow = run(stmt.body);
         if (flow == Flow::break_) break;
         if (flow == Flow::return_ || flow == Flow::stuck) return flow;
@@ -394,7 +408,7 @@ Interpreter::Flow Interpreter::run(const Stmt& stmt) {
     case StmtOp::let: {
         auto value = stmt.value ? value_of(stmt.value) : std::optional(zero(program_.locals[stmt.local].type));
         if (!value) return Flow::stuck;
-        (*frame_)[stmt.local] = std::move(*value);
+        frame_->set(stmt.local, std::move(*value));
         return Flow::next;
     }
     case StmtOp::assign: return assign(stmt) ? Flow::next : Flow::stuck;

@@ -7,6 +7,7 @@
 
 #include "base/arena.h"
 #include "base/name.h"
+#include "base/rare_vector.h"
 #include "base/small_vector.h"
 #include "ir/intrinsics.h"
 #include "ir/types.h"
@@ -38,7 +39,7 @@ using Operands = SmallVector<ExprId, 4>;
 /// host_read, slice, …).
 struct Place {
     std::uint32_t root = 0;
-    SmallVector<std::uint32_t, 4> members;
+    RareVector<std::uint32_t> members;
     bool operator==(const Place&) const = default;
 };
 
@@ -156,24 +157,26 @@ enum class Builtin : std::uint8_t {
     subgroup_count
 };
 
+/// A program has hundreds of them a line: what is small stands together, and what few have takes no more than a
+/// pointer.
 struct Expr {
     Op op = Op::constant;
-    TypeId type;
-    Span span;
-    Operands operands;
-    std::uint64_t bits = 0;
-    double number = 0;
-    LocalId local;
     UnaryOp unary = {};
     BinaryOp binary = {};
     Intrinsic intrinsic = {};
     Invocation invocation = {};
     Builtin builtin = {};
+    std::array<std::uint8_t, 4> lanes = {};
+    TypeId type;
+    Span span;
+    LocalId local;
     FunctionId function;
     std::uint32_t slot = 0;
-    std::array<std::uint8_t, 4> lanes = {};
+    Operands operands;
+    std::uint64_t bits = 0;
+    double number = 0;
     Place place;
-    std::vector<Place> places;  ///< call: one a structure parameter of the function
+    RareVector<Place> places;  ///< call: one a structure parameter of the function
 };
 
 // ----------------------------------------------------------------------------------------------------- statements
@@ -221,19 +224,19 @@ enum class Combine : std::uint8_t { replace, min, max, add, bit_and, bit_or, bit
 
 struct Stmt {
     StmtOp op = StmtOp::block;
+    Combine combine = Combine::replace;
+    bool unrolled = false;       ///< for_: shaders ask for it to be unrolled
+    bool uninitialized = false;  ///< temp: its memory holds anything
     Span span;
     LocalId local;
     ExprId target;
     ExprId value;
     ExprId limit;
-    std::vector<StmtId> body;
-    std::vector<StmtId> otherwise;
-    Operands arguments;
-    std::vector<LocalId> locals;  ///< release
-    bool unrolled = false;        ///< for_: shaders ask for it to be unrolled
-    bool uninitialized = false;   ///< temp: its memory holds anything
     std::uint32_t slot = 0;
-    Combine combine = Combine::replace;
+    RareVector<StmtId> body;
+    RareVector<StmtId> otherwise;
+    Operands arguments;
+    RareVector<LocalId> locals;  ///< release
     Place place;
 };
 

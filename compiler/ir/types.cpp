@@ -61,26 +61,6 @@ TypeId Types::same_as(const Types& other, TypeId id) {
     return intern(type);
 }
 
-bool Types::is_scalar(TypeId id) const {
-    TypeKind k = kind(id);
-    return k >= TypeKind::bool_ && k <= TypeKind::uint64;
-}
-
-bool Types::is_number(TypeId id) const { return is_scalar(id) && id != bool_; }
-bool Types::is_integer(TypeId id) const { return id == int_ || id == uint || id == int64 || id == uint64; }
-bool Types::is_signed(TypeId id) const { return id == int_ || id == int64; }
-bool Types::is_floating(TypeId id) const { return id == float_ || id == half || id == double_; }
-
-TypeId Types::scalar_of(TypeId id) const {
-    const Type& type = arena_[id];
-    return type.kind == TypeKind::vector || type.kind == TypeKind::matrix ? type.element : id;
-}
-
-std::uint32_t Types::components(TypeId id) const {
-    const Type& type = arena_[id];
-    return type.kind == TypeKind::vector ? type.count : 1;
-}
-
 TypeId Types::with_scalar(TypeId shape, TypeId scalar) {
     const Type type = arena_[shape];
     if (type.kind == TypeKind::vector) return vector(scalar, type.count);

@@ -72,15 +72,21 @@ public:
 
     std::uint32_t size() const { return arena_.size(); }
     TypeKind kind(TypeId id) const { return arena_[id].kind; }
-    bool is_scalar(TypeId id) const;    ///< bool to uint64
-    bool is_number(TypeId id) const;    ///< a scalar that is not bool
-    bool is_integer(TypeId id) const;   ///< int uint int64 uint64
-    bool is_signed(TypeId id) const;    ///< int int64
-    bool is_floating(TypeId id) const;  ///< float half double
+    /// bool to uint64
+    bool is_scalar(TypeId id) const { return kind(id) >= TypeKind::bool_ && kind(id) <= TypeKind::uint64; }
+    bool is_number(TypeId id) const { return is_scalar(id) && id != bool_; }
+    bool is_integer(TypeId id) const { return id == int_ || id == uint || id == int64 || id == uint64; }
+    bool is_signed(TypeId id) const { return id == int_ || id == int64; }
+    bool is_floating(TypeId id) const { return id == float_ || id == half || id == double_; }
     bool is_vector(TypeId id) const { return kind(id) == TypeKind::vector; }
     bool is_matrix(TypeId id) const { return kind(id) == TypeKind::matrix; }
-    TypeId scalar_of(TypeId id) const;                ///< the element of a vector or matrix, else itself
-    std::uint32_t components(TypeId id) const;        ///< of a vector; 1 for a scalar
+    /// The element of a vector or matrix, else itself.
+    TypeId scalar_of(TypeId id) const {
+        const Type& type = arena_[id];
+        return type.kind == TypeKind::vector || type.kind == TypeKind::matrix ? type.element : id;
+    }
+    /// Of a vector; 1 for a scalar.
+    std::uint32_t components(TypeId id) const { return is_vector(id) ? arena_[id].count : 1; }
     TypeId with_scalar(TypeId shape, TypeId scalar);  ///< bool4 from (float4, bool)
 
 private:

@@ -30,6 +30,11 @@ template <class Visit> void for_each_node(const Program& program, ExprId id, Vis
     detail::walk_nodes(program, id, seen, visit);
 }
 
+/// The same for those that are not in `seen`, which are then.
+template <class Visit> void for_each_node(const Program& program, ExprId id, IdSet<Expr>& seen, Visit&& visit) {
+    detail::walk_nodes(program, id, seen, visit);
+}
+
 /// Calls visit(ExprId) for the root of every expression of one statement, without the statements inside it.
 template <class Visit> void for_each_root(const Stmt& stmt, Visit&& visit) {
     if (stmt.value) visit(stmt.value);

@@ -167,6 +167,7 @@ std::optional<std::vector<std::int64_t>> Expander::offset_of(const Expr& node) {
     auto value = evaluate(p, offset);
     if (!value) return std::nullopt;
     std::vector<std::int64_t> result;
+    result.reserve(value->lanes.size());
     std::uint32_t radius = cx.kernel.params[resolved(node.place).root].radius;
     for (const Lane& lane : value->lanes) {
         auto part = static_cast<std::int64_t>(lane.bits);

@@ -25,26 +25,22 @@ Program extending(const Program& trunk, Names& names) {
 }
 
 /// Gives what refers to nodes of the branch the ids that they have in the trunk.
-class Grafting {
+class Settling {
 public:
-    Grafting(Program& trunk, const Growth& growth)
-        : trunk_(trunk), branch_(*growth.branch), begin_(growth.begin), end_(growth.end), to_(trunk) {}
+    Settling(Program& trunk, const Growth& growth)
+        : trunk_(trunk), branch_(*growth.branch), begin_(growth.begin), end_(growth.end), to_(growth.to) {}
 
     void run(Lowered::Forms& forms) {
-        move(branch_.program.exprs, trunk_.exprs, begin_.exprs, end_.exprs);
-        move(branch_.program.stmts, trunk_.stmts, begin_.stmts, end_.stmts);
-        move(branch_.program.locals, trunk_.locals, begin_.locals, end_.locals);
-        move(branch_.program.functions, trunk_.functions, begin_.functions, end_.functions);
+        settle_nodes(trunk_.exprs, begin_.exprs, end_.exprs, to_.exprs);
+        settle_nodes(trunk_.stmts, begin_.stmts, end_.stmts, to_.stmts);
+        settle_nodes(trunk_.locals, begin_.locals, end_.locals, to_.locals);
+        settle_nodes(trunk_.functions, begin_.functions, end_.functions, to_.functions);
         for (Pass* pass : {&forms.direct, &forms.general, &forms.wide}) settle(*pass);
     }
 
 private:
-    template <class T> void move(Arena<T>& from, Arena<T>& to, std::uint32_t begin, std::uint32_t end) {
-        for (std::uint32_t i = begin; i < end; ++i) {
-            T& node = from[{i}];
-            settle(node);
-            to.add(std::move(node));
-        }
+    template <class T> void settle_nodes(Arena<T>& nodes, std::uint32_t begin, std::uint32_t end, std::uint32_t to) {
+        for (std::uint32_t i = to; i < to + (end - begin); ++i) settle(nodes[{i}]);
     }
 
     void settle(Expr& expr) {
@@ -85,8 +81,8 @@ private:
         settle_all(pass.shared);
         settle_all(pass.params);
     }
-    template <class Node> void settle_all(std::vector<Node>& ids) {
-        for (Node& id : ids) settle(id);
+    template <class Ids> void settle_all(Ids& ids) {
+        for (auto& id : ids) settle(id);
     }
 
     void settle(ExprId& id) const { settle(id, begin_.exprs, to_.exprs); }
@@ -96,25 +92,22 @@ private:
     template <class T> static void settle(Id<T>& id, std::uint32_t begin, std::uint32_t to) {
         if (id && id.index >= begin) id.index += to - begin;
     }
-    void settle(TypeId& id) {
-        if (!id || id.index < branch_.first_type) return;
-        branch_.trunk_types.resize(branch_.program.types.size() - branch_.first_type);
-        TypeId& known = branch_.trunk_types[id.index - branch_.first_type];
-        if (!known) known = trunk_.types.same_as(branch_.program.types, id);
-        id = known;
+    void settle(TypeId& id) const {
+        if (id && id.index >= branch_.first_type) id = branch_.trunk_types[id.index - branch_.first_type];
     }
-    void settle(Name& name) {
-        if (name.index < branch_.first_name) return;
-        branch_.trunk_names.resize(branch_.names.size() - branch_.first_name);
-        Name& known = branch_.trunk_names[name.index - branch_.first_name];
-        if (!known) known = trunk_.names->intern(branch_.names[name]);
-        name = known;
+    void settle(Name& name) const {
+        if (name.index >= branch_.first_name) name = branch_.trunk_names[name.index - branch_.first_name];
     }
 
     Program& trunk_;
-    Branch& branch_;
+    const Branch& branch_;
     const Mark begin_, end_, to_;
 };
+
+/// Moves the values, of which there are few.
+template <class T> void move(Arena<T>& from, Arena<T>& to, std::uint32_t begin, std::uint32_t end) {
+    for (std::uint32_t i = begin; i < end; ++i) to.add(std::move(from[{i}]));
+}
 
 }  // namespace
 
@@ -122,6 +115,27 @@ Branch::Branch(const Program& trunk)
     : names(Names::extending(*trunk.names)), program(extending(trunk, names)), first_name(names.size()),
       first_type(program.types.size()) {}
 
-void graft(Program& trunk, const Growth& growth, Lowered::Forms& forms) { Grafting(trunk, growth).run(forms); }
+void ready_for_branches(Program& trunk) {
+    trunk.exprs.fill_block();
+    trunk.stmts.fill_block();
+}
+
+void graft(Program& trunk, Growth& growth) {
+    Branch& branch = *growth.branch;
+    const auto first = [](std::uint32_t before, const auto& known) {
+        return before + static_cast<std::uint32_t>(known.size());
+    };
+    for (std::uint32_t i = first(branch.first_name, branch.trunk_names); i < growth.names; ++i)
+        branch.trunk_names.push_back(trunk.names->intern(branch.names[{i}]));
+    for (std::uint32_t i = first(branch.first_type, branch.trunk_types); i < growth.types; ++i)
+        branch.trunk_types.push_back(trunk.types.same_as(branch.program.types, {i}));
+    growth.to = Mark(trunk);
+    trunk.exprs.adopt(branch.program.exprs, growth.begin.exprs, growth.end.exprs);
+    trunk.stmts.adopt(branch.program.stmts, growth.begin.stmts, growth.end.stmts);
+    move(branch.program.locals, trunk.locals, growth.begin.locals, growth.end.locals);
+    move(branch.program.functions, trunk.functions, growth.begin.functions, growth.end.functions);
+}
+
+void settle(Program& trunk, const Growth& growth, Lowered::Forms& forms) { Settling(trunk, growth).run(forms); }
 
 }  // namespace gliftc::lower

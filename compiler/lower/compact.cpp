@@ -55,7 +55,7 @@ public:
             for (ExprId& operand : p.exprs[{i}].operands) exprs_.renumber(operand);
         for (std::uint32_t i = mark_.stmts; i < p.stmts.size(); ++i) renumber(p.stmts[{i}]);
         for_each_root(
-            passes, [&](ExprId& id) { exprs_.renumber(id); }, [&](std::vector<StmtId>& body) { renumber(body); });
+            passes, [&](ExprId& id) { exprs_.renumber(id); }, [&](std::vector<StmtId>& body) { renumber_all(body); });
     }
 
 private:
@@ -85,14 +85,14 @@ private:
         }
     }
 
-    void renumber(std::vector<StmtId>& body) {
+    template <class Body> void renumber_all(Body& body) {
         for (StmtId& id : body) stmts_.renumber(id);
     }
     void renumber(Stmt& stmt) {
         for (ExprId* root : {&stmt.target, &stmt.value, &stmt.limit}) exprs_.renumber(*root);
         for (ExprId& argument : stmt.arguments) exprs_.renumber(argument);
-        renumber(stmt.body);
-        renumber(stmt.otherwise);
+        renumber_all(stmt.body);
+        renumber_all(stmt.otherwise);
     }
 
     Program& p;

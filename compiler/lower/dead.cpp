@@ -1,6 +1,8 @@
 #include "ir/walk.h"
 #include "lower/share.h"
 
+#include <algorithm>
+
 namespace gliftc::lower {
 
 using namespace ir;
@@ -21,6 +23,7 @@ bool has_effect(const Program& p, ExprId id) {
 /// Backwards, so that what only a dropped let used is dropped too.
 std::vector<StmtId> kept(Context& cx, const std::vector<StmtId>& body, IdSet<Local>& used) {
     std::vector<StmtId> result;
+    result.reserve(body.size());
     auto use = [&](ExprId root) {
         for_each_node(cx.p, root, [&](ExprId part) {
             if (cx.p.exprs[part].op == Op::local) used.insert(cx.p.exprs[part].local);
@@ -41,7 +44,8 @@ std::vector<StmtId> kept(Context& cx, const std::vector<StmtId>& body, IdSet<Loc
         for_each_root(stmt, use);
         result.push_back(cx.make.again(body[i], std::move(parts)));
     }
-    return {result.rbegin(), result.rend()};
+    std::reverse(result.begin(), result.end());
+    return result;
 }
 
 /// Locals that an earlier round of a loop may leave for a later one are used wherever the loop names them.

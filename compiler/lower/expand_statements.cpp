@@ -187,9 +187,9 @@ void Expander::expand_while(const Stmt& stmt) {
             Block stop = collect([&] { append(statement(StmtOp::break_, stmt.span)); });
             append_if(make.negate(condition), std::move(stop), {});
         });
-        copy.body.insert(copy.body.end(), leave.begin(), leave.end());
+        copy.body.append(leave);
         Block body = nested(stmt.body);
-        copy.body.insert(copy.body.end(), body.begin(), body.end());
+        copy.body.append(body);
     }
     append(std::move(copy));
 }

@@ -134,6 +134,7 @@ Pair Expander::expand_call(const Expr& node) {
     if (p.functions[node.function].grouped()) return expand_group_call(node);
     const Function& function = p.functions[node.function];
     std::vector<Pair> arguments;
+    arguments.reserve(node.operands.size());
     bool constant = function.structures.empty(), uniform = constant;
     for (ExprId operand : node.operands) {
         Pair argument = expand(operand);

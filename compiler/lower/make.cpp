@@ -384,7 +384,7 @@ ExprId Make::with_operands(const Expr& node, Operands operands) {
 StmtId Make::again(StmtId id, Parts parts) {
     const Stmt& stmt = p.stmts[id];
     if (parts.target == stmt.target && parts.value == stmt.value && parts.limit == stmt.limit &&
-        parts.body == stmt.body && parts.otherwise == stmt.otherwise)
+        stmt.body == parts.body && stmt.otherwise == parts.otherwise)
         return id;
     Stmt made = statement(stmt.op, stmt.span);
     made.local = stmt.local;

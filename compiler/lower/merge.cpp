@@ -76,6 +76,7 @@ ExprId Merging::visit(ExprId id) {
 
 std::vector<StmtId> Merging::run(const std::vector<StmtId>& body) {
     std::vector<StmtId> result;
+    result.reserve(body.size());
     for (StmtId id : body) {
         const Stmt& stmt = cx.p.stmts[id];
         Make::Parts parts;

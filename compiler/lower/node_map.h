@@ -5,19 +5,29 @@
 #include "lower/flat_map.h"
 
 #include <algorithm>
-#include <optional>
 
 namespace gliftc::lower {
 
+/// Lowering one kernel takes a hundred such maps, one after the other and of the same size: the array of one that is
+/// gone serves the next on the thread. Entries carry the time of the map that made them, so that nothing is cleared.
 template <class Id, class Value> class NodeMap {
 public:
     /// `first` is the smallest id that the pass made.
-    explicit NodeMap(Id first) : first_(first.index) {}
+    explicit NodeMap(Id first) : first_(first.index) {
+        std::vector<Array>& spare = spare_arrays();
+        if (spare.empty()) spare.emplace_back();
+        own_ = std::move(spare.back());
+        spare.pop_back();
+        ++own_.time;
+    }
+    NodeMap(const NodeMap&) = delete;
+    NodeMap& operator=(const NodeMap&) = delete;
+    ~NodeMap() { spare_arrays().push_back(std::move(own_)); }
 
     Value* find(Id id) {
         if (id.index < first_) return older_.find(id);
         const std::uint32_t at = id.index - first_;
-        return at < own_.size() && own_[at] ? &*own_[at] : nullptr;
+        return at < own_.slots.size() && own_.slots[at].time == own_.time ? &own_.slots[at].value : nullptr;
     }
     const Value* find(Id id) const { return const_cast<NodeMap*>(this)->find(id); }
     bool contains(Id id) const { return find(id) != nullptr; }
@@ -26,20 +36,34 @@ public:
     std::pair<Value*, bool> emplace(Id id, Value value) {
         if (id.index < first_) return older_.emplace(id, std::move(value));
         const std::uint32_t at = id.index - first_;
-        if (at >= own_.size()) own_.resize(std::max<std::size_t>(at + 64, own_.size() * 2));
-        const bool is_new = !own_[at];
-        if (is_new) own_[at] = std::move(value);
-        return {&*own_[at], is_new};
+        if (at >= own_.slots.size()) own_.slots.resize(std::max<std::size_t>(at + 64, own_.slots.size() * 2));
+        Slot& slot = own_.slots[at];
+        const bool is_new = slot.time != own_.time;
+        if (is_new) slot = {std::move(value), own_.time};
+        return {&slot.value, is_new};
     }
     Value& operator[](Id id) { return *emplace(id, Value{}).first; }
     void clear() {
-        own_.clear();
+        ++own_.time;
         older_.clear();
     }
 
 private:
+    struct Slot {
+        Value value{};
+        std::uint32_t time = 0;
+    };
+    struct Array {
+        std::vector<Slot> slots;
+        std::uint32_t time = 0;
+    };
+    static std::vector<Array>& spare_arrays() {
+        thread_local std::vector<Array> spare;
+        return spare;
+    }
+
     std::uint32_t first_;
-    std::vector<std::optional<Value>> own_;
+    Array own_;
     FlatMap<Id, Value> older_;
 };
 

@@ -183,6 +183,7 @@ std::vector<Lowered::Forms> lowered_in_order(Program& program, Diagnostics& diag
 
 std::vector<Lowered::Forms> lowered_on_threads(Program& program, Diagnostics& diagnostics, Checks checks) {
     const std::size_t count = program.kernels.size(), threads = threads_for(count, kernels_of_a_thread);
+    ready_for_branches(program);
     std::vector<Lowered::Forms> passes(count);
     std::vector<Made> made(count, {std::nullopt, diagnostics.emptied()});
     std::deque<Branch> branches;
@@ -191,16 +192,16 @@ std::vector<Lowered::Forms> lowered_on_threads(Program& program, Diagnostics& di
     on_threads(threads, [&] {
         Branch& branch = branches[*unused.take()];
         while (auto kernel = kernels.take()) {
-            const Mark begin(branch.program);
             auto index = static_cast<std::uint32_t>(*kernel);
-            passes[index] = lowered_forms(branch.program, made[index].diagnostics, index, checks);
-            made[index].growth = {&branch, begin, Mark(branch.program)};
+            made[index].growth = grown(
+                branch, [&] { passes[index] = lowered_forms(branch.program, made[index].diagnostics, index, checks); });
         }
     });
-    for (std::size_t i = 0; i < count; ++i) {
-        graft(program, *made[i].growth, passes[i]);
-        diagnostics.append(std::move(made[i].diagnostics));
+    for (Made& one : made) {
+        graft(program, *one.growth);
+        diagnostics.append(std::move(one.diagnostics));
     }
+    for_each_parallel(count, kernels_of_a_thread, [&](std::size_t i) { settle(program, *made[i].growth, passes[i]); });
     return passes;
 }
 

@@ -14,6 +14,7 @@ public:
 
     std::vector<StmtId> run(const std::vector<StmtId>& body) {
         std::vector<StmtId> result;
+        result.reserve(body.size());
         std::size_t visible = candidates_.size();
         for (StmtId id : body) result.push_back(statement_(id));
         candidates_.resize(visible);

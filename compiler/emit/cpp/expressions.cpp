@@ -1,4 +1,5 @@
 // Expressions as C++, with parentheses only where C++ or a careful reader needs them.
+#include "base/concat.h"
 #include "emit/cpp/printer.h"
 
 namespace gliftc::cpp {
@@ -43,7 +44,7 @@ Operator operator_of(BinaryOp op) {
 }
 
 Text function_call(Printer& p, const std::string& name, const ir::Operands& operands) {
-    return {name + "(" + join_arguments(p, operands) + ")"};
+    return {concat(name, "(", join_arguments(p, operands), ")")};
 }
 
 bool is_scalar_integer(const Printer& p, TypeId type) { return p.program.types.is_integer(type); }
@@ -97,14 +98,15 @@ Text print_binary(Printer& p, const Expr& expr) {
     case BinaryOp::logical_or: break;
     }
     // a && b && c, a + b + c: the left operand may be of the same operator without parentheses.
-    const Text left = print(p, expr.operands[0]);
+    Text left = print(p, expr.operands[0]);
     const Expr& first = p.program.exprs[expr.operands[0]];
     const bool chain = first.op == Op::binary && left.level == op.level &&
                        operator_of(first.binary).level == op.level &&
                        (first.binary == expr.binary || op.level == Level::sum || op.level == Level::term) &&
                        op.level != Level::shift && op.level != Level::relation && op.level != Level::equality;
     const Level right = static_cast<Level>(static_cast<int>(op.operand) + (op.operand == op.level ? 1 : 0));
-    return {(chain ? left.text : wrap(left, op.operand)) + op.text + print(p, expr.operands[1], right), op.level};
+    const std::string first_text = chain ? std::move(left.text) : wrap(std::move(left), op.operand);
+    return {concat(first_text, op.text, print(p, expr.operands[1], right)), op.level};
 }
 
 Text print_convert(Printer& p, const Expr& expr) {
@@ -166,7 +168,7 @@ Text print_swizzle(Printer& p, const Expr& expr) {
         if (count == 1) return {vector};
         return {type_text(p.globals, expr.type, p.use_namespaces) + "(" + vector + ")"};
     }
-    if (count == 1) return {vector + "." + letters[expr.lanes[0]]};
+    if (count == 1) return {concat(vector, ".", std::string_view(letters + expr.lanes[0], 1))};
     bool in_order = count < p.program.types.components(p.program.exprs[expr.operands[0]].type);
     std::string lanes, name;
     for (std::uint32_t i = 0; i < count; ++i) {
@@ -224,7 +226,9 @@ Text print_local(Printer& p, ir::LocalId local) {
 
 }  // namespace
 
-std::string wrap(Text text, Level least) { return text.level < least ? "(" + text.text + ")" : std::move(text.text); }
+std::string wrap(Text&& text, Level least) {
+    return text.level < least ? concat("(", text.text, ")") : std::move(text.text);
+}
 
 std::string print(Printer& p, ExprId expr, Level least) { return wrap(print(p, expr), least); }
 
@@ -232,7 +236,10 @@ std::string print_any(Printer& p, ExprId expr) { return print(p, expr).text; }
 
 std::string join_arguments(Printer& p, const ir::Operands& arguments) {
     std::string text;
-    for (ExprId argument : arguments) text += (text.empty() ? "" : ", ") + print_any(p, argument);
+    for (ExprId argument : arguments) {
+        if (!text.empty()) text += ", ";
+        text += print_any(p, argument);
+    }
     return text;
 }
 
@@ -254,10 +261,11 @@ Text print(Printer& p, ExprId id) {
         return {sign + operand, Level::unary};
     }
     case Op::binary: return print_binary(p, expr);
-    case Op::select:
-        return {print(p, expr.operands[0], Level::logical_or) + " ? " + print(p, expr.operands[1], Level::logical_or) +
-                    " : " + print(p, expr.operands[2], Level::ternary),
-                Level::ternary};
+    case Op::select: {
+        const std::string condition = print(p, expr.operands[0], Level::logical_or);
+        const std::string yes = print(p, expr.operands[1], Level::logical_or);
+        return {concat(condition, " ? ", yes, " : ", print(p, expr.operands[2], Level::ternary)), Level::ternary};
+    }
     case Op::swizzle: return print_swizzle(p, expr);
     case Op::index: return print_index(p, expr);
     case Op::field: {

@@ -197,6 +197,10 @@ std::string source_of(Unit& unit, const std::string& stem) {
     out.gap();
     out.line("namespace {");
     out.raw("\n");
+    // Nearly all of the text: without room for it, the last parts would move the others.
+    std::size_t bytes = functions.text().size() + hidden_functions.text().size() + members.text().size();
+    for (const std::string& code : codes) bytes += code.size() + 1;
+    out.reserve(bytes + bytes / 16);
     append_parts(out, {types.text(), unit.globals.functions});
     append_parts(out, {codes.begin(), codes.end()});
     append_parts(out, {hidden_functions.text(), declarations, hidden_members.text(), hidden_pipelines.text()});

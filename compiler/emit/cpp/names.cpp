@@ -149,15 +149,17 @@ std::string identifier(std::string_view text) {
 }
 
 void Scopes::leave() {
-    for (const std::string& name : scopes_.back()) used_.erase(name);
+    for (const std::string* name : scopes_.back()) used_.erase(used_.find(*name));
     scopes_.pop_back();
 }
 
 std::string Scopes::declare(std::string_view wanted) {
-    const std::string base = identifier(wanted);
-    std::string name = base;
-    for (int i = 2; !used_.insert(name).second; ++i) name = base + (base.ends_with('_') ? "" : "_") + std::to_string(i);
-    scopes_.back().push_back(name);
+    std::string name = identifier(wanted);
+    if (used_.contains(name)) {
+        const std::string stem = name.ends_with('_') ? name : name + "_";
+        for (int i = 2; used_.contains(name); ++i) name = stem + std::to_string(i);
+    }
+    scopes_.back().push_back(&*used_.insert(name).first);
     return name;
 }
 

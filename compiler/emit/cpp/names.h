@@ -18,6 +18,8 @@ std::string identifier(std::string_view text);
 class Scopes {
 public:
     Scopes() { enter(); }
+    Scopes(Scopes&&) = default;
+    Scopes& operator=(Scopes&&) = default;
 
     void enter() { scopes_.emplace_back(); }
     void leave();
@@ -27,7 +29,7 @@ public:
 
 private:
     std::unordered_set<std::string> used_;
-    std::vector<std::vector<std::string>> scopes_;
+    std::vector<std::vector<const std::string*>> scopes_;  ///< of those used
 };
 
 }  // namespace gliftc::cpp

@@ -94,7 +94,7 @@ Text print(Printer& p, ir::ExprId expr);
 std::string print(Printer& p, ir::ExprId expr, Level least);  ///< in parentheses if looser than `least`
 std::string print_any(Printer& p, ir::ExprId expr);
 std::string join_arguments(Printer& p, const ir::Operands& arguments);
-std::string wrap(Text text, Level least);
+std::string wrap(Text&& text, Level least);
 
 // surroundings.cpp
 /// member, memory_extent or domain of a structure spelled `object`, as in `f->` or `table.`; empty: within its own

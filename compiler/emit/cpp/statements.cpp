@@ -1,4 +1,5 @@
 // Statements and whole functions as C++.
+#include "base/concat.h"
 #include "emit/cpp/mentions.h"
 #include "emit/cpp/printer.h"
 
@@ -71,10 +72,10 @@ void print_assign(Printer& p, const Stmt& stmt) {
     const std::string left = print_target(p, stmt.target);
     const Expr& value = p.program.exprs[stmt.value];
     if (value.op == Op::binary && !compound_of(value.binary).empty() && print_any(p, value.operands[0]) == left) {
-        p.out.line(left + std::string(compound_of(value.binary)) + print_any(p, value.operands[1]) + ";");
+        p.out.line(concat(left, compound_of(value.binary), print_any(p, value.operands[1]), ";"));
         return;
     }
-    p.out.line(left + " = " + print_any(p, stmt.value) + ";");
+    p.out.line(concat(left, " = ", print_any(p, stmt.value), ";"));
 }
 
 void print_let(Printer& p, const Stmt& stmt) {
@@ -89,8 +90,8 @@ void print_let(Printer& p, const Stmt& stmt) {
         return;
     }
     const std::string name = declare_local(p, stmt.local);
-    const std::string type = (local.is_mutable ? "" : "const ") + type_text(p.globals, local.type, p.use_namespaces);
-    p.out.line(type + " " + name + (stmt.value ? " = " + value : "{}") + ";");
+    p.out.line(concat(local.is_mutable ? "" : "const ", type_text(p.globals, local.type, p.use_namespaces), " ", name,
+                      stmt.value ? " = " : "{}", value, ";"));
 }
 
 bool is_constant(const Printer& p, ExprId id) {
@@ -179,7 +180,7 @@ std::string file_name(const Sources& sources, std::uint32_t file) {
 }
 
 std::string place_text(const Sources& sources, Span span) {
-    return span ? file_name(sources, span.file) + ":" + std::to_string(sources.line_of(span)) : "";
+    return span ? concat(file_name(sources, span.file), ":", std::to_string(sources.line_of(span))) : "";
 }
 
 void mark_line(Printer& p, Span span) {
@@ -188,7 +189,7 @@ void mark_line(Printer& p, Span span) {
     if (span.file == p.marked_file && line == p.marked_line) return;
     p.marked_file = span.file;
     p.marked_line = line;
-    p.out.line("// " + place_text(p.globals.sources, span));
+    p.out.line(concat("// ", file_name(p.globals.sources, span.file), ":", std::to_string(line)));
 }
 
 void print_statements(Printer& p, const std::vector<ir::StmtId>& body) {

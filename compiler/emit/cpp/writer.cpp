@@ -1,5 +1,7 @@
 #include "emit/cpp/writer.h"
 
+#include "base/concat.h"
+
 #include <vector>
 
 namespace gliftc::cpp {
@@ -75,14 +77,14 @@ void Writer::gap() {
 }
 
 void Writer::open(std::string_view text) {
-    line(text.empty() ? "{" : std::string(text) + " {");
+    line(text.empty() ? "{" : concat(text, " {"));
     ++depth_;
 }
 
 void Writer::close(std::string_view after) {
     --depth_;
     while (out_.ends_with("\n\n")) out_.pop_back();
-    line("}" + std::string(after));
+    line(concat("}", after));
 }
 
 void write_doc(Writer& writer, std::string_view doc) {

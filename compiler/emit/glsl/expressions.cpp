@@ -1,4 +1,5 @@
 // Expressions, with no more parentheses than a reader wants.
+#include "base/concat.h"
 #include "emit/glsl/printer.h"
 
 #include <cstdio>
@@ -54,7 +55,7 @@ std::string operand_text(Printer& p, ExprId id, Level outer, bool is_right) {
     Text text = print(p, id);
     bool fits = is_right ? text.level > outer : text.level >= outer;
     if (is_easily_misread(outer) && text.level != outer && text.level < Level::unary) fits = false;
-    return fits ? text.text : "(" + text.text + ")";
+    return fits ? std::move(text.text) : concat("(", text.text, ")");
 }
 
 /// A mask reads better as 0x00ff00ffu.
@@ -71,7 +72,8 @@ Text plain_binary(Printer& p, BinaryOp op, ExprId a, ExprId b) {
     bool is_mask = op == BinaryOp::bit_and || op == BinaryOp::bit_or || op == BinaryOp::bit_xor;
     if (std::string mask = is_mask ? mask_text(p, b) : ""; !mask.empty())
         return {operand_text(p, a, o.level, false) + " " + o.text + " " + mask, o.level};
-    return {operand_text(p, a, o.level, false) + " " + o.text + " " + operand_text(p, b, o.level, true), o.level};
+    const std::string left = operand_text(p, a, o.level, false);
+    return {concat(left, " ", o.text, " ", operand_text(p, b, o.level, true)), o.level};
 }
 
 Text helper_call(Printer& p, Helper helper, const Expr& expr, TypeId shape) {

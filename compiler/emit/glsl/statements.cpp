@@ -1,4 +1,5 @@
 // Statements, one a line, with the source line each came from.
+#include "base/concat.h"
 #include "emit/glsl/printer.h"
 
 #include <stdexcept>
@@ -45,9 +46,11 @@ std::string assignment(Printer& p, const Stmt& stmt) {
     std::string text = print_any(p, stmt.value);
     if (value.op != ir::Op::binary || p.program.exprs[value.operands[0]].type != value.type)
         return target + " = " + text;
+    const bool begins_so = text.starts_with(target) && text.size() > target.size() && text[target.size()] == ' ';
+    if (!begins_so) return target + " = " + text;
     for (const char* sign : {"+", "-", "*", "/", "%", "<<", ">>", "&", "|", "^"}) {
-        std::string head = target + " " + sign + " ";
-        if (text.compare(0, head.size(), head) != 0) continue;
+        const std::string head = concat(target, " ", sign, " ");
+        if (!text.starts_with(head)) continue;
         std::string right = print_any(p, value.operands[1]);
         if (text == head + right || text == head + "(" + right + ")") return target + " " + sign + "= " + right;
         return target + " " + sign + "= " + text.substr(head.size());
@@ -178,11 +181,11 @@ void line(Printer& p, std::string text) {
     while (text.size() - from + margin.size() > line_length && text.compare(0, 2, "//") != 0) {
         std::size_t at = break_point(text, from, from + line_length - margin.size());
         if (at == std::string::npos) break;
-        p.out += margin + text.substr(from, at - from) + "\n";
+        p.out.append(margin).append(text, from, at - from) += '\n';
         if (from == 0) margin += "    ";
         from = at + 1;
     }
-    p.out += margin + text.substr(from) + "\n";
+    p.out.append(margin).append(text, from) += '\n';
 }
 
 void mark_line(Printer& p, Span span) {

@@ -1,4 +1,5 @@
 // Kernels without a group: a loop along x for each row of elements.
+#include "base/concat.h"
 #include "emit/host/affine.h"
 #include "emit/host/body.h"
 #include "ir/walk.h"
@@ -89,18 +90,6 @@ std::set<ExprId> row_clamps(const ir::Program& program, const ir::Pass& pass, co
     return clamps;
 }
 
-/// The `let`s that an expression needs, in order.
-void needed_lets(const ir::Program& program, const std::map<ir::LocalId, StmtId>& lets, ExprId id,
-                 std::set<StmtId>& needed) {
-    ir::for_each_node(program, id, [&](ir::ExprId node) {
-        const ir::Expr& expr = program.exprs[node];
-        if (expr.op != Op::local) return;
-        const auto let = lets.find(expr.local);
-        if (let != lets.end() && needed.insert(let->second).second)
-            needed_lets(program, lets, program.stmts[let->second].value, needed);
-    });
-}
-
 /// True of a `let` whose value nobody misses if nobody reads it.
 bool is_let(const Stmt& stmt) { return stmt.op == StmtOp::let && stmt.value; }
 
@@ -143,28 +132,37 @@ void Rows::print_address(const std::string& x) {
 /// The values that some expressions have at the first element from `begin` on.
 void Rows::print_values_at(const std::vector<StmtId>& statements, const std::vector<ExprId>& wanted,
                            const std::string& begin) {
-    std::map<ir::LocalId, StmtId> lets;
-    std::vector<StmtId> in_order;
+    std::vector<StmtId> lets;
     const auto find_lets = [&](const auto& self, const std::vector<StmtId>& list) -> void {
         for (StmtId id : list) {
             const Stmt& stmt = program.stmts[id];
-            if (is_let(stmt)) lets[stmt.local] = id, in_order.push_back(id);
+            if (is_let(stmt)) lets.push_back(id);
             if (stmt.op == StmtOp::block) self(self, stmt.body);
         }
     };
     find_lets(find_lets, statements);
-    std::set<StmtId> needed;
-    for (ExprId expr : wanted) needed_lets(program, lets, expr, needed);
-    print_address(begin);
-    for (StmtId id : in_order) {
-        if (needed.contains(id)) cpp::print_statement(p, id);
+    IdSet<ir::Expr> seen;
+    IdSet<ir::Local> read;
+    const auto note = [&](ExprId id) {
+        if (program.exprs[id].op == Op::local) read.insert(program.exprs[id].local);
+    };
+    for (ExprId expr : wanted) ir::for_each_node(program, expr, seen, note);
+    std::vector<StmtId> needed;
+    for (std::size_t i = lets.size(); i-- > 0;) {  // what a let reads stands before it
+        const Stmt& let = program.stmts[lets[i]];
+        if (!read.contains(let.local)) continue;
+        needed.push_back(lets[i]);
+        ir::for_each_node(program, let.value, seen, note);
     }
+    print_address(begin);
+    for (std::size_t i = needed.size(); i-- > 0;) cpp::print_statement(p, needed[i]);
 }
 
 /// Pointers to the first element in the row of all memory that is run through in order, with the values they need.
 void Rows::print_row_pointers(const std::vector<StmtId>& statements, const std::vector<RowAccess>& accesses,
                               const std::string& begin) {
     std::vector<ExprId> wanted;
+    wanted.reserve(accesses.size());
     for (const RowAccess& access : accesses) wanted.push_back(access.index);
     print_values_at(statements, wanted, begin);
     std::map<std::pair<std::uint32_t, std::string>, std::string> pointers;
@@ -175,9 +173,9 @@ void Rows::print_row_pointers(const std::vector<StmtId>& statements, const std::
             const ir::PassBinding& binding = pass.bindings[access.binding];
             name = p.names.declare(body.binding_names[access.binding] + "_row");
             body.used_bindings.insert(access.binding);
-            p.out.line((binding.access == ir::Access::read ? "const " : "") +
-                       cpp::storage_text(p.globals, binding.element) + "* " + name + " = glift::host::row_pointer(" +
-                       body.binding_names[access.binding] + " + " + index + ");");
+            p.out.line(concat(binding.access == ir::Access::read ? "const " : "",
+                              cpp::storage_text(p.globals, binding.element), "* ", name, " = glift::host::row_pointer(",
+                              body.binding_names[access.binding], " + ", index, ");"));
         }
         body.row_pointers[{access.binding, access.index}] = name;
     }
@@ -193,16 +191,20 @@ std::vector<StmtId> Rows::without_unused(const std::vector<StmtId>& statements, 
         for (ExprId operand : expr.operands) self(self, operand);
     };
     std::vector<StmtId> kept;
+    kept.reserve(statements.size());
     for (std::size_t i = statements.size(); i-- > 0;) {  // what reads a value stands behind it
         const Stmt& last = program.stmts[statements[i]];
         if (is_let(last) && !read.contains(last.local)) continue;
         kept.push_back(statements[i]);
-        ir::for_each_statement(program, {statements[i]}, [&](const Stmt& stmt) {
+        const auto note_statement = [&](const Stmt& stmt) {
             if (stmt.op != StmtOp::store || !body.row_pointers.contains({stmt.slot, stmt.target}))
                 note(note, stmt.target);
             note(note, stmt.value);
             note(note, stmt.limit);
-        });
+        };
+        note_statement(last);
+        ir::for_each_statement(program, last.body, note_statement);
+        ir::for_each_statement(program, last.otherwise, note_statement);
     }
     return {kept.rbegin(), kept.rend()};
 }
@@ -429,6 +431,7 @@ std::string row_kernel(cpp::Globals& globals, const ir::Pass& pass, const std::s
 
     const ir::Kernel& kernel = globals.program.kernels[pass.kernel];
     cpp::Writer out;
+    out.reserve(text.size() + text.size() / 4);
     out.line("// " + cpp::place_text(globals.sources, kernel.span) + ": " + kernel.display + ", some rows.");
     out.line("GLIFT_HOST_KERNEL");
     out.open("static void " + name + "_rows(const glift::HostCall& call, const glift::host::Rows& rows)");

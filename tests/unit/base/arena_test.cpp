@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace gliftc {
 namespace {
@@ -35,6 +36,35 @@ TEST(Arena, TakesDownItsOwnValuesOnly) {
     }
     EXPECT_EQ(counted.use_count(), 301);
     base.truncate(0);
+    EXPECT_EQ(counted.use_count(), 1);
+}
+
+TEST(Arena, AdoptsBlocks) {
+    const auto counted = std::make_shared<int>();
+    {
+        Arena<std::shared_ptr<int>> trunk;
+        trunk.add(counted);
+        trunk.fill_block();
+        const std::uint32_t begin = trunk.size();
+        {
+            auto branch = Arena<std::shared_ptr<int>>::extending(trunk);
+            std::vector<std::uint32_t> ends{branch.size()};
+            for (int count : {1, 64, 100}) {
+                for (int i = 0; i < count; ++i) branch.add(counted);
+                branch.fill_block();
+                ends.push_back(branch.size());
+            }
+            trunk.adopt(branch, ends[2], ends[3]);  // in another order than they were made
+            trunk.adopt(branch, ends[0], ends[1]);
+            branch.add(counted);
+        }
+        EXPECT_EQ(trunk[{begin + 99}], counted);
+        EXPECT_EQ(trunk[{begin + 100}], nullptr);
+        EXPECT_EQ(trunk[{begin + 128}], counted);
+        EXPECT_EQ(trunk.size(), begin + 192);
+        EXPECT_EQ(trunk.add(counted).index, begin + 192);
+        EXPECT_EQ(counted.use_count(), 1 + 1 + 100 + 1 + 1);
+    }
     EXPECT_EQ(counted.use_count(), 1);
 }
 

@@ -37,19 +37,19 @@ struct Builder {
         return add({.op = ir::Op::local, .type = program.locals[id].type, .local = id});
     }
     ir::ExprId binary(ir::BinaryOp op, ir::ExprId a, ir::ExprId b) {
-        return add({.op = ir::Op::binary, .type = program.exprs[a].type, .operands = {a, b}, .binary = op});
+        return add({.op = ir::Op::binary, .binary = op, .type = program.exprs[a].type, .operands = {a, b}});
     }
     ir::ExprId compare(ir::BinaryOp op, ir::ExprId a, ir::ExprId b) {
-        return add({.op = ir::Op::binary, .type = types().bool_, .operands = {a, b}, .binary = op});
+        return add({.op = ir::Op::binary, .binary = op, .type = types().bool_, .operands = {a, b}});
     }
     ir::ExprId plus(ir::ExprId a, ir::ExprId b) { return binary(ir::BinaryOp::add, a, b); }
     ir::ExprId minus(ir::ExprId a, ir::ExprId b) { return binary(ir::BinaryOp::subtract, a, b); }
     ir::ExprId times(ir::ExprId a, ir::ExprId b) { return binary(ir::BinaryOp::multiply, a, b); }
     ir::ExprId lane(ir::ExprId vector, std::uint8_t i) {
         return add({.op = ir::Op::swizzle,
+                    .lanes = {i},
                     .type = types().scalar_of(program.exprs[vector].type),
-                    .operands = {vector},
-                    .lanes = {i}});
+                    .operands = {vector}});
     }
     ir::ExprId select(ir::ExprId c, ir::ExprId a, ir::ExprId b) {
         return add({.op = ir::Op::select, .type = program.exprs[a].type, .operands = {c, a, b}});
@@ -58,7 +58,7 @@ struct Builder {
         return add({.op = ir::Op::parameter, .type = type, .slot = slot});
     }
     ir::ExprId load(std::uint32_t slot, ir::TypeId type, ir::ExprId index) {
-        return add({.op = ir::Op::load, .type = type, .operands = {index}, .slot = slot});
+        return add({.op = ir::Op::load, .type = type, .slot = slot, .operands = {index}});
     }
 
     ir::LocalId declare(const char* name, ir::TypeId type, bool is_mutable = false) {
