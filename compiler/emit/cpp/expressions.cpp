@@ -188,11 +188,14 @@ Text print_index(Printer& p, const Expr& expr) {
     return {base + "[" + print_any(p, expr.operands[1]) + "]"};
 }
 
-/// Where the runtime has an intrinsic.
-const char* scope_of(const Printer& p, const Expr& expr) {
-    if (!ir::name_of(expr.intrinsic).starts_with("atomic")) return "glift::";
-    const bool is_memory = p.program.exprs[expr.operands[0]].op == Op::load;
-    return is_memory ? "glift::host::memory::" : "glift::host::";
+Text print_intrinsic(Printer& p, const Expr& expr) {
+    const std::string name(ir::name_of(expr.intrinsic));
+    if (!name.starts_with("atomic")) return function_call(p, "glift::" + name, expr.operands);
+    const Expr& place = p.program.exprs[expr.operands[0]];
+    if (place.op != Op::load) return function_call(p, "glift::host::" + name, expr.operands);
+    std::string text = "glift::host::memory::" + name + "(" + p.outer_place(place);
+    for (std::size_t i = 1; i < expr.operands.size(); ++i) text += ", " + print_any(p, expr.operands[i]);
+    return {text + ")"};
 }
 
 const std::string& name_of_function(Printer& p, ir::FunctionId function) {
@@ -279,7 +282,7 @@ Text print(Printer& p, ExprId id) {
     case Op::call: return print_call(p, expr);
     case Op::intrinsic: {
         if (p.identities.contains(id)) return print(p, expr.operands[0]);
-        return function_call(p, scope_of(p, expr) + std::string(ir::name_of(expr.intrinsic)), expr.operands);
+        return print_intrinsic(p, expr);
     }
     case Op::none: return {type_text(p.globals, expr.type, p.use_namespaces) + "()"};
     case Op::some: return function_call(p, type_text(p.globals, expr.type, p.use_namespaces), expr.operands);

@@ -68,6 +68,7 @@ struct Printer {
     std::unordered_map<ir::FunctionId, std::string> local_functions;  ///< declared where they are called
     /// Spells the operations that refer to the surroundings: parameters, loads, members, pipelines' host operations.
     std::function<Text(const ir::Expr&)> outer_expression;
+    std::function<std::string(const ir::Expr&)> outer_place;  ///< of a load: where atomic operations work
     std::function<void(const ir::Stmt&)> outer_statement;
     /// What `return value;` is here; empty: as in C++.
     std::function<void(ir::ExprId)> print_return;

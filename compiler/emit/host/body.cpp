@@ -37,6 +37,7 @@ Text print_outer(Body& body, const Expr& expr) {
         if (is_row(p.program.types, body.pass.bindings[expr.slot], expr.type))
             return {"glift::host::load_row(" + row_arguments(body, expr.slot, expr.operands[0]) + ")"};
         std::string text = element_text(body, expr.slot, expr.operands[0]);
+        if (body.pass.bindings[expr.slot].coherent) text = "glift::host::memory::read(" + text + ")";
         if (p.program.types.is_vector(expr.type) && cpp::holds_bool(p.program, expr.type))
             text = cpp::type_text(p.globals, expr.type) + "(" + text + ")";
         return {text};
@@ -149,7 +150,10 @@ void print_outer(Body& body, const Stmt& stmt) {
                               ");");
         if (p.program.types.is_vector(element) && cpp::holds_bool(p.program, element))
             value = cpp::storage_text(p.globals, element) + "(" + value + ")";
-        p.out.line(element_text(body, stmt.slot, stmt.target) + " = " + value + ";");
+        const std::string place = element_text(body, stmt.slot, stmt.target);
+        if (body.pass.bindings[stmt.slot].coherent)
+            return p.out.line("glift::host::memory::write(" + place + ", " + value + ");");
+        p.out.line(place + " = " + value + ";");
         return;
     }
     case StmtOp::image_store:
@@ -181,6 +185,7 @@ void print_outer(Body& body, const Stmt& stmt) {
     case StmtOp::block:
     case StmtOp::evaluate:
     case StmtOp::barrier:
+    case StmtOp::subgroup_barrier:
     case StmtOp::set_element:
     case StmtOp::write:
     case StmtOp::temp:
@@ -224,6 +229,7 @@ Body::Body(cpp::Globals& globals, const ir::Pass& pass) : pass(pass), p(globals)
     for (const ir::PassParameter& parameter : pass.parameters)
         parameter_names.push_back(p.names.declare(parameter.name));
     p.outer_expression = [this](const Expr& expr) { return print_outer(*this, expr); };
+    p.outer_place = [this](const Expr& load) { return element_text(*this, load.slot, load.operands[0]); };
     p.outer_statement = [this](const Stmt& stmt) { print_outer(*this, stmt); };
 }
 

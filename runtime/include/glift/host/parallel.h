@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <cstddef>
 #include <cstring>
 #include <iterator>
@@ -282,8 +283,31 @@ template <class T> T atomicOr(T& target, T value) { return std::exchange(target,
 template <class T> T atomicXor(T& target, T value) { return std::exchange(target, static_cast<T>(target ^ value)); }
 template <class T> T atomicExchange(T& target, T value) { return std::exchange(target, value); }
 
-// Atomics on memory that workgroups share within a pass: what is read and written around them is ordered.
+// Memory that workgroups share within a pass.
 namespace memory {
+
+/// What an element moves by in one piece: all of a number, else as much as its alignment allows.
+template <class T> using Piece =
+    std::conditional_t<std::is_arithmetic_v<T>, T,
+                       std::conditional_t<alignof(T) % sizeof(std::uint32_t) == 0, std::uint32_t, unsigned char>>;
+
+/// Reads from memory itself each time, whatever others write meanwhile.
+template <class T> T read(T& place) {
+    using P = Piece<T>;
+    alignas(T) P pieces[sizeof(T) / sizeof(P)];
+    for (std::size_t i = 0; i < std::size(pieces); ++i)
+        pieces[i] = std::atomic_ref<P>(reinterpret_cast<P*>(&place)[i]).load(std::memory_order_relaxed);
+    return std::bit_cast<T>(pieces);
+}
+
+template <class T> void write(T& place, const std::type_identity_t<T>& value) {
+    using P = Piece<T>;
+    for (std::size_t i = 0; i < sizeof(T) / sizeof(P); ++i)
+        std::atomic_ref<P>(reinterpret_cast<P*>(&place)[i])
+            .store(reinterpret_cast<const P*>(&value)[i], std::memory_order_relaxed);
+}
+
+// Atomics: what is read and written around them is ordered.
 template <class T> T atomicLoad(T& target) { return std::atomic_ref<T>(target).load(std::memory_order_acquire); }
 template <class T> void atomicStore(T& target, T value) {
     std::atomic_ref<T>(target).store(value, std::memory_order_release);
