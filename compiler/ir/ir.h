@@ -191,8 +191,9 @@ enum class StmtOp : std::uint8_t {
     continue_,
     return_,  // value may be absent
     block,
-    evaluate,  // value for its effect
-    barrier,   // all of the workgroup: execution and memory (grouped kernels)
+    evaluate,          // value for its effect
+    barrier,           // all of the workgroup: execution and memory (grouped kernels)
+    subgroup_barrier,  // the same of the subgroup
     // structures: high level
     set_element,  // the current element of each-parameter place.root = value
     write,        // place[target] = value, or combined with `combine` where the parameter is scatter<S, op>; an array

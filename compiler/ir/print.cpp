@@ -270,6 +270,7 @@ void Printer::stmt(const Stmt& stmt) {
         break;
     case StmtOp::evaluate: line(expr(stmt.value) + ";"); break;
     case StmtOp::barrier: line("barrier();"); break;
+    case StmtOp::subgroup_barrier: line("subgroupBarrier();"); break;
     case StmtOp::set_element: line(place(stmt.place) + " = " + expr(stmt.value) + ";"); break;
     case StmtOp::write:
         line(place(stmt.place) + "[" + expr(stmt.target) + "] = " + expr(stmt.value) + ";" +

@@ -69,6 +69,7 @@ void Expander::expand_statement(StmtId id) {
     case StmtOp::break_:
     case StmtOp::continue_:
     case StmtOp::barrier:
+    case StmtOp::subgroup_barrier:
     case StmtOp::store:
     case StmtOp::image_store:
     case StmtOp::atomic:

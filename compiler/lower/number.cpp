@@ -114,7 +114,7 @@ void Numbers::change_by(const Stmt& stmt) {
     }
     if (stmt.op == StmtOp::store || stmt.op == StmtOp::image_store || stmt.op == StmtOp::atomic)
         change_binding(stmt.slot);
-    if (stmt.op == StmtOp::barrier) {
+    if (stmt.op == StmtOp::barrier || stmt.op == StmtOp::subgroup_barrier) {
         for (std::uint32_t i = 0; i < cx.pass.bindings.size(); ++i) change_binding(i);
         for (LocalId local : cx.pass.shared) change(local);
     }

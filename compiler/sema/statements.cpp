@@ -289,15 +289,26 @@ void check_return(Body& body, const ast::Stmt& stmt) {
     emit(body, id);
 }
 
+const char* barrier_name(ir::StmtOp barrier) { return barrier == ir::StmtOp::barrier ? "barrier" : "subgroupBarrier"; }
+
+/// Where the expression is a call of a barrier, which.
+std::optional<ir::StmtOp> barrier_of(Body& body, const ast::Expr& expr) {
+    const Context& c = body.context;
+    if (expr.kind != ast::ExprKind::call) return std::nullopt;
+    const ast::Expr& callee = c[expr.operands[0]];
+    if (callee.kind != ast::ExprKind::name || find_symbol(body, callee.name)) return std::nullopt;
+    for (ir::StmtOp barrier : {ir::StmtOp::barrier, ir::StmtOp::subgroup_barrier})
+        if (c.text(callee.name) == barrier_name(barrier)) return barrier;
+    return std::nullopt;
+}
+
 void check_expression_statement(Body& body, const ast::Stmt& stmt) {
     Context& c = body.context;
-    const ast::Expr& expr = c[stmt.value];
-    if (expr.kind == ast::ExprKind::call && c[expr.operands[0]].kind == ast::ExprKind::name &&
-        c.text(c[expr.operands[0]].name) == "barrier" && !find_symbol(body, c[expr.operands[0]].name)) {
+    if (const auto barrier = barrier_of(body, c[stmt.value])) {
         if (!body.grouped())
-            note(c.error(Diag::needs_group, stmt.span, {"barrier"}), stmt.span,
+            note(c.error(Diag::needs_group, stmt.span, {barrier_name(*barrier)}), stmt.span,
                  "write 'group(size)' after the kernel's parameters");
-        else emit(body, add(body.program(), ir::StmtOp::barrier, stmt.span));
+        else emit(body, add(body.program(), *barrier, stmt.span));
         return;
     }
     Operand operand = check(body, stmt.value);
@@ -306,7 +317,7 @@ void check_expression_statement(Body& body, const ast::Stmt& stmt) {
     if (node.op == ir::Op::constant && node.type == body.types().void_) return;  // s.store(…): emitted already
     bool atomic = node.op == ir::Op::intrinsic && node.intrinsic >= ir::Intrinsic::atomicStore;
     if (node.op != ir::Op::call && node.op != ir::Op::pipeline_call && !atomic) {
-        c.error(Diag::no_effect, expr.span);
+        c.error(Diag::no_effect, c[stmt.value].span);
         return;
     }
     ir::StmtId id = add(body.program(), ir::StmtOp::evaluate, stmt.span);

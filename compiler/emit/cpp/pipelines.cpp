@@ -225,6 +225,7 @@ void PipelinePrinter::statement(const Stmt& stmt) {
     case StmtOp::block:
     case StmtOp::evaluate:
     case StmtOp::barrier:
+    case StmtOp::subgroup_barrier:
     case StmtOp::set_element:
     case StmtOp::write:
     case StmtOp::store:

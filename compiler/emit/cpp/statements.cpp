@@ -199,7 +199,8 @@ void print_statements(Printer& p, const std::vector<ir::StmtId>& body) {
 
 void print_statement(Printer& p, ir::StmtId id) {
     const Stmt& stmt = p.program.stmts[id];
-    if (stmt.op != StmtOp::block && stmt.op != StmtOp::release) mark_line(p, stmt.span);
+    if (stmt.op != StmtOp::block && stmt.op != StmtOp::release && stmt.op != StmtOp::subgroup_barrier)
+        mark_line(p, stmt.span);
     switch (stmt.op) {
     case StmtOp::let: return print_let(p, stmt);
     case StmtOp::assign: return print_assign(p, stmt);
@@ -218,6 +219,7 @@ void print_statement(Printer& p, ir::StmtId id) {
         print_nested(p, stmt.body);
         return p.out.close();
     case StmtOp::evaluate: return p.out.line(print_any(p, stmt.value) + ";");
+    case StmtOp::subgroup_barrier: return;  // in C++ an invocation is a subgroup
     case StmtOp::barrier:
     case StmtOp::set_element:
     case StmtOp::write:

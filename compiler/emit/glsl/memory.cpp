@@ -63,7 +63,9 @@ std::string image_prefix(const Printer& p, TypeId element) {
 bool has_barrier(const Printer& p, const std::vector<ir::StmtId>& body) {
     for (ir::StmtId id : body) {
         const ir::Stmt& stmt = p.program.stmts[id];
-        if (stmt.op == ir::StmtOp::barrier || has_barrier(p, stmt.body) || has_barrier(p, stmt.otherwise)) return true;
+        if (stmt.op == ir::StmtOp::barrier || stmt.op == ir::StmtOp::subgroup_barrier || has_barrier(p, stmt.body) ||
+            has_barrier(p, stmt.otherwise))
+            return true;
     }
     return false;
 }

@@ -222,6 +222,8 @@ const std::unordered_set<std::string_view>& reserved_words() {
         "imageStore",
         "imageSize",
         "barrier",
+        "controlBarrier",
+        "subgroupBarrier",
         "memoryBarrier",
         "memoryBarrierBuffer",
         "memoryBarrierShared",

@@ -1,21 +1,37 @@
-// Atomic operations that order what is read and written around them, between workgroups.
+// What orders reads and writes around it without a barrier of the workgroup: atomic operations between workgroups, and
+// barriers of a subgroup.
 //
-// On lavapipe (Mesa 22.3) the fence that such an operation brings is a barrier: where only some subgroups of a
-// workgroup come by it, the others are cut off without a word. There operations that read and write at once order
-// everything by themselves, since they are sequentially consistent. The runtime says so by constant 102.
+// On lavapipe (Mesa 22.3) the fence that these bring is a barrier: where only some subgroups of a workgroup come by it,
+// the others are cut off without a word. There operations that read and write at once order everything by themselves,
+// since they are sequentially consistent, and a subgroup does its statements one after the other. The runtime says so
+// by constant 102.
 #include "emit/glsl/printer.h"
+#include "ir/walk.h"
 
 namespace gliftc::glsl {
 
 using ir::Intrinsic;
 
+namespace {
+
+bool has_subgroup_barrier(const Printer& p) {
+    bool found = false;
+    ir::for_each_statement(p.program, p.pass.body,
+                           [&](const ir::Stmt& stmt) { found = found || stmt.op == ir::StmtOp::subgroup_barrier; });
+    return found;
+}
+
+}  // namespace
+
 void name_order(Printer& p) {
     bool is_ordered = false;
     for (const ir::PassBinding& binding : p.pass.bindings)
         is_ordered = is_ordered || (binding.coherent && binding.atomic);
+    if (is_ordered || has_subgroup_barrier(p)) p.order.fences = p.names.declare("fences_are_barriers");
     if (!is_ordered) return;
-    p.order = {p.names.declare("fences_are_barriers"), p.names.declare("load_acquire"),
-               p.names.declare("store_release"), p.names.declare("ordered")};
+    p.order.load = p.names.declare("load_acquire");
+    p.order.store = p.names.declare("store_release");
+    p.order.both = p.names.declare("ordered");
 }
 
 std::string ordered_atomic(Printer& p, const char* name, const ir::Expr& expr) {
@@ -26,14 +42,21 @@ std::string ordered_atomic(Printer& p, const char* name, const ir::Expr& expr) {
     return p.order.both + "(" + name + ", " + arguments + ")";
 }
 
+std::string subgroup_barrier(Printer& p, const std::string& memory) {
+    p.extensions.insert("GL_KHR_memory_scope_semantics");
+    return "if (!" + p.order.fences + ") controlBarrier(gl_ScopeSubgroup, gl_ScopeSubgroup, " + memory +
+           ", gl_SemanticsAcquireRelease);";
+}
+
 std::string order_definitions(const Printer& p) {
     const OrderNames& names = p.order;
     if (names.fences.empty()) return "";
+    const std::string fences = "layout(constant_id = 102) const bool " + names.fences +
+                               " = false;   // a fence where not all subgroups come by cuts some off\n";
+    if (names.load.empty()) return fences + "\n";
     const std::string where = "gl_ScopeDevice, gl_StorageSemanticsBuffer, gl_Semantics";
-    return "layout(constant_id = 102) const bool " + names.fences +
-           " = false;   // a fence where not all subgroups come by cuts some off\n"
-           "#define " +
-           names.load + "(place) (" + names.fences + " ? atomicOr(place, 0) : atomicLoad(place, " + where +
+    return fences + "#define " + names.load + "(place) (" + names.fences +
+           " ? atomicOr(place, 0) : atomicLoad(place, " + where +
            "Acquire))\n"
            "#define " +
            names.store + "(place, value) if (" + names.fences +

@@ -179,6 +179,7 @@ std::string helper_definitions(Printer& p);
 // order.cpp
 void name_order(Printer& p);
 std::string ordered_atomic(Printer& p, const char* name, const ir::Expr& expr);
+std::string subgroup_barrier(Printer& p, const std::string& memory);
 std::string order_definitions(const Printer& p);
 
 // division.cpp

@@ -146,19 +146,23 @@ void print_while(Printer& p, const Stmt& stmt) {
     line(p, "}");
 }
 
-/// What one invocation writes before the barrier others see after it: workgroup memory, and what the kernel both reads
-/// and writes. Execution and memory in one call: a fence of its own beside a barrier costs an H200 up to a fifth of a
-/// pass.
-std::string barrier_text(Printer& p) {
+/// What one invocation writes before a barrier others see after it: workgroup memory, and what the kernel both reads
+/// and writes.
+std::string memory_of_barriers(const Printer& p) {
     bool buffers = false, images = false;
     for (const ir::PassBinding& binding : p.pass.bindings)
         if (binding.access == ir::Access::read_write)
             (binding.shape == ir::MemoryShape::buffer ? buffers : images) = true;
-    if (!buffers && !images) return "barrier();";
+    return std::string(buffers ? "gl_StorageSemanticsBuffer | " : "") + (images ? "gl_StorageSemanticsImage | " : "") +
+           "gl_StorageSemanticsShared";
+}
+
+/// Execution and memory in one call: a fence of its own beside a barrier costs an H200 up to a fifth of a pass.
+std::string barrier_text(Printer& p) {
+    const std::string memory = memory_of_barriers(p);
+    if (memory == "gl_StorageSemanticsShared") return "barrier();";
     p.extensions.insert("GL_KHR_memory_scope_semantics");
-    return std::string("controlBarrier(gl_ScopeWorkgroup, gl_ScopeWorkgroup, ") +
-           (buffers ? "gl_StorageSemanticsBuffer | " : "") + (images ? "gl_StorageSemanticsImage | " : "") +
-           "gl_StorageSemanticsShared, gl_SemanticsAcquireRelease);";
+    return "controlBarrier(gl_ScopeWorkgroup, gl_ScopeWorkgroup, " + memory + ", gl_SemanticsAcquireRelease);";
 }
 
 /// Values of empty types are nowhere.
@@ -227,6 +231,7 @@ void print_statement(Printer& p, StmtId id) {
         return line(p, "}");
     case StmtOp::evaluate: return line(p, print_any(p, stmt.value) + ";");
     case StmtOp::barrier: return line(p, barrier_text(p));
+    case StmtOp::subgroup_barrier: return line(p, subgroup_barrier(p, memory_of_barriers(p)));
     case StmtOp::store:
     case StmtOp::image_store: return line(p, store_text(p, stmt));
     case StmtOp::atomic: return line(p, atomic_text(p, stmt));

@@ -274,6 +274,7 @@ bool Affine::run(const std::vector<ir::StmtId>& body, std::optional<Slopes>& res
         case StmtOp::continue_:
         case StmtOp::evaluate:
         case StmtOp::barrier:
+        case StmtOp::subgroup_barrier:
         case StmtOp::set_element:
         case StmtOp::write:
         case StmtOp::temp:

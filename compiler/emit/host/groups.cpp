@@ -194,6 +194,7 @@ void Groups::run_uniform(const Stmt& stmt, bool in_loop) {
     case StmtOp::assign:
     case StmtOp::return_:
     case StmtOp::evaluate:
+    case StmtOp::subgroup_barrier:
     case StmtOp::set_element:
     case StmtOp::write:
     case StmtOp::temp:

@@ -219,6 +219,119 @@ const glift::Kernel best_of_subgroup_kernel = {
 };
 
 // ----------------------------------------------------------------------------------------------------
+// subgroups.glift:35: turn_subgroups
+
+struct turn_subgroups_direct_parameters {
+    uint from_extent;
+};
+static_assert(offsetof(turn_subgroups_direct_parameters, from_extent) == 0);
+
+// subgroups.glift:35: turn_subgroups, one workgroup.
+GLIFT_HOST_KERNEL
+static void turn_subgroups_direct_group(const glift::HostCall& call, [[maybe_unused]] uint3 group_id,
+    [[maybe_unused]] uint3 group_count) {
+    [[maybe_unused]] constexpr uint group_size = 64;
+    [[maybe_unused]] const uint group_index = (group_id.z * group_count.y + group_id.y) * group_count.x + group_id.x;
+    [[maybe_unused]] const uint group_total = group_count.x * group_count.y * group_count.z;
+    const auto& parameters = *static_cast<const turn_subgroups_direct_parameters*>(call.parameters);
+    const uint from_extent = parameters.from_extent;
+    const uint* from_data = glift::host::elements<const uint>(call.memories[0]);
+    uint* to_data = glift::host::elements<uint>(call.memories[1]);
+    glift::array<uint, 64> values;
+    for (uint local_index = 0; local_index < 64; ++local_index) {
+        const uint3 local_id{local_index % 64, local_index / 64 % 1, local_index / 64};
+        const uint3 global_id = group_id * uint3(64, 1, 1) + local_id;
+        // subgroups.glift:35
+        const uint address_2 = global_id.y * (group_count.x * 64u) + global_id.x;
+        const bool in_range = address_2 < from_extent;
+        // subgroups.glift:37
+        const uint from_value = from_data[in_range ? address_2 : 0u];
+        values[local_index] = in_range ? from_value : 0u;
+        // subgroups.glift:39
+        if (in_range) {
+            to_data[address_2] = values[local_index + 1u - 1u - 2u * 0u];
+        }
+    }
+}
+
+static void turn_subgroups_direct(const glift::HostCall& call) {
+    glift::host::for_each_group(call.size, uint3(64, 1, 1), [&](uint3 group_id, uint3 group_count) {
+        turn_subgroups_direct_group(call, group_id, group_count);
+    });
+}
+
+struct turn_subgroups_general_parameters {
+    uint size;
+    uint from_origin;
+    uint to_origin;
+};
+static_assert(offsetof(turn_subgroups_general_parameters, size) == 0);
+static_assert(offsetof(turn_subgroups_general_parameters, from_origin) == 4);
+static_assert(offsetof(turn_subgroups_general_parameters, to_origin) == 8);
+
+// subgroups.glift:35: turn_subgroups, one workgroup.
+GLIFT_HOST_KERNEL
+static void turn_subgroups_general_group(const glift::HostCall& call, [[maybe_unused]] uint3 group_id,
+    [[maybe_unused]] uint3 group_count) {
+    [[maybe_unused]] constexpr uint group_size = 64;
+    [[maybe_unused]] const uint group_index = (group_id.z * group_count.y + group_id.y) * group_count.x + group_id.x;
+    [[maybe_unused]] const uint group_total = group_count.x * group_count.y * group_count.z;
+    const auto& parameters = *static_cast<const turn_subgroups_general_parameters*>(call.parameters);
+    const uint size = parameters.size;
+    const uint from_origin = parameters.from_origin;
+    const uint to_origin = parameters.to_origin;
+    const uint* from_data = glift::host::elements<const uint>(call.memories[0]);
+    uint* to_data = glift::host::elements<uint>(call.memories[1]);
+    glift::array<uint, 64> values;
+    for (uint local_index = 0; local_index < 64; ++local_index) {
+        const uint3 local_id{local_index % 64, local_index / 64 % 1, local_index / 64};
+        const uint3 global_id = group_id * uint3(64, 1, 1) + local_id;
+        // subgroups.glift:35
+        const uint address_2 = global_id.y * (group_count.x * 64u) + global_id.x;
+        const bool in_range = address_2 < size;
+        // subgroups.glift:37
+        const uint from_address = from_origin + address_2;
+        // subgroups.glift:39
+        const uint to_address = to_origin + address_2;
+        // subgroups.glift:37
+        const uint from_value = from_data[in_range ? from_address : 0u];
+        values[local_index] = in_range ? from_value : 0u;
+        // subgroups.glift:39
+        if (in_range) {
+            to_data[to_address] = values[local_index + 1u - 1u - 2u * 0u];
+        }
+    }
+}
+
+static void turn_subgroups_general(const glift::HostCall& call) {
+    glift::host::for_each_group(call.size, uint3(64, 1, 1), [&](uint3 group_id, uint3 group_count) {
+        turn_subgroups_general_group(call, group_id, group_count);
+    });
+}
+
+const glift::Binding turn_subgroups_bindings[] = {
+    {.name = "from.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 16},
+    {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 24},
+};
+constexpr glift::Parameter turn_subgroups_parameters[] = {
+    {"from_extent", 0, sizeof(turn_subgroups_direct_parameters::from_extent)},
+};
+const glift::Kernel turn_subgroups_kernel = {
+    .name = "turn_subgroups",
+    .file = "subgroups.glift",
+    .line = 35,
+    .rank = 1,
+    .group = {64, 1, 1},
+    .loop_rounds = 0,
+    .bindings = turn_subgroups_bindings,
+    .direct = {.host = &turn_subgroups_direct, .parameter_bytes = 4, .push_constants = true},
+    .general = {.host = &turn_subgroups_general, .parameter_bytes = 12},
+    .wide = {},
+    .parameters = turn_subgroups_parameters,
+    .shared_bytes = 256,
+};
+
+// ----------------------------------------------------------------------------------------------------
 // transfer.glift:15: read_box<Array<1, uint, none, buffer>, Box<1, uint>>
 
 struct read_box_direct_parameters {
@@ -601,6 +714,32 @@ void best_of_subgroup(const glift::Commands& commands, const glift::Range<Values
         commands.dispatch(best_of_subgroup_kernel,
             {.form = glift::FormName::general, .memories = memories, .parameters = glift::bytes_of(parameters),
             .size = iteration.size(), .patches = iteration.patches({offsetof(best_of_subgroup_general_parameters,
+            size)})});
+    }
+}
+
+void turn_subgroups(const glift::Commands& commands, const glift::Range<Values>& from, const glift::Range<Values>& to) {
+    glift::Iteration iteration(turn_subgroups_kernel);
+    iteration.each("from", from);
+    iteration.each("to", to);
+    const glift::Memory memories[] = {from->data(), to->data()};
+    if (iteration.is_whole() && from->same_state(to.structure())
+        && !commands.needs_general(turn_subgroups_kernel, memories, iteration.size())) {
+        const turn_subgroups_direct_parameters parameters = {
+            .from_extent = from->extent(),
+        };
+        commands.dispatch(turn_subgroups_kernel,
+            {.form = glift::FormName::direct, .memories = memories, .parameters = glift::bytes_of(parameters),
+            .size = iteration.size()});
+    } else {
+        const turn_subgroups_general_parameters parameters = {
+            .size = from.size(),
+            .from_origin = from.origin(),
+            .to_origin = to.origin(),
+        };
+        commands.dispatch(turn_subgroups_kernel,
+            {.form = glift::FormName::general, .memories = memories, .parameters = glift::bytes_of(parameters),
+            .size = iteration.size(), .patches = iteration.patches({offsetof(turn_subgroups_general_parameters,
             size)})});
     }
 }

@@ -58,4 +58,7 @@ private:
 void best_of_subgroup(const glift::Commands& commands, const glift::Range<Values>& from,
     const glift::Range<Values>& to);
 
+/// Through workgroup memory, without the other subgroups.
+void turn_subgroups(const glift::Commands& commands, const glift::Range<Values>& from, const glift::Range<Values>& to);
+
 }  // namespace subgroups

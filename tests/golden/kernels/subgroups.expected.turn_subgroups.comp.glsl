@@ -1,0 +1,35 @@
+#version 460
+// turn_subgroups, subgroups.glift:35: whole ranges, shared state.
+#extension GL_EXT_scalar_block_layout : require
+#extension GL_KHR_memory_scope_semantics : require
+#extension GL_KHR_shader_subgroup_basic : require
+
+layout(local_size_x = 64) in;
+
+layout(push_constant, scalar) uniform Parameters {
+    uint from_extent;
+};
+
+layout(scalar, set = 0, binding = 1) readonly buffer From_data { uint from_data[]; };
+layout(scalar, set = 0, binding = 2) writeonly buffer To_data { uint to_data[]; };
+
+shared uint values[64];
+
+layout(constant_id = 102) const bool fences_are_barriers = false;   // a fence where not all subgroups come by cuts some off
+
+void main() {
+    // subgroups.glift:35
+    uint address = gl_GlobalInvocationID.y * (gl_NumWorkGroups.x * 64u) + gl_GlobalInvocationID.x;
+    bool in_range = address < from_extent;
+    // subgroups.glift:37
+    uint from_value = from_data[in_range ? address : 0u];
+    values[min(gl_LocalInvocationIndex, 63u)] = in_range ? from_value : 0u;
+    // subgroups.glift:38
+    if (!fences_are_barriers) controlBarrier(gl_ScopeSubgroup, gl_ScopeSubgroup, gl_StorageSemanticsShared,
+        gl_SemanticsAcquireRelease);
+    // subgroups.glift:39
+    if (in_range) {
+        to_data[address] = values[min(gl_LocalInvocationIndex + gl_SubgroupSize - 1u - 2u
+            * gl_SubgroupInvocationID, 63u)];
+    }
+}
