@@ -96,12 +96,13 @@ int build_and_run(const Options& options, const RuntimePaths& runtime, const fs:
     const std::string program = fs::path(source).replace_extension().string();
     std::vector<std::string> build = compiler_command();
     const std::string library = runtime.library.string();
-    // -Og: a third less to wait for than with -O1, and good to step through.
+    // -Og: less to wait for than with -O1, and good to step through. One copy of a kernel, not one a width of vectors.
     for (const std::string& word :
-         {std::string("-std=c++20"), std::string("-Og"), std::string("-ffp-contract=off"), std::string("-fwrapv"),
-          std::string("-fno-math-errno"), std::string("-fno-trapping-math"), "-I" + runtime.include.string(),
-          "-I" + source.parent_path().string(), source.string(), "-L" + library, "-Wl,-rpath," + library,
-          std::string("-lglift"), std::string("-ltbb"), std::string("-o"), program})
+         {std::string("-std=c++20"), std::string("-Og"), std::string("-DGLIFT_HOST_KERNEL="),
+          std::string("-ffp-contract=off"), std::string("-fwrapv"), std::string("-fno-math-errno"),
+          std::string("-fno-trapping-math"), "-I" + runtime.include.string(), "-I" + source.parent_path().string(),
+          source.string(), "-L" + library, "-Wl,-rpath," + library, std::string("-lglift"), std::string("-ltbb"),
+          std::string("-o"), program})
         build.push_back(word);
     for (const std::string& file : options.files)
         build.insert(build.end() - 2, "-I" + fs::absolute(file).parent_path().string());

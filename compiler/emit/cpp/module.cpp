@@ -41,7 +41,7 @@ bool is_public(const Unit& unit, std::uint32_t kernel) { return unit.reach.pub_k
 
 bool is_shown(const Unit& unit, std::uint32_t pipeline) {
     const ir::Pipeline& p = unit.program.pipelines[pipeline];
-    return p.is_pub && p.module == unit.module && !p.owner;
+    return p.is_pub && p.module == unit.module && !p.owner && !unit.options.tests;
 }
 
 void name_functions(Unit& unit) {

@@ -1,5 +1,6 @@
 // What a module's C++ must contain: its public components, its pipelines, and all that these need.
 #include "emit/cpp/unit.h"
+#include "ir/evaluate.h"
 #include "ir/walk.h"
 
 #include <algorithm>
@@ -39,26 +40,47 @@ struct Collector {
     void transfers(std::uint32_t structure);
 };
 
-/// What a condition of a pipeline is on a kind of device: known where it asks only for the kind.
-std::optional<bool> holds(const ir::Program& program, ir::ExprId id, bool host) {
-    const ir::Expr& expr = program.exprs[id];
-    if (expr.op == ir::Op::device_property) {
-        const auto property = static_cast<ir::DeviceProperty>(expr.slot);
-        if (property == ir::DeviceProperty::is_host) return host;
-        if (property == ir::DeviceProperty::is_gpu && host) return false;
+/// What the host device has, wherever it runs; of other devices, that they are not the host.
+std::optional<std::uint64_t> property_on(bool host, ir::DeviceProperty property) {
+    if (property == ir::DeviceProperty::is_host) return host;
+    if (!host) return std::nullopt;
+    switch (property) {
+    case ir::DeviceProperty::is_host:
+    case ir::DeviceProperty::subgroup_size:
+    case ir::DeviceProperty::subgroup_arithmetic:
+    case ir::DeviceProperty::int64: return 1;
+    case ir::DeviceProperty::is_gpu: return 0;
+    case ir::DeviceProperty::shared_memory_bytes: return std::nullopt;
     }
+    return std::nullopt;
+}
+
+std::optional<std::uint64_t> value_on(bool host, const ir::Program& program, ir::ExprId id);
+
+std::optional<std::uint64_t> binary_on(bool host, const ir::Program& program, const ir::Expr& expr) {
+    const std::optional<std::uint64_t> a = value_on(host, program, expr.operands[0]);
+    const std::optional<std::uint64_t> b = value_on(host, program, expr.operands[1]);
+    if (expr.binary == ir::BinaryOp::logical_and || expr.binary == ir::BinaryOp::logical_or) {
+        const std::uint64_t decides = expr.binary == ir::BinaryOp::logical_or;
+        if (a == decides || b == decides) return decides;
+    }
+    if (!a || !b) return std::nullopt;
+    const ir::TypeId type = program.exprs[expr.operands[0]].type;
+    return ir::apply(program.types, expr.binary, type, {*a, 0}, {*b, 0}).bits;
+}
+
+/// A value of a pipeline on a kind of device: known where it is made of constants and of what the kind has.
+std::optional<std::uint64_t> value_on(bool host, const ir::Program& program, ir::ExprId id) {
+    const ir::Expr& expr = program.exprs[id];
+    const ir::TypeKind kind = program.types.kind(expr.type);
+    if (kind != ir::TypeKind::bool_ && kind != ir::TypeKind::uint) return std::nullopt;
+    if (expr.op == ir::Op::constant) return expr.bits;
+    if (expr.op == ir::Op::device_property) return property_on(host, static_cast<ir::DeviceProperty>(expr.slot));
     if (expr.op == ir::Op::unary && expr.unary == ir::UnaryOp::logical_not) {
-        const std::optional<bool> operand = holds(program, expr.operands[0], host);
+        const std::optional<std::uint64_t> operand = value_on(host, program, expr.operands[0]);
         if (operand) return !*operand;
     }
-    if (expr.op == ir::Op::binary &&
-        (expr.binary == ir::BinaryOp::logical_and || expr.binary == ir::BinaryOp::logical_or)) {
-        const bool decides = expr.binary == ir::BinaryOp::logical_or;
-        const std::optional<bool> a = holds(program, expr.operands[0], host);
-        const std::optional<bool> b = holds(program, expr.operands[1], host);
-        if (a == decides || b == decides) return decides;
-        if (a && b) return !decides;
-    }
+    if (expr.op == ir::Op::binary) return binary_on(host, program, expr);
     return std::nullopt;
 }
 
@@ -196,9 +218,10 @@ void Collector::step(const ir::Stmt& stmt) {
     });
     switch (stmt.op) {
     case ir::StmtOp::if_: {
-        const std::optional<bool> host = holds(program, stmt.value, true), vulkan = holds(program, stmt.value, false);
-        const Devices a = steps(stmt.body, devices.only({host != false, vulkan != false}));
-        const Devices b = steps(stmt.otherwise, devices.only({host != true, vulkan != true}));
+        const std::optional<std::uint64_t> host = value_on(true, program, stmt.value);
+        const std::optional<std::uint64_t> vulkan = value_on(false, program, stmt.value);
+        const Devices a = steps(stmt.body, devices.only({host != 0, vulkan != 0}));
+        const Devices b = steps(stmt.otherwise, devices.only({host != 1, vulkan != 1}));
         devices = {a.host || b.host, a.vulkan || b.vulkan};
         return;
     }
@@ -224,14 +247,15 @@ Reach reach_of(const ir::Program& program, std::uint32_t module, const Options& 
     for (std::uint32_t i = 0; i < program.kernels.size(); ++i) {
         if (program.kernels[i].module == module && program.kernels[i].is_pub) collector.kernel(i, true);
     }
-    for (std::uint32_t i = 0; i < program.pipelines.size(); ++i) {
-        const ir::Pipeline& pipeline = program.pipelines[i];
-        if (pipeline.module == module && pipeline.is_pub && !pipeline.owner) collector.pipeline(i, true);
-    }
-    if (options.tests) {
+    if (options.tests) {  // nobody else calls a test program's pipelines
         for (const ir::Test& test : program.tests) {
             if (test.module == module) collector.pipeline(test.pipeline, false);
         }
+        return std::move(collector.reach);
+    }
+    for (std::uint32_t i = 0; i < program.pipelines.size(); ++i) {
+        const ir::Pipeline& pipeline = program.pipelines[i];
+        if (pipeline.module == module && pipeline.is_pub && !pipeline.owner) collector.pipeline(i, true);
     }
     return std::move(collector.reach);
 }

@@ -5,8 +5,11 @@
 #include <glslang/Public/ResourceLimits.h>
 #include <glslang/Public/ShaderLang.h>
 #include <glslang/SPIRV/GlslangToSpv.h>
+#include <glslang/SPIRV/spirv.hpp>
 #include <spirv-tools/libspirv.hpp>
 #include <spirv-tools/optimizer.hpp>
+
+#include <algorithm>
 
 namespace gliftc::spirv {
 
@@ -57,6 +60,23 @@ Spirv compile(const std::string& glsl) {
     return result;
 }
 
+/// The module without the text of its GLSL, which is most of it where glslang adds lines: these are of .glift files.
+std::vector<std::uint32_t> without_source(const std::vector<std::uint32_t>& words) {
+    constexpr std::size_t header_words = 5, source_words = 4;  // of OpSource: language, version and the file's name
+    std::vector<std::uint32_t> result(words.begin(), words.begin() + header_words);
+    result.reserve(words.size());
+    for (std::size_t at = header_words, count = 0; at < words.size(); at += count) {
+        const auto op = static_cast<spv::Op>(words[at] & 0xffffu);
+        count = words[at] >> 16;
+        if (op == spv::OpSourceContinued) continue;
+        const std::size_t kept = op == spv::OpSource ? std::min(count, source_words) : count;
+        result.push_back(static_cast<std::uint32_t>(kept) << 16 | static_cast<std::uint32_t>(op));
+        result.insert(result.end(), words.begin() + static_cast<std::ptrdiff_t>(at + 1),
+                      words.begin() + static_cast<std::ptrdiff_t>(at + kept));
+    }
+    return result;
+}
+
 std::string validated(const std::vector<std::uint32_t>& words) {
     std::string error;
     spvtools::SpirvTools tools(SPV_ENV_VULKAN_1_3);
@@ -85,7 +105,7 @@ std::vector<std::uint32_t> optimised(const std::vector<std::uint32_t>& words) {
 Spirv spirv_of(const std::string& glsl, Optimise optimise) {
     Spirv result = compile(glsl);
     if (!result.error.empty()) return result;
-    result.words = made_exact(result.words);
+    result.words = made_exact(without_source(result.words));
     if (optimise == Optimise::performance) result.words = optimised(result.words);
     result.error = validated(result.words);
     if (!result.error.empty()) result.words.clear();

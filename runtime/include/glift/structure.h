@@ -262,8 +262,11 @@ private:
     std::size_t patch_count_ = 0;
 };
 
-/// A parameter block as bytes.
-template <class T> std::span<const std::byte> bytes_of(const T& value) { return std::as_bytes(std::span(&value, 1)); }
+/// A parameter block as bytes. There are two types of blocks a kernel: std::as_bytes would take longer to compile for
+/// them than all else of the call.
+template <class T> std::span<const std::byte> bytes_of(const T& value) {
+    return {reinterpret_cast<const std::byte*>(&value), sizeof value};
+}
 
 /// A box of elements on the host, written back to the structure when it is unmapped or goes out of scope.
 template <class S> class Mapped {

@@ -261,7 +261,42 @@ const glift::Kernel on_gpu_kernel = {
 };
 
 // ----------------------------------------------------------------------------------------------------
-// devices.glift:20: on_vulkan
+// devices.glift:20: on_wide_subgroups
+
+struct on_wide_subgroups_direct_parameters {
+    uint to_extent;
+};
+static_assert(offsetof(on_wide_subgroups_direct_parameters, to_extent) == 0);
+
+struct on_wide_subgroups_general_parameters {
+    uint size;
+    uint to_origin;
+};
+static_assert(offsetof(on_wide_subgroups_general_parameters, size) == 0);
+static_assert(offsetof(on_wide_subgroups_general_parameters, to_origin) == 4);
+
+const glift::Binding on_wide_subgroups_bindings[] = {
+    {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 8},
+};
+constexpr glift::Parameter on_wide_subgroups_parameters[] = {
+    {"to_extent", 0, sizeof(on_wide_subgroups_direct_parameters::to_extent)},
+};
+const glift::Kernel on_wide_subgroups_kernel = {
+    .name = "on_wide_subgroups",
+    .file = "devices.glift",
+    .line = 20,
+    .rank = 1,
+    .group = {256, 1, 1},
+    .loop_rounds = 0,
+    .bindings = on_wide_subgroups_bindings,
+    .direct = {.parameter_bytes = 4, .push_constants = true},
+    .general = {.parameter_bytes = 8},
+    .wide = {},
+    .parameters = on_wide_subgroups_parameters,
+};
+
+// ----------------------------------------------------------------------------------------------------
+// devices.glift:24: on_vulkan
 
 struct on_vulkan_direct_parameters {
     uint to_extent;
@@ -284,7 +319,7 @@ constexpr glift::Parameter on_vulkan_parameters[] = {
 const glift::Kernel on_vulkan_kernel = {
     .name = "on_vulkan",
     .file = "devices.glift",
-    .line = 20,
+    .line = 24,
     .rank = 1,
     .group = {256, 1, 1},
     .loop_rounds = 0,
@@ -627,6 +662,29 @@ void on_gpu(const glift::Commands& commands, const glift::Range<Line>& to) {
     }
 }
 
+void on_wide_subgroups(const glift::Commands& commands, const glift::Range<Line>& to) {
+    glift::Iteration iteration(on_wide_subgroups_kernel);
+    iteration.each("to", to);
+    const glift::Memory memories[] = {to->data()};
+    if (iteration.is_whole() && !commands.needs_general(on_wide_subgroups_kernel, memories, iteration.size())) {
+        const on_wide_subgroups_direct_parameters parameters = {
+            .to_extent = to->extent(),
+        };
+        commands.dispatch(on_wide_subgroups_kernel,
+            {.form = glift::FormName::direct, .memories = memories, .parameters = glift::bytes_of(parameters),
+            .size = iteration.size()});
+    } else {
+        const on_wide_subgroups_general_parameters parameters = {
+            .size = to.size(),
+            .to_origin = to.origin(),
+        };
+        commands.dispatch(on_wide_subgroups_kernel,
+            {.form = glift::FormName::general, .memories = memories, .parameters = glift::bytes_of(parameters),
+            .size = iteration.size(), .patches = iteration.patches({offsetof(on_wide_subgroups_general_parameters,
+            size)})});
+    }
+}
+
 void on_vulkan(const glift::Commands& commands, const glift::Range<Line>& to) {
     glift::Iteration iteration(on_vulkan_kernel);
     iteration.each("to", to);
@@ -739,9 +797,9 @@ bool Box_1_uint::same_state(const Box_1_uint& other) const {
     return extent_ == other.extent_;
 }
 
-// devices.glift:24: by_gpu
+// devices.glift:28: by_gpu
 void by_gpu(const glift::Commands& commands, const Line& to) {
-    // devices.glift:25
+    // devices.glift:29
     on_gpu(commands, to);
 }
 
@@ -791,23 +849,28 @@ void Line::fill(uint value) {
     fill(value, *this);
 }
 
-// devices.glift:28: fill
+// devices.glift:32: fill
 void fill(const glift::Commands& commands, const Line& to, bool many) {
-    // devices.glift:29
+    // devices.glift:33
     on_any(commands, to);
-    // devices.glift:30
+    // devices.glift:34
     if ((commands.device().properties().kind == glift::DeviceKind::gpu) && many) {
-        // devices.glift:31
+        // devices.glift:35
         by_gpu(commands, to);
     }
-    // devices.glift:33
+    // devices.glift:37
+    if (commands.device().properties().subgroup_size % 8u == 0u) {
+        // devices.glift:38
+        on_wide_subgroups(commands, to);
+    }
+    // devices.glift:40
     if (commands.device().is_host()) {
-        // devices.glift:34
+        // devices.glift:41
         on_host(commands, to);
-        // devices.glift:35
+        // devices.glift:42
         return;
     }
-    // devices.glift:37
+    // devices.glift:44
     on_vulkan(commands, to);
 }
 

@@ -1,5 +1,5 @@
 #version 460
-// on_vulkan, devices.glift:20: whole ranges, shared state.
+// on_vulkan, devices.glift:24: whole ranges, shared state.
 #extension GL_EXT_scalar_block_layout : require
 
 layout(local_size_x = 256) in;
@@ -11,9 +11,9 @@ layout(push_constant, scalar) uniform Parameters {
 layout(scalar, set = 0, binding = 1) writeonly buffer To_data { uint to_data[]; };
 
 void main() {
-    // devices.glift:20
+    // devices.glift:24
     uint address = gl_GlobalInvocationID.y * (gl_NumWorkGroups.x * 256u) + gl_GlobalInvocationID.x;
     if (address >= to_extent) return;
-    // devices.glift:21
+    // devices.glift:25
     to_data[address] = 4u;
 }

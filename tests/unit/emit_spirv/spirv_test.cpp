@@ -52,6 +52,17 @@ TEST(Spirv, KeepsExactnessThroughTheOptimiser) {
     EXPECT_EQ(count(disassembled(made.words), " NoContraction"), 2u);
 }
 
+TEST(Spirv, KeepsLinesButNotTheTextOfTheGlsl) {
+    Spirv made = spirv_of(head + "void main() {\n#line 9 \"laplacian.glift\"\n    f[0] = f[1];\n}\n");
+    ASSERT_EQ(made.error, "");
+    std::string text = disassembled(made.words);
+    EXPECT_THAT(text, HasSubstr("OpSource GLSL 460"));
+    EXPECT_THAT(text, HasSubstr("\"laplacian.glift\""));
+    EXPECT_THAT(text, HasSubstr("OpLine"));
+    EXPECT_THAT(text, Not(HasSubstr("#version")));
+    EXPECT_THAT(text, Not(HasSubstr("void main()")));
+}
+
 TEST(Spirv, NamesTheSourceLineInErrors) {
     Spirv made = spirv_of(head + "void main() {\n#line 9 \"laplacian.glift\"\n    f[0] = undeclared;\n}\n");
     EXPECT_TRUE(made.words.empty());

@@ -90,6 +90,22 @@ namespace detail {
 /// Work for one task: enough to pay for starting it, little enough to share evenly.
 inline constexpr std::size_t task_elements = 1 << 14;
 
+/// Calls `run(body, begin, end)` for parts of [0, count) that together cover it once, in parallel, none shorter than
+/// half of `grain`. No template: what oneTBB makes of one takes longer to compile than most kernels.
+inline void spread(std::size_t count, std::size_t grain, void (*run)(const void* body, std::size_t, std::size_t),
+                   const void* body) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain),
+                      [=](const tbb::blocked_range<std::size_t>& part) { run(body, part.begin(), part.end()); });
+}
+
+/// The same with a function object that takes (begin, end).
+template <class Body> void spread(std::size_t count, std::size_t grain, const Body& body) {
+    const auto run = [](const void* called, std::size_t begin, std::size_t end) {
+        (*static_cast<const Body*>(called))(begin, end);
+    };
+    spread(count, grain, run, &body);
+}
+
 }  // namespace detail
 
 /// Calls `body(const Rows&)` for rows that together cover `size` once. Blocks of rows run in parallel.
@@ -109,14 +125,14 @@ template <class Body> void for_rows(const std::array<std::uint32_t, 4>& size, co
             const std::size_t end = std::min<std::size_t>(begin + detail::task_elements, size[0]);
             run(static_cast<uint>(begin), static_cast<uint>(end), i / pieces, 1);
         };
-        tbb::parallel_for(std::size_t{0}, rows * pieces, piece);
+        detail::spread(rows * pieces, 1, [&](std::size_t first, std::size_t last) {
+            for (std::size_t i = first; i < last; ++i) piece(i);
+        });
         return;
     }
     if (all <= detail::task_elements) return run(0, size[0], 0, rows);
     const std::size_t grain = std::max<std::size_t>(1, detail::task_elements / size[0]);
-    tbb::parallel_for(
-        tbb::blocked_range<std::size_t>(0, rows, grain),
-        [&](const tbb::blocked_range<std::size_t>& range) { run(0, size[0], range.begin(), range.size()); });
+    detail::spread(rows, grain, [&](std::size_t first, std::size_t last) { run(0, size[0], first, last - first); });
 }
 
 /// Calls `body(const Rows&)` for parts of one row that together cover `size` elements, `items` to an invocation, once.
@@ -124,10 +140,9 @@ template <class Body> void for_strides(std::uint32_t size, std::uint32_t items, 
     const std::array<std::uint32_t, 4> count = {static_cast<std::uint32_t>((std::uint64_t{size} + items - 1) / items),
                                                 1, 1, 1};
     const std::size_t grain = std::max<std::size_t>(1, detail::task_elements / items);
-    const auto run = [&](const tbb::blocked_range<std::uint32_t>& range) {
-        body(Rows({range.begin(), range.end(), 0, 0, 0}, 1, count));
-    };
-    tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, count[0], grain), run);
+    detail::spread(count[0], grain, [&](std::size_t begin, std::size_t end) {
+        body(Rows({static_cast<uint>(begin), static_cast<uint>(end), 0, 0, 0}, 1, count));
+    });
 }
 
 /// Calls `body(group id, group count)` for the workgroups that cover `size`, each so many elements, in parallel.
@@ -141,8 +156,10 @@ template <class Body> void for_each_group(const std::array<std::uint32_t, 4>& si
                    static_cast<uint>(i / count.x / count.y)),
              count);
     };
-    if (total == 1) run(0);
-    else tbb::parallel_for(std::size_t{0}, total, run);
+    if (total == 1) return run(0);
+    detail::spread(total, 1, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) run(i);
+    });
 }
 
 /// What elements are made of: themselves, or a vector's components.
