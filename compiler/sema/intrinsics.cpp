@@ -70,6 +70,9 @@ bool accepts(const ir::Types& types, char letter, ir::TypeId type) {
     case 'N': return shaped && types.is_number(scalar);
     case 'I': return shaped && types.is_integer(scalar);
     case 'U': return shaped && types.kind(scalar) == ir::TypeKind::uint;
+    case 'R': return shaped && types.kind(scalar) == ir::TypeKind::float_;
+    case 'D': return shaped && types.kind(scalar) == ir::TypeKind::double_;
+    case 'L': return shaped && types.kind(scalar) == ir::TypeKind::uint64;
     case 'S': return shaped && types.kind(scalar) == ir::TypeKind::int_;
     case 'B': return shaped && types.kind(scalar) == ir::TypeKind::bool_;
     case 'M': return types.is_matrix(type);
@@ -96,6 +99,8 @@ ir::TypeId result_of(ir::Types& types, char letter, ir::TypeId argument) {
     case 'B': return types.with_scalar(argument, types.bool_);
     case 'S': return types.with_scalar(argument, types.int_);
     case 'U': return types.with_scalar(argument, types.uint);
+    case 'D': return types.with_scalar(argument, types.double_);
+    case 'L': return types.with_scalar(argument, types.uint64);
     default: return argument;
     }
 }
@@ -108,7 +113,7 @@ ir::TypeId result_type(ir::Types& types, const Signature& signature, ir::TypeId 
     return result_of(types, signature.result, argument);
 }
 
-bool is_generic_letter(char letter) { return std::string_view("FVNIUSBMT").find(letter) != std::string_view::npos; }
+bool is_generic_letter(char letter) { return std::string_view("FVNIUSRDLBMT").find(letter) != std::string_view::npos; }
 
 ir::TypeId fixed_type(ir::Types& types, char letter) {
     switch (letter) {
@@ -126,7 +131,9 @@ ir::TypeId fixed_type(ir::Types& types, char letter) {
 ir::TypeId literal_hint(ir::Types& types, char letter, ir::TypeId common, ir::TypeId wanted) {
     if (common) return types.scalar_of(common);
     if (wanted && accepts(types, letter, wanted)) return types.scalar_of(wanted);
-    if (letter == 'F' || letter == 'V') return types.float_;
+    if (letter == 'F' || letter == 'V' || letter == 'R') return types.float_;
+    if (letter == 'D') return types.double_;
+    if (letter == 'L') return types.uint64;
     return {};
 }
 

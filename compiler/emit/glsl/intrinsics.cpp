@@ -124,6 +124,8 @@ Text print_intrinsic(Printer& p, const Expr& expr) {
     case Intrinsic::floatBitsToInt: return call(p, "floatBitsToInt", expr);
     case Intrinsic::uintBitsToFloat: return call(p, "uintBitsToFloat", expr);
     case Intrinsic::intBitsToFloat: return call(p, "intBitsToFloat", expr);
+    case Intrinsic::doubleBitsToUint64: return call(p, "doubleBitsToUint64", expr);
+    case Intrinsic::uint64BitsToDouble: return call(p, "uint64BitsToDouble", expr);
     case Intrinsic::dot: return dot(p, expr);
     case Intrinsic::cross: return shaped(p, Helper::cross_product, expr);
     case Intrinsic::mix: return shaped(p, Helper::blend, expr);

@@ -43,10 +43,12 @@ template <class T> std::vector<T> keys_of(Round& round, std::uint32_t count) {
     if constexpr (std::is_floating_point_v<T>) {
         // All bits, some that matter, and what comes out of values_with_repeats.
         const std::uint32_t kind = round.below(3);
-        static constexpr float special[] = {0.0f, -0.0f, INFINITY, -INFINITY, NAN, 1e-45f, -1e-45f, 1, -1};
+        using Bits = std::conditional_t<sizeof(T) == 8, std::uint64_t, std::uint32_t>;
+        static constexpr T smallest = std::numeric_limits<T>::denorm_min();
+        static constexpr T special[] = {T(0), -T(0), INFINITY, -INFINITY, NAN, smallest, -smallest, 1, -1};
         for (T& x : keys) {
             if (kind == 1) {
-                x = std::bit_cast<float>(arbitrary<std::uint32_t>(round));
+                x = std::bit_cast<T>(arbitrary<Bits>(round));
                 // A device may see small numbers as zeros, and one not-a-number may become another.
                 if (x != x) x = NAN;
             }
@@ -99,10 +101,10 @@ template <class S, class Sort> void in_place(const glift::Device& device, Round&
     const auto found = twice(round, [&] {
         keys.write(out.expected(placed, values));
         sort(keys, placed.part<Part>(), length, descending);
-        return keys.read();
+        return plain(keys.read());
     });
     std::ranges::stable_sort(values, Precedes{descending});
-    EXPECT_TRUE(equal(round, out.expected(placed, values), found));
+    EXPECT_TRUE(equal(round, plain(out.expected(placed, values)), found));
 }
 
 TEST_P(Sorts, Ints) {
@@ -120,6 +122,16 @@ TEST_P(Sorts, Longs) {
                                [&](const sorts::Longs& keys, Part part, const Line& length, bool descending) {
                                    sorts::sort_longs(device(), keys, part, length, descending);
                                });
+    });
+}
+
+TEST_P(Sorts, Doubles) {
+    if (!device().properties().float64) GTEST_SKIP() << "no 64-bit floats";
+    for_all("sort_by of doubles", [&](Round& round) {
+        in_place<sorts::Doubles>(device(), round,
+                                 [&](const sorts::Doubles& keys, Part part, const Line& length, bool descending) {
+                                     sorts::sort_doubles(device(), keys, part, length, descending);
+                                 });
     });
 }
 
@@ -185,6 +197,20 @@ TEST_P(Sorts, WidePairs) {
                                     overlay(part, in.length, values, values_too);
                                     sorts::sort_wide_pairs(device(), keys, values_too, part, in.length, descending);
                                 });
+    });
+}
+
+TEST_P(Sorts, DoublePairs) {
+    if (!device().properties().float64) GTEST_SKIP() << "no 64-bit floats";
+    using In = Input<sorts::Doubles, sorts::Doubles, sorts::Doubles, Line>;
+    for_all("sort_pairs_by of doubles", [&](Round& round) {
+        pairs<In, sorts::Doubles>(device(), round, Form::dense,
+                                  [&](const In& in, const Line& values, Part part, bool descending,
+                                      const sorts::Doubles& keys, Line& values_too) {
+                                      overlay(part, in.length, in.dense, keys);
+                                      overlay(part, in.length, values, values_too);
+                                      sorts::sort_double_pairs(device(), keys, values_too, part, in.length, descending);
+                                  });
     });
 }
 

@@ -14,6 +14,7 @@ using types::Line;
 using types::Matrix;
 using types::Part;
 using Longs = Input<types::Longs, types::Longs, types::TiledLongs, Line>;
+using Doubles = Input<types::Doubles, types::Doubles, types::Doubles, Line>;
 using Pairs = Input<types::Pairs, types::FoldedPairs, types::TiledPairs, Line>;
 using Colours = Input<types::Colours, types::Colours, types::Colours, Line>;
 
@@ -54,6 +55,51 @@ TEST_P(Types, SumOfLongs) {
         });
         const auto sum = std::accumulate(values.begin(), values.end(), std::int64_t{0}, wrapping_sum);
         EXPECT_TRUE(equal(round, {sum}, found));
+    });
+}
+
+/// Multiples of 2^-30 from -1 to 1: sums of a million are exact however grouped, but not in single precision.
+std::vector<double> fractions(Round& round, std::uint32_t count) {
+    std::vector<double> values(count);
+    for (double& x : values) x = std::round(round.real() * 0x1p30) * 0x1p-30;
+    return values;
+}
+
+TEST_P(Types, ReductionsOfDoubles) {
+    if (!device().properties().float64) GTEST_SKIP() << "no 64-bit floats";
+    for_all("reduce, sum, smallest and largest of doubles", [&](Round& round) {
+        round.only(Form::dense);
+        const Placed placed(round, round.size());
+        const auto values = fractions(round, placed.count);
+        const Doubles in(device(), round, placed, values);
+        types::Doubles to(device(), 3);
+        const auto found = twice(round, [&] {
+            to.fill(77);
+            types::reduce_doubles(device(), in.dense, placed.part<Part>(), in.length, to);
+            return to.read();
+        });
+        constexpr double none = std::numeric_limits<double>::infinity();
+        std::vector<double> expected{0, none, -none};
+        for (double x : values) expected = {expected[0] + x, std::min(expected[1], x), std::max(expected[2], x)};
+        EXPECT_TRUE(equal(round, expected, found));
+    });
+}
+
+TEST_P(Types, ScanOfDoubles) {
+    if (!device().properties().float64) GTEST_SKIP() << "no 64-bit floats";
+    for_all("inclusive_scan, sums of doubles", [&](Round& round) {
+        round.only(Form::dense);
+        const Placed placed(round, round.size());
+        auto values = fractions(round, placed.count);
+        const Doubles in(device(), round, placed, values);
+        Output<types::Doubles> out(device(), round, placed);
+        const auto found = twice(round, [&] {
+            return out.after([&](const types::Doubles& to) {
+                types::scan_doubles(device(), in.dense, placed.part<Part>(), in.length, to);
+            });
+        });
+        std::inclusive_scan(values.begin(), values.end(), values.begin());
+        EXPECT_TRUE(equal(round, out.expected(placed, values), found));
     });
 }
 

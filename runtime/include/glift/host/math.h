@@ -234,6 +234,10 @@ constexpr std::uint32_t floatBitsToUint(float x) { return std::bit_cast<std::uin
 constexpr std::int32_t floatBitsToInt(float x) { return std::bit_cast<std::int32_t>(x); }
 constexpr float uintBitsToFloat(std::uint32_t x) { return std::bit_cast<float>(x); }
 constexpr float intBitsToFloat(std::int32_t x) { return std::bit_cast<float>(x); }
+constexpr std::uint64_t doubleBitsToUint64(double x) { return std::bit_cast<std::uint64_t>(x); }
+constexpr double uint64BitsToDouble(std::uint64_t x) { return std::bit_cast<double>(x); }
+GLIFT_MATH_1(doubleBitsToUint64)
+GLIFT_MATH_1(uint64BitsToDouble)
 GLIFT_MATH_1(floatBitsToUint)
 GLIFT_MATH_1(floatBitsToInt)
 GLIFT_MATH_1(uintBitsToFloat)
