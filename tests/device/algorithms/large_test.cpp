@@ -1,5 +1,5 @@
-// Ranges of as many elements as memory allows: GLIFT_PROPERTY_ELEMENTS says how many (100,003). Sorting pairs takes the most
-// memory, 16 bytes an element.
+// Ranges of as many elements as memory allows: GLIFT_PROPERTY_ELEMENTS says how many (100,003). Sorting pairs takes the
+// most memory, 16 bytes an element.
 #include "property.h"
 
 #include "large.glift.hpp"
