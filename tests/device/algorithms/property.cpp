@@ -48,7 +48,7 @@ const char* name_of(Taken taken) {
 }  // namespace
 
 std::uint64_t rounds() {
-    static const std::uint64_t value = number("GLIFT_PROPERTY_ROUNDS", 24);
+    static const std::uint64_t value = number("GLIFT_PROPERTY_ROUNDS", 15);
     return value;
 }
 

@@ -1,6 +1,6 @@
 // Property tests: an algorithm on a device beside the C++ library's, over sizes, forms and values drawn at random.
 //
-// Environment: GLIFT_PROPERTY_ROUNDS, how many rounds a property has (24); GLIFT_PROPERTY_LIMIT, the most elements
+// Environment: GLIFT_PROPERTY_ROUNDS, how many rounds a property has (15); GLIFT_PROPERTY_LIMIT, the most elements
 // (20000); GLIFT_PROPERTY_SEED, the seed of the first round (1), the next one's is one more. A seed and a limit say
 // everything about a round: a failure prints both. GLIFT_DEVICE names the device that is not the host (lavapipe).
 #pragma once
