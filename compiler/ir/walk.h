@@ -16,6 +16,15 @@ template <class Visit> void for_each_statement(const Program& program, const std
     }
 }
 
+/// Whether there is a barrier among the statements, of a workgroup or of a subgroup.
+inline bool has_any_barrier(const Program& program, const std::vector<StmtId>& body) {
+    bool found = false;
+    for_each_statement(program, body, [&](const Stmt& stmt) {
+        found = found || stmt.op == StmtOp::barrier || stmt.op == StmtOp::subgroup_barrier;
+    });
+    return found;
+}
+
 namespace detail {
 template <class Visit> void walk_nodes(const Program& program, ExprId id, IdSet<Expr>& seen, Visit& visit) {
     if (!id || !seen.insert(id)) return;

@@ -1,5 +1,6 @@
 // Buffers, images and parameters: how they are declared, read and written.
 #include "emit/glsl/printer.h"
+#include "ir/walk.h"
 
 #include <algorithm>
 #include <cctype>
@@ -60,20 +61,10 @@ std::string image_prefix(const Printer& p, TypeId element) {
     return p.program.types.kind(scalar) == TypeKind::uint ? "u" : "";
 }
 
-bool has_barrier(const Printer& p, const std::vector<ir::StmtId>& body) {
-    for (ir::StmtId id : body) {
-        const ir::Stmt& stmt = p.program.stmts[id];
-        if (stmt.op == ir::StmtOp::barrier || stmt.op == ir::StmtOp::subgroup_barrier || has_barrier(p, stmt.body) ||
-            has_barrier(p, stmt.otherwise))
-            return true;
-    }
-    return false;
-}
-
 /// What one invocation writes and another reads after a barrier must not stay in a cache.
 bool is_coherent(const Printer& p, const PassBinding& binding) {
     if (binding.coherent) return true;
-    return binding.access == ir::Access::read_write && has_barrier(p, p.pass.body);
+    return binding.access == ir::Access::read_write && ir::has_any_barrier(p.program, p.pass.body);
 }
 
 const char* access_text(ir::Access access) {
