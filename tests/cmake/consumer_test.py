@@ -2,6 +2,7 @@
 """Builds tests/cmake/consumer outside the tree and checks that it rebuilds exactly what it must.
 
     consumer_test.py subdirectory SOURCE_TREE          Glift by add_subdirectory
+    consumer_test.py prebuilt SOURCE_TREE GLIFTC       the same, with a gliftc that is built already
     consumer_test.py package SOURCE_TREE BUILD_TREE    Glift by find_package, from an install tree made of BUILD_TREE
 """
 import os
@@ -90,6 +91,8 @@ def main():
         if mode == "subdirectory":
             # This builds the compiler once more. How fast it is does not matter here: without optimisation, in half the time.
             settings = [f"-DGLIFT_SOURCE={source}", "-DCMAKE_CXX_FLAGS_RELEASE=-O0"]
+        elif mode == "prebuilt":
+            settings = [f"-DGLIFT_SOURCE={source}", f"-DGLIFT_GLIFTC={sys.argv[3]}", "-DCMAKE_CXX_FLAGS_RELEASE=-O0"]
         else:
             prefix = folder / "installed"
             run("cmake", "--install", sys.argv[3], "--prefix", prefix)

@@ -1,0 +1,11 @@
+# glift::gliftc as GLIFT_GLIFTC names it. It finds the library and the runtime's headers beside itself, as every gliftc does.
+
+execute_process(COMMAND ${GLIFT_GLIFTC} --version OUTPUT_VARIABLE found RESULT_VARIABLE failed OUTPUT_STRIP_TRAILING_WHITESPACE)
+if(failed)
+    message(FATAL_ERROR "GLIFT_GLIFTC: ${GLIFT_GLIFTC} does not run: ${failed}")
+endif()
+if(NOT found STREQUAL "gliftc ${PROJECT_VERSION}")
+    message(FATAL_ERROR "GLIFT_GLIFTC: ${GLIFT_GLIFTC} is ${found}, and what it generates is not for the runtime of ${PROJECT_VERSION}. Name a gliftc of that version.")
+endif()
+add_executable(glift::gliftc IMPORTED GLOBAL)
+set_target_properties(glift::gliftc PROPERTIES IMPORTED_LOCATION ${GLIFT_GLIFTC})
