@@ -15,6 +15,7 @@ namespace {
 
 constexpr std::uint64_t unknown = std::numeric_limits<std::uint64_t>::max();
 constexpr std::uint64_t largest_subgroup = 128;  // lanes: Vulkan allows no more
+constexpr std::uint64_t bits_of_a_word = 32;
 
 std::uint64_t plus(std::uint64_t a, std::uint64_t b) { return a > unknown - b ? unknown : a + b; }
 std::uint64_t times(std::uint64_t a, std::uint64_t b) { return a != 0 && b > unknown / a ? unknown : a * b; }
@@ -71,6 +72,7 @@ private:
     /// No uint value of the expression is larger.
     std::uint64_t most(ExprId id) {
         const Expr& node = cx.p.exprs[id];
+        if (is_bit_count_as_uint(node)) return bits_of_a_word;
         if (node.type != cx.p.types.uint) return unknown;
         if (node.op == Op::constant) return node.bits;
         if (node.op == Op::builtin) return most(node.builtin);
@@ -80,6 +82,13 @@ private:
             return std::min(most(node.operands[0]), most(node.operands[1]));
         const ExprId* definition = node.op == Op::local ? cx.definitions.find(node.local) : nullptr;
         return definition ? most(*definition) : unknown;
+    }
+
+    /// bitCount gives an int that is never negative.
+    bool is_bit_count_as_uint(const Expr& node) const {
+        if (node.op != Op::convert || node.type != cx.p.types.uint) return false;
+        const Expr& from = cx.p.exprs[node.operands[0]];
+        return from.op == Op::intrinsic && from.intrinsic == Intrinsic::bitCount && from.type == cx.p.types.int_;
     }
 
     std::uint64_t most(Builtin builtin) {
@@ -102,11 +111,16 @@ private:
     /// Sums and products that may wrap are not known.
     std::uint64_t most_of_binary(const Expr& node) {
         std::uint64_t a = most(node.operands[0]), b = most(node.operands[1]), result = unknown;
+        if (node.binary == BinaryOp::bit_and) return std::min(a, b);
         if (node.binary == BinaryOp::add) result = plus(a, b);
         if (node.binary == BinaryOp::multiply) result = times(a, b);
-        if (node.binary == BinaryOp::divide) {
-            auto divisor = evaluate(cx.p, node.operands[1]);
-            if (divisor && divisor->bits() != 0 && a != unknown) result = a / divisor->bits();
+        auto by = evaluate(cx.p, node.operands[1]);
+        if (by && by->bits() != 0) {
+            // Without a limit a number is below 2^32 still.
+            const std::uint64_t most_of_a = std::min<std::uint64_t>(a, std::numeric_limits<std::uint32_t>::max());
+            if (node.binary == BinaryOp::divide) result = most_of_a / by->bits();
+            if (node.binary == BinaryOp::remainder) result = std::min(most_of_a, by->bits() - 1);
+            if (node.binary == BinaryOp::shift_right) result = most_of_a >> (by->bits() & 31);
         }
         return result > std::numeric_limits<std::uint32_t>::max() ? unknown : result;
     }

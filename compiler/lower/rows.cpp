@@ -1,9 +1,12 @@
 // Several elements at once: rows of neighbours along x, a step apart. Where they also follow each other in memory they
 // move as vectors of four numbers, if all rows begin at such a vector and lie inside; else one by one. A row of four
-// elements of N numbers each is N such vectors.
+// elements of N numbers each is N such vectors. A row of four numbers that begins at a vector wherever it is, is loaded
+// without asking whether all of it lies inside: memory ends with a whole vector (glift/memory.h).
 #include "lower/expand.h"
 #include "lower/polynomial.h"
 #include "lower/unroll.h"
+
+#include <algorithm>
 
 namespace gliftc::lower {
 
@@ -86,6 +89,16 @@ bool Expander::lie_in_vectors(const Rows& rows) {
         }
     });
     return neighbours && made.empty();
+}
+
+/// Whether there is one row, of one vector, which begins at a vector wherever it is: neighbours in a line of numbers,
+/// of which the first lies at a multiple of four.
+bool Expander::is_whole_vector(const Rows& rows, ExprId physical) {
+    if (rows.count != 1 || parts_of(rows) != 1 || make.type(rows.first) != p.types.uint) return false;
+    Polynomials polynomials(cx, numbers_);
+    const Polynomial* terms = polynomials.of(physical);
+    return terms != nullptr &&
+           std::all_of(terms->begin(), terms->end(), [](const Term& term) { return term.factor % row_width == 0; });
 }
 
 /// Whether all rows lie inside and begin at vectors.
@@ -180,19 +193,31 @@ ExprId Expander::several(const Expr& node) {
     ExprId physical = named(rows.name + "_at", translated(place, rows.at, rows.name).value);
     const std::uint32_t slot = binding(place, cx.structure_at(place).via_memory, Access::read);
     cx.pass.bindings[slot].in_rows = true;
+    const auto vector = [&](ExprId index) {
+        Expr load;
+        load.op = Op::load;
+        load.type = p.types.vector(p.types.scalar_of(element), row_width);
+        load.slot = slot;
+        load.operands = {index};
+        return make.local(let(rows.name + "_four", p.exprs.add(std::move(load)), span_));
+    };
+    if (is_whole_vector(rows, physical)) {
+        ExprId inside = named(rows.name + "_inside", inside_domain(place, rows.first));
+        const std::vector<ExprId> four{vector(make.select(inside, first_vector(rows, physical), make.uint(0)))};
+        ExprId otherwise = otherwise_of(place);
+        for (std::uint32_t lane = 0; lane < row_width; ++lane)
+            set(make.uint(0), lane,
+                make.select(inside_domain(place, address_in(rows, make.uint(0), lane)), number_in(four, lane),
+                            otherwise));
+        return items;
+    }
     // All rows in one branch, not a branch each: loads wait for no condition.
     Block vectors = collect([&] {
         ExprId first = first_vector(rows, physical);
         for_each_row(rows, [&](ExprId row) {
             std::vector<ExprId> vectors;
-            for (std::uint32_t part = 0; part < parts_of(rows); ++part) {
-                Expr load;
-                load.op = Op::load;
-                load.type = p.types.vector(p.types.scalar_of(element), row_width);
-                load.slot = slot;
-                load.operands = {vector_at(rows, first, row, part)};
-                vectors.push_back(make.local(let(rows.name + "_four", p.exprs.add(std::move(load)), span_)));
-            }
+            for (std::uint32_t part = 0; part < parts_of(rows); ++part)
+                vectors.push_back(vector(vector_at(rows, first, row, part)));
             for (std::uint32_t lane = 0; lane < row_width; ++lane) set(row, lane, element_in(rows, vectors, lane));
         });
     });

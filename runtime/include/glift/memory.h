@@ -54,7 +54,8 @@ class MemoryObject;
 }
 
 /// A handle to one memory. Copies share it; the storage is freed when the last handle is gone and the device no
-/// longer uses it. Contents start as zeros. A buffer may have no bytes.
+/// longer uses it. Contents start as zeros. A buffer may have no bytes; shaders may read it up to the next multiple of
+/// sixteen, and at least sixteen bytes.
 class GLIFT_API Memory {
 public:
     Memory() = default;

@@ -133,6 +133,20 @@ kernel k(f: in any<Field>, g: out each<Field>, a: at<Field>) { if let i = first(
     EXPECT_EQ(pass.loop_rounds, 101u);
 }
 
+// A loop over the bits of a word, over what is left of a division, over what a mask lets through.
+TEST(Iterators, RoundsAreKnownOfLimitsThatHaveABound) {
+    Lowering lowering(R"(kernel k(g: out each<Field>, a: at<Field>) {
+        var sum = 0.0;
+        for i in 0..uint(bitCount(a.x)) { sum += 1.0; }
+        for i in 0..a.x % 10u { sum += 1.0; }
+        for i in 0..(a.x & 7u) { sum += 1.0; }
+        for i in 0..a.x >> 28u { sum += 1.0; }
+        g = sum;
+    })");
+    // The test that ends a loop is a round, too.
+    EXPECT_EQ(lowering.forms("k").direct.loop_rounds, 33u + 10u + 8u + 16u);
+}
+
 TEST(Iterators, AWrittenValueIsReadAgain) {
     Lowering lowering("kernel k(f: inout each<Field>) { f = f + 1.0; f = f * 2.0; }");
     EXPECT_EQ(count(lowering.direct("k"), "= f_data[f_at];"), 2u);
