@@ -32,6 +32,11 @@ std::vector<StmtId> kept(Context& cx, const std::vector<StmtId>& body, IdSet<Loc
     for (std::size_t i = body.size(); i-- > 0;) {
         const Stmt& stmt = cx.p.stmts[body[i]];
         if (stmt.op == StmtOp::if_ && stmt.otherwise.empty() && cx.make.is_false(stmt.value)) continue;
+        if (stmt.op == StmtOp::if_ && cx.make.is_true(stmt.value)) {
+            const std::vector<StmtId> always = kept(cx, stmt.body, used);
+            result.insert(result.end(), always.rbegin(), always.rend());
+            continue;
+        }
         if (stmt.op == StmtOp::let && !used.contains(stmt.local) && !(stmt.value && has_effect(cx.p, stmt.value)))
             continue;
         Make::Parts parts{stmt.target, stmt.value, stmt.limit, {}, {}};

@@ -97,8 +97,12 @@ bool Expander::is_whole_vector(const Rows& rows, ExprId physical) {
     if (rows.count != 1 || parts_of(rows) != 1 || make.type(rows.first) != p.types.uint) return false;
     Polynomials polynomials(cx, numbers_);
     const Polynomial* terms = polynomials.of(physical);
-    return terms != nullptr &&
-           std::all_of(terms->begin(), terms->end(), [](const Term& term) { return term.factor % row_width == 0; });
+    // Invocations that have several elements each begin at multiples of their number.
+    const ValueNumber own = numbers_.of(make.local(cx.pass.address));
+    return terms != nullptr && std::all_of(terms->begin(), terms->end(), [&](const Term& term) {
+               const bool is_own = std::find(term.product.begin(), term.product.end(), own) != term.product.end();
+               return term.factor % row_width == 0 || (is_own && cx.pass.items % row_width == 0);
+           });
 }
 
 /// Whether all rows lie inside and begin at vectors.
