@@ -154,7 +154,9 @@ private:
     ExprId further(ExprId address, ExprId distance);
     ExprId address_in(const Rows& rows, ExprId row, std::uint32_t lane);
     bool lie_in_vectors(const Rows& rows);
+    bool is_at_vector(ExprId physical);
     bool is_whole_vector(const Rows& rows, ExprId physical);
+    std::optional<std::uint64_t> span_of(const Rows& rows);
     ExprId are_vectors(const Rows& rows, ExprId physical);
     std::uint32_t parts_of(const Rows& rows);
     ExprId first_vector(const Rows& rows, ExprId physical);

@@ -91,10 +91,9 @@ bool Expander::lie_in_vectors(const Rows& rows) {
     return neighbours && made.empty();
 }
 
-/// Whether there is one row, of one vector, which begins at a vector wherever it is: neighbours in a line of numbers,
-/// of which the first lies at a multiple of four.
-bool Expander::is_whole_vector(const Rows& rows, ExprId physical) {
-    if (rows.count != 1 || parts_of(rows) != 1 || make.type(rows.first) != p.types.uint) return false;
+/// Whether a place in a line is known to be a multiple of four.
+bool Expander::is_at_vector(ExprId physical) {
+    if (make.type(physical) != p.types.uint) return false;
     Polynomials polynomials(cx, numbers_);
     const Polynomial* terms = polynomials.of(physical);
     // Invocations that have several elements each begin at multiples of their number.
@@ -103,6 +102,20 @@ bool Expander::is_whole_vector(const Rows& rows, ExprId physical) {
                const bool is_own = std::find(term.product.begin(), term.product.end(), own) != term.product.end();
                return term.factor % row_width == 0 || (is_own && cx.pass.items % row_width == 0);
            });
+}
+
+/// Whether there is one row, of one vector, which begins at a vector wherever it is.
+bool Expander::is_whole_vector(const Rows& rows, ExprId physical) {
+    return rows.count == 1 && parts_of(rows) == 1 && make.type(rows.first) == p.types.uint && is_at_vector(physical);
+}
+
+/// From the first element to behind the last one, where that is known and far from what numbers hold.
+std::optional<std::uint64_t> Expander::span_of(const Rows& rows) {
+    if (rows.count == 1) return row_width;
+    constexpr std::uint64_t largest = 1u << 24;
+    const std::optional<std::uint64_t> step = make.bits_of(rows.step);
+    if (!step || *step > largest / rows.count) return std::nullopt;
+    return *step * (rows.count - 1) + row_width;
 }
 
 /// Whether all rows lie inside and begin at vectors.
@@ -118,12 +131,14 @@ ExprId Expander::are_vectors(const Rows& rows, ExprId physical) {
     };
     ExprId size = on_axis(domain, 0), first = on_axis(rows.first, 0);
     ExprId left = make.binary(BinaryOp::subtract, size, first);
+    const std::optional<std::uint64_t> span = span_of(rows);
     ExprId one = make.both(make.binary(BinaryOp::less, first, size),
-                           make.binary(BinaryOp::greater_equal, left, make.uint(row_width)));
+                           make.binary(BinaryOp::greater_equal, left, make.uint(span.value_or(row_width))));
     for (std::uint32_t axis = 1; axis < axes; ++axis)
         one = make.both(one, make.binary(BinaryOp::less, on_axis(rows.first, axis), on_axis(domain, axis)));
-    one = make.both(one, at_vector(physical));
+    if (!(span && rows.count > 1 && is_at_vector(physical))) one = make.both(one, at_vector(physical));
     if (rows.count == 1) return one;
+    if (span) return make.both(one, at_vector(rows.step));
     // As a quotient: the distance to the last row may be beyond all numbers.
     ExprId room = make.binary(BinaryOp::divide, make.binary(BinaryOp::subtract, left, make.uint(row_width)),
                               make.uint(rows.count - 1));
