@@ -90,9 +90,7 @@ ExprId Expander::otherwise_of(const Place& place) {
 }
 
 /// The element where `guard` and the translation's own condition hold, else the structure's otherwise. Numbers and
-/// vectors are loaded without a branch, from `other_address` where the guard fails; it must lie in the memory. Not so in
-/// kernels with a group: a choice between what was loaded and another value waits for it before the next barrier, and a
-/// value that is loaded or not, under a branch that GPUs make a predicate, stays under way across barriers.
+/// vectors are loaded without a branch, from `other_address` where the guard fails; it must lie in the memory.
 ExprId Expander::guarded_load(const Place& place, const Pair& physical, ExprId guard, ExprId other_address,
                               const std::string& name) {
     ExprId condition = make.both(guard, physical.has);
@@ -100,7 +98,7 @@ ExprId Expander::guarded_load(const Place& place, const Pair& physical, ExprId g
     ExprId otherwise = otherwise_of(place);
     if (make.is_false(condition)) return otherwise;
     TypeId element = cx.structure_at(place).element;
-    if (!cx.kernel.grouped() && (p.types.is_scalar(element) || p.types.is_vector(element))) {
+    if (p.types.is_scalar(element) || p.types.is_vector(element)) {
         condition = named(name + "_inside", condition);
         ExprId other = other_address ? other_address : make.zero(make.type(physical.value));
         // Locals on both sides, so that no branch is made of the choice.

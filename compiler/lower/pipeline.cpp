@@ -8,6 +8,7 @@
 #include "lower/expand.h"
 #include "lower/loops.h"
 #include "lower/lower.h"
+#include "lower/predicate.h"
 #include "lower/share.h"
 #include "lower/strength.h"
 #include "lower/temporaries.h"
@@ -48,6 +49,7 @@ std::vector<StmtId> simplified(Context& cx, std::vector<StmtId> body, const std:
     body = share(cx, body, facts);
     body = drop_dead(cx, body);
     check(cx, body, "drop_dead");
+    if (cx.kernel.grouped()) body = drop_dead(cx, predicate_loads(cx, body));
     return merge_single_uses(cx, body);
 }
 

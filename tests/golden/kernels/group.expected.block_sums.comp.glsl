@@ -40,8 +40,11 @@ void main() {
     // group.glift:10
     uint i = gl_LocalInvocationIndex;
     // group.glift:11
-    uint value_value = value_data[in_range ? address : 0u];
-    part[min(i, 63u)] = in_range ? value_value : 0u;
+    uint value_value = 0u;
+    if (in_range) {
+        value_value = value_data[address];
+    }
+    part[min(i, 63u)] = value_value;
     // group.glift:12
     barrier();
     // group.glift:13

@@ -94,8 +94,11 @@ static void block_sums_direct_group(const glift::HostCall& call, [[maybe_unused]
         // group.glift:10
         i_2[local_index] = local_index;
         // group.glift:11
-        const uint value_value = value_data[in_range ? address_2 : 0u];
-        part_2[i_2[local_index]] = in_range ? value_value : 0u;
+        uint value_value = 0u;
+        if (in_range) {
+            value_value = value_data[address_2];
+        }
+        part_2[i_2[local_index]] = value_value;
     }
     // group.glift:12
     // barrier
@@ -174,8 +177,11 @@ static void block_sums_general_group(const glift::HostCall& call, [[maybe_unused
         // group.glift:10
         i_2[local_index] = local_index;
         // group.glift:11
-        const uint value_value = value_data[in_range ? value_address : 0u];
-        part_2[i_2[local_index]] = in_range ? value_value : 0u;
+        uint value_value = 0u;
+        if (in_range) {
+            value_value = value_data[value_address];
+        }
+        part_2[i_2[local_index]] = value_value;
     }
     // group.glift:12
     // barrier

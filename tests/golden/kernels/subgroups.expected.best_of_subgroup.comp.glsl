@@ -94,8 +94,11 @@ void main() {
     // subgroups.glift:22
     uint lane = gl_SubgroupInvocationID;
     // subgroups.glift:23
-    uint from_value = from_data[in_range ? address : 0u];
-    uint value = in_range ? from_value : 0u;
+    uint from_value = 0u;
+    if (in_range) {
+        from_value = from_data[address];
+    }
+    uint value = from_value;
     Best best = Best(float(value), uvec2(lane, gl_SubgroupID), int[2](1, 2));
     // subgroups.glift:24
     uint stride = gl_SubgroupSize / 2u;

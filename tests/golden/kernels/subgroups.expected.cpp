@@ -102,8 +102,11 @@ static void best_of_subgroup_direct_group(const glift::HostCall& call, [[maybe_u
         // subgroups.glift:22
         const uint lane_2 = 0u;
         // subgroups.glift:23
-        const uint from_value = from_data[in_range ? address_2 : 0u];
-        const uint value = in_range ? from_value : 0u;
+        uint from_value = 0u;
+        if (in_range) {
+            from_value = from_data[address_2];
+        }
+        const uint value = from_value;
         Best best = Best{float(value), uint2(lane_2, local_index), glift::array<int, 2>{{1, 2}}};
         // subgroups.glift:24
         uint stride = 1u / 2u;
@@ -166,8 +169,11 @@ static void best_of_subgroup_general_group(const glift::HostCall& call, [[maybe_
         // subgroups.glift:22
         const uint lane_2 = 0u;
         // subgroups.glift:23
-        const uint from_value = from_data[in_range ? from_address : 0u];
-        const uint value = in_range ? from_value : 0u;
+        uint from_value = 0u;
+        if (in_range) {
+            from_value = from_data[from_address];
+        }
+        const uint value = from_value;
         Best best = Best{float(value), uint2(lane_2, local_index), glift::array<int, 2>{{1, 2}}};
         // subgroups.glift:24
         uint stride = 1u / 2u;
@@ -245,8 +251,11 @@ static void turn_subgroups_direct_group(const glift::HostCall& call, [[maybe_unu
         const uint address_2 = global_id.y * (group_count.x * 64u) + global_id.x;
         const bool in_range = address_2 < from_extent;
         // subgroups.glift:37
-        const uint from_value = from_data[in_range ? address_2 : 0u];
-        values[local_index] = in_range ? from_value : 0u;
+        uint from_value = 0u;
+        if (in_range) {
+            from_value = from_data[address_2];
+        }
+        values[local_index] = from_value;
         // subgroups.glift:39
         if (in_range) {
             to_data[address_2] = values[local_index + 1u - 1u - 2u * 0u];
@@ -294,8 +303,11 @@ static void turn_subgroups_general_group(const glift::HostCall& call, [[maybe_un
         // subgroups.glift:39
         const uint to_address = to_origin + address_2;
         // subgroups.glift:37
-        const uint from_value = from_data[in_range ? from_address : 0u];
-        values[local_index] = in_range ? from_value : 0u;
+        uint from_value = 0u;
+        if (in_range) {
+            from_value = from_data[from_address];
+        }
+        values[local_index] = from_value;
         // subgroups.glift:39
         if (in_range) {
             to_data[to_address] = values[local_index + 1u - 1u - 2u * 0u];

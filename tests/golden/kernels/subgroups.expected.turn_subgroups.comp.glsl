@@ -22,8 +22,11 @@ void main() {
     uint address = gl_GlobalInvocationID.y * (gl_NumWorkGroups.x * 64u) + gl_GlobalInvocationID.x;
     bool in_range = address < from_extent;
     // subgroups.glift:37
-    uint from_value = from_data[in_range ? address : 0u];
-    values[min(gl_LocalInvocationIndex, 63u)] = in_range ? from_value : 0u;
+    uint from_value = 0u;
+    if (in_range) {
+        from_value = from_data[address];
+    }
+    values[min(gl_LocalInvocationIndex, 63u)] = from_value;
     // subgroups.glift:38
     if (!fences_are_barriers) controlBarrier(gl_ScopeSubgroup, gl_ScopeSubgroup, gl_StorageSemanticsShared,
         gl_SemanticsAcquireRelease);

@@ -1,0 +1,57 @@
+// Made by gliftc from predicates.glift. Changes are lost when it is made again.
+#pragma once
+
+#include <glift/glift.h>
+#include <glift/structure.h>
+
+#include <cstddef>
+
+/// Loads of kernels with a group: under a branch where nothing but a choice needs them.
+namespace predicates {
+
+/// Array<1, uint, none, buffer>. A dense N-D array. Memory: one element an address. What lies outside is up to
+/// `edge`: by default reads give zero and
+/// writes go nowhere. Thesis section 9.1.
+class Line : public glift::Structure<Line, glift::uint, glift::uint> {
+public:
+    static constexpr const char* type_name = "Line";
+
+    Line() = default;
+    Line(const glift::Commands& commands, glift::uint extent);
+    /// Over parts that exist already.
+    Line(const glift::Commands& commands, glift::uint extent, glift::Memory data);
+
+    /// The extent of the virtual domain.
+    glift::uint domain() const;
+    glift::uint extent() const { return extent_; }
+    const glift::Memory& data() const { return data_; }
+    glift::uint data_extent() const { return data_extent_; }
+    /// True if the two were made with equal arguments.
+    bool same_state(const Line& other) const;
+
+    /// Gives every element, or those of a box, one value.
+    void fill(glift::uint value);
+    void fill(glift::uint value, const glift::Range<Line>& range);
+    /// Where an element lies in row_memory(), in elements; the address is an affine function of the virtual one.
+    std::uint64_t place(glift::uint address) const;
+    const glift::Memory& row_memory() const { return data_; }
+    /// Elements of a box to a linear buffer, and back.
+    void copy_out(const glift::Commands& commands, const glift::Range<Line>& range, const glift::Memory& box) const;
+    void copy_in(const glift::Commands& commands, const glift::Range<Line>& range, const glift::Memory& box) const;
+
+private:
+    glift::uint extent_{};
+    glift::uint data_extent_{};
+    glift::Memory data_;
+};
+
+/// `x` and what `from` has at `i` are loaded under branches; what the source chooses an address for is not, since
+/// it counts
+/// everywhere.
+void shift(const glift::Commands& commands, const glift::Range<Line>& x, const glift::Range<Line>& from, glift::uint by,
+    const glift::Range<Line>& to);
+
+/// Twice with other values otherwise: loaded anyway.
+void pick(const glift::Commands& commands, const glift::Range<Line>& x, const glift::Range<Line>& to);
+
+}  // namespace predicates
