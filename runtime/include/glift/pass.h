@@ -19,7 +19,10 @@
 
 #include <array>
 #include <cstdint>
+#include <cstring>
 #include <span>
+#include <string_view>
+#include <vector>
 
 namespace glift {
 
@@ -74,10 +77,29 @@ struct HostCall {
     StatusRecord* status = nullptr;        ///< kernels that report: never null
 };
 
+/// A module of SPIR-V in static memory: 32-bit words, or as many characters of a literal, which compilers read faster.
+class Spirv {
+public:
+    constexpr Spirv() = default;
+    template <std::size_t N> constexpr Spirv(const std::uint32_t (&words)[N]) : words_(words), count_(N) {}
+    constexpr Spirv(std::span<const std::uint32_t> words) : words_(words.data()), count_(words.size()) {}
+    constexpr Spirv(std::u32string_view words) : words_(words.data()), count_(words.size()) {}
+    constexpr bool empty() const { return count_ == 0; }
+    std::vector<std::uint32_t> words() const {
+        std::vector<std::uint32_t> copy(count_);
+        if (count_ != 0) std::memcpy(copy.data(), words_, count_ * sizeof(std::uint32_t));
+        return copy;
+    }
+
+private:
+    const void* words_ = nullptr;
+    std::size_t count_ = 0;
+};
+
 /// One compiled form of a kernel.
 struct Form {
-    std::span<const std::uint32_t> spirv = {};  ///< empty: this form does not exist on Vulkan devices
-    void (*host)(const HostCall&) = nullptr;    ///< null: this form does not exist on the host device
+    Spirv spirv = {};                         ///< empty: this form does not exist on Vulkan devices
+    void (*host)(const HostCall&) = nullptr;  ///< null: this form does not exist on the host device
     std::uint32_t parameter_bytes = 0;
     bool push_constants = false;             ///< parameters are push constants, else the storage buffer at binding 0
     std::uint32_t size_offset = 0;           ///< byte offset in the parameters of the iteration size (`rank` uints)

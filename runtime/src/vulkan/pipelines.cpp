@@ -77,7 +77,7 @@ void check_limits(const Context& context, const Kernel& kernel, const Form& form
 }
 
 void check_requirements(const Context& context, const Kernel& kernel, const Form& form) {
-    const std::string missing = lacking(form.spirv, context.properties);
+    const std::string missing = lacking(form.spirv.words(), context.properties);
     if (missing.empty()) return;
     throw Error(ErrorCode::missing_feature, "the device lacks what the kernel uses", kernel_text(kernel),
                 context.properties.name + " does not have: " + missing,
@@ -236,7 +236,7 @@ void Pipelines::make_layout(Pipeline& pipeline) {
 
 VkPipeline Pipelines::make_handle(const Pipeline& pipeline) {
     const std::vector<std::uint32_t> code =
-        with_fixed_parameters(with_float_controls(pipeline.form->spirv, context_.float_controls), pipeline.fixed);
+        with_fixed_parameters(with_float_controls(pipeline.form->spirv.words(), context_.float_controls), pipeline.fixed);
     const VkShaderModuleCreateInfo module_info = {.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
                                                   .codeSize = code.size() * sizeof(std::uint32_t),
                                                   .pCode = code.data()};
