@@ -27,6 +27,22 @@ struct FunctionKey {
     auto operator<=>(const FunctionKey&) const = default;
 };
 
+/// What an affine translator makes of an address: made once with a local in place of the address, and made again for
+/// each one.
+struct AddressForm {
+    struct Naming {
+        ExprId value;
+        Name name;
+        bool is_prefixed = false;  ///< with the name of what is translated
+    };
+    ir::Place place;
+    const ir::Stage* stage = nullptr;
+    bool is_known = false;  ///< otherwise it needs statements, or depends on more than components: each one is expanded
+    ExprId address, value, has;
+    std::vector<ExprId> nodes;  ///< that the value is made of, operands first
+    std::vector<Naming> names;
+};
+
 struct Context {
     Context(ir::Program& program, const ir::Kernel& kernel, ir::Pass& pass, Diagnostics& diagnostics, Checks checks)
         : p(program), kernel(kernel), pass(pass), diagnostics(diagnostics), checks(checks),
@@ -50,6 +66,7 @@ struct Context {
     /// Locals that no source names: made for values used more than once.
     IdSet<ir::Local> made;
     std::map<FunctionKey, ir::FunctionId> instances;
+    std::vector<std::unique_ptr<AddressForm>> address_forms;
     std::unordered_set<ir::FunctionId> made_functions;  ///< the values of instances: they may load
     std::vector<LocalId> params;                        ///< of the function whose body is being simplified
     ExprId size;                                        ///< the iteration's size

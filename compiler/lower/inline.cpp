@@ -194,7 +194,7 @@ Pair Expander::run(const std::vector<StmtId>& body) {
             Pair value = stmt.value    ? expand(stmt.value)
                          : is_optional ? of_optional(make.zero(type))
                                        : Pair{make.zero(type), {}};
-            cx.name(value.value, prefixed((*p.names)[p.locals[stmt.local].name]));
+            note_name(value.value, p.locals[stmt.local].name);
             frame_->locals[stmt.local] = value;
             break;
         }
@@ -302,7 +302,7 @@ void Expander::run_assign(const Stmt& stmt) {
     LocalId local = p.exprs[root].local;
     Pair value = expand(stmt.value);
     if (root == stmt.target) {
-        cx.name(value.value, prefixed((*p.names)[p.locals[local].name]));
+        note_name(value.value, p.locals[local].name);
         frame_->locals[local] = value;
         return;
     }
