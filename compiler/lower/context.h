@@ -67,9 +67,10 @@ struct Context {
     IdSet<ir::Local> made;
     std::map<FunctionKey, ir::FunctionId> instances;
     std::vector<std::unique_ptr<AddressForm>> address_forms;
-    std::unordered_set<ir::FunctionId> made_functions;  ///< the values of instances: they may load
-    std::vector<LocalId> params;                        ///< of the function whose body is being simplified
-    ExprId size;                                        ///< the iteration's size
+    std::map<std::vector<std::uint64_t>, ExprId> known_calls;  ///< by function and integers: unit(2)
+    std::unordered_set<ir::FunctionId> made_functions;         ///< the values of instances: they may load
+    std::vector<LocalId> params;                               ///< of the function whose body is being simplified
+    ExprId size;                                               ///< the iteration's size
     NodeMap<ExprId, bool> uniform{first_expr};
     NodeMap<ExprId, std::uint8_t> traits{first_expr};  ///< of number.h; valid once the bindings' access is settled
 

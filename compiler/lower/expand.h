@@ -82,6 +82,7 @@ private:
     // inline.cpp
     Pair expand_call(const ir::Expr& node);
     Pair expand_group_call(const ir::Expr& node);
+    ExprId known_call(const ir::Expr& node, const std::vector<Pair>& arguments);
     Pair inlined(ir::FunctionId function, std::vector<Pair> arguments, Frame frame);
     Pair run(const std::vector<StmtId>& body);
     Pair run_returning_if(const ir::Stmt& stmt, const std::vector<StmtId>& rest);

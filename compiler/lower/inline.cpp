@@ -130,6 +130,22 @@ Pair Expander::expand_group_call(const Expr& node) {
     });
 }
 
+/// The value of a call with integers that are known, which loops that are unrolled make again and again; or none.
+ExprId Expander::known_call(const Expr& node, const std::vector<Pair>& arguments) {
+    std::vector<std::uint64_t> key{node.function.index};
+    for (const Pair& argument : arguments) {
+        const Expr& constant = p.exprs[argument.value];
+        if (constant.op != Op::constant || p.types.is_floating(constant.type)) return {};
+        key.push_back(constant.bits);
+    }
+    auto [found, is_new] = cx.known_calls.try_emplace(std::move(key));
+    if (!is_new) return found->second;
+    Expr call = node;
+    for (std::size_t i = 0; i < arguments.size(); ++i) call.operands[i] = arguments[i].value;
+    if (auto value = evaluate(p, p.exprs.add(std::move(call)))) found->second = materialize(p, *value, node.span);
+    return found->second;
+}
+
 Pair Expander::expand_call(const Expr& node) {
     if (p.functions[node.function].grouped()) return expand_group_call(node);
     const Function& function = p.functions[node.function];
@@ -145,6 +161,8 @@ Pair Expander::expand_call(const Expr& node) {
     }
     bool is_optional = p.types.kind(function.result) == TypeKind::optional;
     if (holds_empty(p, function.result)) uniform = false;  // no parameter
+    if (constant && !is_optional)
+        if (ExprId known = known_call(node, arguments)) return {known, {}};
     if (constant || (uniform && !is_optional && frame_->stage == nullptr && function.extern_name.empty())) {
         Expr call = node;
         for (std::size_t i = 0; i < arguments.size(); ++i)

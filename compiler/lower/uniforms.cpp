@@ -126,10 +126,10 @@ ExprId Uniforms::closed(ExprId id) {
 }
 
 bool Uniforms::is_lifted(ExprId id) {
-    const Expr& node = cx.p.exprs[id];
-    TypeKind kind = cx.p.types.kind(node.type);
-    return is_uniform(cx, id) && !cx.make.is_constant(id) && kind != TypeKind::optional && kind != TypeKind::void_ &&
-           !holds_empty(cx.p, node.type);
+    if (!is_uniform(cx, id) || cx.make.is_constant(id)) return false;
+    const TypeId type = cx.make.type(id);
+    const TypeKind kind = cx.p.types.kind(type);
+    return kind != TypeKind::optional && kind != TypeKind::void_ && !holds_empty(cx.p, type);
 }
 
 void Uniforms::find(ExprId id) {
