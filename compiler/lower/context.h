@@ -88,7 +88,11 @@ struct Context {
 };
 
 /// Whether the value is the same for all invocations and the host can compute it before the pass runs.
-bool is_uniform(Context& cx, ExprId id);
+bool find_uniform(Context& cx, ExprId id);
+inline bool is_uniform(Context& cx, ExprId id) {
+    const bool* found = cx.uniform.find(id);
+    return found != nullptr ? *found : find_uniform(cx, id);
+}
 
 /// Whether it is a name or a number: worth no local of its own.
 bool is_trivial(const Context& cx, ExprId id);

@@ -1,6 +1,8 @@
 #include "emit/cpp/names.h"
 
+#include <algorithm>
 #include <array>
+#include <tuple>
 
 namespace gliftc::cpp {
 
@@ -113,6 +115,8 @@ constexpr auto words = std::to_array<std::string_view>({
     "xor_eq",
 });
 
+constexpr std::size_t longest_word = std::ranges::max(words, {}, &std::string_view::size).size();
+
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
@@ -131,12 +135,14 @@ bool is_type_name(std::string_view name) {
 }  // namespace
 
 bool is_reserved(std::string_view name) {
+    if (name.size() > longest_word) return false;
     static const std::unordered_set<std::string_view> reserved(words.begin(), words.end());
     return reserved.contains(name) || is_type_name(name);
 }
 
 std::string identifier(std::string_view text) {
     std::string result;
+    result.reserve(text.size() + 1);
     for (char c : text) {
         if (is_letter(c) || is_digit(c)) result += c;
         else if (!result.ends_with('_')) result += '_';
@@ -155,11 +161,12 @@ void Scopes::leave() {
 
 std::string Scopes::declare(std::string_view wanted) {
     std::string name = identifier(wanted);
-    if (used_.contains(name)) {
+    auto [place, is_new] = used_.insert(name);
+    if (!is_new) {
         const std::string stem = name.ends_with('_') ? name : name + "_";
-        for (int i = 2; used_.contains(name); ++i) name = stem + std::to_string(i);
+        for (int i = 2; !is_new; ++i) std::tie(place, is_new) = used_.insert(name = stem + std::to_string(i));
     }
-    scopes_.back().push_back(&*used_.insert(name).first);
+    scopes_.back().push_back(&*place);
     return name;
 }
 

@@ -127,7 +127,7 @@ void Collector::code(const std::vector<ir::StmtId>& body) {
     ir::for_each_statement(program, body, [&](const ir::Stmt& stmt) {
         if (stmt.local) type(program.locals[stmt.local].type, false);
     });
-    ir::for_each_expression(program, body, [&](ir::ExprId node) { expression(program.exprs[node]); });
+    ir::for_each_expression_of_trees(program, body, [&](ir::ExprId node) { expression(program.exprs[node]); });
 }
 
 void Collector::value(ir::ExprId id) {
