@@ -115,7 +115,17 @@ constexpr auto words = std::to_array<std::string_view>({
     "xor_eq",
 });
 
-constexpr std::size_t longest_word = std::ranges::max(words, {}, &std::string_view::size).size();
+/// How long the words are that begin with each character, a bit a length: most names are told from words by it.
+constexpr auto lengths_of_words = [] {
+    std::array<std::uint32_t, 128> lengths{};
+    for (std::string_view word : words) lengths[static_cast<unsigned char>(word[0])] |= 1u << word.size();
+    return lengths;
+}();
+
+bool may_be_word(std::string_view name) {
+    if (name.empty() || name.size() > 31 || static_cast<unsigned char>(name[0]) > 127) return false;
+    return lengths_of_words[static_cast<unsigned char>(name[0])] >> name.size() & 1;
+}
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -132,12 +142,12 @@ bool is_type_name(std::string_view name) {
     return false;
 }
 
+static_assert(std::ranges::is_sorted(words));
+
 }  // namespace
 
 bool is_reserved(std::string_view name) {
-    if (name.size() > longest_word) return false;
-    static const std::unordered_set<std::string_view> reserved(words.begin(), words.end());
-    return reserved.contains(name) || is_type_name(name);
+    return (may_be_word(name) && std::ranges::binary_search(words, name)) || is_type_name(name);
 }
 
 std::string identifier(std::string_view text) {
