@@ -1,4 +1,5 @@
 // gliftc: reads the command line, runs the command.
+#include "base/allocation.h"
 #include "driver/command_line.h"
 #include "driver/commands.h"
 
@@ -30,6 +31,7 @@ int internal_error(const char* what) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    gliftc::take_memory_in_large_pieces();
     int code = 0;
     try {
         auto read = gliftc::read_command_line(argc, argv);

@@ -80,15 +80,8 @@ public:
         return made;
     }
 
-    Id<T> add(const T& value) { return add(T(value)); }
-    Id<T> add(T&& value) {
-        if (size_ >> shift == blocks_.size()) {
-            own_.push_back(std::make_unique_for_overwrite<Block>());
-            blocks_.push_back(own_.back().get());
-        }
-        new (place(size_)) T(std::move(value));
-        return {size_++};
-    }
+    Id<T> add(const T& value) { return emplace(value); }
+    Id<T> add(T&& value) { return emplace(std::move(value)); }
     /// Fills the last block, so that what is added next begins one.
     void fill_block() {
         while (size_ & mask) add(T());
@@ -122,6 +115,15 @@ public:
     auto end() const { return Iterator<const Arena, const T>(this, size_); }
 
 private:
+    template <class Value> Id<T> emplace(Value&& value) {
+        if (size_ >> shift == blocks_.size()) {
+            own_.push_back(std::make_unique_for_overwrite<Block>());
+            blocks_.push_back(own_.back().get());
+        }
+        new (place(size_)) T(std::forward<Value>(value));
+        return {size_++};
+    }
+
     struct Block {
         alignas(T) std::byte bytes[sizeof(T) * block_size];
     };

@@ -4,7 +4,7 @@
 
 namespace gliftc::ir {
 
-bool is_empty(const Program& program, TypeId id) {
+bool is_empty_whole(const Program& program, TypeId id) {
     const Type& type = program.types[id];
     if (type.kind == TypeKind::array) return is_empty(program, type.element);
     if (type.kind != TypeKind::struct_) return false;
@@ -13,7 +13,7 @@ bool is_empty(const Program& program, TypeId id) {
                        [&](const StructField& field) { return is_empty(program, field.type); });
 }
 
-bool holds_empty(const Program& program, TypeId id) {
+bool has_empty_part(const Program& program, TypeId id) {
     const Type& type = program.types[id];
     if (type.kind == TypeKind::array || type.kind == TypeKind::optional) return holds_empty(program, type.element);
     if (type.kind != TypeKind::struct_) return false;

@@ -6,9 +6,22 @@
 
 namespace gliftc::ir {
 
-bool is_empty(const Program&, TypeId);
+/// Whether it is made of other types, of which any may be empty; asked of every expression.
+inline bool may_be_empty(const Program& program, TypeId id) {
+    const TypeKind kind = program.types.kind(id);
+    return kind == TypeKind::struct_ || kind == TypeKind::array || kind == TypeKind::optional;
+}
+
+bool is_empty_whole(const Program&, TypeId);
+bool has_empty_part(const Program&, TypeId);
+
+inline bool is_empty(const Program& program, TypeId id) {
+    return may_be_empty(program, id) && is_empty_whole(program, id);
+}
 
 /// Whether the type is empty or has an empty part.
-bool holds_empty(const Program&, TypeId);
+inline bool holds_empty(const Program& program, TypeId id) {
+    return may_be_empty(program, id) && has_empty_part(program, id);
+}
 
 }  // namespace gliftc::ir

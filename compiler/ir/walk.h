@@ -61,4 +61,20 @@ void for_each_expression(const Program& program, const std::vector<StmtId>& body
     });
 }
 
+namespace detail {
+template <class Visit> void walk_tree(const Program& program, ExprId id, Visit& visit) {
+    visit(id);
+    for (ExprId operand : program.exprs[id].operands) walk_tree(program, operand, visit);
+}
+}  // namespace detail
+
+/// The same where expressions are trees, as they are once they are lowered: nodes that stand in two places are visited
+/// twice, and none has to be remembered.
+template <class Visit>
+void for_each_expression_of_trees(const Program& program, const std::vector<StmtId>& body, Visit&& visit) {
+    for_each_statement(program, body, [&](const Stmt& stmt) {
+        for_each_root(stmt, [&](ExprId id) { detail::walk_tree(program, id, visit); });
+    });
+}
+
 }  // namespace gliftc::ir

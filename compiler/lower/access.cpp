@@ -216,6 +216,7 @@ std::string offset_name(const std::vector<std::int64_t>& offset) {
 /// Interior bodies are made for the domain of the first near structure: others must share it.
 void Expander::note_near_guard(std::uint32_t root) {
     has_near_guards = true;
+    if (near_root == root) return;
     if (near_root) {
         near_domains_agree = near_domains_agree && numbers_.of(near_domain) == numbers_.of(domain_of({root, {}}));
         return;

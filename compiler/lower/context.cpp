@@ -64,7 +64,7 @@ std::string Context::name_of(const Place& place) const {
 
 namespace {
 
-bool find_uniform(Context& cx, const Expr& node) {
+bool is_uniform_node(Context& cx, const Expr& node) {
     switch (node.op) {
     case Op::constant:
     case Op::none:
@@ -126,9 +126,8 @@ bool find_uniform(Context& cx, const Expr& node) {
 
 }  // namespace
 
-bool is_uniform(Context& cx, ExprId id) {
-    if (const bool* found = cx.uniform.find(id)) return *found;
-    bool result = find_uniform(cx, cx.p.exprs[id]);
+bool find_uniform(Context& cx, ExprId id) {
+    const bool result = is_uniform_node(cx, cx.p.exprs[id]);
     cx.uniform.emplace(id, result);
     return result;
 }

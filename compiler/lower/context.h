@@ -27,6 +27,22 @@ struct FunctionKey {
     auto operator<=>(const FunctionKey&) const = default;
 };
 
+/// What an affine translator makes of an address: made once with a local in place of the address, and made again for
+/// each one.
+struct AddressForm {
+    struct Naming {
+        ExprId value;
+        Name name;
+        bool is_prefixed = false;  ///< with the name of what is translated
+    };
+    ir::Place place;
+    const ir::Stage* stage = nullptr;
+    bool is_known = false;  ///< otherwise it needs statements, or depends on more than components: each one is expanded
+    ExprId address, value, has;
+    std::vector<ExprId> nodes;  ///< that the value is made of, operands first
+    std::vector<Naming> names;
+};
+
 struct Context {
     Context(ir::Program& program, const ir::Kernel& kernel, ir::Pass& pass, Diagnostics& diagnostics, Checks checks)
         : p(program), kernel(kernel), pass(pass), diagnostics(diagnostics), checks(checks),
@@ -50,9 +66,11 @@ struct Context {
     /// Locals that no source names: made for values used more than once.
     IdSet<ir::Local> made;
     std::map<FunctionKey, ir::FunctionId> instances;
-    std::unordered_set<ir::FunctionId> made_functions;  ///< the values of instances: they may load
-    std::vector<LocalId> params;                        ///< of the function whose body is being simplified
-    ExprId size;                                        ///< the iteration's size
+    std::vector<std::unique_ptr<AddressForm>> address_forms;
+    std::map<std::vector<std::uint64_t>, ExprId> known_calls;  ///< by function and integers: unit(2)
+    std::unordered_set<ir::FunctionId> made_functions;         ///< the values of instances: they may load
+    std::vector<LocalId> params;                               ///< of the function whose body is being simplified
+    ExprId size;                                               ///< the iteration's size
     NodeMap<ExprId, bool> uniform{first_expr};
     NodeMap<ExprId, std::uint8_t> traits{first_expr};  ///< of number.h; valid once the bindings' access is settled
 
@@ -70,7 +88,11 @@ struct Context {
 };
 
 /// Whether the value is the same for all invocations and the host can compute it before the pass runs.
-bool is_uniform(Context& cx, ExprId id);
+bool find_uniform(Context& cx, ExprId id);
+inline bool is_uniform(Context& cx, ExprId id) {
+    const bool* found = cx.uniform.find(id);
+    return found != nullptr ? *found : find_uniform(cx, id);
+}
 
 /// Whether it is a name or a number: worth no local of its own.
 bool is_trivial(const Context& cx, ExprId id);

@@ -20,15 +20,16 @@ bool has_effect(const Program& p, ExprId id) {
     return effect;
 }
 
+void use(const Program& p, ExprId id, IdSet<Local>& used) {
+    const Expr& node = p.exprs[id];
+    if (node.op == Op::local) used.insert(node.local);
+    for (ExprId operand : node.operands) use(p, operand, used);
+}
+
 /// Backwards, so that what only a dropped let used is dropped too.
 std::vector<StmtId> kept(Context& cx, const std::vector<StmtId>& body, IdSet<Local>& used) {
     std::vector<StmtId> result;
     result.reserve(body.size());
-    auto use = [&](ExprId root) {
-        for_each_node(cx.p, root, [&](ExprId part) {
-            if (cx.p.exprs[part].op == Op::local) used.insert(cx.p.exprs[part].local);
-        });
-    };
     for (std::size_t i = body.size(); i-- > 0;) {
         const Stmt& stmt = cx.p.stmts[body[i]];
         if (stmt.op == StmtOp::if_ && stmt.otherwise.empty() && cx.make.is_false(stmt.value)) continue;
@@ -46,7 +47,7 @@ std::vector<StmtId> kept(Context& cx, const std::vector<StmtId>& body, IdSet<Loc
         if ((stmt.op == StmtOp::if_ || stmt.op == StmtOp::block) && is_empty &&
             !(stmt.value && has_effect(cx.p, stmt.value)))
             continue;
-        for_each_root(stmt, use);
+        for_each_root(stmt, [&](ExprId root) { use(cx.p, root, used); });
         result.push_back(cx.make.again(body[i], std::move(parts)));
     }
     std::reverse(result.begin(), result.end());
@@ -59,9 +60,7 @@ void use_in_loops(const Program& p, const std::vector<StmtId>& body, IdSet<Local
         if (stmt.op != StmtOp::for_ && stmt.op != StmtOp::while_) return;
         for_each_statement(p, stmt.body, [&](const Stmt& inner) {
             if (inner.op != StmtOp::assign) return;
-            for_each_node(p, inner.target, [&](ExprId part) {
-                if (p.exprs[part].op == Op::local) used.insert(p.exprs[part].local);
-            });
+            use(p, inner.target, used);
         });
     });
 }

@@ -82,6 +82,7 @@ private:
     // inline.cpp
     Pair expand_call(const ir::Expr& node);
     Pair expand_group_call(const ir::Expr& node);
+    ExprId known_call(const ir::Expr& node, const std::vector<Pair>& arguments);
     Pair inlined(ir::FunctionId function, std::vector<Pair> arguments, Frame frame);
     Pair run(const std::vector<StmtId>& body);
     Pair run_returning_if(const ir::Stmt& stmt, const std::vector<StmtId>& rest);
@@ -106,8 +107,17 @@ private:
     Current enter_window(ir::Function& made);
     void leave_window(ir::Function& made, Current outer);
 
+    // address_form.cpp
+    Pair through_form(const ir::Place& place, const ir::Stage& stage, ExprId address, const std::string& name);
+    const AddressForm& form_of(const ir::Place& place, const ir::Stage& stage);
+    void find_form(AddressForm& form);
+    bool collect_nodes(AddressForm& form, ExprId first);
+    Pair made_again(const AddressForm& form, ExprId address, const std::string& name);
+    bool varies_in_all(ExprId address);
+
     // translate.cpp
     Pair translated(const ir::Place& place, ExprId address, const std::string& name);
+    Pair expanded(const ir::Place& place, const ir::Stage& stage, ExprId address, const std::string& name);
     Pair centre(std::uint32_t root);            ///< physical address of the current element
     ExprId centre_address(std::uint32_t root);  ///< its virtual address
     ExprId domain_of(const ir::Place& place);
@@ -189,6 +199,7 @@ private:
     ir::Place canonical(const ir::Place& place) const;  ///< of what parameters of one structure share
     std::uint32_t canonical_root(std::uint32_t root) const;
     ExprId named(const std::string& name, ExprId value);  ///< a let, unless trivial
+    void note_name(ExprId value, Name name);              ///< which the source gives it
     LocalId let(const std::string& name, ExprId value, Span span);
     LocalId variable(const std::string& name, TypeId type, ExprId value);
     void assign(LocalId local, ExprId value);
@@ -225,6 +236,8 @@ private:
     std::unordered_map<ir::FunctionId, bool> inlinable_;
     std::unordered_map<ir::FunctionId, bool> windows_;
     std::unordered_map<StmtId, bool> returning_;
+    std::vector<AddressForm::Naming>* namings_ = nullptr;  ///< of the form that is being found
+    std::vector<ExprId> made_again_;                       ///< for each node of a form
     unsigned depth_ = 0;
     unsigned within_ = 0;  ///< translators and views around what is being expanded
 };

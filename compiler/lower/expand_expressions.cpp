@@ -40,6 +40,11 @@ ExprId Expander::named(const std::string& name, ExprId value) {
     return make.local(let(name, value, span_));
 }
 
+void Expander::note_name(ExprId value, Name name) {
+    if (namings_ != nullptr) namings_->push_back({value, name, !frame_->prefix.empty()});
+    else cx.name(value, prefixed((*p.names)[name]));
+}
+
 LocalId Expander::variable(const std::string& name, TypeId type, ExprId value) {
     LocalId local = cx.new_local(name, type, span_, true);
     Stmt stmt = statement(StmtOp::let, span_);

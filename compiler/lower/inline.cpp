@@ -130,6 +130,22 @@ Pair Expander::expand_group_call(const Expr& node) {
     });
 }
 
+/// The value of a call with integers that are known, which loops that are unrolled make again and again; or none.
+ExprId Expander::known_call(const Expr& node, const std::vector<Pair>& arguments) {
+    std::vector<std::uint64_t> key{node.function.index};
+    for (const Pair& argument : arguments) {
+        const Expr& constant = p.exprs[argument.value];
+        if (constant.op != Op::constant || p.types.is_floating(constant.type)) return {};
+        key.push_back(constant.bits);
+    }
+    auto [found, is_new] = cx.known_calls.try_emplace(std::move(key));
+    if (!is_new) return found->second;
+    Expr call = node;
+    for (std::size_t i = 0; i < arguments.size(); ++i) call.operands[i] = arguments[i].value;
+    if (auto value = evaluate(p, p.exprs.add(std::move(call)))) found->second = materialize(p, *value, node.span);
+    return found->second;
+}
+
 Pair Expander::expand_call(const Expr& node) {
     if (p.functions[node.function].grouped()) return expand_group_call(node);
     const Function& function = p.functions[node.function];
@@ -145,6 +161,8 @@ Pair Expander::expand_call(const Expr& node) {
     }
     bool is_optional = p.types.kind(function.result) == TypeKind::optional;
     if (holds_empty(p, function.result)) uniform = false;  // no parameter
+    if (constant && !is_optional)
+        if (ExprId known = known_call(node, arguments)) return {known, {}};
     if (constant || (uniform && !is_optional && frame_->stage == nullptr && function.extern_name.empty())) {
         Expr call = node;
         for (std::size_t i = 0; i < arguments.size(); ++i)
@@ -194,7 +212,7 @@ Pair Expander::run(const std::vector<StmtId>& body) {
             Pair value = stmt.value    ? expand(stmt.value)
                          : is_optional ? of_optional(make.zero(type))
                                        : Pair{make.zero(type), {}};
-            cx.name(value.value, prefixed((*p.names)[p.locals[stmt.local].name]));
+            note_name(value.value, p.locals[stmt.local].name);
             frame_->locals[stmt.local] = value;
             break;
         }
@@ -302,7 +320,7 @@ void Expander::run_assign(const Stmt& stmt) {
     LocalId local = p.exprs[root].local;
     Pair value = expand(stmt.value);
     if (root == stmt.target) {
-        cx.name(value.value, prefixed((*p.names)[p.locals[local].name]));
+        note_name(value.value, p.locals[local].name);
         frame_->locals[local] = value;
         return;
     }

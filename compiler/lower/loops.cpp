@@ -166,7 +166,7 @@ bool rounds_freely(Format format) { return format == Format::r8 || format == For
 
 /// Callees before callers.
 void add_functions(Context& cx, const std::vector<StmtId>& body) {
-    for_each_expression(cx.p, body, [&](ExprId id) {
+    for_each_expression_of_trees(cx.p, body, [&](ExprId id) {
         const Expr& node = cx.p.exprs[id];
         if (node.op == Op::intrinsic && exactness_of(node.intrinsic) == Exactness::inexact) cx.pass.exact = false;
         if (node.op == Op::image_sample && cx.pass.bindings[node.slot].linear) cx.pass.exact = false;

@@ -1,5 +1,6 @@
 #include "lower/make.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace gliftc::lower {
@@ -119,7 +120,9 @@ ExprId Make::component(ExprId vector, std::uint32_t lane) {
     node.span = p.exprs[vector].span;
     node.lanes[0] = static_cast<std::uint8_t>(lane);
     node.operands = {vector};
-    return folded(std::move(node));
+    const bool is_known = is_constant(vector);
+    const ExprId id = make(std::move(node));
+    return is_known ? computed(id) : id;
 }
 
 ExprId Make::index(ExprId whole, ExprId at) {
@@ -275,11 +278,14 @@ std::optional<ExprId> Make::simpler_component(ExprId vector, std::uint32_t lane)
     return again(scalar, std::move(parts));
 }
 
-ExprId Make::folded(Expr&& node) {
-    bool constant = !node.operands.empty() && node.op != Op::call && node.op != Op::construct;
-    for (ExprId operand : node.operands) constant = constant && is_constant(operand);
-    ExprId id = make(std::move(node));
-    if (!constant) return id;
+/// Whether an operation on these may be computed.
+bool Make::is_foldable(const Expr& node, const Operands& operands) const {
+    if (operands.empty() || node.op == Op::call || node.op == Op::construct) return false;
+    return std::all_of(operands.begin(), operands.end(), [&](ExprId operand) { return is_constant(operand); });
+}
+
+/// The value, where it is finite.
+ExprId Make::computed(ExprId id) {
     auto value = evaluate(p, id);
     if (!value || !is_finite(*value)) return id;
     return materialize(p, *value, p.exprs[id].span);
@@ -376,9 +382,10 @@ ExprId Make::again(const Expr& node, Operands operands) {
 }
 
 ExprId Make::with_operands(const Expr& node, Operands operands) {
-    Expr made = node;
-    made.operands = std::move(operands);
-    return folded(std::move(made));
+    const bool is_known = is_foldable(node, operands);
+    const ExprId id = p.exprs.add(node);
+    p.exprs[id].operands = std::move(operands);
+    return is_known ? computed(id) : id;
 }
 
 StmtId Make::again(StmtId id, Parts parts) {

@@ -66,7 +66,8 @@ public:
 
 private:
     ExprId make(ir::Expr&& node) { return p.exprs.add(std::move(node)); }
-    ExprId folded(ir::Expr&& node);
+    bool is_foldable(const ir::Expr& node, const Operands& operands) const;
+    ExprId computed(ExprId id);
     ExprId with_operands(const ir::Expr& node, Operands operands);
     std::optional<ExprId> simpler_binary(const ir::Expr& node, ExprId a, ExprId b);
     std::optional<ExprId> constant_binary(const ir::Expr& node, ExprId left, ExprId right);

@@ -47,15 +47,10 @@ ShapeKey Numbers::shape_of(const Expr& node) const {
         key.mix(node.bits);
         key.mix(std::bit_cast<std::uint64_t>(node.number));
         break;
-    case Op::local:
-        key.mix(node.local.index);
-        key.mix(version_of(node.local));
-        break;
+    case Op::local: key.mix(std::uint64_t{version_of(node.local)} << 32 | node.local.index); break;
     case Op::unary: key.mix(static_cast<std::uint64_t>(node.unary)); break;
     case Op::binary: key.mix(static_cast<std::uint64_t>(node.binary)); break;
-    case Op::swizzle:
-        for (std::uint8_t lane : node.lanes) key.mix(lane);
-        break;
+    case Op::swizzle: key.mix(std::bit_cast<std::uint32_t>(node.lanes)); break;
     case Op::field:
     case Op::parameter: key.mix(node.slot); break;
     case Op::call: key.mix(node.function.index); break;
@@ -85,13 +80,14 @@ ValueNumber Numbers::of(ExprId id) {
     if (node.op == Op::local) {
         if (const ValueNumber* found = locals_.find(node.local)) return *found;
     }
+    const std::uint8_t traits = traits_of(id);
     ShapeKey key = shape_of(node);
-    if (has_effect(cx.pass, node)) key.mix(++next_ + (std::uint64_t{1} << 32));
+    if ((traits & impure) && has_effect(cx.pass, node)) key.mix(++next_ + (std::uint64_t{1} << 32));
     for (ExprId operand : node.operands) key.mix(of(operand));
     ValueNumber& number = memory_->number_of(key);
     if (number == 0) number = ++next_;
     // What has an effect is another value each time.
-    if (is_pure(id)) memory_->learn(id, number, is_fixed(id));
+    if (!(traits & impure)) memory_->learn(id, number, !(traits & changes));
     return number;
 }
 

@@ -16,9 +16,11 @@ std::strong_ordering order(const Term& a, const Term& b) {
                                                   b.product.end());
 }
 
+using Memory = std::pmr::memory_resource;
+
 /// a + factor * b.
-Polynomial scaled_sum(const Polynomial& a, const Polynomial& b, std::uint32_t factor) {
-    Polynomial result;
+Polynomial scaled_sum(const Polynomial& a, const Polynomial& b, std::uint32_t factor, Memory* memory) {
+    Polynomial result(memory);
     result.reserve(a.size() + b.size());
     auto x = a.begin(), y = b.begin();
     const auto add_scaled = [&](const Term& term, std::uint32_t before) {
@@ -35,11 +37,11 @@ Polynomial scaled_sum(const Polynomial& a, const Polynomial& b, std::uint32_t fa
     return result;
 }
 
-Polynomial product_of(const Polynomial& a, const Polynomial& b) {
-    if (a.size() == 1 && a[0].product.empty()) return scaled_sum({}, b, a[0].factor);
-    Polynomial result;
+Polynomial product_of(const Polynomial& a, const Polynomial& b, Memory* memory) {
+    if (a.size() == 1 && a[0].product.empty()) return scaled_sum({}, b, a[0].factor, memory);
+    Polynomial result(memory);
     for (const Term& left : a) {
-        Polynomial row;
+        Polynomial row(memory);
         row.reserve(b.size());
         for (const Term& right : b) {
             Term both{left.product, left.factor * right.factor};
@@ -48,7 +50,7 @@ Polynomial product_of(const Polynomial& a, const Polynomial& b) {
             if (both.factor != 0) row.push_back(std::move(both));
         }
         std::sort(row.begin(), row.end(), [](const Term& x, const Term& y) { return order(x, y) < 0; });
-        result = result.empty() ? std::move(row) : scaled_sum(result, row, 1);
+        result = result.empty() ? std::move(row) : scaled_sum(result, row, 1, memory);
     }
     return result;
 }
@@ -78,7 +80,7 @@ const Polynomial* Polynomials::of(ExprId id) {
     const Polynomial* result = nullptr;
     if (ExprId sum = definition(cx.p.exprs[id])) {
         result = of(sum);
-    } else if (Polynomial made; find(id, made) && made.size() <= term_limit) {
+    } else if (Polynomial made(&memory_); find(id, made) && made.size() <= term_limit) {
         result = &made_.emplace_back(std::move(made));
     }
     known_.emplace(id, result);
@@ -101,18 +103,18 @@ bool Polynomials::find(ExprId id, Polynomial& result) {
     }
     const Polynomial* a = of(node.operands[0]);
     if (is_shift) {
-        if (a != nullptr) result = scaled_sum({}, *a, 1u << *cx.make.bits_of(node.operands[1]));
+        if (a != nullptr) result = scaled_sum({}, *a, 1u << *cx.make.bits_of(node.operands[1]), &memory_);
         return a != nullptr;
     }
     const Polynomial* b = of(node.operands[1]);
     if (a == nullptr || b == nullptr || (is_product && a->size() * b->size() > term_limit)) return false;
-    if (is_product) result = product_of(*a, *b);
-    else result = scaled_sum(*a, *b, node.binary == BinaryOp::add ? 1u : ~0u);
+    if (is_product) result = product_of(*a, *b, &memory_);
+    else result = scaled_sum(*a, *b, node.binary == BinaryOp::add ? 1u : ~0u, &memory_);
     return true;
 }
 
-Polynomial Polynomials::varying(const Polynomial& polynomial) const {
-    Polynomial result;
+Polynomial Polynomials::varying(const Polynomial& polynomial) {
+    Polynomial result(&memory_);
     result.reserve(polynomial.size());
     for (const Term& term : polynomial)
         if (std::any_of(term.product.begin(), term.product.end(),
@@ -122,7 +124,7 @@ Polynomial Polynomials::varying(const Polynomial& polynomial) const {
 }
 
 Polynomials::Difference Polynomials::difference(const Polynomial& a, const Polynomial& b) {
-    Difference result{scaled_sum(a, b, ~0u)};
+    Difference result{scaled_sum(a, b, ~0u, &memory_)};
     auto is_minus = [](const Term& term) { return term.factor > 0x80000000u; };
     result.is_negative = !result.terms.empty() && std::all_of(result.terms.begin(), result.terms.end(), is_minus);
     for (Term& term : result.terms) {

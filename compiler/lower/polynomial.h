@@ -4,6 +4,7 @@
 #include "lower/number.h"
 
 #include <deque>
+#include <memory_resource>
 #include <vector>
 
 namespace gliftc::lower {
@@ -15,8 +16,9 @@ struct Term {
     bool operator==(const Term&) const = default;
 };
 
-/// In the order of the products, each once; factors are never zero.
-using Polynomial = std::vector<Term>;
+/// In the order of the products, each once; factors are never zero. There are hundreds of them a pass, which all go
+/// with the Polynomials that made them.
+using Polynomial = std::pmr::vector<Term>;
 
 class Polynomials {
 public:
@@ -26,7 +28,7 @@ public:
     const Polynomial* of(ExprId id);
 
     /// The terms that depend on the invocation; two values with the same ones differ by a uniform amount.
-    Polynomial varying(const Polynomial& polynomial) const;
+    Polynomial varying(const Polynomial& polynomial);
 
     /// a - b, or b - a where that is better subtracted than added.
     struct Difference {
@@ -34,7 +36,7 @@ public:
         bool is_negative = false;
         unsigned operations = 0;
     };
-    static Difference difference(const Polynomial& a, const Polynomial& b);
+    Difference difference(const Polynomial& a, const Polynomial& b);
 
     /// The sum as an expression; absent: zero.
     ExprId expression(const Polynomial& polynomial);
@@ -46,6 +48,7 @@ private:
 
     Context& cx;
     Numbers& numbers_;
+    std::pmr::monotonic_buffer_resource memory_;
     FlatMap<ValueNumber, ExprId> atoms_;
     FlatMap<ValueNumber, bool> uniform_;
     NodeMap<ExprId, const Polynomial*> known_{cx.first_expr};

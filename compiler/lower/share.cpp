@@ -4,7 +4,7 @@
 #include "lower/number.h"
 
 #include <algorithm>
-#include <optional>
+#include <utility>
 
 namespace gliftc::lower {
 
@@ -20,309 +20,359 @@ struct Record {
     bool is_let = false;  ///< the source gives it a local
 };
 
-/// Walks a body twice in the same way: first counting, then rewriting. Records are told apart by the order in which
-/// they are made, which is the same in both walks.
-class Sharing {
+/// What becomes of a value that a walk comes to.
+struct Decision {
+    enum Kind : std::uint8_t {
+        operands,  // it stays, but for what it is made of
+        truth,     // it is a condition that is decided: `number` says how
+        first,     // record `number` begins here
+        repeated,  // record `number` has it already
+        renamed,   // of a let: another local has it already
+        any,       // of a let: its value is decided about as any other
+    };
+    Kind kind = operands;
+    std::uint32_t number = 0;
+};
+
+struct Plan {
+    std::vector<Record> records;
+    std::vector<Decision> decisions;  ///< in the order of the walk
+};
+
+/// Whether the first operand is a place, not its value.
+bool names_place(const Expr& node) { return node.op == Op::intrinsic && signature_of(node.intrinsic)[0] == '@'; }
+
+/// Walks a body and decides.
+class Counting {
 public:
-    Sharing(Context& context, Numbers& numbers, std::vector<Record>& records, const std::vector<ExprId>& facts,
-            bool rewrites)
-        : cx(context), numbers_(numbers), records_(records), rewrites_(rewrites) {
+    Counting(Context& context, const std::vector<ExprId>& facts, Plan& plan)
+        : cx(context), numbers_(context), plan_(plan) {
         undo_.reserve(64);
         available_.reserve(256);
-        for (ExprId fact : facts) known_.emplace(numbers_.of(fact), true);
+        for (ExprId fact : facts) assume(numbers_.of(fact), true);
     }
+
+    void run(const std::vector<StmtId>& body) {
+        const std::size_t outer = undo_.size();
+        for (StmtId id : body) statement_(id);
+        for (; undo_.size() > outer; undo_.pop_back()) available_[undo_.back().first] = undo_.back().second;
+    }
+
+private:
+    enum class Where { before, conditional, loop_condition };
+
+    void statement_(StmtId id);
+    void let_(const Stmt& stmt);
+    void loop_(const Stmt& stmt);
+    void visit(ExprId id, Where where);
+    void visit_operands(const Expr& node, Where where);
+    void visit_target(ExprId id);
+    void begin_record(ValueNumber number);
+    std::uint32_t& available(ValueNumber number) {
+        if (number >= available_.size())
+            available_.resize(std::max<std::size_t>(number + 1, available_.size() * 2), none);
+        return available_[number];
+    }
+    void decide(Decision::Kind kind, std::uint32_t number = 0) { plan_.decisions.push_back({kind, number}); }
+    void run_knowing(const std::vector<StmtId>& body, ExprId condition, bool holds);
+    bool assume(ValueNumber number, bool holds);
+    const bool* known(ExprId id, const Expr& node);
+    bool is_leaf(ExprId id, const Expr& node);
+    Name name_in_source(ExprId id) const;
+
+    Context& cx;
+    Numbers numbers_;
+    Plan& plan_;
+    static constexpr std::uint32_t none = 0xffffffffu;
+    std::vector<std::uint32_t> available_;  ///< the record of each number in scope, or none
+    std::vector<std::pair<ValueNumber, std::uint32_t>> undo_;
+    std::vector<std::pair<ValueNumber, bool>> known_;  ///< conditions that are decided here
+};
+
+void Counting::begin_record(ValueNumber number) {
+    const auto record = static_cast<std::uint32_t>(plan_.records.size());
+    plan_.records.emplace_back().uses = 1;
+    undo_.emplace_back(number, available(number));
+    available_[number] = record;
+    decide(Decision::first, record);
+}
+
+/// What is as short as a name.
+bool Counting::is_leaf(ExprId id, const Expr& node) {
+    if (node.op == Op::local || is_trivial(cx, id)) return true;
+    if (node.op == Op::swizzle || node.op == Op::field) return is_leaf(node.operands[0], cx.p.exprs[node.operands[0]]);
+    // Uniform values become parameters.
+    return is_uniform(cx, id);
+}
+
+Name Counting::name_in_source(ExprId id) const {
+    const Name* found = cx.names.find(id);
+    return found == nullptr ? Name{} : *found;
+}
+
+/// Whether it was not known.
+bool Counting::assume(ValueNumber number, bool holds) {
+    for (const auto& [known, value] : known_)
+        if (known == number) return false;
+    known_.emplace_back(number, holds);
+    return true;
+}
+
+/// A body where the condition is known. What may change within the body is not.
+void Counting::run_knowing(const std::vector<StmtId>& body, ExprId condition, bool holds) {
+    if (body.empty()) return;
+    const bool is_new =
+        numbers_.is_fixed(condition) && !cx.make.is_constant(condition) && assume(numbers_.of(condition), holds);
+    run(body);
+    if (is_new) known_.pop_back();
+}
+
+const bool* Counting::known(ExprId id, const Expr& node) {
+    if (node.type != cx.p.types.bool_ || known_.empty() || node.op == Op::constant || !numbers_.is_fixed(id))
+        return nullptr;
+    const ValueNumber number = numbers_.of(id);
+    for (const auto& [known, holds] : known_)
+        if (known == number) return &holds;
+    return nullptr;
+}
+
+void Counting::visit(ExprId id, Where where) {
+    const Expr& node = cx.p.exprs[id];
+    if (const bool* holds = known(id, node)) return decide(Decision::truth, *holds);
+    const bool is_plain =
+        is_leaf(id, node) || !numbers_.is_pure(id) || (where != Where::before && numbers_.has_load(id));
+    if (!is_plain) {
+        const ValueNumber number = numbers_.of(id);
+        if (const std::uint32_t found = available(number); found != none) {
+            ++plan_.records[found].uses;
+            return decide(Decision::repeated, found);
+        }
+        if (where != Where::loop_condition) {
+            begin_record(number);
+            plan_.records.back().name = name_in_source(id);
+            return visit_operands(node, where);
+        }
+    }
+    decide(Decision::operands);
+    visit_operands(node, where);
+}
+
+void Counting::visit_operands(const Expr& node, Where where) {
+    const Where then = where == Where::before ? Where::conditional : where;
+    const bool is_logical =
+        node.op == Op::binary && (node.binary == BinaryOp::logical_and || node.binary == BinaryOp::logical_or);
+    for (std::size_t i = 0; i < node.operands.size(); ++i) {
+        const bool may_skip = i > 0 && (node.op == Op::select || is_logical);
+        if (i == 0 && names_place(node)) visit_target(node.operands[0]);
+        else visit(node.operands[i], may_skip ? then : where);
+    }
+}
+
+void Counting::visit_target(ExprId id) {
+    const Expr& node = cx.p.exprs[id];
+    if (node.op == Op::local) return;
+    if (node.op == Op::load) visit(node.operands[0], Where::before);
+    else visit_target(node.operands[0]);
+    if (node.op == Op::index) visit(node.operands[1], Where::before);
+}
+
+/// A let that repeats an earlier value is dropped; otherwise it is the value's name from here on.
+void Counting::let_(const Stmt& stmt) {
+    const Local& local = cx.p.locals[stmt.local];
+    if (!stmt.value || local.is_mutable || !numbers_.is_pure(stmt.value)) {
+        decide(Decision::any);
+        if (stmt.value) visit(stmt.value, Where::before);
+        return;
+    }
+    const Expr& value = cx.p.exprs[stmt.value];
+    const ValueNumber number = numbers_.of(stmt.value);
+    if (const bool* holds = known(stmt.value, value)) {
+        decide(Decision::truth, *holds);
+    } else if (value.op == Op::local && !cx.p.locals[value.local].is_mutable) {
+        decide(Decision::renamed);
+    } else if (const std::uint32_t found = available(number); found != none) {
+        Record& record = plan_.records[found];
+        ++record.uses;
+        if (!record.is_let) record.name = local.name, record.is_let = true;
+        decide(Decision::repeated, found);
+    } else if (is_leaf(stmt.value, value)) {
+        decide(Decision::operands);
+        numbers_.define(stmt.local, number);
+        return visit_operands(value, Where::before);
+    } else {
+        begin_record(number);
+        plan_.records.back().is_let = true;
+        visit_operands(value, Where::before);
+    }
+    numbers_.define(stmt.local, number);
+}
+
+void Counting::loop_(const Stmt& stmt) {
+    if (stmt.op == StmtOp::for_) {
+        visit(stmt.value, Where::before);
+        visit(stmt.limit, Where::before);
+        numbers_.change_all(stmt.body);
+    } else {
+        numbers_.change_all(stmt.body);
+        visit(stmt.value, Where::loop_condition);
+    }
+    run(stmt.body);
+    numbers_.change_all(stmt.body);
+}
+
+void Counting::statement_(StmtId id) {
+    const Stmt& stmt = cx.p.stmts[id];
+    if (stmt.op == StmtOp::let) return let_(stmt);
+    if (stmt.op == StmtOp::for_ || stmt.op == StmtOp::while_) return loop_(stmt);
+    // Expressions first, then what is inside, then what changes.
+    if (stmt.value) visit(stmt.value, Where::before);
+    if (stmt.target && stmt.op == StmtOp::assign) visit_target(stmt.target);
+    else if (stmt.target) visit(stmt.target, Where::before);
+    if (stmt.op == StmtOp::if_) {
+        run_knowing(stmt.body, stmt.value, true);
+        run_knowing(stmt.otherwise, stmt.value, false);
+    } else {
+        run(stmt.body);
+        run(stmt.otherwise);
+    }
+    numbers_.change_all(stmt);
+}
+
+/// Walks the body again in the same way and does what was decided.
+class Rewriting {
+public:
+    Rewriting(Context& context, Plan& plan) : cx(context), plan_(plan), next_(plan.decisions.data()) {}
 
     std::vector<StmtId> run(const std::vector<StmtId>& body) {
         std::vector<StmtId> result;
-        if (rewrites_) result.reserve(body.size());
-        Scope scope{*this};
-        std::vector<StmtId>* outer = out_;
-        out_ = &result;
+        result.reserve(body.size());
+        std::vector<StmtId>* outer = std::exchange(out_, &result);
         for (StmtId id : body) statement_(id);
         out_ = outer;
         return result;
     }
 
 private:
-    enum class Where { before, conditional, loop_condition };
-
-    struct Scope {
-        explicit Scope(Sharing& owner) : owner(owner), size(owner.undo_.size()) {}
-        ~Scope() {
-            while (owner.undo_.size() > size) {
-                auto& [number, previous] = owner.undo_.back();
-                owner.available_[number] = previous;
-                owner.undo_.pop_back();
-            }
-        }
-        Sharing& owner;
-        std::size_t size;
-    };
-
     void statement_(StmtId id);
     void let_(StmtId id);
-    void loop_(StmtId id);
-    ExprId visit(ExprId id, Where where);
-    ExprId visit_operand(const Expr& node, std::size_t i, Where where);
-    ExprId visit_operands(ExprId id, Where where);
-    ExprId visit_target(ExprId id, Where where);
-    std::uint32_t new_record(ValueNumber number);
-    std::uint32_t& available(ValueNumber number) {
-        if (number >= available_.size())
-            available_.resize(std::max<std::size_t>(number + 1, available_.size() * 2), none);
-        return available_[number];
+    ExprId visit(ExprId id);
+    ExprId visit_operands(ExprId id);
+    ExprId visit_target(ExprId id);
+    ExprId visit_first(ExprId id, Record& record);
+    LocalId renamed(LocalId local) const {
+        const LocalId* found = renamed_.find(local);
+        return found == nullptr ? local : *found;
     }
-    void append(Stmt stmt) { out_->push_back(cx.add(std::move(stmt))); }
-    void append(StmtId id, Make::Parts parts) {
-        if (rewrites_) out_->push_back(cx.make.again(id, std::move(parts)));
-    }
-    std::vector<StmtId> run_knowing(const std::vector<StmtId>& body, ExprId condition, bool holds);
-    std::optional<bool> known(ExprId id);
-    bool is_leaf(ExprId id);
-    Name name_in_source(ExprId id) const;
-    Name made_name(ExprId id);
+    void append(StmtId id, Make::Parts parts) { out_->push_back(cx.make.again(id, std::move(parts))); }
+    Name made_name(const Expr& node);
 
     Context& cx;
-    Numbers& numbers_;
-    std::vector<Record>& records_;
-    bool rewrites_;
-    std::uint32_t made_ = 0;
-    static constexpr std::uint32_t none = 0xffffffffu;
-    std::vector<std::uint32_t> available_;  ///< the record of each number in scope, or none
-    std::vector<std::pair<ValueNumber, std::uint32_t>> undo_;
+    Plan& plan_;
+    const Decision* next_;
     NodeMap<LocalId, LocalId> renamed_{cx.first_local};
-    std::unordered_map<ValueNumber, bool> known_;  ///< conditions that are decided here
     std::vector<StmtId>* out_ = nullptr;
     Span span_;
 };
 
-std::uint32_t Sharing::new_record(ValueNumber number) {
-    std::uint32_t record = made_++;
-    if (record == records_.size()) records_.emplace_back();
-    undo_.emplace_back(number, available(number));
-    available_[number] = record;
-    return record;
-}
-
-/// What is as short as a name.
-bool Sharing::is_leaf(ExprId id) {
-    const Expr& node = cx.p.exprs[id];
-    if (node.op == Op::local || is_trivial(cx, id)) return true;
-    if (node.op == Op::swizzle || node.op == Op::field) return is_leaf(node.operands[0]);
-    // Uniform values become parameters.
-    return is_uniform(cx, id);
-}
-
-Name Sharing::name_in_source(ExprId id) const {
-    const Name* found = cx.names.find(id);
-    return found == nullptr ? Name{} : *found;
-}
-
-Name Sharing::made_name(ExprId id) {
-    const Expr& node = cx.p.exprs[id];
+Name Rewriting::made_name(const Expr& node) {
     const auto name = [&](std::string_view text) { return cx.p.names->intern(text); };
     if (node.op == Op::load || node.op == Op::image_load) return name(cx.pass.bindings[node.slot].name + "_value");
     if (node.op == Op::call) return name((*cx.p.names)[cx.p.functions[node.function].name] + "_result");
     return name(node.type == cx.p.types.bool_ ? "test" : "value");
 }
 
-/// A body where the condition is known. What may change within the body is not.
-std::vector<StmtId> Sharing::run_knowing(const std::vector<StmtId>& body, ExprId condition, bool holds) {
-    if (!numbers_.is_fixed(condition) || cx.make.is_constant(condition)) return run(body);
-    auto [added, is_new] = known_.emplace(numbers_.of(condition), holds);
-    ValueNumber number = added->first;
-    std::vector<StmtId> result = run(body);
-    if (is_new) known_.erase(number);
-    return result;
+ExprId Rewriting::visit(ExprId id) {
+    const Decision decision = *next_++;
+    if (decision.kind == Decision::truth) return cx.make.truth(decision.number != 0);
+    if (decision.kind == Decision::repeated) return cx.make.local(plan_.records[decision.number].local);
+    if (decision.kind == Decision::first) return visit_first(id, plan_.records[decision.number]);
+    const Expr& node = cx.p.exprs[id];
+    if (node.op != Op::local) return visit_operands(id);
+    const LocalId local = renamed(node.local);
+    return local == node.local ? id : cx.make.local(local);
 }
 
-std::optional<bool> Sharing::known(ExprId id) {
-    const Expr& node = cx.p.exprs[id];
-    if (known_.empty() || node.type != cx.p.types.bool_ || node.op == Op::constant || !numbers_.is_fixed(id))
-        return std::nullopt;
-    auto found = known_.find(numbers_.of(id));
-    return found == known_.end() ? std::nullopt : std::optional(found->second);
-}
-
-ExprId Sharing::visit(ExprId id, Where where) {
-    const Expr& node = cx.p.exprs[id];
-    if (auto decided = known(id)) return rewrites_ ? cx.make.truth(*decided) : id;
-    if (node.op == Op::local) {
-        const LocalId* found = renamed_.find(node.local);
-        return found == nullptr || !rewrites_ ? id : cx.make.local(*found);
-    }
-    if (is_leaf(id) || !numbers_.is_pure(id)) return visit_operands(id, where);
-    if (where != Where::before && numbers_.has_load(id)) return visit_operands(id, where);
-    ValueNumber number = numbers_.of(id);
-    if (std::uint32_t found = available(number); found != none) {
-        Record& record = records_[found];
-        ++record.uses;
-        if (rewrites_ && record.local) return cx.make.local(record.local);
-        if (!rewrites_) return id;
-        return visit_operands(id, where);
-    }
-    if (where == Where::loop_condition) return visit_operands(id, where);
-    std::uint32_t index = new_record(number);
-    if (!rewrites_) {
-        records_[index].uses = 1;
-        records_[index].name = name_in_source(id);
-        return visit_operands(id, where);
-    }
-    ExprId value = visit_operands(id, where);
-    Record& record = records_[index];
+/// The value, by a local of its own where it is used again.
+ExprId Rewriting::visit_first(ExprId id, Record& record) {
+    const ExprId value = visit_operands(id);
     if (record.uses < 2) return value;
-    record.local = cx.new_local(record.name ? record.name : made_name(id), node.type, span_);
+    const Expr& node = cx.p.exprs[id];
+    record.local = cx.new_local(record.name ? record.name : made_name(node), node.type, span_);
     cx.definitions[record.local] = value;
     cx.made.insert(record.local);
-    numbers_.define(record.local, number);
     Stmt stmt = statement(StmtOp::let, span_);
     stmt.local = record.local;
     stmt.value = value;
-    append(std::move(stmt));
+    out_->push_back(cx.add(std::move(stmt)));
     return cx.make.local(record.local);
 }
 
-ExprId Sharing::visit_operand(const Expr& node, std::size_t i, Where where) {
-    if (i == 0 && node.op == Op::intrinsic && signature_of(node.intrinsic)[0] == '@')
-        return visit_target(node.operands[0], where);  // a place, not its value
-    const bool may_skip = (node.op == Op::select && i > 0) ||
-                          (node.op == Op::binary && i == 1 &&
-                           (node.binary == BinaryOp::logical_and || node.binary == BinaryOp::logical_or));
-    return visit(node.operands[i], may_skip && where == Where::before ? Where::conditional : where);
-}
-
-ExprId Sharing::visit_operands(ExprId id, Where where) {
+ExprId Rewriting::visit_operands(ExprId id) {
     const Expr& node = cx.p.exprs[id];
-    if (!rewrites_) {
-        for (std::size_t i = 0; i < node.operands.size(); ++i) visit_operand(node, i, where);
-        return id;
-    }
+    if (node.operands.empty()) return id;
     Operands operands;
-    for (std::size_t i = 0; i < node.operands.size(); ++i) operands.push_back(visit_operand(node, i, where));
+    for (std::size_t i = 0; i < node.operands.size(); ++i)
+        operands.push_back(i == 0 && names_place(node) ? visit_target(node.operands[i]) : visit(node.operands[i]));
     if (operands == node.operands) return id;
-    ExprId result = cx.make.again(node, std::move(operands));
+    const ExprId result = cx.make.again(node, std::move(operands));
     if (const Name* found = cx.names.find(id)) {
-        Name name = *found;
+        const Name name = *found;
         cx.names.emplace(result, name);
     }
     return result;
 }
 
-ExprId Sharing::visit_target(ExprId id, Where where) {
+ExprId Rewriting::visit_target(ExprId id) {
     const Expr& node = cx.p.exprs[id];
     if (node.op == Op::local) return id;
     Expr copy = node;
-    copy.operands[0] = node.op == Op::load ? visit(node.operands[0], where) : visit_target(node.operands[0], where);
-    if (node.op == Op::index) copy.operands[1] = visit(node.operands[1], where);
-    return rewrites_ ? cx.p.exprs.add(std::move(copy)) : id;
+    copy.operands[0] = node.op == Op::load ? visit(node.operands[0]) : visit_target(node.operands[0]);
+    if (node.op == Op::index) copy.operands[1] = visit(node.operands[1]);
+    return cx.p.exprs.add(std::move(copy));
 }
 
-/// A let that repeats an earlier value is dropped; otherwise it is the value's name from here on.
-void Sharing::let_(StmtId id) {
+void Rewriting::let_(StmtId id) {
     const Stmt& stmt = cx.p.stmts[id];
-    Make::Parts parts{{}, stmt.value, {}, {}, {}};
-    bool is_plain = stmt.value && !cx.p.locals[stmt.local].is_mutable && numbers_.is_pure(stmt.value);
-    if (!is_plain) {
-        if (stmt.value) parts.value = visit(stmt.value, Where::before);
-        append(id, std::move(parts));
-        return;
-    }
-    if (auto decided = known(stmt.value)) {
-        numbers_.define(stmt.local, numbers_.of(stmt.value));
-        if (rewrites_) parts.value = cx.make.truth(*decided);
-        append(id, std::move(parts));
-        return;
-    }
-    ValueNumber number = numbers_.of(stmt.value);
-    const Expr& value = cx.p.exprs[stmt.value];
-    bool repeats_local = value.op == Op::local && !cx.p.locals[value.local].is_mutable;
-    if (repeats_local) {
-        numbers_.define(stmt.local, number);
-        if (rewrites_) renamed_[stmt.local] = cx.p.exprs[visit(stmt.value, Where::before)].local;
-        return;
-    }
-    if (std::uint32_t found = available(number); found != none) {
-        Record& record = records_[found];
-        ++record.uses;
-        if (!record.is_let && !rewrites_) record.name = cx.p.locals[stmt.local].name, record.is_let = true;
-        numbers_.define(stmt.local, number);
-        if (rewrites_ && record.local) {
-            renamed_[stmt.local] = record.local;
-            return;
-        }
-        if (!rewrites_) return;
-    }
-    if (is_leaf(stmt.value)) {
-        numbers_.define(stmt.local, number);
-        parts.value = visit_operands(stmt.value, Where::before);
-        append(id, std::move(parts));
-        return;
-    }
-    std::uint32_t index = new_record(number);
-    if (!rewrites_) {
-        records_[index].uses = 1;
-        records_[index].is_let = true;
-        visit_operands(stmt.value, Where::before);
-    } else {
-        parts.value = visit_operands(stmt.value, Where::before);
-        cx.definitions[stmt.local] = parts.value;
-        records_[index].local = stmt.local;
-        append(id, std::move(parts));
-    }
-    numbers_.define(stmt.local, number);
-}
-
-void Sharing::loop_(StmtId id) {
-    const Stmt& stmt = cx.p.stmts[id];
+    const Decision decision = *next_++;
     Make::Parts parts;
-    if (stmt.op == StmtOp::for_) {
-        parts.value = visit(stmt.value, Where::before);
-        parts.limit = visit(stmt.limit, Where::before);
-        numbers_.change_all(stmt.body);
-    } else {
-        numbers_.change_all(stmt.body);
-        parts.value = visit(stmt.value, Where::loop_condition);
+    switch (decision.kind) {
+    case Decision::renamed: renamed_[stmt.local] = renamed(cx.p.exprs[stmt.value].local); return;
+    case Decision::repeated: renamed_[stmt.local] = plan_.records[decision.number].local; return;
+    case Decision::truth: parts.value = cx.make.truth(decision.number != 0); break;
+    case Decision::first:
+        parts.value = visit_operands(stmt.value);
+        cx.definitions[stmt.local] = parts.value;
+        plan_.records[decision.number].local = stmt.local;
+        break;
+    case Decision::operands: parts.value = visit_operands(stmt.value); break;
+    case Decision::any:
+        if (stmt.value) parts.value = visit(stmt.value);
+        break;
     }
-    parts.body = run(stmt.body);
-    numbers_.change_all(stmt.body);
     append(id, std::move(parts));
 }
 
-void Sharing::statement_(StmtId id) {
+void Rewriting::statement_(StmtId id) {
     const Stmt& stmt = cx.p.stmts[id];
     span_ = stmt.span;
-    switch (stmt.op) {
-    case StmtOp::let: let_(id); return;
-    case StmtOp::for_:
-    case StmtOp::while_: loop_(id); return;
-    default: break;  // expressions first, then what is inside, then what changes
-    }
+    if (stmt.op == StmtOp::let) return let_(id);
     Make::Parts parts{{}, {}, stmt.limit, {}, {}};
-    if (stmt.value) parts.value = visit(stmt.value, Where::before);
-    if (stmt.target)
-        parts.target =
-            stmt.op == StmtOp::assign ? visit_target(stmt.target, Where::before) : visit(stmt.target, Where::before);
-    if (stmt.op == StmtOp::if_) {
-        parts.body = run_knowing(stmt.body, stmt.value, true);
-        parts.otherwise = run_knowing(stmt.otherwise, stmt.value, false);
-    } else {
-        parts.body = run(stmt.body);
-        parts.otherwise = run(stmt.otherwise);
-    }
-    span_ = stmt.span;
-    numbers_.change_all(stmt);
+    if (stmt.value) parts.value = visit(stmt.value);
+    if (stmt.op == StmtOp::for_) parts.limit = visit(stmt.limit);
+    if (stmt.target) parts.target = stmt.op == StmtOp::assign ? visit_target(stmt.target) : visit(stmt.target);
+    parts.body = run(stmt.body);
+    parts.otherwise = run(stmt.otherwise);
     append(id, std::move(parts));
 }
 
 }  // namespace
 
 std::vector<StmtId> share(Context& cx, const std::vector<StmtId>& body, const std::vector<ExprId>& facts) {
-    std::vector<Record> records;
-    records.reserve(64);
-    Numbers numbers(cx);
-    Sharing(cx, numbers, records, facts, false).run(body);
-    numbers.restart();
-    return Sharing(cx, numbers, records, facts, true).run(body);
+    Plan plan;
+    plan.records.reserve(64);
+    plan.decisions.reserve(512);
+    Counting(cx, facts, plan).run(body);
+    return Rewriting(cx, plan).run(body);
 }
 
 }  // namespace gliftc::lower

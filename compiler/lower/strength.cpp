@@ -60,7 +60,7 @@ ExprId Strength::relative(ExprId id) {
     Polynomials::Difference nearest;
     for (const Candidate& candidate : candidates_) {
         if (candidate.varying != varying) continue;
-        auto difference = Polynomials::difference(*polynomial, *candidate.polynomial);
+        auto difference = polynomials_.difference(*polynomial, *candidate.polynomial);
         if (best && difference.operations >= nearest.operations) continue;
         best = &candidate;
         nearest = std::move(difference);

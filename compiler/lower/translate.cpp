@@ -6,28 +6,31 @@ namespace gliftc::lower {
 using namespace ir;
 
 Pair Expander::translated(const Place& place, ExprId address, const std::string& name) {
-    const Structure& structure = cx.structure_at(place);
     Pair at{address, {}};
-    for (const Stage& stage : structure.via) {
-        const Translator& translator = p.translators[stage.translator];
-        Frame frame;
-        frame.stage = &stage;
-        frame.structure = place;
-        frame.prefix = name;
-        for (const Place& member : stage.structures) {
-            Place nested = place;
-            nested.members.append(member.members);
-            frame.places.push_back(std::move(nested));
-        }
-        std::vector<Pair> arguments{{at.value, {}}};
-        Pair next = within([&] {
-            return is_inlinable(translator.translate)
-                       ? inlined(translator.translate, std::move(arguments), std::move(frame))
-                       : call_instance(translator.translate, std::move(arguments), std::move(frame));
-        });
+    for (const Stage& stage : cx.structure_at(place).via) {
+        const bool is_affine = p.translators[stage.translator].properties.affine;
+        Pair next = is_affine ? through_form(place, stage, at.value, name) : expanded(place, stage, at.value, name);
         at = {next.value, make.both(at.has, next.has)};
     }
     return at;
+}
+
+Pair Expander::expanded(const Place& place, const Stage& stage, ExprId address, const std::string& name) {
+    const FunctionId translate = p.translators[stage.translator].translate;
+    Frame frame;
+    frame.stage = &stage;
+    frame.structure = place;
+    frame.prefix = name;
+    for (const Place& member : stage.structures) {
+        Place nested = place;
+        nested.members.append(member.members);
+        frame.places.push_back(std::move(nested));
+    }
+    std::vector<Pair> arguments{{address, {}}};
+    return within([&] {
+        return is_inlinable(translate) ? inlined(translate, std::move(arguments), std::move(frame))
+                                       : call_instance(translate, std::move(arguments), std::move(frame));
+    });
 }
 
 bool Expander::is_total(const Structure& structure) {
@@ -63,7 +66,11 @@ ExprId Expander::domain_of(const Place& place) {
         Frame frame;
         frame.places = {canonical(place)};
         ExprId domain = inside(std::move(frame), [&] { return value_of(structure.domain); });
-        if (!is_trivial(cx, domain)) cx.name(domain, cx.name_of(place) + "_domain");
+        if (!is_trivial(cx, domain)) {
+            const Name name = p.names->intern(cx.name_of(place) + "_domain");
+            if (namings_ != nullptr) namings_->push_back({domain, name, false});
+            else cx.names.emplace(domain, name);
+        }
         return domain;
     }
     Expr leaf;

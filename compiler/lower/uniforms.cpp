@@ -33,7 +33,7 @@ public:
     Uniforms(Context& context, Lifted lifted) : cx(context), lifted_(lifted), numbers_(context) {}
 
     void collect(const std::vector<StmtId>& body);
-    std::vector<StmtId> moved(const std::vector<StmtId>& body);
+    std::vector<StmtId> moved(const std::vector<StmtId>& body, std::size_t place);
 
 private:
     bool is_leaf(ExprId id) const;
@@ -44,6 +44,7 @@ private:
     bool is_lifted(ExprId id);
     ExprId closed(ExprId id);
     void find(ExprId id);
+    void note_leaves(ExprId id);
     bool is_cheap(ExprId id, unsigned& operations);
     bool is_kept(ExprId whole);
     void count(ExprId id);
@@ -58,8 +59,8 @@ private:
     Context& cx;
     Lifted lifted_;
     Numbers numbers_;
-    std::map<ValueNumber, std::uint32_t> leaves_;  ///< leaves that are used, and which of their components
-    NodeMap<ExprId, bool> seen_{cx.first_expr};
+    std::map<ValueNumber, std::uint32_t> leaves_;     ///< leaves that are used, and which of their components
+    std::vector<std::vector<ExprId>> lifted_values_;  ///< of each body, in order, as often as they stand there
     std::unordered_map<ValueNumber, std::uint32_t> slots_;
     // of one body
     NodeMap<ExprId, ExprId> visited_{cx.first_expr};
@@ -126,25 +127,31 @@ ExprId Uniforms::closed(ExprId id) {
 }
 
 bool Uniforms::is_lifted(ExprId id) {
-    const Expr& node = cx.p.exprs[id];
-    TypeKind kind = cx.p.types.kind(node.type);
-    return is_uniform(cx, id) && !cx.make.is_constant(id) && kind != TypeKind::optional && kind != TypeKind::void_ &&
-           !holds_empty(cx.p, node.type);
+    if (!is_uniform(cx, id) || cx.make.is_constant(id)) return false;
+    const TypeId type = cx.make.type(id);
+    const TypeKind kind = cx.p.types.kind(type);
+    return kind != TypeKind::optional && kind != TypeKind::void_ && !holds_empty(cx.p, type);
 }
 
 void Uniforms::find(ExprId id) {
-    if (!seen_.emplace(id, true).second) return;
     if (is_lifted(id)) {
-        ExprId whole = closed(id);
-        if (is_part_of_leaf(whole)) leaves_[numbers_.of(base(whole))] |= lanes_of(whole);
-        else if (lifted_ == Lifted::state)
-            for (ExprId operand : cx.p.exprs[whole].operands) find(operand);
+        lifted_values_.back().push_back(id);
         return;
     }
     for (ExprId operand : cx.p.exprs[id].operands) find(operand);
 }
 
+/// The leaves that a value takes, or that its parts take where these are what is lifted.
+void Uniforms::note_leaves(ExprId id) {
+    const bool is_whole = is_lifted(id);
+    if (is_whole) id = closed(id);
+    if (is_whole && is_part_of_leaf(id)) leaves_[numbers_.of(base(id))] |= lanes_of(id);
+    else if (!is_whole || lifted_ == Lifted::state)
+        for (ExprId operand : cx.p.exprs[id].operands) note_leaves(operand);
+}
+
 void Uniforms::collect(const std::vector<StmtId>& body) {
+    lifted_values_.emplace_back();
     for_each_statement(cx.p, body, [&](const Stmt& stmt) {
         // A let that will vanish asks for nothing itself.
         if (stmt.op == StmtOp::let && stmt.value && !cx.p.locals[stmt.local].is_mutable && is_lifted(stmt.value)) {
@@ -154,6 +161,7 @@ void Uniforms::collect(const std::vector<StmtId>& body) {
         }
         for_each_root(stmt, [&](ExprId root) { find(root); });
     });
+    for (ExprId value : lifted_values_.back()) note_leaves(value);
 }
 
 /// Sums and products of parts of leaves that the pass has as parameters anyway.
@@ -323,16 +331,12 @@ std::vector<StmtId> Uniforms::rewrite(const std::vector<StmtId>& body) {
     return result;
 }
 
-std::vector<StmtId> Uniforms::moved(const std::vector<StmtId>& body) {
+std::vector<StmtId> Uniforms::moved(const std::vector<StmtId>& body, std::size_t place) {
     visited_.clear();
     counts_.clear();
     locals_.clear();
     top_.clear();
-    for_each_statement(cx.p, body, [&](const Stmt& stmt) {
-        bool vanishes =
-            stmt.op == StmtOp::let && stmt.value && !cx.p.locals[stmt.local].is_mutable && is_lifted(stmt.value);
-        if (!vanishes) for_each_root(stmt, [&](ExprId root) { count(root); });
-    });
+    for (ExprId value : lifted_values_[place]) count(value);
     std::vector<StmtId> result = rewrite(body);
     top_.insert(top_.end(), result.begin(), result.end());
     return std::move(top_);
@@ -341,7 +345,7 @@ std::vector<StmtId> Uniforms::moved(const std::vector<StmtId>& body) {
 void rewrite(Context& cx, const std::vector<std::vector<StmtId>*>& bodies, Lifted lifted) {
     Uniforms uniforms(cx, lifted);
     for (const auto* body : bodies) uniforms.collect(*body);
-    for (auto* body : bodies) *body = uniforms.moved(*body);
+    for (std::size_t i = 0; i < bodies.size(); ++i) *bodies[i] = uniforms.moved(*bodies[i], i);
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 #include "emit/cpp/names.h"
 
+#include <algorithm>
 #include <array>
+#include <tuple>
 
 namespace gliftc::cpp {
 
@@ -113,6 +115,18 @@ constexpr auto words = std::to_array<std::string_view>({
     "xor_eq",
 });
 
+/// How long the words are that begin with each character, a bit a length: most names are told from words by it.
+constexpr auto lengths_of_words = [] {
+    std::array<std::uint32_t, 128> lengths{};
+    for (std::string_view word : words) lengths[static_cast<unsigned char>(word[0])] |= 1u << word.size();
+    return lengths;
+}();
+
+bool may_be_word(std::string_view name) {
+    if (name.empty() || name.size() > 31 || static_cast<unsigned char>(name[0]) > 127) return false;
+    return lengths_of_words[static_cast<unsigned char>(name[0])] >> name.size() & 1;
+}
+
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
@@ -128,15 +142,17 @@ bool is_type_name(std::string_view name) {
     return false;
 }
 
+static_assert(std::ranges::is_sorted(words));
+
 }  // namespace
 
 bool is_reserved(std::string_view name) {
-    static const std::unordered_set<std::string_view> reserved(words.begin(), words.end());
-    return reserved.contains(name) || is_type_name(name);
+    return (may_be_word(name) && std::ranges::binary_search(words, name)) || is_type_name(name);
 }
 
 std::string identifier(std::string_view text) {
     std::string result;
+    result.reserve(text.size() + 1);
     for (char c : text) {
         if (is_letter(c) || is_digit(c)) result += c;
         else if (!result.ends_with('_')) result += '_';
@@ -155,11 +171,12 @@ void Scopes::leave() {
 
 std::string Scopes::declare(std::string_view wanted) {
     std::string name = identifier(wanted);
-    if (used_.contains(name)) {
+    auto [place, is_new] = used_.insert(name);
+    if (!is_new) {
         const std::string stem = name.ends_with('_') ? name : name + "_";
-        for (int i = 2; used_.contains(name); ++i) name = stem + std::to_string(i);
+        for (int i = 2; !is_new; ++i) std::tie(place, is_new) = used_.insert(name = stem + std::to_string(i));
     }
-    scopes_.back().push_back(&*used_.insert(name).first);
+    scopes_.back().push_back(&*place);
     return name;
 }
 

@@ -1,4 +1,5 @@
 // What a module's C++ must contain: its public components, its pipelines, and all that these need.
+#include "base/parallel.h"
 #include "emit/cpp/unit.h"
 #include "ir/evaluate.h"
 #include "ir/walk.h"
@@ -31,6 +32,7 @@ struct Collector {
     void code(const std::vector<ir::StmtId>& body);
     void value(ir::ExprId id);
     void function(ir::FunctionId id);
+    void passes(const ir::Lowered::Forms& forms);
     void expression(const ir::Expr& expr);
     void structure(std::uint32_t index, bool visible);
     void kernel(std::uint32_t index, bool visible);
@@ -127,7 +129,7 @@ void Collector::code(const std::vector<ir::StmtId>& body) {
     ir::for_each_statement(program, body, [&](const ir::Stmt& stmt) {
         if (stmt.local) type(program.locals[stmt.local].type, false);
     });
-    ir::for_each_expression(program, body, [&](ir::ExprId node) { expression(program.exprs[node]); });
+    ir::for_each_expression_of_trees(program, body, [&](ir::ExprId node) { expression(program.exprs[node]); });
 }
 
 void Collector::value(ir::ExprId id) {
@@ -140,6 +142,15 @@ void Collector::function(ir::FunctionId id) {
     type(called.result, false);
     for (ir::LocalId local : called.params) type(program.locals[local].type, false);
     code(called.body);
+}
+
+void Collector::passes(const ir::Lowered::Forms& forms) {
+    for (const ir::Pass* pass : {&forms.direct, &forms.general}) {
+        for (const auto* body : {&pass->body, &pass->interior_body}) code(*body);
+        for (ir::LocalId local : pass->shared) type(program.locals[local].type, false);
+        for (ir::FunctionId id : pass->functions) function(id);
+        for (const ir::PassParameter& parameter : pass->parameters) value(parameter.value);
+    }
 }
 
 void Collector::transfers(std::uint32_t structure) {
@@ -261,14 +272,19 @@ Reach reach_of(const ir::Program& program, std::uint32_t module, const Options& 
 }
 
 void add_inner_structs(Reach& reach, const ir::Program& program, const ir::Lowered& lowered) {
+    constexpr std::size_t share = 64;  // a thread for fewer would take longer
+    const std::vector<std::uint32_t> kernels(reach.kernels.begin(), reach.kernels.end());
+    std::vector<Reach> found(kernels.size());
+    for_each_parallel(kernels.size(), share, [&](std::size_t i) {
+        Collector inner{program, {}, {}, {}, {}, {}, {}};
+        inner.passes(lowered.passes[kernels[i]]);
+        found[i] = std::move(inner.reach);
+    });
     Collector collector{program, std::move(reach), {}, {}, {}, {}, {}};
-    for (std::uint32_t kernel : std::set(collector.reach.kernels)) {
-        for (const ir::Pass* pass : {&lowered.passes[kernel].direct, &lowered.passes[kernel].general}) {
-            for (const auto* body : {&pass->body, &pass->interior_body}) collector.code(*body);
-            for (ir::LocalId local : pass->shared) collector.type(program.locals[local].type, false);
-            for (ir::FunctionId id : pass->functions) collector.function(id);
-            for (const ir::PassParameter& parameter : pass->parameters) collector.value(parameter.value);
-        }
+    for (const Reach& inner : found) {
+        for (std::uint32_t index : inner.structs) collector.structure_type(index);
+        for (std::uint32_t index : inner.structures) collector.structure(index, false);
+        collector.reach.enums.insert(inner.enums.begin(), inner.enums.end());
     }
     reach = std::move(collector.reach);
 }

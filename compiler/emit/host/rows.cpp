@@ -71,7 +71,7 @@ std::vector<RowAccess> row_accesses(const ir::Program& program, const ir::Pass& 
 /// change nothing, whatever translator they come from.
 std::set<ExprId> row_clamps(const ir::Program& program, const ir::Pass& pass, const std::vector<StmtId>& body) {
     std::set<ExprId> clamps;
-    ir::for_each_expression(program, body, [&](ExprId id) {
+    ir::for_each_expression_of_trees(program, body, [&](ExprId id) {
         const ir::Expr& expr = program.exprs[id];
         if (expr.op == Op::intrinsic && expr.type == program.types.int_ &&
             (expr.intrinsic == ir::Intrinsic::clamp || expr.intrinsic == ir::Intrinsic::min ||

@@ -1,0 +1,93 @@
+// Affine translators, whose code is followed once a structure: a kernel that looks at its neighbours translates one
+// address after the other, and to make the few nodes of the result again is much less work than to follow the code.
+#include "ir/walk.h"
+#include "lower/expand.h"
+
+#include <algorithm>
+
+namespace gliftc::lower {
+
+using namespace ir;
+
+Pair Expander::through_form(const Place& place, const Stage& stage, ExprId address, const std::string& name) {
+    if (!varies_in_all(address)) return expanded(place, stage, address, name);
+    const AddressForm& form = form_of(place, stage);
+    return form.is_known ? made_again(form, address, name) : expanded(place, stage, address, name);
+}
+
+/// Whether no component of the address is uniform: calls with uniform arguments are the host's, and so other code.
+bool Expander::varies_in_all(ExprId address) {
+    const Expr& node = p.exprs[address];
+    if (is_uniform(cx, address)) return false;
+    if (node.op == Op::local || !p.types.is_vector(node.type)) return true;
+    const auto varies = [&](ExprId operand) { return varies_in_all(operand); };
+    if (node.op == Op::construct) return std::ranges::all_of(node.operands, varies);
+    const bool is_sum = node.op == Op::binary && (node.binary == BinaryOp::add || node.binary == BinaryOp::subtract);
+    return is_sum && std::ranges::any_of(node.operands, varies);
+}
+
+const AddressForm& Expander::form_of(const Place& place, const Stage& stage) {
+    for (const auto& form : cx.address_forms)
+        if (form->stage == &stage && form->place == place) return *form;
+    AddressForm& form = *cx.address_forms.emplace_back(std::make_unique<AddressForm>());
+    form.place = place;
+    form.stage = &stage;
+    find_form(form);
+    return form;
+}
+
+void Expander::find_form(AddressForm& form) {
+    const Translator& translator = p.translators[form.stage->translator];
+    if (!is_inlinable(translator.translate)) return;
+    form.address = make.local(cx.new_local(Name{}, translator.virtual_type, span_));
+    const ExprId first{p.exprs.size()};
+    const std::size_t bindings = cx.pass.bindings.size();
+    auto* outer = std::exchange(namings_, &form.names);
+    const Block block = collect([&] {
+        const Pair result = expanded(form.place, *form.stage, form.address, "form");
+        form.value = result.value;
+        form.has = result.has;
+    });
+    namings_ = outer;
+    const bool is_value = block.empty() && cx.pass.bindings.size() == bindings;
+    form.is_known = is_value && (!form.has || make.is_constant(form.has)) && collect_nodes(form, first);
+}
+
+/// Whether the address is asked for its components alone: uint2(a.x, a.y) is folded to a, but not of every address.
+bool Expander::collect_nodes(AddressForm& form, ExprId first) {
+    const bool is_vector = p.types.is_vector(make.type(form.address));
+    bool is_known = !is_vector || form.value != form.address;
+    IdSet<Expr> seen;
+    for_each_node(p, form.value, seen, [&](ExprId id) {
+        if (id.index >= first.index) form.nodes.push_back(id);
+        const Expr& node = p.exprs[id];
+        const bool is_component = node.op == Op::swizzle && !p.types.is_vector(node.type);
+        if (is_vector && !is_component && std::ranges::find(node.operands, form.address) != node.operands.end())
+            is_known = false;
+    });
+    std::ranges::sort(form.nodes);
+    std::erase_if(form.names, [&](const AddressForm::Naming& naming) { return !seen.contains(naming.value); });
+    return is_known;
+}
+
+Pair Expander::made_again(const AddressForm& form, ExprId address, const std::string& name) {
+    const std::uint32_t first = form.nodes.empty() ? 0 : form.nodes.front().index;
+    if (!form.nodes.empty()) made_again_.resize(form.nodes.back().index - first + 1);
+    const auto now = [&](ExprId id) {
+        if (id == form.address) return address;
+        return form.nodes.empty() || id.index < first ? id : made_again_[id.index - first];
+    };
+    for (ExprId id : form.nodes) {
+        const Expr& node = p.exprs[id];
+        Operands operands;
+        for (ExprId operand : node.operands) operands.push_back(now(operand));
+        made_again_[id.index - first] = operands.empty() ? p.exprs.add(node) : make.again(node, std::move(operands));
+    }
+    for (const AddressForm::Naming& naming : form.names) {
+        const std::string& text = (*p.names)[naming.name];
+        cx.name(now(naming.value), naming.is_prefixed ? name + "_" + text : text);
+    }
+    return {now(form.value), form.has};
+}
+
+}  // namespace gliftc::lower
