@@ -235,8 +235,8 @@ void Pipelines::make_layout(Pipeline& pipeline) {
 }
 
 VkPipeline Pipelines::make_handle(const Pipeline& pipeline) {
-    const std::vector<std::uint32_t> code =
-        with_fixed_parameters(with_float_controls(pipeline.form->spirv.words(), context_.float_controls), pipeline.fixed);
+    const std::vector<std::uint32_t> code = with_fixed_parameters(
+        with_float_controls(pipeline.form->spirv.words(), context_.float_controls), pipeline.fixed);
     const VkShaderModuleCreateInfo module_info = {.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
                                                   .codeSize = code.size() * sizeof(std::uint32_t),
                                                   .pCode = code.data()};
