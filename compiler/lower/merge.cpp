@@ -1,5 +1,6 @@
 #include "ir/walk.h"
 #include "lower/number.h"
+#include "lower/rewrite.h"
 #include "lower/share.h"
 
 namespace gliftc::lower {
@@ -66,12 +67,7 @@ ExprId Merging::visit(ExprId id) {
         const ExprId* found = values_.find(node.local);
         return found == nullptr ? id : *found;
     }
-    Operands operands;
-    for (ExprId operand : node.operands) operands.push_back(visit(operand));
-    if (operands == node.operands) return id;
-    Expr copy = node;
-    copy.operands = std::move(operands);
-    return cx.p.exprs.add(std::move(copy));
+    return with_operands_visited(cx, id, [&](ExprId operand) { return visit(operand); });
 }
 
 std::vector<StmtId> Merging::run(const std::vector<StmtId>& body) {
@@ -79,10 +75,7 @@ std::vector<StmtId> Merging::run(const std::vector<StmtId>& body) {
     result.reserve(body.size());
     for (StmtId id : body) {
         const Stmt& stmt = cx.p.stmts[id];
-        Make::Parts parts;
-        if (stmt.value) parts.value = visit(stmt.value);
-        if (stmt.target) parts.target = visit(stmt.target);
-        if (stmt.limit) parts.limit = visit(stmt.limit);
+        Make::Parts parts = visited_parts(stmt, [&](ExprId part) { return visit(part); });
         if (is_merged(stmt, parts.value)) {
             values_[stmt.local] = parts.value;
             continue;

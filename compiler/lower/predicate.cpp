@@ -2,6 +2,7 @@
 
 #include "ir/walk.h"
 #include "lower/number.h"
+#include "lower/rewrite.h"
 
 namespace gliftc::lower {
 
@@ -35,6 +36,7 @@ private:
 
     Context& cx;
     Numbers numbers_;
+    NodeMap<LocalId, ExprId> values_{cx.first_local};  ///< of the lets of the body
     NodeMap<LocalId, Guarded> guarded_{cx.first_local};
     bool any_ = false;
 };
@@ -43,16 +45,16 @@ bool Predicating::is_same(ExprId a, ExprId b) {
     return numbers_.is_fixed(a) && numbers_.is_fixed(b) && numbers_.of(a) == numbers_.of(b);
 }
 
-/// What a local stands for; share() names addresses that are used twice.
+/// What a local stands for: an address that is used twice has a name.
 ExprId Predicating::defined(ExprId id) {
     const Expr& node = cx.p.exprs[id];
-    if (node.op != Op::local || cx.p.locals[node.local].is_mutable) return id;
-    const ExprId* definition = cx.definitions.find(node.local);
-    return definition == nullptr ? id : *definition;
+    const ExprId* value = node.op == Op::local ? values_.find(node.local) : nullptr;
+    return value == nullptr ? id : *value;
 }
 
 void Predicating::find_load(const Stmt& stmt) {
     if (stmt.op != StmtOp::let || !stmt.value || cx.p.locals[stmt.local].is_mutable) return;
+    values_[stmt.local] = stmt.value;
     const Expr& value = cx.p.exprs[stmt.value];
     if (value.op != Op::load && value.op != Op::image_load) return;
     const Expr& address = cx.p.exprs[defined(value.operands[0])];
@@ -118,12 +120,7 @@ ExprId Predicating::visit(ExprId id) {
         const Guarded* found = guarded_.find(cx.p.exprs[node.operands[1]].local);
         if (found != nullptr && found->variable) return cx.make.local(found->variable);
     }
-    Operands operands;
-    for (ExprId operand : node.operands) operands.push_back(visit(operand));
-    if (operands == node.operands) return id;
-    Expr copy = node;
-    copy.operands = std::move(operands);
-    return cx.p.exprs.add(std::move(copy));
+    return with_operands_visited(cx, id, [&](ExprId operand) { return visit(operand); });
 }
 
 std::vector<StmtId> Predicating::run(const std::vector<StmtId>& body) {
@@ -138,10 +135,7 @@ std::vector<StmtId> Predicating::run(const std::vector<StmtId>& body) {
             load(id, *guarded, result);
             continue;
         }
-        Make::Parts parts;
-        if (stmt.value) parts.value = visit(stmt.value);
-        if (stmt.target) parts.target = visit(stmt.target);
-        if (stmt.limit) parts.limit = visit(stmt.limit);
+        Make::Parts parts = visited_parts(stmt, [&](ExprId part) { return visit(part); });
         parts.body = run(stmt.body);
         parts.otherwise = run(stmt.otherwise);
         result.push_back(cx.make.again(id, std::move(parts)));

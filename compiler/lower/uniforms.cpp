@@ -3,6 +3,7 @@
 #include "ir/empty.h"
 #include "ir/walk.h"
 #include "lower/number.h"
+#include "lower/rewrite.h"
 
 #include <map>
 
@@ -320,10 +321,7 @@ std::vector<StmtId> Uniforms::rewrite(const std::vector<StmtId>& body) {
         const Stmt& stmt = cx.p.stmts[id];
         if (stmt.op == StmtOp::let && stmt.value && !cx.p.locals[stmt.local].is_mutable && is_lifted(stmt.value))
             continue;
-        Make::Parts parts;
-        if (stmt.value) parts.value = visit(stmt.value);
-        if (stmt.target) parts.target = visit(stmt.target);
-        if (stmt.limit) parts.limit = visit(stmt.limit);
+        Make::Parts parts = visited_parts(stmt, [&](ExprId part) { return visit(part); });
         parts.body = rewrite(stmt.body);
         parts.otherwise = rewrite(stmt.otherwise);
         result.push_back(cx.make.again(id, std::move(parts)));
