@@ -265,6 +265,7 @@ Text print(Printer& p, ExprId id) {
     }
     case Op::binary: return print_binary(p, expr);
     case Op::select: {
+        if (p.truths.contains(expr.operands[0])) return print(p, expr.operands[1]);
         const std::string condition = print(p, expr.operands[0], Level::logical_or);
         const std::string yes = print(p, expr.operands[1], Level::logical_or);
         return {concat(condition, " ? ", yes, " : ", print(p, expr.operands[2], Level::ternary)), Level::ternary};

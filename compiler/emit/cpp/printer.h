@@ -76,6 +76,8 @@ struct Printer {
     std::function<std::string(ir::LocalId)> outer_local;
     /// Intrinsics that are printed as their first operand.
     std::set<ir::ExprId> identities;
+    /// Conditions that hold: what they guard is printed alone.
+    std::set<ir::ExprId> truths;
     bool use_namespaces = false;  ///< headers: glift::uint4, else uint4
     std::uint32_t marked_file = 0xffffffffu, marked_line = 0;
 

@@ -80,6 +80,7 @@ void print_assign(Printer& p, const Stmt& stmt) {
 
 void print_let(Printer& p, const Stmt& stmt) {
     const ir::Local& local = p.program.locals[stmt.local];
+    if (p.truths.contains(stmt.value) && !local.is_mutable) return;
     const bool outer = p.outer_local && !p.outer_local(stmt.local).empty();
     const std::string value = stmt.value ? print_any(p, stmt.value) : "";
     if (outer) {
@@ -115,6 +116,11 @@ void print_nested(Printer& p, const std::vector<ir::StmtId>& body) {
 }
 
 void print_if(Printer& p, const Stmt& stmt) {
+    if (p.truths.contains(stmt.value)) {
+        p.out.open("");
+        print_nested(p, stmt.body);
+        return p.out.close();
+    }
     p.out.open("if (" + print_any(p, stmt.value) + ")");
     print_nested(p, stmt.body);
     const Stmt* rest = &stmt;

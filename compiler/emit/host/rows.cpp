@@ -2,6 +2,7 @@
 #include "base/concat.h"
 #include "emit/host/affine.h"
 #include "emit/host/body.h"
+#include "emit/host/guards.h"
 #include "ir/walk.h"
 
 #include <map>
@@ -361,7 +362,22 @@ void Rows::print_strides(const std::vector<StmtId>& statements, const std::strin
     const std::vector<StmtId> kept = without_unused(statements, read);
     p.out.open("for (uint x = " + begin + "; x < " + end + "; ++x)");
     if (read.contains(pass.address)) p.out.line("const uint address = x * " + std::to_string(pass.items) + ";");
-    print_element(kept);
+    Guards guards = find_guards(p, pass, kept);
+    if (guards.tests.empty()) {
+        print_element(kept);
+    } else {
+        std::string all = guards.tests[0];
+        for (std::size_t i = 1; i < guards.tests.size(); ++i) all += " && " + guards.tests[i];
+        p.out.open("if (" + all + ")");
+        p.truths = std::move(guards.conditions);
+        print_element(kept);
+        p.truths.clear();
+        p.out.dedent();
+        p.out.open("} else");
+        p.marked_line = 0;
+        print_element(kept);
+        p.out.close();
+    }
     p.out.close();
     p.names.leave();
 }

@@ -180,6 +180,9 @@ template <class T> void store_row(T* elements, std::size_t index, const RowOf<T>
 /// The elements of a buffer.
 template <class T> T* elements(const HostMemory& memory) { return reinterpret_cast<T*>(memory.data); }
 
+/// Whether `count` elements from `first` on all lie before `extent`.
+inline bool fits(uint first, uint count, uint extent) { return count <= extent && first <= extent - count; }
+
 /// Elements [begin, end) of a row along x.
 struct Part {
     uint begin, end;
