@@ -46,9 +46,11 @@ def panel_of(row):
 
 
 def panels(group):
-    """{panel: {by: [rows, by size]}}, of what we have figures for."""
+    """{panel: {by: [rows, by size]}}, of what we have figures for. What is solved from memory has a table alone."""
     found = {}
     for row in group["rows"]:
+        if row["variant"].endswith("_from_memory"):
+            continue
         found.setdefault(panel_of(row), {}).setdefault(row["by"], []).append(row)
     for lines in found.values():
         for rows in lines.values():

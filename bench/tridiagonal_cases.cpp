@@ -57,25 +57,67 @@ template <class Grid> double largest_error(const Coefficients& a, const Grid& ri
     return largest;
 }
 
+/// Systems, and what they are solved into.
+struct Systems {
+    Coefficients a;
+    solvers::Grid right, x;
+    solvers::Grid3 right3, x3;
+};
+
+Systems systems_of(const glift::Device& device, std::uint32_t n) {
+    const glift::uint2 size(n, n);
+    Systems made{{{device, size}, {device, size}, {device, size}},
+                 {device, size},
+                 {device, size},
+                 {device, size},
+                 {device, size}};
+    solvers::make_systems(device, n, made.a.lower, made.a.middle, made.a.upper, made.right);
+    solvers::make_right(device, n, made.right3);
+    return made;
+}
+
+void solve_one(const glift::Commands& commands, const Systems& s) {
+    solvers::solve(commands, s.a.lower, s.a.middle, s.a.upper, s.right, s.x);
+}
+void solve_three(const glift::Commands& commands, const Systems& s) {
+    solvers::solve_three(commands, s.a.lower, s.a.middle, s.a.upper, s.right3, s.x3);
+}
+
+/// So many bytes in turn are in no cache when their turn comes.
+constexpr std::uint64_t beyond_caches = std::uint64_t{128} << 20;
+
+/// A case that solves other systems each time.
+AlgorithmCase from_memory(AlgorithmCase one, std::shared_ptr<const std::vector<Systems>> all,
+                          void (*solve)(const glift::Commands&, const Systems&)) {
+    one.variant += "_from_memory";
+    one.work = [all, solve, turn = std::make_shared<std::size_t>(0)](const glift::Commands& commands) {
+        solve(commands, (*all)[(*turn)++ % all->size()]);
+    };
+    return one;
+}
+
 }  // namespace
 
 std::vector<AlgorithmCase> tridiagonal_cases(const glift::Device& device, std::uint32_t n) {
-    const glift::uint2 size(n, n);
-    Coefficients a{{device, size}, {device, size}, {device, size}};
-    solvers::Grid right(device, size), x(device, size);
-    solvers::Grid3 right3(device, size), x3(device, size);
-    solvers::make_systems(device, n, a.lower, a.middle, a.upper, right);
-    solvers::make_right(device, n, right3);
-    const std::uint64_t count = std::uint64_t{n} * n;
+    const std::uint64_t count = std::uint64_t{n} * n, bytes = 20 * count;
+    auto all = std::make_shared<std::vector<Systems>>();
+    do all->push_back(systems_of(device, n));
+    while (all->size() * bytes < beyond_caches);
+    const Systems& s = all->front();
     const std::string variant = "n_" + std::to_string(n);
-    return {{"tridiagonal", variant, count, 20 * count,
-             [=](const glift::Commands& commands) { solvers::solve(commands, a.lower, a.middle, a.upper, right, x); },
-             [=] { return largest_error(a, right, x, 1); }},
-            {"tridiagonal", variant + "_three", 3 * count, 36 * count,
-             [=](const glift::Commands& commands) {
-                 solvers::solve_three(commands, a.lower, a.middle, a.upper, right3, x3);
-             },
-             [=] { return largest_error(a, right3, x3, 3); }}};
+    const AlgorithmCase one{"tridiagonal",
+                            variant,
+                            count,
+                            bytes,
+                            [all, &s](const glift::Commands& commands) { solve_one(commands, s); },
+                            [all, &s] { return largest_error(s.a, s.right, s.x, 1); }};
+    const AlgorithmCase three{"tridiagonal",
+                              variant + "_three",
+                              3 * count,
+                              36 * count,
+                              [all, &s](const glift::Commands& commands) { solve_three(commands, s); },
+                              [all, &s] { return largest_error(s.a, s.right3, s.x3, 3); }};
+    return {one, three, from_memory(one, all, solve_one), from_memory(three, all, solve_three)};
 }
 
 }  // namespace bench

@@ -2,6 +2,9 @@
 #include "base/concat.h"
 #include "emit/cpp/printer.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace gliftc::cpp {
 
 namespace {
@@ -122,11 +125,20 @@ Text print_convert(Printer& p, const Expr& expr) {
     return {to + "(" + operand + ")"};
 }
 
+/// Of numbers: 0, not -0.
+bool is_zero(const Printer& p, ExprId id) {
+    const Expr& expr = p.program.exprs[id];
+    return expr.op == Op::constant && expr.bits == 0 && expr.number == 0 && !std::signbit(expr.number);
+}
+
 Text print_construct(Printer& p, const Expr& expr) {
     const ir::Type& type = p.program.types[expr.type];
     const std::string name = type_text(p.globals, expr.type, p.use_namespaces);
     switch (type.kind) {
-    case TypeKind::array: return {name + "{{" + join_arguments(p, expr.operands) + "}}"};
+    case TypeKind::array:
+        if (std::ranges::all_of(expr.operands, [&](ExprId operand) { return is_zero(p, operand); }))
+            return {name + "{}"};
+        return {name + "{{" + join_arguments(p, expr.operands) + "}}"};
     case TypeKind::struct_: return {name + "{" + join_arguments(p, expr.operands) + "}"};
     case TypeKind::matrix: {
         if (expr.operands.size() == type.count) return {name + "{{" + join_arguments(p, expr.operands) + "}}"};
@@ -248,6 +260,7 @@ std::string join_arguments(Printer& p, const ir::Operands& arguments) {
 
 Text print(Printer& p, ExprId id) {
     const Expr& expr = p.program.exprs[id];
+    if (p.truths.contains(id)) return {"true"};
     switch (expr.op) {
     case Op::constant: {
         std::string text = literal(p.program, expr.type, expr.bits, expr.number);

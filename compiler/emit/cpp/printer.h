@@ -70,6 +70,8 @@ struct Printer {
     std::function<Text(const ir::Expr&)> outer_expression;
     std::function<std::string(const ir::Expr&)> outer_place;  ///< of a load: where atomic operations work
     std::function<void(const ir::Stmt&)> outer_statement;
+    /// Prints a loop in another way, if there is one here: may be empty.
+    std::function<bool(const ir::Stmt&)> outer_loop;
     /// What `return value;` is here; empty: as in C++.
     std::function<void(ir::ExprId)> print_return;
     /// How a local that is not simply a name is spelled (an array over the workgroup): may be empty.
@@ -78,6 +80,8 @@ struct Printer {
     std::set<ir::ExprId> identities;
     /// Conditions that hold: what they guard is printed alone.
     std::set<ir::ExprId> truths;
+    /// Lets that are then of no use.
+    std::set<ir::LocalId> unread;
     bool use_namespaces = false;  ///< headers: glift::uint4, else uint4
     std::uint32_t marked_file = 0xffffffffu, marked_line = 0;
 

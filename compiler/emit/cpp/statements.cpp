@@ -80,7 +80,7 @@ void print_assign(Printer& p, const Stmt& stmt) {
 
 void print_let(Printer& p, const Stmt& stmt) {
     const ir::Local& local = p.program.locals[stmt.local];
-    if (p.truths.contains(stmt.value) && !local.is_mutable) return;
+    if (p.unread.contains(stmt.local)) return;
     const bool outer = p.outer_local && !p.outer_local(stmt.local).empty();
     const std::string value = stmt.value ? print_any(p, stmt.value) : "";
     if (outer) {
@@ -107,6 +107,26 @@ bool is_used_up(const Printer& p, const std::vector<ir::StmtId>& body, std::size
     const Stmt& stmt = p.program.stmts[body[at]];
     if (stmt.op != StmtOp::let || !stmt.value || p.program.locals[stmt.local].is_mutable) return false;
     return is_constant(p, stmt.value) && !mentions(p.program, {body.begin() + at + 1, body.end()}, stmt.local);
+}
+
+bool is_array(const Printer& p, ir::TypeId type) { return p.program.types.kind(type) == ir::TypeKind::array; }
+
+/// Another name for an array that nothing changes from here on: no copy.
+bool is_name(const Printer& p, const std::vector<ir::StmtId>& body, std::size_t at) {
+    const Stmt& stmt = p.program.stmts[body[at]];
+    if (stmt.op != StmtOp::let || !stmt.value || p.program.locals[stmt.local].is_mutable) return false;
+    const Expr& value = p.program.exprs[stmt.value];
+    if (value.op != Op::local || !is_array(p, value.type) || (p.outer_local && !p.outer_local(stmt.local).empty()))
+        return false;
+    return !mentions(p.program, {body.begin() + at + 1, body.end()}, value.local);
+}
+
+void print_name(Printer& p, const Stmt& let) {
+    mark_line(p, let.span);
+    const std::string value = print_any(p, let.value);
+    const std::string name = declare_local(p, let.local);
+    const ir::TypeId type = p.program.locals[let.local].type;
+    p.out.line(concat("const ", type_text(p.globals, type, p.use_namespaces), "& ", name, " = ", value, ";"));
 }
 
 void print_nested(Printer& p, const std::vector<ir::StmtId>& body) {
@@ -149,6 +169,7 @@ bool is_steady(const Printer& p, ExprId id) {
 }
 
 void print_for(Printer& p, const Stmt& stmt) {
+    if (p.outer_loop && p.outer_loop(stmt)) return;
     p.names.enter();
     const std::string first = print_any(p, stmt.value), limit = print(p, stmt.limit, Level::shift);
     const std::string type = type_text(p.globals, p.program.locals[stmt.local].type, p.use_namespaces);
@@ -199,8 +220,11 @@ void mark_line(Printer& p, Span span) {
 }
 
 void print_statements(Printer& p, const std::vector<ir::StmtId>& body) {
-    for (std::size_t i = 0; i < body.size(); ++i)
-        if (!is_used_up(p, body, i)) print_statement(p, body[i]);
+    for (std::size_t i = 0; i < body.size(); ++i) {
+        if (is_used_up(p, body, i)) continue;
+        if (is_name(p, body, i)) print_name(p, p.program.stmts[body[i]]);
+        else print_statement(p, body[i]);
+    }
 }
 
 void print_statement(Printer& p, ir::StmtId id) {
@@ -282,7 +306,9 @@ void require_function(Globals& globals, ir::FunctionId id) {
                                   structures[expr.place.root] + ".");
     };
     for (ir::LocalId local : function.params) {
-        const std::string type = type_text(globals, globals.program.locals[local].type);
+        const ir::TypeId of = globals.program.locals[local].type;
+        std::string type = type_text(globals, of);
+        if (is_array(p, of)) type = "const " + type + "&";
         parameters += (parameters.empty() ? "" : ", ") + (unused_mark(globals.program, function.body, local) + type) +
                       " " + declare_local(p, local);
     }

@@ -1,6 +1,8 @@
 #include "emit/host/body.h"
 
+#include "base/concat.h"
 #include "emit/cpp/mentions.h"
+#include "emit/host/row_moves.h"
 
 #include <algorithm>
 
@@ -199,6 +201,15 @@ void print_outer(Body& body, const Stmt& stmt) {
     p.out.line("/* not lowered */");
 }
 
+bool print_row_move(Body& body, const Stmt& loop) {
+    const std::optional<RowMove> move = row_move_of(body.p.program, body.pass, loop);
+    if (!move) return false;
+    body.p.out.line(concat("glift::host::", move->is_load ? "load_rows(" : "store_rows(",
+                           row_arguments(body, move->binding, move->first), ", ", cpp::print_any(body.p, move->array),
+                           ");"));
+    return true;
+}
+
 void print_local_function(Body& body, ir::FunctionId id) {
     cpp::Printer& p = body.p;
     const ir::Function& function = p.program.functions[id];
@@ -230,6 +241,7 @@ Body::Body(cpp::Globals& globals, const ir::Pass& pass) : pass(pass), p(globals)
         parameter_names.push_back(p.names.declare(parameter.name));
     p.outer_expression = [this](const Expr& expr) { return print_outer(*this, expr); };
     p.outer_place = [this](const Expr& load) { return element_text(*this, load.slot, load.operands[0]); };
+    p.outer_loop = [this](const Stmt& loop) { return print_row_move(*this, loop); };
     p.outer_statement = [this](const Stmt& stmt) { print_outer(*this, stmt); };
 }
 

@@ -228,12 +228,62 @@ void Finder::walk(const std::vector<StmtId>& statements) {
     }
 }
 
+/// Which lets are read where conditions hold.
+class Reads {
+public:
+    Reads(const ir::Program& whole, const std::set<ExprId>& true_ones) : program(whole), conditions(true_ones) {}
+
+    /// From the last to the first: what reads a let stands behind it.
+    void walk(const std::vector<StmtId>& statements);
+    std::set<LocalId> unread;
+
+private:
+    void visit(ExprId id);
+    bool is_plain(ExprId id) const;
+
+    const ir::Program& program;
+    const std::set<ExprId>& conditions;
+    std::set<LocalId> read_;
+};
+
+/// Whether nobody misses the value where nobody reads it: arithmetic and loads alone.
+bool Reads::is_plain(ExprId id) const {
+    const Expr& node = program.exprs[id];
+    const bool is_plain_node = node.op != Op::call && node.op != Op::intrinsic;
+    return is_plain_node && std::ranges::all_of(node.operands, [&](ExprId operand) { return is_plain(operand); });
+}
+
+void Reads::visit(ExprId id) {
+    if (!id || conditions.contains(id)) return;
+    const Expr& node = program.exprs[id];
+    if (node.op == Op::local) read_.insert(node.local);
+    const bool is_chosen = node.op == Op::select && conditions.contains(node.operands[0]);
+    if (is_chosen) return visit(node.operands[1]);
+    for (ExprId operand : node.operands) visit(operand);
+}
+
+void Reads::walk(const std::vector<StmtId>& statements) {
+    for (std::size_t i = statements.size(); i-- > 0;) {
+        const Stmt& stmt = program.stmts[statements[i]];
+        if (stmt.op == StmtOp::let && stmt.value && !read_.contains(stmt.local) && is_plain(stmt.value)) {
+            unread.insert(stmt.local);
+            continue;
+        }
+        if (!stmt.value || !conditions.contains(stmt.value)) walk(stmt.otherwise);
+        walk(stmt.body);
+        for (ExprId expr : {stmt.value, stmt.target, stmt.limit}) visit(expr);
+        for (ExprId argument : stmt.arguments) visit(argument);
+    }
+}
+
 }  // namespace
 
 Guards find_guards(cpp::Printer& p, const ir::Pass& pass, const std::vector<StmtId>& statements) {
     Finder finder(p, pass);
     finder.walk(statements);
-    return {finder.tests.texts(), std::move(finder.conditions)};
+    Reads reads(p.program, finder.conditions);
+    if (!finder.conditions.empty()) reads.walk(statements);
+    return {finder.tests.texts(), std::move(finder.conditions), std::move(reads.unread)};
 }
 
 }  // namespace gliftc::host

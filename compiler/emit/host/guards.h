@@ -14,6 +14,7 @@ namespace gliftc::host {
 struct Guards {
     std::vector<std::string> tests;   ///< as C++; empty: no guard depends on a loop in a way that is known
     std::set<ir::ExprId> conditions;  ///< that hold where all tests do
+    std::set<ir::LocalId> unread;     ///< lets of which only they, and what they leave out, make use
 };
 
 /// Of what an invocation does. The tests name its address, parameters and constants alone.

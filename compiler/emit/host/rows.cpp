@@ -370,8 +370,10 @@ void Rows::print_strides(const std::vector<StmtId>& statements, const std::strin
         for (std::size_t i = 1; i < guards.tests.size(); ++i) all += " && " + guards.tests[i];
         p.out.open("if (" + all + ")");
         p.truths = std::move(guards.conditions);
+        p.unread = std::move(guards.unread);
         print_element(kept);
         p.truths.clear();
+        p.unread.clear();
         p.out.dedent();
         p.out.open("} else");
         p.marked_line = 0;

@@ -85,7 +85,7 @@ static void sum_fours_direct_rows(const glift::HostCall& call, const glift::host
         for (uint x = row.begin; x < row.end; ++x) {
             const uint address = x * 4;
             // fours.glift:9
-            glift::array<uint, 4> from_items = glift::array<uint, 4>{{0u, 0u, 0u, 0u}};
+            glift::array<uint, 4> from_items = glift::array<uint, 4>{};
             const uint from_vector = address / 4u;
             const uint4 from_four = glift::host::load_row(from_data, from_vector);
             from_items[0u] = from_four.x;
@@ -98,10 +98,10 @@ static void sum_fours_direct_rows(const glift::HostCall& call, const glift::host
             const uint to_address_3 = address + 3u;
             const bool test_3 = to_address_3 < a_extent;
             from_items[3u] = test_3 ? from_four.w : 0u;
-            const glift::array<uint, 4> whole = from_items;
+            const glift::array<uint, 4>& whole = from_items;
             // fours.glift:10
             const uint from_first = address + shift;
-            glift::array<uint, 4> from_items_2 = glift::array<uint, 4>{{0u, 0u, 0u, 0u}};
+            glift::array<uint, 4> from_items_2 = glift::array<uint, 4>{};
             const bool from0_value_inside = from_first < a_extent;
             if (from0_value_inside && a_extent - from_first >= 4u && from_first % 4u == 0u) {
                 const uint from_vector_2 = from_first / 4u;
@@ -126,7 +126,7 @@ static void sum_fours_direct_rows(const glift::HostCall& call, const glift::host
                 const uint from3_value = from_data[from3_value_inside ? from3_address : 0u];
                 from_items_2[3u] = from3_value_inside ? from3_value : 0u;
             }
-            const glift::array<uint, 4> other = from_items_2;
+            const glift::array<uint, 4>& other = from_items_2;
             // fours.glift:11
             glift::array<uint, 4> sums{};
             // fours.glift:12
@@ -135,7 +135,7 @@ static void sum_fours_direct_rows(const glift::HostCall& call, const glift::host
                 sums[k] = whole[k] + other[k];
             }
             // fours.glift:15
-            const glift::array<uint, 4> to_items = sums;
+            const glift::array<uint, 4>& to_items = sums;
             if (a_extent - address >= 4u && address % 4u == 0u) {
                 glift::host::store_row(to_data, from_vector,
                     uint4(to_items[0u], to_items[1u], to_items[2u], to_items[3u]));
@@ -191,7 +191,7 @@ static void sum_fours_general_rows(const glift::HostCall& call, const glift::hos
             const uint address = x * 4;
             // fours.glift:9
             const uint from_virtual = from_origin + address;
-            glift::array<uint, 4> from_items = glift::array<uint, 4>{{0u, 0u, 0u, 0u}};
+            glift::array<uint, 4> from_items = glift::array<uint, 4>{};
             const bool from0_value_inside = address < from_size;
             if (from0_value_inside && from_size - address >= 4u && from_virtual % 4u == 0u) {
                 const uint from_vector = from_virtual / 4u;
@@ -219,11 +219,11 @@ static void sum_fours_general_rows(const glift::HostCall& call, const glift::hos
                 const uint from3_value = from_data[from3_value_inside ? from3_virtual : 0u];
                 from_items[3u] = from3_value_inside ? from3_value : 0u;
             }
-            const glift::array<uint, 4> whole = from_items;
+            const glift::array<uint, 4>& whole = from_items;
             // fours.glift:10
             const uint from_first = address + shift;
             const uint from_virtual_2 = from_origin + from_first;
-            glift::array<uint, 4> from_items_2 = glift::array<uint, 4>{{0u, 0u, 0u, 0u}};
+            glift::array<uint, 4> from_items_2 = glift::array<uint, 4>{};
             const bool from0_value_inside_2 = from_first < from_size;
             if (from0_value_inside_2 && from_size - from_first >= 4u && from_virtual_2 % 4u == 0u) {
                 const uint from_vector = from_virtual_2 / 4u;
@@ -251,7 +251,7 @@ static void sum_fours_general_rows(const glift::HostCall& call, const glift::hos
                 const uint from3_value = from_data[from3_value_inside ? from3_virtual : 0u];
                 from_items_2[3u] = from3_value_inside ? from3_value : 0u;
             }
-            const glift::array<uint, 4> other = from_items_2;
+            const glift::array<uint, 4>& other = from_items_2;
             // fours.glift:11
             glift::array<uint, 4> sums{};
             // fours.glift:12
@@ -261,7 +261,7 @@ static void sum_fours_general_rows(const glift::HostCall& call, const glift::hos
             }
             // fours.glift:15
             const uint to_virtual = to_origin + address;
-            const glift::array<uint, 4> to_items = sums;
+            const glift::array<uint, 4>& to_items = sums;
             const bool test = address < to_size;
             if (test && to_size - address >= 4u && to_virtual % 4u == 0u) {
                 const uint to_vector = to_virtual / 4u;

@@ -86,20 +86,12 @@ static void double_tiles_direct_rows(const glift::HostCall& call, const glift::h
                 for (uint row_2 = 0u; row_2 < 4u; ++row_2) {
                     // guards.glift:10
                     const uint from_first = address + 16u * row_2;
-                    glift::array<uint, 16> from_items = glift::array<uint,
-                        16>{{0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u}};
+                    glift::array<uint, 16> from_items = glift::array<uint, 16>{};
                     {
                         const uint from_vector = from_first / 4u;
-                        for (uint row_3 = 0u; row_3 < 4u; ++row_3) {
-                            const uint4 from_four = glift::host::load_row(from_data, from_vector + row_3);
-                            const uint value = row_3 * 4u;
-                            from_items[value] = from_four.x;
-                            from_items[value + 1u] = from_four.y;
-                            from_items[value + 2u] = from_four.z;
-                            from_items[value + 3u] = from_four.w;
-                        }
+                        glift::host::load_rows(from_data, from_vector, from_items);
                     }
-                    const glift::array<uint, 16> items = from_items;
+                    const glift::array<uint, 16>& items = from_items;
                     // guards.glift:11
                     glift::array<uint, 16> results{};
                     // guards.glift:12
@@ -108,15 +100,10 @@ static void double_tiles_direct_rows(const glift::HostCall& call, const glift::h
                         results[j] = 2u * items[j];
                     }
                     // guards.glift:15
-                    const glift::array<uint, 16> to_items = results;
+                    const glift::array<uint, 16>& to_items = results;
                     {
                         const uint to_vector = from_first / 4u;
-                        for (uint row_3 = 0u; row_3 < 4u; ++row_3) {
-                            const uint value = row_3 * 4u;
-                            glift::host::store_row(to_data, to_vector + row_3,
-                                uint4(to_items[value], to_items[value + 1u], to_items[value + 2u],
-                                to_items[value + 3u]));
-                        }
+                        glift::host::store_rows(to_data, to_vector, to_items);
                     }
                 }
             } else {
@@ -124,19 +111,11 @@ static void double_tiles_direct_rows(const glift::HostCall& call, const glift::h
                 for (uint row_2 = 0u; row_2 < 4u; ++row_2) {
                     // guards.glift:10
                     const uint from_first = address + 16u * row_2;
-                    glift::array<uint, 16> from_items = glift::array<uint,
-                        16>{{0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u}};
+                    glift::array<uint, 16> from_items = glift::array<uint, 16>{};
                     const bool test = from_first < tile_extent && tile_extent - from_first >= 16u;
                     if (test) {
                         const uint from_vector = from_first / 4u;
-                        for (uint row_3 = 0u; row_3 < 4u; ++row_3) {
-                            const uint4 from_four = glift::host::load_row(from_data, from_vector + row_3);
-                            const uint value = row_3 * 4u;
-                            from_items[value] = from_four.x;
-                            from_items[value + 1u] = from_four.y;
-                            from_items[value + 2u] = from_four.z;
-                            from_items[value + 3u] = from_four.w;
-                        }
+                        glift::host::load_rows(from_data, from_vector, from_items);
                     } else {
                         for (uint row_3 = 0u; row_3 < 4u; ++row_3) {
                             const uint value = row_3 * 4u;
@@ -158,7 +137,7 @@ static void double_tiles_direct_rows(const glift::HostCall& call, const glift::h
                             from_items[value + 3u] = from3_value_inside ? from3_value : 0u;
                         }
                     }
-                    const glift::array<uint, 16> items = from_items;
+                    const glift::array<uint, 16>& items = from_items;
                     // guards.glift:11
                     glift::array<uint, 16> results{};
                     // guards.glift:12
@@ -167,15 +146,10 @@ static void double_tiles_direct_rows(const glift::HostCall& call, const glift::h
                         results[j] = 2u * items[j];
                     }
                     // guards.glift:15
-                    const glift::array<uint, 16> to_items = results;
+                    const glift::array<uint, 16>& to_items = results;
                     if (test) {
                         const uint to_vector = from_first / 4u;
-                        for (uint row_3 = 0u; row_3 < 4u; ++row_3) {
-                            const uint value = row_3 * 4u;
-                            glift::host::store_row(to_data, to_vector + row_3,
-                                uint4(to_items[value], to_items[value + 1u], to_items[value + 2u],
-                                to_items[value + 3u]));
-                        }
+                        glift::host::store_rows(to_data, to_vector, to_items);
                     } else {
                         for (uint row_3 = 0u; row_3 < 4u; ++row_3) {
                             const uint value = row_3 * 4u;
@@ -241,20 +215,12 @@ static void double_tiles_general_rows(const glift::HostCall& call, const glift::
                     // guards.glift:10
                     const uint from_first = address + 16u * row_2;
                     const uint from_virtual = from_first + from_origin;
-                    glift::array<uint, 16> from_items = glift::array<uint,
-                        16>{{0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u}};
+                    glift::array<uint, 16> from_items = glift::array<uint, 16>{};
                     {
                         const uint from_vector = from_virtual / 4u;
-                        for (uint row_3 = 0u; row_3 < 4u; ++row_3) {
-                            const uint4 from_four = glift::host::load_row(from_data, from_vector + row_3);
-                            const uint value = row_3 * 4u;
-                            from_items[value] = from_four.x;
-                            from_items[value + 1u] = from_four.y;
-                            from_items[value + 2u] = from_four.z;
-                            from_items[value + 3u] = from_four.w;
-                        }
+                        glift::host::load_rows(from_data, from_vector, from_items);
                     }
-                    const glift::array<uint, 16> items = from_items;
+                    const glift::array<uint, 16>& items = from_items;
                     // guards.glift:11
                     glift::array<uint, 16> results{};
                     // guards.glift:12
@@ -264,15 +230,10 @@ static void double_tiles_general_rows(const glift::HostCall& call, const glift::
                     }
                     // guards.glift:15
                     const uint to_virtual = from_first + to_origin;
-                    const glift::array<uint, 16> to_items = results;
+                    const glift::array<uint, 16>& to_items = results;
                     {
                         const uint to_vector = to_virtual / 4u;
-                        for (uint row_3 = 0u; row_3 < 4u; ++row_3) {
-                            const uint value = row_3 * 4u;
-                            glift::host::store_row(to_data, to_vector + row_3,
-                                uint4(to_items[value], to_items[value + 1u], to_items[value + 2u],
-                                to_items[value + 3u]));
-                        }
+                        glift::host::store_rows(to_data, to_vector, to_items);
                     }
                 }
             } else {
@@ -281,18 +242,10 @@ static void double_tiles_general_rows(const glift::HostCall& call, const glift::
                     // guards.glift:10
                     const uint from_first = address + 16u * row_2;
                     const uint from_virtual = from_first + from_origin;
-                    glift::array<uint, 16> from_items = glift::array<uint,
-                        16>{{0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u}};
+                    glift::array<uint, 16> from_items = glift::array<uint, 16>{};
                     if (from_first < from_size && from_size - from_first >= 16u && from_virtual % 4u == 0u) {
                         const uint from_vector = from_virtual / 4u;
-                        for (uint row_3 = 0u; row_3 < 4u; ++row_3) {
-                            const uint4 from_four = glift::host::load_row(from_data, from_vector + row_3);
-                            const uint value = row_3 * 4u;
-                            from_items[value] = from_four.x;
-                            from_items[value + 1u] = from_four.y;
-                            from_items[value + 2u] = from_four.z;
-                            from_items[value + 3u] = from_four.w;
-                        }
+                        glift::host::load_rows(from_data, from_vector, from_items);
                     } else {
                         for (uint row_3 = 0u; row_3 < 4u; ++row_3) {
                             const uint value = row_3 * 4u;
@@ -318,7 +271,7 @@ static void double_tiles_general_rows(const glift::HostCall& call, const glift::
                             from_items[value + 3u] = from3_value_inside ? from3_value : 0u;
                         }
                     }
-                    const glift::array<uint, 16> items = from_items;
+                    const glift::array<uint, 16>& items = from_items;
                     // guards.glift:11
                     glift::array<uint, 16> results{};
                     // guards.glift:12
@@ -328,15 +281,10 @@ static void double_tiles_general_rows(const glift::HostCall& call, const glift::
                     }
                     // guards.glift:15
                     const uint to_virtual = from_first + to_origin;
-                    const glift::array<uint, 16> to_items = results;
+                    const glift::array<uint, 16>& to_items = results;
                     if (from_first < to_size && to_size - from_first >= 16u && to_virtual % 4u == 0u) {
                         const uint to_vector = to_virtual / 4u;
-                        for (uint row_3 = 0u; row_3 < 4u; ++row_3) {
-                            const uint value = row_3 * 4u;
-                            glift::host::store_row(to_data, to_vector + row_3,
-                                uint4(to_items[value], to_items[value + 1u], to_items[value + 2u],
-                                to_items[value + 3u]));
-                        }
+                        glift::host::store_rows(to_data, to_vector, to_items);
                     } else {
                         for (uint row_3 = 0u; row_3 < 4u; ++row_3) {
                             const uint value = row_3 * 4u;

@@ -26,6 +26,42 @@ TEST(Rows, CoverEveryElementOnce) {
     }
 }
 
+TEST(Strides, CoverEveryInvocationOnce) {
+    for (const std::uint32_t size : {0u, 1u, 64u, 65u, 100000u, 1u << 20}) {
+        std::vector<std::uint8_t> seen((size + 63) / 64);
+        host::for_strides(size, 64, [&](const host::Rows& rows) {
+            for (const host::Row row : rows)
+                for (uint x = row.begin; x < row.end; ++x) ++seen[x];
+        });
+        for (std::uint8_t count : seen) ASSERT_EQ(count, 1);
+    }
+}
+
+TEST(Elements, FitWithoutWrapping) {
+    EXPECT_TRUE(host::fits(0, 4, 4));
+    EXPECT_TRUE(host::fits(4, 0, 4));
+    EXPECT_FALSE(host::fits(1, 4, 4));
+    EXPECT_FALSE(host::fits(UINT32_MAX, 2, UINT32_MAX));
+    EXPECT_FALSE(host::fits(UINT32_MAX - 1, 3, 8));
+    EXPECT_TRUE(host::fits(UINT32_MAX - 2, 2, UINT32_MAX));
+}
+
+TEST(Elements, MoveAsRows) {
+    std::vector<float> memory(128);
+    for (std::size_t i = 0; i < memory.size(); ++i) memory[i] = static_cast<float>(i);
+    array<float, 8> few{};
+    array<float, 64> many{};
+    host::load_rows(memory.data(), 3, few);
+    host::load_rows(memory.data(), 5, many);
+    EXPECT_EQ(few[7], 19.0f);
+    EXPECT_EQ(many[63], 83.0f);
+    host::store_rows(memory.data(), 0, few);
+    host::store_rows(memory.data(), 16, many);
+    EXPECT_EQ(memory[7], 19.0f);
+    EXPECT_EQ(memory[8], 8.0f);
+    EXPECT_EQ(memory[127], 83.0f);
+}
+
 TEST(Rows, KnowTheirInterior) {
     const host::Row row{0, 10, 3, 3, 0};
     const host::Part inside = host::interior_of(row, uint3(), uint3(10, 8, 8), 2);

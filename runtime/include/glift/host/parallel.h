@@ -6,6 +6,7 @@
 
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
 #include <atomic>
@@ -106,6 +107,17 @@ template <class Body> void spread(std::size_t count, std::size_t grain, const Bo
     spread(count, grain, run, &body);
 }
 
+/// The same, with a function object, part by part: a part is begun once all before it are.
+template <class Body> void spread_in_order(std::size_t count, std::size_t grain, const Body& body) {
+    const std::size_t parts = (count + grain - 1) / grain;
+    std::atomic<std::size_t> next{0};
+    const auto take_parts = [&](std::size_t, std::size_t) {
+        for (std::size_t part = next++; part < parts; part = next++)
+            body(part * grain, std::min((part + 1) * grain, count));
+    };
+    spread(std::min<std::size_t>(parts, tbb::this_task_arena::max_concurrency()), 1, take_parts);
+}
+
 }  // namespace detail
 
 /// Calls `body(const Rows&)` for rows that together cover `size` once. Blocks of rows run in parallel.
@@ -136,11 +148,12 @@ template <class Body> void for_rows(const std::array<std::uint32_t, 4>& size, co
 }
 
 /// Calls `body(const Rows&)` for parts of one row that together cover `size` elements, `items` to an invocation, once.
+/// Later invocations do not begin before earlier ones: what looks back at them finds them at work.
 template <class Body> void for_strides(std::uint32_t size, std::uint32_t items, const Body& body) {
     const std::array<std::uint32_t, 4> count = {static_cast<std::uint32_t>((std::uint64_t{size} + items - 1) / items),
                                                 1, 1, 1};
     const std::size_t grain = std::max<std::size_t>(1, detail::task_elements / items);
-    detail::spread(count[0], grain, [&](std::size_t begin, std::size_t end) {
+    detail::spread_in_order(count[0], grain, [&](std::size_t begin, std::size_t end) {
         body(Rows({static_cast<uint>(begin), static_cast<uint>(end), 0, 0, 0}, 1, count));
     });
 }
@@ -175,6 +188,27 @@ template <class T> RowOf<T> load_row(T* elements, std::size_t index) {
 }
 template <class T> void store_row(T* elements, std::size_t index, const RowOf<T>& row) {
     std::memcpy(reinterpret_cast<std::byte*>(elements) + index * sizeof row, &row, sizeof row);
+}
+
+/// The longest array that the C++ compiler takes apart, so that its numbers stay in registers.
+inline constexpr unsigned longest_in_registers = 16;
+
+template <unsigned N, class T> void copy_numbers(const T* from, T* to) {
+    if constexpr (N > longest_in_registers) {
+        std::memcpy(to, from, N * sizeof(T));
+    } else {
+        for (unsigned i = 0; i < N; ++i) to[i] = from[i];
+    }
+}
+
+/// All of an array from or to numbers 4 * index, … of a buffer.
+template <class T, unsigned N>
+void load_rows(const T* elements, std::size_t index, array<typename NumberOf<T>::type, N>& numbers) {
+    copy_numbers<N>(reinterpret_cast<const typename NumberOf<T>::type*>(elements) + 4 * index, numbers.values);
+}
+template <class T, unsigned N>
+void store_rows(T* elements, std::size_t index, const array<typename NumberOf<T>::type, N>& numbers) {
+    copy_numbers<N>(numbers.values, reinterpret_cast<typename NumberOf<T>::type*>(elements) + 4 * index);
 }
 
 /// The elements of a buffer.
