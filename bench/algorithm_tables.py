@@ -51,7 +51,7 @@ def systems(group):
         return ""
     moving = {row["variant"]: row for row in group["rows"] if row["algorithm"] == "move_equations"}
     rival = next((by for by, _ in rows if by != figures.OURS), None)
-    lines = [f"| n | one right-hand side | error | three | error | {rival or 'rival'}, one | error | ratio, one | ratio, three | of moving the data once, one | three | the same from memory, one | three |",
+    lines = [f"| n | one right-hand side | error | three | error | {rival or 'rival'}, one | error | ratio, one | ratio, three | of moving the data once, from memory, one | three | from the cache, one | three |",
              "| ---: |" + " ---: |" * 12]
     for n in sides:
         one, three, other = (rows.get(key) for key in ((figures.OURS, f"n_{n}"), (figures.OURS, f"n_{n}_three"), (rival, f"n_{n}")))
@@ -60,7 +60,8 @@ def systems(group):
             cells += [number(figures.throughput(row)) if row else "", error_of(row)]
         for row in (one, three):
             cells.append(f"{figures.throughput(row) / figures.throughput(other):.2f}" if row and other else "")
-        for row in (one, three, rows.get((figures.OURS, f"n_{n}_from_memory")), rows.get((figures.OURS, f"n_{n}_three_from_memory"))):
+        memory = [rows.get((figures.OURS, f"n_{n}{which}_from_memory")) for which in ("", "_three")]
+        for row in (*memory, one, three):
             once = moving.get(row["variant"]) if row else None
             cells.append(f"{once['seconds'] / row['seconds']:.2f}" if once else "")
         lines.append(f"| {n} | " + " | ".join(cells) + " |")

@@ -57,44 +57,35 @@ template <class Grid> double largest_error(const Coefficients& a, const Grid& ri
     return largest;
 }
 
-/// Systems, and what they are solved into.
 struct Systems {
     Coefficients a;
-    solvers::Grid right, x;
-    solvers::Grid3 right3, x3;
+    solvers::Grid right;
+    solvers::Grid3 right3;
 };
 
 Systems systems_of(const glift::Device& device, std::uint32_t n) {
     const glift::uint2 size(n, n);
-    Systems made{{{device, size}, {device, size}, {device, size}},
-                 {device, size},
-                 {device, size},
-                 {device, size},
-                 {device, size}};
+    Systems made{{{device, size}, {device, size}, {device, size}}, {device, size}, {device, size}};
     solvers::make_systems(device, n, made.a.lower, made.a.middle, made.a.upper, made.right);
     solvers::make_right(device, n, made.right3);
     return made;
 }
 
-void solve_one(const glift::Commands& commands, const Systems& s) {
-    solvers::solve(commands, s.a.lower, s.a.middle, s.a.upper, s.right, s.x);
+/// What all of them are solved into: one after the other, never side by side.
+struct Unknowns {
+    solvers::Grid one;
+    solvers::Grid3 three;
+};
+
+void solve_one(const glift::Commands& commands, const Systems& s, const Unknowns& x) {
+    solvers::solve(commands, s.a.lower, s.a.middle, s.a.upper, s.right, x.one);
 }
-void solve_three(const glift::Commands& commands, const Systems& s) {
-    solvers::solve_three(commands, s.a.lower, s.a.middle, s.a.upper, s.right3, s.x3);
+void solve_three(const glift::Commands& commands, const Systems& s, const Unknowns& x) {
+    solvers::solve_three(commands, s.a.lower, s.a.middle, s.a.upper, s.right3, x.three);
 }
 
 /// So many bytes in turn are in no cache when their turn comes.
 constexpr std::uint64_t beyond_caches = std::uint64_t{128} << 20;
-
-/// A case that solves other systems each time.
-AlgorithmCase from_memory(AlgorithmCase one, std::shared_ptr<const std::vector<Systems>> all,
-                          void (*solve)(const glift::Commands&, const Systems&)) {
-    one.variant += "_from_memory";
-    one.work = [all, solve, turn = std::make_shared<std::size_t>(0)](const glift::Commands& commands) {
-        solve(commands, (*all)[(*turn)++ % all->size()]);
-    };
-    return one;
-}
 
 }  // namespace
 
@@ -103,21 +94,24 @@ std::vector<AlgorithmCase> tridiagonal_cases(const glift::Device& device, std::u
     auto all = std::make_shared<std::vector<Systems>>();
     do all->push_back(systems_of(device, n));
     while (all->size() * bytes < beyond_caches);
-    const Systems& s = all->front();
+    const glift::uint2 size(n, n);
+    const Unknowns x{{device, size}, {device, size}};
     const std::string variant = "n_" + std::to_string(n);
-    const AlgorithmCase one{"tridiagonal",
-                            variant,
-                            count,
-                            bytes,
-                            [all, &s](const glift::Commands& commands) { solve_one(commands, s); },
-                            [all, &s] { return largest_error(s.a, s.right, s.x, 1); }};
-    const AlgorithmCase three{"tridiagonal",
-                              variant + "_three",
-                              3 * count,
-                              36 * count,
-                              [all, &s](const glift::Commands& commands) { solve_three(commands, s); },
-                              [all, &s] { return largest_error(s.a, s.right3, s.x3, 3); }};
-    return {one, three, from_memory(one, all, solve_one), from_memory(three, all, solve_three)};
+    const auto first = [=](const auto& solve) {
+        return [=](const glift::Commands& commands) { solve(commands, all->front(), x); };
+    };
+    const auto in_turn = [=](const auto& solve) {
+        return [=, turn = std::make_shared<std::size_t>(0)](const glift::Commands& commands) {
+            solve(commands, (*all)[(*turn)++ % all->size()], x);
+        };
+    };
+    // All systems of one size are the same, wherever they lie.
+    const auto error = [=] { return largest_error(all->front().a, all->front().right, x.one, 1); };
+    const auto error3 = [=] { return largest_error(all->front().a, all->front().right3, x.three, 3); };
+    return {{"tridiagonal", variant, count, bytes, first(solve_one), error},
+            {"tridiagonal", variant + "_three", 3 * count, 36 * count, first(solve_three), error3},
+            {"tridiagonal", variant + "_from_memory", count, bytes, in_turn(solve_one), error},
+            {"tridiagonal", variant + "_three_from_memory", 3 * count, 36 * count, in_turn(solve_three), error3}};
 }
 
 }  // namespace bench

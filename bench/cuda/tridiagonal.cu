@@ -122,19 +122,19 @@ template <int sides> __global__ void move_elements(const float4* from, float4* t
     }
 }
 
-/// The same elements each time, or, from memory, others, until those before are in no cache.
+/// The same elements each time, or, from memory, others in turn, so many that they are in no cache.
 template <int sides> void measure_moving(Bench& bench, std::uint32_t n, const std::string& variant, bool from_memory) {
     constexpr std::size_t beyond_caches = std::size_t{128} << 20;
     const std::size_t count = std::size_t{n} * n, vectors = count / 4, bytes = 5 * sizeof(float) * count;
     const std::size_t sets = from_memory ? std::max<std::size_t>(1, (beyond_caches + bytes - 1) / bytes) : 1;
-    const DeviceArray<float> from(sets * (3 + sides) * count), to(sets * sides * count);
+    const DeviceArray<float> from(sets * (3 + sides) * count), to(sides * count);
     from.fill(Right{});
     const unsigned blocks = static_cast<unsigned>((vectors + 511) / 512);  // two vectors of each array a thread
     std::size_t turn = 0;
     const Work run = [&] {
         const std::size_t set = turn++ % sets;
         move_elements<sides><<<blocks, 256>>>(reinterpret_cast<const float4*>(from.data()) + set * (3 + sides) * vectors,
-                                              reinterpret_cast<float4*>(to.data()) + set * sides * vectors, vectors);
+                                              reinterpret_cast<float4*>(to.data()), vectors);
         RIVALS_CUDA(cudaGetLastError());
     };
     bench.time("move_equations", variant, sides * count, (3 + 2 * sides) * sizeof(float) * count, run);
