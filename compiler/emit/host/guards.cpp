@@ -1,6 +1,7 @@
 #include "emit/host/guards.h"
 
 #include "base/concat.h"
+
 #include <algorithm>
 #include <bit>
 #include <numeric>
@@ -66,7 +67,6 @@ private:
     std::optional<Reach> reach_of(ExprId id) const;
     std::optional<Reach> reach_of_binary(const Expr& node) const;
     std::optional<std::uint64_t> number(ExprId id) const;
-    bool is_parameter(ExprId id) const;
     std::string text_of(const std::vector<ExprId>& terms);
 
     cpp::Printer& p;
@@ -147,8 +147,6 @@ std::optional<Reach> Finder::reach_of(ExprId id) const {
     return local == locals_.end() ? std::nullopt : std::optional(local->second);
 }
 
-bool Finder::is_parameter(ExprId id) const { return program.exprs[id].op == Op::parameter; }
-
 std::string Finder::text_of(const std::vector<ExprId>& terms) {
     std::string text;
     for (ExprId term : terms) text += (text.empty() ? "" : " + ") + cpp::print(p, term, cpp::Level::sum);
@@ -158,7 +156,7 @@ std::string Finder::text_of(const std::vector<ExprId>& terms) {
 /// at + count <= extent, without wrapping.
 bool Finder::stands_for_less(ExprId at, ExprId extent, std::uint64_t count, Tests& wanted) {
     const std::optional<Reach> reach = reach_of(at);
-    if (!reach || !is_parameter(extent) || reach->most + count > most_uint) return false;
+    if (!reach || program.exprs[extent].op != Op::parameter || reach->most + count > most_uint) return false;
     wanted.add(Fit{text_of(reach->terms), cpp::print_any(p, extent), reach->least, reach->most + count});
     wanted.in_rounds = wanted.in_rounds || reach->step != 0;
     return true;
