@@ -182,7 +182,7 @@ struct Expr {
 // ----------------------------------------------------------------------------------------------------- statements
 
 enum class StmtOp : std::uint8_t {
-    let,     // local = value (declares); value may be absent: zero
+    let,     // local = value (declares); value may be absent: zero, unless `uninitialized`
     assign,  // target = value; target: local, or index/field/swizzle chain over a local (shared arrays too)
     if_,     // if value body else otherwise
     for_,    // for local in value..limit step 1, body   (int or uint)
@@ -227,7 +227,7 @@ struct Stmt {
     StmtOp op = StmtOp::block;
     Combine combine = Combine::replace;
     bool unrolled = false;       ///< for_: shaders ask for it to be unrolled
-    bool uninitialized = false;  ///< temp: its memory holds anything
+    bool uninitialized = false;  ///< temp: its memory holds anything; let: without a value, and not zero either
     Span span;
     LocalId local;
     ExprId target;

@@ -237,7 +237,10 @@ void Printer::stmt(const Stmt& stmt) {
     case StmtOp::let: {
         const Local& of = p.locals[stmt.local];
         line((of.is_mutable ? "var " : "let ") + local(stmt.local) + ": " + to_text(p, of.type) +
-             (stmt.value ? " = " + expr(stmt.value) : "") + ";");
+             (stmt.value           ? " = " + expr(stmt.value)
+              : stmt.uninitialized ? " = uninitialized"
+                                   : "") +
+             ";");
         break;
     }
     case StmtOp::assign: line(expr(stmt.target) + " = " + expr(stmt.value) + ";"); break;

@@ -77,6 +77,7 @@ private:
     void expand_while(const ir::Stmt& stmt);
     void expand_return(const ir::Stmt& stmt);
     ExprId expand_target(ExprId id);
+    void zero_by_loops(const std::string& name, ExprId target);
     Block nested(const std::vector<StmtId>& body);
 
     // inline.cpp

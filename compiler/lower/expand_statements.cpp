@@ -87,6 +87,34 @@ void Expander::expand_statement(StmtId id) {
     span_ = outer;
 }
 
+namespace {
+
+bool has_array_beyond_unrolling(const Program& p, TypeId type) {
+    if (p.types.kind(type) != TypeKind::array) return false;
+    return p.types[type].count > unroll_limit || has_array_beyond_unrolling(p, p.types[type].element);
+}
+
+}  // namespace
+
+void Expander::zero_by_loops(const std::string& name, ExprId target) {
+    const TypeId type = make.type(target);
+    if (p.types.kind(type) != TypeKind::array) {
+        Stmt zeroed = statement(StmtOp::assign, span_);
+        zeroed.target = target;
+        zeroed.value = make.zero(type);
+        append(std::move(zeroed));
+        return;
+    }
+    Stmt loop = statement(StmtOp::for_, span_);
+    loop.local = cx.new_local(name, p.types.uint, span_);
+    loop.value = make.uint(0);
+    loop.limit = make.uint(p.types[type].count);
+    loop.unrolled = p.types[type].count <= unroll_limit;
+    const ExprId element = make.index(target, make.local(loop.local));
+    loop.body = collect([&] { zero_by_loops(name, element); });
+    append(std::move(loop));
+}
+
 void Expander::expand_let(const Stmt& stmt) {
     const Local local = p.locals[stmt.local];
     if (is_empty(p, local.type)) return;  // every use of it is known
@@ -111,7 +139,13 @@ void Expander::expand_let(const Stmt& stmt) {
         frame_->locals[stmt.local] = {make.local(let(name, value, local.span)), {}};
         return;
     }
-    frame_->locals[stmt.local] = {make.local(variable(name, local.type, value)), {}};
+    const ExprId made = make.local(variable(name, local.type, value));
+    frame_->locals[stmt.local] = {made, {}};
+    // As one value it would be a store of each element: drivers take long over so many, Mesa's llvmpipe 2 s over 256.
+    if (!value && has_array_beyond_unrolling(p, local.type)) {
+        p.stmts[out_->back()].uninitialized = true;
+        zero_by_loops(name + "_at", made);
+    }
 }
 
 /// The target over this pass's locals; its indices are evaluated here.

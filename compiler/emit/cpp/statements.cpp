@@ -84,6 +84,7 @@ void print_let(Printer& p, const Stmt& stmt) {
     const bool outer = p.outer_local && !p.outer_local(stmt.local).empty();
     const std::string value = stmt.value ? print_any(p, stmt.value) : "";
     if (outer) {
+        if (stmt.uninitialized) return;
         const ir::TypeKind kind = p.program.types.kind(local.type);
         const bool has_parts = kind == ir::TypeKind::array || kind == ir::TypeKind::struct_;
         if (!stmt.value && has_parts) p.out.line("glift::reset(" + p.outer_local(stmt.local) + ");");
@@ -92,7 +93,10 @@ void print_let(Printer& p, const Stmt& stmt) {
     }
     const std::string name = declare_local(p, stmt.local);
     p.out.line(concat(local.is_mutable ? "" : "const ", type_text(p.globals, local.type, p.use_namespaces), " ", name,
-                      stmt.value ? " = " : "{}", value, ";"));
+                      stmt.value           ? " = "
+                      : stmt.uninitialized ? ""
+                                           : "{}",
+                      value, ";"));
 }
 
 bool is_constant(const Printer& p, ExprId id) {

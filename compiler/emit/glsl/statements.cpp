@@ -67,12 +67,13 @@ bool is_left_whole(Printer& p, const Stmt& stmt) {
 
 void print_let(Printer& p, const Stmt& stmt) {
     const ir::Local& local = p.program.locals[stmt.local];
-    std::string value = stmt.value ? print_any(p, stmt.value) : zero(p, local.type);
+    std::string value;
+    if (!stmt.uninitialized) value = " = " + (stmt.value ? print_any(p, stmt.value) : zero(p, local.type));
     std::string name = p.names.declare((*p.program.names)[local.name]);
     p.local_names[stmt.local] = name;
     bool is_table = !local.is_mutable && p.program.types.kind(local.type) == ir::TypeKind::array && stmt.value &&
                     is_constant(p, stmt.value);
-    line(p, (is_table ? "const " : "") + declaration(p, local.type, name) + " = " + value + ";");
+    line(p, (is_table ? "const " : "") + declaration(p, local.type, name) + value + ";");
 }
 
 void print_block(Printer& p, const std::vector<StmtId>& body) {

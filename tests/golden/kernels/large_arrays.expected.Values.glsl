@@ -1,0 +1,44 @@
+#ifndef GLIFT_VALUES
+#define GLIFT_VALUES
+// Array<1, uint, none, buffer>, array.glift:20.
+// Define before including: VALUES_SET, VALUES_BINDING (the state; memory k follows at + 1 + k), VALUES_STATE, VALUES_READONLY.
+#extension GL_EXT_scalar_block_layout : require
+
+#ifndef VALUES_SET
+#define VALUES_SET 0
+#endif
+#ifndef VALUES_BINDING
+#define VALUES_BINDING 0
+#endif
+#ifdef VALUES_READONLY
+#define VALUES_ACCESS readonly
+#else
+#define VALUES_ACCESS
+#endif
+
+#ifndef VALUES_STATE  // define it where the members below are declared in a block of your own
+layout(scalar, set = VALUES_SET, binding = VALUES_BINDING) readonly buffer Values_state {
+    uint Values_extent;
+};
+#endif
+
+layout(scalar, set = VALUES_SET, binding = VALUES_BINDING + 1) VALUES_ACCESS buffer Values_data_memory { uint Values_data[]; };
+
+uint Values_translate(uint address) {
+    return address;
+}
+
+uint Values_read(uint address) {
+    bool Values_value_inside = address < Values_extent;
+    uint Values_value = Values_data[Values_value_inside ? address : 0u];
+    return Values_value_inside ? Values_value : 0u;
+}
+
+#ifndef VALUES_READONLY
+void Values_write(uint address, uint value) {
+    if (address < Values_extent) {
+        Values_data[address] = value;
+    }
+}
+#endif
+#endif

@@ -1,0 +1,820 @@
+// Made by gliftc from large_arrays.glift. Changes are lost when it is made again.
+#include "large_arrays.glift.hpp"
+
+#include <glift/host/image.h>
+#include <glift/host/math.h>
+#include <glift/host/parallel.h>
+
+#include <optional>
+
+namespace large_arrays {
+
+using namespace glift::types;
+
+namespace {
+
+/// Elements of a box in a linear buffer, first axis fastest: what the host reads and writes.
+class Box_1_uint : public glift::Structure<Box_1_uint, uint, uint> {
+public:
+    static constexpr const char* type_name = "Box<1, uint>";
+
+    Box_1_uint() = default;
+    [[maybe_unused]] Box_1_uint(const glift::Commands& commands, uint extent);
+    /// Over parts that exist already.
+    [[maybe_unused]] Box_1_uint(const glift::Commands& commands, uint extent, glift::Memory data);
+
+    /// The extent of the virtual domain.
+    [[maybe_unused]] uint domain() const;
+    uint extent() const { return extent_; }
+    const glift::Memory& data() const { return data_; }
+    uint data_extent() const { return data_extent_; }
+    /// True if the two were made with equal arguments.
+    [[maybe_unused]] bool same_state(const Box_1_uint& other) const;
+
+private:
+    uint extent_{};
+    uint data_extent_{};
+    glift::Memory data_;
+};
+
+// address.glift:17: volume<1>
+inline uint volume(uint extent) {
+    // address.glift:18
+    uint product = extent;
+    // address.glift:19
+    for (uint axis = 1u; axis < 1u; ++axis) {
+        // address.glift:20
+        product *= extent;
+    }
+    // address.glift:22
+    return product;
+}
+
+// address.glift:26: linearize<1>
+inline uint linearize(uint address, uint extent) {
+    // address.glift:27
+    uint index = address;
+    // address.glift:28
+    for (uint back = 1u; back < 1u; ++back) {
+        // address.glift:29
+        index = index * extent + address;
+    }
+    // address.glift:31
+    return index;
+}
+
+// ----------------------------------------------------------------------------------------------------
+// large_arrays.glift:9: count_digits
+
+struct count_digits_direct_parameters {
+    uint row_extent;
+};
+static_assert(offsetof(count_digits_direct_parameters, row_extent) == 0);
+
+// large_arrays.glift:9: count_digits, some rows.
+GLIFT_HOST_KERNEL
+static void count_digits_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const count_digits_direct_parameters*>(call.parameters);
+    const uint row_extent = parameters.row_extent;
+    const uint* from_data = glift::host::elements<const uint>(call.memories[0]);
+    uint* counts_data = glift::host::elements<uint>(call.memories[1]);
+    for (const glift::host::Row row : rows) {
+        for (uint x = row.begin; x < row.end; ++x) {
+            const uint address = x * 256;
+            if (glift::host::fits(address, 256u, row_extent)) {
+                // large_arrays.glift:10
+                glift::array<uint, 256> found;
+                for (uint found_at = 0u; found_at < 256u; ++found_at) {
+                    found[found_at] = 0u;
+                }
+                // large_arrays.glift:11
+                for (uint k = 0u; k < 256u; ++k) {
+                    // large_arrays.glift:12
+                    const uint from_address = address + k;
+                    const uint from_value = from_data[from_address];
+                    const uint value = from_value & 255u;
+                    found[value] += 1u;
+                }
+                // large_arrays.glift:14
+                for (uint d = 0u; d < 256u; ++d) {
+                    // large_arrays.glift:15
+                    const uint counts_address = address + d;
+                    {
+                        counts_data[counts_address] = found[d];
+                    }
+                }
+            } else {
+                // large_arrays.glift:10
+                glift::array<uint, 256> found;
+                for (uint found_at = 0u; found_at < 256u; ++found_at) {
+                    found[found_at] = 0u;
+                }
+                // large_arrays.glift:11
+                for (uint k = 0u; k < 256u; ++k) {
+                    // large_arrays.glift:12
+                    const uint from_address = address + k;
+                    const bool from_value_inside = from_address < row_extent;
+                    const uint from_value = from_data[from_value_inside ? from_address : 0u];
+                    const uint value = (from_value_inside ? from_value : 0u) & 255u;
+                    found[value] += 1u;
+                }
+                // large_arrays.glift:14
+                for (uint d = 0u; d < 256u; ++d) {
+                    // large_arrays.glift:15
+                    const uint counts_address = address + d;
+                    if (counts_address < row_extent) {
+                        counts_data[counts_address] = found[d];
+                    }
+                }
+            }
+        }
+    }
+}
+
+static void count_digits_direct(const glift::HostCall& call) {
+    glift::host::for_strides(call.size[0], 256,
+        [&](const glift::host::Rows& rows) { count_digits_direct_rows(call, rows); });
+}
+
+struct count_digits_general_parameters {
+    uint size;
+    uint from_origin;
+    uint from_size;
+    uint counts_origin;
+    uint counts_size;
+};
+static_assert(offsetof(count_digits_general_parameters, size) == 0);
+static_assert(offsetof(count_digits_general_parameters, from_origin) == 4);
+static_assert(offsetof(count_digits_general_parameters, from_size) == 8);
+static_assert(offsetof(count_digits_general_parameters, counts_origin) == 12);
+static_assert(offsetof(count_digits_general_parameters, counts_size) == 16);
+
+// large_arrays.glift:9: count_digits, some rows.
+GLIFT_HOST_KERNEL
+static void count_digits_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const count_digits_general_parameters*>(call.parameters);
+    const uint from_origin = parameters.from_origin;
+    const uint from_size = parameters.from_size;
+    const uint counts_origin = parameters.counts_origin;
+    const uint counts_size = parameters.counts_size;
+    const uint* from_data = glift::host::elements<const uint>(call.memories[0]);
+    uint* counts_data = glift::host::elements<uint>(call.memories[1]);
+    for (const glift::host::Row row : rows) {
+        for (uint x = row.begin; x < row.end; ++x) {
+            const uint address = x * 256;
+            if (glift::host::fits(address, 256u, from_size) && glift::host::fits(address, 256u, counts_size)) {
+                // large_arrays.glift:10
+                glift::array<uint, 256> found;
+                for (uint found_at = 0u; found_at < 256u; ++found_at) {
+                    found[found_at] = 0u;
+                }
+                // large_arrays.glift:11
+                for (uint k = 0u; k < 256u; ++k) {
+                    // large_arrays.glift:12
+                    const uint from_address = address + k;
+                    const uint from_virtual = from_address + from_origin;
+                    const uint from_value = from_data[from_virtual];
+                    const uint value = from_value & 255u;
+                    found[value] += 1u;
+                }
+                // large_arrays.glift:14
+                for (uint d = 0u; d < 256u; ++d) {
+                    // large_arrays.glift:15
+                    const uint counts_address = address + d;
+                    const uint counts_virtual = counts_address + counts_origin;
+                    {
+                        counts_data[counts_virtual] = found[d];
+                    }
+                }
+            } else {
+                // large_arrays.glift:10
+                glift::array<uint, 256> found;
+                for (uint found_at = 0u; found_at < 256u; ++found_at) {
+                    found[found_at] = 0u;
+                }
+                // large_arrays.glift:11
+                for (uint k = 0u; k < 256u; ++k) {
+                    // large_arrays.glift:12
+                    const uint from_address = address + k;
+                    const uint from_virtual = from_address + from_origin;
+                    const bool from_value_inside = from_address < from_size;
+                    const uint from_value = from_data[from_value_inside ? from_virtual : 0u];
+                    const uint value = (from_value_inside ? from_value : 0u) & 255u;
+                    found[value] += 1u;
+                }
+                // large_arrays.glift:14
+                for (uint d = 0u; d < 256u; ++d) {
+                    // large_arrays.glift:15
+                    const uint counts_address = address + d;
+                    const uint counts_virtual = counts_address + counts_origin;
+                    if (counts_address < counts_size) {
+                        counts_data[counts_virtual] = found[d];
+                    }
+                }
+            }
+        }
+    }
+}
+
+static void count_digits_general(const glift::HostCall& call) {
+    glift::host::for_strides(call.size[0], 256,
+        [&](const glift::host::Rows& rows) { count_digits_general_rows(call, rows); });
+}
+
+const glift::Binding count_digits_bindings[] = {
+    {.name = "from.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 24},
+    {.name = "counts.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 32},
+};
+constexpr glift::Parameter count_digits_parameters[] = {
+    {"row_extent", 0, sizeof(count_digits_direct_parameters::row_extent)},
+};
+const glift::Kernel count_digits_kernel = {
+    .name = "count_digits",
+    .file = "large_arrays.glift",
+    .line = 9,
+    .rank = 1,
+    .group = {256, 1, 1},
+    .loop_rounds = 771,
+    .bindings = count_digits_bindings,
+    .direct = {.host = &count_digits_direct, .parameter_bytes = 4, .push_constants = true},
+    .general = {.host = &count_digits_general, .parameter_bytes = 20},
+    .wide = {},
+    .parameters = count_digits_parameters,
+    .items = 256,
+    .longest_loop = {"large_arrays.glift", 14},
+};
+
+// ----------------------------------------------------------------------------------------------------
+// large_arrays.glift:19: corners
+
+struct corners_direct_parameters {
+    uint i_extent;
+};
+static_assert(offsetof(corners_direct_parameters, i_extent) == 0);
+
+// large_arrays.glift:19: corners, some rows.
+GLIFT_HOST_KERNEL
+static void corners_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    uint* to_data = glift::host::elements<uint>(call.memories[0]);
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint address = row.begin;
+            uint* to_data_row = glift::host::row_pointer(to_data + address);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                const uint address = row.begin + static_cast<uint>(i);
+                // large_arrays.glift:20
+                glift::array<glift::array<float3, 2>, 80> corners;
+                for (uint corners_at = 0u; corners_at < 80u; ++corners_at) {
+                    for (uint corners_at_2 = 0u; corners_at_2 < 2u; ++corners_at_2) {
+                        corners[corners_at][corners_at_2] = float3(0.0f);
+                    }
+                }
+                // large_arrays.glift:21
+                const uint value = address % 80u;
+                const uint value_2 = address & 1u;
+                corners[value][value_2].y += 5.0f;
+                // large_arrays.glift:22
+                to_data_row[i] = glift::convert<uint>(corners[value][1u].y);
+            }
+        }
+    }
+}
+
+static void corners_direct(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { corners_direct_rows(call, rows); });
+}
+
+struct corners_general_parameters {
+    uint size;
+    uint to_origin;
+    uint to_size;
+};
+static_assert(offsetof(corners_general_parameters, size) == 0);
+static_assert(offsetof(corners_general_parameters, to_origin) == 4);
+static_assert(offsetof(corners_general_parameters, to_size) == 8);
+
+// large_arrays.glift:19: corners, some rows.
+GLIFT_HOST_KERNEL
+static void corners_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const corners_general_parameters*>(call.parameters);
+    const uint to_origin = parameters.to_origin;
+    const uint to_size = parameters.to_size;
+    uint* to_data = glift::host::elements<uint>(call.memories[0]);
+    for (const glift::host::Row row : rows) {
+        GLIFT_INDEPENDENT
+        for (uint x = row.begin; x < row.end; ++x) {
+            const uint address = x;
+            // large_arrays.glift:20
+            glift::array<glift::array<float3, 2>, 80> corners;
+            for (uint corners_at = 0u; corners_at < 80u; ++corners_at) {
+                for (uint corners_at_2 = 0u; corners_at_2 < 2u; ++corners_at_2) {
+                    corners[corners_at][corners_at_2] = float3(0.0f);
+                }
+            }
+            // large_arrays.glift:21
+            const uint value = address % 80u;
+            const uint value_2 = address & 1u;
+            corners[value][value_2].y += 5.0f;
+            // large_arrays.glift:22
+            const uint to_virtual = to_origin + address;
+            if (address < to_size) {
+                to_data[to_virtual] = glift::convert<uint>(corners[value][1u].y);
+            }
+        }
+    }
+}
+
+static void corners_general(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { corners_general_rows(call, rows); });
+}
+
+const glift::Binding corners_bindings[] = {
+    {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 16},
+};
+constexpr glift::Parameter corners_parameters[] = {
+    {"i_extent", 0, sizeof(corners_direct_parameters::i_extent)},
+};
+const glift::Kernel corners_kernel = {
+    .name = "corners",
+    .file = "large_arrays.glift",
+    .line = 19,
+    .rank = 1,
+    .group = {256, 1, 1},
+    .loop_rounds = 322,
+    .bindings = corners_bindings,
+    .direct = {.host = &corners_direct, .parameter_bytes = 4, .push_constants = true},
+    .general = {.host = &corners_general, .parameter_bytes = 12},
+    .wide = {},
+    .parameters = corners_parameters,
+    .longest_loop = {"large_arrays.glift", 20},
+};
+
+// ----------------------------------------------------------------------------------------------------
+// transfer.glift:15: read_box<Array<1, uint, none, buffer>, Box<1, uint>>
+
+struct read_box_direct_parameters {
+    uint from_extent;
+};
+static_assert(offsetof(read_box_direct_parameters, from_extent) == 0);
+
+// transfer.glift:15: read_box<Array<1, uint, none, buffer>, Box<1, uint>>, some rows.
+GLIFT_HOST_KERNEL
+static void read_box_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const uint* from_data = glift::host::elements<const uint>(call.memories[0]);
+    uint* to_data = glift::host::elements<uint>(call.memories[1]);
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint address = row.begin;
+            const uint* from_data_row = glift::host::row_pointer(from_data + address);
+            uint* to_data_row = glift::host::row_pointer(to_data + address);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:16
+                to_data_row[i] = from_data_row[i];
+            }
+        }
+    }
+}
+
+static void read_box_direct(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { read_box_direct_rows(call, rows); });
+}
+
+struct read_box_general_parameters {
+    uint size;
+    uint from_origin;
+    uint to_origin;
+};
+static_assert(offsetof(read_box_general_parameters, size) == 0);
+static_assert(offsetof(read_box_general_parameters, from_origin) == 4);
+static_assert(offsetof(read_box_general_parameters, to_origin) == 8);
+
+// transfer.glift:15: read_box<Array<1, uint, none, buffer>, Box<1, uint>>, some rows.
+GLIFT_HOST_KERNEL
+static void read_box_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const read_box_general_parameters*>(call.parameters);
+    const uint from_origin = parameters.from_origin;
+    const uint to_origin = parameters.to_origin;
+    const uint* from_data = glift::host::elements<const uint>(call.memories[0]);
+    uint* to_data = glift::host::elements<uint>(call.memories[1]);
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint address = row.begin;
+            // transfer.glift:16
+            const uint from_address = from_origin + address;
+            const uint to_address = to_origin + address;
+            const uint* from_data_row = glift::host::row_pointer(from_data + from_address);
+            uint* to_data_row = glift::host::row_pointer(to_data + to_address);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:16
+                to_data_row[i] = from_data_row[i];
+            }
+        }
+    }
+}
+
+static void read_box_general(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { read_box_general_rows(call, rows); });
+}
+
+const glift::Binding read_box_bindings[] = {
+    {.name = "from.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 16},
+    {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 24},
+};
+constexpr glift::Parameter read_box_parameters[] = {
+    {"from_extent", 0, sizeof(read_box_direct_parameters::from_extent)},
+};
+const glift::Kernel read_box_kernel = {
+    .name = "read_box",
+    .file = "transfer.glift",
+    .line = 15,
+    .rank = 1,
+    .group = {256, 1, 1},
+    .loop_rounds = 0,
+    .bindings = read_box_bindings,
+    .direct = {.host = &read_box_direct, .parameter_bytes = 4, .push_constants = true},
+    .general = {.host = &read_box_general, .parameter_bytes = 12},
+    .wide = {},
+    .parameters = read_box_parameters,
+};
+
+// ----------------------------------------------------------------------------------------------------
+// transfer.glift:20: write_box<Box<1, uint>, Array<1, uint, none, buffer>>
+
+struct write_box_direct_parameters {
+    uint from_extent;
+};
+static_assert(offsetof(write_box_direct_parameters, from_extent) == 0);
+
+// transfer.glift:20: write_box<Box<1, uint>, Array<1, uint, none, buffer>>, some rows.
+GLIFT_HOST_KERNEL
+static void write_box_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const uint* from_data = glift::host::elements<const uint>(call.memories[0]);
+    uint* to_data = glift::host::elements<uint>(call.memories[1]);
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint address = row.begin;
+            const uint* from_data_row = glift::host::row_pointer(from_data + address);
+            uint* to_data_row = glift::host::row_pointer(to_data + address);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:21
+                to_data_row[i] = from_data_row[i];
+            }
+        }
+    }
+}
+
+static void write_box_direct(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { write_box_direct_rows(call, rows); });
+}
+
+struct write_box_general_parameters {
+    uint size;
+    uint from_origin;
+    uint to_origin;
+};
+static_assert(offsetof(write_box_general_parameters, size) == 0);
+static_assert(offsetof(write_box_general_parameters, from_origin) == 4);
+static_assert(offsetof(write_box_general_parameters, to_origin) == 8);
+
+// transfer.glift:20: write_box<Box<1, uint>, Array<1, uint, none, buffer>>, some rows.
+GLIFT_HOST_KERNEL
+static void write_box_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const write_box_general_parameters*>(call.parameters);
+    const uint from_origin = parameters.from_origin;
+    const uint to_origin = parameters.to_origin;
+    const uint* from_data = glift::host::elements<const uint>(call.memories[0]);
+    uint* to_data = glift::host::elements<uint>(call.memories[1]);
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint address = row.begin;
+            // transfer.glift:21
+            const uint from_address = from_origin + address;
+            const uint to_address = to_origin + address;
+            const uint* from_data_row = glift::host::row_pointer(from_data + from_address);
+            uint* to_data_row = glift::host::row_pointer(to_data + to_address);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:21
+                to_data_row[i] = from_data_row[i];
+            }
+        }
+    }
+}
+
+static void write_box_general(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { write_box_general_rows(call, rows); });
+}
+
+const glift::Binding write_box_bindings[] = {
+    {.name = "from.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 16},
+    {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 24},
+};
+constexpr glift::Parameter write_box_parameters[] = {
+    {"from_extent", 0, sizeof(write_box_direct_parameters::from_extent)},
+};
+const glift::Kernel write_box_kernel = {
+    .name = "write_box",
+    .file = "transfer.glift",
+    .line = 20,
+    .rank = 1,
+    .group = {256, 1, 1},
+    .loop_rounds = 0,
+    .bindings = write_box_bindings,
+    .direct = {.host = &write_box_direct, .parameter_bytes = 4, .push_constants = true},
+    .general = {.host = &write_box_general, .parameter_bytes = 12},
+    .wide = {},
+    .parameters = write_box_parameters,
+};
+
+// ----------------------------------------------------------------------------------------------------
+// transfer.glift:25: fill_box<Array<1, uint, none, buffer>, uint>
+
+struct fill_box_direct_parameters {
+    uint to_extent;
+    uint value;
+};
+static_assert(offsetof(fill_box_direct_parameters, to_extent) == 0);
+static_assert(offsetof(fill_box_direct_parameters, value) == 4);
+
+// transfer.glift:25: fill_box<Array<1, uint, none, buffer>, uint>, some rows.
+GLIFT_HOST_KERNEL
+static void fill_box_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const fill_box_direct_parameters*>(call.parameters);
+    const uint value = parameters.value;
+    uint* to_data = glift::host::elements<uint>(call.memories[0]);
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint address = row.begin;
+            uint* to_data_row = glift::host::row_pointer(to_data + address);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:26
+                to_data_row[i] = value;
+            }
+        }
+    }
+}
+
+static void fill_box_direct(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { fill_box_direct_rows(call, rows); });
+}
+
+struct fill_box_general_parameters {
+    uint size;
+    uint to_origin;
+    uint value;
+};
+static_assert(offsetof(fill_box_general_parameters, size) == 0);
+static_assert(offsetof(fill_box_general_parameters, to_origin) == 4);
+static_assert(offsetof(fill_box_general_parameters, value) == 8);
+
+// transfer.glift:25: fill_box<Array<1, uint, none, buffer>, uint>, some rows.
+GLIFT_HOST_KERNEL
+static void fill_box_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const fill_box_general_parameters*>(call.parameters);
+    const uint to_origin = parameters.to_origin;
+    const uint value = parameters.value;
+    uint* to_data = glift::host::elements<uint>(call.memories[0]);
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint address = row.begin;
+            // transfer.glift:26
+            const uint to_address = to_origin + address;
+            uint* to_data_row = glift::host::row_pointer(to_data + to_address);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:26
+                to_data_row[i] = value;
+            }
+        }
+    }
+}
+
+static void fill_box_general(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { fill_box_general_rows(call, rows); });
+}
+
+const glift::Binding fill_box_bindings[] = {
+    {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 16},
+};
+constexpr glift::Parameter fill_box_parameters[] = {
+    {"to_extent", 0, sizeof(fill_box_direct_parameters::to_extent)},
+    {"value", 4, sizeof(fill_box_direct_parameters::value)},
+};
+const glift::Kernel fill_box_kernel = {
+    .name = "fill_box",
+    .file = "transfer.glift",
+    .line = 25,
+    .rank = 1,
+    .group = {256, 1, 1},
+    .loop_rounds = 0,
+    .bindings = fill_box_bindings,
+    .direct = {.host = &fill_box_direct, .parameter_bytes = 8, .push_constants = true},
+    .general = {.host = &fill_box_general, .parameter_bytes = 12},
+    .wide = {},
+    .parameters = fill_box_parameters,
+};
+
+void read_box(const glift::Commands& commands, const glift::Range<Values>& from, const glift::Range<Box_1_uint>& to) {
+    glift::Iteration iteration(read_box_kernel);
+    iteration.each("from", from);
+    iteration.each("to", to);
+    const glift::Memory memories[] = {from->data(), to->data()};
+    if (iteration.is_whole() && !commands.needs_general(read_box_kernel, memories, iteration.size())) {
+        const read_box_direct_parameters parameters = {
+            .from_extent = from->extent(),
+        };
+        commands.dispatch(read_box_kernel, {.form = glift::FormName::direct, .memories = memories,
+            .parameters = glift::bytes_of(parameters), .size = iteration.size()});
+    } else {
+        const read_box_general_parameters parameters = {
+            .size = from.size(),
+            .from_origin = from.origin(),
+            .to_origin = to.origin(),
+        };
+        commands.dispatch(read_box_kernel, {.form = glift::FormName::general, .memories = memories,
+            .parameters = glift::bytes_of(parameters), .size = iteration.size(),
+            .patches = iteration.patches({offsetof(read_box_general_parameters, size)})});
+    }
+}
+
+void write_box(const glift::Commands& commands, const glift::Range<Box_1_uint>& from, const glift::Range<Values>& to) {
+    glift::Iteration iteration(write_box_kernel);
+    iteration.each("from", from);
+    iteration.each("to", to);
+    const glift::Memory memories[] = {from->data(), to->data()};
+    if (iteration.is_whole() && !commands.needs_general(write_box_kernel, memories, iteration.size())) {
+        const write_box_direct_parameters parameters = {
+            .from_extent = from->extent(),
+        };
+        commands.dispatch(write_box_kernel, {.form = glift::FormName::direct, .memories = memories,
+            .parameters = glift::bytes_of(parameters), .size = iteration.size()});
+    } else {
+        const write_box_general_parameters parameters = {
+            .size = from.size(),
+            .from_origin = from.origin(),
+            .to_origin = to.origin(),
+        };
+        commands.dispatch(write_box_kernel, {.form = glift::FormName::general, .memories = memories,
+            .parameters = glift::bytes_of(parameters), .size = iteration.size(),
+            .patches = iteration.patches({offsetof(write_box_general_parameters, size)})});
+    }
+}
+
+void fill_box(const glift::Commands& commands, const glift::Range<Values>& to, uint value) {
+    glift::Iteration iteration(fill_box_kernel);
+    iteration.each("to", to);
+    const glift::Memory memories[] = {to->data()};
+    if (iteration.is_whole() && !commands.needs_general(fill_box_kernel, memories, iteration.size())) {
+        const fill_box_direct_parameters parameters = {
+            .to_extent = to->extent(),
+            .value = value,
+        };
+        commands.dispatch(fill_box_kernel, {.form = glift::FormName::direct, .memories = memories,
+            .parameters = glift::bytes_of(parameters), .size = iteration.size()});
+    } else {
+        const fill_box_general_parameters parameters = {
+            .size = to.size(),
+            .to_origin = to.origin(),
+            .value = value,
+        };
+        commands.dispatch(fill_box_kernel, {.form = glift::FormName::general, .memories = memories,
+            .parameters = glift::bytes_of(parameters), .size = iteration.size(),
+            .patches = iteration.patches({offsetof(fill_box_general_parameters, size)})});
+    }
+}
+
+Box_1_uint::Box_1_uint(const glift::Commands& commands, uint extent)
+    : Structure(commands.device()),
+      extent_(extent),
+      data_extent_(volume(extent_)),
+      data_(commands.allocate({.name = "Box_1_uint.data", .bytes = glift::buffer_bytes<uint>(data_extent_)})) {}
+
+Box_1_uint::Box_1_uint(const glift::Commands& commands, uint extent, glift::Memory data)
+    : Structure(commands.device()),
+      extent_(extent),
+      data_extent_(volume(extent_)),
+      data_(std::move(data)) {}
+
+uint Box_1_uint::domain() const {
+    return extent_;
+}
+
+bool Box_1_uint::same_state(const Box_1_uint& other) const {
+    return extent_ == other.extent_;
+}
+
+}  // namespace
+
+void count_digits(const glift::Commands& commands, const glift::Range<Values>& row_, const glift::Range<Values>& from,
+    const glift::Range<Values>& counts) {
+    glift::Iteration iteration(count_digits_kernel);
+    iteration.each("row", row_);
+    iteration.any("from", from);
+    iteration.any("counts", counts);
+    const glift::Memory memories[] = {from->data(), counts->data()};
+    if (iteration.is_whole() && row_->same_state(from.structure()) && from->same_state(counts.structure())
+        && !commands.needs_general(count_digits_kernel, memories, iteration.size())) {
+        const count_digits_direct_parameters parameters = {
+            .row_extent = row_->extent(),
+        };
+        commands.dispatch(count_digits_kernel,
+            {.form = glift::FormName::direct, .memories = memories, .parameters = glift::bytes_of(parameters),
+            .size = iteration.size()});
+    } else {
+        const count_digits_general_parameters parameters = {
+            .size = row_.size(),
+            .from_origin = from.origin(),
+            .from_size = from.size(),
+            .counts_origin = counts.origin(),
+            .counts_size = counts.size(),
+        };
+        iteration.count(from, offsetof(count_digits_general_parameters, from_size));
+        iteration.count(counts, offsetof(count_digits_general_parameters, counts_size));
+        commands.dispatch(count_digits_kernel,
+            {.form = glift::FormName::general, .memories = memories, .parameters = glift::bytes_of(parameters),
+            .size = iteration.size(), .patches = iteration.patches({offsetof(count_digits_general_parameters, size)})});
+    }
+}
+
+void count_digits(const glift::Commands& commands, const glift::Range<Values>& from,
+    const glift::Range<Values>& counts) {
+    count_digits(commands, from, from, counts);
+}
+
+void corners(const glift::Commands& commands, const glift::Range<Values>& i, const glift::Range<Values>& to) {
+    glift::Iteration iteration(corners_kernel);
+    iteration.each("i", i);
+    iteration.any("to", to);
+    const glift::Memory memories[] = {to->data()};
+    if (iteration.is_whole() && i->same_state(to.structure())
+        && !commands.needs_general(corners_kernel, memories, iteration.size())) {
+        const corners_direct_parameters parameters = {
+            .i_extent = i->extent(),
+        };
+        commands.dispatch(corners_kernel, {.form = glift::FormName::direct, .memories = memories,
+            .parameters = glift::bytes_of(parameters), .size = iteration.size()});
+    } else {
+        const corners_general_parameters parameters = {
+            .size = i.size(),
+            .to_origin = to.origin(),
+            .to_size = to.size(),
+        };
+        iteration.count(to, offsetof(corners_general_parameters, to_size));
+        commands.dispatch(corners_kernel, {.form = glift::FormName::general, .memories = memories,
+            .parameters = glift::bytes_of(parameters), .size = iteration.size(),
+            .patches = iteration.patches({offsetof(corners_general_parameters, size)})});
+    }
+}
+
+Values::Values(const glift::Commands& commands, uint extent)
+    : Structure(commands.device()),
+      extent_(extent),
+      data_extent_(volume(extent_)),
+      data_(commands.allocate({.name = "Values.data", .bytes = glift::buffer_bytes<uint>(data_extent_)})) {}
+
+Values::Values(const glift::Commands& commands, uint extent, glift::Memory data)
+    : Structure(commands.device()),
+      extent_(extent),
+      data_extent_(volume(extent_)),
+      data_(std::move(data)) {}
+
+uint Values::domain() const {
+    return extent_;
+}
+
+bool Values::same_state(const Values& other) const {
+    return extent_ == other.extent_;
+}
+
+std::uint64_t Values::place(uint address) const {
+    [[maybe_unused]] const uint extent = extent_;
+    const auto translate = [&](uint va) -> uint {
+        // linear.glift:12
+        return linearize(va, extent);
+    };
+    return translate(address);
+}
+
+void Values::copy_out(const glift::Commands& commands, const glift::Range<Values>& range,
+    const glift::Memory& box) const {
+    read_box(commands, range, Box_1_uint(commands, range.size(), box));
+}
+
+void Values::copy_in(const glift::Commands& commands, const glift::Range<Values>& range,
+    const glift::Memory& box) const {
+    write_box(commands, Box_1_uint(commands, range.size(), box), range);
+}
+
+void Values::fill(uint value, const glift::Range<Values>& range) {
+    fill_box(device(), range, value);
+}
+void Values::fill(uint value) {
+    fill(value, *this);
+}
+
+}  // namespace large_arrays
