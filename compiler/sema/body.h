@@ -94,7 +94,7 @@ ir::LocalId emit_temporary(Body&, std::string_view name, ir::ExprId value, Span)
 void emit(Body&, ir::StmtId);
 /// The value of an expression, where it and the locals that it names are known at compile time.
 std::optional<ir::Value> known_value(Body&, ir::ExprId);
-/// The environment of the body for something written in it: with the constants among the locals that it names.
+/// The environment of the body for something written in it: with what its scopes say of the names that stand there.
 const Env& env_for(Body&, ast::ExprId);
 const Env& env_for(Body&, const std::vector<ast::ExprId>&);
 

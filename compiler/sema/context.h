@@ -24,6 +24,7 @@ enum class MetaKind : std::uint8_t {
     format,        // a texel format
     memory_shape,  // buffer, image2d, …
     constraint,    // a built-in constraint
+    running,       // what has a value only when the code runs: a local, a parameter, a member
 };
 
 enum class Constraint : std::uint8_t { type, texel, number, integer, floating, structure, translator };

@@ -116,6 +116,10 @@ Operand check_name(Body& body, ast::ExprId id) {
     Meta meta = find_meta(c, body.env, {expr.name, expr.span});
     if (meta.kind == MetaKind::value)
         return value_operand(body, ir::materialize(body.program(), meta.value, expr.span), expr.span);
+    if (meta.kind == MetaKind::running) {
+        c.error(Diag::not_constant, expr.span);
+        return error_operand(expr.span);
+    }
     if (meta.kind == MetaKind::declarations && meta.declarations.size() == 1 &&
         std::holds_alternative<ast::Const>(c[meta.declarations[0]].body)) {
         ir::ExprId value = constant_declaration(c, meta.declarations[0]);

@@ -35,7 +35,8 @@ std::string key_part(const Meta& meta) {
     case MetaKind::declarations:
     case MetaKind::module:
     case MetaKind::memory_shape:
-    case MetaKind::constraint: return "?";
+    case MetaKind::constraint:
+    case MetaKind::running: return "?";
     }
     return key;
 }

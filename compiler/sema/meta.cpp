@@ -163,6 +163,10 @@ Meta meta_of_name(Context& c, const Env& env, const ast::Expr& expr) {
         report_unknown(c, env, {expr.name, expr.span});
         return meta;
     }
+    if (meta.kind == MetaKind::running) {
+        c.error(Diag::not_constant, expr.span);
+        return {};
+    }
     if (meta.kind != MetaKind::declarations) return meta;
     ast::DeclId id = meta.declarations[0];
     const ast::Decl& decl = c[id];
@@ -406,7 +410,8 @@ std::string to_text(const Context& c, const Meta& meta) {
     case MetaKind::declarations:
     case MetaKind::module:
     case MetaKind::memory_shape:
-    case MetaKind::constraint: return "?";
+    case MetaKind::constraint:
+    case MetaKind::running: return "?";
     }
     return "?";
 }

@@ -41,31 +41,37 @@ std::optional<ir::Value> known_value(Body& body, ir::ExprId expr) {
     return ir::evaluate(body.program(), expr, body.lets);
 }
 
-/// Binds the constants among the locals that an expression names.
-static void bind_constants(Body& body, ast::ExprId id, std::vector<std::pair<Name, Meta>>& bindings) {
-    if (!id) return;
-    const ast::Expr& expr = body.context[id];
-    for (ast::ExprId operand : expr.operands) bind_constants(body, operand, bindings);
-    if (expr.kind != ast::ExprKind::name) return;
-    Symbol* symbol = find_symbol(body, expr.name);
-    if (!symbol || symbol->kind != SymbolKind::local) return;
-    auto definition = body.lets.find(symbol->local);
-    if (definition == body.lets.end()) return;
-    auto value = known_value(body, definition->second);
-    if (!value) return;
-    symbol->used = true;
+/// What a name in scope means where types and constants stand.
+static Meta meta_of_symbol(Body& body, const Symbol& symbol) {
     Meta meta;
+    meta.kind = MetaKind::running;
+    if (symbol.kind != SymbolKind::local) return meta;
+    auto definition = body.lets.find(symbol.local);
+    if (definition == body.lets.end()) return meta;
+    auto value = known_value(body, definition->second);
+    if (!value) return meta;
     meta.kind = MetaKind::value;
     meta.value = std::move(*value);
-    bindings.emplace_back(expr.name, std::move(meta));
+    return meta;
+}
+
+/// Binds the names in scope that an expression uses: they hide what is outside.
+static void bind_symbols(Body& body, ast::ExprId id, std::vector<std::pair<Name, Meta>>& bindings) {
+    if (!id) return;
+    const ast::Expr& expr = body.context[id];
+    for (ast::ExprId operand : expr.operands) bind_symbols(body, operand, bindings);
+    if (expr.kind != ast::ExprKind::name) return;
+    Symbol* symbol = find_symbol(body, expr.name);
+    if (!symbol) return;
+    symbol->used = true;
+    bindings.emplace_back(expr.name, meta_of_symbol(body, *symbol));
 }
 
 const Env& env_for(Body& body, ast::ExprId id) { return env_for(body, std::vector{id}); }
 
 const Env& env_for(Body& body, const std::vector<ast::ExprId>& written) {
-    if (body.lets.empty()) return body.env;
     std::vector<std::pair<Name, Meta>> bindings;
-    for (ast::ExprId id : written) bind_constants(body, id, bindings);
+    for (ast::ExprId id : written) bind_symbols(body, id, bindings);
     if (bindings.empty()) return body.env;
     // Before those of the declaration: a local hides what is outside of it.
     Env& env = body.context.new_env(body.env.module);
