@@ -103,7 +103,7 @@ void emit_cpp(const Options& options, const Compilation& c, std::uint32_t module
 /// Functions of the public structures, to include in shaders of one's own: `laplacian.Field.glsl`.
 void emit_libraries(const Compilation& c, std::uint32_t module, const std::string& base, std::vector<Output>& outputs) {
     for (const ir::Library& library : c.lowered.libraries)
-        if (c.program.structures[library.structure].pub_module == module)
+        if (library.module == module)
             outputs.push_back({base + "." + library.name + ".glsl", glsl::library_of(c.program, c.sources, library)});
 }
 

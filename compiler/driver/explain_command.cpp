@@ -35,9 +35,10 @@ private:
     }
 
     void explain(const ir::Structure& structure) {
-        if (!program_.modules[structure.module].is_root && !structure.is_pub && !structure.alias) return;
+        const std::vector<ir::Alias>& aliases = structure.aliases;
+        if (!program_.modules[structure.module].is_root && aliases.empty()) return;
         bool is_view = structure.kind == ir::StructureKind::view;
-        std::string name = structure.alias ? c_.names[structure.alias] + " = " : "";
+        std::string name = aliases.empty() ? "" : c_.names[aliases.front().name] + " = ";
         text_ += std::string(is_view ? "view " : "structure ") + name + structure.display + "  (" +
                  place(structure.span) + ")\n";
         line("", "addresses", to_text(program_, structure.domain_type));

@@ -397,14 +397,19 @@ struct HostField {
     ExprId initial;
 };
 
+/// What a module calls an instance of a structure: `pub structure Field = Array<4, float>;`.
+struct Alias {
+    Name name;
+    std::uint32_t module = 0;
+    bool is_pub = false;
+};
+
 /// One instance of a structure, view or adaptor.
 struct Structure {
     StructureKind kind = StructureKind::stored;
-    Name name;            ///< of the declaration: Array
-    std::string display;  ///< Array<4, float>
-    Name alias;           ///< the `pub structure Field = …` that first named it, or empty
-    bool is_pub = false;
-    std::uint32_t pub_module = 0xffffffffu;  ///< is_pub: the module whose public name this is
+    Name name;                   ///< of the declaration: Array
+    std::string display;         ///< Array<4, float>
+    std::vector<Alias> aliases;  ///< of all modules, each module's in its order
     Span span;
     std::uint32_t module = 0;          ///< of the declaration
     TypeId domain_type;                ///< uint or vector of uint; adaptors: void
@@ -503,7 +508,8 @@ struct Constant {
 struct Module {
     Name name;  ///< "std.array"
     std::uint32_t file = 0;
-    bool is_root = false;  ///< named on the command line: outputs are made for it
+    bool is_root = false;                ///< named on the command line: outputs are made for it
+    std::vector<std::uint32_t> imports;  ///< Program::modules that it uses, and that these use: sorted
     std::string doc;
 };
 

@@ -110,9 +110,10 @@ struct LibraryFunction {
     Pass pass;  ///< parameters are the structure's state, nothing computed from it
 };
 
-/// The functions of one public structure.
+/// The functions of a structure that a module makes public.
 struct Library {
     std::uint32_t structure = 0;
+    std::uint32_t module = 0;
     std::string name;
     std::vector<LibraryFunction> functions;
 };

@@ -92,9 +92,9 @@ void add_write(Maker& k) {
           k.param(k.library.name, Pattern::scatter, Direction::out), std::move(stmt));
 }
 
-Library library_of(Program& program, std::uint32_t structure, Diagnostics& diagnostics) {
+Library library_of(Program& program, std::uint32_t structure, const Alias& alias, Diagnostics& diagnostics) {
     const Structure& s = program.structures[structure];
-    Library library{structure, (*program.names)[s.alias ? s.alias : s.name], {}};
+    Library library{structure, alias.module, (*program.names)[alias.name], {}};
     Maker k{program, diagnostics, library, {}, {}};
     k.address = k.local("address", s.domain_type);
     k.value = k.local("value", s.element);
@@ -109,10 +109,11 @@ Library library_of(Program& program, std::uint32_t structure, Diagnostics& diagn
 std::vector<Library> lower_libraries(Program& program, Diagnostics& diagnostics) {
     std::vector<Library> libraries;
     for (std::uint32_t i = 0; i < program.structures.size(); ++i) {
-        const Structure& s = program.structures[i];
-        bool has_functions = s.is_pub && s.kind != StructureKind::adaptor;
-        if (has_functions && program.modules[s.pub_module].is_root)
-            libraries.push_back(library_of(program, i, diagnostics));
+        if (program.structures[i].kind == StructureKind::adaptor) continue;
+        const std::vector<Alias> aliases = program.structures[i].aliases;
+        for (const Alias& alias : aliases)
+            if (alias.is_pub && program.modules[alias.module].is_root)
+                libraries.push_back(library_of(program, i, alias, diagnostics));
     }
     return libraries;
 }

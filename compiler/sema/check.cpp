@@ -1,11 +1,14 @@
 #include "sema/check.h"
 
+#include "ir/aliases.h"
 #include "sema/components.h"
 #include "sema/context.h"
 #include "sema/defines.h"
 #include "sema/generics.h"
 #include "sema/instances.h"
 #include "sema/modules.h"
+
+#include <algorithm>
 
 namespace gliftc::sema {
 
@@ -26,8 +29,17 @@ void check_constant(Context& c, ast::DeclId id) {
         {decl.name.name, c.program.exprs[value].type, value, c.module_of.at(id), decl.is_pub, decl.doc});
 }
 
-/// A pipeline over ranges is made for every public structure of the module that fits each of its ranges.
-void check_pipeline(Context& c, ast::DeclId id, const Env& env, std::optional<std::uint32_t> owner) {
+/// The modules with outputs that make a structure public.
+std::vector<std::uint32_t> makers_of(const Context& c, std::uint32_t structure) {
+    std::vector<std::uint32_t> makers;
+    for (std::uint32_t i = 0; i < c.modules.size(); ++i)
+        if (c.modules[i].is_root && ir::is_public(c.program.structures[structure], i)) makers.push_back(i);
+    return makers;
+}
+
+/// A pipeline over ranges is made for every public structure of the modules that fits each of its ranges.
+void check_pipeline(Context& c, ast::DeclId id, const Env& env, std::optional<std::uint32_t> owner,
+                    const std::vector<std::uint32_t>& modules) {
     const ast::Decl& decl = c[id];
     const auto& written = std::get<ast::Pipeline>(decl.body);
     std::vector<std::vector<std::uint32_t>> choices = {{}};
@@ -41,8 +53,10 @@ void check_pipeline(Context& c, ast::DeclId id, const Env& env, std::optional<st
             ir::TypeId domain = c.types().vector(c.types().uint, *n);
             for (std::uint32_t i = 0; i < c.program.structures.size(); ++i) {
                 const ir::Structure& structure = c.program.structures[i];
-                if (structure.is_pub && structure.kind == ir::StructureKind::stored &&
-                    structure.domain_type == domain && structure.element == element)
+                const bool is_public = std::ranges::any_of(
+                    modules, [&](std::uint32_t module) { return ir::is_public(structure, module); });
+                if (is_public && structure.kind == ir::StructureKind::stored && structure.domain_type == domain &&
+                    structure.element == element)
                     fitting.push_back(i);
             }
         }
@@ -60,7 +74,8 @@ void check_pipeline(Context& c, ast::DeclId id, const Env& env, std::optional<st
 void check_adaptor_pipelines(Context& c, std::uint32_t index) {
     const auto& adaptor = std::get<ast::Adaptor>(c[c.structure_decl.at(index)].body);
     for_each_item(c, *c.structure_env.at(index), adaptor.items, [&](const ast::Item& item) {
-        if (item.kind == ast::ItemKind::pipeline) check_pipeline(c, item.decl, *c.structure_env.at(index), index);
+        if (item.kind == ast::ItemKind::pipeline)
+            check_pipeline(c, item.decl, *c.structure_env.at(index), index, makers_of(c, index));
     });
 }
 
@@ -76,16 +91,7 @@ void check_types(Context& c, std::uint32_t module, const std::vector<ast::DeclId
         if (type) instantiate_type(c, id, env, decl.name.span);
         else if (std::holds_alternative<ast::Translator>(decl.body)) instantiate_translator(c, id, env, decl.name.span);
         else if (std::holds_alternative<ast::Const>(decl.body)) check_constant(c, id);
-        else if (std::holds_alternative<ast::Alias>(decl.body)) {
-            // A plain use of the name follows the alias, marks what it names as public, and reports what is wrong with
-            // it.
-            const auto& alias = std::get<ast::Alias>(decl.body);
-            Meta meta = meta_of(c, env, alias.target);
-            if (meta.kind != MetaKind::type || c.types().kind(meta.type) != ir::TypeKind::structure) continue;
-            ir::Structure& structure = c.program.structures[c.types()[meta.type].index];
-            if (!structure.is_pub) structure.alias = decl.name.name, structure.pub_module = module;
-            structure.is_pub |= decl.is_pub;
-        }
+        else if (std::holds_alternative<ast::Alias>(decl.body)) meta_of_alias(c, id, env, decl.name.span);
     }
 }
 
@@ -98,7 +104,7 @@ void check_code(Context& c, std::uint32_t module, const std::vector<ast::DeclId>
         Env& env = c.new_env(module);
         if (std::holds_alternative<ast::Function>(decl.body)) check_function(c, id, env);
         else if (std::holds_alternative<ast::Kernel>(decl.body)) instantiate_kernel(c, id, env, decl.name.span);
-        else if (std::holds_alternative<ast::Pipeline>(decl.body)) check_pipeline(c, id, env, std::nullopt);
+        else if (std::holds_alternative<ast::Pipeline>(decl.body)) check_pipeline(c, id, env, std::nullopt, {module});
     }
 }
 
@@ -150,7 +156,7 @@ ir::Program check(const std::vector<LoadedModule>& modules, const ast::Tree& tre
     for (std::uint32_t i = 0; i < modules.size(); ++i)
         if (modules[i].is_root) check_code(c, i, modules[i].tree->decls);
     for (std::uint32_t i = 0; i < program.structures.size(); ++i) {
-        if (!program.structures[i].is_pub) continue;
+        if (makers_of(c, i).empty()) continue;
         if (program.structures[i].kind == ir::StructureKind::adaptor) check_adaptor_pipelines(c, i);
         if (!diagnostics.has_errors()) require_transfers(c, i, program.structures[i].span);
     }

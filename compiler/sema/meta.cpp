@@ -96,26 +96,23 @@ Meta builtin(Context& c, std::string_view text) {
     return meta;
 }
 
+/// Tells a structure a name that a module gives it.
+void note_alias(Context& c, ast::DeclId id, ir::TypeId structure) {
+    const ast::Decl& decl = c[id];
+    if (!decl.generics.empty()) return;
+    const std::uint32_t module = c.module_of.at(id);
+    std::vector<ir::Alias>& aliases = c.program.structures[c.types()[structure].index].aliases;
+    const bool is_known = std::ranges::any_of(
+        aliases, [&](const ir::Alias& alias) { return alias.name == decl.name.name && alias.module == module; });
+    if (!is_known) aliases.push_back({decl.name.name, module, decl.is_pub});
+}
+
 /// What a declaration means once its generic arguments are bound in `env`.
 Meta meta_of_declaration(Context& c, ast::DeclId id, const Env& env, Span use) {
     const ast::Decl& decl = c[id];
     Meta meta;
     bool is_translator = std::holds_alternative<ast::Translator>(decl.body);
-    if (auto* alias = std::get_if<ast::Alias>(&decl.body)) {
-        InstantiationScope scope(c, c.text(decl.name.name), use);
-        if (scope.too_deep()) return {};
-        meta = meta_of(c, env, alias->target);
-        if (meta.kind == MetaKind::type && c.types().kind(meta.type) == ir::TypeKind::structure) {
-            ir::Structure& structure = c.program.structures[c.types()[meta.type].index];
-            // The first name that a user gives is the one that generated code uses.
-            if (!structure.alias && decl.generics.empty()) structure.alias = decl.name.name;
-            if (decl.is_pub && decl.generics.empty() && c.modules[c.module_of.at(id)].is_root) {
-                structure.alias = decl.name.name;
-                structure.is_pub = true;
-            }
-        }
-        return meta;
-    }
+    if (std::holds_alternative<ast::Alias>(decl.body)) return meta_of_alias(c, id, env, use);
     if (is_translator) {
         auto stages = instantiate_translator(c, id, env, use);
         if (!stages) return {};
@@ -238,6 +235,16 @@ std::vector<ast::DeclId> find_declarations(Context& c, std::uint32_t module, ast
     note(c.error(Diag::not_public, name.span, {c.text(name.name), owner}), c[visible.hidden[0]].name.span,
          "write 'pub' before it to export it");
     return visible.hidden;
+}
+
+Meta meta_of_alias(Context& c, ast::DeclId id, const Env& env, Span use) {
+    const ast::Decl& decl = c[id];
+    InstantiationScope scope(c, c.text(decl.name.name), use);
+    if (scope.too_deep()) return {};
+    Meta meta = meta_of(c, env, std::get<ast::Alias>(decl.body).target);
+    if (meta.kind == MetaKind::type && c.types().kind(meta.type) == ir::TypeKind::structure)
+        note_alias(c, id, meta.type);
+    return meta;
 }
 
 Meta find_meta(Context& c, const Env& env, ast::Identifier name) {

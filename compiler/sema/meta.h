@@ -12,6 +12,9 @@ std::vector<ast::DeclId> find_declarations(Context&, std::uint32_t module, ast::
 /// What a name means in an instance of a module: generic argument, declaration, built-in type. kind none if unknown.
 Meta find_meta(Context&, const Env&, ast::Identifier name);
 
+/// What `structure Field = …` means, with its generic arguments bound. A structure learns that it is called so.
+Meta meta_of_alias(Context&, ast::DeclId, const Env&, Span use);
+
 /// What a type expression means; reports and gives none if it means nothing.
 Meta meta_of(Context&, const Env&, ast::ExprId);
 

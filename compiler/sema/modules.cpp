@@ -1,6 +1,8 @@
 // What each module declares and imports.
 #include "sema/modules.h"
 
+#include <set>
+
 namespace gliftc::sema {
 
 namespace {
@@ -59,6 +61,19 @@ void declare(Context& c, ModuleScope& scope, ast::DeclId id) {
     same.push_back(id);
 }
 
+/// The modules that one uses, and that these use, sorted.
+std::vector<std::uint32_t> reached_from(const std::vector<LoadedModule>& modules, std::uint32_t from) {
+    std::set<std::uint32_t> reached;
+    std::vector<std::uint32_t> next = {from};
+    while (!next.empty()) {
+        const std::uint32_t module = next.back();
+        next.pop_back();
+        for (std::uint32_t use : modules[module].uses)
+            if (use != ~0u && reached.insert(use).second) next.push_back(use);
+    }
+    return {reached.begin(), reached.end()};
+}
+
 }  // namespace
 
 void collect_modules(Context& c) {
@@ -70,6 +85,7 @@ void collect_modules(Context& c) {
         module.file = loaded.tree->file;
         module.is_root = loaded.is_root;
         module.doc = loaded.tree->doc;
+        module.imports = reached_from(c.modules, i);
         c.program.modules.push_back(std::move(module));
         for (std::uint32_t use : loaded.uses)
             if (use != ~0u) c.scopes[i].imports.push_back(use);

@@ -379,7 +379,7 @@ std::uint32_t begin_structure(Context& c, ast::DeclId id, const Env& env, ir::St
     structure.doc = decl.doc;
     structure.domain_type = structure.element = c.types().void_;
     if (decl.is_pub && decl.generics.empty() && c.modules[structure.module].is_root)
-        structure.is_pub = true, structure.alias = decl.name.name, structure.pub_module = structure.module;
+        structure.aliases.push_back({decl.name.name, structure.module, true});
     c.program.structures.push_back(std::move(structure));
     c.structure_env[index] = &env;
     c.structure_decl[index] = id;

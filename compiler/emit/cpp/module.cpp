@@ -98,7 +98,11 @@ std::string header_of(Unit& unit, const std::string& stem) {
     out.raw("\n");
     print_structs(unit, out);
     for (std::uint32_t structure : unit.reach.structures) {
-        if (unit.reach.in_header.contains(structure)) print_class(unit, out, structure, true);
+        if (!unit.reach.in_header.contains(structure)) continue;
+        print_class(unit, out, structure, true);
+        for (const std::string& name : unit.globals.other_names[structure])
+            out.line("using " + name + " = " + unit.class_name(structure) + ";");
+        if (!unit.globals.other_names[structure].empty()) out.gap();
     }
     for (std::uint32_t kernel : unit.reach.kernels) {
         if (!is_public(unit, kernel)) continue;
@@ -235,7 +239,7 @@ Module module_of(const ir::Program& program, const ir::Lowered& lowered, const S
               code,
               options,
               reach_of(program, module, options),
-              make_globals(program, sources),
+              make_globals(program, sources, module),
               space_of((*program.names)[program.modules[module].name])};
     add_inner_structs(unit.reach, program, lowered);
     name_functions(unit);

@@ -43,10 +43,11 @@ struct ClassNames {
 struct Globals {
     const ir::Program& program;
     const Sources& sources;
-    Scopes names;                              ///< of the module's namespace
-    std::vector<std::string> struct_names;     ///< of Program::structs
-    std::vector<std::string> structure_names;  ///< of Program::structures
-    std::vector<ClassNames> class_names;       ///< of Program::structures
+    Scopes names;                                       ///< of the module's namespace
+    std::vector<std::string> struct_names;              ///< of Program::structs
+    std::vector<std::string> structure_names;           ///< of Program::structures
+    std::vector<std::vector<std::string>> other_names;  ///< of Program::structures: further public names
+    std::vector<ClassNames> class_names;                ///< of Program::structures
     std::unordered_map<ir::FunctionId, std::string> function_names;
     std::string functions;                                        ///< printed so far, callees first
     std::unordered_map<std::uint32_t, std::string> kernel_names;  ///< of Program::kernels
@@ -55,8 +56,8 @@ struct Globals {
     Globals(const ir::Program& program, const Sources& sources) : program(program), sources(sources) {}
 };
 
-/// Names every struct and structure of the program.
-Globals make_globals(const ir::Program& program, const Sources& sources);
+/// Names every struct and structure of the program for code of a module.
+Globals make_globals(const ir::Program& program, const Sources& sources, std::uint32_t module);
 
 /// Prints one function, kernel or method body.
 struct Printer {

@@ -1,6 +1,7 @@
 // What a module's C++ must contain: its public components, its pipelines, and all that these need.
 #include "base/parallel.h"
 #include "emit/cpp/unit.h"
+#include "ir/aliases.h"
 #include "ir/evaluate.h"
 #include "ir/walk.h"
 
@@ -253,7 +254,7 @@ Reach reach_of(const ir::Program& program, std::uint32_t module, const Options& 
         if (program.enums[i].module == module && program.enums[i].is_pub) collector.reach.enums.insert(i);
     }
     for (std::uint32_t i = 0; i < program.structures.size(); ++i) {
-        if (program.structures[i].is_pub && program.structures[i].pub_module == module) collector.structure(i, true);
+        if (ir::is_public(program.structures[i], module)) collector.structure(i, true);
     }
     for (std::uint32_t i = 0; i < program.kernels.size(); ++i) {
         if (program.kernels[i].module == module && program.kernels[i].is_pub) collector.kernel(i, true);

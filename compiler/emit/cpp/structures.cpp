@@ -1,6 +1,7 @@
 // Structures, views and adaptors as classes; structs as structs.
 #include "emit/cpp/translators.h"
 #include "emit/cpp/unit.h"
+#include "ir/aliases.h"
 #include "ir/empty.h"
 #include "layout/layout.h"
 
@@ -233,12 +234,11 @@ void print_class(Unit& unit, Writer& out, std::uint32_t index, bool qualified) {
     const Structure& structure = unit.program.structures[index];
     const ClassNames& names = unit.globals.class_names[index];
     const std::string& type = unit.class_name(index);
-    const std::string shown = structure.alias ? unit.name(structure.alias) : structure.display;
+    const Name alias = ir::name_in(unit.program, structure, unit.module);
+    const std::string shown = alias ? unit.name(alias) : structure.display;
     if (structure.doc.empty())
         out.line("/// " + structure.display + ", " + place_text(unit.sources, structure.span) + ".");
-    else
-        write_doc(out, structure.alias && shown != structure.display ? structure.display + ". " + structure.doc
-                                                                     : structure.doc);
+    else write_doc(out, alias && shown != structure.display ? structure.display + ". " + structure.doc : structure.doc);
     out.open("class " + type + base_of(unit, index, qualified));
     out.dedent();
     out.line("public:");

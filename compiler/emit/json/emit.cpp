@@ -3,6 +3,7 @@
 #include "emit/json/reach.h"
 #include "emit/json/text.h"
 #include "emit/json/words.h"
+#include "ir/aliases.h"
 #include "ir/evaluate.h"
 #include "layout/layout.h"
 
@@ -16,6 +17,7 @@ struct Writer {
     const ir::Program& program;
     const ir::Lowered& lowered;
     const Sources& sources;
+    std::uint32_t module;
     Text out;
 
     const std::string& name(Name name) const { return (*program.names)[name]; }
@@ -24,7 +26,8 @@ struct Writer {
 
     std::string structure_name(std::uint32_t index) const {
         const ir::Structure& s = program.structures[index];
-        return s.alias ? name(s.alias) : s.display;
+        const Name alias = ir::name_in(program, s, module);
+        return alias ? name(alias) : s.display;
     }
     void document(const std::string& doc) {
         if (!doc.empty()) out.field("doc", doc);
@@ -132,7 +135,11 @@ void Writer::structure(std::uint32_t index) {
             out.field("domain", type(s.domain_type));
             out.field("element", type(s.element));
         }
-        out.field("public", s.is_pub);
+        const std::vector<Name> names = ir::public_names(s, module);
+        out.field("public", !names.empty());
+        if (names.size() > 1)
+            list("other_names", std::vector(names.begin() + 1, names.end()),
+                 [&](Name other) { out.value(name(other)); });
         list("constructor", s.constructor,
              [&](ir::LocalId id) { named(name(program.locals[id].name), type(program.locals[id].type)); });
         list("memories", s.memories, [&](const ir::Memory& m) { memory(m, self); });
@@ -316,7 +323,7 @@ std::set<std::uint32_t> pipelines_of_tests(const ir::Program& program) {
 
 std::string reflection_of(const ir::Program& program, const ir::Lowered& lowered, const Sources& sources,
                           std::uint32_t module) {
-    Writer writer{program, lowered, sources, {}};
+    Writer writer{program, lowered, sources, module, {}};
     Text& out = writer.out;
     const ir::Module& m = program.modules[module];
     const Reached reached = reach(program, module);

@@ -1,5 +1,7 @@
 #include "emit/json/reach.h"
 
+#include "ir/aliases.h"
+
 namespace gliftc::json {
 
 namespace {
@@ -46,7 +48,7 @@ struct Walk {
 Reached reach(const ir::Program& program, std::uint32_t module) {
     Walk walk{program, {}};
     for (std::uint32_t i = 0; i < program.structures.size(); ++i)
-        if (program.structures[i].is_pub && program.structures[i].pub_module == module) walk.structure(i);
+        if (ir::is_public(program.structures[i], module)) walk.structure(i);
     for (const ir::Kernel& kernel : program.kernels) {
         if (kernel.module != module) continue;
         for (const ir::KernelParam& param : kernel.params) {
