@@ -432,7 +432,7 @@ const glift::Kernel fill_box_kernel = {
     .parameters = fill_box_parameters,
 };
 
-void read_box(const glift::Commands& commands, const glift::Range<Bins>& from, const glift::Range<Box_1_uint>& to) {
+void read_box(const glift::Commands& commands, const glift::Range<Samples>& from, const glift::Range<Box_1_uint>& to) {
     glift::Iteration iteration(read_box_kernel);
     iteration.each("from", from);
     iteration.each("to", to);
@@ -455,7 +455,7 @@ void read_box(const glift::Commands& commands, const glift::Range<Bins>& from, c
     }
 }
 
-void write_box(const glift::Commands& commands, const glift::Range<Box_1_uint>& from, const glift::Range<Bins>& to) {
+void write_box(const glift::Commands& commands, const glift::Range<Box_1_uint>& from, const glift::Range<Samples>& to) {
     glift::Iteration iteration(write_box_kernel);
     iteration.each("from", from);
     iteration.each("to", to);
@@ -478,7 +478,7 @@ void write_box(const glift::Commands& commands, const glift::Range<Box_1_uint>& 
     }
 }
 
-void fill_box(const glift::Commands& commands, const glift::Range<Bins>& to, uint value) {
+void fill_box(const glift::Commands& commands, const glift::Range<Samples>& to, uint value) {
     glift::Iteration iteration(fill_box_kernel);
     iteration.each("to", to);
     const glift::Memory memories[] = {to->data()};
@@ -523,7 +523,7 @@ bool Box_1_uint::same_state(const Box_1_uint& other) const {
 
 }  // namespace
 
-void histogram(const glift::Commands& commands, const glift::Range<Bins>& s, const glift::Range<Bins>& bins) {
+void histogram(const glift::Commands& commands, const glift::Range<Samples>& s, const glift::Range<Samples>& bins) {
     glift::Iteration iteration(histogram_kernel);
     iteration.each("s", s);
     iteration.any("bins", bins);
@@ -549,27 +549,27 @@ void histogram(const glift::Commands& commands, const glift::Range<Bins>& s, con
     }
 }
 
-Bins::Bins(const glift::Commands& commands, uint extent)
+Samples::Samples(const glift::Commands& commands, uint extent)
     : Structure(commands.device()),
       extent_(extent),
       data_extent_(volume(extent_)),
-      data_(commands.allocate({.name = "Bins.data", .bytes = glift::buffer_bytes<uint>(data_extent_)})) {}
+      data_(commands.allocate({.name = "Samples.data", .bytes = glift::buffer_bytes<uint>(data_extent_)})) {}
 
-Bins::Bins(const glift::Commands& commands, uint extent, glift::Memory data)
+Samples::Samples(const glift::Commands& commands, uint extent, glift::Memory data)
     : Structure(commands.device()),
       extent_(extent),
       data_extent_(volume(extent_)),
       data_(std::move(data)) {}
 
-uint Bins::domain() const {
+uint Samples::domain() const {
     return extent_;
 }
 
-bool Bins::same_state(const Bins& other) const {
+bool Samples::same_state(const Samples& other) const {
     return extent_ == other.extent_;
 }
 
-std::uint64_t Bins::place(uint address) const {
+std::uint64_t Samples::place(uint address) const {
     [[maybe_unused]] const uint extent = extent_;
     const auto translate = [&](uint va) -> uint {
         // linear.glift:12
@@ -578,18 +578,20 @@ std::uint64_t Bins::place(uint address) const {
     return translate(address);
 }
 
-void Bins::copy_out(const glift::Commands& commands, const glift::Range<Bins>& range, const glift::Memory& box) const {
+void Samples::copy_out(const glift::Commands& commands, const glift::Range<Samples>& range,
+    const glift::Memory& box) const {
     read_box(commands, range, Box_1_uint(commands, range.size(), box));
 }
 
-void Bins::copy_in(const glift::Commands& commands, const glift::Range<Bins>& range, const glift::Memory& box) const {
+void Samples::copy_in(const glift::Commands& commands, const glift::Range<Samples>& range,
+    const glift::Memory& box) const {
     write_box(commands, Box_1_uint(commands, range.size(), box), range);
 }
 
-void Bins::fill(uint value, const glift::Range<Bins>& range) {
+void Samples::fill(uint value, const glift::Range<Samples>& range) {
     fill_box(device(), range, value);
 }
-void Bins::fill(uint value) {
+void Samples::fill(uint value) {
     fill(value, *this);
 }
 

@@ -12,14 +12,14 @@ namespace scatter {
 /// Array<1, uint, none, buffer>. A dense N-D array. Memory: one element an address. What lies outside is up to
 /// `edge`: by default reads give zero and
 /// writes go nowhere. Thesis section 9.1.
-class Bins : public glift::Structure<Bins, glift::uint, glift::uint> {
+class Samples : public glift::Structure<Samples, glift::uint, glift::uint> {
 public:
-    static constexpr const char* type_name = "Bins";
+    static constexpr const char* type_name = "Samples";
 
-    Bins() = default;
-    Bins(const glift::Commands& commands, glift::uint extent);
+    Samples() = default;
+    Samples(const glift::Commands& commands, glift::uint extent);
     /// Over parts that exist already.
-    Bins(const glift::Commands& commands, glift::uint extent, glift::Memory data);
+    Samples(const glift::Commands& commands, glift::uint extent, glift::Memory data);
 
     /// The extent of the virtual domain.
     glift::uint domain() const;
@@ -27,17 +27,17 @@ public:
     const glift::Memory& data() const { return data_; }
     glift::uint data_extent() const { return data_extent_; }
     /// True if the two were made with equal arguments.
-    bool same_state(const Bins& other) const;
+    bool same_state(const Samples& other) const;
 
     /// Gives every element, or those of a box, one value.
     void fill(glift::uint value);
-    void fill(glift::uint value, const glift::Range<Bins>& range);
+    void fill(glift::uint value, const glift::Range<Samples>& range);
     /// Where an element lies in row_memory(), in elements; the address is an affine function of the virtual one.
     std::uint64_t place(glift::uint address) const;
     const glift::Memory& row_memory() const { return data_; }
     /// Elements of a box to a linear buffer, and back.
-    void copy_out(const glift::Commands& commands, const glift::Range<Bins>& range, const glift::Memory& box) const;
-    void copy_in(const glift::Commands& commands, const glift::Range<Bins>& range, const glift::Memory& box) const;
+    void copy_out(const glift::Commands& commands, const glift::Range<Samples>& range, const glift::Memory& box) const;
+    void copy_in(const glift::Commands& commands, const glift::Range<Samples>& range, const glift::Memory& box) const;
 
 private:
     glift::uint extent_{};
@@ -45,6 +45,8 @@ private:
     glift::Memory data_;
 };
 
-void histogram(const glift::Commands& commands, const glift::Range<Bins>& s, const glift::Range<Bins>& bins);
+using Bins = Samples;
+
+void histogram(const glift::Commands& commands, const glift::Range<Samples>& s, const glift::Range<Samples>& bins);
 
 }  // namespace scatter

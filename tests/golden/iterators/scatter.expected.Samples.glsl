@@ -1,0 +1,44 @@
+#ifndef GLIFT_SAMPLES
+#define GLIFT_SAMPLES
+// Array<1, uint, none, buffer>, array.glift:20.
+// Define before including: SAMPLES_SET, SAMPLES_BINDING (the state; memory k follows at + 1 + k), SAMPLES_STATE, SAMPLES_READONLY.
+#extension GL_EXT_scalar_block_layout : require
+
+#ifndef SAMPLES_SET
+#define SAMPLES_SET 0
+#endif
+#ifndef SAMPLES_BINDING
+#define SAMPLES_BINDING 0
+#endif
+#ifdef SAMPLES_READONLY
+#define SAMPLES_ACCESS readonly
+#else
+#define SAMPLES_ACCESS
+#endif
+
+#ifndef SAMPLES_STATE  // define it where the members below are declared in a block of your own
+layout(scalar, set = SAMPLES_SET, binding = SAMPLES_BINDING) readonly buffer Samples_state {
+    uint Samples_extent;
+};
+#endif
+
+layout(scalar, set = SAMPLES_SET, binding = SAMPLES_BINDING + 1) SAMPLES_ACCESS buffer Samples_data_memory { uint Samples_data[]; };
+
+uint Samples_translate(uint address) {
+    return address;
+}
+
+uint Samples_read(uint address) {
+    bool Samples_value_inside = address < Samples_extent;
+    uint Samples_value = Samples_data[Samples_value_inside ? address : 0u];
+    return Samples_value_inside ? Samples_value : 0u;
+}
+
+#ifndef SAMPLES_READONLY
+void Samples_write(uint address, uint value) {
+    if (address < Samples_extent) {
+        Samples_data[address] = value;
+    }
+}
+#endif
+#endif
