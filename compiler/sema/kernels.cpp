@@ -154,6 +154,8 @@ void add_param(Body& body, const ast::Param& param, ir::Kernel& kernel) {
         broken.type = c.types().error;
         broken.local = add_local(c.program, param.name.name, c.types().error, param.name.span);
         declare(body, param.name, broken);
+        made.pattern = ir::Pattern::value;  // there is no structure to look at
+        made.local = broken.local;
         kernel.params.push_back(std::move(made));
         return;
     }
@@ -184,7 +186,7 @@ void add_param(Body& body, const ast::Param& param, ir::Kernel& kernel) {
 }
 
 /// The virtual domain that the kernel runs over: all its each and at parameters share it.
-void find_domain(Context& c, ir::Kernel& kernel, bool parameters_are_good) {
+void find_domain(Context& c, const ast::Kernel& written, ir::Kernel& kernel, bool parameters_are_good) {
     const ir::KernelParam* first = nullptr;
     for (const ir::KernelParam& param : kernel.params) {
         if (param.pattern != ir::Pattern::each && param.pattern != ir::Pattern::at) continue;
@@ -196,7 +198,11 @@ void find_domain(Context& c, ir::Kernel& kernel, bool parameters_are_good) {
                  first->span, "the iteration follows this one");
         }
     }
-    if (!first && parameters_are_good) {
+    // A parameter may be broken where its structure was reported.
+    const bool is_asked = std::ranges::any_of(written.params, [](const ast::Param& param) {
+        return param.pattern == ast::Pattern::each || param.pattern == ast::Pattern::at;
+    });
+    if (!is_asked && parameters_are_good) {
         note(c.error(Diag::no_iteration, kernel.span, {kernel.display}), kernel.span,
              "a kernel runs once for each element of an 'each' or 'at' parameter: give it one");
     }
@@ -302,7 +308,7 @@ std::optional<std::uint32_t> instantiate_kernel(Context& c, ast::DeclId id, cons
               .group = kernel.group,
               .shared = &kernel.shared};
     for (const ast::Param& param : written.params) add_param(body, param, kernel);
-    find_domain(c, kernel, c.diagnostics.error_count() == errors);
+    find_domain(c, written, kernel, c.diagnostics.error_count() == errors);
     read_items(c, env, written, kernel);
     find_alike(c, written, kernel);
     open_scope(body);
