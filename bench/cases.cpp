@@ -36,7 +36,8 @@ const glift::Kernel laplacian_twin = {.name = "laplacian by hand",
                                       .group = {32, 4, 2},
                                       .loop_rounds = 0,
                                       .bindings = f_and_g,
-                                      .direct = {.spirv = laplacian, .parameter_bytes = 16, .push_constants = true}};
+                                      .direct = {.spirv = laplacian, .parameter_bytes = 16, .push_constants = true},
+                                      .items = {1, 2, 1}};
 const glift::Kernel stream_twin = {.name = "stream by hand",
                                    .file = "stream.comp",
                                    .line = 1,
@@ -44,7 +45,8 @@ const glift::Kernel stream_twin = {.name = "stream by hand",
                                    .group = {256, 1, 1},
                                    .loop_rounds = 0,
                                    .bindings = images,
-                                   .direct = {.spirv = stream, .parameter_bytes = 8, .push_constants = true}};
+                                   .direct = {.spirv = stream, .parameter_bytes = 8, .push_constants = true},
+                                   .items = {2, 1, 1}};
 const glift::Kernel stencil_twin = {.name = "stencil by hand",
                                     .file = "stencil.comp",
                                     .line = 1,
@@ -52,7 +54,8 @@ const glift::Kernel stencil_twin = {.name = "stencil by hand",
                                     .group = {32, 8, 1},
                                     .loop_rounds = 0,
                                     .bindings = f_and_g,
-                                    .direct = {.spirv = stencil, .parameter_bytes = 12, .push_constants = true}};
+                                    .direct = {.spirv = stencil, .parameter_bytes = 12, .push_constants = true},
+                                    .items = {1, 2, 1}};
 const glift::Kernel gather_twin = {.name = "gather by hand",
                                    .file = "gather_places.comp",
                                    .line = 1,
@@ -60,7 +63,8 @@ const glift::Kernel gather_twin = {.name = "gather by hand",
                                    .group = {256, 1, 1},
                                    .loop_rounds = 0,
                                    .bindings = p_f_and_g,
-                                   .direct = {.spirv = gather_places, .parameter_bytes = 16, .push_constants = true}};
+                                   .direct = {.spirv = gather_places, .parameter_bytes = 16, .push_constants = true},
+                                   .items = {2, 1, 1}};
 
 /// One call of a twin.
 template <class Block, std::size_t n> void dispatch(const glift::Commands& commands, const glift::Kernel& kernel,

@@ -1,6 +1,7 @@
 #version 460
 #extension GL_EXT_scalar_block_layout : require
-// Reads of a 3-D array in Morton order, at places in no order; zero outside.
+// Reads of a 3-D array in Morton order, at places in no order; zero outside. An invocation takes two places, a workgroup's
+// width apart.
 
 layout(local_size_x = 256) in;
 
@@ -21,13 +22,17 @@ uint spread(uint x) {
     return (x | (x << 2)) & 0x09249249u;
 }
 
+uint place(uvec3 p) { return spread(p.x) | (spread(p.y) << 1) | (spread(p.z) << 2); }
+
 void main() {
     // More than 65535 workgroups along x are folded into y.
-    uint i = gl_GlobalInvocationID.y * (gl_NumWorkGroups.x * 256u) + gl_GlobalInvocationID.x;
+    uint i = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * 512u + gl_LocalInvocationID.x;
     if (i >= count) return;
-    uvec3 p = places[i];
-    bool inside = all(lessThan(p, extent));
+    uint j = i + 256u < count ? i + 256u : i;  // where there is none, the first once more: no branch
+    uvec3 p = places[i], q = places[j];
+    bool inside = all(lessThan(p, extent)), next_inside = all(lessThan(q, extent));
     // Always a load, never a branch.
-    float value = f[inside ? spread(p.x) | (spread(p.y) << 1) | (spread(p.z) << 2) : 0u];
+    float value = f[inside ? place(p) : 0u], next = f[next_inside ? place(q) : 0u];
     g[i] = inside ? value : 0.0;
+    g[j] = next_inside ? next : 0.0;
 }

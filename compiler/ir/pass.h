@@ -66,6 +66,7 @@ struct Pass {
     std::array<std::uint32_t, 3> group = {64, 1, 1};
     std::uint32_t rank = 1;
     std::uint32_t items = 1;  ///< consecutive elements that one invocation takes; `address` is the first of them
+    std::array<std::uint32_t, 3> taken = {1, 1, 1};  ///< elements that an invocation of a shader takes along each axis
     std::vector<PassBinding> bindings;
     std::vector<PassParameter> parameters;
     std::uint32_t parameter_bytes = 0;  ///< set by layout/
@@ -77,6 +78,7 @@ struct Pass {
     std::vector<StmtId> prologue;  ///< shaders only: declares `address` from builtins, and `in_range`
     LocalId in_range;  ///< bool. Kernels without a group return where it is false; grouped ones guard with it
     std::vector<StmtId> body;
+    std::vector<StmtId> pair_body;  ///< shaders only: the same for two elements; empty: they run `body`
     /// Host only: the same body where every `near` access is known to stay inside the domain; empty if there is no
     /// difference. Valid where interior_low <= virtual address of the centre < domain - interior_high, each axis.
     /// Parameters give the domain.

@@ -388,6 +388,10 @@ void Printer::pass() {
     body(pass.prologue);
     line("body");
     body(pass.body);
+    if (!pass.pair_body.empty()) {
+        line("two elements");
+        body(pass.pair_body);
+    }
     if (!pass.interior_body.empty()) {
         line("interior radius " + std::to_string(pass.interior_radius));
         body(pass.interior_body);

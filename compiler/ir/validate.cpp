@@ -196,6 +196,7 @@ std::vector<std::string> validate(const Program& program, const Pass& pass) {
     Validator validator(program, pass, Uniforms::moved);
     validator.body(pass.prologue);
     validator.body(pass.body);
+    validator.body(pass.pair_body);
     validator.body(pass.interior_body);
     for (FunctionId id : pass.functions) {
         for (LocalId param : program.functions[id].params) validator.declare(param);

@@ -194,6 +194,8 @@ ExprId Expander::near_guard(std::uint32_t root, const std::vector<std::int64_t>&
                 ? make.binary(BinaryOp::greater_equal, at, make.uint(static_cast<std::uint64_t>(-offset[axis])))
                 : make.binary(BinaryOp::less, make.add(at, make.uint(static_cast<std::uint64_t>(offset[axis]))),
                               make.component(domain, axis));
+        if (axis == 1 && offset[axis] > 0)
+            row_guards.push_back({inside, at, make.component(domain, axis), offset[axis]});
         guard = make.both(guard, inside);
     }
     return guard;
@@ -229,24 +231,28 @@ ExprId Expander::near(const Expr& node) {
     Place place = resolved(node.place);
     auto offset = offset_of(node);
     if (!offset) return make.zero(node.type);
-    bool is_centre = true;
-    for (std::int64_t part : *offset) is_centre = is_centre && part == 0;
-    if (is_centre) return element(place.root, node.span);
+    const bool is_centre = std::ranges::all_of(*offset, [](std::int64_t part) { return part == 0; });
+    const ExprId value = is_centre ? element(place.root, node.span) : neighbour(place, *offset);
+    if (out_ == top_) near_values.push_back({place.root, std::move(*offset), value});
+    return value;
+}
+
+ExprId Expander::neighbour(const Place& place, const std::vector<std::int64_t>& offset) {
     TypeId address_type = make.type(centre_address(place.root));
     Operands parts;
-    for (std::int64_t part : *offset) parts.push_back(make.uint(static_cast<std::uint32_t>(part)));
+    for (std::int64_t part : offset) parts.push_back(make.uint(static_cast<std::uint32_t>(part)));
     ExprId step = parts.size() == 1 ? parts[0] : make.construct(address_type, std::move(parts));
     ExprId address = make.add(centre_address(place.root), step);
     const Structure& structure = cx.structure_at(place);
     if (structure.kind == StructureKind::view) return view(place, address);
-    std::string name = cx.name_of(place) + offset_name(*offset);
+    std::string name = cx.name_of(place) + offset_name(offset);
     Pair middle = centre(place.root);
     Pair physical = translated(place, address, name);
     bool asks = is_total(structure);
     physical.has = without_inside(place.root, physical.has, address, asks);
     ExprId guard;
     if (asks) note_near_guard(place.root);
-    if (asks && guards_ == Guards::checked) guard = near_guard(place.root, *offset);
+    if (asks && guards_ == Guards::checked) guard = near_guard(place.root, offset);
     if (cx.kernel.grouped()) guard = make.both(make.local(cx.pass.in_range), guard);
     ExprId other = middle.has || cx.kernel.grouped() ? ExprId{} : middle.value;
     return guarded_load(place, physical, guard, other, name);

@@ -76,7 +76,7 @@ private:
         }
         settle(pass.address);
         settle(pass.in_range);
-        for (auto* body : {&pass.prologue, &pass.body, &pass.interior_body}) settle_all(*body);
+        for (auto* body : {&pass.prologue, &pass.body, &pass.pair_body, &pass.interior_body}) settle_all(*body);
         settle_all(pass.functions);
         settle_all(pass.shared);
         settle_all(pass.params);

@@ -65,6 +65,7 @@ private:
             for (PassParameter& parameter : pass->parameters) expr(parameter.value);
             body(pass->prologue);
             body(pass->body);
+            body(pass->pair_body);
             body(pass->interior_body);
         }
         for (std::uint32_t i = mark_.functions; i < p.functions.size(); ++i) body(p.functions[{i}].body);

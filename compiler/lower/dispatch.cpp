@@ -8,6 +8,7 @@ void choose_dispatch(Context& cx) {
     const Kernel& kernel = cx.kernel;
     cx.pass.rank = cx.p.types.components(kernel.domain_type);
     cx.pass.items = kernel.items;
+    cx.pass.taken = {kernel.items, 1, 1};
     if (kernel.grouped()) {
         cx.pass.group = kernel.group;
         for (std::uint32_t& width : cx.pass.group) width = std::max(width, 1u);
@@ -32,11 +33,49 @@ ExprId in_range_condition(Context& cx) {
                              {cx.make.intrinsic(Intrinsic::lessThan, truths, {at, cx.size})});
 }
 
+namespace {
+
+/// More groups than a device allows along x are folded into rows of groups.
+ExprId line_address(Context& cx) {
+    Make& make = cx.make;
+    const TypeId uint3 = cx.p.types.vector(cx.p.types.uint, 3);
+    auto part = [&](Builtin of, std::uint32_t axis) { return make.component(make.builtin(of, uint3), axis); };
+    const ExprId groups = part(Builtin::group_count, 0), width = make.uint(cx.pass.group[0]);
+    if (cx.pass.pair_body.empty()) {
+        const ExprId row = make.multiply(groups, width);
+        const ExprId invocation =
+            make.add(make.multiply(part(Builtin::global_id, 1), row), part(Builtin::global_id, 0));
+        return make.multiply(invocation, make.uint(cx.pass.items));
+    }
+    const ExprId group = make.add(make.multiply(part(Builtin::group_id, 1), groups), part(Builtin::group_id, 0));
+    return make.add(make.multiply(group, make.multiply(width, make.uint(cx.pass.taken[0]))),
+                    part(Builtin::local_id, 0));
+}
+
+/// The first of the elements that an invocation takes, along as many axes as the vector has.
+ExprId invocation_address(Context& cx, TypeId type) {
+    Make& make = cx.make;
+    const std::uint32_t axes = cx.p.types.components(type);
+    ExprId id = make.builtin(Builtin::global_id, cx.p.types.vector(cx.p.types.uint, 3));
+    if (axes == 2) {
+        Expr both;
+        both.op = Op::swizzle;
+        both.type = type;
+        both.lanes = {0, 1};
+        both.operands = {id};
+        id = cx.p.exprs.add(std::move(both));
+    }
+    if (cx.pass.taken == std::array{1u, 1u, 1u}) return id;
+    Operands taken;
+    for (std::uint32_t axis = 0; axis < axes; ++axis) taken.push_back(make.uint(cx.pass.taken[axis]));
+    return make.multiply(id, make.construct(type, std::move(taken)));
+}
+
+}  // namespace
+
 std::vector<StmtId> dispatch_prologue(Context& cx) {
     Make& make = cx.make;
-    TypeId uint3 = cx.p.types.vector(cx.p.types.uint, 3);
-    ExprId id = make.builtin(Builtin::global_id, uint3);
-    auto lane = [&](ExprId vector, std::uint32_t i) { return make.component(vector, i); };
+    const TypeId uint3 = cx.p.types.vector(cx.p.types.uint, 3), type = cx.kernel.domain_type;
     std::vector<StmtId> result;
     auto let = [&](LocalId local, ExprId value) {
         Stmt stmt = statement(StmtOp::let, cx.kernel.span);
@@ -45,24 +84,17 @@ std::vector<StmtId> dispatch_prologue(Context& cx) {
         result.push_back(cx.add(std::move(stmt)));
     };
     ExprId address;
-    TypeId type = cx.kernel.domain_type;
     if (cx.pass.rank == 1) {
-        // More groups than a device allows along x are folded into rows of groups.
-        ExprId row = make.multiply(lane(make.builtin(Builtin::group_count, uint3), 0), make.uint(cx.pass.group[0]));
-        address = make.multiply(make.add(make.multiply(lane(id, 1), row), lane(id, 0)), make.uint(cx.pass.items));
-    } else if (cx.pass.rank == 2) {
-        Expr both;
-        both.op = Op::swizzle;
-        both.type = type;
-        both.lanes = {0, 1};
-        both.operands = {id};
-        address = cx.p.exprs.add(std::move(both));
-    } else if (cx.pass.rank == 3) {
-        address = id;
+        address = line_address(cx);
+    } else if (cx.pass.rank < 4) {
+        address = invocation_address(cx, type);
     } else {
-        ExprId depth = lane(cx.size, 2);
-        address = make.construct(type, {lane(id, 0), lane(id, 1), make.binary(BinaryOp::remainder, lane(id, 2), depth),
-                                        make.binary(BinaryOp::divide, lane(id, 2), depth)});
+        const LocalId id = cx.new_local("id", uint3, cx.kernel.span);
+        let(id, invocation_address(cx, uint3));
+        const auto part = [&](std::uint32_t axis) { return make.component(make.local(id), axis); };
+        ExprId depth = make.component(cx.size, 2);
+        address = make.construct(type, {part(0), part(1), make.binary(BinaryOp::remainder, part(2), depth),
+                                        make.binary(BinaryOp::divide, part(2), depth)});
     }
     let(cx.pass.address, address);
     let(cx.pass.in_range, in_range_condition(cx));

@@ -51,6 +51,20 @@ public:
     bool near_domains_agree = true;
     ExprId near_domain;
 
+    /// What near accesses gave that every invocation makes.
+    struct NearValue {
+        std::uint32_t root;
+        std::vector<std::int64_t> offset;
+        ExprId value;
+    };
+    std::vector<NearValue> near_values;
+    /// The guards of rows further down: at + distance < extent.
+    struct RowGuard {
+        ExprId condition, at, extent;
+        std::int64_t distance;
+    };
+    std::vector<RowGuard> row_guards;
+
 private:
     using Block = std::vector<StmtId>;
 
@@ -131,6 +145,7 @@ private:
     // access.cpp
     ExprId element(std::uint32_t root, Span span);
     ExprId near(const ir::Expr& node);
+    ExprId neighbour(const ir::Place& place, const std::vector<std::int64_t>& offset);
     ExprId read(const ir::Place& place, ExprId address, const std::string& name);
     ExprId view(const ir::Place& place, ExprId address);
     ExprId guarded_load(const ir::Place& place, const Pair& physical, ExprId guard, ExprId other_address,
@@ -230,8 +245,9 @@ private:
     Guards guards_;
     Frame* frame_ = nullptr;
     Block* out_ = nullptr;
-    Block prelude_;  ///< comes before the body: the centre's addresses
-    Span span_;      ///< of the statement being expanded
+    const Block* top_ = nullptr;  ///< of the kernel: no condition stands around it
+    Block prelude_;               ///< comes before the body: the centre's addresses
+    Span span_;                   ///< of the statement being expanded
     std::unordered_map<std::uint32_t, Pair> centres_;
     std::unordered_map<std::uint32_t, ExprId> addresses_;
     std::unordered_map<ir::FunctionId, bool> inlinable_;

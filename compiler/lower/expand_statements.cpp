@@ -10,9 +10,9 @@ std::vector<StmtId> Expander::kernel_body() {
     for (std::uint32_t i = 0; i < cx.kernel.params.size(); ++i) frame.places.push_back({i, {}});
     frame_ = &frame;
     Block body;
-    out_ = &body;
+    top_ = out_ = &body;
     expand_body(cx.kernel.body);
-    out_ = nullptr;
+    top_ = out_ = nullptr;
     frame_ = nullptr;
     prelude_.insert(prelude_.end(), body.begin(), body.end());
     return std::move(prelude_);

@@ -188,9 +188,10 @@ bool has_reports(const Program& program, const std::vector<StmtId>& body) {
 }  // namespace
 
 void summarize(Context& cx) {
-    cx.pass.loop_rounds = Loops(cx).rounds(cx.pass.body);
+    cx.pass.loop_rounds = Loops(cx).rounds(cx.pass.pair_body.empty() ? cx.pass.body : cx.pass.pair_body);
     add_functions(cx, cx.pass.prologue);
     add_functions(cx, cx.pass.body);
+    add_functions(cx, cx.pass.pair_body);
     add_functions(cx, cx.pass.interior_body);
     cx.pass.has_reports = has_reports(cx.p, cx.pass.body);
     for (FunctionId function : cx.pass.functions)

@@ -3,6 +3,7 @@
 #include "ir/validate.h"
 #include "lower/affine.h"
 #include "lower/branch.h"
+#include "lower/coarsen.h"
 #include "lower/compact.h"
 #include "lower/dispatch.h"
 #include "lower/expand.h"
@@ -123,7 +124,11 @@ void check_whole([[maybe_unused]] const Context& cx) {
 #endif
 }
 
-Pass lowered(Program& program, Diagnostics& diagnostics, std::uint32_t kernel, Form form, Checks checks) {
+/// That an invocation of a shader takes.
+enum class Elements { one, two_where_it_helps };
+
+Pass lowered(Program& program, Diagnostics& diagnostics, std::uint32_t kernel, Form form, Checks checks,
+             Elements elements) {
     Pass pass;
     pass.kernel = kernel;
     pass.form = form;
@@ -136,13 +141,16 @@ Pass lowered(Program& program, Diagnostics& diagnostics, std::uint32_t kernel, F
     if (!cx.kernel.grouped()) facts.push_back(in_range_condition(cx));
     std::vector<StmtId> body = expander.kernel_body();
     cx.traits.clear();
+    Coarsened pair;
+    if (elements == Elements::two_where_it_helps) pair = coarsened(cx, body, expander);
     pass.body = simplified(cx, std::move(body), facts);
+    if (!pair.body.empty()) pass.pair_body = simplified(cx, std::move(pair.body), {facts[0], pair.in_range});
     std::vector<StmtId> holders;
     pass.interior_body = interior(cx, expander, facts, holders);
     pass.prologue = std::move(expander.size_statements);
     for (StmtId id : dispatch_prologue(cx)) pass.prologue.push_back(id);
 
-    std::vector<std::vector<StmtId>*> bodies{&pass.prologue, &pass.body, &pass.interior_body};
+    std::vector<std::vector<StmtId>*> bodies{&pass.prologue, &pass.body, &pass.pair_body, &pass.interior_body};
     simplify_functions(cx, bodies);
     bodies.push_back(&holders);
     move_uniforms(cx, bodies);
@@ -162,8 +170,16 @@ Pass lowered(Program& program, Diagnostics& diagnostics, std::uint32_t kernel, F
 Lowered::Forms lowered_forms(Program& program, Diagnostics& diagnostics, std::uint32_t kernel, Checks checks) {
     Lowered::Forms forms;
     const Mark before(program);
-    forms.direct = lowered(program, diagnostics, kernel, Form::direct, checks);
-    forms.general = lowered(program, diagnostics, kernel, Form::general, checks);
+    const auto lower = [&](Form form, Elements elements) {
+        return lowered(program, diagnostics, kernel, form, checks, elements);
+    };
+    forms.direct = lower(Form::direct, Elements::two_where_it_helps);
+    forms.general = lower(Form::general, Elements::two_where_it_helps);
+    // A workgroup covers as much in all forms. The general one has more to compute.
+    if (forms.direct.taken != forms.general.taken) {
+        Pass& coarse = forms.direct.pair_body.empty() ? forms.general : forms.direct;
+        coarse = lower(coarse.form, Elements::one);
+    }
     agree(program, forms.direct, forms.general);
     compact(program, before, std::array{&forms.direct, &forms.general});
     forms.wide = widened(program, forms.general);

@@ -11,6 +11,9 @@ namespace {
 
 constexpr std::size_t term_limit = 64;
 
+/// The host works out what is uniform: any such amount is better than a choice.
+constexpr unsigned choice_operations = 1000;
+
 std::strong_ordering order(const Term& a, const Term& b) {
     return std::lexicographical_compare_three_way(a.product.begin(), a.product.end(), b.product.begin(),
                                                   b.product.end());
@@ -67,11 +70,12 @@ ValueNumber Polynomials::atom(ExprId id) {
     return number;
 }
 
-/// The sum that a local stands for.
+/// The sum or choice that a local stands for.
 ExprId Polynomials::definition(const Expr& node) {
     if (node.op != Op::local || node.type != cx.p.types.uint) return {};
     const ExprId* found = cx.definitions.find(node.local);
-    if (found == nullptr || cx.p.exprs[*found].op != Op::binary || !numbers_.is_fixed(*found)) return {};
+    if (found == nullptr || !numbers_.is_fixed(*found)) return {};
+    if (cx.p.exprs[*found].op != Op::binary && cx.p.exprs[*found].op != Op::select) return {};
     return *found;
 }
 
@@ -97,6 +101,7 @@ bool Polynomials::find(ExprId id, Polynomial& result) {
     const bool is_product = node.op == Op::binary && node.binary == BinaryOp::multiply;
     const bool is_shift = node.op == Op::binary && node.binary == BinaryOp::shift_left &&
                           cx.make.bits_of(node.operands[1]).value_or(32) < 32;
+    if (node.op == Op::select && find_choice(node, result)) return true;
     if (!is_sum && !is_product && !is_shift) {
         result.push_back({{atom(id)}, 1u});
         return true;
@@ -113,6 +118,25 @@ bool Polynomials::find(ExprId id, Polynomial& result) {
     return true;
 }
 
+/// c ? base + step : base with a uniform step is base + c * step, c being 1 or 0.
+bool Polynomials::find_choice(const Expr& node, Polynomial& result) {
+    const Polynomial *yes = of(node.operands[1]), *no = of(node.operands[2]);
+    if (yes == nullptr || no == nullptr) return false;
+    const Polynomial step = scaled_sum(*yes, *no, ~0u, &memory_);
+    if (!varying(step).empty()) return false;
+    const ValueNumber choice = atom(cx.make.select(node.operands[0], cx.make.uint(1), cx.make.uint(0)));
+    choices_.emplace(choice, node.operands[0]);
+    const Polynomial chosen(1, Term{{choice}, 1}, &memory_);
+    result = scaled_sum(*no, product_of(step, chosen, &memory_), 1, &memory_);
+    return result.size() <= term_limit;
+}
+
+bool Polynomials::is_choice(const Term& term) const {
+    const auto varies = [&](ValueNumber atom) { return !*uniform_.find(atom); };
+    return std::ranges::count_if(term.product, varies) == 1 &&
+           choices_.find(*std::ranges::find_if(term.product, varies)) != nullptr;
+}
+
 Polynomial Polynomials::varying(const Polynomial& polynomial) {
     Polynomial result(&memory_);
     result.reserve(polynomial.size());
@@ -123,6 +147,14 @@ Polynomial Polynomials::varying(const Polynomial& polynomial) {
     return result;
 }
 
+Polynomial Polynomials::unchosen(const Polynomial& varying) {
+    Polynomial result(&memory_);
+    result.reserve(varying.size());
+    for (const Term& term : varying)
+        if (!is_choice(term)) result.push_back(term);
+    return result;
+}
+
 Polynomials::Difference Polynomials::difference(const Polynomial& a, const Polynomial& b) {
     Difference result{scaled_sum(a, b, ~0u, &memory_)};
     auto is_minus = [](const Term& term) { return term.factor > 0x80000000u; };
@@ -130,6 +162,7 @@ Polynomials::Difference Polynomials::difference(const Polynomial& a, const Polyn
     for (Term& term : result.terms) {
         if (result.is_negative) term.factor = 0 - term.factor;
         result.operations += static_cast<unsigned>(term.product.size()) + 1;
+        if (is_choice(term)) result.operations += choice_operations;
     }
     return result;
 }
@@ -137,14 +170,19 @@ Polynomials::Difference Polynomials::difference(const Polynomial& a, const Polyn
 ExprId Polynomials::expression(const Polynomial& polynomial) {
     ExprId sum;
     for (const Term& term : polynomial) {
-        ExprId product;
+        ExprId product, condition;
         // From the last on, so that z * (y * x) holds the product that y * x is.
         for (std::size_t i = term.product.size(); i-- > 0;) {
+            if (const ExprId* found = choices_.find(term.product[i]); found != nullptr && !condition) {
+                condition = *found;
+                continue;
+            }
             ExprId atom = *atoms_.find(term.product[i]);
             product = product ? cx.make.multiply(atom, product) : atom;
         }
         if (!product) product = cx.make.uint(term.factor);
         else if (term.factor != 1) product = cx.make.multiply(product, cx.make.uint(term.factor));
+        if (condition) product = cx.make.select(condition, product, cx.make.uint(0));
         sum = sum ? cx.make.add(sum, product) : product;
     }
     return sum;

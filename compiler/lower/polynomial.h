@@ -29,6 +29,8 @@ public:
 
     /// The terms that depend on the invocation; two values with the same ones differ by a uniform amount.
     Polynomial varying(const Polynomial& polynomial);
+    /// Those of `varying` that are more than a choice between zero and a uniform amount.
+    Polynomial unchosen(const Polynomial& varying);
 
     /// a - b, or b - a where that is better subtracted than added.
     struct Difference {
@@ -45,12 +47,15 @@ private:
     ValueNumber atom(ExprId id);
     ExprId definition(const ir::Expr& node);
     bool find(ExprId id, Polynomial& result);
+    bool find_choice(const ir::Expr& node, Polynomial& result);
+    bool is_choice(const Term& term) const;
 
     Context& cx;
     Numbers& numbers_;
     std::pmr::monotonic_buffer_resource memory_;
     FlatMap<ValueNumber, ExprId> atoms_;
     FlatMap<ValueNumber, bool> uniform_;
+    FlatMap<ValueNumber, ExprId> choices_;  ///< of atoms that are 1 or 0: the condition
     NodeMap<ExprId, const Polynomial*> known_{cx.first_expr};
     std::deque<Polynomial> made_;  ///< what is known; they stay where they are
 };

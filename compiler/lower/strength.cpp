@@ -33,6 +33,7 @@ private:
     ExprId relative(ExprId id);
     ExprId around_select(const Expr& node, Operands operands);
     bool is_sum(ExprId id) const;
+    bool is_step(ExprId id);
 
     Context& cx;
     Numbers numbers_;
@@ -47,12 +48,21 @@ bool Strength::is_sum(ExprId id) const {
             node.binary == BinaryOp::shift_left);
 }
 
+/// A local plus a uniform amount already.
+bool Strength::is_step(ExprId id) {
+    const Expr& node = cx.p.exprs[id];
+    if (node.binary != BinaryOp::add && node.binary != BinaryOp::subtract) return false;
+    const auto is_local = [&](ExprId part) { return cx.p.exprs[part].op == Op::local; };
+    return (is_local(node.operands[0]) && is_uniform(cx, node.operands[1])) ||
+           (is_local(node.operands[1]) && is_uniform(cx, node.operands[0]) && node.binary == BinaryOp::add);
+}
+
 /// The sum as an earlier local plus a uniform amount, if there is one such.
 ExprId Strength::relative(ExprId id) {
     if (!is_sum(id) || !numbers_.is_fixed(id) || is_uniform(cx, id)) return {};
     const Polynomial* polynomial = polynomials_.of(id);
     if (polynomial == nullptr) return {};
-    Polynomial varying = polynomials_.varying(*polynomial);
+    Polynomial varying = polynomials_.unchosen(polynomials_.varying(*polynomial));
     if (varying.empty()) return {};
     // One term alone, as in x + 1, is already as short as it can be.
     if (varying.size() == 1 && varying[0].product.size() == 1 && varying[0].factor == 1) return {};
@@ -69,13 +79,16 @@ ExprId Strength::relative(ExprId id) {
     ExprId base = cx.make.local(best->local);
     ExprId amount = polynomials_.expression(nearest.terms);
     if (!amount) return base;
+    if (is_step(id)) return {};
     return cx.make.binary(nearest.is_negative ? BinaryOp::subtract : BinaryOp::add, base, amount);
 }
 
 /// c ? base + step : base is base + (c ? step : 0): one choice between small values, no branch.
 ExprId Strength::around_select(const Expr& node, Operands operands) {
     const Expr* named = &cx.p.exprs[operands[1]];
-    const ExprId* definition = named->op == Op::local ? cx.definitions.find(named->local) : nullptr;
+    // What is computed for another use, too, is worth more as it is.
+    const bool is_own = named->op == Op::local && !cx.made.contains(named->local);
+    const ExprId* definition = is_own ? cx.definitions.find(named->local) : nullptr;
     const Expr& moved = definition ? cx.p.exprs[*definition] : *named;
     const Expr& other = cx.p.exprs[operands[2]];
     if (moved.op == Op::binary && (moved.binary == BinaryOp::add || moved.binary == BinaryOp::subtract) &&
@@ -114,7 +127,7 @@ StmtId Strength::statement_(StmtId id) {
         cx.definitions[stmt.local] = parts.value;
         if (cx.make.type(before) == cx.p.types.uint && is_sum(before) && numbers_.is_fixed(before)) {
             if (const Polynomial* polynomial = polynomials_.of(before)) {
-                Polynomial varying = polynomials_.varying(*polynomial);
+                Polynomial varying = polynomials_.unchosen(polynomials_.varying(*polynomial));
                 if (!varying.empty()) candidates_.push_back({stmt.local, polynomial, std::move(varying)});
             }
         }

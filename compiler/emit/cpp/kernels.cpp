@@ -365,7 +365,9 @@ std::string kernel_code(Unit& unit, std::uint32_t index) {
     out.line(".general = " + (forms.general.exists ? form_text(forms.general, words.general, general) : "{}") + ",");
     out.line(".wide = " + (words.wide.empty() ? "{}" : form_text(forms.wide, words.wide, "")) + ",");
     if (has_parameters) out.line(".parameters = " + name + "_parameters,");
-    if (any.items != 1) out.line(".items = " + std::to_string(any.items) + ",");
+    if (any.taken != std::array{1u, 1u, 1u})
+        out.line(".items = {" + std::to_string(any.taken[0]) + ", " + std::to_string(any.taken[1]) + ", " +
+                 std::to_string(any.taken[2]) + "},");
     if (any.has_status()) out.line(".reports = true,");
     if (any.shared_bytes) out.line(".shared_bytes = " + std::to_string(any.shared_bytes) + ",");
     if (any.loop_rounds != 0 && any.longest_loop)

@@ -112,7 +112,12 @@ std::string main_text(Printer& p) {
     print_round_start(p);
     print_parameter_copies(p);
     print_prologue(p, grouped);
-    print_body(p, p.pass.body);
+    if (p.pass.pair_body.empty()) {
+        print_body(p, p.pass.body);
+    } else {
+        if (p.options.lines == LineMarks::comments) line(p, "// Two elements at once.");
+        print_body(p, p.pass.pair_body);
+    }
     p.indent = 0;
     p.names.leave();
     line(p, "}");

@@ -117,13 +117,13 @@ struct Parameter {
 /// A kernel is static data: the runtime keeps pipelines by its address. The entry point is `main`.
 ///
 /// How the iteration size maps to workgroups:
-///   groups.x = ceil(size.x / (group.x * items)), groups.y = ceil(size.y / group.y),
-///   groups.z = ceil(size.z * size.w / group.z).
-/// No groups along an axis: nothing runs. A one-dimensional iteration of more groups than the device allows along x is
-/// folded: the runtime dispatches (x, y, 1) groups with x * y >= groups.x, and invocation number
-/// gl_GlobalInvocationID.y * gl_NumWorkGroups.x * group.x + gl_GlobalInvocationID.x (group.y and group.z are 1) takes
-/// the items; those beyond the size do nothing. In more dimensions an iteration beyond the device's limits (65535
-/// groups along y and z on most) takes the general form, split by the runtime into several dispatches through
+///   groups.x = ceil(size.x / (group.x * items.x)), groups.y = ceil(size.y / (group.y * items.y)),
+///   groups.z = ceil(size.z * size.w / (group.z * items.z)).
+/// Which of its group's elements an invocation takes is the shader's matter. No groups along an axis: nothing runs. A
+/// one-dimensional iteration of more groups than the device allows along x is folded: the runtime dispatches (x, y, 1)
+/// groups with x * y >= groups.x, of which gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x is the number;
+/// invocations beyond the size do nothing. In more dimensions an iteration beyond the device's limits (65535 groups
+/// along y and z on most) takes the general form, split by the runtime into several dispatches through
 /// Form::base_offset; indirect ones are refused (ErrorCode::too_large).
 struct Kernel {
     const char* name;
@@ -138,8 +138,8 @@ struct Kernel {
                                          ///< 101 (a uint) is not 0 but the device's limit, and reports (below)
     std::span<const Binding> bindings;
     Form direct, general, wide;
-    std::span<const Parameter> parameters = {};     ///< what Commands::specialised can fix
-    std::uint32_t items = 1;                        ///< elements along x that one invocation takes
+    std::span<const Parameter> parameters = {};      ///< what Commands::specialised can fix
+    std::array<std::uint32_t, 3> items = {1, 1, 1};  ///< elements that one invocation takes along each axis
     bool reports = false;                           ///< has a StatusRecord: a storage buffer (scalar layout) at binding
                                                     ///< bindings.size() + 1 in every form
     std::uint32_t shared_bytes = 0;                 ///< workgroup memory

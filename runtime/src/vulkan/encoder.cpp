@@ -202,7 +202,7 @@ Slice Encoder::prepare(const Pipeline& pipeline, const Call& call, const Slice& 
     const PrepareArguments arguments = {block.address(),
                                         command.address(),
                                         call.size,
-                                        {kernel.group[0] * kernel.items, kernel.group[1], kernel.group[2]},
+                                        covered_by_group(kernel),
                                         context_.properties.max_workgroups[0],
                                         kernel.rank,
                                         pipeline.form->size_offset / 4,

@@ -18,10 +18,16 @@ struct Groups {
 
 inline std::uint64_t div_ceil(std::uint64_t a, std::uint64_t b) { return (a + b - 1) / b; }
 
+/// Elements along each axis.
+inline std::array<std::uint32_t, 3> covered_by_group(const Kernel& kernel) {
+    return {kernel.group[0] * kernel.items[0], kernel.group[1] * kernel.items[1], kernel.group[2] * kernel.items[2]};
+}
+
 /// Before folding.
 inline Groups count_groups(const Kernel& kernel, const std::array<std::uint32_t, 4>& size) {
-    return {{div_ceil(size[0], std::uint64_t(kernel.group[0]) * kernel.items), div_ceil(size[1], kernel.group[1]),
-             div_ceil(std::uint64_t(size[2]) * size[3], kernel.group[2])}};
+    const std::array<std::uint32_t, 3> covered = covered_by_group(kernel);
+    return {{div_ceil(size[0], covered[0]), div_ceil(size[1], covered[1]),
+             div_ceil(std::uint64_t(size[2]) * size[3], covered[2])}};
 }
 
 /// One-dimensional iterations: what is too much along x goes along y.

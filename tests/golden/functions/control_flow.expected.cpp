@@ -347,6 +347,7 @@ const glift::Kernel read_box_kernel = {
     .general = {.host = &read_box_general, .parameter_bytes = 12},
     .wide = {},
     .parameters = read_box_parameters,
+    .items = {2, 1, 1},
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -437,6 +438,7 @@ const glift::Kernel write_box_kernel = {
     .general = {.host = &write_box_general, .parameter_bytes = 12},
     .wide = {},
     .parameters = write_box_parameters,
+    .items = {2, 1, 1},
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -526,6 +528,7 @@ const glift::Kernel fill_box_kernel = {
     .general = {.host = &fill_box_general, .parameter_bytes = 12},
     .wide = {},
     .parameters = fill_box_parameters,
+    .items = {2, 1, 1},
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -616,6 +619,7 @@ const glift::Kernel read_box_2_kernel = {
     .general = {.host = &read_box_2_general, .parameter_bytes = 12},
     .wide = {},
     .parameters = read_box_2_parameters,
+    .items = {2, 1, 1},
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -706,6 +710,7 @@ const glift::Kernel write_box_2_kernel = {
     .general = {.host = &write_box_2_general, .parameter_bytes = 12},
     .wide = {},
     .parameters = write_box_2_parameters,
+    .items = {2, 1, 1},
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -795,6 +800,7 @@ const glift::Kernel fill_box_2_kernel = {
     .general = {.host = &fill_box_2_general, .parameter_bytes = 12},
     .wide = {},
     .parameters = fill_box_2_parameters,
+    .items = {2, 1, 1},
 };
 
 void read_box(const glift::Commands& commands, const glift::Range<Line>& from, const glift::Range<Box_1_float>& to) {

@@ -196,6 +196,7 @@ const glift::Kernel gather_kernel = {
     .general = {.host = &gather_general, .parameter_bytes = 20},
     .wide = {},
     .parameters = gather_parameters,
+    .items = {2, 1, 1},
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -286,6 +287,7 @@ const glift::Kernel read_box_kernel = {
     .general = {.host = &read_box_general, .parameter_bytes = 12},
     .wide = {},
     .parameters = read_box_parameters,
+    .items = {2, 1, 1},
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -376,6 +378,7 @@ const glift::Kernel write_box_kernel = {
     .general = {.host = &write_box_general, .parameter_bytes = 12},
     .wide = {},
     .parameters = write_box_parameters,
+    .items = {2, 1, 1},
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -465,6 +468,7 @@ const glift::Kernel fill_box_kernel = {
     .general = {.host = &fill_box_general, .parameter_bytes = 12},
     .wide = {},
     .parameters = fill_box_parameters,
+    .items = {2, 1, 1},
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -555,6 +559,7 @@ const glift::Kernel read_box_2_kernel = {
     .general = {.host = &read_box_2_general, .parameter_bytes = 12},
     .wide = {},
     .parameters = read_box_2_parameters,
+    .items = {2, 1, 1},
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -645,6 +650,7 @@ const glift::Kernel write_box_2_kernel = {
     .general = {.host = &write_box_2_general, .parameter_bytes = 12},
     .wide = {},
     .parameters = write_box_2_parameters,
+    .items = {2, 1, 1},
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -734,6 +740,7 @@ const glift::Kernel fill_box_2_kernel = {
     .general = {.host = &fill_box_2_general, .parameter_bytes = 12},
     .wide = {},
     .parameters = fill_box_2_parameters,
+    .items = {2, 1, 1},
 };
 
 void read_box(const glift::Commands& commands, const glift::Range<Values>& from, const glift::Range<Box_1_float>& to) {

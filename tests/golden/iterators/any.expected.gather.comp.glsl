@@ -15,10 +15,20 @@ layout(scalar, set = 0, binding = 3) writeonly buffer G_data { float g_data[]; }
 
 void main() {
     // any.glift:9
-    uint address = gl_GlobalInvocationID.y * (gl_NumWorkGroups.x * 256u) + gl_GlobalInvocationID.x;
+    uint address = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * 512u + gl_LocalInvocationID.x;
     if (address >= index_extent) return;
+    // Two elements at once.
+    uint value = address + 256u;
+    bool has_next = value < index_extent;
+    uint next = has_next ? value : address;
     uint values_address = index_data[address];
     bool values_value_inside = values_address < values_extent;
     float values_value = values_data[values_value_inside ? values_address : 0u];
-    g_data[address] = values_value_inside ? values_value : 0.0;
+    float g = values_value_inside ? values_value : 0.0;
+    uint values_address_1 = index_data[next];
+    bool values_value_inside_1 = values_address_1 < values_extent;
+    float values_value_1 = values_data[values_value_inside_1 ? values_address_1 : 0u];
+    float g_1 = values_value_inside_1 ? values_value_1 : 0.0;
+    g_data[address] = g;
+    g_data[next] = g_1;
 }

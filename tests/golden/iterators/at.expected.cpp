@@ -156,6 +156,7 @@ const glift::Kernel ramp_kernel = {
     .general = {.host = &ramp_general, .parameter_bytes = 28},
     .wide = {},
     .parameters = ramp_parameters,
+    .items = {1, 2, 1},
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -266,6 +267,7 @@ const glift::Kernel read_box_kernel = {
     .general = {.host = &read_box_general, .parameter_bytes = 32},
     .wide = {},
     .parameters = read_box_parameters,
+    .items = {1, 2, 1},
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -376,6 +378,7 @@ const glift::Kernel write_box_kernel = {
     .general = {.host = &write_box_general, .parameter_bytes = 32},
     .wide = {},
     .parameters = write_box_parameters,
+    .items = {1, 2, 1},
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -473,6 +476,7 @@ const glift::Kernel fill_box_kernel = {
     .general = {.host = &fill_box_general, .parameter_bytes = 24},
     .wide = {},
     .parameters = fill_box_parameters,
+    .items = {1, 2, 1},
 };
 
 void read_box(const glift::Commands& commands, const glift::Range<Field>& from, const glift::Range<Box_2_float>& to) {

@@ -12,8 +12,17 @@ layout(scalar, set = 0, binding = 1) writeonly buffer F_data { float f_data[]; }
 
 void main() {
     // at.glift:8
-    uvec2 address = gl_GlobalInvocationID.xy;
+    uvec2 address = gl_GlobalInvocationID.xy * uvec2(1u, 2u);
     if (any(greaterThanEqual(address, a_extent))) return;
+    // Two elements at once.
+    uint value = address.y + 1u;
+    bool has_next = value < a_extent.y;
+    uint next_y = has_next ? value : address.y;
     uint a_at = address.y * a_extent.x + address.x;
-    f_data[a_at] = float(address.x) + 10.0 * float(address.y);
+    float value_1 = float(address.x);
+    float f = value_1 + 10.0 * float(address.y);
+    uint a_at_1 = a_at + (has_next ? a_extent.x : 0u);
+    float f_1 = value_1 + 10.0 * float(next_y);
+    f_data[a_at] = f;
+    f_data[a_at_1] = f_1;
 }

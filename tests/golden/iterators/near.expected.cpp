@@ -324,6 +324,7 @@ const glift::Kernel smooth_kernel = {
     .general = {.host = &smooth_general, .parameter_bytes = 60},
     .wide = {},
     .parameters = smooth_parameters,
+    .items = {1, 2, 1},
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -434,6 +435,7 @@ const glift::Kernel read_box_kernel = {
     .general = {.host = &read_box_general, .parameter_bytes = 60},
     .wide = {},
     .parameters = read_box_parameters,
+    .items = {1, 2, 1},
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -544,6 +546,7 @@ const glift::Kernel write_box_kernel = {
     .general = {.host = &write_box_general, .parameter_bytes = 60},
     .wide = {},
     .parameters = write_box_parameters,
+    .items = {1, 2, 1},
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -641,6 +644,7 @@ const glift::Kernel fill_box_kernel = {
     .general = {.host = &fill_box_general, .parameter_bytes = 40},
     .wide = {},
     .parameters = fill_box_parameters,
+    .items = {1, 2, 1},
 };
 
 void read_box(const glift::Commands& commands, const glift::Range<Field>& from, const glift::Range<Box_3_float>& to) {

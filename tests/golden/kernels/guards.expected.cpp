@@ -340,7 +340,7 @@ const glift::Kernel double_tiles_kernel = {
     .general = {.host = &double_tiles_general, .parameter_bytes = 20},
     .wide = {},
     .parameters = double_tiles_parameters,
-    .items = 64,
+    .items = {64, 1, 1},
     .longest_loop = {"guards.glift", 9},
 };
 
@@ -512,7 +512,7 @@ const glift::Kernel add_far_kernel = {
     .general = {.host = &add_far_general, .parameter_bytes = 24},
     .wide = {},
     .parameters = add_far_parameters,
-    .items = 8,
+    .items = {8, 1, 1},
     .longest_loop = {"guards.glift", 21},
 };
 
@@ -604,6 +604,7 @@ const glift::Kernel read_box_kernel = {
     .general = {.host = &read_box_general, .parameter_bytes = 12},
     .wide = {},
     .parameters = read_box_parameters,
+    .items = {2, 1, 1},
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -694,6 +695,7 @@ const glift::Kernel write_box_kernel = {
     .general = {.host = &write_box_general, .parameter_bytes = 12},
     .wide = {},
     .parameters = write_box_parameters,
+    .items = {2, 1, 1},
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -783,6 +785,7 @@ const glift::Kernel fill_box_kernel = {
     .general = {.host = &fill_box_general, .parameter_bytes = 12},
     .wide = {},
     .parameters = fill_box_parameters,
+    .items = {2, 1, 1},
 };
 
 void read_box(const glift::Commands& commands, const glift::Range<Values>& from, const glift::Range<Box_1_uint>& to) {

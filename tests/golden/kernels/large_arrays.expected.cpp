@@ -240,7 +240,7 @@ const glift::Kernel count_digits_kernel = {
     .general = {.host = &count_digits_general, .parameter_bytes = 20},
     .wide = {},
     .parameters = count_digits_parameters,
-    .items = 256,
+    .items = {256, 1, 1},
     .longest_loop = {"large_arrays.glift", 14},
 };
 
@@ -438,6 +438,7 @@ const glift::Kernel read_box_kernel = {
     .general = {.host = &read_box_general, .parameter_bytes = 12},
     .wide = {},
     .parameters = read_box_parameters,
+    .items = {2, 1, 1},
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -528,6 +529,7 @@ const glift::Kernel write_box_kernel = {
     .general = {.host = &write_box_general, .parameter_bytes = 12},
     .wide = {},
     .parameters = write_box_parameters,
+    .items = {2, 1, 1},
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -617,6 +619,7 @@ const glift::Kernel fill_box_kernel = {
     .general = {.host = &fill_box_general, .parameter_bytes = 12},
     .wide = {},
     .parameters = fill_box_parameters,
+    .items = {2, 1, 1},
 };
 
 void read_box(const glift::Commands& commands, const glift::Range<Values>& from, const glift::Range<Box_1_uint>& to) {

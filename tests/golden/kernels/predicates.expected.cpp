@@ -519,6 +519,7 @@ const glift::Kernel read_box_kernel = {
     .general = {.host = &read_box_general, .parameter_bytes = 12},
     .wide = {},
     .parameters = read_box_parameters,
+    .items = {2, 1, 1},
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -609,6 +610,7 @@ const glift::Kernel write_box_kernel = {
     .general = {.host = &write_box_general, .parameter_bytes = 12},
     .wide = {},
     .parameters = write_box_parameters,
+    .items = {2, 1, 1},
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -698,6 +700,7 @@ const glift::Kernel fill_box_kernel = {
     .general = {.host = &fill_box_general, .parameter_bytes = 12},
     .wide = {},
     .parameters = fill_box_parameters,
+    .items = {2, 1, 1},
 };
 
 void read_box(const glift::Commands& commands, const glift::Range<Line>& from, const glift::Range<Box_1_uint>& to) {

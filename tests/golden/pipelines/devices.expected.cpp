@@ -142,6 +142,7 @@ const glift::Kernel on_any_kernel = {
     .general = {.host = &on_any_general, .parameter_bytes = 8},
     .wide = {},
     .parameters = on_any_parameters,
+    .items = {2, 1, 1},
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -223,6 +224,7 @@ const glift::Kernel on_host_kernel = {
     .general = {.host = &on_host_general, .parameter_bytes = 8},
     .wide = {},
     .parameters = on_host_parameters,
+    .items = {2, 1, 1},
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -258,6 +260,7 @@ const glift::Kernel on_gpu_kernel = {
     .general = {.parameter_bytes = 8},
     .wide = {},
     .parameters = on_gpu_parameters,
+    .items = {2, 1, 1},
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -293,6 +296,7 @@ const glift::Kernel on_wide_subgroups_kernel = {
     .general = {.parameter_bytes = 8},
     .wide = {},
     .parameters = on_wide_subgroups_parameters,
+    .items = {2, 1, 1},
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -328,6 +332,7 @@ const glift::Kernel on_vulkan_kernel = {
     .general = {.parameter_bytes = 8},
     .wide = {},
     .parameters = on_vulkan_parameters,
+    .items = {2, 1, 1},
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -418,6 +423,7 @@ const glift::Kernel read_box_kernel = {
     .general = {.host = &read_box_general, .parameter_bytes = 12},
     .wide = {},
     .parameters = read_box_parameters,
+    .items = {2, 1, 1},
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -508,6 +514,7 @@ const glift::Kernel write_box_kernel = {
     .general = {.host = &write_box_general, .parameter_bytes = 12},
     .wide = {},
     .parameters = write_box_parameters,
+    .items = {2, 1, 1},
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -597,6 +604,7 @@ const glift::Kernel fill_box_kernel = {
     .general = {.host = &fill_box_general, .parameter_bytes = 12},
     .wide = {},
     .parameters = fill_box_parameters,
+    .items = {2, 1, 1},
 };
 
 void on_any(const glift::Commands& commands, const glift::Range<Line>& to) {

@@ -12,8 +12,13 @@ layout(scalar, set = 0, binding = 1) writeonly buffer To_data { uint to_data[]; 
 
 void main() {
     // devices.glift:24
-    uint address = gl_GlobalInvocationID.y * (gl_NumWorkGroups.x * 256u) + gl_GlobalInvocationID.x;
+    uint address = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * 512u + gl_LocalInvocationID.x;
     if (address >= to_extent) return;
+    // Two elements at once.
+    uint value = address + 256u;
+    bool has_next = value < to_extent;
+    uint next = has_next ? value : address;
     // devices.glift:25
     to_data[address] = 4u;
+    to_data[next] = 4u;
 }

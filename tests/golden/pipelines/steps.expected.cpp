@@ -148,6 +148,7 @@ const glift::Kernel ramp_kernel = {
     .general = {.host = &ramp_general, .parameter_bytes = 12},
     .wide = {},
     .parameters = ramp_parameters,
+    .items = {2, 1, 1},
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -200,8 +201,9 @@ static void smooth_direct_rows(const glift::HostCall& call, const glift::host::R
                         // steps.glift:9
                         const bool f_xm1_inside = address >= 1u;
                         const float f_xm1 = f_data[address - (f_xm1_inside ? 1u : 0u)];
-                        const bool f_xp1_inside = address + 1u < f_extent;
-                        const float f_xp1 = f_data[address + (f_xp1_inside ? 1u : 0u)];
+                        const uint f_xp1_at = address + 1u;
+                        const bool f_xp1_inside = f_xp1_at < f_extent;
+                        const float f_xp1 = f_data[f_xp1_inside ? f_xp1_at : address];
                         g_data_row[i] = 0.25f * ((f_xm1_inside ? f_xm1 : 0.0f) + 2.0f * f_data_row[i]
                             + (f_xp1_inside ? f_xp1 : 0.0f));
                     }
@@ -277,8 +279,9 @@ static void smooth_general_rows(const glift::HostCall& call, const glift::host::
                         const uint f_address_2 = f_origin + address;
                         const bool f_xm1_inside = f_address_2 >= 1u;
                         const float f_xm1 = f_data[f_address_2 - (f_xm1_inside ? 1u : 0u)];
-                        const bool f_xp1_inside = f_address_2 + 1u < f_extent;
-                        const float f_xp1 = f_data[f_address_2 + (f_xp1_inside ? 1u : 0u)];
+                        const uint f_xp1_at = f_address_2 + 1u;
+                        const bool f_xp1_inside = f_xp1_at < f_extent;
+                        const float f_xp1 = f_data[f_xp1_inside ? f_xp1_at : f_address_2];
                         g_data_row[i] = 0.25f * ((f_xm1_inside ? f_xm1 : 0.0f) + 2.0f * f_data_row[i]
                             + (f_xp1_inside ? f_xp1 : 0.0f));
                     }
@@ -311,6 +314,7 @@ const glift::Kernel smooth_kernel = {
     .general = {.host = &smooth_general, .parameter_bytes = 16},
     .wide = {},
     .parameters = smooth_parameters,
+    .items = {2, 1, 1},
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -401,6 +405,7 @@ const glift::Kernel read_box_kernel = {
     .general = {.host = &read_box_general, .parameter_bytes = 12},
     .wide = {},
     .parameters = read_box_parameters,
+    .items = {2, 1, 1},
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -491,6 +496,7 @@ const glift::Kernel write_box_kernel = {
     .general = {.host = &write_box_general, .parameter_bytes = 12},
     .wide = {},
     .parameters = write_box_parameters,
+    .items = {2, 1, 1},
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -580,6 +586,7 @@ const glift::Kernel fill_box_kernel = {
     .general = {.host = &fill_box_general, .parameter_bytes = 12},
     .wide = {},
     .parameters = fill_box_parameters,
+    .items = {2, 1, 1},
 };
 
 void ramp(const glift::Commands& commands, const glift::Range<Line>& a, const glift::Range<Line>& f) {

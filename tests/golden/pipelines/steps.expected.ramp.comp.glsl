@@ -12,7 +12,14 @@ layout(scalar, set = 0, binding = 1) writeonly buffer F_data { float f_data[]; }
 
 void main() {
     // steps.glift:8
-    uint address = gl_GlobalInvocationID.y * (gl_NumWorkGroups.x * 256u) + gl_GlobalInvocationID.x;
+    uint address = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * 512u + gl_LocalInvocationID.x;
     if (address >= a_extent) return;
-    f_data[address] = float(address);
+    // Two elements at once.
+    uint value = address + 256u;
+    bool has_next = value < a_extent;
+    uint next = has_next ? value : address;
+    float f = float(address);
+    float f_1 = float(next);
+    f_data[address] = f;
+    f_data[next] = f_1;
 }

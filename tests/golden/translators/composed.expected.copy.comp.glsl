@@ -13,8 +13,14 @@ layout(scalar, set = 0, binding = 2) writeonly buffer G_data { float g_data[]; }
 
 void main() {
     // composed.glift:24
-    uvec2 address = gl_GlobalInvocationID.xy;
+    uvec2 address = gl_GlobalInvocationID.xy * uvec2(1u, 2u);
     if (any(greaterThanEqual(address, f_extent))) return;
+    // Two elements at once.
+    bool has_next = address.y + 1u < f_extent.y;
     uint f_at = address.x * f_extent.y + address.y;
-    g_data[f_at] = f_data[f_at];
+    float g = f_data[f_at];
+    uint f_at_1 = f_at + (has_next ? 1u : 0u);
+    float g_1 = f_data[f_at_1];
+    g_data[f_at] = g;
+    g_data[f_at_1] = g_1;
 }

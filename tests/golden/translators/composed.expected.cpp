@@ -140,6 +140,7 @@ const glift::Kernel copy_kernel = {
     .general = {.host = &copy_general, .parameter_bytes = 32},
     .wide = {},
     .parameters = copy_parameters,
+    .items = {1, 2, 1},
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -251,6 +252,7 @@ const glift::Kernel read_box_kernel = {
     .general = {.host = &read_box_general, .parameter_bytes = 32},
     .wide = {},
     .parameters = read_box_parameters,
+    .items = {1, 2, 1},
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -362,6 +364,7 @@ const glift::Kernel write_box_kernel = {
     .general = {.host = &write_box_general, .parameter_bytes = 32},
     .wide = {},
     .parameters = write_box_parameters,
+    .items = {1, 2, 1},
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -453,6 +456,7 @@ const glift::Kernel fill_box_kernel = {
     .general = {.host = &fill_box_general, .parameter_bytes = 24},
     .wide = {},
     .parameters = fill_box_parameters,
+    .items = {1, 2, 1},
 };
 
 void read_box(const glift::Commands& commands, const glift::Range<Turned>& from, const glift::Range<Box_2_float>& to) {

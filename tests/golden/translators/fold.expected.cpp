@@ -135,6 +135,7 @@ const glift::Kernel twice_kernel = {
     .general = {.host = &twice_general, .parameter_bytes = 36},
     .wide = {},
     .parameters = twice_parameters,
+    .items = {1, 2, 1},
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -248,6 +249,7 @@ const glift::Kernel read_box_kernel = {
     .general = {.host = &read_box_general, .parameter_bytes = 60},
     .wide = {},
     .parameters = read_box_parameters,
+    .items = {1, 2, 1},
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -361,6 +363,7 @@ const glift::Kernel write_box_kernel = {
     .general = {.host = &write_box_general, .parameter_bytes = 60},
     .wide = {},
     .parameters = write_box_parameters,
+    .items = {1, 2, 1},
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -454,6 +457,7 @@ const glift::Kernel fill_box_kernel = {
     .general = {.host = &fill_box_general, .parameter_bytes = 40},
     .wide = {},
     .parameters = fill_box_parameters,
+    .items = {1, 2, 1},
 };
 
 void read_box(const glift::Commands& commands, const glift::Range<Field>& from, const glift::Range<Box_3_float>& to) {

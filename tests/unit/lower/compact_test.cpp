@@ -14,7 +14,7 @@ std::size_t reachable(const Lowering& lowering, ir::Op op) {
     };
     for (const ir::Lowered::Forms& forms : lowering.lowered.passes)
         for (const ir::Pass* pass : {&forms.direct, &forms.general}) {
-            for (const auto* body : {&pass->prologue, &pass->body, &pass->interior_body})
+            for (const auto* body : {&pass->prologue, &pass->body, &pass->pair_body, &pass->interior_body})
                 ir::for_each_expression(lowering.program, *body, note);
             for (ir::FunctionId function : pass->functions)
                 ir::for_each_expression(lowering.program, lowering.program.functions[function].body, note);

@@ -88,8 +88,12 @@ struct Lowering {
             if (names[program.kernels[i].name] == kernel) return lowered.passes[i];
         throw std::runtime_error("no such kernel");
     }
-    std::string direct(std::string_view kernel) const { return ir::print(program, forms(kernel).direct); }
-    std::string general(std::string_view kernel) const { return ir::print(program, forms(kernel).general); }
+    std::string direct(std::string_view kernel) const { return for_one_element(forms(kernel).direct); }
+    std::string general(std::string_view kernel) const { return for_one_element(forms(kernel).general); }
+    std::string for_one_element(ir::Pass pass) const {
+        pass.pair_body.clear();
+        return ir::print(program, pass);
+    }
 };
 
 inline std::size_t count(const std::string& text, std::string_view part) {

@@ -1,0 +1,295 @@
+#include "lower/coarsen.h"
+
+#include "ir/walk.h"
+#include "lower/dispatch.h"
+#include "lower/number.h"
+
+#include <algorithm>
+
+namespace gliftc::lower {
+
+using namespace ir;
+
+namespace {
+
+/// Beyond these a kernel has enough to do with one element, and two would take many registers.
+constexpr std::size_t most_loads = 16, most_nodes = 600;
+
+bool is_store(const Stmt& stmt) { return stmt.op == StmtOp::store || stmt.op == StmtOp::image_store; }
+
+bool has_store(const Program& program, const Stmt& stmt) {
+    const auto has = [&](StmtId id) { return has_store(program, program.stmts[id]); };
+    return is_store(stmt) || std::ranges::any_of(stmt.body, has) || std::ranges::any_of(stmt.otherwise, has);
+}
+
+bool is_load(const Expr& node) {
+    return node.op == Op::load || node.op == Op::image_load || node.op == Op::image_sample;
+}
+
+/// A loop is work enough, and devices bound the rounds of an invocation.
+bool has_loop(const Program& program, FunctionId function) {
+    const auto& body = program.functions[function].body;
+    bool found = false;
+    for_each_statement(program, body, [&](const Stmt& stmt) {
+        found = found || stmt.op == StmtOp::for_ || stmt.op == StmtOp::while_;
+    });
+    for_each_expression(program, body, [&](ExprId id) {
+        const Expr& node = program.exprs[id];
+        found = found || (node.op == Op::call && has_loop(program, node.function));
+    });
+    return found;
+}
+
+/// Whether two elements may be computed before either is stored.
+class Eligibility {
+public:
+    explicit Eligibility(Context& context) : cx(context), numbers_(context) {}
+
+    bool holds(const std::vector<StmtId>& body) {
+        if (cx.kernel.grouped() || cx.kernel.items != 1) return false;
+        for (StmtId id : body) {
+            const Stmt& stmt = cx.p.stmts[id];
+            if (has_store(cx.p, stmt)) visit_store(stmt);
+            else visit(stmt);
+        }
+        return fits_ && stores_ && loads_ <= most_loads && nodes_ <= most_nodes;
+    }
+
+private:
+    /// Straight on, and nothing is loaded from memory that was stored to.
+    void visit(const Stmt& stmt) {
+        fits_ = fits_ && (stmt.op == StmtOp::let || stmt.op == StmtOp::assign || stmt.op == StmtOp::if_ ||
+                          stmt.op == StmtOp::block);
+        for_each_root(stmt, [&](ExprId root) {
+            visit(root);
+            fits_ = fits_ && (!stores_ || !changes_by_stores(root));
+        });
+        for (StmtId id : stmt.body) visit(cx.p.stmts[id]);
+        for (StmtId id : stmt.otherwise) visit(cx.p.stmts[id]);
+    }
+
+    /// What is stored is found before any store; where, and whether, when others have been made.
+    void visit_store(const Stmt& stmt) {
+        fits_ = fits_ && (is_store(stmt) || stmt.op == StmtOp::if_);
+        for_each_root(stmt, [&](ExprId root) {
+            visit(root);
+            const bool is_kept = is_store(stmt) && root == stmt.value;
+            fits_ = fits_ && (is_kept ? !stores_ || !changes_by_stores(root) : numbers_.is_fixed(root));
+        });
+        stores_ = true;
+        for (StmtId id : stmt.body) visit_inside(cx.p.stmts[id]);
+        for (StmtId id : stmt.otherwise) visit_inside(cx.p.stmts[id]);
+    }
+
+    void visit_inside(const Stmt& stmt) {
+        fits_ = fits_ && (is_store(stmt) || stmt.op == StmtOp::if_ || stmt.op == StmtOp::let);
+        fits_ = fits_ && (stmt.op != StmtOp::let || !cx.p.locals[stmt.local].is_mutable);
+        for_each_root(stmt, [&](ExprId root) {
+            visit(root);
+            fits_ = fits_ && numbers_.is_fixed(root);
+        });
+        for (StmtId id : stmt.body) visit_inside(cx.p.stmts[id]);
+        for (StmtId id : stmt.otherwise) visit_inside(cx.p.stmts[id]);
+    }
+
+    void visit(ExprId root) {
+        fits_ = fits_ && numbers_.is_pure(root);
+        for_each_node(cx.p, root, seen_, [&](ExprId id) { visit(cx.p.exprs[id]); });
+    }
+
+    bool changes_by_stores(ExprId root) { return numbers_.has_load(root) && !numbers_.is_fixed(root); }
+
+    void visit(const Expr& node) {
+        ++nodes_;
+        loads_ += is_load(node);
+        fits_ = fits_ && node.op != Op::builtin;
+        if (node.op == Op::call) fits_ = fits_ && !writes_what_it_reads() && !has_loop(cx.p, node.function);
+    }
+
+    /// Functions may load from any memory.
+    bool writes_what_it_reads() const {
+        return std::ranges::any_of(cx.pass.bindings,
+                                   [](const PassBinding& binding) { return binding.access == Access::read_write; });
+    }
+
+    Context& cx;
+    Numbers numbers_;
+    IdSet<Expr> seen_;
+    bool fits_ = true, stores_ = false;
+    std::size_t loads_ = 0, nodes_ = 0;
+};
+
+/// The statements once more, for another address and with locals of their own.
+class Copy {
+public:
+    Copy(Context& context, ExprId address) : cx(context) { locals_[context.pass.address] = address; }
+
+    void replace(ExprId id, ExprId by) { made_.emplace(id, by); }
+
+    ExprId of(ExprId id) {
+        if (!id) return id;
+        if (const ExprId* found = made_.find(id)) return *found;
+        const ExprId copy = again(id);
+        made_.emplace(id, copy);
+        return copy;
+    }
+
+    StmtId of(StmtId id) {
+        Stmt stmt = cx.p.stmts[id];
+        stmt.value = of(stmt.value);
+        stmt.target = of(stmt.target);
+        stmt.limit = of(stmt.limit);
+        if (stmt.op == StmtOp::let) declare(stmt);
+        for (StmtId& inner : stmt.body) inner = of(inner);
+        for (StmtId& inner : stmt.otherwise) inner = of(inner);
+        return cx.add(std::move(stmt));
+    }
+
+private:
+    ExprId again(ExprId id) {
+        const Expr node = cx.p.exprs[id];
+        if (node.op == Op::local) {
+            const ExprId* found = locals_.find(node.local);
+            return found == nullptr ? id : *found;
+        }
+        Operands operands;
+        for (ExprId operand : node.operands) operands.push_back(of(operand));
+        if (operands == node.operands) return id;
+        const ExprId copy = cx.make.again(node, std::move(operands));
+        if (const Name* name = cx.names.find(id)) cx.names.emplace(copy, *name);
+        return copy;
+    }
+
+    void declare(Stmt& stmt) {
+        const Local local = cx.p.locals[stmt.local];
+        const LocalId copy = cx.new_local(local.name, local.type, local.span, local.is_mutable);
+        if (cx.definitions.find(stmt.local) != nullptr) cx.definitions[copy] = stmt.value;
+        locals_[stmt.local] = cx.make.local(copy);
+        stmt.local = copy;
+    }
+
+    Context& cx;
+    NodeMap<LocalId, ExprId> locals_{cx.first_local};
+    NodeMap<ExprId, ExprId> made_{cx.first_expr};
+};
+
+class Coarsening {
+public:
+    explicit Coarsening(Context& context) : cx(context) {}
+
+    Coarsened run(const std::vector<StmtId>& body, const Expander& made) {
+        const auto computes = [&](StmtId id) { return !has_store(cx.p, cx.p.stmts[id]); };
+        ends_in_stores_ = std::ranges::is_partitioned(body, computes);
+        Copy second(cx, next_address());
+        const bool shares = cx.pass.rank > 1 && share_rows(second, made.near_values);
+        if (shares) share_guards(second, made.row_guards);
+        std::vector<StmtId> stores, next_stores;
+        for (StmtId id : body) add(id, stores);
+        for (StmtId id : body) add(second.of(id), next_stores);
+        result_.insert(result_.end(), stores.begin(), stores.end());
+        if (shares) next_stores = {where_there_is_one(next_stores)};
+        result_.insert(result_.end(), next_stores.begin(), next_stores.end());
+        return {std::move(result_), second.of(in_range_condition(cx))};
+    }
+
+private:
+    LocalId let(std::string_view name, ExprId value, Span span) {
+        const LocalId local = cx.new_local(name, cx.make.type(value), span);
+        cx.definitions[local] = value;
+        Stmt stmt = statement(StmtOp::let, span);
+        stmt.local = local;
+        stmt.value = value;
+        result_.push_back(cx.add(std::move(stmt)));
+        return local;
+    }
+
+    /// A whole workgroup further along a line, so that lanes stay side by side; else in the next row.
+    ExprId next_address() {
+        const ExprId address = cx.make.local(cx.pass.address);
+        if (cx.pass.rank == 1) {
+            cx.pass.taken = {2, 1, 1};
+            return next_of("next", address, cx.pass.group[0], cx.size);
+        }
+        cx.pass.taken = {1, 2, 1};
+        Operands parts;
+        for (std::uint32_t axis = 0; axis < cx.pass.rank; ++axis) parts.push_back(cx.make.component(address, axis));
+        parts[1] = next_of("next_y", parts[1], 1, cx.make.component(cx.size, 1));
+        return cx.make.construct(cx.kernel.domain_type, std::move(parts));
+    }
+
+    ExprId next_of(std::string_view name, ExprId at, std::uint32_t step, ExprId size) {
+        const ExprId next = cx.make.add(at, cx.make.uint(step));
+        const ExprId is_inside = cx.make.binary(BinaryOp::less, next, size);
+        has_next_ = cx.make.local(let("has_next", is_inside, cx.kernel.span));
+        return cx.make.local(let(name, cx.make.select(has_next_, next, at), cx.kernel.span));
+    }
+
+    /// What lies a row further from the first element is the same distance less from the second.
+    static bool share_rows(Copy& second, const std::vector<Expander::NearValue>& near) {
+        bool found_any = false;
+        for (const Expander::NearValue& one : near) {
+            const auto is_same = [&](const Expander::NearValue& other) {
+                std::vector<std::int64_t> offset = one.offset;
+                ++offset[1];
+                return other.root == one.root && other.offset == offset;
+            };
+            const auto found = std::ranges::find_if(near, is_same);
+            if (found == near.end()) continue;
+            second.replace(one.value, found->value);
+            found_any = true;
+        }
+        return found_any;
+    }
+
+    /// Where there is no second element, its rows further down count as outside.
+    void share_guards(Copy& second, const std::vector<Expander::RowGuard>& guards) {
+        for (const Expander::RowGuard& guard : guards) {
+            const ExprId distance = cx.make.uint(static_cast<std::uint64_t>(guard.distance + 1));
+            second.replace(guard.condition,
+                           cx.make.binary(BinaryOp::less, cx.make.add(guard.at, distance), guard.extent));
+        }
+    }
+
+    /// Without shared rows the second element is then the first, and storing it again changes nothing.
+    StmtId where_there_is_one(const std::vector<StmtId>& stores) {
+        Stmt stmt = statement(StmtOp::if_, cx.p.stmts[stores.front()].span);
+        stmt.value = has_next_;
+        stmt.body = stores;
+        return cx.add(std::move(stmt));
+    }
+
+    /// A store waits until both elements are known.
+    void add(StmtId id, std::vector<StmtId>& stores) {
+        if (!has_store(cx.p, cx.p.stmts[id])) {
+            result_.push_back(id);
+            return;
+        }
+        Stmt stmt = cx.p.stmts[id];
+        if (is_store(stmt) && !keeps(stmt.value)) {
+            const KernelParam& param = cx.kernel.params[cx.pass.bindings[stmt.slot].place.root];
+            stmt.value = cx.make.local(let((*cx.p.names)[param.name], stmt.value, stmt.span));
+        }
+        stores.push_back(cx.add(std::move(stmt)));
+    }
+
+    /// Whether the value needs no name until the stores.
+    bool keeps(ExprId value) const {
+        const Expr& node = cx.p.exprs[value];
+        if (node.op != Op::local) return is_trivial(cx, value);
+        return ends_in_stores_ || !cx.p.locals[node.local].is_mutable;
+    }
+
+    Context& cx;
+    std::vector<StmtId> result_;
+    ExprId has_next_;
+    bool ends_in_stores_ = true;  ///< no other statement follows a store
+};
+
+}  // namespace
+
+Coarsened coarsened(Context& cx, const std::vector<StmtId>& body, const Expander& made) {
+    if (!Eligibility(cx).holds(body)) return {};
+    return Coarsening(cx).run(body, made);
+}
+
+}  // namespace gliftc::lower

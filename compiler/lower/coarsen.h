@@ -1,0 +1,22 @@
+// Thread coarsening: an invocation of a shader takes two elements, all loads before the first store. GPUs start
+// invocations and wait for memory; with one small element each they do little else (docs/performance.md).
+//
+// Needs: the statements of a kernel as expanded. Guarantees: where there is no second element it is the first once
+// more, stored twice or not again.
+#pragma once
+
+#include "lower/expand.h"
+
+namespace gliftc::lower {
+
+/// A body for two elements.
+struct Coarsened {
+    std::vector<StmtId> body;  ///< empty: there is no gain, or the kernel cannot be run so
+    ExprId in_range;           ///< holds for the second element's address
+};
+
+/// Fills pass.taken where there is one. `made` made the body: what its near accesses gave is partly the second
+/// element's, too.
+Coarsened coarsened(Context& cx, const std::vector<StmtId>& body, const Expander& made);
+
+}  // namespace gliftc::lower
