@@ -1,8 +1,9 @@
 // The resolved, instantiated program: every name bound, every type concrete. sema makes it, lower/ rewrites it down to
 // memory operations, layout/ and emit/ read it.
 //
-// Two levels share these nodes. High-level operations speak of structures ("element", "near", "read", "write"); lower/
-// turns them into memory operations ("load", "store", …) on bindings of a Pass. A node says which level it belongs to.
+// Kernels, pipelines and passes share these nodes. Operations of structures ("element", "near", "read", "write") are
+// turned by lower/ into operations of memory ("load", "store", …) on bindings of a Pass. ir/levels.h says which
+// operation belongs to which level.
 #pragma once
 
 #include "base/arena.h"
@@ -46,58 +47,8 @@ struct Place {
 // ---------------------------------------------------------------------------------------------------- expressions
 
 enum class Op : std::uint8_t {
-    // values: both levels
-    constant,   // a scalar: `bits` (integers, bool, enum) or `number` (floating)
-    local,      // `local`
-    construct,  // type(operands…): vectors, matrices, arrays, structs from as many values as they have parts; vectors
-                // also
-                // from vectors, and from one scalar (splat)
-    convert,    // operands[0] to `type`, explicit conversions: same shape, other scalar; bit casts are intrinsics
-    unary,      // `unary` operands[0]
-    binary,     // operands[0] `binary` operands[1]; scalar with vector where one side is a scalar of the element type
-    select,     // operands[0] ? operands[1] : operands[2]; only the taken side is evaluated
-    swizzle,    // operands[0] . lanes[0..components)   (also one lane)
-    index,      // operands[0] [ operands[1] ]: vector, matrix column, array
-    field,      // operands[0] . fields[slot] of a struct
-    call,       // function(operands…) with structures passed at `places`
-    intrinsic,  // `intrinsic`(operands…)
-    none,       // of an optional type
-    some,       // operands[0] as an optional
-    has_value,  // bool of optional operands[0]
-    value,      // of optional operands[0]; only where has_value is known
-    // structures: high level
-    element,  // the current element of each-parameter place.root
-    address,  // the current virtual address of at- or each-parameter place.root (relative to nothing: a full virtual
-              // address)
-    near,     // place.root [ operands[0] ]: the element at the current address + a constant offset (ivec)
-    read,     // place [ operands[0] ]; of an array type: elements in a row, or in rows of four operands[1] apart
-    sample,   // place . sample(operands[0]), texel coordinates as floats, element centres at +0.5
-    member,   // constructor argument `slot` of the structure at `place`
-    memory_extent,  // extent of memory `slot` of the structure at `place`: uint, uint2 or uint3
-    domain,         // the extent of the virtual domain of the structure at `place`
-    position,       // the current address, counted from the origin of the ranges that are visited
-    state,          // scalar field `slot` of the translator whose function this is
-    translate,      // place . translate(operands[0]): optional physical address
-    invocation,     // `invocation`: ids of a grouped kernel
-    // host: only in pipelines and tests
-    host_read,    // await place[ operands[0] ]: a value read back
-    device_read,  // place[ operands[0] ] left on the device; slot 1: where it lies, since nothing writes it afterwards
-    await_value,  // await operands[0] of a device type
-    host_state,   // host state `slot` of the adaptor at `place`
-    slice,  // place [ operands[0] .. operands[0] + operands[1] ]: origin and size; either may be of a device type. The
-            // local may itself be a slice: the origin is then relative to it
-    structure_value,  // the structure at `place` (type: structure), passed or returned; a slice local is passed as
-                      // Op::local
-    pipeline_call,    // pipeline `slot` of Program::pipelines: operands in parameter order; of an adaptor:
-                      // `local`/`place` is the owner
-    device_property,  // `slot` is a DeviceProperty of the device that the pipeline runs on
-    element_count,    // number of elements of the structure or slice at `place`: product of its size
-    // memory: low level, after lower/
-    parameter,     // member `slot` of Pass::parameters
-    load,          // bindings[slot][ operands[0] ]: a buffer; operand is a uint index in elements
-    image_load,    // bindings[slot] at texel operands[0] (int, int2, int3)[, level operands[1]]
-    image_sample,  // bindings[slot] at normalised coordinates operands[0], level 0 or operands[1]
-    builtin,       // `builtin` input of a shader
+#define OPERATION(name, level) name,
+#include "ir/operations.def"
 };
 
 enum class UnaryOp : std::uint8_t { minus, logical_not, bit_not };
@@ -182,36 +133,8 @@ struct Expr {
 // ----------------------------------------------------------------------------------------------------- statements
 
 enum class StmtOp : std::uint8_t {
-    let,     // local = value (declares); value may be absent: zero, unless `uninitialized`
-    assign,  // target = value; target: local, or index/field/swizzle chain over a local (shared arrays too)
-    if_,     // if value body else otherwise
-    for_,    // for local in value..limit step 1, body   (int or uint)
-    while_,  // while value body
-    break_,
-    continue_,
-    return_,  // value may be absent
-    block,
-    evaluate,          // value for its effect
-    barrier,           // all of the workgroup: execution and memory (grouped kernels)
-    subgroup_barrier,  // the same of the subgroup
-    // structures: high level
-    set_element,  // the current element of each-parameter place.root = value
-    write,        // place[target] = value, or combined with `combine` where the parameter is scatter<S, op>; an array
-                  // as value: elements in a row, or in rows of four `arguments[0]` apart
-    // host
-    temp,         // local: a temporary structure, constructor arguments `arguments`
-    release,      // temporaries that die here (made by lower/temporaries)
-    dispatch,     // kernel `slot` of Program::kernels with `arguments` in parameter order
-    expect,       // value must be true                  (tests)
-    expect_near,  // arguments[0], [1], tolerance [2]
-    expect_same,  // two structures element by element
-    host_assign,  // target (host state `slot` of the adaptor that owns the pipeline) = value
-    // memory: low level
-    store,        // bindings[slot][target] = value
-    image_store,  // bindings[slot] at texel target = value
-    atomic,       // combine(bindings[slot][target], value)
-    report,  // says that virtual address `target` lies outside the structure of bindings[slot]; without a binding: slot
-             // is no_binding, the structure is a view
+#define STATEMENT(name, level) name,
+#include "ir/statements.def"
 };
 
 /// StmtOp::report: the structure has no memory.

@@ -64,30 +64,18 @@ void Validator::low_level(ExprId id) {
         if (!is_row(p.types, binding, node.type)) expect_type(id, binding.element, "a load");
         return;
     }
-    case Op::member:
-    case Op::memory_extent:
-    case Op::domain:
+#define SHAPE_OPERATION(name) case Op::name:
+#include "ir/operations.def"
         if (uniforms_ == Uniforms::moved) fail("a uniform value is not a parameter", id);
         return;
-    case Op::element:
-    case Op::address:
-    case Op::near:
-    case Op::read:
-    case Op::sample:
-    case Op::position:
-    case Op::state:
-    case Op::translate:
-    case Op::invocation:
-    case Op::host_read:
-    case Op::device_read:
-    case Op::await_value:
-    case Op::host_state:
-    case Op::slice:
-    case Op::structure_value:
-    case Op::pipeline_call:
-    case Op::device_property:
-    case Op::element_count: return fail("high-level operation in a lowered kernel", id);
-    default: return;  // values are of both levels
+#define STRUCTURE_OPERATION(name) case Op::name:
+#define HOST_OPERATION(name) case Op::name:
+#include "ir/operations.def"
+        return fail("high-level operation in a lowered kernel", id);
+    case Op::builtin: return;
+#define VALUE_OPERATION(name) case Op::name:
+#include "ir/operations.def"
+        return;
     }
 }
 
@@ -158,15 +146,10 @@ void Validator::stmt(const Stmt& stmt) {
     case StmtOp::report:
         if (stmt.slot >= pass_.bindings.size() && stmt.slot != no_binding) return fail("no such binding");
         return;
-    case StmtOp::set_element:
-    case StmtOp::write:
-    case StmtOp::temp:
-    case StmtOp::release:
-    case StmtOp::dispatch:
-    case StmtOp::expect:
-    case StmtOp::expect_near:
-    case StmtOp::expect_same:
-    case StmtOp::host_assign: return fail("high-level statement in a lowered kernel");
+#define STRUCTURE_STATEMENT(name) case StmtOp::name:
+#define HOST_STATEMENT(name) case StmtOp::name:
+#include "ir/statements.def"
+        return fail("high-level statement in a lowered kernel");
     default: break;
     }
     body(stmt.body);

@@ -66,11 +66,10 @@ namespace {
 
 bool is_uniform_node(Context& cx, const Expr& node) {
     switch (node.op) {
+#define SHAPE_OPERATION(name) case Op::name:
+#include "ir/operations.def"
     case Op::constant:
-    case Op::none:
-    case Op::member:
-    case Op::memory_extent:
-    case Op::domain: return true;
+    case Op::none: return true;
     case Op::local: {
         for (const KernelParam& param : cx.kernel.params)
             if (param.pattern == Pattern::value && param.local == node.local) return true;
@@ -97,29 +96,11 @@ bool is_uniform_node(Context& cx, const Expr& node) {
         for (ExprId operand : node.operands)
             if (!is_uniform(cx, operand)) return false;
         return true;
-    case Op::element:
-    case Op::address:
-    case Op::near:
-    case Op::read:
-    case Op::sample:
-    case Op::position:
-    case Op::state:
-    case Op::translate:
-    case Op::invocation:
-    case Op::host_read:
-    case Op::device_read:
-    case Op::await_value:
-    case Op::host_state:
-    case Op::slice:
-    case Op::structure_value:
-    case Op::pipeline_call:
-    case Op::device_property:
-    case Op::element_count:
-    case Op::parameter:
-    case Op::load:
-    case Op::image_load:
-    case Op::image_sample:
-    case Op::builtin: return false;
+#define STRUCTURE_OPERATION(name) case Op::name:
+#define HOST_OPERATION(name) case Op::name:
+#define MEMORY_OPERATION(name) case Op::name:
+#include "ir/operations.def"
+        return false;
     }
     return false;
 }

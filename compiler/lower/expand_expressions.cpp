@@ -1,3 +1,4 @@
+#include "ir/levels.h"
 #include "lower/expand.h"
 
 namespace gliftc::lower {
@@ -159,20 +160,12 @@ Pair Expander::expand(ExprId id) {
     case Op::swizzle:
     case Op::index:
     case Op::field: return expand_again(id, node);
-    case Op::parameter:
-    case Op::load:
-    case Op::image_load:
-    case Op::image_sample:
-    case Op::builtin: return {id, {}};
-    case Op::host_read:
-    case Op::device_read:
-    case Op::await_value:
-    case Op::host_state:
-    case Op::slice:
-    case Op::structure_value:
-    case Op::pipeline_call:
-    case Op::device_property:
-    case Op::element_count: break;  // only in pipelines, which are not lowered
+#define MEMORY_OPERATION(name) case Op::name:
+#include "ir/operations.def"
+        return {id, {}};
+#define HOST_OPERATION(name) case Op::name:
+#include "ir/operations.def"
+        misplaced(node.op, "lower");
     }
     return {make.zero(node.type), {}};
 }

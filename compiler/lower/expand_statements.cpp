@@ -1,3 +1,4 @@
+#include "ir/levels.h"
 #include "lower/expand.h"
 #include "lower/unroll.h"
 
@@ -76,13 +77,9 @@ void Expander::expand_statement(StmtId id) {
     case StmtOp::report: append(stmt); break;
     case StmtOp::set_element: set_element(stmt); break;
     case StmtOp::write: write(stmt); break;
-    case StmtOp::temp:
-    case StmtOp::release:
-    case StmtOp::dispatch:
-    case StmtOp::expect:
-    case StmtOp::expect_near:
-    case StmtOp::expect_same:
-    case StmtOp::host_assign: break;  // only in pipelines, which are not lowered
+#define HOST_STATEMENT(name) case StmtOp::name:
+#include "ir/statements.def"
+        misplaced(stmt.op, "lower");
     }
     span_ = outer;
 }

@@ -302,32 +302,12 @@ Text print(Printer& p, ExprId id) {
     case Op::some: return function_call(p, type_text(p.globals, expr.type, p.use_namespaces), expr.operands);
     case Op::has_value: return {print(p, expr.operands[0], Level::postfix) + ".has_value()"};
     case Op::value: return {"*" + print(p, expr.operands[0], Level::unary), Level::unary};
-    case Op::element:
-    case Op::address:
-    case Op::near:
-    case Op::read:
-    case Op::sample:
-    case Op::member:
-    case Op::memory_extent:
-    case Op::domain:
-    case Op::position:
-    case Op::state:
-    case Op::translate:
-    case Op::invocation:
-    case Op::host_read:
-    case Op::device_read:
-    case Op::await_value:
-    case Op::slice:
-    case Op::structure_value:
-    case Op::pipeline_call:
-    case Op::host_state:
-    case Op::device_property:
-    case Op::element_count:
-    case Op::parameter:
-    case Op::load:
-    case Op::image_load:
-    case Op::image_sample:
-    case Op::builtin: break;
+#define SHAPE_OPERATION(name) case Op::name:
+#define STRUCTURE_OPERATION(name) case Op::name:
+#define HOST_OPERATION(name) case Op::name:
+#define MEMORY_OPERATION(name) case Op::name:
+#include "ir/operations.def"
+        return p.outer_expression(expr);
     }
     return p.outer_expression(expr);
 }

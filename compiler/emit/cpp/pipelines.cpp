@@ -1,6 +1,7 @@
 // Pipelines as functions that call kernels and other pipelines.
 #include "emit/cpp/mentions.h"
 #include "emit/cpp/unit.h"
+#include "ir/levels.h"
 
 namespace gliftc::cpp {
 
@@ -122,38 +123,13 @@ Text PipelinePrinter::expression(const Expr& expr) {
     case Op::await_value: return {print(p, expr.operands[0], Level::postfix) + ".await(commands)"};
     case Op::slice: return slice(expr);
     case Op::pipeline_call: return call(expr);
-    case Op::constant:
-    case Op::local:
-    case Op::construct:
-    case Op::convert:
-    case Op::unary:
-    case Op::binary:
-    case Op::select:
-    case Op::swizzle:
-    case Op::index:
-    case Op::field:
-    case Op::call:
-    case Op::intrinsic:
-    case Op::none:
-    case Op::some:
-    case Op::has_value:
-    case Op::value:
-    case Op::element:
-    case Op::address:
-    case Op::near:
-    case Op::read:
-    case Op::sample:
-    case Op::position:
-    case Op::state:
-    case Op::translate:
-    case Op::invocation:
-    case Op::parameter:
-    case Op::load:
-    case Op::image_load:
-    case Op::image_sample:
-    case Op::builtin: break;
+#define VALUE_OPERATION(name) case Op::name:
+#define STRUCTURE_OPERATION(name) case Op::name:
+#define MEMORY_OPERATION(name) case Op::name:
+#include "ir/operations.def"
+        break;
     }
-    return {"/* not a host expression */"};
+    ir::misplaced(expr.op, "emit/cpp: a pipeline");
 }
 
 /// Structures first, then values, as the classes' constructors have them.
@@ -214,26 +190,13 @@ void PipelinePrinter::statement(const Stmt& stmt) {
         return p.out.line("test.expect_near(" + join_arguments(p, stmt.arguments) + ", " + place() + ");");
     case StmtOp::expect_same: return expect_same(stmt);
     case StmtOp::host_assign: return p.out.line(print_any(p, stmt.target) + " = " + print_any(p, stmt.value) + ";");
-    case StmtOp::let:
-    case StmtOp::assign:
-    case StmtOp::if_:
-    case StmtOp::for_:
-    case StmtOp::while_:
-    case StmtOp::break_:
-    case StmtOp::continue_:
-    case StmtOp::return_:
-    case StmtOp::block:
-    case StmtOp::evaluate:
-    case StmtOp::barrier:
-    case StmtOp::subgroup_barrier:
-    case StmtOp::set_element:
-    case StmtOp::write:
-    case StmtOp::store:
-    case StmtOp::image_store:
-    case StmtOp::atomic:
-    case StmtOp::report: break;
+#define VALUE_STATEMENT(name) case StmtOp::name:
+#define STRUCTURE_STATEMENT(name) case StmtOp::name:
+#define MEMORY_STATEMENT(name) case StmtOp::name:
+#include "ir/statements.def"
+        break;
     }
-    p.out.line("/* not a host statement */");
+    ir::misplaced(stmt.op, "emit/cpp: a pipeline");
 }
 
 bool is_test(const Unit& unit, std::uint32_t pipeline) {

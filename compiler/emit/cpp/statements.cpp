@@ -255,19 +255,11 @@ void print_statement(Printer& p, ir::StmtId id) {
     case StmtOp::evaluate: return p.out.line(print_any(p, stmt.value) + ";");
     case StmtOp::subgroup_barrier: return;  // in C++ an invocation is a subgroup
     case StmtOp::barrier:
-    case StmtOp::set_element:
-    case StmtOp::write:
-    case StmtOp::temp:
-    case StmtOp::release:
-    case StmtOp::dispatch:
-    case StmtOp::expect:
-    case StmtOp::expect_near:
-    case StmtOp::expect_same:
-    case StmtOp::host_assign:
-    case StmtOp::store:
-    case StmtOp::image_store:
-    case StmtOp::atomic:
-    case StmtOp::report: break;
+#define STRUCTURE_STATEMENT(name) case StmtOp::name:
+#define HOST_STATEMENT(name) case StmtOp::name:
+#define MEMORY_STATEMENT(name) case StmtOp::name:
+#include "ir/statements.def"
+        break;
     }
     p.outer_statement(stmt);
 }

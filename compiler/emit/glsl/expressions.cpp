@@ -1,6 +1,7 @@
 // Expressions, with no more parentheses than a reader wants.
 #include "base/concat.h"
 #include "emit/glsl/printer.h"
+#include "ir/levels.h"
 
 #include <cstdio>
 #include <stdexcept>
@@ -308,30 +309,13 @@ Text print(Printer& p, ExprId id) {
     case Op::image_load:
     case Op::image_sample: return print_load(p, expr);
     case Op::builtin: return print_builtin(p, expr);
-    case Op::element:
-    case Op::address:
-    case Op::near:
-    case Op::read:
-    case Op::sample:
-    case Op::member:
-    case Op::memory_extent:
-    case Op::domain:
-    case Op::position:
-    case Op::state:
-    case Op::translate:
-    case Op::invocation:
-    case Op::host_read:
-    case Op::device_read:
-    case Op::await_value:
-    case Op::slice:
-    case Op::structure_value:
-    case Op::pipeline_call:
-    case Op::host_state:
-    case Op::device_property:
-    case Op::element_count: break;
+#define SHAPE_OPERATION(name) case Op::name:
+#define STRUCTURE_OPERATION(name) case Op::name:
+#define HOST_OPERATION(name) case Op::name:
+#include "ir/operations.def"
+        break;
     }
-    throw std::logic_error("emit/glsl: an expression that lowering should have replaced (Op " +
-                           std::to_string(static_cast<int>(expr.op)) + ")");
+    ir::misplaced(expr.op, "emit/glsl: a lowered pass");
 }
 
 std::string print(Printer& p, ExprId id, Level least) {

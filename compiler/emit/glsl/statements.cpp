@@ -1,6 +1,7 @@
 // Statements, one a line, with the source line each came from.
 #include "base/concat.h"
 #include "emit/glsl/printer.h"
+#include "ir/levels.h"
 
 #include <stdexcept>
 
@@ -237,18 +238,12 @@ void print_statement(Printer& p, StmtId id) {
     case StmtOp::image_store: return line(p, store_text(p, stmt));
     case StmtOp::atomic: return line(p, atomic_text(p, stmt));
     case StmtOp::report: return line(p, report_text(p, stmt));
-    case StmtOp::set_element:
-    case StmtOp::write:
-    case StmtOp::temp:
-    case StmtOp::release:
-    case StmtOp::dispatch:
-    case StmtOp::expect:
-    case StmtOp::expect_near:
-    case StmtOp::expect_same:
-    case StmtOp::host_assign: break;
+#define STRUCTURE_STATEMENT(name) case StmtOp::name:
+#define HOST_STATEMENT(name) case StmtOp::name:
+#include "ir/statements.def"
+        break;
     }
-    throw std::logic_error("emit/glsl: a statement that lowering should have replaced (StmtOp " +
-                           std::to_string(static_cast<int>(stmt.op)) + ")");
+    ir::misplaced(stmt.op, "emit/glsl: a lowered pass");
 }
 
 }  // namespace gliftc::glsl

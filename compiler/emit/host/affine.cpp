@@ -177,27 +177,10 @@ Slopes Affine::of(ExprId id) {
     case Op::some:
     case Op::has_value:
     case Op::value:
-    case Op::element:
-    case Op::address:
-    case Op::near:
-    case Op::read:
-    case Op::sample:
-    case Op::member:
-    case Op::memory_extent:
-    case Op::domain:
-    case Op::position:
-    case Op::state:
-    case Op::translate:
-    case Op::invocation:
-    case Op::host_read:
-    case Op::device_read:
-    case Op::await_value:
-    case Op::slice:
-    case Op::structure_value:
-    case Op::pipeline_call:
-    case Op::host_state:
-    case Op::device_property:
-    case Op::element_count:
+#define SHAPE_OPERATION(name) case Op::name:
+#define STRUCTURE_OPERATION(name) case Op::name:
+#define HOST_OPERATION(name) case Op::name:
+#include "ir/operations.def"
     case Op::load:
     case Op::image_load:
     case Op::image_sample:
@@ -275,19 +258,11 @@ bool Affine::run(const std::vector<ir::StmtId>& body, std::optional<Slopes>& res
         case StmtOp::evaluate:
         case StmtOp::barrier:
         case StmtOp::subgroup_barrier:
-        case StmtOp::set_element:
-        case StmtOp::write:
-        case StmtOp::temp:
-        case StmtOp::release:
-        case StmtOp::dispatch:
-        case StmtOp::expect:
-        case StmtOp::expect_near:
-        case StmtOp::expect_same:
-        case StmtOp::host_assign:
-        case StmtOp::store:
-        case StmtOp::image_store:
-        case StmtOp::atomic:
-        case StmtOp::report: return false;
+#define STRUCTURE_STATEMENT(name) case StmtOp::name:
+#define HOST_STATEMENT(name) case StmtOp::name:
+#define MEMORY_STATEMENT(name) case StmtOp::name:
+#include "ir/statements.def"
+            return false;
         }
     }
     return true;

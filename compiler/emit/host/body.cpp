@@ -3,6 +3,7 @@
 #include "base/concat.h"
 #include "emit/cpp/mentions.h"
 #include "emit/host/row_moves.h"
+#include "ir/levels.h"
 
 #include <algorithm>
 
@@ -64,57 +65,14 @@ Text print_outer(Body& body, const Expr& expr) {
             return {std::to_string(body.pass.group[0] * body.pass.group[1] * body.pass.group[2]) + "u"};
         }
         break;
-    case Op::invocation:
-        switch (expr.invocation) {
-        case ir::Invocation::local_index: return {body.first_only ? "0u" : "local_index"};
-        case ir::Invocation::group_index: return {"group_index"};
-        case ir::Invocation::group_count: return {"group_total"};
-        case ir::Invocation::group_size: return {"group_size"};
-        case ir::Invocation::subgroup_size: return {"1u"};
-        case ir::Invocation::subgroup_lane: return {"0u"};
-        case ir::Invocation::subgroup_index: return {body.first_only ? "0u" : "local_index"};
-        case ir::Invocation::subgroup_count:
-            return {std::to_string(body.pass.group[0] * body.pass.group[1] * body.pass.group[2]) + "u"};
-        }
+#define VALUE_OPERATION(name) case Op::name:
+#define SHAPE_OPERATION(name) case Op::name:
+#define STRUCTURE_OPERATION(name) case Op::name:
+#define HOST_OPERATION(name) case Op::name:
+#include "ir/operations.def"
         break;
-    case Op::constant:
-    case Op::local:
-    case Op::construct:
-    case Op::convert:
-    case Op::unary:
-    case Op::binary:
-    case Op::select:
-    case Op::swizzle:
-    case Op::index:
-    case Op::field:
-    case Op::call:
-    case Op::intrinsic:
-    case Op::none:
-    case Op::some:
-    case Op::has_value:
-    case Op::value:
-    case Op::element:
-    case Op::address:
-    case Op::near:
-    case Op::read:
-    case Op::sample:
-    case Op::member:
-    case Op::memory_extent:
-    case Op::domain:
-    case Op::position:
-    case Op::state:
-    case Op::translate:
-    case Op::host_read:
-    case Op::device_read:
-    case Op::await_value:
-    case Op::slice:
-    case Op::structure_value:
-    case Op::pipeline_call:
-    case Op::host_state:
-    case Op::device_property:
-    case Op::element_count: break;
     }
-    return {"/* not lowered */"};
+    ir::misplaced(expr.op, "emit/host: a lowered pass");
 }
 
 std::string_view combine_name(ir::Combine combine) {
@@ -176,29 +134,13 @@ void print_outer(Body& body, const Stmt& stmt) {
         return;
     }
     case StmtOp::report: return p.out.line(report_text(body, stmt));
-    case StmtOp::let:
-    case StmtOp::assign:
-    case StmtOp::if_:
-    case StmtOp::for_:
-    case StmtOp::while_:
-    case StmtOp::break_:
-    case StmtOp::continue_:
-    case StmtOp::return_:
-    case StmtOp::block:
-    case StmtOp::evaluate:
-    case StmtOp::barrier:
-    case StmtOp::subgroup_barrier:
-    case StmtOp::set_element:
-    case StmtOp::write:
-    case StmtOp::temp:
-    case StmtOp::release:
-    case StmtOp::dispatch:
-    case StmtOp::expect:
-    case StmtOp::expect_near:
-    case StmtOp::expect_same:
-    case StmtOp::host_assign: break;
+#define VALUE_STATEMENT(name) case StmtOp::name:
+#define STRUCTURE_STATEMENT(name) case StmtOp::name:
+#define HOST_STATEMENT(name) case StmtOp::name:
+#include "ir/statements.def"
+        break;
     }
-    p.out.line("/* not lowered */");
+    ir::misplaced(stmt.op, "emit/host: a lowered pass");
 }
 
 bool print_row_move(Body& body, const Stmt& loop) {

@@ -195,19 +195,11 @@ void Groups::run_uniform(const Stmt& stmt, bool in_loop) {
     case StmtOp::return_:
     case StmtOp::evaluate:
     case StmtOp::subgroup_barrier:
-    case StmtOp::set_element:
-    case StmtOp::write:
-    case StmtOp::temp:
-    case StmtOp::release:
-    case StmtOp::dispatch:
-    case StmtOp::expect:
-    case StmtOp::expect_near:
-    case StmtOp::expect_same:
-    case StmtOp::host_assign:
-    case StmtOp::store:
-    case StmtOp::image_store:
-    case StmtOp::atomic:
-    case StmtOp::report: return;
+#define STRUCTURE_STATEMENT(name) case StmtOp::name:
+#define HOST_STATEMENT(name) case StmtOp::name:
+#define MEMORY_STATEMENT(name) case StmtOp::name:
+#include "ir/statements.def"
+        return;
     }
 }
 
