@@ -1,0 +1,65 @@
+// Virtual addresses and sizes as four numbers, and boxes of them.
+#pragma once
+
+#include <glift/error.h>
+#include <glift/vector.h>
+
+#include <array>
+#include <string>
+
+namespace glift {
+
+using Extent = std::array<std::uint32_t, 4>;
+
+namespace detail {
+
+template <class A> struct Axes {
+    static constexpr unsigned count = 1;
+    static constexpr std::uint32_t at(A a, unsigned) { return a; }
+};
+template <unsigned N> struct Axes<vec<uint, N>> {
+    static constexpr unsigned count = N;
+    static constexpr std::uint32_t at(const vec<uint, N>& a, unsigned i) { return a[i]; }
+};
+
+/// A virtual address or size as four numbers; axes that it does not have are `rest`.
+template <class A> constexpr Extent extent_of(const A& a, std::uint32_t rest = 1) {
+    Extent extent;
+    for (unsigned i = 0; i < 4; ++i) extent[i] = i < Axes<A>::count ? Axes<A>::at(a, i) : rest;
+    return extent;
+}
+
+constexpr std::uint64_t volume_of(const Extent& extent) {
+    return std::uint64_t{extent[0]} * extent[1] * extent[2] * extent[3];
+}
+
+inline std::string text_of(const Extent& extent, unsigned rank) {
+    std::string text = "{";
+    for (unsigned i = 0; i < rank; ++i) text += (i ? ", " : "") + std::to_string(extent[i]);
+    return text + "}";
+}
+
+/// A box as the checks see it.
+struct Box {
+    const char* name;
+    unsigned rank;
+    Extent origin, size, domain;
+
+    bool is_inside() const {
+        for (unsigned i = 0; i < rank; ++i) {
+            if (size[i] > domain[i] || origin[i] > domain[i] - size[i]) return false;
+        }
+        return true;
+    }
+};
+
+[[noreturn]] inline void throw_outside(const std::string& where, const Box& box) {
+    throw Error(ErrorCode::wrong_argument, std::string("a box of ") + box.name + " lies outside its domain", where,
+                box.name + (" starts at " + text_of(box.origin, box.rank)) + " and is " + text_of(box.size, box.rank) +
+                    " large, the domain is " + text_of(box.domain, box.rank),
+                "pass a box inside the domain");
+}
+
+}  // namespace detail
+
+}  // namespace glift

@@ -1,0 +1,102 @@
+// Boxes of a structure as values, and values that live on the device.
+#pragma once
+
+#include <glift/box.h>
+#include <glift/commands.h>
+
+#include <cstring>
+#include <utility>
+#include <vector>
+
+namespace glift {
+
+/// A value that lives on the device.
+template <class T> struct DeviceScalar {
+    Memory memory;
+    std::uint64_t offset = 0;
+
+    /// Waits for what the value depends on.
+    T await(const Commands& commands) const {
+        const Download download = commands.download(memory, offset, sizeof(T));
+        T value;
+        std::memcpy(&value, download.get().data(), sizeof(T));
+        return value;
+    }
+    operator DeviceValue() const { return {memory, offset}; }
+};
+
+namespace detail {
+
+/// A size that lives on the device, of a box that begins `before` elements after what it is the size of.
+struct DeviceCount {
+    DeviceValue value;
+    Extent before{};
+
+    bool operator==(const DeviceCount& other) const {
+        return value.memory.object() == other.value.memory.object() && value.offset == other.value.offset &&
+               before == other.before;
+    }
+};
+
+}  // namespace detail
+
+/// A box of a structure of type S, or all of it. Holds on to the structure by address.
+template <class S> class Range {
+public:
+    using Address = typename S::Address;
+
+    Range(const S& structure) : structure_(&structure), size_(structure.domain()), whole_(true) {}
+    Range(const S& structure, Address origin, Address size) : structure_(&structure), origin_(origin), size_(size) {}
+    /// As many elements along each axis as a value on the device says, `size` at most.
+    Range(const S& structure, Address origin, Address size, DeviceScalar<Address> count)
+        : structure_(&structure), origin_(origin), size_(size), counts_{{std::move(count), {}}} {}
+
+    const S& structure() const { return *structure_; }
+    const S* operator->() const { return structure_; }
+    Address origin() const { return origin_; }
+    Address size() const { return size_; }
+    bool is_whole() const { return whole_; }
+    /// Where the number of elements along each axis comes from, the least of these; none where the host knows it.
+    const std::vector<detail::DeviceCount>& device_counts() const { return counts_; }
+
+    /// A box of this box.
+    Range range(Address origin, Address size) const {
+        Range part(*structure_, origin_ + origin, size);
+        part.counts_ = counts_;
+        const Extent first = detail::extent_of(origin, 0);
+        for (detail::DeviceCount& count : part.counts_)
+            for (unsigned i = 0; i < 4; ++i) count.before[i] += first[i];
+        return part;
+    }
+    /// As many elements from the first on, along each axis, as a value on the device says, all at most.
+    Range first(DeviceScalar<Address> count) const {
+        Range part(*structure_, origin_, size_);
+        part.counts_ = counts_;
+        part.counts_.push_back({std::move(count), {}});
+        return part;
+    }
+    /// An element of the box, left on the device.
+    auto element_in_place(const Commands& commands, Address address) const {
+        return structure_->element_in_place(commands, origin_ + address);
+    }
+    auto element(const Commands& commands, Address address) const {
+        return structure_->element(commands, origin_ + address);
+    }
+    std::vector<typename S::Element> read() const { return structure_->read(origin_, size_); }
+
+private:
+    const S* structure_;
+    Address origin_{};
+    Address size_;
+    std::vector<detail::DeviceCount> counts_;
+    bool whole_ = false;
+};
+
+/// How many elements a structure or a box has.
+template <class S> uint element_count(const S& structure) {
+    if constexpr (requires { structure.size(); })
+        return static_cast<uint>(detail::volume_of(detail::extent_of(structure.size())));
+    else return static_cast<uint>(detail::volume_of(detail::extent_of(structure.domain())));
+}
+
+}  // namespace glift
