@@ -99,13 +99,17 @@ const Env& env_for(Body&, ast::ExprId);
 const Env& env_for(Body&, const std::vector<ast::ExprId>&);
 
 // expressions
-Operand check(Body&, ast::ExprId, ir::TypeId wanted = {});
+/// `hint` is the type that the context would like: what literals, `none`, tuples and generic calls take where nothing
+/// else says it. It demands nothing; who needs that type says so with check_value or coerce.
+Operand check(Body&, ast::ExprId, ir::TypeId hint = {});
+ir::ExprId check_hinted(Body&, ast::ExprId, ir::TypeId hint);  ///< the same, as a value
 /// The expression as a value, of exactly the wanted type where one is given; reports and gives an error node otherwise.
 ir::ExprId check_value(Body&, ast::ExprId, ir::TypeId wanted = {});
 ir::ExprId to_value(Body&, const Operand&);
 /// `expr` as the wanted type: itself, or wrapped into an optional; reports a mismatch.
 ir::ExprId coerce(Body&, ir::ExprId expr, ir::TypeId wanted, Span);
-bool is_flexible(const Context&, ast::ExprId);  ///< a literal whose type its context chooses
+/// Where a value is needed and an optional was found: how to take the value.
+void note_optional(Body&, Diagnostic&, Span, ir::TypeId found);
 Operand value_operand(Body&, ir::ExprId, Span);
 Operand error_operand(Span);
 ir::ExprId error_value(Body&, Span);
@@ -119,6 +123,8 @@ Operand check_index(Body&, ast::ExprId, ir::TypeId wanted);
 Operand check_call(Body&, ast::ExprId, ir::TypeId wanted);
 Operand check_unary(Body&, ast::ExprId, ir::TypeId wanted);
 Operand check_binary(Body&, ast::ExprId, ir::TypeId wanted);
+Operand check_conditional(Body&, const ast::Expr&, ir::TypeId wanted);
+Operand check_otherwise(Body&, const ast::Expr&, ir::TypeId wanted);  ///< `a ?? b`
 bool has_equality(const ir::Program&, ir::TypeId);  ///< `==` and `!=` apply to two of the type
 ir::ExprId make_struct_equality(Body&, bool negated, ir::ExprId left, ir::ExprId right, Span);
 /// The value that `target op= value` assigns, where the target held `before`.
@@ -137,6 +143,7 @@ std::optional<Operand> call_by_name(Body&, ast::Identifier name, std::vector<ast
                                     ir::TypeId wanted);
 Operand call_intrinsic(Body&, ir::Intrinsic, const std::vector<ast::ExprId>& arguments, const ast::Expr& call,
                        ir::TypeId wanted);
+Operand call_select(Body&, const ast::Expr& call, ir::TypeId wanted);
 Operand construct_value(Body&, ir::TypeId, const ast::Expr& call);
 Operand call_method(Body&, const Operand& self, ast::Identifier method, const ast::Expr& call, ir::TypeId wanted);
 std::optional<ir::Intrinsic> find_intrinsic(std::string_view name);

@@ -1,6 +1,7 @@
 // Calls: what is called, a function, a type, a method, or something that the language has.
 #include "sema/body.h"
 #include "sema/lookup.h"
+#include "sema/typing.h"
 
 namespace gliftc::sema {
 
@@ -26,22 +27,6 @@ std::optional<ir::Invocation> find_invocation(std::string_view name) {
 
 std::vector<ast::ExprId> arguments_of(const ast::Expr& call) {
     return {call.operands.begin() + 1, call.operands.end()};
-}
-
-Operand call_select(Body& body, const ast::Expr& call, ir::TypeId wanted) {
-    if (call.operands.size() != 4) {
-        body.context.error(Diag::argument_count, call.span, {"select", "3", std::to_string(call.operands.size() - 1)});
-        return error_operand(call.span);
-    }
-    ir::ExprId condition = check_value(body, call.operands[1], body.types().bool_);
-    bool flexible = is_flexible(body.context, call.operands[2]) && !is_flexible(body.context, call.operands[3]);
-    ir::ExprId first = check_value(body, call.operands[flexible ? 3 : 2], wanted);
-    ir::TypeId type = body.program().exprs[first].type;
-    ir::ExprId second = check_value(body, call.operands[flexible ? 2 : 3], type);
-    return value_operand(body,
-                         add(body.program(), ir::Op::select, type, call.span,
-                             {condition, flexible ? second : first, flexible ? first : second}),
-                         call.span);
 }
 
 /// Functions that the language has and no module declares.
@@ -132,7 +117,7 @@ Operand construct_value(Body& body, ir::TypeId id, const ast::Expr& call) {
         bool flexible = is_flexible(c, argument);
         // A float literal is converted like any other value: uint(1.5) is 1.
         ir::TypeId hint = flexible ? scalar : ir::TypeId{};
-        ir::ExprId value = check_value(body, argument, hint == types.bool_ ? ir::TypeId{} : hint);
+        ir::ExprId value = check_hinted(body, argument, hint == types.bool_ ? ir::TypeId{} : hint);
         if (is_error(body, value)) return error_operand(call.span);
         ir::TypeId from = body.program().exprs[value].type;
         if (types.kind(from) == ir::TypeKind::enum_ && types.is_integer(scalar)) {
@@ -140,7 +125,8 @@ Operand construct_value(Body& body, ir::TypeId id, const ast::Expr& call) {
             from = types.uint;
         }
         if (!types.is_scalar(types.scalar_of(from))) {
-            c.error(Diag::construct_from, c[argument].span, {c.text(id), c.text(from)});
+            note_optional(body, c.error(Diag::construct_from, c[argument].span, {c.text(id), c.text(from)}),
+                          c[argument].span, from);
             return error_operand(call.span);
         }
         have += ir::lane_count(body.program(), from);

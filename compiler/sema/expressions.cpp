@@ -1,6 +1,7 @@
 #include "sema/body.h"
 
 #include "sema/instances.h"
+#include "sema/typing.h"
 
 #include <cmath>
 
@@ -12,8 +13,8 @@ namespace {
 ir::TypeId literal_type(Body& body, const ast::Expr& literal, ir::TypeId wanted) {
     ir::Types& types = body.types();
     bool floating = literal.kind == ast::ExprKind::float_literal;
-    if (wanted && types.kind(wanted) == ir::TypeKind::optional) wanted = types[wanted].element;
-    if (wanted && types.kind(wanted) == ir::TypeKind::device) wanted = types[wanted].element;
+    wanted = operand_hint(types, wanted);
+    if (wanted) wanted = types.scalar_of(wanted);
     if (wanted && types.is_number(wanted) && (!floating || types.is_floating(wanted))) return wanted;
     return floating ? types.float_ : types.int_;
 }
@@ -146,21 +147,6 @@ Operand check_name(Body& body, ast::ExprId id) {
     return error_operand(expr.span);
 }
 
-Operand check_conditional(Body& body, const ast::Expr& expr, ir::TypeId wanted) {
-    ir::ExprId condition = check_value(body, expr.operands[0], body.types().bool_);
-    ir::ExprId yes, no;
-    if (is_flexible(body.context, expr.operands[1]) && !is_flexible(body.context, expr.operands[2])) {
-        no = check_value(body, expr.operands[2], wanted);
-        yes = check_value(body, expr.operands[1], body.program().exprs[no].type);
-    } else {
-        yes = check_value(body, expr.operands[1], wanted);
-        no = check_value(body, expr.operands[2], body.program().exprs[yes].type);
-    }
-    return value_operand(
-        body, add(body.program(), ir::Op::select, body.program().exprs[yes].type, expr.span, {condition, yes, no}),
-        expr.span);
-}
-
 /// `{ a, b }` as an array or struct of the wanted type.
 Operand check_tuple(Body& body, const ast::Expr& expr, ir::TypeId wanted) {
     if (wanted && body.types().kind(wanted) == ir::TypeKind::optional) wanted = body.types()[wanted].element;
@@ -275,17 +261,6 @@ Operand value_operand(Body& body, ir::ExprId expr, Span span) {
     return operand;
 }
 
-bool is_flexible(const Context& c, ast::ExprId id) {
-    const ast::Expr& expr = c[id];
-    switch (expr.kind) {
-    case ast::ExprKind::int_literal:
-    case ast::ExprKind::float_literal: return expr.suffix[0] == 0;
-    case ast::ExprKind::unary: return is_flexible(c, expr.operands[0]);
-    case ast::ExprKind::binary: return is_flexible(c, expr.operands[0]) && is_flexible(c, expr.operands[1]);
-    default: return false;
-    }
-}
-
 Operand check(Body& body, ast::ExprId id, ir::TypeId wanted) {
     if (!id) return error_operand({});
     return check_kind(body, id, wanted);
@@ -317,8 +292,10 @@ ir::ExprId coerce(Body& body, ir::ExprId expr, ir::TypeId wanted, Span span) {
     ir::Types& types = body.types();
     ir::TypeId have = body.program().exprs[expr].type;
     if (!wanted || have == wanted || have == types.error || wanted == types.error) return expr;
-    if (types.kind(wanted) == ir::TypeKind::optional && types[wanted].element == have)
-        return add(body.program(), ir::Op::some, wanted, span, {expr});
+    if (becomes(types, have, wanted)) {
+        const ir::ExprId value = coerce(body, expr, types[wanted].element, span);
+        return add(body.program(), ir::Op::some, wanted, span, {value});
+    }
     Diagnostic& diagnostic =
         body.context.error(Diag::type_mismatch, span, {body.context.text(wanted), body.context.text(have)});
     if (types.kind(have) == ir::TypeKind::device && types[have].element == wanted)
@@ -326,12 +303,21 @@ ir::ExprId coerce(Body& body, ir::ExprId expr, ir::TypeId wanted, Span span) {
     else if (types.is_number(types.scalar_of(have)) && types.is_number(types.scalar_of(wanted)) &&
              types.components(have) == types.components(wanted))
         note(diagnostic, span, "values are never converted silently: write " + body.context.text(wanted) + "(…)");
+    note_optional(body, diagnostic, span, have);
     return error_value(body, span);
 }
 
+void note_optional(Body& body, Diagnostic& diagnostic, Span span, ir::TypeId found) {
+    if (body.types().kind(found) == ir::TypeKind::optional)
+        note(diagnostic, span,
+             "it may have no value: 'x ?? other' gives another one then, 'if let v = x { … }' runs only where there is "
+             "one");
+}
+
+ir::ExprId check_hinted(Body& body, ast::ExprId id, ir::TypeId hint) { return to_value(body, check(body, id, hint)); }
+
 ir::ExprId check_value(Body& body, ast::ExprId id, ir::TypeId wanted) {
-    Operand operand = check(body, id, wanted);
-    ir::ExprId value = to_value(body, operand);
+    ir::ExprId value = check_hinted(body, id, wanted);
     return wanted ? coerce(body, value, wanted, body.context[id].span) : value;
 }
 
@@ -350,19 +336,19 @@ Operand check_unary(Body& body, ast::ExprId id, ir::TypeId wanted) {
         }
         return value_operand(body, value, expr.span);
     }
-    ir::ExprId value =
-        check_value(body, expr.operands[0], expr.unary == ast::UnaryOp::logical_not ? body.types().bool_ : wanted);
+    ir::ExprId value = expr.unary == ast::UnaryOp::logical_not
+                           ? check_value(body, expr.operands[0], body.types().bool_)
+                           : check_hinted(body, expr.operands[0], operand_hint(body.types(), wanted));
     if (is_error(body, value)) return error_operand(expr.span);
     ir::TypeId type = body.program().exprs[value].type, scalar = body.types().scalar_of(type);
     bool right = expr.unary == ast::UnaryOp::logical_not ? type == body.types().bool_
                  : expr.unary == ast::UnaryOp::bit_not   ? body.types().is_integer(scalar)
                                                          : body.types().is_number(scalar);
     if (!right) {
-        c.error(Diag::unary_operand, expr.span,
-                {expr.unary == ast::UnaryOp::logical_not ? "!"
-                 : expr.unary == ast::UnaryOp::bit_not   ? "~"
-                                                         : "-",
-                 c.text(type)});
+        const char* sign = expr.unary == ast::UnaryOp::logical_not ? "!"
+                           : expr.unary == ast::UnaryOp::bit_not   ? "~"
+                                                                   : "-";
+        note_optional(body, c.error(Diag::unary_operand, expr.span, {sign, c.text(type)}), expr.span, type);
         return error_operand(expr.span);
     }
     if (expr.unary == ast::UnaryOp::plus) return value_operand(body, value, expr.span);

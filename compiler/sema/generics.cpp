@@ -2,6 +2,7 @@
 
 #include "sema/body.h"
 #include "sema/interfaces.h"
+#include "sema/typing.h"
 
 namespace gliftc::sema {
 
@@ -300,16 +301,6 @@ bool Arguments::finish(bool quiet) {
         env.bindings.emplace_back(param.name.name, *found[i]);
     }
     return true;
-}
-
-ir::TypeId own_type(Context& c, ast::ExprId literal) {
-    ast::ExprId part = literal;
-    bool floating = c[part].kind == ast::ExprKind::float_literal;
-    while (!c[part].operands.empty()) {
-        for (ast::ExprId operand : c[part].operands) floating |= c[operand].kind == ast::ExprKind::float_literal;
-        part = c[part].operands.back();
-    }
-    return floating ? c.types().float_ : c.types().int_;
 }
 
 void infer_from_literal(Arguments& arguments, ast::ExprId pattern, ast::ExprId literal) {

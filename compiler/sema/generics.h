@@ -30,9 +30,6 @@ struct Arguments {
     bool finish(bool quiet = false);
 };
 
-/// The type of a literal (is_flexible) where nothing chooses another: int or float.
-ir::TypeId own_type(Context&, ast::ExprId literal);
-
 /// What only a literal can tell: the type that the literal has on its own. After all other inference.
 void infer_from_literal(Arguments&, ast::ExprId pattern, ast::ExprId literal);
 

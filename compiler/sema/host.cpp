@@ -3,6 +3,7 @@
 #include "sema/components.h"
 #include "sema/generics.h"
 #include "sema/instances.h"
+#include "sema/typing.h"
 
 #include <algorithm>
 
@@ -64,9 +65,7 @@ std::vector<Argument> check_arguments(Body& body, const ast::Expr& call, bool& f
     for (ast::ExprId id : arguments_of(call)) {
         Argument argument;
         argument.written = id;
-        ast::ExprKind kind = body.context[id].kind;
-        argument.waits =
-            is_flexible(body.context, id) || kind == ast::ExprKind::tuple || kind == ast::ExprKind::none_literal;
+        argument.waits = waits_for_parameter(body.context, id);
         if (!argument.waits) {
             argument.operand = declared(body, check(body, id));
             failed |= argument.operand.kind == OperandKind::error;

@@ -1,5 +1,6 @@
 // Calls of the functions that every target has: their signatures are one string each, read here.
 #include "sema/body.h"
+#include "sema/typing.h"
 
 #include <unordered_map>
 
@@ -127,6 +128,11 @@ ir::TypeId fixed_type(ir::Types& types, char letter) {
     }
 }
 
+/// What is wanted of the result says what an argument should be only where the signature gives both one type.
+bool has_type_of_result(const Signature& signature, const Shape& shape) {
+    return signature.result == shape.letter || signature.result == '=';
+}
+
 /// The literals' type: that of the other arguments, else what is wanted, else float where floats are needed.
 ir::TypeId literal_hint(ir::Types& types, char letter, ir::TypeId common, ir::TypeId wanted) {
     if (common) return types.scalar_of(common);
@@ -138,7 +144,9 @@ ir::TypeId literal_hint(ir::Types& types, char letter, ir::TypeId common, ir::Ty
 }
 
 Operand wrong_argument(Body& body, ir::Intrinsic intrinsic, Span span, ir::TypeId type) {
-    body.context.error(Diag::intrinsic_argument, span, {ir::name_of(intrinsic), body.context.text(type)});
+    note_optional(body,
+                  body.context.error(Diag::intrinsic_argument, span, {ir::name_of(intrinsic), body.context.text(type)}),
+                  span, type);
     return error_operand(span);
 }
 
@@ -177,15 +185,17 @@ Operand call_intrinsic(Body& body, ir::Intrinsic intrinsic, const std::vector<as
     ir::TypeId common;
     for (int round = 0; round < 2; ++round) {
         for (std::size_t i = 0; i < arguments.size(); ++i) {
-            bool flexible = is_flexible(c, arguments[i]);
+            const bool flexible = typing_of(c, arguments[i]) != Typing::own;
             if (flexible != (round == 1)) continue;
             const Shape& shape = signature.params[i];
-            ir::TypeId hint = fixed_type(types, shape.letter);
-            if (!hint && flexible) hint = literal_hint(types, shape.letter, common, wanted);
-            if (!hint && !flexible) hint = common ? common : wanted;
-            operands[i] = hint == fixed_type(types, shape.letter) && hint
-                              ? check_value(body, arguments[i], hint)
-                              : to_value(body, check(body, arguments[i], hint));
+            const ir::TypeId fixed = fixed_type(types, shape.letter);
+            const ir::TypeId like_result =
+                has_type_of_result(signature, shape) ? operand_hint(types, wanted) : ir::TypeId{};
+            const ir::TypeId hint = flexible ? literal_hint(types, shape.letter, common, like_result)
+                                    : common ? common
+                                             : like_result;
+            operands[i] =
+                fixed ? check_value(body, arguments[i], fixed) : check_hinted(body, arguments[i], hint);
             if (is_error(body, operands[i])) return error_operand(call.span);
             ir::TypeId type = body.program().exprs[operands[i]].type;
             if (!accepts(types, shape.letter, type)) return wrong_argument(body, intrinsic, c[arguments[i]].span, type);

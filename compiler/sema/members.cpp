@@ -2,6 +2,7 @@
 #include "sema/body.h"
 
 #include "sema/instances.h"
+#include "sema/typing.h"
 
 namespace gliftc::sema {
 

@@ -5,6 +5,7 @@
 #include "sema/generics.h"
 #include "sema/instances.h"
 #include "sema/lookup.h"
+#include "sema/typing.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,6 @@
-// Binary operators: operand types, vector with scalar, matrices, `??`.
+// Binary operators: operand types, vector with scalar, matrices.
 #include "sema/body.h"
+#include "sema/typing.h"
 
 namespace gliftc::sema {
 
@@ -68,24 +69,25 @@ struct Pair {
     ir::ExprId left, right;
 };
 
-/// Checks both sides so that each gives the other the type that its literals and inferred calls take.
+/// Checks both sides so that each gives the other the type that its literals and inferred calls take. What is wanted of
+/// the result is a wish: `scale * normal` where a vector is wanted.
 Pair check_sides(Body& body, const ast::Expr& expr, ir::TypeId wanted) {
     ast::ExprId l = expr.operands[0], r = expr.operands[1];
-    bool left_flexible = is_flexible(body.context, l), right_flexible = is_flexible(body.context, r);
-    auto type = [&](ir::ExprId id) { return body.program().exprs[id].type; };
-    auto hint = [&](ir::TypeId other) {
-        if (body.types().kind(other) == ir::TypeKind::matrix) return body.types()[other].element;
-        return other;
+    const Typing left = typing_of(body.context, l), right = typing_of(body.context, r);
+    const bool is_shift = family_of(expr.binary) == Family::shift;
+    auto hint = [&](ir::ExprId other) {
+        const ir::TypeId type = operand_hint(body.types(), body.program().exprs[other].type);
+        return body.types().is_matrix(type) ? body.types()[type].element : type;
     };
     Pair pair;
-    if (left_flexible && !right_flexible) {
-        pair.right = check_value(body, r, wanted ? wanted : ir::TypeId{});
-        pair.left = check_value(body, l, body.types().scalar_of(hint(type(pair.right))));
+    if (left != Typing::own && right == Typing::own) {
+        pair.right = check_hinted(body, r, is_shift ? ir::TypeId{} : wanted);
+        const ir::TypeId type = is_shift && wanted ? wanted : hint(pair.right);
+        pair.left = check_value(body, l, body.types().scalar_of(type));
     } else {
-        // What is wanted is a wish here, not yet a demand: `scale * normal` where a vector is wanted.
-        pair.left = to_value(body, check(body, l, wanted));
-        ir::TypeId other = hint(type(pair.left));
-        pair.right = to_value(body, check(body, r, right_flexible ? body.types().scalar_of(other) : other));
+        pair.left = check_hinted(body, l, wanted);
+        const ir::TypeId other = hint(pair.left);
+        pair.right = check_hinted(body, r, right == Typing::own ? other : body.types().scalar_of(other));
     }
     return pair;
 }
@@ -98,6 +100,10 @@ Operand mismatch(Body& body, const ast::Expr& expr, Pair sides) {
     if (body.types().kind(left) == ir::TypeKind::device || body.types().kind(right) == ir::TypeKind::device)
         note(diagnostic, expr.span,
              "a value that lives on the device can be passed on or awaited: 'await' brings it to the host");
+    else if (body.types().kind(left) == ir::TypeKind::optional)
+        note_optional(body, diagnostic, c[expr.operands[0]].span, left);
+    else if (body.types().kind(right) == ir::TypeKind::optional)
+        note_optional(body, diagnostic, c[expr.operands[1]].span, right);
     else if (body.types().scalar_of(left) != body.types().scalar_of(right))
         note(diagnostic, expr.span,
              "values are never converted silently: convert one side, as in " + c.text(body.types().scalar_of(left)) +
@@ -144,27 +150,6 @@ ir::TypeId result_type(ir::Types& types, ast::BinaryOp op, ir::TypeId left, ir::
     return types.components(left) == 1 ? right : ir::TypeId{};
 }
 
-Operand check_otherwise(Body& body, const ast::Expr& expr, ir::TypeId wanted) {
-    ir::TypeId hint = wanted ? body.types().optional(wanted) : ir::TypeId{};
-    ir::ExprId optional = to_value(body, check(body, expr.operands[0], hint));
-    if (is_error(body, optional)) return error_operand(expr.span);
-    ir::TypeId type = body.program().exprs[optional].type;
-    if (body.types().kind(type) != ir::TypeKind::optional) {
-        body.context.error(Diag::not_optional, body.context[expr.operands[0]].span, {body.context.text(type)});
-        return error_operand(expr.span);
-    }
-    if (body.block) {
-        ir::LocalId local = emit_temporary(body, "found", optional, expr.span);
-        optional = make_local(body.program(), local, expr.span);
-    }
-    ir::TypeId element = body.types()[type].element;
-    ir::ExprId fallback = check_value(body, expr.operands[1], element);
-    ir::ExprId has = add(body.program(), ir::Op::has_value, body.types().bool_, expr.span, {optional});
-    ir::ExprId value = add(body.program(), ir::Op::value, element, expr.span, {optional});
-    return value_operand(body, add(body.program(), ir::Op::select, element, expr.span, {has, value, fallback}),
-                         expr.span);
-}
-
 }  // namespace
 
 Operand check_binary(Body& body, ast::ExprId id, ir::TypeId wanted) {
@@ -184,7 +169,7 @@ Operand check_binary(Body& body, ast::ExprId id, ir::TypeId wanted) {
             body, make_binary(body.program(), lowered(expr.binary), types.bool_, left, right, expr.span), expr.span);
     }
     bool compares = family == Family::ordering || family == Family::equality;
-    Pair sides = check_sides(body, expr, compares ? ir::TypeId{} : wanted);
+    Pair sides = check_sides(body, expr, compares ? ir::TypeId{} : operand_hint(types, wanted));
     if (is_error(body, sides.left) || is_error(body, sides.right)) return error_operand(expr.span);
     ir::TypeId left = body.program().exprs[sides.left].type, right = body.program().exprs[sides.right].type;
     ir::TypeId result;
@@ -219,7 +204,7 @@ ir::ExprId check_compound(Body& body, const ast::Stmt& stmt, ir::ExprId before) 
     ir::Types& types = body.types();
     ir::TypeId left = body.program().exprs[before].type;
     ir::ExprId value =
-        to_value(body, check(body, stmt.value, is_flexible(c, stmt.value) ? types.scalar_of(left) : left));
+        check_hinted(body, stmt.value, is_flexible(c, stmt.value) ? types.scalar_of(left) : left);
     if (is_error(body, value)) return value;
     ir::TypeId right = body.program().exprs[value].type;
     if (result_type(types, *stmt.op, left, right) != left) {

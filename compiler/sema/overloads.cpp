@@ -3,16 +3,11 @@
 #include "sema/generics.h"
 #include "sema/instances.h"
 #include "sema/lookup.h"
+#include "sema/typing.h"
 
 namespace gliftc::sema {
 
 namespace {
-
-/// An argument that can only be checked once its parameter's type is known.
-bool needs_context(const Context& c, ast::ExprId id) {
-    ast::ExprKind kind = c[id].kind;
-    return is_flexible(c, id) || kind == ast::ExprKind::tuple || kind == ast::ExprKind::none_literal;
-}
 
 /// One overload that fits, and how well.
 struct Candidate {
@@ -39,7 +34,7 @@ ir::TypeId operand_type(Body& body, const Operand& operand) {
 CheckedArguments check_arguments(Body& body, const std::vector<ast::ExprId>& arguments) {
     CheckedArguments result;
     for (ast::ExprId argument : arguments) {
-        bool waits = needs_context(body.context, argument);
+        bool waits = waits_for_parameter(body.context, argument);
         Operand operand;
         if (!waits) {
             operand = check(body, argument);
@@ -98,9 +93,7 @@ std::unique_ptr<Env> match(Body& body, ast::DeclId id, const Env* owner,
         if (arguments.waits[i] || arguments.operands[i].kind == OperandKind::error) continue;
         ir::TypeId parameter = type_of(c, *env, function.params[i].type);
         ir::TypeId actual = operand_type(body, arguments.operands[i]);
-        if (parameter == actual || parameter == body.types().error) continue;
-        if (body.types().kind(parameter) == ir::TypeKind::optional && body.types()[parameter].element == actual)
-            continue;
+        if (parameter == body.types().error || (actual && becomes(body.types(), actual, parameter))) continue;
         if (!report) return nullptr;
         if (!actual) to_value(body, arguments.operands[i]);  // reports that it is no value
         else {
@@ -192,9 +185,7 @@ Operand finish_call(Body& body, ast::DeclId id, const Env& env, CheckedArguments
 
 /// Does a function's result serve where `wanted` is? Everything serves where nothing is wanted.
 bool gives(Body& body, ir::TypeId result, ir::TypeId wanted) {
-    if (!wanted || result == wanted) return true;
-    const ir::Type& type = body.types()[wanted];
-    return type.kind == ir::TypeKind::optional && type.element == result;
+    return !wanted || becomes(body.types(), result, wanted);
 }
 
 std::optional<Candidate> try_overload(Body& body, ast::DeclId id, const Env* owner,
@@ -210,8 +201,8 @@ std::optional<Candidate> try_overload(Body& body, ast::DeclId id, const Env* own
     for (std::size_t i = 0; i < function.params.size(); ++i) {
         ast::ExprId literal = call.operands[i + 1];
         if (!is_flexible(c, literal)) continue;
-        ir::TypeId own = own_type(c, literal), taken = type_of(c, *env, function.params[i].type);
-        if (c.types().kind(taken) == ir::TypeKind::optional) taken = c.types()[taken].element;
+        const ir::TypeId own = operand_hint(c.types(), own_type(c, literal));
+        const ir::TypeId taken = operand_hint(c.types(), type_of(c, *env, function.params[i].type));
         if (own == c.types().float_ && !c.types().is_floating(c.types().scalar_of(taken))) return std::nullopt;
         candidate.takes_literals &= own == taken;
     }

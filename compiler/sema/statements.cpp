@@ -1,5 +1,6 @@
 #include "ir/empty.h"
 #include "sema/body.h"
+#include "sema/typing.h"
 
 namespace gliftc::sema {
 

@@ -3,6 +3,7 @@
 #include "sema/components.h"
 #include "sema/generics.h"
 #include "sema/instances.h"
+#include "sema/typing.h"
 
 namespace gliftc::sema {
 

@@ -1,0 +1,93 @@
+#include "sema/typing.h"
+
+#include <algorithm>
+
+namespace gliftc::sema {
+
+namespace {
+
+Typing typing_of_binary(const Context& c, const ast::Expr& expr) {
+    const Typing left = typing_of(c, expr.operands[0]), right = typing_of(c, expr.operands[1]);
+    switch (expr.binary) {
+    case ast::BinaryOp::multiply:
+    case ast::BinaryOp::divide:
+    case ast::BinaryOp::remainder:
+    case ast::BinaryOp::add:
+    case ast::BinaryOp::subtract:
+    case ast::BinaryOp::shift_left:
+    case ast::BinaryOp::shift_right:
+    case ast::BinaryOp::bit_and:
+    case ast::BinaryOp::bit_xor:
+    case ast::BinaryOp::bit_or:
+    case ast::BinaryOp::otherwise: return std::min(left, right);
+    case ast::BinaryOp::less:
+    case ast::BinaryOp::less_equal:
+    case ast::BinaryOp::greater:
+    case ast::BinaryOp::greater_equal:
+    case ast::BinaryOp::equal:
+    case ast::BinaryOp::not_equal:
+    case ast::BinaryOp::logical_and:
+    case ast::BinaryOp::logical_or:
+    case ast::BinaryOp::then: return Typing::own;
+    }
+    return Typing::own;
+}
+
+/// Of two sides of an operator or a choice; either may be absent.
+ir::TypeId joined(ir::Types& types, ir::TypeId a, ir::TypeId b) {
+    if (!a || !b) {
+        const ir::TypeId type = a ? a : b;
+        return !type || types.kind(type) == ir::TypeKind::optional ? type : types.optional(type);
+    }
+    if (types.kind(a) == ir::TypeKind::optional || types.kind(b) == ir::TypeKind::optional)
+        return types.optional(joined(types, operand_hint(types, a), operand_hint(types, b)));
+    return a == types.float_ ? a : b;
+}
+
+}  // namespace
+
+Typing typing_of(const Context& c, ast::ExprId id) {
+    const ast::Expr& expr = c[id];
+    switch (expr.kind) {
+    case ast::ExprKind::int_literal:
+    case ast::ExprKind::float_literal: return expr.suffix[0] == 0 ? Typing::literal : Typing::own;
+    case ast::ExprKind::none_literal: return Typing::none;
+    case ast::ExprKind::unary:
+        return expr.unary == ast::UnaryOp::logical_not ? Typing::own : typing_of(c, expr.operands[0]);
+    case ast::ExprKind::binary: return typing_of_binary(c, expr);
+    case ast::ExprKind::conditional: return std::min(typing_of(c, expr.operands[1]), typing_of(c, expr.operands[2]));
+    default: return Typing::own;
+    }
+}
+
+bool waits_for_parameter(const Context& c, ast::ExprId id) {
+    return typing_of(c, id) != Typing::own || c[id].kind == ast::ExprKind::tuple;
+}
+
+ir::TypeId own_type(Context& c, ast::ExprId id) {
+    const ast::Expr& expr = c[id];
+    switch (expr.kind) {
+    case ast::ExprKind::int_literal: return c.types().int_;
+    case ast::ExprKind::float_literal: return c.types().float_;
+    case ast::ExprKind::unary: return own_type(c, expr.operands[0]);
+    case ast::ExprKind::conditional:
+        return joined(c.types(), own_type(c, expr.operands[1]), own_type(c, expr.operands[2]));
+    case ast::ExprKind::binary: {
+        const ir::TypeId type = joined(c.types(), own_type(c, expr.operands[0]), own_type(c, expr.operands[1]));
+        return expr.binary == ast::BinaryOp::otherwise ? operand_hint(c.types(), type) : type;
+    }
+    default: return {};
+    }
+}
+
+ir::TypeId operand_hint(const ir::Types& types, ir::TypeId wanted) {
+    while (wanted && (types.kind(wanted) == ir::TypeKind::optional || types.kind(wanted) == ir::TypeKind::device))
+        wanted = types[wanted].element;
+    return wanted;
+}
+
+bool becomes(const ir::Types& types, ir::TypeId from, ir::TypeId to) {
+    return from == to || (types.kind(to) == ir::TypeKind::optional && becomes(types, from, types[to].element));
+}
+
+}  // namespace gliftc::sema
