@@ -210,15 +210,15 @@ Text print_intrinsic(Printer& p, const Expr& expr) {
     return {text + ")"};
 }
 
-const std::string& name_of_function(Printer& p, ir::FunctionId function) {
+std::string name_of_function(Printer& p, ir::FunctionId function) {
     if (const auto found = p.local_functions.find(function); found != p.local_functions.end()) return found->second;
     require_function(p.globals, function);
-    return p.globals.function_names.at(function);
+    return visible(p, p.globals.function_names.at(function));
 }
 
 /// Structures are passed before the values.
 Text print_call(Printer& p, const Expr& expr) {
-    const std::string& name = name_of_function(p, expr.function);
+    const std::string name = name_of_function(p, expr.function);
     std::string arguments;
     for (const ir::Place& place : expr.places) {
         Expr whole;
@@ -287,8 +287,8 @@ Text print(Printer& p, ExprId id) {
     case Op::index: return print_index(p, expr);
     case Op::field: {
         const ir::Type& type = p.program.types[p.program.exprs[expr.operands[0]].type];
-        const Name name = p.program.structs[type.index].fields[expr.slot].name;
-        std::string text = print(p, expr.operands[0], Level::postfix) + "." + identifier((*p.program.names)[name]);
+        std::string text =
+            concat(print(p, expr.operands[0], Level::postfix), ".", p.globals.field_names[type.index][expr.slot]);
         if (p.program.types.is_vector(expr.type) && holds_bool(p.program, expr.type))
             text = type_text(p.globals, expr.type, p.use_namespaces) + "(" + text + ")";
         return {text};

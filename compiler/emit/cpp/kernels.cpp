@@ -115,8 +115,8 @@ void print_bindings(Unit& unit, Writer& out, const ir::Lowered::Forms& forms, co
     out.indent();
     for (std::size_t i = 0; i < forms.general.bindings.size(); ++i) {
         const PassBinding& binding = forms.general.bindings[i];
-        std::string text = "{.name = \"" + display_of(unit, kernel, binding) +
-                           "\", .kind = glift::MemoryKind::" + memory_kind(binding.shape) +
+        std::string text = "{.name = " + quoted(display_of(unit, kernel, binding)) +
+                           ", .kind = glift::MemoryKind::" + memory_kind(binding.shape) +
                            ", .access = glift::Access::" + access_text(binding);
         if (binding.sampled) text += ", .sampled = true";
         if (binding.sampled && binding.linear) text += ", .sampler = {.filter = glift::Filter::linear}";
@@ -130,7 +130,7 @@ void print_bindings(Unit& unit, Writer& out, const ir::Lowered::Forms& forms, co
 }
 
 /// How the structure passed for a parameter is spelled in the kernel's function.
-std::string param_name(const Unit& unit, const KernelParam& param) { return identifier(unit.name(param.name)); }
+const std::string& param_name(const Unit& unit, const KernelParam& param) { return unit.globals.param_names.at(&param); }
 
 std::string memories_text(Unit& unit, const Kernel& kernel, const Pass& pass) {
     std::string text;
@@ -161,6 +161,7 @@ std::string value_of(Unit& unit, const Kernel& kernel, const PassParameter& para
     case ParameterSource::uniform: {
         Printer p(unit.globals);
         for (const KernelParam& param : kernel.params) {
+            p.names.declare(param_name(unit, param));
             if (param.pattern == Pattern::value) p.local_names[param.local] = param_name(unit, param);
         }
         p.outer_expression = [&](const ir::Expr& expr) -> Text {
@@ -187,17 +188,29 @@ std::string value_of(Unit& unit, const Kernel& kernel, const PassParameter& para
     return "{}";
 }
 
+/// A parameter of a pass, and its name in the struct of them.
+struct NamedParameter {
+    const PassParameter* parameter;
+    std::string member;
+};
+
+std::vector<NamedParameter> in_order(const Globals& globals, const Pass& pass) {
+    const std::vector<std::string> names = block_names(globals, pass);
+    std::vector<NamedParameter> ordered;
+    for (std::size_t i = 0; i < names.size(); ++i) ordered.push_back({&pass.parameters[i], names[i]});
+    std::ranges::stable_sort(ordered, {}, [](const NamedParameter& named) { return named.parameter->offset; });
+    return ordered;
+}
+
 /// Declares `parameters` and dispatches one form.
 void print_dispatch(Unit& unit, Writer& out, const Kernel& kernel, const Pass& pass, const std::string& name,
                     const char* form) {
-    std::vector<const PassParameter*> ordered;
-    for (const PassParameter& parameter : pass.parameters) ordered.push_back(&parameter);
-    std::ranges::stable_sort(ordered, {}, &PassParameter::offset);
+    const std::vector<NamedParameter> ordered = in_order(unit.globals, pass);
     const std::string block = name + "_" + form + "_parameters";
     if (!ordered.empty()) {
         out.open("const " + block + " parameters =");
-        for (const PassParameter* parameter : ordered)
-            out.line("." + identifier(parameter->name) + " = " + value_of(unit, kernel, *parameter) + ",");
+        for (const auto& [parameter, member] : ordered)
+            out.line("." + member + " = " + value_of(unit, kernel, *parameter) + ",");
         out.close(";");
     }
     std::string call = std::string("{.form = glift::FormName::") + form +
@@ -207,8 +220,8 @@ void print_dispatch(Unit& unit, Writer& out, const Kernel& kernel, const Pass& p
     std::string counted;
     bool counts_ranges = false;
     if (pass.form == ir::Form::general) {
-        for (const PassParameter* parameter : ordered) {
-            const std::string offset = "offsetof(" + block + ", " + identifier(parameter->name) + ")";
+        for (const auto& [parameter, member] : ordered) {
+            const std::string offset = "offsetof(" + block + ", " + member + ")";
             if (parameter->source == ParameterSource::range_size &&
                 !is_visited(kernel.params[parameter->param].pattern)) {
                 out.line("iteration.count(" + param_name(unit, kernel.params[parameter->param]) + ", " + offset + ");");
@@ -242,12 +255,14 @@ std::string direct_condition(Unit& unit, const Kernel& kernel, const Pass& pass,
 }
 
 /// What Commands::specialised can name.
-void print_parameters(Writer& out, const Pass& direct, const std::string& name) {
+void print_parameters(const Globals& globals, Writer& out, const Pass& direct, const std::string& name) {
     const std::string block = name + "_direct_parameters";
     out.open("constexpr glift::Parameter " + name + "_parameters[] =");
-    for (const ir::PassParameter& parameter : direct.parameters) {
-        const std::string member = block + "::" + identifier(parameter.name);
-        out.line("{\"" + parameter.name + "\", " + std::to_string(parameter.offset) + ", sizeof(" + member + ")},");
+    const std::vector<std::string> members = block_names(globals, direct);
+    for (std::size_t i = 0; i < members.size(); ++i) {
+        const PassParameter& parameter = direct.parameters[i];
+        out.line("{" + quoted(parameter.name) + ", " + std::to_string(parameter.offset) + ", sizeof(" + block +
+                 "::" + members[i] + ")},");
     }
     out.close(";");
 }
@@ -256,20 +271,15 @@ void print_parameters(Writer& out, const Pass& direct, const std::string& name) 
 
 std::string parameters_of(const Globals& globals, const ir::Pass& pass, const std::string& name) {
     if (pass.parameters.empty()) return "";
-    std::vector<const ir::PassParameter*> ordered;
-    for (const ir::PassParameter& parameter : pass.parameters) ordered.push_back(&parameter);
-    std::ranges::stable_sort(ordered, {}, &ir::PassParameter::offset);
+    const std::vector<NamedParameter> ordered = in_order(globals, pass);
     Writer out;
     out.open("struct " + name + "_parameters");
-    for (const ir::PassParameter* parameter : ordered) {
-        const std::string member = identifier(parameter->name);
+    for (const auto& [parameter, member] : ordered)
         out.line(storage_text(globals, parameter->type) + " " + member + ";");
-    }
     out.close(";");
-    for (const ir::PassParameter* parameter : ordered) {
-        out.line("static_assert(offsetof(" + name + "_parameters, " + identifier(parameter->name) +
+    for (const auto& [parameter, member] : ordered)
+        out.line("static_assert(offsetof(" + name + "_parameters, " + member +
                  ") == " + std::to_string(parameter->offset) + ");");
-    }
     return out.take();
 }
 
@@ -327,7 +337,7 @@ bool function_adds_functions(const Unit& unit, std::uint32_t kernel) {
 std::string kernel_code(Unit& unit, std::uint32_t index) {
     const Kernel& kernel = unit.program.kernels[index];
     const ir::Lowered::Forms& forms = unit.lowered.passes[index];
-    const std::string& name = unit.globals.kernel_names.at(index);
+    const std::string& name = unit.globals.kernel_stems.at(index);
     Writer out;
     out.line("// " + std::string(100, '-'));
     out.line("// " + place_text(unit.sources, kernel.span) + ": " + kernel.display);
@@ -346,7 +356,7 @@ std::string kernel_code(Unit& unit, std::uint32_t index) {
     const Words words = print_code(unit, out, index, name);
     print_bindings(unit, out, forms, kernel, name);
     const bool has_parameters = forms.direct.exists && !forms.direct.parameters.empty();
-    if (has_parameters) print_parameters(out, forms.direct, name);
+    if (has_parameters) print_parameters(unit.globals, out, forms.direct, name);
     const Pass& any = forms.general.exists ? forms.general : forms.direct;
     print_other_files(unit, out, any, name);
     const std::string place = place_text(unit.sources, kernel.span);
@@ -381,7 +391,7 @@ std::string kernel_code(Unit& unit, std::uint32_t index) {
 std::string kernel_function(Unit& unit, std::uint32_t index) {
     const Kernel& kernel = unit.program.kernels[index];
     const ir::Lowered::Forms& forms = unit.lowered.passes[index];
-    const std::string& name = unit.globals.kernel_names.at(index);
+    const std::string& name = unit.globals.kernel_stems.at(index);
     const Pass& any = forms.general.exists ? forms.general : forms.direct;
     Writer out;
     out.open(kernel_signature(unit, index, false));
@@ -422,7 +432,9 @@ std::string short_kernel_function(Unit& unit, std::uint32_t index) {
     for (std::size_t i = 1; i < kernel.params.size(); ++i) arguments += ", " + param_name(unit, kernel.params[i]);
     Writer out;
     out.open(kernel_signature(unit, index, false, 1));
-    out.line(unit.globals.kernel_names.at(index) + "(" + arguments + ");");
+    Printer p(unit.globals);
+    for (const KernelParam& param : kernel.params) p.names.declare(param_name(unit, param));
+    out.line(visible(p, unit.globals.kernel_names.at(index)) + "(" + arguments + ");");
     out.close();
     return out.take();
 }

@@ -11,24 +11,6 @@ namespace {
 
 constexpr std::size_t kernels_of_a_thread = 16;  ///< to print fewer takes less time than a thread
 
-std::string space_of(const std::string& module) {
-    std::string text;
-    std::size_t begin = 0;
-    while (begin <= module.size()) {  // std.array → std_array: "std" is not ours to open
-        const std::size_t dot = std::min(module.find('.', begin), module.size());
-        text += (text.empty() ? "" : "_") + module.substr(begin, dot - begin);
-        begin = dot + 1;
-    }
-    // The C library has functions of these names in the global namespace.
-    for (std::string_view taken :
-         {"abs",    "clock", "cos",  "exp",    "floor", "gamma",  "index",    "link",  "log",
-          "pipe",   "pow",   "rand", "random", "read",  "remove", "rename",   "round", "select",
-          "signal", "sin",   "sqrt", "sync",   "tan",   "time",   "truncate", "wait",  "write"}) {
-        if (text == taken) return text + '_';
-    }
-    return identifier(text);
-}
-
 /// The file's name without its folder and `.glift`.
 std::string stem_of(const std::string& path) {
     const std::size_t slash = path.rfind('/');
@@ -44,6 +26,30 @@ bool is_shown(const Unit& unit, std::uint32_t pipeline) {
     return p.is_pub && p.module == unit.module && !p.owner && !unit.options.tests;
 }
 
+/// What the generated function of a kernel names besides its parameters.
+void name_parameters(Unit& unit, const ir::Kernel& kernel) {
+    Scopes names;
+    names.avoid(unit.globals.type_names);
+    names.avoid(unit.globals.kernel_symbols);
+    names.reserve({"commands", "iteration", "memories", "parameters"});
+    for (const ir::KernelParam& param : kernel.params)
+        unit.globals.param_names[&param] = names.declare(unit.name(param.name));
+}
+
+/// Beside each kernel's function: its code, and the data that describes it.
+void name_symbols(Unit& unit) {
+    static constexpr auto suffixes = std::to_array<const char*>(
+        {"_bindings", "_direct", "_direct_group", "_direct_parameters", "_direct_rows", "_direct_spirv", "_general",
+         "_general_group", "_general_parameters", "_general_rows", "_general_spirv", "_kernel", "_other_files",
+         "_parameters", "_wide_spirv"});
+    Globals& globals = unit.globals;
+    for (std::uint32_t kernel : unit.reach.kernels) {
+        const std::string stem = globals.names.declare_stem(globals.kernel_names.at(kernel), suffixes);
+        for (const char* suffix : suffixes) globals.kernel_symbols.insert(stem + suffix);
+        globals.kernel_stems[kernel] = stem;
+    }
+}
+
 void name_functions(Unit& unit) {
     // Several pipelines may share a name and differ in the structures that they take: overloads.
     std::set<std::string> taken;
@@ -55,10 +61,7 @@ void name_functions(Unit& unit) {
     std::map<std::uint32_t, std::string> overloads;
     for (std::uint32_t pipeline : unit.reach.pipelines) {
         const ir::Pipeline& p = unit.program.pipelines[pipeline];
-        if (p.owner) {
-            unit.globals.pipeline_names[pipeline] = identifier(unit.name(p.name));
-            continue;
-        }
+        if (p.owner) continue;
         // Instances of generics may differ in nothing that C++ sees.
         const bool is_instance = p.name && p.display != unit.name(p.name);
         if (is_instance) {
@@ -75,6 +78,13 @@ void name_functions(Unit& unit) {
             unit.globals.kernel_names[kernel] =
                 unit.globals.names.declare(unit.name(unit.program.kernels[kernel].name));
     }
+    for (std::uint32_t structure : unit.reach.structures) {
+        const std::vector<std::uint32_t>& pipelines = unit.program.structures[structure].pipelines;
+        for (std::size_t i = 0; i < pipelines.size(); ++i)
+            unit.globals.pipeline_names[pipelines[i]] = unit.globals.class_names[structure].pipelines[i];
+    }
+    name_symbols(unit);
+    for (std::uint32_t kernel : unit.reach.kernels) name_parameters(unit, unit.program.kernels[kernel]);
 }
 
 std::string header_of(Unit& unit, const std::string& stem) {
@@ -94,7 +104,7 @@ std::string header_of(Unit& unit, const std::string& stem) {
     for (const std::string& header : headers) out.line("#include \"" + header + "\"");
     out.gap();
     write_doc(out, unit.program.modules[unit.module].doc);
-    out.line("namespace " + unit.space + " {");
+    out.line("namespace " + unit.globals.space + " {");
     out.raw("\n");
     print_structs(unit, out);
     for (std::uint32_t structure : unit.reach.structures) {
@@ -117,7 +127,7 @@ std::string header_of(Unit& unit, const std::string& stem) {
         out.line(pipeline_signature(unit, pipeline, true, false) + ";");
         out.gap();
     }
-    out.line("}  // namespace " + unit.space);
+    out.line("}  // namespace " + unit.globals.space);
     return out.take();
 }
 
@@ -195,7 +205,7 @@ std::string source_of(Unit& unit, const std::string& stem) {
     out.gap();
     out.line("#include <optional>");
     out.gap();
-    out.line("namespace " + unit.space + " {");
+    out.line("namespace " + unit.globals.space + " {");
     out.raw("\n");
     out.line("using namespace glift::types;");
     out.gap();
@@ -213,11 +223,11 @@ std::string source_of(Unit& unit, const std::string& stem) {
     append_parts(out, {functions.text(), members.text(), pipelines.text()});
     const std::string table = tests.take();
     out.raw(table);
-    out.line("}  // namespace " + unit.space);
+    out.line("}  // namespace " + unit.globals.space);
     if (unit.options.tests) {
         out.gap();
         out.open("int main(int argc, char** argv)");
-        out.line("return glift::run_tests(" + (table.empty() ? "{}" : unit.space + "::tests") + ", argc, argv);");
+        out.line("return glift::run_tests(" + (table.empty() ? "{}" : unit.globals.space + "::" + unit.tests) + ", argc, argv);");
         out.close();
     }
     return out.take();
@@ -239,8 +249,7 @@ Module module_of(const ir::Program& program, const ir::Lowered& lowered, const S
               code,
               options,
               reach_of(program, module, options),
-              make_globals(program, sources, module),
-              space_of((*program.names)[program.modules[module].name])};
+              make_globals(program, sources, module)};
     add_inner_structs(unit.reach, program, lowered);
     name_functions(unit);
     const std::string stem = stem_of(sources[program.modules[module].file].path);

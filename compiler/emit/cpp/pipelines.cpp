@@ -22,8 +22,14 @@ struct PipelinePrinter {
     bool tracks = false;  ///< a test: notes which structures passes write
 
     PipelinePrinter(Unit& unit, const Pipeline& pipeline) : unit(unit), pipeline(pipeline), p(unit.globals) {
+        p.names.reserve({"commands", "test"});
+        if (pipeline.owner) {
+            p.class_names = &unit.globals.class_names[*pipeline.owner].all;
+            p.names.avoid(*p.class_names);
+        }
         p.outer_expression = [this](const Expr& expr) { return expression(expr); };
         p.outer_statement = [this](const Stmt& stmt) { statement(stmt); };
+        for (const ir::PipelineParam& param : pipeline.params) declare_local(p, param.local);
     }
     PipelinePrinter(const PipelinePrinter&) = delete;
 
@@ -84,6 +90,8 @@ Text PipelinePrinter::call(const Expr& expr) {
     if (callee.owner) {
         const std::string owner = base(expr);
         name = (owner == "*this" || owner == "(*this)" ? "" : owner + ".") + name;
+    } else {
+        name = visible(p, name);
     }
     const std::string arguments = join_arguments(p, expr.operands);
     return {name + "(commands" + (arguments.empty() ? "" : ", ") + arguments + ")"};
@@ -150,7 +158,7 @@ void PipelinePrinter::temporary(const Stmt& stmt) {
 void PipelinePrinter::dispatch(const Stmt& stmt) {
     std::string arguments;
     for (ExprId argument : stmt.arguments) arguments += ", " + print(p, argument, Level::postfix);
-    p.out.line(unit.globals.kernel_names.at(stmt.slot) + "(commands" + arguments + ");");
+    p.out.line(visible(p, unit.globals.kernel_names.at(stmt.slot)) + "(commands" + arguments + ");");
 }
 
 void PipelinePrinter::expect_same(const Stmt& stmt) {
@@ -171,7 +179,7 @@ void PipelinePrinter::keep_all() {
             unit.program.structures[unit.program.types[unit.program.locals[stmt.local].type].index];
         if (made.kind != ir::StructureKind::stored || !made.copyable) continue;
         const std::string& name = p.local_names.at(stmt.local);
-        p.out.line("test.keep(\"" + name + "\", " + name + ", \"" + scalars_of(unit.program, made.element) + "\");");
+        p.out.line("test.keep(" + quoted(unit.name(unit.program.locals[stmt.local].name)) + ", " + name + ", \"" + scalars_of(unit.program, made.element) + "\");");
     }
 }
 
@@ -221,7 +229,8 @@ std::string param_type(const Unit& unit, const ir::PipelineParam& param, bool qu
     return "";
 }
 
-std::string signature(Unit& unit, std::uint32_t index, const std::string& owner, bool qualified) {
+std::string signature(Unit& unit, std::uint32_t index, const Printer& names, const std::string& owner,
+                      bool qualified) {
     const Pipeline& pipeline = unit.program.pipelines[index];
     std::string parameters = "const glift::Commands& commands";
     if (is_test(unit, index)) parameters = "glift::Test& test, const glift::Commands& commands";
@@ -229,7 +238,7 @@ std::string signature(Unit& unit, std::uint32_t index, const std::string& owner,
         return qualified ? std::string() : unused_mark(unit.program, pipeline.body, param.local);
     };
     for (const ir::PipelineParam& param : pipeline.params)
-        parameters += ", " + (mark(param) + param_type(unit, param, qualified)) + identifier(unit.name(param.name));
+        parameters += ", " + (mark(param) + param_type(unit, param, qualified)) + names.local_names.at(param.local);
     return unit.type(pipeline.result, qualified) + " " + owner + unit.globals.pipeline_names.at(index) + "(" +
            parameters + ")";
 }
@@ -237,21 +246,21 @@ std::string signature(Unit& unit, std::uint32_t index, const std::string& owner,
 }  // namespace
 
 std::string pipeline_signature(Unit& unit, std::uint32_t index, bool qualified, bool) {
-    return signature(unit, index, "", qualified);
+    PipelinePrinter printer(unit, unit.program.pipelines[index]);
+    return signature(unit, index, printer.p, "", qualified);
 }
 
 void print_pipeline(Unit& unit, Writer& out, std::uint32_t index) {
     const Pipeline& pipeline = unit.program.pipelines[index];
     PipelinePrinter printer(unit, pipeline);
     printer.tracks = is_test(unit, index);
-    printer.p.names.declare("test");
-    for (const ir::PipelineParam& param : pipeline.params) declare_local(printer.p, param.local);
     printer.p.out.indent();
     print_statements(printer.p, pipeline.body);
     if (printer.tracks) printer.keep_all();
     out.gap();
     out.line("// " + place_text(unit.sources, pipeline.span) + ": " + pipeline.display);
-    out.open(signature(unit, index, pipeline.owner ? unit.class_name(*pipeline.owner) + "::" : "", false));
+    const std::string owner = pipeline.owner ? unit.class_name(*pipeline.owner) + "::" : "";
+    out.open(signature(unit, index, printer.p, owner, false));
     out.raw(printer.p.out.take());
     out.close();
 }

@@ -4,6 +4,7 @@
 #include "emit/cpp/names.h"
 #include "emit/cpp/writer.h"
 #include "ir/ir.h"
+#include "ir/pass.h"
 #include "source/source.h"
 
 #include <functional>
@@ -36,27 +37,38 @@ struct Text {
 
 /// The names of a generated class's members; the same wherever they are used.
 struct ClassNames {
-    std::vector<std::string> arguments, memories, members, host;
+    std::vector<std::string> arguments, memories, members, host, pipelines;  ///< functions: the class's interface
+    std::vector<std::string> extents;                                        ///< functions: of its memories
+    /// What the class keeps.
+    std::vector<std::string> argument_fields, memory_fields, member_fields, host_fields, extent_fields;
+    NameSet all;  ///< also what every such class has: what they hide in its functions
 };
 
 /// Names that a whole generated file shares.
 struct Globals {
     const ir::Program& program;
     const Sources& sources;
+    std::string space;                                  ///< the module's namespace: laplacian, std::array → std_array
     Scopes names;                                       ///< of the module's namespace
+    NameSet type_names;                                 ///< of structs and structures: no other name hides them
+    NameSet kernel_symbols;                             ///< what is made for a kernel beside its function
     std::vector<std::string> struct_names;              ///< of Program::structs
+    std::vector<std::vector<std::string>> field_names;  ///< of Program::structs
+    std::vector<std::string> enum_names;                ///< of Program::enums
     std::vector<std::string> structure_names;           ///< of Program::structures
     std::vector<std::vector<std::string>> other_names;  ///< of Program::structures: further public names
     std::vector<ClassNames> class_names;                ///< of Program::structures
     std::unordered_map<ir::FunctionId, std::string> function_names;
     std::string functions;                                        ///< printed so far, callees first
     std::unordered_map<std::uint32_t, std::string> kernel_names;  ///< of Program::kernels
+    std::unordered_map<std::uint32_t, std::string> kernel_stems;  ///< what the names of all that is made for them begin with
+    std::unordered_map<const ir::KernelParam*, std::string> param_names;
     std::unordered_map<std::uint32_t, std::string> pipeline_names;
 
     Globals(const ir::Program& program, const Sources& sources) : program(program), sources(sources) {}
 };
 
-/// Names every struct and structure of the program for code of a module.
+/// Names every enum, struct and structure of the program for code of a module.
 Globals make_globals(const ir::Program& program, const Sources& sources, std::uint32_t module);
 
 /// Prints one function, kernel or method body.
@@ -65,6 +77,7 @@ struct Printer {
     const ir::Program& program;
     Writer out;
     Scopes names;
+    const NameSet* class_names = nullptr;  ///< within a class: what hides names of the namespace
     std::unordered_map<ir::LocalId, std::string> local_names;
     std::unordered_map<ir::FunctionId, std::string> local_functions;  ///< declared where they are called
     /// Spells the operations that refer to the surroundings: parameters, loads, members, pipelines' host operations.
@@ -86,8 +99,13 @@ struct Printer {
     bool use_namespaces = false;  ///< headers: glift::uint4, else uint4
     std::uint32_t marked_file = 0xffffffffu, marked_line = 0;
 
-    explicit Printer(Globals& globals) : globals(globals), program(globals.program) {}
+    explicit Printer(Globals& globals) : globals(globals), program(globals.program) { names.avoid(globals.type_names); }
 };
+
+// globals.cpp
+/// The names in the struct that mirrors the pass' parameters.
+std::vector<std::string> block_names(const Globals& globals, const ir::Pass& pass);
+std::string declare_function(Globals& globals, ir::FunctionId function);
 
 // types.cpp
 std::string type_text(const Globals& globals, ir::TypeId type, bool qualified = false);
@@ -109,7 +127,8 @@ std::string wrap(Text&& text, Level least);
 /// class.
 Text structure_property(const Globals& globals, const ir::Expr& expr, std::uint32_t root_structure,
                         const std::string& object);
-ClassNames class_names(const ir::Program& program, std::uint32_t structure);
+/// A name of the module's namespace as it is seen where the printer is: with the namespace where another one hides it.
+std::string visible(const Printer& p, const std::string& name);
 
 // statements.cpp
 void print_statements(Printer& p, const std::vector<ir::StmtId>& body);

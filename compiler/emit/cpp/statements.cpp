@@ -48,8 +48,7 @@ std::string print_target(Printer& p, ExprId id) {
     const ir::TypeId whole = p.program.exprs[expr.operands[0]].type;
     const std::string base = print_target(p, expr.operands[0]);
     if (expr.op == Op::field) {
-        const Name name = p.program.structs[p.program.types[whole].index].fields[expr.slot].name;
-        return base + "." + identifier((*p.program.names)[name]);
+        return base + "." + p.globals.field_names[p.program.types[whole].index][expr.slot];
     }
     if (!p.program.types.is_vector(whole) && expr.op == Op::swizzle) return print_any(p, id);
     if (expr.op == Op::swizzle) return base + "." + "xyzw"[expr.lanes[0]];
@@ -82,6 +81,8 @@ void print_let(Printer& p, const Stmt& stmt) {
     const ir::Local& local = p.program.locals[stmt.local];
     if (p.unread.contains(stmt.local)) return;
     const bool outer = p.outer_local && !p.outer_local(stmt.local).empty();
+    // The name stands before the value, and hides others in it.
+    const std::string name = outer ? "" : declare_local(p, stmt.local);
     const std::string value = stmt.value ? print_any(p, stmt.value) : "";
     if (outer) {
         if (stmt.uninitialized) return;
@@ -91,7 +92,6 @@ void print_let(Printer& p, const Stmt& stmt) {
         else p.out.line(p.outer_local(stmt.local) + " = " + (stmt.value ? value : "{}") + ";");
         return;
     }
-    const std::string name = declare_local(p, stmt.local);
     p.out.line(concat(local.is_mutable ? "" : "const ", type_text(p.globals, local.type, p.use_namespaces), " ", name,
                       stmt.value           ? " = "
                       : stmt.uninitialized ? ""
@@ -127,8 +127,8 @@ bool is_name(const Printer& p, const std::vector<ir::StmtId>& body, std::size_t 
 
 void print_name(Printer& p, const Stmt& let) {
     mark_line(p, let.span);
-    const std::string value = print_any(p, let.value);
     const std::string name = declare_local(p, let.local);
+    const std::string value = print_any(p, let.value);
     const ir::TypeId type = p.program.locals[let.local].type;
     p.out.line(concat("const ", type_text(p.globals, type, p.use_namespaces), "& ", name, " = ", value, ";"));
 }
@@ -175,9 +175,9 @@ bool is_steady(const Printer& p, ExprId id) {
 void print_for(Printer& p, const Stmt& stmt) {
     if (p.outer_loop && p.outer_loop(stmt)) return;
     p.names.enter();
-    const std::string first = print_any(p, stmt.value), limit = print(p, stmt.limit, Level::shift);
     const std::string type = type_text(p.globals, p.program.locals[stmt.local].type, p.use_namespaces);
     const std::string name = declare_local(p, stmt.local);
+    const std::string first = print_any(p, stmt.value), limit = print(p, stmt.limit, Level::shift);
     if (is_steady(p, stmt.limit)) {
         p.out.open("for (" + type + " " + name + " = " + first + "; " + name + " < " + limit + "; ++" + name + ")");
     } else {
@@ -207,7 +207,7 @@ std::string declare_local(Printer& p, ir::LocalId local) {
 std::string file_name(const Sources& sources, std::uint32_t file) {
     const std::string& path = sources[file].path;
     const std::size_t slash = path.rfind('/');
-    return path.substr(slash == std::string::npos ? 0 : slash + 1);
+    return in_line(path.substr(slash == std::string::npos ? 0 : slash + 1));
 }
 
 std::string place_text(const Sources& sources, Span span) {
@@ -286,8 +286,7 @@ bool is_pure(const ir::Program& program, ir::FunctionId id) {
 void require_function(Globals& globals, ir::FunctionId id) {
     if (globals.function_names.contains(id)) return;
     const ir::Function& function = globals.program.functions[id];
-    const std::string name = globals.names.declare((*globals.program.names)[function.name]);
-    globals.function_names[id] = name;
+    const std::string name = globals.function_names[id] = declare_function(globals, id);
     Printer p(globals);
     std::string parameters;
     std::vector<std::string> structures;

@@ -64,38 +64,38 @@ void print_accessors(Unit& unit, Writer& out, std::uint32_t index, const ClassNa
     const Structure& structure = unit.program.structures[index];
     for (std::size_t i = 0; i < structure.constructor.size(); ++i)
         out.line(unit.type(unit.program.locals[structure.constructor[i]].type, qualified) + " " + names.arguments[i] +
-                 "() const { return " + names.arguments[i] + "_; }");
+                 "() const { return " + names.argument_fields[i] + "; }");
     for (std::size_t i = 0; i < structure.members.size(); ++i) {
         const std::string type = unit.class_name(structure.members[i].structure);
-        out.line("const " + type + "& " + names.members[i] + "() const { return " + names.members[i] + "_; }");
+        out.line("const " + type + "& " + names.members[i] + "() const { return " + names.member_fields[i] + "; }");
         if (structure.kind == StructureKind::adaptor)
-            out.line(type + "& " + names.members[i] + "() { return " + names.members[i] + "_; }");
+            out.line(type + "& " + names.members[i] + "() { return " + names.member_fields[i] + "; }");
     }
     for (std::size_t i = 0; i < structure.memories.size(); ++i) {
-        out.line("const glift::Memory& " + names.memories[i] + "() const { return " + names.memories[i] + "_; }");
-        out.line(unit.type(unit.program.exprs[structure.memories[i].extent].type, qualified) + " " + names.memories[i] +
-                 "_extent() const { return " + names.memories[i] + "_extent_; }");
+        out.line("const glift::Memory& " + names.memories[i] + "() const { return " + names.memory_fields[i] + "; }");
+        out.line(unit.type(unit.program.exprs[structure.memories[i].extent].type, qualified) + " " + names.extents[i] +
+                 "() const { return " + names.extent_fields[i] + "; }");
     }
     for (std::size_t i = 0; i < structure.host.size(); ++i)
         out.line(unit.type(structure.host[i].type, qualified) + " " + names.host[i] + "() const { return " +
-                 names.host[i] + "_; }");
+                 names.host_fields[i] + "; }");
 }
 
 void print_fields(Unit& unit, Writer& out, std::uint32_t index, const ClassNames& names, bool qualified) {
     const Structure& structure = unit.program.structures[index];
     if (structure.kind == StructureKind::adaptor) out.line("std::optional<glift::Device> device_;");
     for (std::size_t i = 0; i < structure.constructor.size(); ++i)
-        out.line(unit.type(unit.program.locals[structure.constructor[i]].type, qualified) + " " + names.arguments[i] +
-                 "_{};");
+        out.line(unit.type(unit.program.locals[structure.constructor[i]].type, qualified) + " " + names.argument_fields[i] +
+                 "{};");
     for (std::size_t i = 0; i < structure.members.size(); ++i)
-        out.line(unit.class_name(structure.members[i].structure) + " " + names.members[i] + "_;");
+        out.line(unit.class_name(structure.members[i].structure) + " " + names.member_fields[i] + ";");
     for (std::size_t i = 0; i < structure.memories.size(); ++i) {
-        out.line(unit.type(unit.program.exprs[structure.memories[i].extent].type, qualified) + " " + names.memories[i] +
-                 "_extent_{};");
-        out.line("glift::Memory " + names.memories[i] + "_;");
+        out.line(unit.type(unit.program.exprs[structure.memories[i].extent].type, qualified) + " " + names.extent_fields[i] +
+                 "{};");
+        out.line("glift::Memory " + names.memory_fields[i] + ";");
     }
     for (std::size_t i = 0; i < structure.host.size(); ++i)
-        out.line(unit.type(structure.host[i].type, qualified) + " " + names.host[i] + "_{};");
+        out.line(unit.type(structure.host[i].type, qualified) + " " + names.host_fields[i] + "{};");
 }
 
 std::string memory_parameters(const Unit& unit, std::uint32_t index, const ClassNames& names) {
@@ -113,8 +113,8 @@ bool has_parts(const Structure& structure) {
 
 std::string memory_allocation(Unit& unit, Printer& p, std::uint32_t index, std::size_t i, const ClassNames& names) {
     const ir::Memory& memory = unit.program.structures[index].memories[i];
-    const std::string extent = names.memories[i] + "_extent_";
-    std::string text = "commands.allocate({.name = \"" + unit.class_name(index) + "." + unit.name(memory.name) + "\"";
+    const std::string& extent = names.extent_fields[i];
+    std::string text = "commands.allocate({.name = " + quoted(unit.class_name(index) + "." + unit.name(memory.name));
     const std::string mips = memory.mips ? ", .mips = " + print_any(p, memory.mips) : "";
     switch (memory.shape) {
     case ir::MemoryShape::buffer:
@@ -132,6 +132,7 @@ std::string memory_allocation(Unit& unit, Printer& p, std::uint32_t index, std::
 /// A printer for expressions over the structure itself, within its class.
 Printer own_printer(Unit& unit, std::uint32_t index) {
     Printer p(unit.globals);
+    p.class_names = &unit.globals.class_names[index].all;
     p.outer_expression = [&unit, index](const ir::Expr& expr) {
         return structure_property(unit.globals, expr, index, "");
     };
@@ -153,23 +154,24 @@ void print_constructors(Unit& unit, Writer& out, std::uint32_t index, const Clas
         std::vector<std::string> initialisers;
         if (structure.kind == StructureKind::stored) initialisers.push_back("Structure(commands.device())");
         if (structure.kind == StructureKind::adaptor) initialisers.push_back("device_(commands.device())");
-        for (const std::string& name : names.arguments) initialisers.push_back(name + "_(" + name + ")");
+        for (std::size_t i = 0; i < names.arguments.size(); ++i)
+            initialisers.push_back(names.argument_fields[i] + "(" + names.arguments[i] + ")");
         for (std::size_t i = 0; i < structure.members.size(); ++i) {
             const ir::MemberStructure& member = structure.members[i];
             const std::string value = adopts                ? "std::move(" + names.members[i] + ")"
                                       : member.by_reference ? names.members[i]
                                                             : member_value(unit, p, member);
-            initialisers.push_back(names.members[i] + "_(" + value + ")");
+            initialisers.push_back(names.member_fields[i] + "(" + value + ")");
         }
         for (std::size_t i = 0; i < structure.memories.size(); ++i) {
-            initialisers.push_back(names.memories[i] + "_extent_(" + print_any(p, structure.memories[i].extent) + ")");
+            initialisers.push_back(names.extent_fields[i] + "(" + print_any(p, structure.memories[i].extent) + ")");
             initialisers.push_back(
-                names.memories[i] + "_(" +
+                names.memory_fields[i] + "(" +
                 (adopts ? "std::move(" + names.memories[i] + ")" : memory_allocation(unit, p, index, i, names)) + ")");
         }
         for (std::size_t i = 0; i < structure.host.size(); ++i) {
             if (structure.host[i].initial)
-                initialisers.push_back(names.host[i] + "_(" + print_any(p, structure.host[i].initial) + ")");
+                initialisers.push_back(names.host_fields[i] + "(" + print_any(p, structure.host[i].initial) + ")");
         }
         out.line(type + "::" + type + "(" + constructor_of(unit, index, names, false).text() + more + ")");
         out.indent();
@@ -184,12 +186,10 @@ void print_constructors(Unit& unit, Writer& out, std::uint32_t index, const Clas
 }
 
 void print_same_state(Unit& unit, Writer& out, std::uint32_t index, const ClassNames& names) {
-    const Structure& structure = unit.program.structures[index];
     std::string condition;
     const auto also = [&](const std::string& text) { condition += (condition.empty() ? "" : " && ") + text; };
-    for (const std::string& name : names.arguments) also(name + "_ == other." + name + "_");
-    for (std::size_t i = 0; i < structure.members.size(); ++i)
-        also(names.members[i] + "_.same_state(other." + names.members[i] + "_)");
+    for (const std::string& field : names.argument_fields) also(field + " == other." + field);
+    for (const std::string& field : names.member_fields) also(field + ".same_state(other." + field + ")");
     const std::string& type = unit.class_name(index);
     out.open("bool " + type + "::same_state(const " + type + "& other) const");
     out.line(condition.empty() ? "return this == &other || true;" : "return " + condition + ";");
@@ -206,20 +206,22 @@ void print_transfers(Unit& unit, Writer& out, std::uint32_t index) {
     const std::string parameters =
         "(const glift::Commands& commands, const glift::Range<" + type + ">& range, const glift::Memory& box) const";
     const std::string made = box + "(commands, range.size(), box)";
+    const Printer p = own_printer(unit, index);
+    const auto kernel = [&](std::uint32_t called) { return visible(p, unit.globals.kernel_names.at(called)); };
     out.open("void " + type + "::copy_out" + parameters);
-    out.line(unit.globals.kernel_names.at(transfer->read_kernel) + "(commands, range, " + made + ");");
+    out.line(kernel(transfer->read_kernel) + "(commands, range, " + made + ");");
     out.close();
     out.gap();
     if (is_kernel(unit, transfer->write_kernel)) {
         out.open("void " + type + "::copy_in" + parameters);
-        out.line(unit.globals.kernel_names.at(transfer->write_kernel) + "(commands, " + made + ", range);");
+        out.line(kernel(transfer->write_kernel) + "(commands, " + made + ", range);");
         out.close();
         out.gap();
     }
     if (is_kernel(unit, transfer->fill_kernel)) {
         const std::string element = unit.type(unit.program.structures[index].element);
         out.open("void " + type + "::fill(" + element + " value, const glift::Range<" + type + ">& range)");
-        out.line(unit.globals.kernel_names.at(transfer->fill_kernel) + "(device(), range, value);");
+        out.line(kernel(transfer->fill_kernel) + "(device(), range, value);");
         out.close();
         out.open("void " + type + "::fill(" + element + " value)");
         out.line("fill(value, *this);");
@@ -243,7 +245,7 @@ void print_class(Unit& unit, Writer& out, std::uint32_t index, bool qualified) {
     out.dedent();
     out.line("public:");
     out.indent();
-    out.line("static constexpr const char* type_name = \"" + shown + "\";");
+    out.line("static constexpr const char* type_name = " + quoted(shown) + ";");
     out.gap();
     out.line(type + "() = default;");
     // A module's own classes: what of them is used depends on what the module does.
@@ -282,7 +284,7 @@ void print_class(Unit& unit, Writer& out, std::uint32_t index, bool qualified) {
             out.line(unused + "std::uint64_t place(" + unit.type(structure.domain_type, qualified) +
                      " address) const;");
             out.line(unused + "const glift::Memory& row_memory() const { return " +
-                     names.memories[structure.via_memory] + "_; }");
+                     names.memory_fields[structure.via_memory] + "; }");
         }
         out.line("/// Elements of a box to a linear buffer, and back.");
         out.line(unused + "void copy_out" + parameters);
@@ -321,11 +323,14 @@ void print_structs(Unit& unit, Writer& out) {
     for (std::uint32_t index : unit.reach.enums) {
         const ir::Enum& type = unit.program.enums[index];
         write_doc(out, type.doc);
-        out.open("struct " + identifier(unit.name(type.name)));
+        out.open("struct " + unit.globals.enum_names[index]);
         std::string list;
+        const NameSet type_name{unit.globals.enum_names[index]};
+        Scopes names;
+        names.avoid(type_name);
         for (std::size_t i = 0; i < type.enumerators.size(); ++i)
-            list +=
-                (i ? ", " : "") + identifier(unit.name(type.enumerators[i])) + " = " + std::to_string(type.values[i]);
+            list += (i ? ", " : "") + names.declare(unit.name(type.enumerators[i])) + " = " +
+                    std::to_string(type.values[i]);
         out.line("enum : glift::uint { " + list + " };");
         out.close(";");
         out.gap();
@@ -333,14 +338,14 @@ void print_structs(Unit& unit, Writer& out) {
     for (std::uint32_t index : unit.reach.structs) {
         const ir::Struct& type = unit.program.structs[index];
         const std::string& name = unit.globals.struct_names[index];
+        const std::vector<std::string>& fields = unit.globals.field_names[index];
         const std::vector<std::uint32_t> offsets = layout::offsets_of(unit.program, type);
         if (type.extern_header.empty()) {
             write_doc(out, type.doc);
             out.open("struct " + name);
-            for (const ir::StructField& field : type.fields) {
-                write_doc(out, field.doc);
-                out.line(storage_text(unit.globals, field.type, true) + " " + identifier(unit.name(field.name)) +
-                         "{};");
+            for (std::size_t i = 0; i < type.fields.size(); ++i) {
+                write_doc(out, type.fields[i].doc);
+                out.line(storage_text(unit.globals, type.fields[i].type, true) + " " + fields[i] + "{};");
             }
             out.line("bool operator==(const " + name + "&) const = default;");
             out.close(";");
@@ -350,8 +355,7 @@ void print_structs(Unit& unit, Writer& out) {
             std::none_of(type.fields.begin(), type.fields.end(),
                          [&](const ir::StructField& field) { return ir::holds_empty(unit.program, field.type); });
         for (std::size_t i = 0; i < type.fields.size() && is_in_memory; ++i)
-            out.line("static_assert(offsetof(" + name + ", " + identifier(unit.name(type.fields[i].name)) +
-                     ") == " + std::to_string(offsets[i]) + ");");
+            out.line("static_assert(offsetof(" + name + ", " + fields[i] + ") == " + std::to_string(offsets[i]) + ");");
         if (!type.extern_header.empty())
             out.line("static_assert(sizeof(" + name + ") == " + std::to_string(type.size) + ");");
         out.gap();

@@ -1,22 +1,12 @@
 // How the properties of structures are spelled: through the members of their generated classes.
+#include "base/concat.h"
 #include "emit/cpp/printer.h"
 
 namespace gliftc::cpp {
 
-ClassNames class_names(const ir::Program& program, std::uint32_t index) {
-    const ir::Structure& structure = program.structures[index];
-    Scopes scopes;
-    for (const char* taken : {"Address",    "Element", "Structure", "copy_from", "copy_in", "copy_out", "count",
-                              "domain",     "fill",    "map",       "place",     "range",   "read",     "row_memory",
-                              "same_state", "self",    "type_name", "write",     "box",     "other",    "value"})
-        scopes.declare(taken);
-    ClassNames names;
-    const auto text = [&](Name name) { return scopes.declare((*program.names)[name]); };
-    for (ir::LocalId local : structure.constructor) names.arguments.push_back(text(program.locals[local].name));
-    for (const ir::MemberStructure& member : structure.members) names.members.push_back(text(member.name));
-    for (const ir::Memory& memory : structure.memories) names.memories.push_back(text(memory.name));
-    for (const ir::HostField& field : structure.host) names.host.push_back(text(field.name));
-    return names;
+std::string visible(const Printer& p, const std::string& name) {
+    const bool hidden = p.names.holds(name) || (p.class_names && p.class_names->contains(name));
+    return hidden ? concat("::", p.globals.space, "::", name) : name;
 }
 
 Text structure_property(const Globals& globals, const ir::Expr& expr, std::uint32_t root_structure,
@@ -25,16 +15,16 @@ Text structure_property(const Globals& globals, const ir::Expr& expr, std::uint3
     std::string prefix = object;
     bool own = object.empty();  // the fields themselves, not their accessors
     for (std::uint32_t member : expr.place.members) {
-        prefix += globals.class_names[structure].members[member] + (own ? "_." : "().");
+        const ClassNames& names = globals.class_names[structure];
+        prefix += own ? names.member_fields[member] + "." : names.members[member] + "().";
         own = false;
         structure = globals.program.structures[structure].members[member].structure;
     }
     const ClassNames& names = globals.class_names[structure];
-    const char* end = own ? "_" : "()";
     switch (expr.op) {
-    case ir::Op::member: return {prefix + names.arguments[expr.slot] + end};
-    case ir::Op::memory_extent: return {prefix + names.memories[expr.slot] + "_extent" + end};
-    case ir::Op::host_state: return {prefix + names.host[expr.slot] + end};
+    case ir::Op::member: return {own ? names.argument_fields[expr.slot] : prefix + names.arguments[expr.slot] + "()"};
+    case ir::Op::memory_extent: return {own ? names.extent_fields[expr.slot] : prefix + names.extents[expr.slot] + "()"};
+    case ir::Op::host_state: return {own ? names.host_fields[expr.slot] : prefix + names.host[expr.slot] + "()"};
     case ir::Op::domain: return {prefix + "domain()"};
     case ir::Op::structure_value:
         if (prefix.ends_with("->")) return {prefix.substr(0, prefix.size() - 2) + ".structure()"};

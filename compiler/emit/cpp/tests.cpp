@@ -149,15 +149,6 @@ std::string print_structure_check(Unit& unit, Writer& out, std::uint32_t index) 
     return name;
 }
 
-std::string escaped(const std::string& text) {
-    std::string result;
-    for (char c : text) {
-        if (c == '"' || c == '\\') result += '\\';
-        result += c;
-    }
-    return result;
-}
-
 }  // namespace
 
 std::string scalars_of(const ir::Program& program, ir::TypeId id) {
@@ -201,18 +192,19 @@ void print_tests(Unit& unit, Writer& out) {
     for (std::uint32_t index : unit.reach.structures) {
         const std::string name = print_structure_check(unit, out, index);
         if (name.empty()) continue;
-        rows.push_back("{\"translation of " + escaped(unit.program.structures[index].display) + "\", \"" +
+        rows.push_back("{" + quoted("translation of " + unit.program.structures[index].display) + ", \"" +
                        place_text(unit.sources, unit.program.structures[index].span) + "\", true, &" + name + "},");
     }
     for (const ir::Test& test : unit.program.tests) {
         if (test.module != unit.module) continue;
         std::set<std::uint32_t> seen;
-        rows.push_back("{\"" + escaped(test.title) + "\", \"" + place_text(unit.sources, test.span) + "\", " +
+        rows.push_back("{" + quoted(test.title) + ", \"" + place_text(unit.sources, test.span) + "\", " +
                        (is_exact(unit, test.pipeline, seen) ? "true" : "false") + ", &" +
                        unit.globals.pipeline_names.at(test.pipeline) + "},");
     }
     if (rows.empty()) return;
-    out.line("const glift::TestCase tests[] = {");
+    unit.tests = unit.globals.names.declare("tests");
+    out.line("const glift::TestCase " + unit.tests + "[] = {");
     out.indent();
     for (const std::string& row : rows) out.line(row);
     out.dedent();

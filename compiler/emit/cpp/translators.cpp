@@ -26,7 +26,9 @@ std::vector<std::string> print_state(Unit& unit, Writer& out, std::uint32_t stru
     };
     std::vector<std::string> states;
     Scopes names;
-    for (const char* name : taken) names.declare(name);
+    names.avoid(unit.globals.type_names);
+    names.avoid(unit.globals.class_names[structure].all);
+    names.reserve(taken);
     for (std::size_t i = 0; i < stage.scalars.size(); ++i) {
         states.push_back(names.declare(unit.name(translator.scalars[i].name)));
         out.line("[[maybe_unused]] const " + unit.type(translator.scalars[i].type) + " " + states.back() + " = " +

@@ -34,7 +34,7 @@ struct Unit {
     Options options;
     Reach reach;
     Globals globals;
-    std::string space;  ///< the module's namespace: laplacian, std::array → std_array
+    std::string tests;  ///< the table of tests
 
     std::string name(Name n) const { return (*program.names)[n]; }
     std::string type(ir::TypeId id, bool qualified = false) const { return type_text(globals, id, qualified); }

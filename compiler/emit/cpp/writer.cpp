@@ -87,6 +87,27 @@ void Writer::close(std::string_view after) {
     line(concat("}", after));
 }
 
+std::string quoted(std::string_view text) {
+    static constexpr char digits[] = "01234567";
+    std::string result = "\"";
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const unsigned char c = static_cast<unsigned char>(text[i]);
+        const bool repeats = c == '?' && i > 0 && text[i - 1] == '?';  // ??/ was a backslash once
+        if (c == '\n') result += "\\n";
+        else if (c < 32 || c == 127) result += {'\\', digits[c >> 6], digits[c >> 3 & 7], digits[c & 7]};
+        else if (c == '"' || c == '\\' || repeats) result += {'\\', static_cast<char>(c)};
+        else result += static_cast<char>(c);
+    }
+    return result + '"';
+}
+
+std::string in_line(std::string_view text) {
+    std::string result(text);
+    for (char& c : result)
+        if ((c >= 0 && c < 32) || c == 127 || c == '"' || c == '\\') c = '?';
+    return result;
+}
+
 void write_doc(Writer& writer, std::string_view doc) {
     constexpr std::size_t room = 112;
     while (!doc.empty()) {
@@ -100,7 +121,9 @@ void write_doc(Writer& writer, std::string_view doc) {
             writer.line("/// " + std::string(line.substr(0, space)));
             line.remove_prefix(space + 1);
         }
-        writer.line(line.empty() ? "///" : "/// " + std::string(line));
+        // A backslash at the end would take the next line into the comment.
+        const bool goes_on = line.ends_with('\\') || line.ends_with("?\?/");
+        writer.line(line.empty() ? "///" : concat("/// ", line, goes_on ? " ." : ""));
         doc = end == std::string_view::npos ? std::string_view() : doc.substr(end + 1);
     }
 }

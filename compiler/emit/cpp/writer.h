@@ -35,6 +35,12 @@ private:
     int depth_ = 0;
 };
 
+/// The literal of a string: "say \"hi\"\n".
+std::string quoted(std::string_view text);
+
+/// As it may stand in a line, also as a literal or a comment: '?' for what would end these.
+std::string in_line(std::string_view text);
+
 /// `/// ` lines for a documentation comment; nothing for an empty one.
 void write_doc(Writer& writer, std::string_view doc);
 

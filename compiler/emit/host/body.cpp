@@ -175,9 +175,8 @@ void print_local_function(Body& body, ir::FunctionId id) {
 }  // namespace
 
 Body::Body(cpp::Globals& globals, const ir::Pass& pass) : pass(pass), p(globals) {
-    for (const char* name : {"call", "row", "parameters", "x", "i", "address", "count", "interior", "part", "inside",
-                             "unclamped", "stretch", "rows", "block", "first", "lane"})
-        p.names.declare(name);
+    p.names.reserve({"call", "row", "parameters", "x", "i", "address", "count", "interior", "part", "inside",
+                     "unclamped", "stretch", "rows", "block", "first", "lane"});
     for (const ir::PassBinding& binding : pass.bindings) binding_names.push_back(p.names.declare(binding.name));
     for (const ir::PassParameter& parameter : pass.parameters)
         parameter_names.push_back(p.names.declare(parameter.name));
@@ -201,12 +200,13 @@ void print_local_functions(Body& body) {
 }
 
 void declare_used(Body& body, cpp::Writer& out, const std::string& name) {
+    const std::vector<std::string> members = cpp::block_names(body.p.globals, body.pass);
     if (!body.used_parameters.empty())
         out.line("const auto& parameters = *static_cast<const " + name + "_parameters*>(call.parameters);");
     for (std::uint32_t i = 0; i < body.pass.parameters.size(); ++i) {
         if (!body.used_parameters.contains(i)) continue;
         const ir::PassParameter& parameter = body.pass.parameters[i];
-        std::string value = "parameters." + cpp::identifier(parameter.name);
+        std::string value = "parameters." + members[i];
         const std::string type = cpp::type_text(body.p.globals, parameter.type);
         if (cpp::holds_bool(body.p.program, parameter.type) && body.p.program.types.is_vector(parameter.type))
             value = type + "(" + value + ")";
