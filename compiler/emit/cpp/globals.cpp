@@ -87,10 +87,12 @@ ClassNames class_names(const Globals& globals, const ir::Structure& structure) {
     also(names.memories, "_", names.memory_fields);
     also(names.extents, "_", names.extent_fields);
     also(names.host, "_", names.host_fields);
-    names.all = fixed;
-    for (const auto* list : {&names.arguments, &names.members, &names.memories, &names.host, &names.pipelines,
-                             &names.extents, &names.argument_fields, &names.member_fields, &names.memory_fields,
-                             &names.extent_fields, &names.host_fields})
+    names.own = fixed;
+    for (const auto* list : {&names.argument_fields, &names.member_fields, &names.memory_fields, &names.extent_fields,
+                             &names.host_fields, &names.pipelines})
+        names.own.insert(list->begin(), list->end());
+    names.all = names.own;
+    for (const auto* list : {&names.arguments, &names.members, &names.memories, &names.host, &names.extents})
         names.all.insert(list->begin(), list->end());
     return names;
 }

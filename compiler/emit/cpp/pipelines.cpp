@@ -25,7 +25,7 @@ struct PipelinePrinter {
         p.names.reserve({"commands", "test"});
         if (pipeline.owner) {
             p.class_names = &unit.globals.class_names[*pipeline.owner].all;
-            p.names.avoid(*p.class_names);
+            p.names.avoid(unit.globals.class_names[*pipeline.owner].own);
         }
         p.outer_expression = [this](const Expr& expr) { return expression(expr); };
         p.outer_statement = [this](const Stmt& stmt) { statement(stmt); };

@@ -41,7 +41,8 @@ struct ClassNames {
     std::vector<std::string> extents;                                        ///< functions: of its memories
     /// What the class keeps.
     std::vector<std::string> argument_fields, memory_fields, member_fields, host_fields, extent_fields;
-    NameSet all;  ///< also what every such class has: what they hide in its functions
+    NameSet own;  ///< what the class's functions name: fields, pipelines, what every such class has
+    NameSet all;  ///< also the rest of its interface: what hides names of the namespace in them
 };
 
 /// Names that a whole generated file shares.

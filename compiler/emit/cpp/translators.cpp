@@ -27,7 +27,7 @@ std::vector<std::string> print_state(Unit& unit, Writer& out, std::uint32_t stru
     std::vector<std::string> states;
     Scopes names;
     names.avoid(unit.globals.type_names);
-    names.avoid(unit.globals.class_names[structure].all);
+    names.avoid(unit.globals.class_names[structure].own);
     names.reserve(taken);
     for (std::size_t i = 0; i < stage.scalars.size(); ++i) {
         states.push_back(names.declare(unit.name(translator.scalars[i].name)));

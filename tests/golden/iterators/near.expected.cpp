@@ -7,7 +7,7 @@
 
 #include <optional>
 
-namespace near {
+namespace near_ {
 
 using namespace glift::types;
 
@@ -816,4 +816,4 @@ void Field::fill(float value) {
     fill(value, *this);
 }
 
-}  // namespace near
+}  // namespace near_

@@ -7,7 +7,7 @@
 #include <cstddef>
 
 /// A window around the current element.
-namespace near {
+namespace near_ {
 
 /// Array<3, float, none, buffer>. A dense N-D array. Memory: one element an address. What lies outside is up to
 /// `edge`: by default reads give zero and
@@ -47,4 +47,4 @@ private:
 
 void smooth(const glift::Commands& commands, const glift::Range<Field>& f, const glift::Range<Field>& g);
 
-}  // namespace near
+}  // namespace near_

@@ -7,7 +7,7 @@
 
 #include <optional>
 
-namespace group {
+namespace group_ {
 
 using namespace glift::types;
 
@@ -682,4 +682,4 @@ void Values::fill(uint value) {
     fill(value, *this);
 }
 
-}  // namespace group
+}  // namespace group_

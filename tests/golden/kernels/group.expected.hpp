@@ -7,7 +7,7 @@
 #include <cstddef>
 
 /// An explicit workgroup: shared memory, barriers. One sum for each block of 64 elements.
-namespace group {
+namespace group_ {
 
 /// Array<1, uint, none, buffer>. A dense N-D array. Memory: one element an address. What lies outside is up to
 /// `edge`: by default reads give zero and
@@ -47,4 +47,4 @@ private:
 
 void block_sums(const glift::Commands& commands, const glift::Range<Values>& value, const glift::Range<Values>& sums);
 
-}  // namespace group
+}  // namespace group_

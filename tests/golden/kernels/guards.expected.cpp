@@ -349,17 +349,17 @@ const glift::Kernel double_tiles_kernel = {
 
 struct add_far_direct_parameters {
     uint tile_extent;
-    uint far;
+    uint far_;
 };
 static_assert(offsetof(add_far_direct_parameters, tile_extent) == 0);
-static_assert(offsetof(add_far_direct_parameters, far) == 4);
+static_assert(offsetof(add_far_direct_parameters, far_) == 4);
 
 // guards.glift:20: add_far, some rows.
 GLIFT_HOST_KERNEL
 static void add_far_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const add_far_direct_parameters*>(call.parameters);
     const uint tile_extent = parameters.tile_extent;
-    const uint far = parameters.far;
+    const uint far_ = parameters.far_;
     const uint* from_data = glift::host::elements<const uint>(call.memories[0]);
     uint* to_data = glift::host::elements<uint>(call.memories[1]);
     for (const glift::host::Row row : rows) {
@@ -375,7 +375,7 @@ static void add_far_direct_rows(const glift::HostCall& call, const glift::host::
                     const uint value = from_value;
                     if (value > 3u) {
                         // guards.glift:24
-                        const uint from_address = i_2 * far;
+                        const uint from_address = i_2 * far_;
                         const bool from_value_inside = from_address < tile_extent;
                         const uint from_value_2 = from_data[from_value_inside ? from_address : 0u];
                         {
@@ -394,7 +394,7 @@ static void add_far_direct_rows(const glift::HostCall& call, const glift::host::
                     const uint value = from_value_inside ? from_value : 0u;
                     if (value > 3u) {
                         // guards.glift:24
-                        const uint from_address = i_2 * far;
+                        const uint from_address = i_2 * far_;
                         const bool from_value_inside_2 = from_address < tile_extent;
                         const uint from_value_2 = from_data[from_value_inside_2 ? from_address : 0u];
                         if (from_value_inside) {
@@ -417,14 +417,14 @@ struct add_far_general_parameters {
     uint from_size;
     uint to_origin;
     uint to_size;
-    uint far;
+    uint far_;
 };
 static_assert(offsetof(add_far_general_parameters, size) == 0);
 static_assert(offsetof(add_far_general_parameters, from_origin) == 4);
 static_assert(offsetof(add_far_general_parameters, from_size) == 8);
 static_assert(offsetof(add_far_general_parameters, to_origin) == 12);
 static_assert(offsetof(add_far_general_parameters, to_size) == 16);
-static_assert(offsetof(add_far_general_parameters, far) == 20);
+static_assert(offsetof(add_far_general_parameters, far_) == 20);
 
 // guards.glift:20: add_far, some rows.
 GLIFT_HOST_KERNEL
@@ -434,7 +434,7 @@ static void add_far_general_rows(const glift::HostCall& call, const glift::host:
     const uint from_size = parameters.from_size;
     const uint to_origin = parameters.to_origin;
     const uint to_size = parameters.to_size;
-    const uint far = parameters.far;
+    const uint far_ = parameters.far_;
     const uint* from_data = glift::host::elements<const uint>(call.memories[0]);
     uint* to_data = glift::host::elements<uint>(call.memories[1]);
     for (const glift::host::Row row : rows) {
@@ -451,7 +451,7 @@ static void add_far_general_rows(const glift::HostCall& call, const glift::host:
                     const uint value = from_value;
                     if (value > 3u) {
                         // guards.glift:24
-                        const uint from_address = i_2 * far;
+                        const uint from_address = i_2 * far_;
                         const uint from_virtual_2 = from_address + from_origin;
                         const bool from_value_inside = from_address < from_size;
                         const uint from_value_2 = from_data[from_value_inside ? from_virtual_2 : 0u];
@@ -473,7 +473,7 @@ static void add_far_general_rows(const glift::HostCall& call, const glift::host:
                     const uint value = from_value_inside ? from_value : 0u;
                     if (value > 3u) {
                         // guards.glift:24
-                        const uint from_address = i_2 * far;
+                        const uint from_address = i_2 * far_;
                         const uint from_virtual_2 = from_address + from_origin;
                         const bool from_value_inside_2 = from_address < from_size;
                         const uint from_value_2 = from_data[from_value_inside_2 ? from_virtual_2 : 0u];
@@ -498,7 +498,7 @@ const glift::Binding add_far_bindings[] = {
 };
 constexpr glift::Parameter add_far_parameters[] = {
     {"tile_extent", 0, sizeof(add_far_direct_parameters::tile_extent)},
-    {"far", 4, sizeof(add_far_direct_parameters::far)},
+    {"far", 4, sizeof(add_far_direct_parameters::far_)},
 };
 const glift::Kernel add_far_kernel = {
     .name = "add_far",
@@ -915,7 +915,7 @@ void double_tiles(const glift::Commands& commands, const glift::Range<Values>& f
 }
 
 void add_far(const glift::Commands& commands, const glift::Range<Values>& tile, const glift::Range<Values>& from,
-    uint far, const glift::Range<Values>& to) {
+    uint far_, const glift::Range<Values>& to) {
     glift::Iteration iteration(add_far_kernel);
     iteration.each("tile", tile);
     iteration.any("from", from);
@@ -925,7 +925,7 @@ void add_far(const glift::Commands& commands, const glift::Range<Values>& tile, 
         && !commands.needs_general(add_far_kernel, memories, iteration.size())) {
         const add_far_direct_parameters parameters = {
             .tile_extent = tile->extent(),
-            .far = far,
+            .far_ = far_,
         };
         commands.dispatch(add_far_kernel, {.form = glift::FormName::direct, .memories = memories,
             .parameters = glift::bytes_of(parameters), .size = iteration.size()});
@@ -936,7 +936,7 @@ void add_far(const glift::Commands& commands, const glift::Range<Values>& tile, 
             .from_size = from.size(),
             .to_origin = to.origin(),
             .to_size = to.size(),
-            .far = far,
+            .far_ = far_,
         };
         iteration.count(from, offsetof(add_far_general_parameters, from_size));
         iteration.count(to, offsetof(add_far_general_parameters, to_size));
@@ -946,9 +946,9 @@ void add_far(const glift::Commands& commands, const glift::Range<Values>& tile, 
     }
 }
 
-void add_far(const glift::Commands& commands, const glift::Range<Values>& from, uint far,
+void add_far(const glift::Commands& commands, const glift::Range<Values>& from, uint far_,
     const glift::Range<Values>& to) {
-    add_far(commands, from, from, far, to);
+    add_far(commands, from, from, far_, to);
 }
 
 Values::Values(const glift::Commands& commands, uint extent)

@@ -52,8 +52,8 @@ void double_tiles(const glift::Commands& commands, const glift::Range<Values>& f
 
 /// Element by element; what `far` says is not known before.
 void add_far(const glift::Commands& commands, const glift::Range<Values>& tile, const glift::Range<Values>& from,
-    glift::uint far, const glift::Range<Values>& to);
-void add_far(const glift::Commands& commands, const glift::Range<Values>& from, glift::uint far,
+    glift::uint far_, const glift::Range<Values>& to);
+void add_far(const glift::Commands& commands, const glift::Range<Values>& from, glift::uint far_,
     const glift::Range<Values>& to);
 
 }  // namespace guards

@@ -713,24 +713,24 @@ bool Box_1_uint::same_state(const Box_1_uint& other) const {
 
 }  // namespace
 
-void count_digits(const glift::Commands& commands, const glift::Range<Values>& row_, const glift::Range<Values>& from,
+void count_digits(const glift::Commands& commands, const glift::Range<Values>& row, const glift::Range<Values>& from,
     const glift::Range<Values>& counts) {
     glift::Iteration iteration(count_digits_kernel);
-    iteration.each("row", row_);
+    iteration.each("row", row);
     iteration.any("from", from);
     iteration.any("counts", counts);
     const glift::Memory memories[] = {from->data(), counts->data()};
-    if (iteration.is_whole() && row_->same_state(from.structure()) && from->same_state(counts.structure())
+    if (iteration.is_whole() && row->same_state(from.structure()) && from->same_state(counts.structure())
         && !commands.needs_general(count_digits_kernel, memories, iteration.size())) {
         const count_digits_direct_parameters parameters = {
-            .row_extent = row_->extent(),
+            .row_extent = row->extent(),
         };
         commands.dispatch(count_digits_kernel,
             {.form = glift::FormName::direct, .memories = memories, .parameters = glift::bytes_of(parameters),
             .size = iteration.size()});
     } else {
         const count_digits_general_parameters parameters = {
-            .size = row_.size(),
+            .size = row.size(),
             .from_origin = from.origin(),
             .from_size = from.size(),
             .counts_origin = counts.origin(),

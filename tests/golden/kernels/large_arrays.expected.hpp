@@ -47,7 +47,7 @@ private:
     glift::Memory data_;
 };
 
-void count_digits(const glift::Commands& commands, const glift::Range<Values>& row_, const glift::Range<Values>& from,
+void count_digits(const glift::Commands& commands, const glift::Range<Values>& row, const glift::Range<Values>& from,
     const glift::Range<Values>& counts);
 void count_digits(const glift::Commands& commands, const glift::Range<Values>& from,
     const glift::Range<Values>& counts);
