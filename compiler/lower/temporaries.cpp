@@ -76,19 +76,40 @@ void mark_last_reads(Program& p, const std::vector<StmtId>& body, std::size_t at
     }
 }
 
+/// Of the aliases, those that are declared in the temporary's own block, behind it: they go when it goes.
+std::vector<LocalId> declared_beside(Program& p, const std::vector<StmtId>& body, std::size_t at,
+                                     const std::vector<LocalId>& aliases) {
+    std::vector<LocalId> result;
+    for (std::size_t k = at + 1; k < body.size(); ++k) {
+        const Stmt& stmt = p.stmts[body[k]];
+        if (stmt.op != StmtOp::let || std::ranges::find(aliases, stmt.local) == aliases.end()) continue;
+        p.locals[stmt.local].is_mutable = true;
+        result.push_back(stmt.local);
+    }
+    return result;
+}
+
 std::vector<StmtId> released(Program& p, const std::vector<StmtId>& body, const std::vector<StmtId>& pipeline) {
     std::map<std::size_t, std::vector<LocalId>> deaths;
+    const auto dies = [&](std::size_t at, LocalId local) {
+        std::vector<LocalId>& dead = deaths[at];
+        if (std::ranges::find(dead, local) == dead.end()) dead.push_back(local);
+    };
     for (std::size_t i = 0; i < body.size(); ++i) {
         const Stmt& stmt = p.stmts[body[i]];
         if (stmt.op != StmtOp::temp) continue;
         std::size_t last = i;
         bool leaves = false;
-        for (LocalId alias : aliases(p, pipeline, stmt.local)) {
+        const std::vector<LocalId> names = aliases(p, pipeline, stmt.local);
+        for (LocalId alias : names) {
             leaves = leaves || is_returned(p, pipeline, alias);
             for (std::size_t k = i; k < body.size(); ++k)
                 if (uses(p, body[k], alias)) last = std::max(last, k);
         }
-        if (!leaves) deaths[last].push_back(stmt.local);
+        if (!leaves) {
+            dies(last, stmt.local);
+            for (LocalId alias : declared_beside(p, body, i, names)) dies(last, alias);
+        }
         mark_last_reads(p, body, i);
     }
     std::vector<StmtId> result;

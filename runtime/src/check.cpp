@@ -15,7 +15,11 @@ namespace {
 }
 
 void check_owner(const DeviceObject* device, const Memory& memory, const char* call) {
-    if (!memory) wrong("an empty memory handle was passed", call);
+    if (!memory) {
+        wrong("an empty memory handle was passed", call,
+              "it, or the structure that it is of, was default-made or moved from",
+              "pass what Device::allocate returned, or a structure that was made with a device");
+    }
     if (!device->reaches(*memory.object())) {
         wrong("a memory of another device was passed", std::string(call) + ", " + memory_text(memory.description()), {},
               "allocate it on the device that runs the call, or copy it there through the host");
@@ -43,8 +47,12 @@ void check_patches(const DeviceObject* device, const Kernel& kernel, const Call&
     if (call.form != FormName::general) wrong("device values were passed to the direct form", kernel_text(kernel));
     for (const Patch& patch : call.patches) {
         check_range(device, patch.value.memory, patch.value.offset, 4, "a device value");
-        if (patch.offset % 4 || patch.value.offset % 4 || patch.offset + 4 > call.parameters.size()) {
-            wrong("a device value's offset is not a multiple of 4 or is outside the parameters", kernel_text(kernel));
+        const std::size_t bytes = call.parameters.size();
+        if (patch.offset % 4 || patch.value.offset % 4 || bytes < 4 || patch.offset > bytes - 4) {
+            wrong("a device value's offset is not a multiple of 4 or is outside the parameters", kernel_text(kernel),
+                  "offset " + std::to_string(patch.offset) + " of " + std::to_string(bytes) + " bytes, value at " +
+                      std::to_string(patch.value.offset),
+                  "take both offsets from the layout of the parameters and of the memory");
         }
     }
 }
@@ -111,6 +119,20 @@ MemoryDescription whole_description(const MemoryDescription& description) {
     return whole;
 }
 
+void check_part(const DeviceObject* device, const Memory& memory, const MemoryDescription& wanted) {
+    check_owner(device, memory, wanted.name);
+    const MemoryDescription& given = memory.description();
+    const bool image = wanted.kind != MemoryKind::buffer;
+    const bool fits =
+        given.kind == wanted.kind && given.format == wanted.format &&
+        (image ? given.extent == wanted.extent && given.mips >= wanted.mips : given.bytes >= wanted.bytes);
+    if (fits) return;
+    wrong("a memory does not fit the structure that it is to be a part of", wanted.name,
+          "needed: " + shape_text(wanted) + "; given: " + memory_text(given),
+          image ? "allocate an image of that kind, format and extent"
+                : "allocate a buffer of that many bytes, or more");
+}
+
 void check_range(const DeviceObject* device, const Memory& buffer, std::uint64_t offset, std::uint64_t bytes,
                  const char* call) {
     check_owner(device, buffer, call);
@@ -118,7 +140,8 @@ void check_range(const DeviceObject* device, const Memory& buffer, std::uint64_t
     if (d.kind != MemoryKind::buffer) wrong("an image was passed where a buffer is needed", call, memory_text(d));
     if (offset > d.bytes || bytes > d.bytes - offset) {
         wrong("a range lies outside its memory", std::string(call) + ", " + memory_text(d),
-              "bytes " + std::to_string(offset) + " to " + std::to_string(offset + bytes));
+              std::to_string(bytes) + " bytes from byte " + std::to_string(offset) + " on",
+              "pass a range inside the memory");
     }
 }
 

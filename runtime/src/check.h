@@ -9,6 +9,8 @@ void check_call(const DeviceObject* device, const Kernel& kernel, const Call& ca
 void check_memories(const DeviceObject* device, const Kernel& kernel, std::span<const Memory> memories);
 /// Checked, and with the bytes of images.
 MemoryDescription whole_description(const MemoryDescription& description);
+/// Whether the memory can stand where one so described would be allocated.
+void check_part(const DeviceObject* device, const Memory& memory, const MemoryDescription& wanted);
 void check_range(const DeviceObject* device, const Memory& buffer, std::uint64_t offset, std::uint64_t bytes,
                  const char* call);
 void check_image_regions(const DeviceObject* device, const Memory& image, std::span<const ImageRegion> regions,

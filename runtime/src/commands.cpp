@@ -1,32 +1,54 @@
 // The public handles: check, then forward.
 #include "check.h"
+#include "environment.h"
 #include "measuring.h"
 #include "objects.h"
+#include "recording_scope.h"
+#include "report.h"
 #include "text.h"
 
 #include <glift/error.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <cstring>
-#include <string_view>
 
 namespace glift {
 
 using detail::check_range;
 
-bool Download::ready() const { return object_->ready(); }
-std::span<const std::byte> Download::get() const { return object_->get(); }
-double Timestamp::seconds() const { return object_->seconds(); }
-void Recording::submit() const { object_->submit(); }
-std::uint64_t Recording::workspace_bytes() const { return object_->workspace_bytes(); }
+bool Download::ready() const { return object_.in("Download::ready").ready(); }
+std::span<const std::byte> Download::get() const { return object_.in("Download::get").get(); }
+double Timestamp::seconds() const { return object_.in("Timestamp::seconds").seconds(); }
 
-Commands::Commands(const Device& device) : stream_(device.share(), &device.share()->stream()) {}
+void Recording::submit() const {
+    detail::RecordingObject& object = object_.in("Recording::submit");
+    detail::require_no_recording(object.device(), "Recording::submit");
+    object.submit();
+}
 
-Device Commands::device() const { return Device(stream_->device()); }
+std::uint64_t Recording::workspace_bytes() const { return object_.in("Recording::workspace_bytes").workspace_bytes(); }
+
+Commands::Commands(const Device& device)
+    : stream_(detail::stream_of(detail::shared_device(device, "Device::commands"))) {}
+
+detail::Stream& Commands::stream(const char* call) const {
+    detail::Stream& stream = stream_.in(call);
+    if (stream.is_closed()) detail::throw_closed(call);
+    return stream;
+}
+
+detail::Stream& Commands::stream(const Kernel& kernel) const {
+    detail::Stream& stream = stream_.in("Commands::dispatch");
+    if (stream.is_closed()) detail::throw_closed(detail::kernel_text(kernel));
+    return stream;
+}
+
+Device Commands::device() const { return Device(stream_.in("Commands::device").device()); }
+bool Commands::is_recording() const { return stream_.in("Commands::is_recording").is_recording(); }
+
 bool Commands::needs_general(const Kernel& kernel, std::span<const Memory> memories,
                              const std::array<std::uint32_t, 4>& size) const {
-    return stream_->needs_general(kernel, memories, size);
+    return stream(kernel).needs_general(kernel, memories, size);
 }
 
 Commands Commands::specialised(std::vector<std::string> parameters) const {
@@ -44,8 +66,8 @@ Commands Commands::uninitialized() const {
 namespace {
 
 bool poisons() {
-    static const char* const text = std::getenv("GLIFT_POISON");
-    return text && *text && std::string_view(text) != "0";
+    static const bool on = detail::environment_flag("GLIFT_POISON");
+    return on;
 }
 
 /// The words of the call's parameters that the names ask for.
@@ -66,33 +88,47 @@ std::vector<FixedWord> fixed_words(const Kernel& kernel, const Call& call, const
 }  // namespace
 
 void Commands::dispatch(const Kernel& kernel, const Call& call) const {
-    if (!specialised_ || call.form != FormName::direct) return stream_->dispatch(kernel, call);
+    detail::Stream& stream = this->stream(kernel);
+    if (!specialised_ || call.form != FormName::direct) return stream.dispatch(kernel, call);
     const std::vector<FixedWord> words = fixed_words(kernel, call, *specialised_);
     Call special = call;
     special.fixed = words;
-    stream_->dispatch(kernel, special);
+    stream.dispatch(kernel, special);
 }
 
 Memory Commands::allocate(const MemoryDescription& description) const {
+    detail::Stream& stream = this->stream("Commands::allocate");
     MemoryDescription whole = detail::whole_description(description);
     whole.zeroed = whole.zeroed && zeroes_;
-    const Memory memory = stream_->allocate(whole);
-    if (whole.zeroed && stream_->is_recording()) stream_->clear(memory);
+    const Memory memory = stream.allocate(whole);
+    if (whole.zeroed && stream.is_recording()) stream.clear(memory);
     if (!zeroes_ && poisons() && whole.kind == MemoryKind::buffer && whole.bytes >= 4)
-        stream_->fill(memory, 0, whole.bytes / 4 * 4, device().is_host() ? 0x7fa5a5a5u : 0x7fc3c3c3u);
+        stream.fill(memory, 0, whole.bytes / 4 * 4, device().is_host() ? 0x7fa5a5a5u : 0x7fc3c3c3u);
+    return memory;
+}
+
+Memory Commands::adopt(Memory memory, const MemoryDescription& description) const {
+    const std::shared_ptr<detail::DeviceObject> device = stream("Commands::adopt").device();
+    detail::check_part(device.get(), memory, detail::whole_description(description));
     return memory;
 }
 
 void Commands::fill(const Memory& memory, std::uint64_t offset, std::uint64_t bytes, std::uint32_t value) const {
-    check_range(stream_->device().get(), memory, offset, bytes, "Commands::fill");
+    detail::Stream& stream = this->stream("Commands::fill");
+    check_range(stream.device().get(), memory, offset, bytes, "Commands::fill");
     if (offset % 4 || bytes % 4) {
-        throw Error(ErrorCode::wrong_argument, "a fill is not of whole 4-byte words", "Commands::fill");
+        throw Error(ErrorCode::wrong_argument, "a fill is not of whole 4-byte words", "Commands::fill",
+                    std::to_string(bytes) + " bytes at " + std::to_string(offset),
+                    "pass an offset and a number of bytes that are multiples of 4");
     }
-    if (bytes) stream_->fill(memory, offset, bytes, value);
+    if (bytes) stream.fill(memory, offset, bytes, value);
 }
 
 void Commands::copy(const Memory& from, const Memory& to, std::span<const CopyRegion> regions) const {
-    const auto device = stream_->device();
+    detail::Stream& stream = this->stream("Commands::copy");
+    const auto device = stream.device();
+    check_range(device.get(), from, 0, 0, "Commands::copy");
+    check_range(device.get(), to, 0, 0, "Commands::copy");
     for (const CopyRegion& region : regions) {
         check_range(device.get(), from, region.from, region.bytes, "Commands::copy");
         check_range(device.get(), to, region.to, region.bytes, "Commands::copy");
@@ -107,7 +143,7 @@ void Commands::copy(const Memory& from, const Memory& to, std::span<const CopyRe
             }
         }
     }
-    if (!regions.empty()) stream_->copy(from, to, regions);
+    if (!regions.empty()) stream.copy(from, to, regions);
 }
 
 void Commands::copy(const Memory& from, std::uint64_t from_offset, const Memory& to, std::uint64_t to_offset,
@@ -117,31 +153,36 @@ void Commands::copy(const Memory& from, std::uint64_t from_offset, const Memory&
 }
 
 void Commands::copy_to_image(const Memory& buffer, const Memory& image, std::span<const ImageRegion> regions) const {
-    const auto device = stream_->device();
+    detail::Stream& stream = this->stream("Commands::copy_to_image");
+    const auto device = stream.device();
     check_range(device.get(), buffer, 0, 0, "Commands::copy_to_image");
     check_image_regions(device.get(), image, regions, buffer.description().bytes, "Commands::copy_to_image");
-    if (!regions.empty()) stream_->copy_to_image(buffer, image, regions);
+    if (!regions.empty()) stream.copy_to_image(buffer, image, regions);
 }
 
 void Commands::copy_from_image(const Memory& image, const Memory& buffer, std::span<const ImageRegion> regions) const {
-    const auto device = stream_->device();
+    detail::Stream& stream = this->stream("Commands::copy_from_image");
+    const auto device = stream.device();
     check_range(device.get(), buffer, 0, 0, "Commands::copy_from_image");
     check_image_regions(device.get(), image, regions, buffer.description().bytes, "Commands::copy_from_image");
-    if (!regions.empty()) stream_->copy_from_image(image, buffer, regions);
+    if (!regions.empty()) stream.copy_from_image(image, buffer, regions);
 }
 
 void Commands::copy_images(const Memory& from, const Memory& to, std::span<const ImageCopyRegion> regions) const {
-    detail::check_image_copies(stream_->device().get(), from, to, regions);
-    if (!regions.empty()) stream_->copy_images(from, to, regions);
+    detail::Stream& stream = this->stream("Commands::copy_images");
+    detail::check_image_copies(stream.device().get(), from, to, regions);
+    if (!regions.empty()) stream.copy_images(from, to, regions);
 }
 
 void Commands::upload(const Memory& to, std::span<const CopyRegion> regions, std::span<const std::byte> bytes) const {
-    const auto device = stream_->device();
+    detail::Stream& stream = this->stream("Commands::upload");
+    const auto device = stream.device();
+    check_range(device.get(), to, 0, 0, "Commands::upload");
     for (const CopyRegion& region : regions) {
         check_range(device.get(), to, region.to, region.bytes, "Commands::upload");
     }
     detail::check_host_regions(regions, bytes.size(), true, "Commands::upload");
-    stream_->upload(to, regions, bytes);
+    stream.upload(to, regions, bytes);
 }
 
 void Commands::upload(const Memory& to, std::uint64_t offset, std::span<const std::byte> bytes) const {
@@ -151,17 +192,20 @@ void Commands::upload(const Memory& to, std::uint64_t offset, std::span<const st
 
 void Commands::upload_image(const Memory& image, std::span<const ImageRegion> regions,
                             std::span<const std::byte> bytes) const {
-    detail::check_image_regions(stream_->device().get(), image, regions, bytes.size(), "Commands::upload_image");
-    stream_->upload_image(image, regions, bytes);
+    detail::Stream& stream = this->stream("Commands::upload_image");
+    detail::check_image_regions(stream.device().get(), image, regions, bytes.size(), "Commands::upload_image");
+    stream.upload_image(image, regions, bytes);
 }
 
 Download Commands::download(const Memory& from, std::span<const CopyRegion> regions, std::uint64_t bytes) const {
-    const auto device = stream_->device();
+    detail::Stream& stream = this->stream("Commands::download");
+    const auto device = stream.device();
+    check_range(device.get(), from, 0, 0, "Commands::download");
     for (const CopyRegion& region : regions) {
         check_range(device.get(), from, region.from, region.bytes, "Commands::download");
     }
     detail::check_host_regions(regions, bytes, false, "Commands::download");
-    return Download(stream_->download(from, regions, bytes));
+    return Download(stream.download(from, regions, bytes));
 }
 
 Download Commands::download(const Memory& from, std::uint64_t offset, std::uint64_t bytes) const {
@@ -171,21 +215,26 @@ Download Commands::download(const Memory& from, std::uint64_t offset, std::uint6
 
 Download Commands::download_image(const Memory& image, std::span<const ImageRegion> regions,
                                   std::uint64_t bytes) const {
-    detail::check_image_regions(stream_->device().get(), image, regions, bytes, "Commands::download_image");
-    return Download(stream_->download_image(image, regions, bytes));
+    detail::Stream& stream = this->stream("Commands::download_image");
+    detail::check_image_regions(stream.device().get(), image, regions, bytes, "Commands::download_image");
+    return Download(stream.download_image(image, regions, bytes));
 }
 
-Timestamp Commands::timestamp() const { return Timestamp(stream_->timestamp()); }
-void Commands::flush() const { stream_->flush(); }
-void Commands::wait() const { stream_->wait(); }
+Timestamp Commands::timestamp() const { return Timestamp(stream("Commands::timestamp").timestamp()); }
+void Commands::flush() const { stream("Commands::flush").flush(); }
+void Commands::wait() const { stream("Commands::wait").wait(); }
 
 namespace detail {
 
 Memory Stream::allocate(const MemoryDescription& description) { return Memory(device()->allocate(description)); }
 
-Commands begin_recording(const Device& device) { return Commands(device.share()->begin_recording()); }
+Commands begin_recording(const Device& device) {
+    return Commands(shared_device(device, "Device::record")->begin_recording());
+}
 
-Device begin_measuring(const Device& device) { return Device(std::make_shared<MeasuringDevice>(device.share())); }
+Device begin_measuring(const Device& device) {
+    return Device(std::make_shared<MeasuringDevice>(shared_device(device, "Device::workspace_bytes")));
+}
 
 std::uint64_t measured_bytes(const Device& measuring) {
     return static_cast<const MeasuringDevice&>(*measuring.share()).workspace_bytes();

@@ -2,6 +2,7 @@
 #include "host/host_device.h"
 #include "measuring.h"
 #include "objects.h"
+#include "recording_scope.h"
 #include "vulkan/vulkan_device.h"
 
 #include <glift/commands.h>
@@ -19,7 +20,7 @@ MemoryObject::MemoryObject(std::shared_ptr<DeviceObject> device, const MemoryDes
 
 }  // namespace detail
 
-const MemoryDescription& Memory::description() const { return object_->description(); }
+const MemoryDescription& Memory::description() const { return object_.in("Memory::description").description(); }
 
 Device Device::open(std::string_view which) {
     if (which.empty()) {
@@ -29,15 +30,33 @@ Device Device::open(std::string_view which) {
     return Device(detail::open_vulkan_device(which));
 }
 
-const DeviceProperties& Device::properties() const { return object_->properties(); }
+const DeviceProperties& Device::properties() const { return object_.in("Device::properties").properties(); }
 
 Memory Device::allocate(const MemoryDescription& description) const {
-    return Memory(object_->allocate(detail::whole_description(description)));
+    return Memory(object_.in("Device::allocate").allocate(detail::whole_description(description)));
 }
 
 Commands Device::commands() const { return Commands(*this); }
-void Device::wait() const { object_->stream().wait(); }
-Statistics Device::statistics() const { return object_->statistics(); }
-std::vector<std::string> Device::validation_messages() const { return object_->validation_messages(); }
+
+void Device::wait() const {
+    detail::DeviceObject& device = object_.in("Device::wait");
+    detail::require_no_recording(device, "Device::wait");
+    device.stream().wait();
+}
+
+Statistics Device::statistics() const { return object_.in("Device::statistics").statistics(); }
+
+std::vector<std::string> Device::validation_messages() const {
+    return object_.in("Device::validation_messages").validation_messages();
+}
+
+namespace detail {
+
+const std::shared_ptr<DeviceObject>& shared_device(const Device& device, const char* call) {
+    if (!device) throw_empty_handle(call);
+    return device.share();
+}
+
+}  // namespace detail
 
 }  // namespace glift

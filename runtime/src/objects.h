@@ -8,6 +8,7 @@
 #include <glift/memory.h>
 #include <glift/recording.h>
 
+#include <atomic>
 #include <string>
 
 namespace glift::detail {
@@ -43,6 +44,7 @@ public:
 class RecordingObject {
 public:
     virtual ~RecordingObject() = default;
+    virtual DeviceObject& device() const = 0;
     virtual void submit() = 0;
     virtual std::uint64_t workspace_bytes() const = 0;
 };
@@ -76,6 +78,13 @@ public:
     virtual std::shared_ptr<TimestampObject> timestamp() = 0;
     virtual void flush() = 0;
     virtual void wait() = 0;
+
+    /// Takes nothing more from now on. May be asked from other threads than those that put things here.
+    void close() { closed_ = true; }
+    bool is_closed() const { return closed_; }
+
+private:
+    std::atomic<bool> closed_{false};
 };
 
 class DeviceObject : public std::enable_shared_from_this<DeviceObject> {
@@ -93,5 +102,8 @@ public:
     virtual Statistics statistics() = 0;
     virtual std::vector<std::string> validation_messages() = 0;
 };
+
+/// What stands behind the handle; throws where that is nothing.
+const std::shared_ptr<DeviceObject>& shared_device(const Device& device, const char* call);
 
 }  // namespace glift::detail

@@ -29,8 +29,17 @@ void throw_report(const Kernel& kernel, const StatusRecord& record) {
 }
 
 void throw_not_in_recording(const char* call) {
-    throw Error(ErrorCode::wrong_argument, "this call needs the device's own stream", call,
-                "a recording or a command buffer of the program has not run yet", "call it on the device instead");
+    throw Error(ErrorCode::wrong_argument, "this call cannot be recorded: it waits for the device, or submits", call,
+                "what a recording or a command buffer of the program holds has not run yet",
+                "call it on the device, outside of the body that is recorded");
+}
+
+void throw_closed(std::string where) {
+    throw Error(ErrorCode::wrong_argument, "commands were kept beyond the recording that they belong to",
+                std::move(where),
+                "a recording takes commands until the body of Device::record returns, a command buffer until "
+                "glift::vulkan::finish",
+                "use the device, glift::Commands(device), or record again");
 }
 
 void throw_missing_form(const Kernel& kernel, const char* form, const char* device) {

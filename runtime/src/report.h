@@ -1,7 +1,10 @@
 // Errors that a kernel reported through its StatusRecord, and those about where a call may stand.
 #pragma once
 
+#include <glift/commands.h>
 #include <glift/pass.h>
+
+#include <string>
 
 namespace glift::detail {
 
@@ -13,7 +16,8 @@ inline constexpr const char* loop_remedy =
 /// Throws loop_limit or out_of_range if the record says so.
 void throw_report(const Kernel& kernel, const StatusRecord& record);
 
-[[noreturn]] void throw_not_in_recording(const char* call);
+/// For commands that came after what they belong to was finished.
+[[noreturn]] void throw_closed(std::string where);
 [[noreturn]] void throw_missing_form(const Kernel& kernel, const char* form, const char* device);
 
 }  // namespace glift::detail

@@ -32,14 +32,18 @@ const char* kind_text(MemoryKind kind) {
     return "memory";
 }
 
-std::string memory_text(const MemoryDescription& description) {
-    std::string text = std::string("memory ") + (*description.name ? description.name : "without a name") + " (" +
-                       kind_text(description.kind);
+std::string shape_text(const MemoryDescription& description) {
+    std::string text = kind_text(description.kind);
     if (description.kind != MemoryKind::buffer) {
         text += " " + std::to_string(description.extent[0]) + " x " + std::to_string(description.extent[1]) + " x " +
                 std::to_string(description.extent[2]);
     }
-    return text + ", " + size_text(description.bytes) + ")";
+    return text + ", " + size_text(description.bytes);
+}
+
+std::string memory_text(const MemoryDescription& description) {
+    return std::string("memory ") + (*description.name ? description.name : "without a name") + " (" +
+           shape_text(description) + ")";
 }
 
 }  // namespace glift::detail

@@ -15,8 +15,8 @@ NameSet members_of_class(ir::StructureKind kind) {
     switch (kind) {
     case ir::StructureKind::stored:
         names.insert({"Address",   "Element",   "Structure", "box_description",  "check",   "copy_from", "copy_in",
-                      "copy_out",  "count",     "device",    "device_",          "element", "element_in_place",
-                      "fetch",     "fill",      "first",     "map",              "new_box", "place",     "read",
+                      "copy_out",  "count",     "device",    "device_",          "device_of", "element", "element_in_place",
+                      "fetch",     "fill",      "first",     "map",              "place",     "read",
                       "row_memory", "self",     "throw_count", "translate",      "write"});
         break;
     case ir::StructureKind::view: names.insert({"Address", "Element", "View", "first"}); break;

@@ -83,7 +83,7 @@ void print_accessors(Unit& unit, Writer& out, std::uint32_t index, const ClassNa
 
 void print_fields(Unit& unit, Writer& out, std::uint32_t index, const ClassNames& names, bool qualified) {
     const Structure& structure = unit.program.structures[index];
-    if (structure.kind == StructureKind::adaptor) out.line("std::optional<glift::Device> device_;");
+    if (structure.kind == StructureKind::adaptor) out.line("glift::Device device_;");
     for (std::size_t i = 0; i < structure.constructor.size(); ++i)
         out.line(unit.type(unit.program.locals[structure.constructor[i]].type, qualified) + " " + names.argument_fields[i] +
                  "{};");
@@ -111,22 +111,23 @@ bool has_parts(const Structure& structure) {
     return structure.kind == StructureKind::stored && (!structure.memories.empty() || !structure.members.empty());
 }
 
-std::string memory_allocation(Unit& unit, Printer& p, std::uint32_t index, std::size_t i, const ClassNames& names) {
+/// What a memory is to be, as a glift::MemoryDescription.
+std::string memory_description(Unit& unit, Printer& p, std::uint32_t index, std::size_t i, const ClassNames& names) {
     const ir::Memory& memory = unit.program.structures[index].memories[i];
     const std::string& extent = names.extent_fields[i];
-    std::string text = "commands.allocate({.name = " + quoted(unit.class_name(index) + "." + unit.name(memory.name));
+    std::string text = "{.name = " + quoted(unit.class_name(index) + "." + unit.name(memory.name));
     const std::string mips = memory.mips ? ", .mips = " + print_any(p, memory.mips) : "";
     switch (memory.shape) {
     case ir::MemoryShape::buffer:
         return text + ", .bytes = glift::buffer_bytes<" + storage_text(unit.globals, memory.element) + ">(" + extent +
-               ")})";
+               ")}";
     case ir::MemoryShape::image1d: text += ", .kind = glift::MemoryKind::image1d"; break;
     case ir::MemoryShape::image2d: text += ", .kind = glift::MemoryKind::image2d"; break;
     case ir::MemoryShape::image3d: text += ", .kind = glift::MemoryKind::image3d"; break;
     case ir::MemoryShape::imagecube: text += ", .kind = glift::MemoryKind::imagecube"; break;
     }
     return text + ", .format = glift::Format::" + std::string(format_name(memory.format)) +
-           ", .extent = glift::image_extent(" + extent + ")" + mips + "})";
+           ", .extent = glift::image_extent(" + extent + ")" + mips + "}";
 }
 
 /// A printer for expressions over the structure itself, within its class.
@@ -146,6 +147,22 @@ std::string member_value(Unit& unit, Printer& p, const ir::MemberStructure& memb
     return unit.class_name(member.structure) + "(" + arguments + ")";
 }
 
+/// Where a part exists already: the check that it was made as the structure would have made it.
+std::string adopted_part(Unit& unit, Printer& p, std::uint32_t index, std::size_t i, const ClassNames& names) {
+    const ir::MemberStructure& member = unit.program.structures[index].members[i];
+    const ClassNames& made = unit.globals.class_names[member.structure];
+    std::string alike;
+    std::size_t value = 0;
+    for (ir::ExprId argument : member.arguments) {
+        const ir::TypeId type = unit.program.exprs[argument].type;
+        if (unit.program.types.kind(type) == ir::TypeKind::structure) continue;
+        alike += (alike.empty() ? "" : " && ") + names.members[i] + "." + made.arguments[value++] +
+                 "() == " + print(p, argument, Level::relation);
+    }
+    return "glift::detail::part(std::move(" + names.members[i] + "), " + (alike.empty() ? "true" : alike) + ", \"" +
+           unit.class_name(index) + "." + names.members[i] + "\")";
+}
+
 void print_constructors(Unit& unit, Writer& out, std::uint32_t index, const ClassNames& names) {
     const Structure& structure = unit.program.structures[index];
     const std::string& type = unit.class_name(index);
@@ -158,16 +175,16 @@ void print_constructors(Unit& unit, Writer& out, std::uint32_t index, const Clas
             initialisers.push_back(names.argument_fields[i] + "(" + names.arguments[i] + ")");
         for (std::size_t i = 0; i < structure.members.size(); ++i) {
             const ir::MemberStructure& member = structure.members[i];
-            const std::string value = adopts                ? "std::move(" + names.members[i] + ")"
+            const std::string value = adopts                ? adopted_part(unit, p, index, i, names)
                                       : member.by_reference ? names.members[i]
                                                             : member_value(unit, p, member);
             initialisers.push_back(names.member_fields[i] + "(" + value + ")");
         }
         for (std::size_t i = 0; i < structure.memories.size(); ++i) {
             initialisers.push_back(names.extent_fields[i] + "(" + print_any(p, structure.memories[i].extent) + ")");
-            initialisers.push_back(
-                names.memory_fields[i] + "(" +
-                (adopts ? "std::move(" + names.memories[i] + ")" : memory_allocation(unit, p, index, i, names)) + ")");
+            initialisers.push_back(names.memory_fields[i] + "(commands." +
+                                   (adopts ? "adopt(std::move(" + names.memories[i] + "), " : "allocate(") +
+                                   memory_description(unit, p, index, i, names) + "))");
         }
         for (std::size_t i = 0; i < structure.host.size(); ++i) {
             if (structure.host[i].initial)
@@ -263,7 +280,10 @@ void print_class(Unit& unit, Writer& out, std::uint32_t index, bool qualified) {
         out.line("/// The extent of the virtual domain.");
         out.line(unused + unit.type(structure.domain_type, qualified) + " domain() const;");
     } else {
-        out.line("const glift::Device& device() const { return *device_; }");
+        out.open("const glift::Device& device() const");
+        out.line("if (!device_) glift::detail::throw_empty_structure(type_name, \"device\");");
+        out.line("return device_;");
+        out.close();
     }
     print_accessors(unit, out, index, names, qualified);
     out.line("/// True if the two were made with equal arguments.");

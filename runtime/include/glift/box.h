@@ -60,6 +60,22 @@ struct Box {
                 "pass a box inside the domain");
 }
 
+[[noreturn]] inline void throw_outside_range(const char* name, const Box& box) {
+    throw Error(ErrorCode::wrong_argument,
+                std::string("a box lies outside the range of ") + name + " that it is taken from",
+                std::string(name) + "::range",
+                "it starts at " + text_of(box.origin, box.rank) + " and is " + text_of(box.size, box.rank) +
+                    " large, the range is " + text_of(box.domain, box.rank),
+                "pass a box inside the range; its addresses count from the range's origin");
+}
+
+/// For structures that were default-made or moved from.
+[[noreturn]] inline void throw_empty_structure(const char* type, const char* operation) {
+    throw Error(ErrorCode::wrong_argument, std::string("an empty ") + type + " was used",
+                std::string(type) + "::" + operation, "it was default-made, or moved from",
+                std::string("make it with a device first: ") + type + "(device, ...)");
+}
+
 }  // namespace detail
 
 }  // namespace glift

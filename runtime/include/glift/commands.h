@@ -6,8 +6,8 @@
 // download, and whenever much has been recorded.
 #pragma once
 
-#include <glift/api.h>
 #include <glift/device.h>
+#include <glift/handle.h>
 #include <glift/memory.h>
 #include <glift/pass.h>
 
@@ -24,6 +24,9 @@ namespace detail {
 class Stream;
 class DownloadObject;
 class TimestampObject;
+
+/// For calls that wait for the device.
+[[noreturn]] GLIFT_API void throw_not_in_recording(const char* call);
 }  // namespace detail
 
 /// Bytes `from` .. `from + bytes` of the source go to `to` .. of the target.
@@ -51,12 +54,13 @@ class GLIFT_API Download {
 public:
     Download() = default;
     explicit Download(std::shared_ptr<detail::DownloadObject> object) : object_(std::move(object)) {}
+    explicit operator bool() const { return bool(object_); }
 
     bool ready() const;                      ///< never waits
     std::span<const std::byte> get() const;  ///< waits for what the bytes depend on; valid while this handle lives
 
 private:
-    std::shared_ptr<detail::DownloadObject> object_;
+    detail::Held<detail::DownloadObject> object_;
 };
 
 /// A moment on the device's clock: when everything before it in the stream was done.
@@ -64,11 +68,12 @@ class GLIFT_API Timestamp {
 public:
     Timestamp() = default;
     explicit Timestamp(std::shared_ptr<detail::TimestampObject> object) : object_(std::move(object)) {}
+    explicit operator bool() const { return bool(object_); }
 
     double seconds() const;  ///< waits until it is reached; the zero is arbitrary
 
 private:
-    std::shared_ptr<detail::TimestampObject> object_;
+    detail::Held<detail::TimestampObject> object_;
 };
 
 /// `later - earlier`, in seconds.
@@ -77,13 +82,18 @@ inline double operator-(const Timestamp& later, const Timestamp& earlier) {
 }
 
 /// A cheap handle to a stream: a device's own, a recording in progress, or the user's VkCommandBuffer (vulkan.h).
-/// Generated functions take `const Commands&`, so that they can be called with a Device too.
+/// Generated functions take `const Commands&`, so that they can be called with a Device too. Those of a recording take
+/// commands until its body has run, those of a command buffer until vulkan::finish; then they throw.
 class GLIFT_API Commands {
 public:
-    Commands(const Device& device);  ///< the device's own stream
+    Commands(const Device& device);  ///< what Device::commands says
     explicit Commands(std::shared_ptr<detail::Stream> stream) : stream_(std::move(stream)) {}
+    explicit operator bool() const { return bool(stream_); }
 
     Device device() const;
+
+    /// Whether what is put here runs later, perhaps many times: in a recording, or in the user's command buffer.
+    bool is_recording() const;
 
     /// True if a call over these memories and this iteration size cannot take the direct form on this device: pack the
     /// general parameters then (pass.h).
@@ -106,6 +116,10 @@ public:
     /// Like Device::allocate. In a recording the memory is zeros again whenever a replay comes here, lies in the
     /// recording's workspace, and belongs to whatever comes later once its last handle is gone.
     Memory allocate(const MemoryDescription& description) const;
+
+    /// The memory, which is to stand where `allocate(description)` would. Throws wrong_argument unless it is of this
+    /// device, of the kind, format and extent described, and as large at least.
+    Memory adopt(Memory memory, const MemoryDescription& description) const;
 
     void fill(const Memory& memory, std::uint64_t offset, std::uint64_t bytes,
               std::uint32_t value = 0) const;  ///< multiples of 4
@@ -135,10 +149,14 @@ public:
     void flush() const;  ///< submits what is recorded
     void wait() const;   ///< submits and waits; throws what kernels reported (StatusRecord)
 
-    const std::shared_ptr<detail::Stream>& share() const { return stream_; }
+    const std::shared_ptr<detail::Stream>& share() const { return stream_.share(); }
 
 private:
-    std::shared_ptr<detail::Stream> stream_;
+    /// Throws where there is none, or where it takes no more commands.
+    detail::Stream& stream(const char* call) const;
+    detail::Stream& stream(const Kernel& kernel) const;
+
+    detail::Held<detail::Stream> stream_;
     std::shared_ptr<const std::vector<std::string>> specialised_;  ///< null: nothing is
     bool zeroes_ = true;                                           ///< what it allocates
 };

@@ -1,7 +1,7 @@
 // A device: a GPU, a CPU that runs Vulkan (lavapipe), or the host, which runs the kernels as compiled C++.
 #pragma once
 
-#include <glift/api.h>
+#include <glift/handle.h>
 #include <glift/memory.h>
 
 #include <array>
@@ -72,10 +72,13 @@ public:
     ///
     /// Other environment variables: GLIFT_VALIDATE=1 turns on the validation layer; GLIFT_CACHE_DIR says where
     /// compiled pipelines are kept (default: $XDG_CACHE_HOME/glift or ~/.cache/glift; empty: nowhere);
-    /// GLIFT_MEMORY_LIMIT caps the bytes taken from the device; GLIFT_VULKAN_LOADER names the loader library.
+    /// GLIFT_MEMORY_LIMIT caps the bytes taken from the device (`500000`, `64K`, `512M`, `2G`, `1T`: powers of 1024);
+    /// GLIFT_VULKAN_LOADER names the loader library; GLIFT_QUIET=1 silences messages (log.h).
     static Device open(std::string_view which = {});
 
+    Device() = default;  ///< an empty handle
     explicit Device(std::shared_ptr<detail::DeviceObject> object) : object_(std::move(object)) {}
+    explicit operator bool() const { return bool(object_); }
 
     const DeviceProperties& properties() const;
     bool is_host() const { return properties().kind == DeviceKind::host; }
@@ -83,7 +86,9 @@ public:
     /// Throws out_of_memory or too_large, with the sizes.
     Memory allocate(const MemoryDescription& description) const;
 
-    /// The device's own stream: everything put there happens in order. See commands.h.
+    /// The device's own stream: everything put there happens in order. Within a body of `record` or
+    /// `workspace_bytes`, on the thread that runs it, what is asked of the device goes where the body's commands go.
+    /// See commands.h.
     Commands commands() const;
 
     /// Captures what body(Commands&) does, to be submitted any number of times. See recording.h.
@@ -102,10 +107,10 @@ public:
     std::vector<std::string> validation_messages() const;
 
     bool operator==(const Device&) const = default;
-    const std::shared_ptr<detail::DeviceObject>& share() const { return object_; }
+    const std::shared_ptr<detail::DeviceObject>& share() const { return object_.share(); }
 
 private:
-    std::shared_ptr<detail::DeviceObject> object_;
+    detail::Held<detail::DeviceObject> object_;
 };
 
 }  // namespace glift

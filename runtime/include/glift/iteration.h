@@ -36,6 +36,7 @@ public:
         if (range.is_whole()) {
             box.origin = first_.origin;
             box.size = first_.size;
+            if (!box.is_inside()) throw_small(first_, box);
         } else if (box.size != first_.size) {
             throw_sizes(first_, box);
         }
@@ -87,6 +88,15 @@ private:
                     a.name + (" is " + detail::text_of(a.size, a.rank)) + " and " + b.name + " is " +
                         detail::text_of(b.size, b.rank),
                     "pass ranges of one size: all of each structure, or boxes made with range(origin, size)");
+    }
+
+    [[noreturn]] void throw_small(const detail::Box& visited, const detail::Box& around) const {
+        throw Error(ErrorCode::wrong_argument, "structures of different sizes", where(),
+                    std::string("the domain of ") + around.name + " is " + detail::text_of(around.domain, around.rank) +
+                        ", too small to look around what is visited: " + visited.name + ", " +
+                        detail::text_of(visited.size, visited.rank) + " from " +
+                        detail::text_of(visited.origin, visited.rank) + " on",
+                    "pass structures of one size, or boxes of one size made with range(origin, size)");
     }
 
     /// A word for each axis.

@@ -1,7 +1,7 @@
 // Physical memory: a buffer or an image on a device, shared by whoever holds the handle.
 #pragma once
 
-#include <glift/api.h>
+#include <glift/handle.h>
 
 #include <array>
 #include <cstddef>
@@ -58,19 +58,19 @@ class MemoryObject;
 /// sixteen, and at least sixteen bytes.
 class GLIFT_API Memory {
 public:
-    Memory() = default;
+    Memory() = default;  ///< an empty handle
     explicit Memory(std::shared_ptr<detail::MemoryObject> object) : object_(std::move(object)) {}
 
     const MemoryDescription& description() const;  ///< images: bytes is filled in, all mips and faces together
     std::array<std::uint32_t, 3> extent() const { return description().extent; }
-    explicit operator bool() const { return object_ != nullptr; }
+    explicit operator bool() const { return bool(object_); }
     bool operator==(const Memory&) const = default;
 
-    detail::MemoryObject* object() const { return object_.get(); }
-    const std::shared_ptr<detail::MemoryObject>& share() const { return object_; }
+    detail::MemoryObject* object() const { return object_.share().get(); }
+    const std::shared_ptr<detail::MemoryObject>& share() const { return object_.share(); }
 
 private:
-    std::shared_ptr<detail::MemoryObject> object_;
+    detail::Held<detail::MemoryObject> object_;
 };
 
 /// A memory as host kernels see it.

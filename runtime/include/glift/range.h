@@ -40,19 +40,22 @@ struct DeviceCount {
 
 }  // namespace detail
 
-/// A box of a structure of type S, or all of it. Holds on to the structure by address.
+/// A box of a structure of type S, or all of it. Shares the structure's memory, which lives as long.
 template <class S> class Range {
 public:
     using Address = typename S::Address;
 
-    Range(const S& structure) : structure_(&structure), size_(structure.domain()), whole_(true) {}
-    Range(const S& structure, Address origin, Address size) : structure_(&structure), origin_(origin), size_(size) {}
+    Range() = default;
+    Range(const S& structure) : structure_(structure), size_(structure.domain()), whole_(true) {}
+    Range(const S& structure, Address origin, Address size) : structure_(structure), origin_(origin), size_(size) {}
     /// As many elements along each axis as a value on the device says, `size` at most.
     Range(const S& structure, Address origin, Address size, DeviceScalar<Address> count)
-        : structure_(&structure), origin_(origin), size_(size), counts_{{std::move(count), {}}} {}
+        : structure_(structure), origin_(origin), size_(size), counts_{{std::move(count), {}}} {}
+    Range(const S& structure, Address origin, Address size, std::vector<detail::DeviceCount> counts)
+        : structure_(structure), origin_(origin), size_(size), counts_(std::move(counts)) {}
 
-    const S& structure() const { return *structure_; }
-    const S* operator->() const { return structure_; }
+    const S& structure() const { return structure_; }
+    const S* operator->() const { return &structure_; }
     Address origin() const { return origin_; }
     Address size() const { return size_; }
     bool is_whole() const { return whole_; }
@@ -61,7 +64,8 @@ public:
 
     /// A box of this box.
     Range range(Address origin, Address size) const {
-        Range part(*structure_, origin_ + origin, size);
+        require_inside(origin, size);
+        Range part(structure_, origin_ + origin, size);
         part.counts_ = counts_;
         const Extent first = detail::extent_of(origin, 0);
         for (detail::DeviceCount& count : part.counts_)
@@ -70,24 +74,32 @@ public:
     }
     /// As many elements from the first on, along each axis, as a value on the device says, all at most.
     Range first(DeviceScalar<Address> count) const {
-        Range part(*structure_, origin_, size_);
+        Range part(structure_, origin_, size_);
         part.counts_ = counts_;
         part.counts_.push_back({std::move(count), {}});
         return part;
     }
     /// An element of the box, left on the device.
     auto element_in_place(const Commands& commands, Address address) const {
-        return structure_->element_in_place(commands, origin_ + address);
+        require_inside(address, Address(1));
+        return structure_.element_in_place(commands, origin_ + address);
     }
     auto element(const Commands& commands, Address address) const {
-        return structure_->element(commands, origin_ + address);
+        require_inside(address, Address(1));
+        return structure_.element(commands, origin_ + address);
     }
-    std::vector<typename S::Element> read() const { return structure_->read(origin_, size_); }
+    std::vector<typename S::Element> read() const { return structure_.read(origin_, size_); }
 
 private:
-    const S* structure_;
+    void require_inside(Address origin, Address size) const {
+        const detail::Box box{S::type_name, detail::Axes<Address>::count, detail::extent_of(origin, 0),
+                              detail::extent_of(size), detail::extent_of(size_)};
+        if (!box.is_inside()) detail::throw_outside_range(S::type_name, box);
+    }
+
+    S structure_;
     Address origin_{};
-    Address size_;
+    Address size_{};
     std::vector<detail::DeviceCount> counts_;
     bool whole_ = false;
 };

@@ -21,6 +21,7 @@ class GLIFT_API Recording {
 public:
     Recording() = default;
     explicit Recording(std::shared_ptr<detail::RecordingObject> object) : object_(std::move(object)) {}
+    explicit operator bool() const { return bool(object_); }
 
     /// One submission, in order with the device's own stream; may be called again at once.
     void submit() const;
@@ -29,7 +30,7 @@ public:
     std::uint64_t workspace_bytes() const;
 
 private:
-    std::shared_ptr<detail::RecordingObject> object_;
+    detail::Held<detail::RecordingObject> object_;
 };
 
 namespace detail {
@@ -37,10 +38,21 @@ GLIFT_API Commands begin_recording(const Device& device);
 GLIFT_API Recording end_recording(const Commands& commands);
 GLIFT_API Device begin_measuring(const Device& device);
 GLIFT_API std::uint64_t measured_bytes(const Device& measuring);
+
+/// The time of a body of Device::record or Device::workspace_bytes. While it lasts, what this thread asks of the device
+/// goes into the commands; afterwards the commands take nothing more.
+class GLIFT_API RecordingScope {
+public:
+    RecordingScope(const Device& device, const Commands& commands);
+    ~RecordingScope();
+    RecordingScope(const RecordingScope&) = delete;
+    RecordingScope& operator=(const RecordingScope&) = delete;
+};
 }  // namespace detail
 
 template <class Body> Recording Device::record(Body&& body) const {
     const Commands commands = detail::begin_recording(*this);
+    const detail::RecordingScope scope(*this, commands);
     body(commands);
     return detail::end_recording(commands);
 }
@@ -48,6 +60,7 @@ template <class Body> Recording Device::record(Body&& body) const {
 template <class Body> std::uint64_t Device::workspace_bytes(Body&& body) const {
     const Device measuring = detail::begin_measuring(*this);
     const Commands commands = measuring.commands();
+    const detail::RecordingScope scope(*this, commands);
     body(commands);
     return detail::measured_bytes(measuring);
 }

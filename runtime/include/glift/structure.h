@@ -2,6 +2,7 @@
 #pragma once
 
 #include <glift/iteration.h>
+#include <glift/mapped.h>
 #include <glift/range.h>
 
 #include <algorithm>
@@ -16,38 +17,6 @@
 #include <vector>
 
 namespace glift {
-
-/// A box of elements on the host, written back to the structure when it is unmapped or goes out of scope.
-template <class S> class Mapped {
-public:
-    using Address = typename S::Address;
-    using Element = typename S::Element;
-
-    Mapped(S& structure, Address origin, Address size)
-        : structure_(&structure), origin_(origin), size_(size), values_(structure.read(origin, size)) {}
-    Mapped(Mapped&& other) noexcept
-        : structure_(std::exchange(other.structure_, nullptr)), origin_(other.origin_), size_(other.size_),
-          values_(std::move(other.values_)) {}
-    Mapped& operator=(Mapped&&) = delete;
-    ~Mapped() { unmap(); }
-
-    /// By address in the box: the origin is zero.
-    Element& operator[](Address address) {
-        const Extent a = detail::extent_of(address, 0), n = detail::extent_of(size_);
-        return values_[((std::size_t{a[3]} * n[2] + a[2]) * n[1] + a[1]) * n[0] + a[0]];
-    }
-    std::span<Element> values() { return values_; }
-    Address size() const { return size_; }
-
-    void unmap() {
-        if (S* structure = std::exchange(structure_, nullptr)) structure->write(origin_, size_, values_);
-    }
-
-private:
-    S* structure_;
-    Address origin_, size_;
-    std::vector<Element> values_;
-};
 
 namespace detail {
 
@@ -95,6 +64,14 @@ template <class S> std::optional<std::vector<CopyRegion>> rows_of(const S& struc
     return regions;
 }
 
+/// A structure that is to be a part of another, which would have made it with the same arguments.
+template <class S> S&& part(S&& made, bool alike, const char* name) {
+    if constexpr (requires { made.device(); }) (void)made.device();
+    if (alike) return std::move(made);
+    throw Error(ErrorCode::wrong_argument, "a part was made with other arguments than the structure would make it with",
+                name, {}, "make it with the arguments that the structure's declaration gives it");
+}
+
 }  // namespace detail
 
 /// The bytes of a buffer with this many elements; never none, so that an empty structure has a memory too.
@@ -128,25 +105,24 @@ public:
 };
 
 /// The base of a generated structure `Self` with virtual addresses of type A and elements of type T. Copies of a
-/// structure share its memory. Values of a box are in row-major order, x running fastest.
+/// structure share its memory. Values of a box are in row-major order, x running fastest. Within a body of
+/// Device::record `write`, `fill` and `copy_from` are recorded, and `read` and `map` throw, since they wait.
 template <class Self, class A, class T> class Structure {
 public:
     using Address = A;
     using Element = T;
 
-    const Device& device() const { return *device_; }
-    explicit operator bool() const { return device_.has_value(); }
+    const Device& device() const { return device_of("device"); }
+    explicit operator bool() const { return bool(device_); }
 
     Range<Self> range(A origin, A size) const {
-        const Range<Self> range(self(), origin, size);
-        check("range", range);
-        return range;
+        check("range", origin, size);
+        return Range<Self>(self(), origin, size);
     }
 
     /// From the host to the device; the values are copied before the call returns.
     void write(A origin, A size, std::span<const T> values) {
-        const Range<Self> range(self(), origin, size);
-        check("write", range);
+        check("write", origin, size);
         if (values.size() != count(size)) throw_count(values.size(), size);
         if (values.empty()) return;
         const Commands commands(device());
@@ -154,19 +130,18 @@ public:
             if (const auto rows = detail::rows_of(self(), origin, size))
                 return commands.upload(self().row_memory(), *rows, std::as_bytes(values));
         }
-        const Memory box = new_box(values.size_bytes());
+        const Memory box = commands.allocate(box_description(values.size_bytes()));
         commands.upload(box, 0, std::as_bytes(values));
-        self().copy_in(commands, range, box);
+        self().copy_in(commands, Range<Self>(self(), origin, size), box);
     }
     void write(std::span<const T> values) { write({}, self().domain(), values); }
 
     /// Waits for what the box depends on, no more.
     std::vector<T> read(A origin, A size) const {
-        const Range<Self> range(self(), origin, size);
-        check("read", range);
+        check("read", origin, size);
         std::vector<T> values(count(size));
         if (values.empty()) return values;
-        const Download download = fetch(range, values.size() * sizeof(T));
+        const Download download = fetch(origin, size, values.size() * sizeof(T));
         std::memcpy(values.data(), download.get().data(), values.size() * sizeof(T));
         return values;
     }
@@ -175,7 +150,7 @@ public:
     /// One element where it lies, left on the device: what it is when it is used, which may be later.
     DeviceScalar<T> element_in_place(const Commands& commands, A address) const {
         if constexpr (detail::HasRows<Self>) {
-            check("element", Range<Self>(self(), address, A(1)));
+            check("element", address, A(1));
             return {self().row_memory(), self().place(address) * sizeof(T)};
         } else {
             return element(commands, address);
@@ -183,10 +158,9 @@ public:
     }
     /// One element as it is now, left on the device.
     DeviceScalar<T> element(const Commands& commands, A address) const {
-        const Range<Self> range(self(), address, A(1));
-        check("element", range);
+        check("element", address, A(1));
         const Memory box = commands.allocate(box_description(sizeof(T)));
-        self().copy_out(commands, range, box);
+        self().copy_out(commands, Range<Self>(self(), address, A(1)), box);
         return {box, 0};
     }
     /// As many elements from the first on, along each axis, as a value on the device says.
@@ -197,15 +171,15 @@ public:
         static_assert(std::is_same_v<typename Other::Element, T>);
         static_assert(std::is_same_v<typename Other::Address, A>);
         const A size = from.size();
-        const Range<Self> to(self(), to_origin, size);
-        check("copy_from", to);
+        check("copy_from", to_origin, size);
         if (count(size) == 0) return;
         const Commands commands(device());
-        const Memory box = new_box(count(size) * sizeof(T));
+        const Memory box = commands.allocate(box_description(count(size) * sizeof(T)));
         from->copy_out(commands, from, box);
-        self().copy_in(commands, to, box);
+        self().copy_in(commands, Range<Self>(self(), to_origin, size, from.device_counts()), box);
     }
 
+    /// Waits as `read` does.
     Mapped<Self> map(A origin, A size) { return {self(), origin, size}; }
     Mapped<Self> map() { return {self(), {}, self().domain()}; }
 
@@ -220,26 +194,31 @@ private:
         return static_cast<std::size_t>(detail::volume_of(detail::extent_of(size)));
     }
 
-    Download fetch(const Range<Self>& range, std::size_t bytes) const {
+    Download fetch(A origin, A size, std::size_t bytes) const {
         const Commands commands(device());
+        if (commands.is_recording()) detail::throw_not_in_recording((std::string(Self::type_name) + "::read").c_str());
         if constexpr (detail::HasRows<Self>) {
-            if (auto rows = detail::rows_of(self(), range.origin(), range.size())) {
+            if (auto rows = detail::rows_of(self(), origin, size)) {
                 for (CopyRegion& row : *rows) std::swap(row.from, row.to);
                 return commands.download(self().row_memory(), *rows, bytes);
             }
         }
-        const Memory box = new_box(bytes);
-        self().copy_out(commands, range, box);
+        const Memory box = commands.allocate(box_description(bytes));
+        self().copy_out(commands, Range<Self>(self(), origin, size), box);
         return commands.download(box, 0, bytes);
     }
 
     static MemoryDescription box_description(std::size_t bytes) {
         return {.name = "box", .bytes = (bytes + 3) / 4 * 4, .zeroed = false};
     }
-    Memory new_box(std::size_t bytes) const { return device().allocate(box_description(bytes)); }
-    void check(const char* operation, const Range<Self>& range) const {
-        const detail::Box box{Self::type_name, detail::Axes<A>::count, detail::extent_of(range.origin(), 0),
-                              detail::extent_of(range.size()), detail::extent_of(self().domain())};
+    const Device& device_of(const char* operation) const {
+        if (!device_) detail::throw_empty_structure(Self::type_name, operation);
+        return device_;
+    }
+    void check(const char* operation, A origin, A size) const {
+        device_of(operation);
+        const detail::Box box{Self::type_name, detail::Axes<A>::count, detail::extent_of(origin, 0),
+                              detail::extent_of(size), detail::extent_of(self().domain())};
         if (!box.is_inside()) detail::throw_outside(std::string(Self::type_name) + "::" + operation, box);
     }
     [[noreturn]] void throw_count(std::size_t given, const A& size) const {
@@ -250,7 +229,7 @@ private:
                     "pass one value an element");
     }
 
-    std::optional<Device> device_;
+    Device device_;
 };
 
 }  // namespace glift

@@ -1,5 +1,6 @@
 #include "host_memory.h"
 
+#include "../environment.h"
 #include "../text.h"
 
 #include <glift/error.h>
@@ -11,12 +12,6 @@ namespace glift::detail {
 namespace {
 
 constexpr std::uint64_t alignment = 64;
-
-// A cap for tests and for those who share a machine; the same variable caps Vulkan devices.
-std::uint64_t memory_limit() {
-    const char* text = std::getenv("GLIFT_MEMORY_LIMIT");
-    return text ? std::strtoull(text, nullptr, 10) : unlimited;
-}
 
 }  // namespace
 

@@ -27,8 +27,10 @@ public:
         : device_(std::move(device)), steps_(std::move(steps)), workspace_(std::move(workspace)),
           workspace_bytes_(workspace_bytes) {}
 
+    DeviceObject& device() const override { return *device_; }
     void submit() override {
         auto& stream = static_cast<HostStream&>(device_->stream());
+        const auto lock = stream.lock();
         for (const auto& step : steps_) step(stream);
     }
     std::uint64_t workspace_bytes() const override { return workspace_bytes_; }
@@ -42,7 +44,14 @@ private:
 
 }  // namespace
 
+void HostRecordingStream::note(std::function<void(HostStream&)> step) {
+    const auto held = lock();
+    if (is_closed()) throw_closed("Commands");
+    steps_.push_back(std::move(step));
+}
+
 Memory HostRecordingStream::allocate(const MemoryDescription& description) {
+    const auto held = lock();
     const Workspace::Place place = workspace_->take(device_.storage_needs(description));
     if (place.is_new_block) blocks_.push_back(std::make_shared<HostStorage>(place.bytes, description, counters_));
     auto object = std::make_shared<HostMemoryObject>(keep_, description, blocks_[place.block], place.offset, counters_);
@@ -51,55 +60,52 @@ Memory HostRecordingStream::allocate(const MemoryDescription& description) {
 
 void HostRecordingStream::dispatch(const Kernel& kernel, const Call& call) {
     check_call(&device_, kernel, call);
-    steps_.push_back([&kernel, form = call.form, memories = kept_all(call.memories),
-                      parameters = copied(call.parameters), size = call.size,
-                      patches = kept_all(call.patches)](HostStream& stream) {
+    note([&kernel, form = call.form, memories = kept_all(call.memories), parameters = copied(call.parameters),
+          size = call.size, patches = kept_all(call.patches)](HostStream& stream) {
         stream.dispatch(kernel, {form, memories, parameters, size, patches});
     });
 }
 
 void HostRecordingStream::fill(const Memory& memory, std::uint64_t offset, std::uint64_t bytes, std::uint32_t value) {
-    steps_.push_back([=, memory = kept(memory)](HostStream& stream) { stream.fill(memory, offset, bytes, value); });
+    note([=, memory = kept(memory)](HostStream& stream) { stream.fill(memory, offset, bytes, value); });
 }
 
 void HostRecordingStream::clear(const Memory& memory) {
-    steps_.push_back([memory = kept(memory)](HostStream& stream) { stream.clear(memory); });
+    note([memory = kept(memory)](HostStream& stream) { stream.clear(memory); });
 }
 
 void HostRecordingStream::copy(const Memory& from, const Memory& to, std::span<const CopyRegion> regions) {
-    steps_.push_back(
-        [from = kept(from), to = kept(to), r = copied(regions)](HostStream& stream) { stream.copy(from, to, r); });
+    note([from = kept(from), to = kept(to), r = copied(regions)](HostStream& stream) { stream.copy(from, to, r); });
 }
 
 void HostRecordingStream::copy_to_image(const Memory& buffer, const Memory& image,
                                         std::span<const ImageRegion> regions) {
-    steps_.push_back([buffer = kept(buffer), image = kept(image), r = copied(regions)](HostStream& stream) {
+    note([buffer = kept(buffer), image = kept(image), r = copied(regions)](HostStream& stream) {
         stream.copy_to_image(buffer, image, r);
     });
 }
 
 void HostRecordingStream::copy_from_image(const Memory& image, const Memory& buffer,
                                           std::span<const ImageRegion> regions) {
-    steps_.push_back([buffer = kept(buffer), image = kept(image), r = copied(regions)](HostStream& stream) {
+    note([buffer = kept(buffer), image = kept(image), r = copied(regions)](HostStream& stream) {
         stream.copy_from_image(image, buffer, r);
     });
 }
 
 void HostRecordingStream::copy_images(const Memory& from, const Memory& to, std::span<const ImageCopyRegion> regions) {
-    steps_.push_back([from = kept(from), to = kept(to), r = copied(regions)](HostStream& stream) {
+    note([from = kept(from), to = kept(to), r = copied(regions)](HostStream& stream) {
         stream.copy_images(from, to, r);
     });
 }
 
 void HostRecordingStream::upload(const Memory& to, std::span<const CopyRegion> regions,
                                  std::span<const std::byte> bytes) {
-    steps_.push_back(
-        [to = kept(to), r = copied(regions), b = copied(bytes)](HostStream& stream) { stream.upload(to, r, b); });
+    note([to = kept(to), r = copied(regions), b = copied(bytes)](HostStream& stream) { stream.upload(to, r, b); });
 }
 
 void HostRecordingStream::upload_image(const Memory& image, std::span<const ImageRegion> regions,
                                        std::span<const std::byte> bytes) {
-    steps_.push_back([image = kept(image), r = copied(regions), b = copied(bytes)](HostStream& stream) {
+    note([image = kept(image), r = copied(regions), b = copied(bytes)](HostStream& stream) {
         stream.upload_image(image, r, b);
     });
 }
@@ -119,6 +125,8 @@ void HostRecordingStream::flush() { throw_not_in_recording("Commands::flush"); }
 void HostRecordingStream::wait() { throw_not_in_recording("Commands::wait"); }
 
 std::shared_ptr<RecordingObject> HostRecordingStream::finish() {
+    const auto held = lock();
+    close();
     return std::make_shared<HostRecording>(keep_, std::move(steps_), std::move(blocks_), workspace_->bytes());
 }
 

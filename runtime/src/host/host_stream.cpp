@@ -83,6 +83,7 @@ constexpr std::size_t small_count = 16;
 }  // namespace
 
 void HostStream::dispatch(const Kernel& kernel, const Call& call) {
+    const auto held = lock();
     check_call(&device_, kernel, call);
     const bool direct = call.form == FormName::direct;
     const Form& form = direct ? kernel.direct : kernel.general;
@@ -109,21 +110,25 @@ void HostStream::dispatch(const Kernel& kernel, const Call& call) {
 }
 
 void HostStream::fill(const Memory& memory, std::uint64_t offset, std::uint64_t bytes, std::uint32_t value) {
+    const auto held = lock();
     auto* words = reinterpret_cast<std::uint32_t*>(host_memory(memory).data() + offset);
     std::fill(words, words + bytes / 4, value);
 }
 
 void HostStream::clear(const Memory& memory) {
+    const auto held = lock();
     std::memset(host_memory(memory).data(), 0, memory.object()->description().bytes);
 }
 
 void HostStream::copy(const Memory& from, const Memory& to, std::span<const CopyRegion> regions) {
+    const auto held = lock();
     for (const CopyRegion& r : regions) {
         std::memcpy(host_memory(to).data() + r.to, host_memory(from).data() + r.from, r.bytes);
     }
 }
 
 void HostStream::copy_to_image(const Memory& buffer, const Memory& image, std::span<const ImageRegion> regions) {
+    const auto held = lock();
     const std::byte* packed = host_memory(buffer).data();
     each_row(image, regions, [&](std::byte* texels, std::uint64_t offset, std::uint64_t length) {
         std::memcpy(texels, packed + offset, length);
@@ -131,6 +136,7 @@ void HostStream::copy_to_image(const Memory& buffer, const Memory& image, std::s
 }
 
 void HostStream::copy_from_image(const Memory& image, const Memory& buffer, std::span<const ImageRegion> regions) {
+    const auto held = lock();
     std::byte* packed = host_memory(buffer).data();
     each_row(image, regions, [&](std::byte* texels, std::uint64_t offset, std::uint64_t length) {
         std::memcpy(packed + offset, texels, length);
@@ -138,6 +144,7 @@ void HostStream::copy_from_image(const Memory& image, const Memory& buffer, std:
 }
 
 void HostStream::copy_images(const Memory& from, const Memory& to, std::span<const ImageCopyRegion> regions) {
+    const auto held = lock();
     const std::uint64_t texel = texel_bytes(from.description().format);
     for (const ImageCopyRegion& r : regions) {
         for (std::uint32_t z = 0; z < r.extent[2]; ++z) {
@@ -151,11 +158,13 @@ void HostStream::copy_images(const Memory& from, const Memory& to, std::span<con
 }
 
 void HostStream::upload(const Memory& to, std::span<const CopyRegion> regions, std::span<const std::byte> bytes) {
+    const auto held = lock();
     for (const CopyRegion& r : regions) copy_bytes(host_memory(to).data() + r.to, bytes.data() + r.from, r.bytes);
 }
 
 void HostStream::upload_image(const Memory& image, std::span<const ImageRegion> regions,
                               std::span<const std::byte> bytes) {
+    const auto held = lock();
     each_row(image, regions, [&](std::byte* texels, std::uint64_t offset, std::uint64_t length) {
         std::memcpy(texels, bytes.data() + offset, length);
     });
@@ -163,6 +172,7 @@ void HostStream::upload_image(const Memory& image, std::span<const ImageRegion> 
 
 std::shared_ptr<DownloadObject> HostStream::download(const Memory& from, std::span<const CopyRegion> regions,
                                                      std::uint64_t count) {
+    const auto held = lock();
     std::vector<std::byte> bytes(count);
     for (const CopyRegion& r : regions) copy_bytes(bytes.data() + r.to, host_memory(from).data() + r.from, r.bytes);
     return std::make_shared<HostDownload>(std::move(bytes));
@@ -170,6 +180,7 @@ std::shared_ptr<DownloadObject> HostStream::download(const Memory& from, std::sp
 
 std::shared_ptr<DownloadObject> HostStream::download_image(const Memory& image, std::span<const ImageRegion> regions,
                                                            std::uint64_t count) {
+    const auto held = lock();
     std::vector<std::byte> bytes(count);
     each_row(image, regions, [&](std::byte* texels, std::uint64_t offset, std::uint64_t length) {
         std::memcpy(bytes.data() + offset, texels, length);

@@ -4,10 +4,12 @@
 #include "host_memory.h"
 
 #include <functional>
+#include <mutex>
 #include <vector>
 
 namespace glift::detail {
 
+/// Threads come one after the other: what is put here happens as if in one order.
 class HostStream : public Stream {
 public:
     HostStream(DeviceObject& device, HostCounters& counters) : device_(device), counters_(counters) {}
@@ -34,9 +36,15 @@ public:
     void flush() override {}
     void wait() override {}
 
+    /// Held for as long as what is to happen without anything between.
+    std::unique_lock<std::recursive_mutex> lock() { return std::unique_lock(mutex_); }
+
 protected:
     DeviceObject& device_;
     HostCounters& counters_;
+
+private:
+    std::recursive_mutex mutex_;  ///< a recording holds it around all of its steps
 };
 
 /// Notes what it is asked to do, with copies of the arguments.
@@ -66,6 +74,8 @@ public:
     std::shared_ptr<RecordingObject> finish();
 
 private:
+    void note(std::function<void(HostStream&)> step);
+
     std::shared_ptr<DeviceObject> keep_;
     std::shared_ptr<Workspace> workspace_ = std::make_shared<Workspace>();
     std::vector<std::shared_ptr<HostStorage>> blocks_;  ///< of the workspace

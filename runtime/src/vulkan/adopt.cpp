@@ -22,12 +22,13 @@ std::shared_ptr<detail::VulkanDevice> vulkan_device(const std::shared_ptr<detail
 }
 
 detail::VulkanMemory& memory_of(const Memory& memory, MemoryKind kind, const char* call) {
-    if (!memory) throw Error(ErrorCode::wrong_argument, "an empty memory handle was passed", call);
+    if (!memory) detail::throw_empty_handle((std::string("Memory, ") + call).c_str());
     vulkan_device(memory.object()->device(), call);
     const bool wants_buffer = kind == MemoryKind::buffer;
     if (wants_buffer != (memory.description().kind == MemoryKind::buffer)) {
         throw Error(ErrorCode::wrong_argument, "a memory of the wrong kind was passed", call,
-                    detail::memory_text(memory.description()));
+                    detail::memory_text(memory.description()),
+                    wants_buffer ? "ask for glift::vulkan::image" : "ask for glift::vulkan::buffer");
     }
     return detail::vulkan_memory(memory);
 }
@@ -63,14 +64,21 @@ Device adopt(const Objects& objects) {
 }
 
 Commands record_into(const Device& device, VkCommandBuffer commands) {
-    return Commands(std::make_shared<detail::ExternalStream>(
-        vulkan_device(device.share(), "glift::vulkan::record_into"), commands));
+    constexpr const char* call = "glift::vulkan::record_into";
+    const auto object = vulkan_device(detail::shared_device(device, "Device, glift::vulkan::record_into"), call);
+    if (!commands) {
+        throw Error(ErrorCode::wrong_argument, "a null command buffer was passed", call, {},
+                    "pass a command buffer in the recording state");
+    }
+    return Commands(std::make_shared<detail::ExternalStream>(object, commands));
 }
 
 void finish(const Commands& commands) {
+    if (!commands) detail::throw_empty_handle("Commands, glift::vulkan::finish");
     auto* stream = dynamic_cast<detail::ExternalStream*>(commands.share().get());
     if (!stream) {
-        throw Error(ErrorCode::wrong_argument, "these commands are not from record_into", "glift::vulkan::finish");
+        throw Error(ErrorCode::wrong_argument, "these commands are not from record_into", "glift::vulkan::finish", {},
+                    "pass what glift::vulkan::record_into returned; a recording finishes by itself");
     }
     stream->finish();
 }
@@ -87,7 +95,9 @@ ImageHandle image(const Memory& memory) {
 }
 
 Objects objects(const Device& device) {
-    detail::Context& context = vulkan_device(device.share(), "glift::vulkan::objects")->context();
+    detail::Context& context =
+        vulkan_device(detail::shared_device(device, "Device, glift::vulkan::objects"), "glift::vulkan::objects")
+            ->context();
     return {context.instance->handle(), context.physical,   context.device,           context.queue,
             context.queue_family,       context.extensions, context.instance->entry()};
 }

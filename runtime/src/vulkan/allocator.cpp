@@ -1,9 +1,9 @@
 #include "allocator.h"
 
+#include "../environment.h"
 #include "../free_ranges.h"
 
 #include <algorithm>
-#include <cstdlib>
 
 namespace glift::detail {
 
@@ -31,9 +31,7 @@ constexpr VkDeviceSize largest_block = VkDeviceSize(256) << 20;
 
 }  // namespace
 
-Allocator::Allocator(Context& context) : context_(context) {
-    if (const char* text = std::getenv("GLIFT_MEMORY_LIMIT")) limit_ = std::strtoull(text, nullptr, 10);
-}
+Allocator::Allocator(Context& context) : context_(context), limit_(memory_limit()) {}
 
 Allocator::~Allocator() {
     for (auto& pool : pools_) {

@@ -51,7 +51,7 @@ private:
 
     Context& context_;
     std::vector<std::unique_ptr<Pool>> pools_;
-    std::uint64_t used_ = 0, reserved_ = 0, limit_ = UINT64_MAX;
+    std::uint64_t used_ = 0, reserved_ = 0, limit_;
 };
 
 }  // namespace glift::detail

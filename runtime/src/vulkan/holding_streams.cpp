@@ -3,8 +3,6 @@
 #include "vulkan_device.h"
 #include "vulkan_stream.h"
 
-#include <glift/error.h>
-
 namespace glift::detail {
 
 namespace {
@@ -21,6 +19,7 @@ public:
         device_->give_back(std::move(batch_));
     }
 
+    DeviceObject& device() const override { return *device_; }
     void submit() override {
         const std::lock_guard lock(device_->mutex());
         device_->stream_of_device().submit();
@@ -49,8 +48,7 @@ std::shared_ptr<DeviceObject> HoldingStream::device() { return keep_; }
 
 void HoldingStream::open() {
     device_.context().require_not_lost();
-    if (!finished_) return;
-    throw Error(ErrorCode::wrong_argument, "commands were put into a recording that is finished", "Commands");
+    if (is_closed()) throw_closed("Commands");
 }
 
 void HoldingStream::hold(const Memory& memory) {
@@ -111,7 +109,7 @@ Memory RecordingStream::allocate(const MemoryDescription& description) {
 std::shared_ptr<RecordingObject> RecordingStream::finish() {
     const std::lock_guard lock(device_.mutex());
     open();
-    finished_ = true;
+    close();
     encoder_.full_barrier();
     Context& context = device_.context();
     context.check(context.vk.vkEndCommandBuffer(batch_->commands), "vkEndCommandBuffer");
@@ -134,7 +132,7 @@ ExternalStream::~ExternalStream() {
 void ExternalStream::finish() {
     const std::lock_guard lock(device_.mutex());
     open();
-    finished_ = true;
+    close();
     encoder_.full_barrier();
     // Memories made while this was recorded have their first contents in the device's own stream.
     device_.stream_of_device().submit();

@@ -1,5 +1,7 @@
 #include "instance.h"
 
+#include "../environment.h"
+
 #include <glift/error.h>
 
 #include <cstdlib>
@@ -16,10 +18,7 @@ constexpr const char* validation_layer = "VK_LAYER_KHRONOS_validation";
 constexpr const char* queue_submit_checks = "VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT:"
                                             "VALIDATION_CHECK_ENABLE_SYNCHRONIZATION_VALIDATION_QUEUE_SUBMIT";
 
-bool wants_validation() {
-    const char* text = std::getenv("GLIFT_VALIDATE");
-    return text && *text && std::strcmp(text, "0") != 0;
-}
+bool wants_validation() { return environment_flag("GLIFT_VALIDATE"); }
 
 template <class Function> Function global(PFN_vkGetInstanceProcAddr entry, const char* name) {
     return reinterpret_cast<Function>(entry(VK_NULL_HANDLE, name));

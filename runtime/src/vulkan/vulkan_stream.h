@@ -55,7 +55,6 @@ protected:
     std::unique_ptr<CommandBatch> batch_;
     std::vector<Memory> held_;
     std::vector<bool> held_slots_;
-    bool finished_ = false;
 };
 
 class RecordingStream final : public HoldingStream {

@@ -956,7 +956,8 @@ Box_1_float::Box_1_float(const glift::Commands& commands, uint extent, glift::Me
     : Structure(commands.device()),
       extent_(extent),
       data_extent_(volume(extent_)),
-      data_(std::move(data)) {}
+      data_(commands.adopt(std::move(data),
+        {.name = "Box_1_float.data", .bytes = glift::buffer_bytes<float>(data_extent_)})) {}
 
 uint Box_1_float::domain() const {
     return extent_;
@@ -976,7 +977,8 @@ Box_1_uint::Box_1_uint(const glift::Commands& commands, uint extent, glift::Memo
     : Structure(commands.device()),
       extent_(extent),
       data_extent_(volume(extent_)),
-      data_(std::move(data)) {}
+      data_(commands.adopt(std::move(data),
+        {.name = "Box_1_uint.data", .bytes = glift::buffer_bytes<uint>(data_extent_)})) {}
 
 uint Box_1_uint::domain() const {
     return extent_;
@@ -1033,7 +1035,8 @@ Line::Line(const glift::Commands& commands, uint extent, glift::Memory data)
     : Structure(commands.device()),
       extent_(extent),
       data_extent_(volume(extent_)),
-      data_(std::move(data)) {}
+      data_(commands.adopt(std::move(data),
+        {.name = "Line.data", .bytes = glift::buffer_bytes<float>(data_extent_)})) {}
 
 uint Line::domain() const {
     return extent_;
@@ -1077,7 +1080,8 @@ Numbers::Numbers(const glift::Commands& commands, uint extent, glift::Memory dat
     : Structure(commands.device()),
       extent_(extent),
       data_extent_(volume(extent_)),
-      data_(std::move(data)) {}
+      data_(commands.adopt(std::move(data),
+        {.name = "Numbers.data", .bytes = glift::buffer_bytes<uint>(data_extent_)})) {}
 
 uint Numbers::domain() const {
     return extent_;

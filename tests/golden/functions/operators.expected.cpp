@@ -551,7 +551,8 @@ Box_1_uint::Box_1_uint(const glift::Commands& commands, uint extent, glift::Memo
     : Structure(commands.device()),
       extent_(extent),
       data_extent_(volume(extent_)),
-      data_(std::move(data)) {}
+      data_(commands.adopt(std::move(data),
+        {.name = "Box_1_uint.data", .bytes = glift::buffer_bytes<uint>(data_extent_)})) {}
 
 uint Box_1_uint::domain() const {
     return extent_;
@@ -596,7 +597,7 @@ Line::Line(const glift::Commands& commands, uint extent, glift::Memory data)
     : Structure(commands.device()),
       extent_(extent),
       data_extent_(volume(extent_)),
-      data_(std::move(data)) {}
+      data_(commands.adopt(std::move(data), {.name = "Line.data", .bytes = glift::buffer_bytes<uint>(data_extent_)})) {}
 
 uint Line::domain() const {
     return extent_;

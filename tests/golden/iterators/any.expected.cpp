@@ -896,7 +896,8 @@ Box_1_float::Box_1_float(const glift::Commands& commands, uint extent, glift::Me
     : Structure(commands.device()),
       extent_(extent),
       data_extent_(volume(extent_)),
-      data_(std::move(data)) {}
+      data_(commands.adopt(std::move(data),
+        {.name = "Box_1_float.data", .bytes = glift::buffer_bytes<float>(data_extent_)})) {}
 
 uint Box_1_float::domain() const {
     return extent_;
@@ -916,7 +917,8 @@ Box_1_uint::Box_1_uint(const glift::Commands& commands, uint extent, glift::Memo
     : Structure(commands.device()),
       extent_(extent),
       data_extent_(volume(extent_)),
-      data_(std::move(data)) {}
+      data_(commands.adopt(std::move(data),
+        {.name = "Box_1_uint.data", .bytes = glift::buffer_bytes<uint>(data_extent_)})) {}
 
 uint Box_1_uint::domain() const {
     return extent_;
@@ -968,7 +970,8 @@ Values::Values(const glift::Commands& commands, uint extent, glift::Memory data)
     : Structure(commands.device()),
       extent_(extent),
       data_extent_(volume(extent_)),
-      data_(std::move(data)) {}
+      data_(commands.adopt(std::move(data),
+        {.name = "Values.data", .bytes = glift::buffer_bytes<float>(data_extent_)})) {}
 
 uint Values::domain() const {
     return extent_;
@@ -1014,7 +1017,8 @@ Indices::Indices(const glift::Commands& commands, uint extent, glift::Memory dat
     : Structure(commands.device()),
       extent_(extent),
       data_extent_(volume(extent_)),
-      data_(std::move(data)) {}
+      data_(commands.adopt(std::move(data),
+        {.name = "Indices.data", .bytes = glift::buffer_bytes<uint>(data_extent_)})) {}
 
 uint Indices::domain() const {
     return extent_;

@@ -565,7 +565,8 @@ Box_2_float::Box_2_float(const glift::Commands& commands, uint2 extent, glift::M
     : Structure(commands.device()),
       extent_(extent),
       data_extent_(volume(extent_)),
-      data_(std::move(data)) {}
+      data_(commands.adopt(std::move(data),
+        {.name = "Box_2_float.data", .bytes = glift::buffer_bytes<float>(data_extent_)})) {}
 
 uint2 Box_2_float::domain() const {
     return extent_;
@@ -616,7 +617,8 @@ Field::Field(const glift::Commands& commands, uint2 extent, glift::Memory data)
     : Structure(commands.device()),
       extent_(extent),
       data_extent_(volume(extent_)),
-      data_(std::move(data)) {}
+      data_(commands.adopt(std::move(data),
+        {.name = "Field.data", .bytes = glift::buffer_bytes<float>(data_extent_)})) {}
 
 uint2 Field::domain() const {
     return extent_;

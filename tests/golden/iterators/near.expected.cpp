@@ -733,7 +733,8 @@ Box_3_float::Box_3_float(const glift::Commands& commands, uint3 extent, glift::M
     : Structure(commands.device()),
       extent_(extent),
       data_extent_(volume(extent_)),
-      data_(std::move(data)) {}
+      data_(commands.adopt(std::move(data),
+        {.name = "Box_3_float.data", .bytes = glift::buffer_bytes<float>(data_extent_)})) {}
 
 uint3 Box_3_float::domain() const {
     return extent_;
@@ -781,7 +782,8 @@ Field::Field(const glift::Commands& commands, uint3 extent, glift::Memory data)
     : Structure(commands.device()),
       extent_(extent),
       data_extent_(volume(extent_)),
-      data_(std::move(data)) {}
+      data_(commands.adopt(std::move(data),
+        {.name = "Field.data", .bytes = glift::buffer_bytes<float>(data_extent_)})) {}
 
 uint3 Field::domain() const {
     return extent_;

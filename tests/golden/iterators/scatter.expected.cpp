@@ -514,7 +514,8 @@ Box_1_uint::Box_1_uint(const glift::Commands& commands, uint extent, glift::Memo
     : Structure(commands.device()),
       extent_(extent),
       data_extent_(volume(extent_)),
-      data_(std::move(data)) {}
+      data_(commands.adopt(std::move(data),
+        {.name = "Box_1_uint.data", .bytes = glift::buffer_bytes<uint>(data_extent_)})) {}
 
 uint Box_1_uint::domain() const {
     return extent_;
@@ -562,7 +563,8 @@ Samples::Samples(const glift::Commands& commands, uint extent, glift::Memory dat
     : Structure(commands.device()),
       extent_(extent),
       data_extent_(volume(extent_)),
-      data_(std::move(data)) {}
+      data_(commands.adopt(std::move(data),
+        {.name = "Samples.data", .bytes = glift::buffer_bytes<uint>(data_extent_)})) {}
 
 uint Samples::domain() const {
     return extent_;

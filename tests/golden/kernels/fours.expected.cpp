@@ -671,7 +671,8 @@ Box_1_uint::Box_1_uint(const glift::Commands& commands, uint extent, glift::Memo
     : Structure(commands.device()),
       extent_(extent),
       data_extent_(volume(extent_)),
-      data_(std::move(data)) {}
+      data_(commands.adopt(std::move(data),
+        {.name = "Box_1_uint.data", .bytes = glift::buffer_bytes<uint>(data_extent_)})) {}
 
 uint Box_1_uint::domain() const {
     return extent_;
@@ -730,7 +731,8 @@ Values::Values(const glift::Commands& commands, uint extent, glift::Memory data)
     : Structure(commands.device()),
       extent_(extent),
       data_extent_(volume(extent_)),
-      data_(std::move(data)) {}
+      data_(commands.adopt(std::move(data),
+        {.name = "Values.data", .bytes = glift::buffer_bytes<uint>(data_extent_)})) {}
 
 uint Values::domain() const {
     return extent_;

@@ -717,7 +717,8 @@ Box_1_float::Box_1_float(const glift::Commands& commands, uint extent, glift::Me
     : Structure(commands.device()),
       extent_(extent),
       data_extent_(volume(extent_)),
-      data_(std::move(data)) {}
+      data_(commands.adopt(std::move(data),
+        {.name = "Box_1_float.data", .bytes = glift::buffer_bytes<float>(data_extent_)})) {}
 
 uint Box_1_float::domain() const {
     return extent_;
@@ -739,7 +740,8 @@ Line::Line(const glift::Commands& commands, uint extent, glift::Memory data)
     : Structure(commands.device()),
       extent_(extent),
       data_extent_(volume(extent_)),
-      data_(std::move(data)) {}
+      data_(commands.adopt(std::move(data),
+        {.name = "Line.data", .bytes = glift::buffer_bytes<float>(data_extent_)})) {}
 
 uint Line::domain() const {
     return extent_;

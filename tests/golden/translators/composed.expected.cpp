@@ -545,7 +545,8 @@ Box_2_float::Box_2_float(const glift::Commands& commands, uint2 extent, glift::M
     : Structure(commands.device()),
       extent_(extent),
       data_extent_(volume(extent_)),
-      data_(std::move(data)) {}
+      data_(commands.adopt(std::move(data),
+        {.name = "Box_2_float.data", .bytes = glift::buffer_bytes<float>(data_extent_)})) {}
 
 uint2 Box_2_float::domain() const {
     return extent_;
@@ -593,7 +594,8 @@ Turned::Turned(const glift::Commands& commands, uint2 extent, glift::Memory data
     : Structure(commands.device()),
       extent_(extent),
       data_extent_(extent_.x * extent_.y),
-      data_(std::move(data)) {}
+      data_(commands.adopt(std::move(data),
+        {.name = "Turned.data", .bytes = glift::buffer_bytes<float>(data_extent_)})) {}
 
 uint2 Turned::domain() const {
     return extent_;

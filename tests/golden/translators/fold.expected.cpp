@@ -546,7 +546,8 @@ Box_3_float::Box_3_float(const glift::Commands& commands, uint3 extent, glift::M
     : Structure(commands.device()),
       extent_(extent),
       data_extent_(volume(extent_)),
-      data_(std::move(data)) {}
+      data_(commands.adopt(std::move(data),
+        {.name = "Box_3_float.data", .bytes = glift::buffer_bytes<float>(data_extent_)})) {}
 
 uint3 Box_3_float::domain() const {
     return extent_;
@@ -591,7 +592,9 @@ Field::Field(const glift::Commands& commands, uint3 extent, glift::Memory data)
     : Structure(commands.device()),
       extent_(extent),
       data_extent_(uint2(64u, (extent_.x * extent_.y * extent_.z + 63u) / 64u)),
-      data_(std::move(data)) {}
+      data_(commands.adopt(std::move(data),
+        {.name = "Field.data", .kind = glift::MemoryKind::image2d, .format = glift::Format::r32f,
+        .extent = glift::image_extent(data_extent_)})) {}
 
 uint3 Field::domain() const {
     return extent_;

@@ -1,0 +1,33 @@
+// What every public handle holds. A handle that was default-made or moved from holds nothing; using one throws.
+#pragma once
+
+#include <glift/api.h>
+
+#include <memory>
+#include <utility>
+
+namespace glift::detail {
+
+/// Throws wrong_argument. `call` names the handle and what was asked of it: `Recording::submit`.
+[[noreturn]] GLIFT_API void throw_empty_handle(const char* call);
+
+/// A shared object that can only be reached through the check that it is there.
+template <class Object> class Held {
+public:
+    Held() = default;
+    explicit Held(std::shared_ptr<Object> object) : object_(std::move(object)) {}
+
+    Object& in(const char* call) const {
+        if (!object_) throw_empty_handle(call);
+        return *object_;
+    }
+    /// Null where there is none.
+    const std::shared_ptr<Object>& share() const { return object_; }
+    explicit operator bool() const { return object_ != nullptr; }
+    bool operator==(const Held&) const = default;
+
+private:
+    std::shared_ptr<Object> object_;
+};
+
+}  // namespace glift::detail

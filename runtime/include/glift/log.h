@@ -1,0 +1,24 @@
+// What the runtime says where no call can answer: a choice that it made, an error in a destructor.
+#pragma once
+
+#include <glift/api.h>
+
+#include <functional>
+#include <string_view>
+
+namespace glift {
+
+/// Receives one message, without a newline at its end. Called from any thread.
+using Log = std::function<void(std::string_view message)>;
+
+/// Messages go to `log` from now on; an empty one silences them. Returns the one before. At first they are written to
+/// stderr, unless the environment variable GLIFT_QUIET is 1.
+GLIFT_API Log set_log(Log log);
+
+namespace detail {
+
+GLIFT_API void log(std::string_view message);
+
+}  // namespace detail
+
+}  // namespace glift

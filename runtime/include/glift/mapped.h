@@ -1,0 +1,89 @@
+// Boxes of a structure on the host.
+#pragma once
+
+#include <glift/log.h>
+#include <glift/range.h>
+
+#include <exception>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace glift {
+
+namespace detail {
+
+[[noreturn]] inline void throw_outside_mapped(const Box& box) {
+    throw Error(ErrorCode::wrong_argument, std::string("an address outside a mapped box of ") + box.name,
+                std::string(box.name) + "::map, Mapped::operator[]",
+                "address " + text_of(box.origin, box.rank) + ", the box is " + text_of(box.domain, box.rank),
+                "addresses count from the box's origin: stay below Mapped::size()");
+}
+
+[[noreturn]] inline void throw_unmapped(const char* type, const char* operation) {
+    throw Error(ErrorCode::wrong_argument, std::string("a box of ") + type + " is no longer mapped",
+                std::string("Mapped::") + operation, "it was unmapped, or moved from", "map it again");
+}
+
+inline void log_unwritten(const char* type, const std::exception& error) noexcept {
+    try {
+        log(std::string("the values of a mapped ") + type + " were not written: " + error.what());
+    } catch (...) {
+        // The log itself failed, and a destructor has no one else to tell.
+    }
+}
+
+}  // namespace detail
+
+/// A box of elements on the host, written back to the structure when it is unmapped or goes out of scope. Shares the
+/// structure's memory, which lives as long. An error while it goes out of scope is logged (log.h): unmap() throws it.
+template <class S> class Mapped {
+public:
+    using Address = typename S::Address;
+    using Element = typename S::Element;
+
+    Mapped(const S& structure, Address origin, Address size)
+        : structure_(structure), origin_(origin), size_(size), values_(structure.read(origin, size)) {}
+    Mapped(Mapped&& other) noexcept
+        : structure_(std::move(other.structure_)), origin_(other.origin_), size_(other.size_),
+          values_(std::move(other.values_)), is_mapped_(std::exchange(other.is_mapped_, false)) {}
+    Mapped& operator=(Mapped&&) = delete;
+    ~Mapped() {
+        try {
+            unmap();
+        } catch (const std::exception& error) {
+            detail::log_unwritten(S::type_name, error);
+        }
+    }
+
+    /// By address in the box: the origin is zero.
+    Element& operator[](Address address) {
+        const Extent a = detail::extent_of(address, 0), n = detail::extent_of(size_);
+        const detail::Box box{S::type_name, detail::Axes<Address>::count, a, {1, 1, 1, 1}, n};
+        require_mapped("operator[]");
+        if (!box.is_inside()) detail::throw_outside_mapped(box);
+        return values_[((std::size_t{a[3]} * n[2] + a[2]) * n[1] + a[1]) * n[0] + a[0]];
+    }
+    std::span<Element> values() {
+        require_mapped("values");
+        return values_;
+    }
+    Address size() const { return size_; }
+
+    void unmap() {
+        if (std::exchange(is_mapped_, false)) structure_.write(origin_, size_, values_);
+    }
+
+private:
+    void require_mapped(const char* operation) const {
+        if (!is_mapped_) detail::throw_unmapped(S::type_name, operation);
+    }
+
+    S structure_;
+    Address origin_, size_;
+    std::vector<Element> values_;
+    bool is_mapped_ = true;
+};
+
+}  // namespace glift

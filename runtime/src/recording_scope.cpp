@@ -1,0 +1,46 @@
+// What "the device's stream" means within the body of a recording.
+#include "recording_scope.h"
+
+#include "report.h"
+
+#include <glift/recording.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace glift::detail {
+
+namespace {
+
+struct Redirection {
+    const DeviceObject* device;
+    std::shared_ptr<Stream> stream;
+};
+
+/// Of bodies that run on this thread, the innermost last.
+thread_local std::vector<Redirection> redirections;
+
+}  // namespace
+
+RecordingScope::RecordingScope(const Device& device, const Commands& commands) {
+    redirections.push_back({device.share().get(), commands.share()});
+}
+
+RecordingScope::~RecordingScope() {
+    redirections.back().stream->close();
+    redirections.pop_back();
+}
+
+std::shared_ptr<Stream> stream_of(const std::shared_ptr<DeviceObject>& device) {
+    const auto found = std::find_if(redirections.rbegin(), redirections.rend(),
+                                    [&](const Redirection& r) { return r.device == device.get(); });
+    if (found != redirections.rend()) return found->stream;
+    return {device, &device->stream()};
+}
+
+void require_no_recording(const DeviceObject& device, const char* call) {
+    const auto is_its = [&](const Redirection& r) { return r.device == &device; };
+    if (std::any_of(redirections.begin(), redirections.end(), is_its)) throw_not_in_recording(call);
+}
+
+}  // namespace glift::detail
