@@ -14,10 +14,19 @@ NameSet members_of_class(ir::StructureKind kind) {
     NameSet names{"address", "box", "commands", "domain", "other", "range", "same_state", "type_name", "value"};
     switch (kind) {
     case ir::StructureKind::stored:
-        names.insert({"Address",   "Element",   "Structure", "box_description",  "check",   "copy_from", "copy_in",
-                      "copy_out",  "count",     "device",    "device_",          "device_of", "element", "element_in_place",
-                      "fetch",     "fill",      "first",     "map",              "place",     "read",
-                      "row_memory", "self",     "throw_count", "translate",      "write"});
+        names.insert({"Address",     "Element",
+                      "Structure",   "box_description",
+                      "check",       "copy_from",
+                      "copy_in",     "copy_out",
+                      "count",       "device",
+                      "device_",     "device_of",
+                      "element",     "element_in_place",
+                      "fetch",       "fill",
+                      "first",       "map",
+                      "place",       "read",
+                      "row_memory",  "self",
+                      "throw_count", "translate",
+                      "write"});
         break;
     case ir::StructureKind::view: names.insert({"Address", "Element", "View", "first"}); break;
     case ir::StructureKind::adaptor:
@@ -45,8 +54,9 @@ const NameSet& functions_of_runtime() {
 #define INTRINSIC(name, signature, exactness) #name,
     static const NameSet names = {
 #include "ir/intrinsics.def"
-        "as_array", "assign_swizzle", "bytes_of",  "convert", "divide", "element_count", "half_bits", "half_value",
-        "minor_of", "remainder",      "reset",     "shift_left", "shift_right", "spread", "swizzle",
+        "as_array",      "assign_swizzle", "bytes_of",    "convert",  "divide",
+        "element_count", "half_bits",      "half_value",  "minor_of", "remainder",
+        "reset",         "shift_left",     "shift_right", "spread",   "swizzle",
     };
 #undef INTRINSIC
     return names;

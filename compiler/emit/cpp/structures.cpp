@@ -85,13 +85,13 @@ void print_fields(Unit& unit, Writer& out, std::uint32_t index, const ClassNames
     const Structure& structure = unit.program.structures[index];
     if (structure.kind == StructureKind::adaptor) out.line("glift::Device device_;");
     for (std::size_t i = 0; i < structure.constructor.size(); ++i)
-        out.line(unit.type(unit.program.locals[structure.constructor[i]].type, qualified) + " " + names.argument_fields[i] +
-                 "{};");
+        out.line(unit.type(unit.program.locals[structure.constructor[i]].type, qualified) + " " +
+                 names.argument_fields[i] + "{};");
     for (std::size_t i = 0; i < structure.members.size(); ++i)
         out.line(unit.class_name(structure.members[i].structure) + " " + names.member_fields[i] + ";");
     for (std::size_t i = 0; i < structure.memories.size(); ++i) {
-        out.line(unit.type(unit.program.exprs[structure.memories[i].extent].type, qualified) + " " + names.extent_fields[i] +
-                 "{};");
+        out.line(unit.type(unit.program.exprs[structure.memories[i].extent].type, qualified) + " " +
+                 names.extent_fields[i] + "{};");
         out.line("glift::Memory " + names.memory_fields[i] + ";");
     }
     for (std::size_t i = 0; i < structure.host.size(); ++i)
