@@ -89,13 +89,19 @@ ExprId Expander::otherwise_of(const Place& place) {
     return inside(std::move(frame), [&] { return value_of(structure.otherwise); });
 }
 
-/// The element where `guard` and the translation's own condition hold, else the structure's otherwise. Numbers and
-/// vectors are loaded without a branch, from `other_address` where the guard fails; it must lie in the memory.
+/// What a read that maps nowhere gives around the current element: zero to invocations of a group beyond the range.
+ExprId Expander::otherwise_around(const Place& place) {
+    const ExprId otherwise = otherwise_of(place);
+    if (!cx.kernel.grouped() || !cx.structure_at(place).otherwise) return otherwise;
+    return make.select(make.local(cx.pass.in_range), otherwise, make.zero(make.type(otherwise)));
+}
+
+/// The element where `guard` and the translation's own condition hold, else `otherwise`. Numbers and vectors are loaded
+/// without a branch, from `other_address` where the guard fails; it must lie in the memory.
 ExprId Expander::guarded_load(const Place& place, const Pair& physical, ExprId guard, ExprId other_address,
-                              const std::string& name) {
+                              ExprId otherwise, const std::string& name) {
     ExprId condition = make.both(guard, physical.has);
     if (!condition || make.is_true(condition)) return load(place, physical.value);
-    ExprId otherwise = otherwise_of(place);
     if (make.is_false(condition)) return otherwise;
     TypeId element = cx.structure_at(place).element;
     if (p.types.is_scalar(element) || p.types.is_vector(element)) {
@@ -124,19 +130,20 @@ ExprId Expander::view(const Place& place, ExprId address) {
     });
 }
 
+/// An element of a view around the current one. Invocations that only fill up the last workgroup see zero.
+ExprId Expander::view_around(const Place& place, ExprId address) {
+    if (!cx.kernel.grouped()) return view(place, address);
+    TypeId type = cx.structure_at(place).element;
+    LocalId value = variable(cx.name_of(place) + "_value", type, make.zero(type));
+    append_if(make.local(cx.pass.in_range), collect([&] { assign(value, view(place, address)); }), {});
+    return make.local(value);
+}
+
 ExprId Expander::element(std::uint32_t root, Span) {
     Place place{root, {}};
-    const bool is_view = cx.structure_at(place).kind == StructureKind::view;
-    if (is_view && !cx.kernel.grouped()) return view(place, centre_address(root));
-    if (is_view) {
-        // Invocations that only fill up the last workgroup see zero.
-        TypeId type = cx.structure_at(place).element;
-        LocalId value = variable(cx.name_of(place) + "_value", type, make.zero(type));
-        append_if(make.local(cx.pass.in_range), collect([&] { assign(value, view(place, centre_address(root))); }), {});
-        return make.local(value);
-    }
+    if (cx.structure_at(place).kind == StructureKind::view) return view_around(place, centre_address(root));
     ExprId guard = cx.kernel.grouped() ? make.local(cx.pass.in_range) : ExprId{};
-    ExprId value = guarded_load(place, centre(root), guard, {}, cx.name_of(place) + "_value");
+    ExprId value = guarded_load(place, centre(root), guard, {}, otherwise_around(place), cx.name_of(place) + "_value");
     if (cx.kernel.params[root].direction == Direction::in || p.exprs[value].op == Op::local) return value;
     // Written too: what was read must not move past a write.
     return make.local(let(cx.name_of(place) + "_value", value, span_));
@@ -149,7 +156,7 @@ ExprId Expander::read(const Place& place, ExprId address, const std::string& nam
     if (structure.kind == StructureKind::view) return view(place, virtual_address);
     Pair physical = translated(place, virtual_address, name);
     ExprId guard = is_total(structure) ? inside_domain(place, address) : ExprId{};
-    ExprId value = guarded_load(place, physical, guard, {}, name + "_value");
+    ExprId value = guarded_load(place, physical, guard, {}, otherwise_of(place), name + "_value");
     if (cx.kernel.params[place.root].direction == Direction::in || p.exprs[value].op == Op::local) return value;
     return make.local(let(name + "_value", value, span_));
 }
@@ -244,7 +251,7 @@ ExprId Expander::neighbour(const Place& place, const std::vector<std::int64_t>& 
     ExprId step = parts.size() == 1 ? parts[0] : make.construct(address_type, std::move(parts));
     ExprId address = make.add(centre_address(place.root), step);
     const Structure& structure = cx.structure_at(place);
-    if (structure.kind == StructureKind::view) return view(place, address);
+    if (structure.kind == StructureKind::view) return view_around(place, address);
     std::string name = cx.name_of(place) + offset_name(offset);
     Pair middle = centre(place.root);
     Pair physical = translated(place, address, name);
@@ -255,7 +262,7 @@ ExprId Expander::neighbour(const Place& place, const std::vector<std::int64_t>& 
     if (asks && guards_ == Guards::checked) guard = near_guard(place.root, offset);
     if (cx.kernel.grouped()) guard = make.both(make.local(cx.pass.in_range), guard);
     ExprId other = middle.has || cx.kernel.grouped() ? ExprId{} : middle.value;
-    return guarded_load(place, physical, guard, other, name);
+    return guarded_load(place, physical, guard, other, otherwise_around(place), name);
 }
 
 void Expander::store(const Place& place, const Pair& physical, ExprId guard, const Stmt& stmt, ExprId value) {

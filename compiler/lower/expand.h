@@ -81,6 +81,10 @@ private:
     ExprId expand_member(const ir::Expr& node);
     ExprId expand_invocation(const ir::Expr& node);
 
+    // divisors.cpp
+    ExprId divisor(ExprId id);  ///< what is divided by instead: never zero, where that costs the shader nothing
+    bool is_visited_extent(ExprId id);
+
     // expand_statements.cpp
     void expand_body(const std::vector<StmtId>& body);
     void expand_statement(StmtId id);
@@ -148,10 +152,12 @@ private:
     ExprId neighbour(const ir::Place& place, const std::vector<std::int64_t>& offset);
     ExprId read(const ir::Place& place, ExprId address, const std::string& name);
     ExprId view(const ir::Place& place, ExprId address);
+    ExprId view_around(const ir::Place& place, ExprId address);
     ExprId guarded_load(const ir::Place& place, const Pair& physical, ExprId guard, ExprId other_address,
-                        const std::string& name);
+                        ExprId otherwise, const std::string& name);
     ExprId load(const ir::Place& place, ExprId physical);
     ExprId otherwise_of(const ir::Place& place);
+    ExprId otherwise_around(const ir::Place& place);
     void set_element(const ir::Stmt& stmt);
     void write(const ir::Stmt& stmt);
     void store(const ir::Place& place, const Pair& physical, ExprId guard, const ir::Stmt& stmt, ExprId value);

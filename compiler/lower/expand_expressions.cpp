@@ -199,6 +199,9 @@ Pair Expander::expand_again(ExprId id, const Expr& node) {
         same = same && value == operand;
         operands.push_back(value);
     }
+    const bool divides =
+        node.op == Op::binary && (node.binary == BinaryOp::divide || node.binary == BinaryOp::remainder);
+    if (divides) operands[1] = divisor(operands[1]);
     ExprId result = same && !node.operands.empty() && make.is_constant(id) ? id : make.again(node, std::move(operands));
     if (p.types.kind(node.type) == TypeKind::optional) return of_optional(result);
     return {result, {}};

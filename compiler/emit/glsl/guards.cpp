@@ -20,14 +20,13 @@ bool depends_on_value_parameters(const ir::Program& program, ExprId id) {
     return false;
 }
 
-/// True of parameters that the state of structures alone decides: a structure with an extent of zero has an empty
-/// domain, so nothing of it is addressed.
+/// True of parameters that the state of structures alone decides: lower/divisors.cpp lets no zero among them divide.
 bool is_state_of_structures(const Printer& p, std::uint32_t parameter) {
     const ir::PassParameter& param = p.pass.parameters[parameter];
     switch (param.source) {
     case ir::ParameterSource::uniform: return param.value && !depends_on_value_parameters(p.program, param.value);
-    case ir::ParameterSource::size:
-    case ir::ParameterSource::range_size: return true;
+    case ir::ParameterSource::size: return true;
+    case ir::ParameterSource::range_size:
     case ir::ParameterSource::origin:
     case ir::ParameterSource::address: return false;
     }
@@ -48,6 +47,12 @@ bool divisor_is_safe(const Printer& p, ExprId id) {
         for (ExprId operand : expr.operands)
             if (!divisor_is_safe(p, operand)) return false;
         return true;
+    case Op::intrinsic:
+        return !is_signed && expr.intrinsic == ir::Intrinsic::max && divisor_is_safe(p, expr.operands[1]);
+    case Op::local: {
+        const auto found = p.bounds.find(expr.local);
+        return !is_signed && found != p.bounds.end() && found->second.low > 0;
+    }
     case Op::parameter: return !is_signed && is_state_of_structures(p, expr.slot);
     case Op::swizzle:
     case Op::field: return divisor_is_safe(p, expr.operands[0]);

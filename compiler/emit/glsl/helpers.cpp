@@ -35,6 +35,7 @@ const char* name_of(Helper helper) {
     case Helper::unpack_unorm: return "unpack_unorm";
     case Helper::extract_bits: return "extract_bits";
     case Helper::insert_bits: return "insert_bits";
+    case Helper::far_index: return "far_index";
     case Helper::split_float: return "split";
     case Helper::divide: return "divide";
     case Helper::square_root: return "square_root";
@@ -260,6 +261,8 @@ std::string definition(Printer& p, const HelperUse& use) {
     case Helper::unpack_unorm:
     case Helper::extract_bits:
     case Helper::insert_bits: return bits_definition(p, use);
+    case Helper::far_index:
+        return "// GLSL takes no constant from 2^31 on for an index.\nuint far_index(uint i) { return i; }\n";
     case Helper::split_float: return division_definition(use.helper);
     case Helper::divide:
     case Helper::square_root: {
@@ -325,7 +328,8 @@ void need_inner(Printer& p, const HelperUse& use) {
     case Helper::fraction:
     case Helper::pack_unorm:
     case Helper::extract_bits:
-    case Helper::insert_bits: break;
+    case Helper::insert_bits:
+    case Helper::far_index: break;
     }
 }
 

@@ -251,13 +251,24 @@ void print_parameter_copies(Printer& p) {
     line(p, "}");
 }
 
+namespace {
+
+/// The index of an element, or of a row of them.
+std::string index_text(Printer& p, ir::ExprId id) {
+    const ir::Expr& index = p.program.exprs[id];
+    const bool is_far = index.op == ir::Op::constant && index.bits > 0x7fffffffu;
+    return is_far ? need(p, Helper::far_index, {}) + "(" + print_any(p, id) + ")" : print_any(p, id);
+}
+
+}  // namespace
+
 Text print_load(Printer& p, const ir::Expr& expr) {
     const PassBinding& binding = p.pass.bindings.at(expr.slot);
     const std::string& name = p.binding_names[expr.slot];
     if (expr.op == ir::Op::load) {
         if (is_row(p.program.types, binding, expr.type))
-            return {p.row_names[expr.slot] + "[" + print_any(p, expr.operands[0]) + "]"};
-        std::string text = name + "[" + print_any(p, expr.operands[0]) + "]";
+            return {p.row_names[expr.slot] + "[" + index_text(p, expr.operands[0]) + "]"};
+        std::string text = name + "[" + index_text(p, expr.operands[0]) + "]";
         return {stored_as_bits(p, binding) ? "uintBitsToFloat(" + text + ")" : text};
     }
     std::string level = expr.operands.size() > 1          ? print_any(p, expr.operands[1])
@@ -278,9 +289,9 @@ std::string store_text(Printer& p, const ir::Stmt& stmt) {
         return "imageStore(" + name + ", " + texel_text(p, stmt.target) + ", " + four_components(p, stmt.value) + ");";
     std::string value = print_any(p, stmt.value);
     if (is_row(p.program.types, binding, p.program.exprs[stmt.value].type))
-        return p.row_names[stmt.slot] + "[" + print_any(p, stmt.target) + "] = " + value + ";";
+        return p.row_names[stmt.slot] + "[" + index_text(p, stmt.target) + "] = " + value + ";";
     if (stored_as_bits(p, binding)) value = "floatBitsToUint(" + value + ")";
-    return name + "[" + print_any(p, stmt.target) + "] = " + value + ";";
+    return name + "[" + index_text(p, stmt.target) + "] = " + value + ";";
 }
 
 std::string atomic_text(Printer& p, const ir::Stmt& stmt) {
@@ -297,7 +308,7 @@ std::string atomic_text(Printer& p, const ir::Stmt& stmt) {
         return std::string("imageAtomic") + atomic_name(stmt.combine) + "(" + name + ", " + texel_text(p, stmt.target) +
                ", " + value + ");";
     }
-    std::string index = print_any(p, stmt.target);
+    std::string index = index_text(p, stmt.target);
     if (stored_as_bits(p, binding)) {
         if (stmt.combine == Combine::replace)
             return "atomicExchange(" + name + "[" + index + "], floatBitsToUint(" + value + "));";

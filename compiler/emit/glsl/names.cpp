@@ -278,6 +278,7 @@ const std::unordered_set<std::string_view>& reserved_words() {
         "pack_unorm",
         "unpack_unorm",
         "extract_bits",
+        "far_index",
         "insert_bits",
         "exact_division",
         "divide",

@@ -57,6 +57,7 @@ enum class Helper : std::uint8_t {
     unpack_unorm,
     extract_bits,
     insert_bits,
+    far_index,
     split_float,
     divide,
     square_root,
@@ -90,7 +91,7 @@ struct OrderNames {
     std::string fences, load, store, both;
 };
 
-/// Bounds of a loop's variable, [low, high).
+/// Bounds of a local, [low, high).
 struct Bounds {
     std::int64_t low, high;
 };

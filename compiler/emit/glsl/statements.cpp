@@ -66,6 +66,15 @@ bool is_left_whole(Printer& p, const Stmt& stmt) {
     return print_any(p, value.operands[0]) == print(p, stmt.target, Level::postfix);
 }
 
+/// Of a number that is at least a constant.
+void note_low_bound(Printer& p, const Stmt& stmt) {
+    const Expr& value = p.program.exprs[stmt.value];
+    if (value.op != ir::Op::intrinsic || value.intrinsic != ir::Intrinsic::max) return;
+    const Expr& low = p.program.exprs[value.operands[1]];
+    if (low.op == ir::Op::constant && p.program.types.is_integer(value.type))
+        p.bounds[stmt.local] = {static_cast<std::int64_t>(low.bits), INT64_MAX};
+}
+
 void print_let(Printer& p, const Stmt& stmt) {
     const ir::Local& local = p.program.locals[stmt.local];
     std::string value;
@@ -74,6 +83,7 @@ void print_let(Printer& p, const Stmt& stmt) {
     p.local_names[stmt.local] = name;
     bool is_table = !local.is_mutable && p.program.types.kind(local.type) == ir::TypeKind::array && stmt.value &&
                     is_constant(p, stmt.value);
+    if (stmt.value && !local.is_mutable) note_low_bound(p, stmt);
     line(p, (is_table ? "const " : "") + declaration(p, local.type, name) + value + ";");
 }
 

@@ -28,7 +28,8 @@ FloatControls FloatControls::of(const VkPhysicalDeviceVulkan12Properties& proper
     const bool rounding = properties.roundingModeIndependence != VK_SHADER_FLOAT_CONTROLS_INDEPENDENCE_NONE;
     return {.keep_subnormals = subnormals && properties.shaderDenormPreserveFloat32,
             .keep_special_values = properties.shaderSignedZeroInfNanPreserveFloat32 == VK_TRUE,
-            .round_to_even = rounding && properties.shaderRoundingModeRTEFloat32};
+            .round_to_even = rounding && properties.shaderRoundingModeRTEFloat32,
+            .hides_zeros = properties.driverID == VK_DRIVER_ID_MESA_LLVMPIPE};
 }
 
 std::vector<std::uint32_t> with_float_controls(std::span<const std::uint32_t> spirv, const FloatControls& controls) {

@@ -14,6 +14,7 @@ struct FloatControls {
     bool keep_subnormals = false;      ///< shaderDenormPreserveFloat32
     bool keep_special_values = false;  ///< shaderSignedZeroInfNanPreserveFloat32: zeros have signs, infinities stay
     bool round_to_even = false;        ///< shaderRoundingModeRTEFloat32
+    bool hides_zeros = false;          ///< constant zeros are simplified all the same: see hidden_zeros.h
 
     static FloatControls of(const VkPhysicalDeviceVulkan12Properties& properties);
 };

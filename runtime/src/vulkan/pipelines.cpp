@@ -5,6 +5,7 @@
 #include "disk_cache.h"
 #include "fixed_parameters.h"
 #include "float_controls.h"
+#include "hidden_zeros.h"
 #include "requirements.h"
 
 #include <glift/error.h>
@@ -235,8 +236,9 @@ void Pipelines::make_layout(Pipeline& pipeline) {
 }
 
 VkPipeline Pipelines::make_handle(const Pipeline& pipeline) {
-    const std::vector<std::uint32_t> code = with_fixed_parameters(
+    std::vector<std::uint32_t> code = with_fixed_parameters(
         with_float_controls(pipeline.form->spirv.words(), context_.float_controls), pipeline.fixed);
+    if (context_.float_controls.hides_zeros) code = with_hidden_zeros(code);
     const VkShaderModuleCreateInfo module_info = {.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
                                                   .codeSize = code.size() * sizeof(std::uint32_t),
                                                   .pCode = code.data()};

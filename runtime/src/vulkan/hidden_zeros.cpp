@@ -1,0 +1,335 @@
+#include "hidden_zeros.h"
+
+#include <algorithm>
+#include <map>
+#include <unordered_map>
+
+namespace glift::detail {
+
+namespace {
+
+constexpr std::size_t header_words = 5, bound_word = 3;
+
+enum Op : std::uint32_t {
+    line = 8,
+    ext_inst = 12,
+    type_int = 21,
+    type_float = 22,
+    type_vector = 23,
+    constant = 43,
+    constant_composite = 44,
+    function = 54,
+    function_end = 56,
+    function_call = 57,
+    variable = 59,
+    load = 61,
+    store = 62,
+    decorate = 71,
+    vector_extract = 77,
+    vector_insert = 78,
+    vector_shuffle = 79,
+    composite_construct = 80,
+    composite_extract = 81,
+    composite_insert = 82,
+    copy_object = 83,
+    transpose = 84,
+    convert_s_to_f = 111,
+    convert_u_to_f = 112,
+    bitcast = 124,
+    negate = 127,
+    add = 129,
+    subtract = 131,
+    multiply = 133,
+    divide = 136,
+    remainder = 140,
+    modulo = 141,
+    vector_times_scalar = 142,
+    dot = 148,
+    select = 169,
+    shift_right = 194,
+    bit_or = 197,
+    phi = 245,
+    label = 248,
+    return_value = 254,
+    no_line = 317,
+};
+
+constexpr std::uint32_t decoration_built_in = 11, global_invocation_id = 28;
+
+using Words = std::span<const std::uint32_t>;
+using Module = std::vector<std::uint32_t>;
+
+void append(Module& module, std::uint32_t op, std::initializer_list<std::uint32_t> operands) {
+    module.push_back(static_cast<std::uint32_t>(operands.size() + 1) << 16 | op);
+    module.insert(module.end(), operands);
+}
+
+/// What an instruction does with a constant.
+enum class Use : std::uint8_t {
+    none,
+    computes,   // simplified where it is zero
+    passes_on,  // to where it may meet another constant, and both become a zero
+};
+
+/// The words of an instruction that may be values; the others are types, results and numbers.
+struct Operands {
+    std::size_t first = 0, last = 0;
+    Use use = Use::none;
+};
+
+Operands values_of(Words w) {
+    const std::size_t count = w.size();
+    switch (w[0] & 0xffffu) {
+    case negate:
+    case add:
+    case subtract:
+    case multiply:
+    case divide:
+    case remainder:
+    case modulo:
+    case select:
+    case transpose:
+    case vector_extract: return {3, count, Use::computes};
+    case ext_inst: return {5, count, Use::computes};
+    case composite_extract: return {3, 4, Use::computes};
+    case vector_shuffle: return {3, 5, Use::computes};
+    case phi:
+    case composite_construct:
+    case copy_object:
+    case vector_insert: return {3, count, Use::passes_on};
+    case function_call: return {4, count, Use::passes_on};
+    case composite_insert: return {3, 5, Use::passes_on};
+    case store: return {2, 3, Use::passes_on};
+    case return_value: return {1, 2, Use::passes_on};
+    default: {
+        const std::uint32_t op = w[0] & 0xffffu;
+        return op >= vector_times_scalar && op <= dot ? Operands{3, count, Use::computes} : Operands{};
+    }
+    }
+}
+
+class Hiding {
+public:
+    explicit Hiding(Words spirv) : spirv_(spirv), next_id_(spirv[bound_word]) {
+        for_each([&](Words w) { read(w); });
+    }
+
+    Module hidden();
+
+private:
+    template <class Visit> void for_each(Visit&& visit) const {
+        for (std::size_t at = header_words; at < spirv_.size(); at += spirv_[at] >> 16)
+            visit(spirv_.subspan(at, spirv_[at] >> 16));
+    }
+    void read(Words w);
+    void read_constant(Words w);
+    void read_composite(Words w);
+    bool is_hidden(std::uint32_t id, Use use) const;
+    std::uint32_t hide(Module& module, std::uint32_t id);
+    std::uint32_t hide_scalar(Module& module, Words w);
+    std::uint32_t with_bit(Module& module, Words conversion);
+    void write_constants(Module& module);
+    void write_function(Module& module);
+    void write(Module& module, Words w);
+    void begin(Module& module, const std::vector<std::uint32_t>& used);
+    std::uint32_t fresh() { return next_id_++; }
+
+    /// A type of integers of 32 bits: how many.
+    std::uint32_t words_in(std::uint32_t type) const {
+        const auto found = words_.find(type);
+        return found == words_.end() ? 0 : found->second;
+    }
+
+    struct Constant {
+        Words words;
+        bool has_zero = false;   ///< is or holds one, of either sign
+        std::uint32_t bits = 0;  ///< the constant of these bits, where they are 32 and not zero
+    };
+
+    Words spirv_;
+    std::uint32_t next_id_, uint_ = 0, uint3_ = 0, invocation_ = 0, shift_ = 0;
+    std::unordered_map<std::uint32_t, std::uint32_t> floats_;    ///< types: their width
+    std::unordered_map<std::uint32_t, std::uint32_t> words_;     ///< types of integers of 32 bits: how many
+    std::unordered_map<std::uint32_t, std::uint32_t> types_;     ///< of integers of 32 bits
+    std::map<std::uint32_t, Constant> constants_;                ///< in order: the module made is the same each time
+    std::vector<Words> function_;                                ///< the one that is being read
+    std::unordered_map<std::uint32_t, std::uint32_t> replaced_;  ///< in it
+    std::uint32_t bit_ = 0;                                      ///< in it: zero, as an unsigned number
+};
+
+void Hiding::read_constant(Words w) {
+    const auto type = floats_.find(w[1]);
+    if (type == floats_.end()) return;
+    const Words low = w.subspan(3, w.size() - 4);
+    const std::uint32_t top = w.back(), magnitude = type->second == 16 ? top & 0x7fffu : top & 0x7fffffffu;
+    const bool is_zero = magnitude == 0 && std::ranges::all_of(low, [](std::uint32_t word) { return word == 0; });
+    if (is_zero || type->second == 32) constants_.emplace(w[2], Constant{w, is_zero, top != 0 ? fresh() : 0});
+}
+
+void Hiding::read_composite(Words w) {
+    Constant made{w};
+    bool is_any = false;
+    for (std::uint32_t part : w.subspan(3)) {
+        const auto found = constants_.find(part);
+        if (found == constants_.end()) continue;
+        is_any = true;
+        made.has_zero = made.has_zero || found->second.has_zero;
+    }
+    if (is_any) constants_.emplace(w[2], made);
+}
+
+void Hiding::read(Words w) {
+    const std::uint32_t op = w[0] & 0xffffu;
+    switch (op) {
+    case decorate:
+        if (w.size() == 4 && w[2] == decoration_built_in && w[3] == global_invocation_id) invocation_ = w[1];
+        break;
+    case type_float: floats_.emplace(w[1], w[2]); break;
+    case type_int:
+        if (w[2] == 32) words_.emplace(w[1], 1);
+        if (w[2] == 32 && w[3] == 0) uint_ = w[1];
+        break;
+    case type_vector:
+        if (words_in(w[2]) == 1) words_.emplace(w[1], w[3]);
+        if (w[2] == uint_ && w[3] == 3) uint3_ = w[1];
+        break;
+    case constant: read_constant(w); break;
+    case constant_composite: read_composite(w); break;
+    default: break;
+    }
+    const bool has_result = w.size() > 2 && op != decorate && op != store;
+    if (has_result && words_in(w[1]) != 0) types_.emplace(w[2], w[1]);
+}
+
+bool Hiding::is_hidden(std::uint32_t id, Use use) const {
+    const auto found = constants_.find(id);
+    return found != constants_.end() && (use == Use::passes_on || found->second.has_zero);
+}
+
+std::uint32_t Hiding::hide_scalar(Module& module, Words w) {
+    const Constant& constant = constants_.at(w[2]);
+    std::uint32_t result = fresh();
+    if (floats_.at(w[1]) == 32 && constant.bits != 0) {
+        append(module, bit_or, {uint_, result, constant.bits, bit_});
+        append(module, bitcast, {w[1], next_id_, result});
+        return fresh();
+    }
+    append(module, convert_u_to_f, {w[1], result, bit_});
+    if (constant.bits == 0) return result;
+    append(module, negate, {w[1], next_id_, result});
+    return fresh();
+}
+
+/// Computes a constant, its parts first; gives the id that stands for it in this function.
+std::uint32_t Hiding::hide(Module& module, std::uint32_t id) {
+    const auto found = constants_.find(id);
+    if (found == constants_.end()) return id;
+    if (const auto known = replaced_.find(id); known != replaced_.end()) return known->second;
+    const Words w = found->second.words;
+    std::uint32_t result = 0;
+    if ((w[0] & 0xffffu) == constant) {
+        result = hide_scalar(module, w);
+    } else {
+        std::vector<std::uint32_t> parts;
+        for (std::uint32_t part : w.subspan(3)) parts.push_back(hide(module, part));
+        result = fresh();
+        module.push_back(static_cast<std::uint32_t>(parts.size() + 3) << 16 | composite_construct);
+        module.insert(module.end(), {w[1], result});
+        module.insert(module.end(), parts.begin(), parts.end());
+    }
+    replaced_.emplace(id, result);
+    return result;
+}
+
+/// The operand of a conversion from integers, which may be a constant once loops are unrolled, with the hidden zero.
+std::uint32_t Hiding::with_bit(Module& module, Words conversion) {
+    const std::uint32_t operand = conversion[3];
+    const auto type = types_.find(operand);
+    if (type == types_.end()) return operand;
+    std::uint32_t bits = bit_;
+    if (const std::uint32_t count = words_in(type->second); count > 1) {
+        bits = fresh();
+        module.push_back((count + 3) << 16 | composite_construct);
+        module.insert(module.end(), {type->second, bits});
+        module.insert(module.end(), count, bit_);
+    }
+    const std::uint32_t result = fresh();
+    append(module, bit_or, {type->second, result, operand, bits});
+    return result;
+}
+
+/// The zeros that the function uses: the top bit of the invocation's first number, which is never set.
+void Hiding::begin(Module& module, const std::vector<std::uint32_t>& used) {
+    const std::uint32_t all = fresh(), first = fresh();
+    bit_ = fresh();
+    append(module, load, {uint3_, all, invocation_});
+    append(module, composite_extract, {uint_, first, all, 0});
+    append(module, shift_right, {uint_, bit_, first, shift_});
+    for (std::uint32_t id : used) hide(module, id);
+}
+
+bool is_from_integers(std::uint32_t op) { return op == convert_s_to_f || op == convert_u_to_f || op == bitcast; }
+
+void Hiding::write(Module& module, Words w) {
+    const Operands values = values_of(w);
+    const bool converts = is_from_integers(w[0] & 0xffffu) && types_.contains(w[3]) && !types_.contains(w[2]);
+    const std::uint32_t operand = converts ? with_bit(module, w) : 0;
+    const std::size_t at = module.size();
+    module.insert(module.end(), w.begin(), w.end());
+    if (converts) module[at + 3] = operand;
+    for (std::size_t i = values.first; i < values.last; ++i)
+        if (is_hidden(w[i], values.use)) module[at + i] = replaced_.at(w[i]);
+}
+
+void Hiding::write_function(Module& module) {
+    std::vector<std::uint32_t> used;
+    bool has_begun = true, is_in_block = false;
+    for (Words w : function_) {
+        const Operands values = values_of(w);
+        for (std::size_t i = values.first; i < values.last; ++i)
+            if (is_hidden(w[i], values.use)) used.push_back(w[i]);
+        if (!used.empty() || is_from_integers(w[0] & 0xffffu)) has_begun = false;
+    }
+    replaced_.clear();
+    for (Words w : function_) {
+        const std::uint32_t op = w[0] & 0xffffu;
+        // Variables stand first in a function's first block.
+        if (is_in_block && !has_begun && op != variable && op != line && op != no_line) {
+            begin(module, used);
+            has_begun = true;
+        }
+        is_in_block = is_in_block || op == label;
+        write(module, w);
+    }
+}
+
+/// The numbers that the functions compute with.
+void Hiding::write_constants(Module& module) {
+    shift_ = fresh();
+    append(module, constant, {uint_, shift_, 31});
+    for (const auto& [id, made] : constants_)
+        if (made.bits != 0) append(module, constant, {uint_, made.bits, made.words.back()});
+}
+
+Module Hiding::hidden() {
+    if (invocation_ == 0 || uint3_ == 0) return {spirv_.begin(), spirv_.end()};
+    Module module(spirv_.begin(), spirv_.begin() + header_words);
+    for_each([&](Words w) {
+        const std::uint32_t op = w[0] & 0xffffu;
+        if (op == function) {
+            if (shift_ == 0) write_constants(module);
+            function_.clear();
+        }
+        if (shift_ == 0) module.insert(module.end(), w.begin(), w.end());
+        else function_.push_back(w);
+        if (op == function_end) write_function(module);
+    });
+    module[bound_word] = next_id_;
+    return module;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> with_hidden_zeros(std::span<const std::uint32_t> spirv) { return Hiding(spirv).hidden(); }
+
+}  // namespace glift::detail
