@@ -1,5 +1,7 @@
 #include "driver/command_line.h"
 
+#include "lower/passes.h"
+
 #include <CLI/CLI.hpp>
 
 #ifndef GLIFT_VERSION
@@ -58,7 +60,11 @@ void read_warning(Options& options, const std::string& word) {
 
 void finish(Options& options, const Typed& typed) {
     for (const std::string& word : typed.targets) options.targets.push_back(look_up(target_names, "--target", word));
-    if (!typed.stop_after.empty()) options.stop_after = look_up(stage_names, "--stop-after", typed.stop_after);
+    if (lower::is_pass(typed.stop_after)) options.stop_after_pass = typed.stop_after;
+    else if (!typed.stop_after.empty()) options.stop_after = look_up(stage_names, "--stop-after", typed.stop_after);
+    if (!options.dump_after.empty() && !lower::is_pass(options.dump_after))
+        throw CLI::ValidationError("--dump-after",
+                                   "there is no pass '" + options.dump_after + "' (compiler/lower/passes.cpp)");
     if (!typed.dump.empty()) options.dump = look_up(stage_names, "--dump", typed.dump);
     if (!typed.format.empty()) options.diagnostics_format = look_up(format_names, "--diagnostics-format", typed.format);
     if (!typed.colour.empty()) options.colour = look_up(colour_names, "--color", typed.colour);
@@ -95,11 +101,16 @@ void add_output_options(CLI::App& app, Options& options, Typed& typed) {
 
 void add_stage_options(CLI::App& app, Options& options, Typed& typed) {
     app.add_flag("--check", options.check_only, "Report errors and write nothing")->group("Stages");
-    app.add_option("--stop-after", typed.stop_after, "Stop after a stage: syntax, sema, lower, layout")
+    app.add_option("--stop-after", typed.stop_after,
+                   "Stop after a stage (syntax, sema, lower, layout) or a pass of lowering")
         ->type_name("STAGE")
         ->group("Stages");
     app.add_option("--dump", typed.dump, "Print what a stage made: syntax, sema, lower")
         ->type_name("STAGE")
+        ->group("Stages");
+    app.add_option("--dump-after", options.dump_after,
+                   "Print what a pass of lowering left: expand, share, strengthen, …")
+        ->type_name("PASS")
         ->group("Stages");
     app.add_flag("--time-report", options.time_report, "Say how long each stage took")->group("Stages");
 }

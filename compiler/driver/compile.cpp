@@ -69,7 +69,12 @@ Result compile(const Options& options, const FileSystem& files, Compilation& c) 
     if (options.dump == Stage::sema) result.dump = ir::print(c.program);
     if (stops_after(Stage::sema)) return result;
 
-    c.lowered = lower::lower(c.program, c.diagnostics, options.checked ? lower::Checks::ranges : lower::Checks::none);
+    lower::Trace trace{options.dump_after, options.stop_after_pass, {}};
+    c.lowered =
+        lower::lower(c.program, c.diagnostics,
+                     {options.checked ? lower::Checks::ranges : lower::Checks::none, trace.is_on() ? &trace : nullptr});
+    result.dump += trace.text;
+    if (trace.is_on()) return result;
     if (options.wants(Target::glsl)) c.lowered.libraries = lower::lower_libraries(c.program, c.diagnostics);
     clock.lap("lower");
     if (stops_after(Stage::lower) && options.dump != Stage::lower) return result;

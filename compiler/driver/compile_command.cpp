@@ -62,7 +62,7 @@ int run_compile(const Options& options) {
         for (const Output& output : result.outputs) std::printf("%s\n", output.name.c_str());
         return code;
     }
-    bool wanted = !options.stop_after && !options.dump;
+    bool wanted = !options.stop_after && !options.dump && options.stop_after_pass.empty() && options.dump_after.empty();
     return !wanted || write_outputs(options, result, compilation) ? code : static_cast<int>(ExitCode::source_errors);
 }
 

@@ -30,6 +30,7 @@ struct Options {
     std::vector<std::pair<std::string, std::string>> defines;
     std::vector<Target> targets;  ///< empty: all
     std::optional<Stage> stop_after, dump;
+    std::string stop_after_pass, dump_after;  ///< passes of lower/passes.h
     bool check_only = false;  ///< --check: report, write nothing (fmt: say what is not formatted)
     bool checked = false;     ///< --checked: generated code reports accesses out of range
     bool optimize = false;    ///< -O: SPIR-V through spirv-opt

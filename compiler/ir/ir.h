@@ -172,6 +172,7 @@ struct Local {
     Span span;
     bool is_mutable = false;
     Storage storage = Storage::value;
+    bool is_temporary = false;  ///< a pass made it for a value that is used more than once
 };
 
 // ------------------------------------------------------------------------------------------------------ functions

@@ -12,6 +12,9 @@ namespace gliftc::ir {
 /// Which assumptions a lowered kernel may make; see runtime/include/glift/pass.h.
 enum class Form : std::uint8_t { direct, general, wide };
 
+inline constexpr std::uint32_t no_kernel = 0xffffffffu;
+inline constexpr std::uint32_t no_parameter = 0xffffffffu;
+
 enum class Access : std::uint8_t { read, write, read_write };
 
 /// One memory that the kernel touches.
@@ -29,7 +32,7 @@ struct PassBinding {
     bool coherent =
         false;             ///< workgroups see what others write within the pass: every access stays where it is written
     bool in_rows = false;  ///< some load or store is of a vector of row_width numbers, whose index counts vectors
-    std::uint32_t address_parameter = 0xffffffffu;  ///< wide form, buffers: the parameter that holds the address
+    std::uint32_t address_parameter = no_parameter;  ///< wide form, buffers: the parameter that holds the address
 };
 
 /// Whether a load or store of this type moves a vector of four numbers of the binding, whatever an element has of them.
@@ -55,8 +58,6 @@ struct PassParameter {
     std::uint32_t param = 0;   ///< origin, range_size: kernel parameter; address: binding
     std::uint32_t offset = 0;  ///< bytes, scalar layout; set by layout/
 };
-
-inline constexpr std::uint32_t no_kernel = 0xffffffffu;
 
 struct Pass {
     std::uint32_t kernel = 0;  ///< Program::kernels; no_kernel: a function of a library
@@ -84,9 +85,10 @@ struct Pass {
     /// Parameters give the domain.
     std::vector<StmtId> interior_body;
     std::uint32_t interior_radius = 0;
-    std::uint32_t interior_domain = 0xffffffffu;  ///< parameter that holds the domain's extent
-    std::uint32_t interior_origin = 0xffffffffu;  ///< parameter that holds the origin of the centre's range; none: zero
-    std::vector<FunctionId> functions;            ///< called by the body, callees first, all low level
+    std::uint32_t interior_domain = no_parameter;  ///< parameter that holds the domain's extent
+    std::uint32_t interior_origin =
+        no_parameter;                   ///< parameter that holds the origin of the centre's range; none: zero
+    std::vector<FunctionId> functions;  ///< called by the body, callees first, all low level
     std::vector<LocalId> shared;
     std::vector<std::vector<LocalId>>
         shared_places;               ///< set by layout/: which of them share memory, one after the other

@@ -1,4 +1,5 @@
-// A program, or its lowered passes, as text: for --dump=ir and --dump=lower, and for tests. Not read back.
+// A program, or its lowered passes, as text: for --dump and --dump-after, and for tests. Passes are read back by
+// read.h.
 #pragma once
 
 #include "ir/pass.h"
@@ -10,7 +11,8 @@ namespace gliftc::ir {
 
 std::string print(const Program& program);
 std::string print(const Program& program, const Lowered& lowered);
-std::string print(const Program& program, const Pass& pass);
+/// `facts` are conditions that hold on the whole body.
+std::string print(const Program& program, const Pass& pass, const std::vector<ExprId>& facts = {});
 
 /// One function, expression or list of statements; a pass gives the names of its bindings and parameters.
 std::string print(const Program& program, FunctionId function, const Pass* pass = nullptr);

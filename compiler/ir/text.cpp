@@ -98,7 +98,10 @@ std::string to_text(const Program& program, TypeId id) {
     case TypeKind::double_: return "double";
     case TypeKind::int64: return "int64";
     case TypeKind::uint64: return "uint64";
-    case TypeKind::vector: return to_text(program, type.element) + std::to_string(type.count);
+    case TypeKind::vector:
+        if (type.element == program.types.int64 || type.element == program.types.uint64)
+            return "vec<" + std::to_string(type.count) + ", " + to_text(program, type.element) + ">";
+        return to_text(program, type.element) + std::to_string(type.count);
     case TypeKind::matrix:
         return to_text(program, type.element) + std::to_string(type.count) + "x" + std::to_string(type.rows);
     case TypeKind::array: return to_text(program, type.element) + "[" + std::to_string(type.count) + "]";

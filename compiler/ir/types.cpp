@@ -34,6 +34,14 @@ TypeId Types::intern(Type type) {
     return bucket.back();
 }
 
+TypeId Types::find(const Type& type) const {
+    const auto bucket = index_.find(hash_of(type));
+    if (bucket == index_.end()) return error;
+    for (TypeId id : bucket->second)
+        if (arena_[id] == type) return id;
+    return error;
+}
+
 TypeId Types::vector(TypeId element, std::uint32_t count) {
     if (count == 1) return element;
     return intern({.kind = TypeKind::vector, .element = element, .count = count});

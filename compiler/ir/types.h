@@ -70,6 +70,9 @@ public:
     /// The type that `id` is in the types of another program with the same structs, enums and structures.
     TypeId same_as(const Types& other, TypeId id);
 
+    TypeId intern(Type type);
+    TypeId find(const Type& type) const;  ///< error where there is none yet
+
     std::uint32_t size() const { return arena_.size(); }
     TypeKind kind(TypeId id) const { return arena_[id].kind; }
     /// bool to uint64
@@ -90,7 +93,6 @@ public:
     TypeId with_scalar(TypeId shape, TypeId scalar);  ///< bool4 from (float4, bool)
 
 private:
-    TypeId intern(Type type);
     Arena<Type> arena_;
     std::unordered_map<std::uint64_t, std::vector<TypeId>> index_;
 };

@@ -7,6 +7,7 @@
 #include "lower/lower.h"
 #include "lower/make.h"
 #include "lower/number_memory.h"
+#include "lower/trace.h"
 
 #include <map>
 #include <memory>
@@ -44,15 +45,17 @@ struct AddressForm {
 };
 
 struct Context {
-    Context(ir::Program& program, const ir::Kernel& kernel, ir::Pass& pass, Diagnostics& diagnostics, Checks checks)
-        : p(program), kernel(kernel), pass(pass), diagnostics(diagnostics), checks(checks),
-          make(program), first_expr{program.exprs.size()}, first_local{program.locals.size()} {}
+    Context(ir::Program& program, const ir::Kernel& kernel, ir::Pass& pass, Diagnostics& diagnostics, Settings settings)
+        : p(program), kernel(kernel), pass(pass), diagnostics(diagnostics), checks(settings.checks),
+          trace(settings.trace), make(program), first_expr{program.exprs.size()}, first_local{program.locals.size()} {}
 
     ir::Program& p;
     const ir::Kernel& kernel;
     ir::Pass& pass;
     Diagnostics& diagnostics;
     Checks checks;
+    Trace* trace;             ///< or nothing is shown
+    bool is_stopped = false;  ///< --stop-after has been reached: what follows is left out
     Make make;
     /// What was made before does not belong to this pass alone.
     ExprId first_expr;
@@ -63,8 +66,6 @@ struct Context {
     /// What a value was called in the source; used where it gets a name of its own.
     NodeMap<ExprId, Name> names{first_expr};
     void name(ExprId id, std::string_view text) { names.emplace(id, p.names->intern(text)); }
-    /// Locals that no source names: made for values used more than once.
-    IdSet<ir::Local> made;
     std::map<FunctionKey, ir::FunctionId> instances;
     std::vector<std::unique_ptr<AddressForm>> address_forms;
     std::map<std::vector<std::uint64_t>, ExprId> known_calls;  ///< by function and integers: unit(2)

@@ -3,6 +3,7 @@
 
 #include "diag/diagnostics.h"
 #include "ir/pass.h"
+#include "lower/trace.h"
 
 namespace gliftc::lower {
 
@@ -12,9 +13,14 @@ enum class Checks : std::uint8_t {
     ranges,  ///< reads and writes by address outside a structure that says nothing about its outside: see check_range
 };
 
+struct Settings {
+    Checks checks = Checks::none;
+    Trace* trace = nullptr;  ///< or nothing is shown
+};
+
 /// Lowers every kernel. Adds to the program's arenas; kernels stay as they were. Also ends the life of pipelines'
 /// temporaries (release statements) and marks affine translators.
-ir::Lowered lower(ir::Program& program, Diagnostics& diagnostics, Checks checks = Checks::none);
+ir::Lowered lower(ir::Program& program, Diagnostics& diagnostics, Settings settings = {});
 
 /// One kernel as the body of a function with these parameters that reaches the structures' state and memory by name: no
 /// dispatch, no range.

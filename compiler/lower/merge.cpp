@@ -56,7 +56,7 @@ void Merging::count(const std::vector<StmtId>& body, unsigned loops) {
 
 /// Whether the let of this value vanishes.
 bool Merging::is_merged(const Stmt& stmt, ExprId value) {
-    if (stmt.op != StmtOp::let || !value || !cx.made.contains(stmt.local)) return false;
+    if (stmt.op != StmtOp::let || !value || !cx.p.locals[stmt.local].is_temporary) return false;
     const Use& use = uses_[stmt.local];
     return use.count == 1 && use.loops == use.declared && numbers_.is_fixed(value);
 }

@@ -9,9 +9,7 @@
 #include "lower/expand.h"
 #include "lower/loops.h"
 #include "lower/lower.h"
-#include "lower/predicate.h"
-#include "lower/share.h"
-#include "lower/strength.h"
+#include "lower/passes.h"
 #include "lower/temporaries.h"
 #include "lower/uniforms.h"
 
@@ -31,33 +29,40 @@ constexpr std::size_t kernels_of_a_thread = 8;
 
 /// Development builds stop at the pass that broke something.
 void check([[maybe_unused]] const Context& cx, [[maybe_unused]] const std::vector<StmtId>& body,
-           [[maybe_unused]] const char* pass) {
+           [[maybe_unused]] std::string_view pass) {
 #ifndef NDEBUG
     std::vector<std::string> problems = validate(cx.p, cx.pass, body, cx.params);
     for (const std::string& problem : problems)
-        std::fprintf(stderr, "gliftc: %s of %s: %s\n", pass, (*cx.p.names)[cx.kernel.name].c_str(), problem.c_str());
+        std::fprintf(stderr, "gliftc: %.*s of %s: %s\n", static_cast<int>(pass.size()), pass.data(),
+                     (*cx.p.names)[cx.kernel.name].c_str(), problem.c_str());
     assert(problems.empty());
 #endif
 }
 
-/// Addresses relative to each other, everything once, nothing unused.
-std::vector<StmtId> simplified(Context& cx, std::vector<StmtId> body, const std::vector<ExprId>& facts = {}) {
-    check(cx, body, "expand");
-    body = share(cx, body, facts);
-    check(cx, body, "share");
-    body = strengthen(cx, body);
-    check(cx, body, "strengthen");
-    body = share(cx, body, facts);
-    body = drop_dead(cx, body);
-    check(cx, body, "drop_dead");
-    if (cx.kernel.grouped()) body = drop_dead(cx, predicate_loads(cx, body));
-    return merge_single_uses(cx, body);
+/// After each pass: development builds look for what it broke, a trace writes down what it left.
+void finished(Context& cx, std::string_view pass, const std::vector<StmtId>& body, const std::vector<ExprId>& facts,
+              std::string_view what) {
+    check(cx, body, pass);
+    if (cx.trace == nullptr) return;
+    cx.trace->note(pass, cx.p, cx.pass, body, facts, what);
+    cx.is_stopped |= pass == cx.trace->stop_after;
+}
+
+/// What the body passes make of a body; `what` names it.
+std::vector<StmtId> simplified(Context& cx, std::string_view what, std::vector<StmtId> body,
+                               const std::vector<ExprId>& facts = {}) {
+    for (const BodyPass& pass : body_passes()) {
+        if (cx.is_stopped || !pass.applies(cx)) continue;
+        body = pass.run(cx, body, facts);
+        finished(cx, pass.name, body, facts, what);
+    }
+    return body;
 }
 
 /// The parameter that is exactly this value, if there is one.
 std::uint32_t parameter_of(const Context& cx, ExprId id) {
     const Expr& node = cx.p.exprs[id];
-    return node.op == Op::parameter ? node.slot : 0xffffffffu;
+    return node.op == Op::parameter ? node.slot : no_parameter;
 }
 
 /// Holds a uniform value through the passes, so that it becomes a parameter like any other.
@@ -102,7 +107,7 @@ std::vector<StmtId> interior(Context& cx, Expander& checked, const std::vector<E
     holders.push_back(holder(cx, checked.near_domain));
     for (const KernelParam& param : cx.kernel.params)
         if (param.pattern == Pattern::near) cx.pass.interior_radius = std::max(cx.pass.interior_radius, param.radius);
-    return simplified(cx, std::move(body), facts);
+    return simplified(cx, "interior", std::move(body), facts);
 }
 
 /// The functions made for the pass; their bodies are added to `bodies`.
@@ -110,7 +115,7 @@ void simplify_functions(Context& cx, std::vector<std::vector<StmtId>*>& bodies) 
     for (auto& [key, function] : cx.instances) {
         auto& body = cx.p.functions[function].body;
         cx.params = cx.p.functions[function].params;
-        body = simplified(cx, std::move(body));
+        body = simplified(cx, (*cx.p.names)[cx.p.functions[function].name], std::move(body));
         bodies.push_back(&body);
     }
 }
@@ -127,12 +132,12 @@ void check_whole([[maybe_unused]] const Context& cx) {
 /// That an invocation of a shader takes.
 enum class Elements { one, two_where_it_helps };
 
-Pass lowered(Program& program, Diagnostics& diagnostics, std::uint32_t kernel, Form form, Checks checks,
+Pass lowered(Program& program, Diagnostics& diagnostics, std::uint32_t kernel, Form form, Settings settings,
              Elements elements) {
     Pass pass;
     pass.kernel = kernel;
     pass.form = form;
-    Context cx(program, program.kernels[kernel], pass, diagnostics, checks);
+    Context cx(program, program.kernels[kernel], pass, diagnostics, settings);
     choose_dispatch(cx);
     Expander expander(cx, Guards::checked);
     cx.size = expander.iteration_size();
@@ -140,11 +145,14 @@ Pass lowered(Program& program, Diagnostics& diagnostics, std::uint32_t kernel, F
     std::vector<ExprId> facts;
     if (!cx.kernel.grouped()) facts.push_back(in_range_condition(cx));
     std::vector<StmtId> body = expander.kernel_body();
+    finished(cx, "expand", body, facts, "body");
     cx.traits.clear();
     Coarsened pair;
     if (elements == Elements::two_where_it_helps) pair = coarsened(cx, body, expander);
-    pass.body = simplified(cx, std::move(body), facts);
-    if (!pair.body.empty()) pass.pair_body = simplified(cx, std::move(pair.body), {facts[0], pair.in_range});
+    if (!pair.body.empty()) finished(cx, "coarsen", pair.body, facts, "two elements");
+    pass.body = simplified(cx, "body", std::move(body), facts);
+    if (!pair.body.empty())
+        pass.pair_body = simplified(cx, "two elements", std::move(pair.body), {facts[0], pair.in_range});
     std::vector<StmtId> holders;
     pass.interior_body = interior(cx, expander, facts, holders);
     pass.prologue = std::move(expander.size_statements);
@@ -152,11 +160,13 @@ Pass lowered(Program& program, Diagnostics& diagnostics, std::uint32_t kernel, F
 
     std::vector<std::vector<StmtId>*> bodies{&pass.prologue, &pass.body, &pass.pair_body, &pass.interior_body};
     simplify_functions(cx, bodies);
+    if (cx.is_stopped) return pass;
     bodies.push_back(&holders);
     move_uniforms(cx, bodies);
+    finished(cx, "move_uniforms", pass.body, {}, "body");
     if (!holders.empty()) {
         pass.interior_domain = parameter_of(cx, program.stmts[holders[0]].value);
-        if (pass.interior_domain == 0xffffffffu) pass.interior_body.clear();
+        if (pass.interior_domain == no_parameter) pass.interior_body.clear();
         if (form != Form::direct)
             pass.interior_origin =
                 cx.parameter(ParameterSource::origin, {}, cx.kernel.domain_type, *expander.near_root);
@@ -167,11 +177,11 @@ Pass lowered(Program& program, Diagnostics& diagnostics, std::uint32_t kernel, F
     return pass;
 }
 
-Lowered::Forms lowered_forms(Program& program, Diagnostics& diagnostics, std::uint32_t kernel, Checks checks) {
+Lowered::Forms lowered_forms(Program& program, Diagnostics& diagnostics, std::uint32_t kernel, Settings settings) {
     Lowered::Forms forms;
     const Mark before(program);
     const auto lower = [&](Form form, Elements elements) {
-        return lowered(program, diagnostics, kernel, form, checks, elements);
+        return lowered(program, diagnostics, kernel, form, settings, elements);
     };
     forms.direct = lower(Form::direct, Elements::two_where_it_helps);
     forms.general = lower(Form::general, Elements::two_where_it_helps);
@@ -180,6 +190,7 @@ Lowered::Forms lowered_forms(Program& program, Diagnostics& diagnostics, std::ui
         Pass& coarse = forms.direct.pair_body.empty() ? forms.general : forms.direct;
         coarse = lower(coarse.form, Elements::one);
     }
+    if (settings.trace != nullptr && !settings.trace->stop_after.empty()) return forms;
     agree(program, forms.direct, forms.general);
     compact(program, before, std::array{&forms.direct, &forms.general});
     forms.wide = widened(program, forms.general);
@@ -192,14 +203,14 @@ struct Made {
     Diagnostics diagnostics;
 };
 
-std::vector<Lowered::Forms> lowered_in_order(Program& program, Diagnostics& diagnostics, Checks checks) {
+std::vector<Lowered::Forms> lowered_in_order(Program& program, Diagnostics& diagnostics, Settings settings) {
     std::vector<Lowered::Forms> passes;
     for (std::uint32_t i = 0; i < program.kernels.size(); ++i)
-        passes.push_back(lowered_forms(program, diagnostics, i, checks));
+        passes.push_back(lowered_forms(program, diagnostics, i, settings));
     return passes;
 }
 
-std::vector<Lowered::Forms> lowered_on_threads(Program& program, Diagnostics& diagnostics, Checks checks) {
+std::vector<Lowered::Forms> lowered_on_threads(Program& program, Diagnostics& diagnostics, Settings settings) {
     const std::size_t count = program.kernels.size(), threads = threads_for(count, kernels_of_a_thread);
     ready_for_branches(program);
     std::vector<Lowered::Forms> passes(count);
@@ -211,8 +222,9 @@ std::vector<Lowered::Forms> lowered_on_threads(Program& program, Diagnostics& di
         Branch& branch = branches[*unused.take()];
         while (auto kernel = kernels.take()) {
             auto index = static_cast<std::uint32_t>(*kernel);
-            made[index].growth = grown(
-                branch, [&] { passes[index] = lowered_forms(branch.program, made[index].diagnostics, index, checks); });
+            made[index].growth = grown(branch, [&] {
+                passes[index] = lowered_forms(branch.program, made[index].diagnostics, index, settings);
+            });
         }
     });
     for (Made& one : made) {
@@ -229,13 +241,13 @@ Pass lower_function(Program& program, Diagnostics& diagnostics, const Kernel& ke
     Pass pass;
     pass.kernel = no_kernel;
     pass.params = std::move(params);
-    Context cx(program, kernel, pass, diagnostics, Checks::none);
+    Context cx(program, kernel, pass, diagnostics, {});
     cx.params = pass.params;
     choose_dispatch(cx);
     Expander expander(cx, Guards::checked);
     std::vector<StmtId> body = expander.kernel_body();
     cx.traits.clear();
-    pass.body = simplified(cx, std::move(body));
+    pass.body = simplified(cx, "body", std::move(body));
     std::vector<std::vector<StmtId>*> bodies{&pass.body};
     simplify_functions(cx, bodies);
     name_state(cx, bodies);
@@ -244,11 +256,11 @@ Pass lower_function(Program& program, Diagnostics& diagnostics, const Kernel& ke
     return pass;
 }
 
-Lowered lower(Program& program, Diagnostics& diagnostics, Checks checks) {
+Lowered lower(Program& program, Diagnostics& diagnostics, Settings settings) {
     mark_affine(program);
-    // Of the number of kernels alone, so that all machines do the same.
-    const bool are_few = program.kernels.size() < 2 * kernels_of_a_thread;
-    Lowered result{(are_few ? lowered_in_order : lowered_on_threads)(program, diagnostics, checks), {}};
+    // Of the number of kernels alone, so that all machines do the same. A trace is in the order of the kernels.
+    const bool are_few = program.kernels.size() < 2 * kernels_of_a_thread || settings.trace != nullptr;
+    Lowered result{(are_few ? lowered_in_order : lowered_on_threads)(program, diagnostics, settings), {}};
     release_temporaries(program);
     return result;
 }

@@ -299,7 +299,7 @@ ExprId Rewriting::visit_first(ExprId id, Record& record) {
     const Expr& node = cx.p.exprs[id];
     record.local = cx.new_local(record.name ? record.name : made_name(node), node.type, span_);
     cx.definitions[record.local] = value;
-    cx.made.insert(record.local);
+    cx.p.locals[record.local].is_temporary = true;
     Stmt stmt = statement(StmtOp::let, span_);
     stmt.local = record.local;
     stmt.value = value;

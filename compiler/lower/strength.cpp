@@ -87,7 +87,7 @@ ExprId Strength::relative(ExprId id) {
 ExprId Strength::around_select(const Expr& node, Operands operands) {
     const Expr* named = &cx.p.exprs[operands[1]];
     // What is computed for another use, too, is worth more as it is.
-    const bool is_own = named->op == Op::local && !cx.made.contains(named->local);
+    const bool is_own = named->op == Op::local && !cx.p.locals[named->local].is_temporary;
     const ExprId* definition = is_own ? cx.definitions.find(named->local) : nullptr;
     const Expr& moved = definition ? cx.p.exprs[*definition] : *named;
     const Expr& other = cx.p.exprs[operands[2]];

@@ -80,7 +80,7 @@ struct Lowering {
         for (const Diagnostic& diagnostic : diagnostics.all())
             ADD_FAILURE() << sources.text(diagnostic.span) << ": " << diagnostic.text;
         if (diagnostics.has_errors()) return;
-        lowered = lower::lower(program, diagnostics, checks);
+        lowered = lower::lower(program, diagnostics, {.checks = checks});
     }
 
     const ir::Lowered::Forms& forms(std::string_view kernel) const {

@@ -1,0 +1,153 @@
+// A pass as text that read.h reads back: what it is given, then its bodies. read.h has the grammar.
+#include "ir/printer.h"
+#include "ir/spelling.h"
+#include "ir/walk.h"
+
+namespace gliftc::ir {
+
+namespace {
+
+std::string three(const std::array<std::uint32_t, 3>& numbers) {
+    return std::to_string(numbers[0]) + " " + std::to_string(numbers[1]) + " " + std::to_string(numbers[2]);
+}
+
+}  // namespace
+
+void Printer::declare_struct(std::uint32_t index) {
+    const Struct& of = p.structs[index];
+    for (const StructField& field : of.fields) declare_types(field.type);
+    std::string text = "struct " + type(p.types.find({.kind = TypeKind::struct_, .index = index})) + " {";
+    for (std::size_t i = 0; i < of.fields.size(); ++i)
+        text += std::string(i ? ", " : " ") + name(of.fields[i].name) + ": " + type(of.fields[i].type);
+    line(text + " }");
+}
+
+void Printer::declare_enum(std::uint32_t index) {
+    const Enum& of = p.enums[index];
+    std::string text = "enum " + type(p.types.find({.kind = TypeKind::enum_, .index = index})) + " {";
+    for (std::size_t i = 0; i < of.values.size(); ++i)
+        text += std::string(i ? ", " : " ") + name(of.enumerators[i]) + " = " + std::to_string(of.values[i]);
+    line(text + " }");
+}
+
+/// The structs and enums that a type is made of, each once.
+void Printer::declare_types(TypeId id) {
+    if (!id || !declared_.insert(id.index).second) return;
+    const Type type = p.types[id];
+    if (type.element) declare_types(type.element);
+    if (type.kind == TypeKind::struct_) declare_struct(type.index);
+    if (type.kind == TypeKind::enum_) declare_enum(type.index);
+}
+
+void Printer::declare_used_types() {
+    const Pass& pass = *pass_;
+    const auto of_body = [&](const std::vector<StmtId>& body) {
+        for_each_expression(p, body, [&](ExprId id) { declare_types(p.exprs[id].type); });
+        for_each_statement(p, body, [&](const Stmt& stmt) {
+            if (stmt.local) declare_types(p.locals[stmt.local].type);
+        });
+    };
+    for (const PassBinding& of : pass.bindings) declare_types(of.element);
+    for (const PassParameter& of : pass.parameters) {
+        declare_types(of.type);
+        if (of.value) for_each_node(p, of.value, [&](ExprId id) { declare_types(p.exprs[id].type); });
+    }
+    if (kernel_)
+        for (const KernelParam& of : kernel_->params)
+            if (of.pattern == Pattern::value) declare_types(p.locals[of.local].type);
+    for (LocalId of : pass.shared) declare_types(p.locals[of].type);
+    for (FunctionId of : pass.functions) {
+        for (LocalId param : p.functions[of].params) declare_types(p.locals[param].type);
+        declare_types(p.functions[of].result);
+        of_body(p.functions[of].body);
+    }
+    for (const auto* body : {&pass.prologue, &pass.body, &pass.pair_body, &pass.interior_body}) of_body(*body);
+}
+
+void Printer::dispatch_lines() {
+    const Pass& pass = *pass_;
+    std::string text = "group " + three(pass.group) + ", rank " + std::to_string(pass.rank);
+    if (pass.items != 1) text += ", items " + std::to_string(pass.items);
+    if (pass.taken != std::array<std::uint32_t, 3>{1, 1, 1}) text += ", takes " + three(pass.taken);
+    line(text + (kernel_ && kernel_->grouped() ? ", declared" : ""));
+    if (pass.loop_rounds)
+        line("loops " + (pass.loop_rounds == ~0ull ? std::string("unbounded") : std::to_string(pass.loop_rounds)));
+    if (pass.has_reports) line("reports");
+    if (!pass.exact) line("inexact");
+}
+
+void Printer::kernel_parameters() {
+    if (!kernel_) return;
+    for (const KernelParam& of : kernel_->params) {
+        if (of.pattern == Pattern::value) line("value " + local(of.local) + ": " + type(p.locals[of.local].type));
+        else line("structure " + name(of.name));
+    }
+}
+
+void Printer::bindings() {
+    for (const PassBinding& of : pass_->bindings) {
+        std::string text = "binding " + of.name + ": " + std::string(spelling(of.shape)) + "<" + type(of.element) +
+                           "> " + std::string(spelling(of.access));
+        if (of.format != Format::none) text += " " + std::string(spelling(of.format));
+        for (auto [flag, word] : {std::pair{of.sampled, " sampled"},
+                                  {of.linear, " linear"},
+                                  {of.atomic, " atomic"},
+                                  {of.coherent, " coherent"},
+                                  {of.in_rows, " in_rows"}})
+            if (flag) text += word;
+        text += " of " + place(of.place) + " " + std::to_string(of.memory);
+        if (of.address_parameter < pass_->parameters.size())
+            text += " at $" + pass_->parameters[of.address_parameter].name;
+        line(text);
+    }
+}
+
+void Printer::parameters() {
+    const auto given = [&](const PassParameter& of) -> std::string {
+        switch (of.source) {
+        case ParameterSource::uniform: return expr(of.value);
+        case ParameterSource::origin: return "origin " + name(kernel_->params[of.param].name);
+        case ParameterSource::size: return "size";
+        case ParameterSource::range_size: return "range_size " + name(kernel_->params[of.param].name);
+        case ParameterSource::address: return "address " + pass_->bindings[of.param].name;
+        }
+        return "?";
+    };
+    for (const PassParameter& of : pass_->parameters)
+        line("parameter " + of.name + ": " + type(of.type) + " = " + given(of));
+}
+
+void Printer::section(const std::string& title, const std::vector<StmtId>& statements) {
+    if (!statements.empty()) nested(title, statements);
+}
+
+void Printer::pass(const std::vector<ExprId>& facts) {
+    const Pass& pass = *pass_;
+    line("pass " + name(kernel_->name) + " " + std::string(spelling(pass.form)) + " {");
+    ++indent_;
+    dispatch_lines();
+    declare_used_types();
+    kernel_parameters();
+    bindings();
+    parameters();
+    for (LocalId of : pass.shared) line("shared " + local(of) + ": " + type(p.locals[of].type));
+    if (pass.address) line("address " + local(pass.address) + ": " + type(p.locals[pass.address].type));
+    if (pass.in_range) line("in_range " + local(pass.in_range));
+    for (FunctionId of : pass.functions) function(of);
+    for (ExprId fact : facts) line("fact " + expr(fact));
+    section("prologue", pass.prologue);
+    section("body", pass.body);
+    section("two elements", pass.pair_body);
+    if (!pass.interior_body.empty()) {
+        const auto parameter = [&](std::uint32_t slot) {
+            return slot < pass.parameters.size() ? " $" + pass.parameters[slot].name : std::string(" none");
+        };
+        section("interior " + std::to_string(pass.interior_radius) + parameter(pass.interior_domain) +
+                    parameter(pass.interior_origin),
+                pass.interior_body);
+    }
+    --indent_;
+    line("}");
+}
+
+}  // namespace gliftc::ir

@@ -1,0 +1,112 @@
+#include "ir/evaluate.h"
+#include "ir/printer.h"
+#include "ir/spelling.h"
+
+namespace gliftc::ir {
+
+void Printer::body(const std::vector<StmtId>& body) {
+    ++indent_;
+    for (StmtId id : body) stmt(p.stmts[id]);
+    --indent_;
+}
+
+void Printer::nested(const std::string& head, const std::vector<StmtId>& statements) {
+    line(head);
+    body(statements);
+}
+
+/// let: named by the source; var: changes; tmp: made by a pass for a value that is used more than once.
+void Printer::let(const Stmt& stmt) {
+    const Local& of = p.locals[stmt.local];
+    std::string text = of.is_mutable ? "var " : of.is_temporary ? "tmp " : "let ";
+    text += local(stmt.local) + ": " + type(of.type);
+    if (stmt.value) text += " = " + expr(stmt.value);
+    else if (stmt.uninitialized) text += " = uninitialized";
+    line(text + ";");
+}
+
+void Printer::stmt(const Stmt& stmt) {
+    switch (stmt.op) {
+    case StmtOp::let: let(stmt); break;
+    case StmtOp::assign: line(expr(stmt.target) + " = " + expr(stmt.value) + ";"); break;
+    case StmtOp::if_:
+        nested("if " + expr(stmt.value) + " {", stmt.body);
+        if (!stmt.otherwise.empty()) nested("} else {", stmt.otherwise);
+        line("}");
+        break;
+    case StmtOp::for_: {
+        const std::string head = (stmt.unrolled ? "unrolled for " : "for ") + local(stmt.local) + ": " +
+                                 type(p.locals[stmt.local].type) + " in ";
+        nested(head + operand(stmt.value) + ".." + operand(stmt.limit) + " {", stmt.body);
+        line("}");
+        break;
+    }
+    case StmtOp::while_:
+        nested("while " + expr(stmt.value) + " {", stmt.body);
+        line("}");
+        break;
+    case StmtOp::break_: line("break;"); break;
+    case StmtOp::continue_: line("continue;"); break;
+    case StmtOp::return_: line(stmt.value ? "return " + expr(stmt.value) + ";" : "return;"); break;
+    case StmtOp::block:
+        nested("{", stmt.body);
+        line("}");
+        break;
+    case StmtOp::evaluate: line(expr(stmt.value) + ";"); break;
+    case StmtOp::barrier: line("barrier();"); break;
+    case StmtOp::subgroup_barrier: line("subgroupBarrier();"); break;
+    case StmtOp::set_element: line(place(stmt.place) + " = " + expr(stmt.value) + ";"); break;
+    case StmtOp::write:
+        line(place(stmt.place) + "[" + expr(stmt.target) + "] = " + expr(stmt.value) + ";" +
+             (stmt.combine == Combine::replace ? "" : "  // " + std::string(spelling(stmt.combine))));
+        break;
+    case StmtOp::store: line(binding(stmt.slot) + "[" + expr(stmt.target) + "] = " + expr(stmt.value) + ";"); break;
+    case StmtOp::image_store:
+        line("image_store(" + binding(stmt.slot) + ", " + expr(stmt.target) + ", " + expr(stmt.value) + ");");
+        break;
+    case StmtOp::atomic:
+        line("atomic_" + std::string(spelling(stmt.combine)) + "(" + binding(stmt.slot) + "[" + expr(stmt.target) +
+             "], " + expr(stmt.value) + ");");
+        break;
+    case StmtOp::report:
+        line("report(" + (stmt.slot == no_binding ? "view" : binding(stmt.slot)) + ", " + expr(stmt.target) + ");");
+        break;
+#define HOST_STATEMENT(name) case StmtOp::name:
+#include "ir/statements.def"
+        host_stmt(stmt);
+        break;
+    }
+}
+
+void Printer::host_stmt(const Stmt& stmt) {
+    switch (stmt.op) {
+    case StmtOp::temp:
+        line((stmt.uninitialized ? "uninitialized temp " : "temp ") + local(stmt.local) + " = " +
+             to_text(p, p.locals[stmt.local].type) + "(" + list(stmt.arguments) + ");");
+        break;
+    case StmtOp::release: {
+        std::string text = "release";
+        for (LocalId id : stmt.locals) text += " " + local(id);
+        line(text + ";");
+        break;
+    }
+    case StmtOp::dispatch:
+        line("dispatch " + name(p.kernels[stmt.slot].name) + "(" + list(stmt.arguments) + ");");
+        break;
+    case StmtOp::expect: line("expect(" + expr(stmt.value) + ");"); break;
+    case StmtOp::expect_near: line("expect_near(" + list(stmt.arguments) + ");"); break;
+    case StmtOp::expect_same: line("expect_same(" + list(stmt.arguments) + ");"); break;
+    default: line("host " + expr(stmt.target) + " = " + expr(stmt.value) + ";"); break;
+    }
+}
+
+void Printer::function(FunctionId id) {
+    const Function& of = p.functions[id];
+    std::string text = "fn " + (pass_ ? function_name(id) : of.display.empty() ? name(of.name) : of.display) + "(";
+    for (std::size_t i = 0; i < of.params.size(); ++i)
+        text += (i ? ", " : "") + local(of.params[i]) + ": " + type(p.locals[of.params[i]].type);
+    nested(text + ") -> " + type(of.result) + " {", of.body);
+    line("}");
+}
+
+}  // namespace gliftc::ir

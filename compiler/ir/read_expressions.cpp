@@ -1,0 +1,313 @@
+#include "ir/implied_type.h"
+#include "ir/reader.h"
+#include "ir/spelling.h"
+
+#include <charconv>
+#include <limits>
+
+namespace gliftc::ir {
+
+namespace {
+
+constexpr std::string_view binary_signs[] = {"<<", ">>", "<=", ">=", "==", "!=", "&&", "||", "*",
+                                             "/",  "%",  "+",  "-",  "<",  ">",  "&",  "^",  "|"};
+
+}  // namespace
+
+ExprId Reader::add(Expr node) { return p.exprs.add(std::move(node)); }
+
+ExprId Reader::implied(Expr node) {
+    node.type = implied_type(p, &current(), node, [&](const Type& type) { return p.types.intern(type); });
+    return add(std::move(node));
+}
+
+Operands Reader::list() {
+    Operands operands;
+    expect("(");
+    while (!accept(")")) {
+        operands.push_back(expr());
+        accept(",");
+    }
+    return operands;
+}
+
+ExprId Reader::expr() {
+    const ExprId left = operand();
+    if (accept("?")) {
+        const ExprId yes = operand();
+        expect(":");
+        return implied({.op = Op::select, .operands = {left, yes, operand()}});
+    }
+    for (std::string_view sign : binary_signs) {
+        // An assignment's '=' and a range's '..' are none of them.
+        if (!accept(sign)) continue;
+        const BinaryOp op = *spelled(sign, BinaryOp::logical_or);
+        return implied({.op = Op::binary, .binary = op, .operands = {left, operand()}});
+    }
+    return left;
+}
+
+ExprId Reader::operand() {
+    for (std::string_view sign : {"-", "!", "~"}) {
+        if (!at(sign)) continue;
+        const char next = at_ + 1 < text_.size() ? text_[at_ + 1] : ' ';
+        if (sign == "-" && (std::isdigit(static_cast<unsigned char>(next)) || next == 'i')) break;  // a literal
+        expect(sign);
+        return implied({.op = Op::unary, .unary = *spelled(sign, UnaryOp::bit_not), .operands = {operand()}});
+    }
+    return postfix(primary());
+}
+
+ExprId Reader::postfix(ExprId whole) {
+    while (true) {
+        if (at("..")) return whole;
+        if (accept("[")) {
+            const ExprId at = expr();
+            expect("]");
+            whole = implied({.op = Op::index, .operands = {whole, at}});
+        } else if (accept(".")) {
+            whole = after_dot(whole);
+        } else {
+            return whole;
+        }
+    }
+}
+
+ExprId Reader::after_dot(ExprId whole) {
+    const Type of = p.types[type_of(whole)];
+    const std::string called = word();
+    if (of.kind == TypeKind::struct_) {
+        const auto& fields = p.structs[of.index].fields;
+        for (std::uint32_t i = 0; i < fields.size(); ++i)
+            if ((*p.names)[fields[i].name] == called) return implied({.op = Op::field, .slot = i, .operands = {whole}});
+        fail("expected a field before this");
+    }
+    Expr node{.op = Op::swizzle, .operands = {whole}};
+    for (std::size_t i = 0; i < called.size(); ++i) {
+        const auto lane = std::string_view("xyzw").find(called[i]);
+        if (i >= node.lanes.size() || lane == std::string_view::npos) fail("expected components before this");
+        node.lanes[i] = static_cast<std::uint8_t>(lane);
+    }
+    node.type = p.types.vector(p.types.scalar_of(type_of(whole)), static_cast<std::uint32_t>(called.size()));
+    return add(std::move(node));
+}
+
+ExprId Reader::literal() {
+    const bool is_negative = accept("-");
+    Expr node;
+    if (accept("inf") || accept("nan")) {
+        node.number =
+            text_[at_ - 1] == 'f' ? std::numeric_limits<double>::infinity() : std::numeric_limits<double>::quiet_NaN();
+        if (is_negative) node.number = -node.number;
+        node.type = p.types.float_;
+        return add(std::move(node));
+    }
+    const char* const begin = text_.data() + at_;
+    // A range's dots do not belong to the number before them.
+    const std::size_t dots = text_.find("..", at_);
+    const char* const end = text_.data() + std::min(dots, text_.size());
+    double number = 0;
+    std::uint64_t whole = 0;
+    const char* const after = std::from_chars(begin, end, number).ptr;
+    const bool is_whole = std::from_chars(begin, end, whole).ptr == after;
+    if (after == begin) fail("expected a value");
+    at_ = static_cast<std::size_t>(after - text_.data());
+    if (accept("h")) node.type = p.types.half;
+    else if (accept("d")) node.type = p.types.double_;
+    else if (accept("ul")) node.type = p.types.uint64;
+    else if (accept("u")) node.type = p.types.uint;
+    else if (accept("l")) node.type = p.types.int64;
+    else node.type = is_whole ? p.types.int_ : p.types.float_;
+    if (p.types.is_floating(node.type)) node.number = is_negative ? -number : number;
+    else node.bits = is_negative ? 0 - whole : whole;
+    return add(std::move(node));
+}
+
+/// ( expr ) or ( expr : type )
+ExprId Reader::parenthesized() {
+    const ExprId inside = expr();
+    if (accept(":")) p.exprs[inside].type = type();
+    expect(")");
+    return inside;
+}
+
+/// A constant of an enum, a conversion, or a value of parts. One part of the same shape is converted.
+ExprId Reader::made_of_type() {
+    const TypeId made = type();
+    if (p.types.kind(made) == TypeKind::enum_) {
+        expect(".");
+        const std::string called = word();
+        const Enum& of = p.enums[p.types[made].index];
+        for (std::size_t i = 0; i < of.values.size(); ++i)
+            if ((*p.names)[of.enumerators[i]] == called) return add({.type = made, .bits = of.values[i]});
+        fail("expected an enumerator before this");
+    }
+    Operands parts = list();
+    const Types& types = p.types;
+    const auto is_shaped = [&](TypeId id) { return types.is_scalar(id) || types.is_vector(id) || types.is_matrix(id); };
+    const auto same_shape = [&](TypeId a, TypeId b) {
+        return types.kind(a) == types.kind(b) || (types.is_scalar(a) && types.is_scalar(b));
+    };
+    const bool is_converted = parts.size() == 1 && is_shaped(made) && same_shape(made, type_of(parts[0])) &&
+                              types.components(made) == types.components(type_of(parts[0]));
+    const bool is_of_enum = parts.size() == 1 && types.kind(type_of(parts[0])) == TypeKind::enum_;
+    const Op op = is_converted || is_of_enum ? Op::convert : Op::construct;
+    return add({.op = op, .type = made, .operands = std::move(parts)});
+}
+
+ExprId Reader::intrinsic(const std::string& called) {
+    for (std::uint32_t i = 0; i <= static_cast<std::uint32_t>(Intrinsic::atomicExchange); ++i) {
+        const auto found = static_cast<Intrinsic>(i);
+        if (name_of(found) == called) return implied({.op = Op::intrinsic, .intrinsic = found, .operands = list()});
+    }
+    fail("expected a function of ir/intrinsics.def before this");
+}
+
+/// A function that the text does not have is one that the host calls, for a uniform value: its type stands behind it.
+ExprId Reader::call() {
+    const std::string called = name();
+    auto [found, is_new] = functions_.try_emplace(called);
+    if (is_new) {
+        Function made;
+        made.name = p.names->intern(called);
+        made.result = p.types.error;
+        found->second = p.functions.add(std::move(made));
+    }
+    Expr node{.op = Op::call, .function = found->second};
+    expect("(");
+    while (!accept(")")) {
+        if (accept("&")) node.places.push_back(place());
+        else node.operands.push_back(expr());
+        accept(",");
+    }
+    return implied(std::move(node));
+}
+
+std::uint32_t Reader::parameter_slot() {
+    const auto found = parameters_.find(name());
+    if (found == parameters_.end()) fail("no such parameter before this");
+    return found->second;
+}
+
+ExprId Reader::parameter() {
+    const std::uint32_t slot = parameter_slot();
+    return add({.op = Op::parameter, .type = current().parameters[slot].type, .slot = slot});
+}
+
+/// The member of that name; made where the text names it first.
+std::uint32_t Reader::member_of(std::uint32_t structure, const std::string& called) {
+    const auto& members = p.structures[structure].members;
+    for (std::uint32_t i = 0; i < members.size(); ++i)
+        if ((*p.names)[members[i].name] == called) return i;
+    MemberStructure made;
+    made.name = p.names->intern(called);
+    made.structure = new_structure(called);
+    p.structures[structure].members.push_back(std::move(made));
+    return static_cast<std::uint32_t>(p.structures[structure].members.size() - 1);
+}
+
+/// f.table: ends before what is no member.
+Place Reader::place() {
+    Place place;
+    place.root = kernel_parameter_index();
+    std::uint32_t structure = kernel().params[place.root].structure;
+    while (at(".")) {
+        const std::size_t before = at_;
+        expect(".");
+        const std::string called = word();
+        if (called == "domain" || called.starts_with("member") || called.starts_with("memory")) {
+            at_ = before;
+            break;
+        }
+        const std::uint32_t member = member_of(structure, called);
+        place.members.push_back(member);
+        structure = p.structures[structure].members[member].structure;
+    }
+    return place;
+}
+
+/// A structure has as many constructor arguments and memories as the text names.
+void Reader::grow(std::uint32_t structure, const Expr& property) {
+    Structure& of = p.structures[structure];
+    while (property.op == Op::member && of.constructor.size() <= property.slot) {
+        const std::string called = "member" + std::to_string(of.constructor.size());
+        of.constructor.push_back(p.locals.add({.name = p.names->intern(called), .type = p.types.error}));
+    }
+    while (property.op == Op::memory_extent && of.memories.size() <= property.slot) {
+        Memory made;
+        made.name = p.names->intern("memory" + std::to_string(of.memories.size()));
+        of.memories.push_back(std::move(made));
+    }
+}
+
+ExprId Reader::of_place() {
+    Expr node{.type = p.types.error, .place = place()};
+    expect(".");
+    const std::string called = word();
+    node.op = called == "domain" ? Op::domain : called.starts_with("member") ? Op::member : Op::memory_extent;
+    if (node.op != Op::domain)
+        node.slot = static_cast<std::uint32_t>(std::stoul(called.substr(std::string_view("member").size())));
+    std::uint32_t structure = kernel().params[node.place.root].structure;
+    for (std::uint32_t member : node.place.members) structure = p.structures[structure].members[member].structure;
+    grow(structure, node);
+    return add(std::move(node));
+}
+
+ExprId Reader::of_local(const std::string& called) {
+    const auto found = locals_.find(called);
+    if (found == locals_.end()) fail(concat("'", called, "' is not declared before this"));
+    return add({.op = Op::local, .type = p.locals[found->second].type, .local = found->second});
+}
+
+ExprId Reader::image(Op op) {
+    expect("(");
+    const auto found = bindings_.find(name());
+    if (found == bindings_.end()) fail("no such binding before this");
+    Expr node{.op = op, .slot = found->second};
+    while (accept(",")) node.operands.push_back(expr());
+    expect(")");
+    return implied(std::move(node));
+}
+
+ExprId Reader::primary() {
+    if (accept("(")) return parenthesized();
+    if (accept("$")) return parameter();
+    if (accept("@")) return call();
+    if (accept("%")) {
+        const auto found = spelled(word(), Builtin::subgroup_count);
+        if (!found) fail("expected a builtin before this");
+        const bool is_vector = *found <= Builtin::group_count;
+        return add(
+            {.op = Op::builtin, .builtin = *found, .type = is_vector ? p.types.vector(p.types.uint, 3) : p.types.uint});
+    }
+    if (accept("true")) return add({.type = p.types.bool_, .bits = 1});
+    if (accept("false")) return add({.type = p.types.bool_});
+    if (accept("none")) return add({.op = Op::none, .type = p.types.error});
+    if (accept("image_load")) return image(Op::image_load);
+    if (accept("image_sample")) return image(Op::image_sample);
+    if (at("inf") || at("nan") || !at_name()) return literal();
+    const std::size_t before = at_;
+    const std::string called = name();
+    const bool is_called = at("(");  // a local may have the name of a function
+    if (locals_.contains(called) && !is_called) return of_local(called);
+    if (auto found = bindings_.find(called); found != bindings_.end()) {
+        expect("[");
+        const ExprId index = expr();
+        expect("]");
+        return implied({.op = Op::load, .slot = found->second, .operands = {index}});
+    }
+    if (roots_.contains(called)) {
+        at_ = before;
+        return of_place();
+    }
+    at_ = before;
+    if (at_type()) return made_of_type();
+    const std::string function = name();
+    if (!is_called) return of_local(function);
+    if (function == "some") return implied({.op = Op::some, .operands = list()});
+    if (function == "has_value") return implied({.op = Op::has_value, .operands = list()});
+    if (function == "value") return implied({.op = Op::value, .operands = list()});
+    return intrinsic(function);
+}
+
+}  // namespace gliftc::ir

@@ -1,0 +1,166 @@
+#include "ir/reader.h"
+#include "ir/spelling.h"
+
+namespace gliftc::ir {
+
+/// A name stands for one local through a whole text, also where two bodies declare it.
+LocalId Reader::declared(const std::string& called, Local local) {
+    auto [found, is_new] = locals_.try_emplace(called);
+    if (is_new) {
+        local.name = p.names->intern(called.substr(0, called.find('.')));
+        found->second = p.locals.add(std::move(local));
+    }
+    return found->second;
+}
+
+std::vector<StmtId> Reader::block() {
+    expect("{");
+    std::vector<StmtId> body = statements();
+    expect("}");
+    return body;
+}
+
+/// Up to a brace, or to the next section of the pass.
+std::vector<StmtId> Reader::statements() {
+    std::vector<StmtId> body;
+    while (!at("}") && !at("body") && !at("two elements") && !at("interior") && !at("prologue"))
+        body.push_back(p.stmts.add(statement()));
+    return body;
+}
+
+Stmt Reader::let(bool is_mutable, bool is_temporary) {
+    Stmt stmt;
+    stmt.op = StmtOp::let;
+    const std::string called = name();
+    expect(":");
+    const TypeId type = this->type();
+    if (accept("=")) {
+        if (accept("uninitialized")) stmt.uninitialized = true;
+        else stmt.value = expr();
+    }
+    expect(";");
+    stmt.local = declared(called, {.type = type, .is_mutable = is_mutable, .is_temporary = is_temporary});
+    return stmt;
+}
+
+Stmt Reader::conditional() {
+    Stmt stmt;
+    stmt.op = StmtOp::if_;
+    stmt.value = expr();
+    stmt.body = block();
+    if (accept("else")) stmt.otherwise = block();
+    return stmt;
+}
+
+Stmt Reader::counted_loop() {
+    Stmt stmt;
+    stmt.op = StmtOp::for_;
+    const std::string called = name();
+    expect(":");
+    stmt.local = declared(called, {.type = type()});
+    expect("in");
+    stmt.value = operand();
+    expect("..");
+    stmt.limit = operand();
+    stmt.body = block();
+    return stmt;
+}
+
+/// image_store(binding, at, value); atomic_add(binding[at], value); report(binding, address)
+Stmt Reader::memory_statement(StmtOp op, Combine combine) {
+    Stmt stmt;
+    stmt.op = op;
+    stmt.combine = combine;
+    expect("(");
+    if (op == StmtOp::report && accept("view")) {
+        stmt.slot = no_binding;
+    } else {
+        const auto found = bindings_.find(name());
+        if (found == bindings_.end()) fail("no such binding before this");
+        stmt.slot = found->second;
+    }
+    expect(op == StmtOp::atomic ? "[" : ",");
+    stmt.target = expr();
+    if (op == StmtOp::atomic) expect("]");
+    if (op != StmtOp::report) {
+        expect(",");
+        stmt.value = expr();
+    }
+    expect(")");
+    expect(";");
+    return stmt;
+}
+
+/// What is loaded on the left of '=' is stored to.
+Stmt Reader::assignment() {
+    Stmt stmt;
+    const ExprId first = expr();
+    if (accept("=")) {
+        const Expr& target = p.exprs[first];
+        const bool is_store = target.op == Op::load;
+        stmt.op = is_store ? StmtOp::store : StmtOp::assign;
+        stmt.slot = is_store ? target.slot : 0;
+        stmt.target = is_store ? target.operands[0] : first;
+        stmt.value = expr();
+    } else {
+        stmt.op = StmtOp::evaluate;
+        stmt.value = first;
+    }
+    expect(";");
+    return stmt;
+}
+
+/// A statement of a word alone.
+Stmt Reader::simple(StmtOp op) {
+    Stmt stmt;
+    stmt.op = op;
+    expect(";");
+    return stmt;
+}
+
+Stmt Reader::statement() {
+    if (accept("let")) return let(false, false);
+    if (accept("tmp")) return let(false, true);
+    if (accept("var")) return let(true, false);
+    if (accept("if")) return conditional();
+    if (accept("for")) return counted_loop();
+    if (accept("unrolled")) {
+        expect("for");
+        Stmt stmt = counted_loop();
+        stmt.unrolled = true;
+        return stmt;
+    }
+    if (accept("while")) {
+        Stmt stmt;
+        stmt.op = StmtOp::while_;
+        stmt.value = expr();
+        stmt.body = block();
+        return stmt;
+    }
+    if (at("{")) {
+        Stmt stmt;
+        stmt.op = StmtOp::block;
+        stmt.body = block();
+        return stmt;
+    }
+    if (accept("return")) {
+        Stmt stmt;
+        stmt.op = StmtOp::return_;
+        if (!at(";")) stmt.value = expr();
+        expect(";");
+        return stmt;
+    }
+    if (accept("break")) return simple(StmtOp::break_);
+    if (accept("continue")) return simple(StmtOp::continue_);
+    if (accept("barrier()")) return simple(StmtOp::barrier);
+    if (accept("subgroupBarrier()")) return simple(StmtOp::subgroup_barrier);
+    if (accept("image_store")) return memory_statement(StmtOp::image_store, Combine::replace);
+    if (accept("report")) return memory_statement(StmtOp::report, Combine::replace);
+    for (std::uint8_t i = 0; i <= static_cast<std::uint8_t>(Combine::bit_xor); ++i) {
+        const auto combine = static_cast<Combine>(i);
+        if (accept(concat("atomic_", spelling(combine)))) return memory_statement(StmtOp::atomic, combine);
+    }
+    return assignment();
+}
+
+}  // namespace gliftc::ir

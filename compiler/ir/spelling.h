@@ -1,0 +1,28 @@
+// How the text of the IR spells operators, ids of invocations, builtins and the like. print.h writes it, read.h reads
+// it.
+#pragma once
+
+#include "ir/pass.h"
+
+#include <string_view>
+
+namespace gliftc::ir {
+
+std::string_view spelling(BinaryOp op);
+std::string_view spelling(UnaryOp op);
+std::string_view spelling(Invocation id);
+std::string_view spelling(Builtin id);
+std::string_view spelling(Combine combine);
+std::string_view spelling(Form form);
+std::string_view spelling(Access access);
+std::string_view spelling(MemoryShape shape);
+std::string_view spelling(Format format);
+
+/// The value that is spelled so; `last` is the enumeration's last one.
+template <class Enum> std::optional<Enum> spelled(std::string_view text, Enum last) {
+    for (std::uint8_t i = 0; i <= static_cast<std::uint8_t>(last); ++i)
+        if (spelling(static_cast<Enum>(i)) == text) return static_cast<Enum>(i);
+    return std::nullopt;
+}
+
+}  // namespace gliftc::ir

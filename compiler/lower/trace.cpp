@@ -1,0 +1,38 @@
+#include "lower/trace.h"
+
+#include "base/concat.h"
+#include "ir/print.h"
+#include "ir/walk.h"
+
+namespace gliftc::lower {
+
+namespace {
+
+/// Whether it speaks of the invocation's address alone: a local of the body is not declared before the body.
+bool is_of_address(const ir::Program& program, const ir::Pass& pass, ir::ExprId fact) {
+    bool found = true;
+    ir::for_each_node(program, fact, [&](ir::ExprId id) {
+        const ir::Expr& node = program.exprs[id];
+        if (node.op == ir::Op::local && node.local != pass.address) found = false;
+    });
+    return found;
+}
+
+}  // namespace
+
+void Trace::note(std::string_view pass_name, const ir::Program& program, const ir::Pass& pass,
+                 const std::vector<ir::StmtId>& body, const std::vector<ir::ExprId>& facts, std::string_view what) {
+    if (pass_name != dump_after || pass.kernel == ir::no_kernel) return;
+    if (!program.modules[program.kernels[pass.kernel].module].is_root) return;
+    ir::Pass shown = pass;
+    shown.prologue.clear();
+    shown.pair_body.clear();
+    shown.interior_body.clear();
+    shown.body = body;
+    std::vector<ir::ExprId> shown_facts;
+    for (ir::ExprId fact : facts)
+        if (is_of_address(program, pass, fact)) shown_facts.push_back(fact);
+    text += concat("// ", what, ", after ", pass_name, "\n", ir::print(program, shown, shown_facts), "\n");
+}
+
+}  // namespace gliftc::lower

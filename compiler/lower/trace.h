@@ -1,0 +1,23 @@
+// What lowering shows of its passes, for --dump-after and --stop-after.
+#pragma once
+
+#include "ir/pass.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gliftc::lower {
+
+struct Trace {
+    std::string dump_after;  ///< a pass of passes.h; empty: none
+    std::string stop_after;
+    std::string text;  ///< what each body of the root modules' kernels was after dump_after; read.h reads it
+
+    bool is_on() const { return !dump_after.empty() || !stop_after.empty(); }
+    /// Writes the body down if it is asked for. `what` names the body: "body", "two elements", "interior", a function.
+    void note(std::string_view pass_name, const ir::Program& program, const ir::Pass& pass,
+              const std::vector<ir::StmtId>& body, const std::vector<ir::ExprId>& facts, std::string_view what);
+};
+
+}  // namespace gliftc::lower

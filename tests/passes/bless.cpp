@@ -1,0 +1,22 @@
+// Writes what the passes make of their cases; called by tools/bless.
+#include "passes.h"
+
+#include <cstdio>
+#include <exception>
+#include <fstream>
+
+int main() {
+    using namespace gliftc::test;
+    int failed = 0;
+    for (const auto& path : pass_cases()) {
+        try {
+            PassCase pass_case = read_pass_case(path);
+            pass_case.after = run_pass(path, pass_case.before);
+            std::ofstream(path, std::ios::binary) << text_of(pass_case);
+        } catch (const std::exception& error) {
+            std::fprintf(stderr, "%s: %s\n", path.c_str(), error.what());
+            failed = 1;
+        }
+    }
+    return failed;
+}
