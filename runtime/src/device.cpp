@@ -6,7 +6,9 @@
 #include "vulkan/vulkan_device.h"
 
 #include <glift/commands.h>
+#include <glift/log.h>
 
+#include <atomic>
 #include <cstdlib>
 
 namespace glift {
@@ -22,12 +24,26 @@ MemoryObject::MemoryObject(std::shared_ptr<DeviceObject> device, const MemoryDes
 
 const MemoryDescription& Memory::description() const { return object_.in("Memory::description").description(); }
 
+namespace {
+
+/// Nobody asked for a CPU, and there is a faster way to run on one.
+void tell_of_cpu(const DeviceProperties& properties) {
+    static std::atomic<bool> told{false};
+    if (told.exchange(true)) return;
+    detail::log("no GPU was found; Vulkan runs on the CPU: " + properties.name +
+                ". The host device is faster there: GLIFT_DEVICE=host, or Device::open(\"host\")");
+}
+
+}  // namespace
+
 Device Device::open(std::string_view which) {
     if (which.empty()) {
         if (const char* wanted = std::getenv("GLIFT_DEVICE")) which = wanted;
     }
     if (which == "host") return Device(detail::open_host_device());
-    return Device(detail::open_vulkan_device(which));
+    const Device device(detail::open_vulkan_device(which));
+    if (which.empty() && device.properties().kind == DeviceKind::cpu) tell_of_cpu(device.properties());
+    return device;
 }
 
 const DeviceProperties& Device::properties() const { return object_.in("Device::properties").properties(); }

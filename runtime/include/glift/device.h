@@ -68,7 +68,8 @@ struct Statistics {
 class GLIFT_API Device {
 public:
     /// `gpu`, `lavapipe`, `host`, or part of a device's name. Without an argument the environment variable GLIFT_DEVICE
-    /// decides in the same words; without that, the best GPU, else a CPU that runs Vulkan. Never the host unless asked.
+    /// decides in the same words; without that, the best GPU, else a CPU that runs Vulkan, which the log (log.h) tells
+    /// once. Never the host unless asked.
     ///
     /// Other environment variables: GLIFT_VALIDATE=1 turns on the validation layer; GLIFT_CACHE_DIR says where
     /// compiled pipelines are kept (default: $XDG_CACHE_HOME/glift or ~/.cache/glift; empty: nowhere);

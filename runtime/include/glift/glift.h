@@ -4,6 +4,7 @@
 #include <glift/commands.h>
 #include <glift/device.h>
 #include <glift/error.h>
+#include <glift/log.h>
 #include <glift/memory.h>
 #include <glift/pass.h>
 #include <glift/recording.h>

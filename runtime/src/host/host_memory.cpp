@@ -1,10 +1,10 @@
 #include "host_memory.h"
 
-#include "../environment.h"
 #include "../text.h"
 
 #include <glift/error.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 namespace glift::detail {
@@ -18,11 +18,13 @@ constexpr std::uint64_t alignment = 64;
 HostStorage::HostStorage(std::uint64_t bytes, const MemoryDescription& description, HostCounters& counters)
     : bytes_(bytes), counters_(counters) {
     // calloc gives large blocks as untouched zero pages, which aligned allocation followed by memset would touch.
-    const bool fits = bytes < UINT64_MAX - 2 * alignment && counters_.bytes.load() + bytes <= memory_limit();
+    const std::uint64_t used = counters_.bytes, most = std::min(counters_.limit, UINT64_MAX - 2 * alignment);
+    const bool fits = used <= most && bytes <= most - used;
     if (fits) allocated_ = std::calloc(1, bytes + 2 * alignment);
     if (!allocated_) {
         throw Error(ErrorCode::out_of_memory, "the host has no memory left for a structure", memory_text(description),
-                    size_text(bytes) + " asked for, " + size_text(counters_.bytes.load()) + " in use by Glift",
+                    size_text(bytes) + " asked for, " + size_text(used) + " in use by Glift" +
+                        (counters_.limit == unlimited ? "" : "; GLIFT_MEMORY_LIMIT is " + size_text(counters_.limit)),
                     "free structures that are no longer used, or make them smaller");
     }
     const auto address = reinterpret_cast<std::uintptr_t>(allocated_);

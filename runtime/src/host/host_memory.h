@@ -1,6 +1,7 @@
 // Plain zeroed bytes, aligned to cache lines.
 #pragma once
 
+#include "../environment.h"
 #include "../objects.h"
 
 #include <atomic>
@@ -9,6 +10,7 @@ namespace glift::detail {
 
 struct HostCounters {
     std::atomic<std::uint64_t> passes{0}, memories{0}, bytes{0};
+    const std::uint64_t limit = memory_limit();  ///< of bytes
 };
 
 /// The bytes behind one memory, or behind the temporaries that share them.

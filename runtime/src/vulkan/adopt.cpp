@@ -4,7 +4,7 @@
 
 #include <glift/error.h>
 
-// The public header wants the prototypes' types only; volk has included vulkan.h before.
+// The public header wants the prototypes' types only.
 #include <glift/vulkan.h>
 
 namespace glift::vulkan {

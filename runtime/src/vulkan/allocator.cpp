@@ -94,7 +94,12 @@ Block* Allocator::add_block(Pool& pool, VkDeviceSize bytes) {
     if (result != VK_SUCCESS) return nullptr;
     if (context_.memory.memoryTypes[pool.type].propertyFlags & VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT && pool.linear) {
         void* mapped = nullptr;
-        context_.vk.vkMapMemory(context_.device, block->memory, 0, VK_WHOLE_SIZE, 0, &mapped);
+        const VkResult mapping = context_.vk.vkMapMemory(context_.device, block->memory, 0, VK_WHOLE_SIZE, 0, &mapped);
+        if (mapping != VK_SUCCESS) {
+            context_.vk.vkFreeMemory(context_.device, block->memory, nullptr);
+            if (mapping == VK_ERROR_DEVICE_LOST) context_.fail(mapping, "vkMapMemory");
+            return nullptr;
+        }
         block->mapped = static_cast<std::byte*>(mapped);
     }
     reserved_ += bytes;

@@ -18,32 +18,42 @@ constexpr std::size_t most_kept = 64;
 
 }  // namespace
 
+ChunkPool::~ChunkPool() { clear(); }
+
 std::unique_ptr<Chunk> ChunkPool::make(MemoryUse use, VkDeviceSize bytes) {
     auto chunk = std::make_unique<Chunk>();
     chunk->pool = this;
     chunk->use = use;
     chunk->bytes = bytes;
+    try {
+        make_buffer(*chunk);
+    } catch (...) {
+        destroy(*chunk);
+        throw;
+    }
+    return chunk;
+}
+
+void ChunkPool::make_buffer(Chunk& chunk) {
     const VkBufferCreateInfo info = {
-        .sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO, .size = bytes, .usage = chunk_usage};
-    context_.check(context_.vk.vkCreateBuffer(context_.device, &info, nullptr, &chunk->buffer), "vkCreateBuffer");
+        .sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO, .size = chunk.bytes, .usage = chunk_usage};
+    context_.check(context_.vk.vkCreateBuffer(context_.device, &info, nullptr, &chunk.buffer), "vkCreateBuffer");
     VkMemoryRequirements needs;
-    context_.vk.vkGetBufferMemoryRequirements(context_.device, chunk->buffer, &needs);
-    if (!allocator_.allocate(needs, use, true, chunk->allocation)) {
-        context_.vk.vkDestroyBuffer(context_.device, chunk->buffer, nullptr);
+    context_.vk.vkGetBufferMemoryRequirements(context_.device, chunk.buffer, &needs);
+    if (!allocator_.allocate(needs, chunk.use, true, chunk.allocation)) {
         throw Error(ErrorCode::out_of_memory, "no memory is left for bytes on their way to or from the device",
                     context_.properties.name,
-                    size_text(bytes) + " asked for, " + size_text(allocator_.reserved()) + " in use by Glift",
+                    size_text(chunk.bytes) + " asked for, " + size_text(allocator_.reserved()) + " in use by Glift",
                     "free structures that are no longer used, or move fewer bytes at a time");
     }
-    context_.check(context_.vk.vkBindBufferMemory(context_.device, chunk->buffer, chunk->allocation.memory,
-                                                  chunk->allocation.offset),
-                   "vkBindBufferMemory");
+    context_.check(
+        context_.vk.vkBindBufferMemory(context_.device, chunk.buffer, chunk.allocation.memory, chunk.allocation.offset),
+        "vkBindBufferMemory");
     const VkBufferDeviceAddressInfo address = {.sType = VK_STRUCTURE_TYPE_BUFFER_DEVICE_ADDRESS_INFO,
-                                               .buffer = chunk->buffer};
-    chunk->address = context_.vk.vkGetBufferDeviceAddress(context_.device, &address);
-    context_.set_name(VK_OBJECT_TYPE_BUFFER, reinterpret_cast<std::uint64_t>(chunk->buffer),
-                      use == MemoryUse::readback ? "glift readback" : "glift staging and parameters");
-    return chunk;
+                                               .buffer = chunk.buffer};
+    chunk.address = context_.vk.vkGetBufferDeviceAddress(context_.device, &address);
+    context_.set_name(VK_OBJECT_TYPE_BUFFER, reinterpret_cast<std::uint64_t>(chunk.buffer),
+                      chunk.use == MemoryUse::readback ? "glift readback" : "glift staging and parameters");
 }
 
 std::shared_ptr<Chunk> ChunkPool::take(MemoryUse use, VkDeviceSize bytes) {

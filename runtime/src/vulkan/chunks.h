@@ -33,6 +33,8 @@ struct Slice {
 class ChunkPool {
 public:
     ChunkPool(Context& context, Allocator& allocator) : context_(context), allocator_(allocator) {}
+    ~ChunkPool();
+    ChunkPool(const ChunkPool&) = delete;
 
     /// The device's lock is held. Throws out_of_memory.
     std::shared_ptr<Chunk> take(MemoryUse use, VkDeviceSize bytes);
@@ -45,6 +47,7 @@ public:
 
 private:
     std::unique_ptr<Chunk> make(MemoryUse use, VkDeviceSize bytes);
+    void make_buffer(Chunk& chunk);
     void destroy(Chunk& chunk);
 
     Context& context_;

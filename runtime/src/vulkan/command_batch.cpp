@@ -38,13 +38,13 @@ VkDescriptorSet DescriptorSets::take(const Pipeline& pipeline) {
     }
 }
 
-void DescriptorSets::reset() {
+bool DescriptorSets::reset() {
     // One pool stays; a batch that needed several is rare.
     while (pools_.size() > 1) {
         context_.vk.vkDestroyDescriptorPool(context_.device, pools_.back(), nullptr);
         pools_.pop_back();
     }
-    if (!pools_.empty()) context_.vk.vkResetDescriptorPool(context_.device, pools_.back(), 0);
+    return pools_.empty() || context_.vk.vkResetDescriptorPool(context_.device, pools_.back(), 0) == VK_SUCCESS;
 }
 
 CommandBatch::CommandBatch(Context& context_, ChunkPool& chunks)
@@ -56,7 +56,10 @@ CommandBatch::CommandBatch(Context& context_, ChunkPool& chunks)
                                               .commandPool = pool,
                                               .level = VK_COMMAND_BUFFER_LEVEL_PRIMARY,
                                               .commandBufferCount = 1};
-    context.check(context.vk.vkAllocateCommandBuffers(context.device, &info, &commands), "vkAllocateCommandBuffers");
+    const VkResult result = context.vk.vkAllocateCommandBuffers(context.device, &info, &commands);
+    if (result >= 0) return;
+    context.vk.vkDestroyCommandPool(context.device, pool, nullptr);
+    context.fail(result, "vkAllocateCommandBuffers");
 }
 
 CommandBatch::~CommandBatch() { context.vk.vkDestroyCommandPool(context.device, pool, nullptr); }
@@ -66,12 +69,11 @@ void CommandBatch::begin(VkCommandBufferUsageFlags usage) {
     context.check(context.vk.vkBeginCommandBuffer(commands, &info), "vkBeginCommandBuffer");
 }
 
-void CommandBatch::reset() {
-    context.vk.vkResetCommandPool(context.device, pool, 0);
+bool CommandBatch::reset() {
     upload.clear();
     readback.clear();
-    sets.reset();
     operations = passes = 0;
+    return context.vk.vkResetCommandPool(context.device, pool, 0) == VK_SUCCESS && sets.reset();
 }
 
 }  // namespace glift::detail

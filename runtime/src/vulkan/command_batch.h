@@ -12,7 +12,7 @@ public:
     explicit DescriptorSets(Context& context) : context_(context) {}
     ~DescriptorSets();
     VkDescriptorSet take(const Pipeline& pipeline);
-    void reset();
+    [[nodiscard]] bool reset();  ///< false: it failed, and the sets are good for nothing
 
 private:
     void add_pool(const Pipeline& pipeline);
@@ -27,7 +27,7 @@ struct CommandBatch {
     CommandBatch(const CommandBatch&) = delete;
 
     void begin(VkCommandBufferUsageFlags usage);
-    void reset();
+    [[nodiscard]] bool reset();  ///< false: it failed, and the batch is good for nothing
 
     Context& context;
     VkCommandPool pool = VK_NULL_HANDLE;

@@ -4,6 +4,8 @@
 
 #include <glift/error.h>
 
+#include <tuple>
+
 namespace glift::detail {
 
 namespace {
@@ -139,7 +141,7 @@ void Context::set_name(VkObjectType type, std::uint64_t handle, const char* name
                                                 .objectType = type,
                                                 .objectHandle = handle,
                                                 .pObjectName = name};
-    instance->vk().vkSetDebugUtilsObjectNameEXT(device, &info);
+    std::ignore = instance->vk().vkSetDebugUtilsObjectNameEXT(device, &info);  // a name more or less
 }
 
 }  // namespace glift::detail

@@ -46,7 +46,7 @@ public:
     std::uint32_t queue_family = 0;
     std::uint32_t timestamp_bits = 0;
     bool owned = false;
-    VolkDeviceTable vk = {};
+    DeviceTable vk;
     DeviceProperties properties;
     VkPhysicalDeviceProperties core = {};
     VkPhysicalDeviceMemoryProperties memory = {};

@@ -17,6 +17,7 @@ struct FileHeader {
     std::uint64_t checksum;
 };
 
+constexpr std::uintmax_t largest_file = std::uintmax_t(1) << 30;
 constexpr char magic[8] = {'G', 'L', 'I', 'F', 'T', 'P', 'C', '1'};
 
 std::uint64_t fnv1a(const std::vector<char>& bytes) {
@@ -43,12 +44,16 @@ std::string file_name(const VkPhysicalDeviceProperties& core) {
 
 // Empty unless the file is whole and from this device and driver. Drivers check too, but not all of them well.
 std::vector<char> read_valid(const fs::path& file, const VkPhysicalDeviceProperties& core) {
+    std::error_code error;
+    const std::uintmax_t bytes = fs::is_regular_file(file, error) ? fs::file_size(file, error) : 0;
     std::ifstream in(file, std::ios::binary);
     FileHeader header;
-    if (!in.read(reinterpret_cast<char*>(&header), sizeof header)) return {};
-    if (std::memcmp(header.magic, magic, sizeof magic) != 0 || header.bytes > (std::uint64_t(1) << 30)) return {};
+    if (error || !in.read(reinterpret_cast<char*>(&header), sizeof header)) return {};
+    // What the header says is believed only where the file is as long.
+    if (std::memcmp(header.magic, magic, sizeof magic) != 0 || bytes > largest_file) return {};
+    if (header.bytes != bytes - sizeof header) return {};
     std::vector<char> data(header.bytes);
-    if (!in.read(data.data(), static_cast<std::streamsize>(data.size())) || in.peek() != EOF) return {};
+    if (!in.read(data.data(), static_cast<std::streamsize>(data.size()))) return {};
     VkPipelineCacheHeaderVersionOne inner;
     if (fnv1a(data) != header.checksum || data.size() < sizeof inner) return {};
     std::memcpy(&inner, data.data(), sizeof inner);
@@ -66,9 +71,13 @@ DiskCache::DiskCache(Context& context) : context_(context) {
         file_ = at / file_name(context.core);
         data = read_valid(file_, context.core);
     }
-    const VkPipelineCacheCreateInfo info = {.sType = VK_STRUCTURE_TYPE_PIPELINE_CACHE_CREATE_INFO,
-                                            .initialDataSize = data.size(),
-                                            .pInitialData = data.data()};
+    VkPipelineCacheCreateInfo info = {.sType = VK_STRUCTURE_TYPE_PIPELINE_CACHE_CREATE_INFO,
+                                      .initialDataSize = data.size(),
+                                      .pInitialData = data.data()};
+    const VkResult result = context.vk.vkCreatePipelineCache(context.device, &info, nullptr, &handle_);
+    if (result >= 0) return;
+    if (data.empty()) context.fail(result, "vkCreatePipelineCache");
+    info.initialDataSize = 0;  // data that the driver does not take is as good as none
     context.check(context.vk.vkCreatePipelineCache(context.device, &info, nullptr, &handle_), "vkCreatePipelineCache");
 }
 

@@ -15,10 +15,10 @@ bool contains(const std::vector<const char*>& names, const char* name) {
 }
 
 std::vector<const char*> usable_extensions(const Instance& instance, VkPhysicalDevice physical) {
-    std::uint32_t count = 0;
-    instance.vk().vkEnumerateDeviceExtensionProperties(physical, nullptr, &count, nullptr);
-    std::vector<VkExtensionProperties> present(count);
-    instance.vk().vkEnumerateDeviceExtensionProperties(physical, nullptr, &count, present.data());
+    const auto present = listed<VkExtensionProperties>(
+        "vkEnumerateDeviceExtensionProperties", [&](std::uint32_t* count, VkExtensionProperties* values) {
+            return instance.vk().vkEnumerateDeviceExtensionProperties(physical, nullptr, count, values);
+        });
     std::vector<const char*> result;
     for (const char* wanted : {VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME, VK_EXT_SHADER_ATOMIC_FLOAT_EXTENSION_NAME,
                                VK_EXT_SHADER_ATOMIC_FLOAT_2_EXTENSION_NAME}) {

@@ -20,14 +20,14 @@ constexpr const char* queue_submit_checks = "VK_VALIDATION_FEATURE_ENABLE_SYNCHR
 
 bool wants_validation() { return environment_flag("GLIFT_VALIDATE"); }
 
-template <class Function> Function global(PFN_vkGetInstanceProcAddr entry, const char* name) {
-    return reinterpret_cast<Function>(entry(VK_NULL_HANDLE, name));
+template <class Pointer> Function<Pointer> global(PFN_vkGetInstanceProcAddr entry, const char* name) {
+    return Function<Pointer>(entry(VK_NULL_HANDLE, name));
 }
 
 void require_version(PFN_vkGetInstanceProcAddr entry) {
     std::uint32_t version = VK_API_VERSION_1_0;
     const auto enumerate = global<PFN_vkEnumerateInstanceVersion>(entry, "vkEnumerateInstanceVersion");
-    if (enumerate) enumerate(&version);
+    if (enumerate) check_result(enumerate(&version), "vkEnumerateInstanceVersion");
     if (version >= VK_API_VERSION_1_3) return;
     throw Error(ErrorCode::unsupported_version, "the Vulkan loader is too old", "Device::open",
                 "it speaks Vulkan " + std::to_string(VK_API_VERSION_MAJOR(version)) + "." +
@@ -37,10 +37,7 @@ void require_version(PFN_vkGetInstanceProcAddr entry) {
 
 void require_layer(PFN_vkGetInstanceProcAddr entry) {
     const auto enumerate = global<PFN_vkEnumerateInstanceLayerProperties>(entry, "vkEnumerateInstanceLayerProperties");
-    std::uint32_t count = 0;
-    enumerate(&count, nullptr);
-    std::vector<VkLayerProperties> layers(count);
-    enumerate(&count, layers.data());
+    const auto layers = listed<VkLayerProperties>("vkEnumerateInstanceLayerProperties", enumerate);
     for (const VkLayerProperties& layer : layers) {
         if (std::strcmp(layer.layerName, validation_layer) == 0) return;
     }
@@ -52,10 +49,9 @@ void require_layer(PFN_vkGetInstanceProcAddr entry) {
 bool has_debug_utils(PFN_vkGetInstanceProcAddr entry) {
     const auto enumerate =
         global<PFN_vkEnumerateInstanceExtensionProperties>(entry, "vkEnumerateInstanceExtensionProperties");
-    std::uint32_t count = 0;
-    enumerate(nullptr, &count, nullptr);
-    std::vector<VkExtensionProperties> extensions(count);
-    enumerate(nullptr, &count, extensions.data());
+    const auto extensions = listed<VkExtensionProperties>(
+        "vkEnumerateInstanceExtensionProperties",
+        [&](std::uint32_t* count, VkExtensionProperties* values) { return enumerate(nullptr, count, values); });
     for (const VkExtensionProperties& extension : extensions) {
         if (std::strcmp(extension.extensionName, VK_EXT_DEBUG_UTILS_EXTENSION_NAME) == 0) return true;
     }
@@ -155,13 +151,11 @@ Instance::~Instance() {
 }
 
 std::vector<VkPhysicalDevice> Instance::physical_devices() const {
-    std::uint32_t count = 0;
-    VkResult result = table_.vkEnumeratePhysicalDevices(handle_, &count, nullptr);
-    std::vector<VkPhysicalDevice> devices(count);
-    if (result == VK_SUCCESS && count) result = table_.vkEnumeratePhysicalDevices(handle_, &count, devices.data());
-    if (result != VK_SUCCESS && result != VK_INCOMPLETE) throw_no_instance(result);
-    devices.resize(count);
-    return devices;
+    return listed<VkPhysicalDevice>("vkEnumeratePhysicalDevices", [&](std::uint32_t* count, VkPhysicalDevice* devices) {
+        const VkResult result = table_.vkEnumeratePhysicalDevices(handle_, count, devices);
+        if (result < 0) throw_no_instance(result);
+        return result;
+    });
 }
 
 void Instance::note(std::string message) {

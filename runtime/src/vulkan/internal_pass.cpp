@@ -12,7 +12,7 @@ InternalPass::~InternalPass() {
 }
 
 void InternalPass::create() {
-    const VolkDeviceTable& vk = context_.vk;
+    const DeviceTable& vk = context_.vk;
     const VkPushConstantRange range = {VK_SHADER_STAGE_COMPUTE_BIT, 0, push_bytes_};
     const VkPipelineLayoutCreateInfo layout_info = {.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
                                                     .pushConstantRangeCount = 1,

@@ -4,7 +4,6 @@
 
 #include <cstdlib>
 #include <dlfcn.h>
-#include <mutex>
 
 namespace glift::detail {
 
@@ -26,20 +25,27 @@ PFN_vkGetInstanceProcAddr load_vulkan() {
 
 InstanceTable load_instance_table(PFN_vkGetInstanceProcAddr get, VkInstance instance) {
     InstanceTable table;
-#define GLIFT_LOAD(name) table.name = reinterpret_cast<PFN_##name>(get(instance, #name));
+#define GLIFT_LOAD(name) table.name = Function<PFN_##name>(get(instance, #name));
     GLIFT_INSTANCE_FUNCTIONS(GLIFT_LOAD)
 #undef GLIFT_LOAD
     return table;
 }
 
-VolkDeviceTable load_device_table(const InstanceTable& instance, VkDevice device) {
-    // volk loads through one global pointer; it is set for the moment of loading and used for nothing else.
-    static std::mutex mutex;
-    const std::lock_guard lock(mutex);
-    vkGetDeviceProcAddr = instance.vkGetDeviceProcAddr;
-    VolkDeviceTable table = {};
-    volkLoadDeviceTable(&table, device);
+DeviceTable load_device_table(const InstanceTable& instance, VkDevice device) {
+    DeviceTable table;
+#define GLIFT_LOAD(name) table.name = Function<PFN_##name>(instance.vkGetDeviceProcAddr(device, #name));
+    GLIFT_DEVICE_FUNCTIONS(GLIFT_LOAD)
+#undef GLIFT_LOAD
     return table;
+}
+
+void check_result(VkResult result, const char* call) {
+    if (result >= 0) return;
+    const bool no_memory = result == VK_ERROR_OUT_OF_HOST_MEMORY || result == VK_ERROR_OUT_OF_DEVICE_MEMORY;
+    throw Error(no_memory ? ErrorCode::out_of_memory : ErrorCode::vulkan, "a Vulkan call failed",
+                std::string("Device::open, ") + call, result_text(result),
+                "look at the driver's installation (vulkaninfo), or run on the host device: Device::open(\"host\") or "
+                "GLIFT_DEVICE=host");
 }
 
 const char* result_text(VkResult result) {

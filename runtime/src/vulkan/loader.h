@@ -1,9 +1,40 @@
-// Vulkan's functions: the loader, found at run time, and those of an instance. Those of a device are volk's table.
+// Vulkan's functions, found at run time: the loader, those of an instance, those of a device.
 #pragma once
 
-#include <volk.h>
+#include <vulkan/vulkan.h>
+
+#include <vector>
 
 namespace glift::detail {
+
+/// A function of Vulkan's. The result of one that can fail has to be used: the build fails where it is dropped.
+template <class Pointer> class Function;
+
+template <class Result, class... Parameters> class Function<Result(VKAPI_PTR*)(Parameters...)> {
+public:
+    Function() = default;
+    explicit Function(PFN_vkVoidFunction found)
+        : pointer_(reinterpret_cast<Result(VKAPI_PTR*)(Parameters...)>(found)) {}
+
+    Result operator()(Parameters... parameters) const { return pointer_(parameters...); }
+    explicit operator bool() const { return pointer_ != nullptr; }
+
+private:
+    Result(VKAPI_PTR* pointer_)(Parameters...) = nullptr;
+};
+
+template <class... Parameters> class Function<VkResult(VKAPI_PTR*)(Parameters...)> {
+public:
+    Function() = default;
+    explicit Function(PFN_vkVoidFunction found)
+        : pointer_(reinterpret_cast<VkResult(VKAPI_PTR*)(Parameters...)>(found)) {}
+
+    [[nodiscard]] VkResult operator()(Parameters... parameters) const { return pointer_(parameters...); }
+    explicit operator bool() const { return pointer_ != nullptr; }
+
+private:
+    VkResult(VKAPI_PTR* pointer_)(Parameters...) = nullptr;
+};
 
 // clang-format off
 #define GLIFT_INSTANCE_FUNCTIONS(X) \
@@ -22,11 +53,85 @@ namespace glift::detail {
     X(vkCreateDebugUtilsMessengerEXT) \
     X(vkDestroyDebugUtilsMessengerEXT) \
     X(vkSetDebugUtilsObjectNameEXT)
+
+#define GLIFT_DEVICE_FUNCTIONS(X) \
+    X(vkAllocateCommandBuffers) \
+    X(vkAllocateDescriptorSets) \
+    X(vkAllocateMemory) \
+    X(vkBeginCommandBuffer) \
+    X(vkBindBufferMemory) \
+    X(vkBindImageMemory) \
+    X(vkCmdBindDescriptorSets) \
+    X(vkCmdBindPipeline) \
+    X(vkCmdClearColorImage) \
+    X(vkCmdClearDepthStencilImage) \
+    X(vkCmdCopyBuffer) \
+    X(vkCmdCopyBufferToImage) \
+    X(vkCmdCopyImage) \
+    X(vkCmdCopyImageToBuffer) \
+    X(vkCmdDispatch) \
+    X(vkCmdDispatchIndirect) \
+    X(vkCmdFillBuffer) \
+    X(vkCmdPipelineBarrier2) \
+    X(vkCmdPushConstants) \
+    X(vkCmdPushDescriptorSetWithTemplateKHR) \
+    X(vkCmdWriteTimestamp2) \
+    X(vkCreateBuffer) \
+    X(vkCreateCommandPool) \
+    X(vkCreateComputePipelines) \
+    X(vkCreateDescriptorPool) \
+    X(vkCreateDescriptorSetLayout) \
+    X(vkCreateDescriptorUpdateTemplate) \
+    X(vkCreateImage) \
+    X(vkCreateImageView) \
+    X(vkCreatePipelineCache) \
+    X(vkCreatePipelineLayout) \
+    X(vkCreateQueryPool) \
+    X(vkCreateSampler) \
+    X(vkCreateSemaphore) \
+    X(vkCreateShaderModule) \
+    X(vkDestroyBuffer) \
+    X(vkDestroyCommandPool) \
+    X(vkDestroyDescriptorPool) \
+    X(vkDestroyDescriptorSetLayout) \
+    X(vkDestroyDescriptorUpdateTemplate) \
+    X(vkDestroyDevice) \
+    X(vkDestroyImage) \
+    X(vkDestroyImageView) \
+    X(vkDestroyPipeline) \
+    X(vkDestroyPipelineCache) \
+    X(vkDestroyPipelineLayout) \
+    X(vkDestroyQueryPool) \
+    X(vkDestroySampler) \
+    X(vkDestroySemaphore) \
+    X(vkDestroyShaderModule) \
+    X(vkEndCommandBuffer) \
+    X(vkFreeMemory) \
+    X(vkGetBufferDeviceAddress) \
+    X(vkGetBufferMemoryRequirements) \
+    X(vkGetDeviceBufferMemoryRequirements) \
+    X(vkGetDeviceImageMemoryRequirements) \
+    X(vkGetDeviceQueue) \
+    X(vkGetPipelineCacheData) \
+    X(vkGetQueryPoolResults) \
+    X(vkGetSemaphoreCounterValue) \
+    X(vkMapMemory) \
+    X(vkQueueSubmit2) \
+    X(vkQueueWaitIdle) \
+    X(vkResetCommandPool) \
+    X(vkResetDescriptorPool) \
+    X(vkResetQueryPool) \
+    X(vkUpdateDescriptorSetWithTemplate) \
+    X(vkWaitSemaphores)
 // clang-format on
 
 struct InstanceTable {
-#define GLIFT_DECLARE(name) PFN_##name name = nullptr;
+#define GLIFT_DECLARE(name) Function<PFN_##name> name;
     GLIFT_INSTANCE_FUNCTIONS(GLIFT_DECLARE)
+};
+
+struct DeviceTable {
+    GLIFT_DEVICE_FUNCTIONS(GLIFT_DECLARE)
 #undef GLIFT_DECLARE
 };
 
@@ -34,8 +139,25 @@ struct InstanceTable {
 PFN_vkGetInstanceProcAddr load_vulkan();
 
 InstanceTable load_instance_table(PFN_vkGetInstanceProcAddr get, VkInstance instance);
-VolkDeviceTable load_device_table(const InstanceTable& instance, VkDevice device);
+DeviceTable load_device_table(const InstanceTable& instance, VkDevice device);
 
 const char* result_text(VkResult result);
+
+/// Throws unless the call succeeded: no_device, out_of_memory or vulkan. For calls that have no device yet.
+void check_result(VkResult result, const char* call);
+
+/// All that `query(count, values)` lists, which may change while it is asked.
+template <class Value, class Query> std::vector<Value> listed(const char* call, Query query) {
+    for (;;) {
+        std::uint32_t count = 0;
+        check_result(query(&count, nullptr), call);
+        std::vector<Value> values(count);
+        const VkResult result = query(&count, values.data());
+        if (result == VK_INCOMPLETE) continue;
+        check_result(result, call);
+        values.resize(count);
+        return values;
+    }
+}
 
 }  // namespace glift::detail

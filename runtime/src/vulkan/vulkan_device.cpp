@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <tuple>
 
 namespace glift::detail {
 
@@ -38,7 +39,9 @@ VulkanDevice::~VulkanDevice() {
     try {
         if (!context_->lost) timeline_->wait(timeline_->submitted());
     } catch (const Error&) {
-        // Lost meanwhile: there is nothing to wait for.
+        // Lost meanwhile, and there is nothing to wait for; or no memory to wait with, which the queue itself needs
+        // not.
+        if (!context_->lost) std::ignore = context_->vk.vkQueueWaitIdle(context_->queue);
     }
     stream_.reset();
     completed_ = UINT64_MAX;
@@ -106,9 +109,10 @@ void VulkanDevice::allocate_parts(const VkMemoryRequirements& needs, bool linear
     collect();
     chunks_->clear();
     if (allocator_->allocate(needs, MemoryUse::device, linear, result)) return;
-    std::string why = size_text(needs.size) + " asked for; " + context_->properties.name + " has " +
-                      size_text(context_->properties.memory_bytes) + ", of which Glift holds " +
-                      size_text(allocator_->reserved()) + " (" + size_text(allocator_->used()) + " in use)";
+    // Both sizes are what they are called: some drivers give more than the heap that they name.
+    std::string why = size_text(needs.size) + " asked for; Glift holds " + size_text(allocator_->reserved()) + " (" +
+                      size_text(allocator_->used()) + " in use), on the device and for bytes on their way; " +
+                      context_->properties.name + " names a heap of " + size_text(context_->properties.memory_bytes);
     if (allocator_->limit() != UINT64_MAX) why += "; GLIFT_MEMORY_LIMIT is " + size_text(allocator_->limit());
     throw Error(ErrorCode::out_of_memory, "the device has no memory left for a structure", memory_text(description),
                 why,
@@ -194,13 +198,13 @@ void VulkanDevice::give_back(std::unique_ptr<CommandBatch> batch) {
         return;
     }
     if (idle_batches_.size() == most_idle_batches) return;
-    batch->reset();
+    if (!batch->reset()) return;
     batch->value = 0;
     idle_batches_.push_back(std::move(batch));
 }
 
 void VulkanDevice::destroy(Retired& retired) {
-    const VolkDeviceTable& vk = context_->vk;
+    const DeviceTable& vk = context_->vk;
     if (retired.batch) give_back(std::move(retired.batch));
     if (retired.query.pool) queries_->give_back(retired.query);
     if (!retired.id.serial) return;

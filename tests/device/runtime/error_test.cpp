@@ -88,6 +88,49 @@ TEST(Open, TheEnvironmentChooses) {
     EXPECT_FALSE(glift::Device::open(vulkan_name()).is_host());
 }
 
+TEST(Open, ACpuThatNobodyAskedForIsToldOnce) {
+    const char* lavapipe = "/usr/share/vulkan/icd.d/lvp_icd.x86_64.json";
+    if (!std::filesystem::exists(lavapipe)) GTEST_SKIP() << "needs lavapipe as the only driver";
+    const Environment files("VK_DRIVER_FILES", lavapipe), old_name("VK_ICD_FILENAMES", lavapipe);
+    std::vector<std::string> told;
+    glift::Log before = glift::set_log([&](std::string_view message) { told.emplace_back(message); });
+    {
+        const Environment named("GLIFT_DEVICE", "lavapipe");
+        glift::Device::open();
+    }
+    glift::Device::open("lavapipe");
+    EXPECT_TRUE(told.empty()) << told[0];
+    const Environment none("GLIFT_DEVICE", "");
+    glift::Device::open();
+    glift::Device::open();
+    glift::set_log(std::move(before));
+    ASSERT_EQ(told.size(), 1u);
+    EXPECT_NE(told[0].find("llvmpipe"), std::string::npos) << told[0];
+    EXPECT_NE(told[0].find("GLIFT_DEVICE=host"), std::string::npos) << told[0];
+}
+
+TEST(Open, VariablesOfTheEnvironmentAreReadWhole) {
+    const auto used_up = [](const char* limit, std::uint64_t bytes) {
+        const Environment set("GLIFT_MEMORY_LIMIT", limit);
+        const auto device = glift::Device::open("host");
+        const auto fits = buffer(device, "fits", bytes);
+        return error_of([&] { buffer(device, "more", 1); }).code() == glift::ErrorCode::out_of_memory;
+    };
+    EXPECT_TRUE(used_up("1000", 1000));
+    EXPECT_TRUE(used_up("64K", 64 << 10));
+    EXPECT_TRUE(used_up("2M", 2 << 20));
+    EXPECT_TRUE(used_up("2MiB", 2 << 20));
+    for (const char* wrong : {"2X", "-1", "two", "1.5G", "2 G", "99999999999T", "18446744073709551616", "G"}) {
+        const Environment set("GLIFT_MEMORY_LIMIT", wrong);
+        const auto error = error_of([] { buffer(glift::Device::open("host"), "f", 4); });
+        expect_complete(error, ErrorCode::wrong_argument);
+        EXPECT_NE(error.where().find(wrong), std::string::npos) << error.what();
+        EXPECT_EQ(error_of([] { glift::Device::open(vulkan_name()); }).code(), ErrorCode::wrong_argument) << wrong;
+    }
+    const Environment validate("GLIFT_VALIDATE", "yes");
+    expect_complete(error_of([] { glift::Device::open(vulkan_name()); }), ErrorCode::wrong_argument);
+}
+
 TEST(Open, PropertiesAreThoseOfTheDevice) {
     const auto host = glift::Device::open("host");
     EXPECT_EQ(host.properties().loop_round_limit, glift::unlimited);
@@ -122,6 +165,10 @@ TEST(PipelineCache, SurvivesDamage) {
     }
     std::fstream(file, std::ios::in | std::ios::out | std::ios::binary).seekp(30).put('!');
     run();
+    // A header that speaks of more than there is.
+    std::fstream(file, std::ios::in | std::ios::out | std::ios::binary).seekp(11).put('\x3f');
+    run();
+    EXPECT_EQ(fs::file_size(file), size);
     fs::remove_all(folder);
     fs::create_directories(folder.parent_path());
     std::ofstream(folder).put('x');  // a file where the folder should be: nothing is kept, nothing fails
@@ -169,6 +216,19 @@ TEST_P(CallErrors, CallsThatDoNotFitTheirKernel) {
     EXPECT_EQ(error_of([&] { device.commands().upload(f, 200, std::vector<std::byte>(100)); }).code(),
               ErrorCode::wrong_argument);
     EXPECT_EQ(error_of([&] { device.commands().fill(f, 2, 4); }).code(), ErrorCode::wrong_argument);
+    for (const std::uint32_t offset : {2u, 8u, UINT32_MAX - 3}) {  // offset + 4 is no number
+        const ScaleParameters scaling = {64, 1.0f};
+        const glift::Memory memories[] = {f, buffer(device, "g.data", 256)};
+        const glift::Patch patch = {{buffer(device, "count", 4), 0}, offset};
+        expect_complete(error_of([&] {
+                            device.commands().dispatch(scale, {.form = glift::FormName::general,
+                                                               .memories = memories,
+                                                               .parameters = bytes_of(scaling),
+                                                               .size = {64, 1, 1, 1},
+                                                               .patches = {&patch, 1}});
+                        }),
+                        ErrorCode::wrong_argument);
+    }
     const glift::ImageRegion outside = {.origin = {2, 0, 0}, .extent = {3, 1, 1}};
     EXPECT_EQ(error_of([&] {
                   device.commands().download_image(image, {&outside, 1}, 100);

@@ -59,7 +59,66 @@ template <class Function> PFN_vkVoidFunction erased(Function function) {
     return reinterpret_cast<PFN_vkVoidFunction>(function);
 }
 
+/// One Vulkan function of a device that can fail, and the stand-in that makes it.
+template <int number, class Pointer> struct Failing;
+template <int number, class... Parameters> struct Failing<number, VkResult(VKAPI_PTR*)(Parameters...)> {
+    static inline VkResult(VKAPI_PTR* real)(Parameters...) = nullptr;
+    static inline const char* name = "";
+    static inline VkDevice device = VK_NULL_HANDLE;
+
+    static VKAPI_ATTR VkResult VKAPI_CALL call(Parameters... parameters) {
+        if (++pretence.calls != pretence.failing_call) return real(parameters...);
+        pretence.failed = name;
+        // A device that is lost runs nothing any more.
+        if (pretence.failure == VK_ERROR_DEVICE_LOST) vkDeviceWaitIdle(device);
+        return pretence.failure;
+    }
+};
+
+PFN_vkVoidFunction failing_function(VkDevice device, const char* name) {
+#define FAILING(function)                                                                                              \
+    if (!std::strcmp(name, #function)) {                                                                               \
+        using Stand = Failing<__COUNTER__, PFN_##function>;                                                            \
+        Stand::real = function, Stand::name = #function, Stand::device = device;                                       \
+        return erased(Stand::call);                                                                                    \
+    }
+    FAILING(vkAllocateCommandBuffers)
+    FAILING(vkAllocateDescriptorSets)
+    FAILING(vkAllocateMemory)
+    FAILING(vkBeginCommandBuffer)
+    FAILING(vkBindBufferMemory)
+    FAILING(vkBindImageMemory)
+    FAILING(vkCreateBuffer)
+    FAILING(vkCreateCommandPool)
+    FAILING(vkCreateComputePipelines)
+    FAILING(vkCreateDescriptorPool)
+    FAILING(vkCreateDescriptorSetLayout)
+    FAILING(vkCreateDescriptorUpdateTemplate)
+    FAILING(vkCreateImage)
+    FAILING(vkCreateImageView)
+    FAILING(vkCreatePipelineCache)
+    FAILING(vkCreatePipelineLayout)
+    FAILING(vkCreateQueryPool)
+    FAILING(vkCreateSampler)
+    FAILING(vkCreateSemaphore)
+    FAILING(vkCreateShaderModule)
+    FAILING(vkEndCommandBuffer)
+    FAILING(vkGetPipelineCacheData)
+    FAILING(vkGetQueryPoolResults)
+    FAILING(vkGetSemaphoreCounterValue)
+    FAILING(vkMapMemory)
+    FAILING(vkQueueSubmit2)
+    FAILING(vkResetCommandPool)
+    FAILING(vkResetDescriptorPool)
+    FAILING(vkWaitSemaphores)
+#undef FAILING
+    return nullptr;
+}
+
 PFN_vkVoidFunction VKAPI_CALL device_function(VkDevice device, const char* name) {
+    if (pretence.failing_call) {
+        if (const PFN_vkVoidFunction failing = failing_function(device, name)) return failing;
+    }
     if (!std::strcmp(name, "vkQueueSubmit2")) return erased(submit);
     if (!std::strcmp(name, "vkQueueSubmit")) return erased(submit_in_the_old_way);
     if (!std::strcmp(name, "vkWaitSemaphores")) return erased(wait);
@@ -117,9 +176,15 @@ PlainVulkan::PlainVulkan() {
     vkCreateCommandPool(device, &pool_info, nullptr, &pool);
 }
 
-PlainVulkan::~PlainVulkan() {
+void PlainVulkan::destroy_device() {
+    if (!device) return;
     vkDestroyCommandPool(device, pool, nullptr);
     vkDestroyDevice(device, nullptr);
+    device = VK_NULL_HANDLE;
+}
+
+PlainVulkan::~PlainVulkan() {
+    destroy_device();
     vkDestroyInstance(instance, nullptr);
 }
 

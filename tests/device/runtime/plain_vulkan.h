@@ -18,6 +18,11 @@ struct Pretence {
     bool no_shuffles = false;          ///< subgroups do not exchange values, nor reduce 64-bit ones
     bool no_push_descriptors = false;  ///< the device was made without the extension
 
+    std::uint64_t calls = 0;         ///< of the device's functions that can fail
+    std::uint64_t failing_call = 0;  ///< counted from 1, which fails with `failure`; 0: none
+    VkResult failure = VK_ERROR_OUT_OF_HOST_MEMORY;
+    const char* failed = "";  ///< its name
+
     std::uint64_t submissions = 0;      ///< of the device
     std::uint64_t command_buffers = 0;  ///< in them
 };
@@ -28,6 +33,7 @@ class PlainVulkan {
 public:
     PlainVulkan();
     ~PlainVulkan();
+    void destroy_device();  ///< before the rest
 
     glift::vulkan::Objects objects() const { return {instance, physical, device, queue, 0, extensions, nullptr}; }
     VkCommandBuffer begin() const;

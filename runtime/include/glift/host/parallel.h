@@ -95,8 +95,11 @@ inline constexpr std::size_t task_elements = 1 << 14;
 /// half of `grain`. No template: what oneTBB makes of one takes longer to compile than most kernels.
 inline void spread(std::size_t count, std::size_t grain, void (*run)(const void* body, std::size_t, std::size_t),
                    const void* body) {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain),
-                      [=](const tbb::blocked_range<std::size_t>& part) { run(body, part.begin(), part.end()); });
+    // Isolated: while this thread waits, it takes no work of the program's, which might call another kernel in between.
+    tbb::this_task_arena::isolate([=] {
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain),
+                          [=](const tbb::blocked_range<std::size_t>& part) { run(body, part.begin(), part.end()); });
+    });
 }
 
 /// The same with a function object that takes (begin, end).
