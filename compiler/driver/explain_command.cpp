@@ -11,6 +11,16 @@ namespace gliftc {
 
 namespace {
 
+const char* word(ir::Mapping mapping) {
+    switch (mapping) {
+    case ir::Mapping::unknown: return "one to one: not known";
+    case ir::Mapping::one_to_one: return "one to one";
+    case ir::Mapping::claimed_one_to_one: return "said to be one to one";
+    case ir::Mapping::many_to_one: return "many to one";
+    }
+    return "";
+}
+
 /// The translators and structures that the modules on the command line declare or use: what sema instantiated.
 class Explainer {
 public:
@@ -73,7 +83,7 @@ private:
         line(indent, "access", p.access_complexity + (p.uniform ? ", uniform" : ", not uniform"));
         line(indent, "location", p.location);
         line(indent, "mapping",
-             std::string(p.partial ? "partial" : "total") + (p.one_to_one ? ", one to one" : ", many to one"));
+             std::string(p.partial ? "partial, " : "total, ") + word(p.mapping));
         line(indent, "invertible", p.invertible ? "yes" : "no");
         line(indent, "affine", p.affine ? "yes" : "no");
         if (indent.empty()) text_ += "\n";

@@ -226,11 +226,19 @@ struct Enum {
     Span span;
 };
 
+/// Whether two virtual addresses may have one physical address.
+enum class Mapping : std::uint8_t {
+    unknown,
+    one_to_one,          ///< proved
+    claimed_one_to_one,  ///< said by `invert` or @one_to_one; `gliftc test` tries it
+    many_to_one,         ///< said by @many_to_one
+};
+
 /// What is inferred of a translator, or declared by @attributes and checked (thesis section 3.3).
 struct Properties {
     bool partial = false;           ///< translate gives an optional
     bool invertible = false;        ///< has invert
-    bool one_to_one = true;         ///< declared by @many_to_one otherwise
+    Mapping mapping = Mapping::unknown;
     bool affine = false;            ///< physical address is an affine function of the virtual one
     bool uniform = true;            ///< the same work for every address
     std::string memory_complexity;  ///< "O(1)", "O(n)", …

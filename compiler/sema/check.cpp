@@ -123,6 +123,21 @@ void require_transfers_of_arguments(Context& c) {
     for (const auto& [structure, span] : passed) require_transfers(c, structure, span);
 }
 
+/// `gliftc test` looks into the tables that translators read.
+void require_transfers_of_tables(Context& c) {
+    for (std::size_t i = 0; i < c.program.structures.size(); ++i) {
+        std::vector<std::uint32_t> tables;
+        for (const ir::Stage& stage : c.program.structures[i].via) {
+            for (const ir::Place& place : stage.structures) {
+                auto table = static_cast<std::uint32_t>(i);
+                for (std::uint32_t member : place.members) table = c.program.structures[table].members[member].structure;
+                tables.push_back(table);
+            }
+        }
+        for (std::uint32_t table : tables) require_transfers(c, table, c.program.structures[i].span);
+    }
+}
+
 }  // namespace
 
 Env& Context::new_env(std::uint32_t module) {
@@ -161,6 +176,7 @@ ir::Program check(const std::vector<LoadedModule>& modules, const ast::Tree& tre
         if (!diagnostics.has_errors()) require_transfers(c, i, program.structures[i].span);
     }
     if (!diagnostics.has_errors()) require_transfers_of_arguments(c);
+    if (!diagnostics.has_errors() && settings.looks_into_tables) require_transfers_of_tables(c);
     return program;
 }
 

@@ -16,6 +16,8 @@ namespace gliftc::sema {
 struct Settings {
     /// `-D name=value`: constants of the root modules whose value is replaced.
     std::vector<std::pair<std::string, std::string>> defines;
+    /// What translators read is read by the host, too: `gliftc test` checks them with it.
+    bool looks_into_tables = false;
 };
 
 /// A parsed module and how it was found.

@@ -54,6 +54,7 @@ void infer_properties(Context& c, std::uint32_t index, const ast::Decl& decl) {
     properties.access_complexity = flow.has_open_loop ? "O(log n)" : "O(1)";
     properties.memory_complexity = translator.structures.empty() ? "O(1)" : "O(n)";
     properties.location = "GPU and CPU";
+    if (properties.invertible) properties.mapping = ir::Mapping::claimed_one_to_one;
     for (const ast::Attribute& attribute : decl.attributes) {
         const std::string& name = c.text(attribute.name.name);
         auto text = [&]() -> std::string {
@@ -64,12 +65,12 @@ void infer_properties(Context& c, std::uint32_t index, const ast::Decl& decl) {
             return c.text(c[attribute.arguments[0]].name);
         };
         if (name == "many_to_one") {
-            properties.one_to_one = false;
+            properties.mapping = ir::Mapping::many_to_one;
             if (properties.invertible)
                 note(c.error(Diag::many_to_one_invertible, attribute.span, {translator.display}),
                      c.program.functions[translator.invert].span, "a translator with 'invert' is one-to-one");
         } else if (name == "one_to_one") {
-            properties.one_to_one = true;
+            properties.mapping = ir::Mapping::claimed_one_to_one;
         } else if (name == "access") {
             std::string declared = text();
             if (!flow.has_open_loop && declared != "O(1)" && !declared.empty())

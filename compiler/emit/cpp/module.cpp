@@ -180,6 +180,8 @@ std::string source_of(Unit& unit, const std::string& stem) {
     }
     for (std::uint32_t structure : unit.reach.structures)
         print_class_members(unit, unit.reach.in_header.contains(structure) ? members : hidden_members, structure);
+    Writer checks;
+    if (unit.options.tests) unit.translation_checks = print_translation_checks(unit, checks);
     std::string declarations;
     Writer hidden_pipelines;
     for (std::uint32_t pipeline : unit.reach.pipelines) {
@@ -201,7 +203,7 @@ std::string source_of(Unit& unit, const std::string& stem) {
     out.line("#include <glift/host/math.h>");
     out.line("#include <glift/host/parallel.h>");
     if (has_reports(unit)) out.line("#include <glift/host/report.h>");
-    if (unit.options.tests) out.line("#include <glift/testing.h>");
+    if (unit.options.tests) out.line("#include <glift/translation_checks.h>");
     out.gap();
     out.line("#include <optional>");
     out.gap();
@@ -217,7 +219,8 @@ std::string source_of(Unit& unit, const std::string& stem) {
     out.reserve(bytes + bytes / 16);
     append_parts(out, {types.text(), unit.globals.functions});
     append_parts(out, {codes.begin(), codes.end()});
-    append_parts(out, {hidden_functions.text(), declarations, hidden_members.text(), hidden_pipelines.text()});
+    append_parts(out,
+                 {hidden_functions.text(), declarations, checks.text(), hidden_members.text(), hidden_pipelines.text()});
     out.line("}  // namespace");
     out.gap();
     append_parts(out, {functions.text(), members.text(), pipelines.text()});

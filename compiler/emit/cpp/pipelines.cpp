@@ -48,7 +48,9 @@ struct PipelinePrinter {
     void temporary(const Stmt& stmt);
     void dispatch(const Stmt& stmt);
     void expect_same(const Stmt& stmt);
+    void keep(const std::string& shown, const std::string& object, std::uint32_t structure);
     void keep_all();
+    void check_as_made(const std::string& object, std::uint32_t structure);
 };
 
 /// The structure that the place begins at: `f.`, `part->`, or empty for the adaptor itself.
@@ -170,16 +172,66 @@ void PipelinePrinter::expect_same(const Stmt& stmt) {
                (stmt.arguments.size() > 2 ? ", " + print_any(p, stmt.arguments[2]) : "") + ");");
 }
 
-/// Keeps the structures of a test, to be compared between devices.
+/// The line that keeps one structure, shown by a name; where its domain may be larger than its memory, also what it is
+/// made of.
+void PipelinePrinter::keep(const std::string& shown, const std::string& object, std::uint32_t index) {
+    const ir::Structure& made = unit.program.structures[index];
+    const ClassNames& names = unit.globals.class_names[index];
+    const std::string keeps =
+        "test.keep(" + quoted(shown) + ", " + object + ", \"" + scalars_of(unit.program, made.element) + "\")";
+    const bool may_be_sparse = std::any_of(made.via.begin(), made.via.end(), [&](const ir::Stage& stage) {
+        const ir::Properties& properties = unit.program.translators[stage.translator].properties;
+        return properties.partial ||
+               (properties.mapping != ir::Mapping::one_to_one && properties.mapping != ir::Mapping::claimed_one_to_one);
+    });
+    if (!may_be_sparse) return p.out.line(keeps + ";");
+    p.out.open("if (!" + keeps + ")");
+    for (std::size_t i = 0; i < made.memories.size(); ++i) {
+        const std::string memory = object + "." + names.memories[i] + "()";
+        p.out.line("test.keep_memory(commands, " + quoted(shown + "." + unit.name(made.memories[i].name)) + ", " +
+                   memory + ", \"" +
+                   scalars_of(unit.program, made.memories[i].element) + "\");");
+    }
+    for (std::size_t i = 0; i < made.members.size(); ++i) {
+        const ir::Structure& member = unit.program.structures[made.members[i].structure];
+        if (member.kind == ir::StructureKind::stored && member.copyable)
+            keep(shown + "." + unit.name(made.members[i].name), object + "." + names.members[i] + "()",
+                 made.members[i].structure);
+    }
+    p.out.close();
+}
+
+/// Keeps the structures of a test, to be compared between devices, and checks how they translate where that shows only
+/// in structures that a test made and filled.
 void PipelinePrinter::keep_all() {
+    std::vector<std::pair<std::string, std::uint32_t>> made;
     for (ir::StmtId id : pipeline.body) {
         const Stmt& stmt = unit.program.stmts[id];
         if (stmt.op != StmtOp::temp) continue;
-        const ir::Structure& made =
-            unit.program.structures[unit.program.types[unit.program.locals[stmt.local].type].index];
-        if (made.kind != ir::StructureKind::stored || !made.copyable) continue;
-        const std::string& name = p.local_names.at(stmt.local);
-        p.out.line("test.keep(" + quoted(unit.name(unit.program.locals[stmt.local].name)) + ", " + name + ", \"" + scalars_of(unit.program, made.element) + "\");");
+        const std::uint32_t index = unit.program.types[unit.program.locals[stmt.local].type].index;
+        const ir::Structure& structure = unit.program.structures[index];
+        if (structure.kind != ir::StructureKind::stored || !structure.copyable) continue;
+        made.emplace_back(p.local_names.at(stmt.local), index);
+        keep(unit.name(unit.program.locals[stmt.local].name), made.back().first, index);
+    }
+    // What contains comes before what it contains: a check writes into the structure that it looks at.
+    for (std::size_t i = 0; i < made.size(); ++i) {
+        const auto [object, index] = made[i];
+        check_as_made(object, index);
+        const ir::Structure& structure = unit.program.structures[index];
+        for (std::size_t m = 0; m < structure.members.size(); ++m)
+            made.emplace_back(object + "." + unit.globals.class_names[index].members[m] + "()",
+                              structure.members[m].structure);
+    }
+}
+
+void PipelinePrinter::check_as_made(const std::string& object, std::uint32_t index) {
+    for (const TranslationCheck& check : unit.translation_checks) {
+        if (check.structure != index || !check.of_extents.empty() || check.of_one.empty()) continue;
+        p.out.open("test.check_as_made(" + quoted(check.title) + ", [&]");
+        p.out.line("auto structure = " + object + ";");
+        p.out.line(check.of_one + "(test, structure);");
+        p.out.close(");");
     }
 }
 

@@ -39,7 +39,8 @@ std::vector<std::string> print_state(Unit& unit, Writer& out, std::uint32_t stru
 
 /// `const auto translate = [&](uint4 va) -> std::optional<uint> { … };`
 void print_method(Unit& unit, Writer& out, const char* name, ir::FunctionId id, const std::string& result,
-                  const std::vector<std::string>& states) {
+                  const std::vector<std::string>& states,
+                  const std::function<Text(Printer&, const ir::Expr&)>& surroundings) {
     const ir::Function& function = unit.program.functions[id];
     Printer p(unit.globals);
     for (const std::string& state : states) p.names.declare(state);
@@ -50,7 +51,8 @@ void print_method(Unit& unit, Writer& out, const char* name, ir::FunctionId id, 
                       " " + declare_local(p, local);
     }
     p.outer_expression = [&](const ir::Expr& expr) -> Text {
-        return {expr.op == ir::Op::state ? states[expr.slot] : "{}"};
+        if (expr.op == ir::Op::state) return {states[expr.slot]};
+        return surroundings ? surroundings(p, expr) : Text{"{}"};
     };
     for (int depth = 0; depth <= out.depth(); ++depth) p.out.indent();
     print_statements(p, function.body);
@@ -66,7 +68,8 @@ bool has_rows(const ir::Program& program, const ir::Structure& structure) {
     const bool is_number = program.types.is_number(program.types.scalar_of(structure.element)) ||
                            program.types.kind(structure.element) == ir::TypeKind::struct_;
     return memory.shape == ir::MemoryShape::buffer && memory.element == structure.element && is_number &&
-           translator.properties.affine && !translator.properties.partial && translator.properties.one_to_one &&
+           translator.properties.affine && !translator.properties.partial &&
+           translator.properties.mapping != ir::Mapping::many_to_one &&
            translator.structures.empty() && translator.physical_type == program.types.uint &&
            !uses_state_elsewhere(program, translator.translate);
 }

@@ -13,9 +13,11 @@ bool uses_state_elsewhere(const ir::Program& program, ir::FunctionId function);
 std::vector<std::string> print_state(Unit& unit, Writer& out, std::uint32_t structure, const ir::Stage& stage,
                                      const std::string& object, std::initializer_list<const char*> taken);
 
-/// `const auto translate = [&](uint4 va) -> std::optional<uint> { … };`
+/// `const auto translate = [&](uint4 va) -> std::optional<uint> { … };` What structures are asked for is spelled by
+/// `surroundings`.
 void print_method(Unit& unit, Writer& out, const char* name, ir::FunctionId id, const std::string& result,
-                  const std::vector<std::string>& states);
+                  const std::vector<std::string>& states,
+                  const std::function<Text(Printer&, const ir::Expr&)>& surroundings = {});
 
 /// True if elements that follow each other along x may lie one after the other in a buffer, as the host has them: boxes
 /// of such a structure are copied by rows. The affine translator says where a row begins.

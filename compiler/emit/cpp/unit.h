@@ -25,6 +25,15 @@ Reach reach_of(const ir::Program& program, std::uint32_t module, const Options& 
 /// Also the structs that the kernels' code uses within.
 void add_inner_structs(Reach& reach, const ir::Program& program, const ir::Lowered& lowered);
 
+/// How a test program checks the translation of one structure.
+struct TranslationCheck {
+    std::uint32_t structure = 0;
+    std::string title;
+    std::string of_one;         ///< the function that checks a structure already made; empty: none can
+    std::string of_extents;     ///< the function that makes some; empty: as the tests make them
+    std::string why_not_alone;  ///< where `of_extents` is empty
+};
+
 struct Unit {
     const ir::Program& program;
     const ir::Lowered& lowered;
@@ -35,6 +44,7 @@ struct Unit {
     Reach reach;
     Globals globals;
     std::string tests;  ///< the table of tests
+    std::vector<TranslationCheck> translation_checks{};  ///< in a test program
 
     std::string name(Name n) const { return (*program.names)[n]; }
     std::string type(ir::TypeId id, bool qualified = false) const { return type_text(globals, id, qualified); }
@@ -68,6 +78,10 @@ std::string short_kernel_function(Unit& unit, std::uint32_t kernel);  ///< empty
 // pipelines.cpp
 std::string pipeline_signature(Unit& unit, std::uint32_t pipeline, bool qualified, bool in_class);
 void print_pipeline(Unit& unit, Writer& out, std::uint32_t pipeline);
+
+// translation_checks.cpp
+/// Prints the functions that check translations; one check for each structure that the module's tests reach.
+std::vector<TranslationCheck> print_translation_checks(Unit& unit, Writer& out);
 
 // tests.cpp
 /// One letter for each scalar of a type, as glift::KeptStructure has them.

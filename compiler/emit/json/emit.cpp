@@ -72,7 +72,7 @@ void Writer::translator(const ir::Translator& t) {
         out.object([&] {
             out.field("partial", p.partial);
             out.field("invertible", p.invertible);
-            out.field("one_to_one", p.one_to_one);
+            out.field("mapping", word(p.mapping));
             out.field("affine", p.affine);
             out.field("uniform", p.uniform);
             out.field("memory_complexity", p.memory_complexity);

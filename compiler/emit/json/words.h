@@ -17,6 +17,7 @@ const char* word(ir::Combine combine);
 const char* word(ir::StructureKind kind);
 const char* word(ir::ParameterSource source);
 const char* word(ir::HostPattern pattern);
+const char* word(ir::Mapping mapping);
 
 /// What Place::root counts: a kernel's parameters by name, or (one, without a name) the structure itself.
 struct Root {

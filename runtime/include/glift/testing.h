@@ -7,7 +7,8 @@
 
 #include <cstdio>
 #include <cstdlib>
-#include <set>
+#include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -79,6 +80,26 @@ inline Extent address_of(std::size_t index, const Extent& extent) {
     return address;
 }
 
+/// Where an element's scalars lie, and how far the next element is.
+struct Places {
+    std::vector<std::size_t> offsets;
+    std::size_t stride = 0;
+};
+
+inline Places places_of(std::string_view scalars) {
+    Places places;
+    std::size_t align = 1;
+    for (char kind : scalars) {
+        const std::size_t size = ScalarReader::size_of(kind);
+        places.stride = (places.stride + size - 1) / size * size;
+        places.offsets.push_back(places.stride);
+        places.stride += size;
+        align = std::max(align, size);
+    }
+    places.stride = (places.stride + align - 1) / align * align;
+    return places;
+}
+
 /// The differences between two records of elements; the first few in words.
 inline void compare(const KeptStructure& a, const std::string& name_a, const KeptStructure& b,
                     const std::string& name_b, double tolerance, const std::string& where,
@@ -88,17 +109,8 @@ inline void compare(const KeptStructure& a, const std::string& name_a, const Kep
                            text_of(b.extent, b.rank));
         return;
     }
-    std::size_t stride = 0, differing = 0;
-    std::vector<std::size_t> offsets;
-    std::size_t align = 1;
-    for (char kind : a.scalars) {
-        const std::size_t size = ScalarReader::size_of(kind);
-        stride = (stride + size - 1) / size * size;
-        offsets.push_back(stride);
-        stride += size;
-        align = std::max(align, size);
-    }
-    stride = (stride + align - 1) / align * align;
+    const auto [offsets, stride] = places_of(a.scalars);
+    std::size_t differing = 0;
     if (stride == 0) return;
     for (std::size_t i = 0; i * stride < a.bytes.size(); ++i) {
         for (std::size_t k = 0; k < offsets.size(); ++k) {
@@ -115,17 +127,6 @@ inline void compare(const KeptStructure& a, const std::string& name_a, const Kep
     if (differing > 3) failures.push_back(where + ": and more");
 }
 
-/// Addresses to try in a domain: all of a small one, else corners and a spread.
-inline std::vector<Extent> addresses_in(const Extent& domain, unsigned rank) {
-    std::vector<Extent> result;
-    const std::uint64_t volume = volume_of(domain);
-    const std::uint64_t step = volume <= 20000 ? 1 : volume / 20000 | 1;
-    for (std::uint64_t i = 0; i < volume; i += step) result.push_back(address_of(i, domain));
-    if (volume > 0 && step > 1) result.push_back(address_of(volume - 1, domain));
-    (void)rank;
-    return result;
-}
-
 template <class A> A address_from(const Extent& extent) {
     A address{};
     if constexpr (Axes<A>::count == 1) address = extent[0];
@@ -140,7 +141,10 @@ template <class A> A address_from(const Extent& extent) {
 class Test {
 public:
     std::vector<std::string> failures;
+    std::vector<std::string> notes;  ///< what was not compared or checked
     std::vector<KeptStructure> kept;
+    /// Translations that were checked as this test made their structures, with what was found.
+    std::map<std::string, std::vector<std::string>> translations;
 
     void expect(bool condition, const char* place) {
         if (!condition) failures.push_back(std::string(place) + ": expect: the condition is false");
@@ -165,51 +169,82 @@ public:
                         tolerance, std::string(place) + ": expect_same", failures);
     }
 
-    /// Keeps all elements of a structure, to be compared with those of another device.
-    template <class S> void keep(const char* name, const S& structure, std::string_view scalars) {
-        if (structure) kept.push_back(record(name, structure, scalars));
+    /// Keeps all elements of a structure, to be compared with those of another device. False where its domain is so
+    /// much larger than a memory that only what it is made of can be compared.
+    template <class S> bool keep(const char* name, const S& structure, std::string_view scalars) {
+        if (!structure) return true;
+        if constexpr (!requires { structure.row_memory(); }) {
+            const Extent domain = detail::extent_of(structure.domain());
+            if (detail::volume_of(domain) > largest_kept / sizeof(typename S::Element)) {
+                notes.push_back(std::string(name) + ": its domain is " +
+                                detail::text_of(domain, detail::Axes<typename S::Address>::count) +
+                                ", so its memory and its tables were compared, not each address");
+                return false;
+            }
+        }
+        kept.push_back(record(name, structure, scalars));
+        return true;
+    }
+
+    /// Keeps the elements of a buffer as they lie there.
+    void keep_memory(const Commands& commands, const char* name, const Memory& memory, std::string_view scalars) {
+        if (!memory) return;
+        if (memory.description().kind != MemoryKind::buffer) {
+            notes.push_back(std::string("not compared: ") + name + ", an image");
+            return;
+        }
+        const Download download = commands.download(memory, 0, memory.description().bytes);
+        const std::span<const std::byte> bytes = download.get();
+        const auto count = static_cast<std::uint32_t>(bytes.size() / std::max<std::size_t>(1, detail::places_of(scalars).stride));
+        kept.push_back({name, 1, {count, 1, 1, 1}, scalars, {bytes.begin(), bytes.end()}});
+    }
+
+    /// A structure of an extent that nobody asked for; nothing where the device or the structure does not take it.
+    template <class S, class... Arguments>
+    std::optional<S> make(const Commands& commands, const Arguments&... arguments) {
+        try {
+            std::optional<S> made(std::in_place, commands, arguments...);
+            ++made_;
+            return made;
+        } catch (const Error& error) {
+            refused_ = error.problem() + (error.why().empty() ? "" : ": " + error.why());
+            return std::nullopt;
+        }
+    }
+    /// Why no extent could be tried; empty: some were.
+    std::string why_nothing_was_made() const { return made_ == 0 ? refused_ : std::string(); }
+
+    /// Checks a translation as this test made its structure.
+    template <class Check> void check_as_made(const char* title, const Check& check) {
+        if (translations.contains(title)) return;
+        std::vector<std::string> before = std::exchange(failures, {});
+        try {
+            check();
+            translations.emplace(title, failures);
+        } catch (const Error& error) {
+            notes.push_back(std::string("not checked: ") + title + ": " + error.problem());
+        }
+        failures = std::move(before);
     }
 
 private:
+    static constexpr std::uint64_t largest_kept = 1u << 28;  ///< bytes
+
     template <class S> static KeptStructure record(const char* name, const S& structure, std::string_view scalars) {
-        const auto values = structure.read();
         Extent extent;
         if constexpr (requires { structure.size(); }) extent = detail::extent_of(structure.size());
         else extent = detail::extent_of(structure.domain());
+        if (detail::volume_of(extent) > std::uint64_t{largest_kept} * 16)
+            throw Error(ErrorCode::too_large, std::string(name) + " has too many elements to be read as a whole", {},
+                        {}, "compare a box of it");
+        const auto values = structure.read();
         const auto bytes = std::as_bytes(std::span(values));
         return {name, detail::Axes<typename S::Address>::count, extent, scalars, {bytes.begin(), bytes.end()}};
     }
-};
 
-/// Checks one translator with the state that a structure gives it: what it maps an address to maps back, and no two
-/// addresses map to one.
-template <class A, class Translate, class Invert> void check_translator(Test& test, const char* name, const A& domain,
-                                                                        const Translate& translate,
-                                                                        const Invert& invert, bool one_to_one) {
-    using Physical = std::remove_cvref_t<decltype(*translate(A{}))>;
-    constexpr unsigned rank = detail::Axes<A>::count;
-    const Extent size = detail::extent_of(domain);
-    std::set<std::array<std::uint32_t, 4>> seen;
-    for (const Extent& at : detail::addresses_in(size, rank)) {
-        const auto physical = translate(detail::address_from<A>(at));
-        if (!physical) continue;
-        const Extent there = detail::extent_of(Physical(*physical), 0);
-        constexpr unsigned physical_rank = detail::Axes<Physical>::count;
-        if (one_to_one && !seen.insert(there).second)
-            test.failures.push_back(std::string(name) + ": not one-to-one: " + detail::text_of(at, rank) +
-                                    " and another address both map to " + detail::text_of(there, physical_rank) +
-                                    " (domain " + detail::text_of(size, rank) + ")");
-        if constexpr (!std::is_same_v<Invert, std::nullptr_t>) {
-            const Extent back = detail::extent_of(A(invert(*physical)), 0);
-            const Extent want = detail::extent_of(detail::address_from<A>(at), 0);
-            if (back != want)
-                test.failures.push_back(std::string(name) + ": invert(translate(" + detail::text_of(at, rank) +
-                                        ")) is " + detail::text_of(back, rank) + " (domain " +
-                                        detail::text_of(size, rank) + ")");
-        }
-        if (test.failures.size() > 10) return;
-    }
-}
+    unsigned made_ = 0;
+    std::string refused_;
+};
 
 /// Checks that boxes of a structure cover their elements exactly once: what is written to a box comes back, and nothing
 /// else changes.
@@ -251,7 +286,8 @@ struct TestCase {
     const char* title;
     const char* place;  ///< file:line
     bool exact;         ///< all passes are exact: devices agree bit for bit
-    void (*run)(Test& test, const Commands& commands);
+    void (*run)(Test& test, const Commands& commands);  ///< null: a translation that is checked as tests make it
+    const char* why_not_alone = "";
 };
 
 namespace detail {
@@ -261,7 +297,7 @@ inline Test run_on(const Device& device, const TestCase& test) {
     try {
         test.run(run, device);
         device.wait();
-    } catch (const Error& error) {
+    } catch (const std::exception& error) {
         run.failures.push_back(std::string(test.place) + ": " + error.what());
     }
     // The layer's messages list every stage and access there is: their beginning says enough.
@@ -272,6 +308,80 @@ inline Test run_on(const Device& device, const TestCase& test) {
     if (messages > 2) run.failures.push_back("validation: " + std::to_string(messages - 2) + " more messages");
     return run;
 }
+
+/// Runs tests on all devices and prints what became of them.
+class TestRunner {
+public:
+    explicit TestRunner(std::vector<Device> devices) : devices_(std::move(devices)) {}
+
+    void run(const TestCase& test) {
+        ++ran_;
+        announce(test);
+        std::vector<std::string> failures, notes;
+        std::vector<Test> runs;
+        for (const Device& device : devices_) {
+            Test& run = runs.emplace_back(run_on(device, test));
+            for (const std::string& failure : run.failures)
+                failures.push_back(failure + " [" + device.properties().name + "]");
+            if (const std::string why = run.why_nothing_was_made(); !why.empty())
+                run.notes.push_back("not checked: " + why);
+            for (const std::string& note : run.notes)
+                if (std::ranges::find(notes, note) == notes.end()) notes.push_back(note);
+            for (const auto& [title, found] : run.translations) {
+                std::vector<std::string>& all = translations_[title];
+                for (const std::string& failure : found)
+                    all.push_back(failure + " [" + device.properties().name + "]");
+            }
+        }
+        if (runs.size() == 2 && runs[0].kept.size() == runs[1].kept.size()) {
+            for (std::size_t i = 0; i < runs[0].kept.size(); ++i)
+                compare(runs[0].kept[i], "the host", runs[1].kept[i], devices_[1].properties().name,
+                        test.exact ? 0 : inexact_tolerance, std::string(test.place) + ": " + runs[0].kept[i].name,
+                        failures);
+        }
+        report(test, "", failures);
+        for (const std::string& note : notes) std::printf("      %s\n", note.c_str());
+    }
+
+    /// After all tests: whether one of them checked this.
+    void run_as_made(const TestCase& test) {
+        const auto found = translations_.find(test.title);
+        if (found != translations_.end()) {
+            ++ran_;
+            return report(test, ", as the tests made it", found->second);
+        }
+        ++unchecked_;
+        std::printf("not checked: %s (%s): %s\n", test.title, test.place, test.why_not_alone);
+    }
+
+    int finish() const {
+        std::printf("%zu tests on %s%s: %zu failed", ran_, "the host",
+                    devices_.size() > 1 ? (" and " + devices_[1].properties().name).c_str() : "", failed_);
+        std::printf(unchecked_ ? ", %zu not checked\n" : "\n", unchecked_);
+        return failed_ == 0 ? 0 : 1;
+    }
+
+private:
+    /// Leaves the test's name where `gliftc test` finds it if a signal ends the program.
+    static void announce(const TestCase& test) {
+        std::fflush(stdout);
+        const char* path = std::getenv("GLIFT_TEST_NOW");
+        if (std::FILE* file = path ? std::fopen(path, "w") : nullptr) {
+            std::fprintf(file, "%s (%s)", test.title, test.place);
+            std::fclose(file);
+        }
+    }
+
+    void report(const TestCase& test, const char* how, const std::vector<std::string>& failures) {
+        std::printf("%s  %s%s (%s)\n", failures.empty() ? "pass" : "FAIL", test.title, how, test.place);
+        for (const std::string& failure : failures) std::printf("      %s\n", failure.c_str());
+        failed_ += !failures.empty();
+    }
+
+    std::vector<Device> devices_;
+    std::map<std::string, std::vector<std::string>> translations_;
+    std::size_t ran_ = 0, failed_ = 0, unchecked_ = 0;
+};
 
 }  // namespace detail
 
@@ -284,30 +394,15 @@ inline int run_tests(std::span<const TestCase> tests, int argc, char** argv) {
         const Device host = Device::open("host");
         std::vector<Device> devices{host};
         if (name != "host") devices.push_back(Device::open(name));
-        std::size_t failed = 0, ran = 0;
-        for (const TestCase& test : tests) {
-            if (std::string_view(test.title).find(filter) == std::string_view::npos) continue;
-            ++ran;
-            std::vector<std::string> failures;
-            std::vector<Test> runs;
-            for (const Device& device : devices) {
-                runs.push_back(detail::run_on(device, test));
-                for (const std::string& failure : runs.back().failures)
-                    failures.push_back(failure + " [" + device.properties().name + "]");
-            }
-            if (runs.size() == 2 && runs[0].kept.size() == runs[1].kept.size()) {
-                for (std::size_t i = 0; i < runs[0].kept.size(); ++i)
-                    detail::compare(runs[0].kept[i], "the host", runs[1].kept[i], devices[1].properties().name,
-                                    test.exact ? 0 : inexact_tolerance,
-                                    std::string(test.place) + ": " + runs[0].kept[i].name, failures);
-            }
-            std::printf("%s  %s (%s)\n", failures.empty() ? "pass" : "FAIL", test.title, test.place);
-            for (const std::string& failure : failures) std::printf("      %s\n", failure.c_str());
-            failed += !failures.empty();
-        }
-        std::printf("%zu tests on %s%s: %zu failed\n", ran, "the host",
-                    devices.size() > 1 ? (" and " + devices[1].properties().name).c_str() : "", failed);
-        return failed == 0 ? 0 : 1;
+        detail::TestRunner runner(std::move(devices));
+        const auto is_wanted = [&](const TestCase& test) {
+            return std::string_view(test.title).find(filter) != std::string_view::npos;
+        };
+        for (const TestCase& test : tests)
+            if (test.run && is_wanted(test)) runner.run(test);
+        for (const TestCase& test : tests)
+            if (!test.run && is_wanted(test)) runner.run_as_made(test);
+        return runner.finish();
     } catch (const Error& error) {
         std::fprintf(stderr, "%s\n", error.what());
         return 1;
