@@ -12,6 +12,9 @@ if(TARGET gliftc AND TARGET glift_runtime)
     install(EXPORT gliftTargets NAMESPACE glift:: DESTINATION ${config_dir})
     install(DIRECTORY ${PROJECT_SOURCE_DIR}/runtime/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
     install(DIRECTORY ${PROJECT_SOURCE_DIR}/stdlib/ DESTINATION share/glift/stdlib FILES_MATCHING PATTERN "*.glift")
+    # What `gliftc explain ID` shows.
+    install(DIRECTORY ${PROJECT_SOURCE_DIR}/tests/errors/ DESTINATION share/glift/diagnostics
+            FILES_MATCHING PATTERN "*.glift" PATTERN "*.*.glift" EXCLUDE PATTERN support EXCLUDE)
     if(TARGET glift_clang)
         install(TARGETS glift_clang LIBRARY DESTINATION lib/glift)
     endif()

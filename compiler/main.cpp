@@ -2,6 +2,7 @@
 #include "base/allocation.h"
 #include "driver/command_line.h"
 #include "driver/commands.h"
+#include "driver/environment.h"
 
 #include <cstdio>
 #include <cstdlib>
@@ -37,6 +38,9 @@ int main(int argc, char** argv) {
         auto read = gliftc::read_command_line(argc, argv);
         const auto* options = std::get_if<gliftc::Options>(&read);
         code = options ? run(*options) : static_cast<int>(std::get<gliftc::ExitCode>(read));
+    } catch (const gliftc::EnvironmentError& error) {
+        std::fprintf(stderr, "gliftc: %s\n", error.what());
+        code = static_cast<int>(gliftc::ExitCode::environment);
     } catch (const std::exception& error) {
         code = internal_error(error.what());
     } catch (...) {

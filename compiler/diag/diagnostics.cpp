@@ -121,6 +121,11 @@ std::optional<Diag> find_diagnostic(std::string_view id) {
     return static_cast<Diag>(found - ids.begin());
 }
 
+std::string_view nearest_diagnostic(std::string_view word) {
+    const auto& ids = shown_ids();
+    return did_you_mean(word, {ids.begin(), ids.end()});
+}
+
 std::string_view did_you_mean(std::string_view name, const std::vector<std::string_view>& candidates) {
     std::size_t limit = std::max<std::size_t>(1, name.size() / 3);
     std::string_view best;

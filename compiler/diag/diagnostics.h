@@ -72,6 +72,9 @@ private:
 /// The diagnostic of an id as users write it: "unknown-name".
 std::optional<Diag> find_diagnostic(std::string_view id);
 
+/// The id nearest to a word that is none; empty: none is near.
+std::string_view nearest_diagnostic(std::string_view word);
+
 /// The candidate nearest to `name` by edit distance, if near enough to be meant; else empty.
 std::string_view did_you_mean(std::string_view name, const std::vector<std::string_view>& candidates);
 

@@ -132,7 +132,8 @@ std::string render_text(const Diagnostics& diagnostics, const Sources& sources, 
     std::string out;
     for (const Diagnostic& diagnostic : diagnostics.all()) out += render_text(diagnostic, sources, colour);
     if (diagnostics.at_limit())
-        out += "note: " + std::to_string(diagnostics.error_count()) + " errors; no more are shown (--error-limit)\n";
+        out += "note: " + std::to_string(diagnostics.error_count()) +
+               (diagnostics.error_count() == 1 ? " error" : " errors") + "; no more are shown (--error-limit)\n";
     return out;
 }
 

@@ -1,5 +1,7 @@
 #include "driver/command_line.h"
 
+#include "driver/load.h"
+#include "driver/response_file.h"
 #include "lower/passes.h"
 
 #include <CLI/CLI.hpp>
@@ -77,6 +79,21 @@ void finish(Options& options, const Typed& typed) {
     }
 }
 
+/// What would do nothing, or something else than it says, is refused.
+void check_combinations(const Options& options) {
+    const bool stops = options.stop_after || options.dump || !options.stop_after_pass.empty() ||
+                       !options.dump_after.empty();
+    const bool writes = !options.check_only && !options.list_outputs && !stops;
+    if (!options.depfile.empty() && (!writes || options.command != Command::compile))
+        throw CLI::ValidationError("--depfile", "nothing is written here: leave it out");
+    if (options.output_folder == "-")
+        throw CLI::ValidationError("-o", "outputs are several files, which do not go to standard output: name a folder");
+    if (options.depfile == "-") throw CLI::ValidationError("--depfile", "name a file");
+    if (!options.library_folder.empty() &&
+        find_in_library(disk(), options.library_folder, sema::transfer_module).empty())
+        throw CLI::ValidationError("--library", "'" + options.library_folder + "' does not hold the standard library");
+}
+
 void add_output_options(CLI::App& app, Options& options, Typed& typed) {
     app.add_option("-o,--output", options.output_folder, "Write outputs into this folder")
         ->type_name("DIR")
@@ -85,8 +102,10 @@ void add_output_options(CLI::App& app, Options& options, Typed& typed) {
         ->type_name("NAME")
         ->allow_extra_args(false)
         ->group("Output");
-    app.add_option("--depfile", options.depfile, "Write a Makefile rule with every file that was read")
+    app.add_option("--depfile", options.depfile, "Write a Makefile rule with every file that was read (-MF)")
         ->type_name("FILE")
+        ->group("Output");
+    app.add_flag("--make-rule", options.writes_depfile, "Write that rule beside the outputs, as <file>.glift.d (-MD)")
         ->group("Output");
     app.add_flag("--list-outputs", options.list_outputs, "Print the names of the outputs and write nothing")
         ->group("Output");
@@ -102,10 +121,10 @@ void add_output_options(CLI::App& app, Options& options, Typed& typed) {
 void add_stage_options(CLI::App& app, Options& options, Typed& typed) {
     app.add_flag("--check", options.check_only, "Report errors and write nothing")->group("Stages");
     app.add_option("--stop-after", typed.stop_after,
-                   "Stop after a stage (syntax, sema, lower, layout) or a pass of lowering")
+                   "Stop after a stage (syntax, sema or ir, lower, layout) or a pass of lowering")
         ->type_name("STAGE")
         ->group("Stages");
-    app.add_option("--dump", typed.dump, "Print what a stage made: syntax, sema, lower")
+    app.add_option("--dump", typed.dump, "Print what a stage made: syntax, sema (or ir), lower, layout")
         ->type_name("STAGE")
         ->group("Stages");
     app.add_option("--dump-after", options.dump_after,
@@ -126,6 +145,7 @@ void add_diagnostics_options(CLI::App& app, Options& options, Typed& typed) {
         ->group("Diagnostics");
     app.add_option("--error-limit", options.error_limit, "Stop after so many errors; 0 is no limit")
         ->type_name("N")
+        ->check(CLI::NonNegativeNumber)
         ->group("Diagnostics");
 }
 
@@ -141,6 +161,14 @@ void add_input_options(CLI::App& app, Options& options, Typed& typed) {
     app.add_option("--library", options.library_folder, "The folder of the standard library")
         ->type_name("DIR")
         ->group("Input");
+}
+
+/// Words as C and C++ compilers spell them: CLI11 has no options of several letters behind one dash.
+void translate_customs(std::vector<std::string>& words) {
+    for (std::string& word : words) {
+        if (word == "-MD") word = "--make-rule";
+        else if (word.starts_with("-MF")) word = word.size() > 3 ? "--depfile=" + word.substr(3) : "--depfile";
+    }
 }
 
 /// `gliftc NAME file.glift…`; the options of gliftc stand before or after the name.
@@ -160,7 +188,9 @@ std::variant<Options, ExitCode> read_command_line(int argc, char** argv) {
     CLI::App app("The Glift compiler: GPU data structures to GLSL, SPIR-V and C++.", "gliftc");
     app.set_version_flag("--version", "gliftc " GLIFT_VERSION);
     app.get_formatter()->column_width(34);
-    app.footer("Exit status: 0 done, 1 errors in the source, 2 wrong usage, 3 a bug in gliftc.");
+    app.footer("@FILE stands for the words in FILE. NO_COLOR in the environment turns colours off.\n"
+               "Exit status: 0 done, 1 errors in the source or tests that fail, 2 wrong usage, 3 a bug in gliftc,\n"
+               "4 a file that cannot be written or a program that is not there.");
     app.add_option("files", options.files, "The files to compile; '-' is standard input")->type_name("FILE");
     add_output_options(app, options, typed);
     add_input_options(app, options, typed);
@@ -172,14 +202,26 @@ std::variant<Options, ExitCode> read_command_line(int argc, char** argv) {
         ->type_name("NAME");
     test->add_option("--filter", options.test_filter, "Only the tests with this in their title")->type_name("TEXT");
     test->add_flag("!--no-validate", options.validate, "Without Vulkan's validation layer");
-    add_command(app, options, "explain", "Print what is inferred of every translator and structure", Command::explain);
+    test->add_flag("--list", options.list_tests, "Print the titles of the tests and run none");
+    CLI::App* explain = add_command(
+        app, options, "explain",
+        "Print what is known of every translator and structure in the files; or, given the id of a diagnostic, what it\n"
+        "means, with an example",
+        Command::explain);
+    explain->add_flag("--json", options.explain_as_json, "As JSON");
     add_command(app, options, "fmt", "Format the files in place; with --check, say which are not formatted",
                 Command::fmt);
     app.require_subcommand(0, 1);
     try {
-        app.parse(argc, argv);
+        std::vector<std::string> words(argv + 1, argv + argc);
+        if (std::string error = expand_response_files(words, disk()); !error.empty())
+            throw CLI::ValidationError("@FILE", error);
+        translate_customs(words);
+        std::reverse(words.begin(), words.end());  // as CLI11 takes them
+        app.parse(std::move(words));
         finish(options, typed);
         if (options.files.empty()) throw CLI::RequiredError("a file");
+        check_combinations(options);
     } catch (const CLI::ParseError& error) {
         bool asked = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success);
         app.exit(error);

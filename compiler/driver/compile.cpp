@@ -52,7 +52,9 @@ std::string escape_for_make(std::string_view path) {
 Result compile(const Options& options, const FileSystem& files, Compilation& c) {
     Result result;
     Stopwatch clock(result.times);
-    auto stops_after = [&](Stage stage) { return c.diagnostics.has_errors() || options.stops_after(stage); };
+    // A module by a wrong name can be checked like any other.
+    auto has_errors = [&] { return c.diagnostics.error_count() > c.loaded.misnamed; };
+    auto stops_after = [&](Stage stage) { return has_errors() || options.stops_after(stage); };
 
     check_style(options, c.diagnostics);
     c.loaded = load_modules(options, files, c.sources, c.names, c.tree, c.diagnostics);
@@ -62,13 +64,13 @@ Result compile(const Options& options, const FileSystem& files, Compilation& c) 
 
     import_structs(options, files, c);
     clock.lap("import");
-    if (c.diagnostics.has_errors()) return result;
+    if (has_errors()) return result;
 
     c.program = sema::check(c.loaded.modules, c.tree, c.names, c.diagnostics, 
                              {.defines = options.defines, .looks_into_tables = options.command == Command::test});
     clock.lap("sema");
     if (options.dump == Stage::sema) result.dump = ir::print(c.program);
-    if (stops_after(Stage::sema)) return result;
+    if (stops_after(Stage::sema) || c.diagnostics.has_errors()) return result;
 
     lower::Trace trace{options.dump_after, options.stop_after_pass, {}};
     c.lowered =

@@ -4,6 +4,7 @@
 #include "driver/file_system.h"
 #include "driver/load.h"
 #include "driver/options.h"
+#include "emit/cpp/emit.h"
 #include "ir/pass.h"
 
 #include <string>
@@ -28,6 +29,7 @@ struct Compilation {
 struct Output {
     std::string name;  ///< of the file, in the output folder
     std::string bytes;
+    std::vector<cpp::TestName> tests{};  ///< of a test program
 };
 
 struct StageTime {

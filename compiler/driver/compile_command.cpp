@@ -2,6 +2,7 @@
 #include "driver/command_line.h"
 #include "driver/commands.h"
 #include "driver/compile.h"
+#include "driver/environment.h"
 
 #include <cstdio>
 
@@ -18,33 +19,30 @@ void print_times(const Result& result) {
     std::fprintf(stderr, "%-10s %9.3f ms\n", "all", all);
 }
 
-/// False, with a message, where there was an error.
-bool is_written(const std::string& path, const std::optional<std::string>& error) {
-    if (!error) return true;
-    std::fprintf(stderr, "error: cannot write '%s': %s\n", path.c_str(), error->c_str());
-    return false;
+/// One message, whatever cannot be written: what is wrong with the folder is wrong with each file.
+void check_written(const std::string& path, const std::optional<std::string>& error) {
+    if (error) throw EnvironmentError("cannot write '" + path + "': " + *error);
 }
 
 /// Where everything is written, a depfile is too: <name>.glift.d of the first module.
 std::string depfile_of(const Options& options, const Result& result) {
-    if (!options.depfile.empty() || !options.targets.empty() || result.outputs.empty()) return options.depfile;
+    if (!options.depfile.empty() || result.outputs.empty()) return options.depfile;
+    if (!options.targets.empty() && !options.writes_depfile) return {};
     const std::string& header = result.outputs.front().name;
     return options.output_folder + "/" + header.substr(0, header.rfind('.')) + ".d";
 }
 
-bool write_outputs(const Options& options, const Result& result, const Compilation& compilation) {
+void write_outputs(const Options& options, const Result& result, const Compilation& compilation) {
     constexpr std::size_t share = 64;  // a thread for fewer would take longer
     const auto path_of = [&](const Output& output) { return options.output_folder + "/" + output.name; };
     std::vector<std::optional<std::string>> errors(result.outputs.size());
     for_each_parallel(result.outputs.size(), share, [&](std::size_t i) {
         errors[i] = write_if_changed(path_of(result.outputs[i]), result.outputs[i].bytes);
     });
-    bool written = true;
-    for (std::size_t i = 0; i < errors.size(); ++i) written &= is_written(path_of(result.outputs[i]), errors[i]);
+    for (std::size_t i = 0; i < errors.size(); ++i) check_written(path_of(result.outputs[i]), errors[i]);
     std::string depfile = depfile_of(options, result);
     if (!depfile.empty())
-        written &= is_written(depfile, write_if_changed(depfile, make_depfile(options, result, compilation)));
-    return written;
+        check_written(depfile, write_if_changed(depfile, make_depfile(options, result, compilation)));
 }
 
 }  // namespace
@@ -62,8 +60,10 @@ int run_compile(const Options& options) {
         for (const Output& output : result.outputs) std::printf("%s\n", output.name.c_str());
         return code;
     }
-    bool wanted = !options.stop_after && !options.dump && options.stop_after_pass.empty() && options.dump_after.empty();
-    return !wanted || write_outputs(options, result, compilation) ? code : static_cast<int>(ExitCode::source_errors);
+    const bool stops = options.stop_after || options.dump || !options.stop_after_pass.empty() ||
+                       !options.dump_after.empty();
+    if (!stops) write_outputs(options, result, compilation);
+    return code;
 }
 
 }  // namespace gliftc

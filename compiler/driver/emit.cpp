@@ -97,7 +97,7 @@ void emit_cpp(const Options& options, const Compilation& c, std::uint32_t module
     if (options.host_only || !options.wants(Target::cpp)) code.clear();
     cpp::Module written = cpp::module_of(c.program, c.lowered, c.sources, module, code, cpp);
     outputs.push_back({base + ".glift.hpp", styled(options, std::move(written.header))});
-    outputs.push_back({base + ".glift.cpp", styled(options, std::move(written.source))});
+    outputs.push_back({base + ".glift.cpp", styled(options, std::move(written.source)), std::move(written.tests)});
 }
 
 /// Functions of the public structures, to include in shaders of one's own: `laplacian.Field.glsl`.

@@ -1,7 +1,10 @@
+// `gliftc explain FILE`: what is known of translators and structures, and how it is known.
 #include "driver/command_line.h"
 #include "driver/commands.h"
 #include "driver/compile.h"
-
+#include "driver/explain_diagnostic.h"
+#include "driver/trials.h"
+#include "emit/json/text.h"
 #include "ir/evaluate.h"
 
 #include <cstdio>
@@ -11,28 +14,61 @@ namespace gliftc {
 
 namespace {
 
-const char* word(ir::Mapping mapping) {
-    switch (mapping) {
-    case ir::Mapping::unknown: return "one to one: not known";
-    case ir::Mapping::one_to_one: return "one to one";
-    case ir::Mapping::claimed_one_to_one: return "said to be one to one";
-    case ir::Mapping::many_to_one: return "many to one";
+/// The six properties of the thesis (section 3.2.3) in words, and whether the mapping is affine.
+struct Explained {
+    std::string name, from, to, place;
+    std::string memory, access, consistency, location, totality, mapping, invertible;
+    bool is_affine = false;
+};
+
+struct ExplainedStructure {
+    bool is_view = false;
+    std::string name, type, place, addresses, elements;
+    std::vector<std::pair<std::string, std::string>> memories;
+    std::vector<Explained> via;
+};
+
+std::string shape_of(const ir::Program& program, const ir::Memory& memory) {
+    std::string element = to_text(program, memory.element);
+    switch (memory.shape) {
+    case ir::MemoryShape::buffer: return "buffer of " + element;
+    case ir::MemoryShape::image1d: return "1-D image of " + element;
+    case ir::MemoryShape::image2d: return "2-D image of " + element;
+    case ir::MemoryShape::image3d: return "3-D image of " + element;
+    case ir::MemoryShape::imagecube: return "cube image of " + element;
     }
-    return "";
+    return element;
+}
+
+std::string checked_to(const Trial& trial) { return "checked to " + std::to_string(trial.addresses) + " addresses"; }
+
+std::string mapping_of(const ir::Properties& properties, const Trial& trial) {
+    if (properties.mapping == ir::Mapping::one_to_one) return "one to one";
+    if (properties.mapping == ir::Mapping::many_to_one) return "many to one, it says";
+    if (!trial.meeting.empty()) return "many to one: " + trial.meeting;
+    if (trial.addresses > 0) return "one to one (" + checked_to(trial) + ")";
+    if (properties.mapping == ir::Mapping::claimed_one_to_one) return "one to one, it says (not checked here)";
+    return "one to one or many to one: not known";
+}
+
+std::string inverse_of(const ir::Properties& properties, const Trial& trial) {
+    if (!properties.invertible) return "no";
+    if (!trial.wrong_inverse.empty()) return "no: " + trial.wrong_inverse;
+    return trial.addresses > 0 ? "yes (" + checked_to(trial) + ")" : "yes, it says (not checked here)";
 }
 
 /// The translators and structures that the modules on the command line declare or use: what sema instantiated.
 class Explainer {
 public:
-    explicit Explainer(const Compilation& c) : c_(c), program_(c.program) {}
-
-    std::string run() {
+    explicit Explainer(const Compilation& c) : c_(c), program_(c.program) {
         for (const ir::Structure& structure : program_.structures)
             if (structure.kind != ir::StructureKind::adaptor) explain(structure);
         for (std::uint32_t i = 0; i < program_.translators.size(); ++i)
-            if (shown_.insert(i).second) explain(program_.translators[i], "");
-        return text_;
+            if (shown_.insert(i).second) translators.push_back(explained(program_.translators[i], {}));
     }
+
+    std::vector<ExplainedStructure> structures;
+    std::vector<Explained> translators;  ///< the others
 
 private:
     std::string place(Span span) const {
@@ -40,70 +76,145 @@ private:
                     : std::string("built in");
     }
 
-    void line(const std::string& indent, const std::string& what, const std::string& value) {
-        text_ += indent + "  " + what + std::string(what.size() < 20 ? 20 - what.size() : 1, ' ') + value + "\n";
-    }
-
     void explain(const ir::Structure& structure) {
         const std::vector<ir::Alias>& aliases = structure.aliases;
         if (!program_.modules[structure.module].is_root && aliases.empty()) return;
-        bool is_view = structure.kind == ir::StructureKind::view;
-        std::string name = aliases.empty() ? "" : c_.names[aliases.front().name] + " = ";
-        text_ += std::string(is_view ? "view " : "structure ") + name + structure.display + "  (" +
-                 place(structure.span) + ")\n";
-        line("", "addresses", to_text(program_, structure.domain_type));
-        line("", "elements", to_text(program_, structure.element) + (is_view ? ", computed" : ""));
+        ExplainedStructure shown;
+        shown.is_view = structure.kind == ir::StructureKind::view;
+        shown.name = aliases.empty() ? structure.display : c_.names[aliases.front().name];
+        shown.type = structure.display;
+        shown.place = place(structure.span);
+        shown.addresses = to_text(program_, structure.domain_type);
+        shown.elements = to_text(program_, structure.element);
         for (const ir::Memory& memory : structure.memories)
-            line("", "memory " + c_.names[memory.name], shape_of(memory));
+            shown.memories.emplace_back(c_.names[memory.name], shape_of(program_, memory));
         for (const ir::Stage& stage : structure.via) {
             shown_.insert(stage.translator);
-            explain(program_.translators[stage.translator], "  ");
+            shown.via.push_back(
+                explained(program_.translators[stage.translator], try_translator(program_, structure, stage)));
         }
-        text_ += "\n";
+        structures.push_back(std::move(shown));
     }
 
-    std::string shape_of(const ir::Memory& memory) const {
-        std::string element = to_text(program_, memory.element);
-        switch (memory.shape) {
-        case ir::MemoryShape::buffer: return "buffer of " + element;
-        case ir::MemoryShape::image1d: return "1-D image of " + element;
-        case ir::MemoryShape::image2d: return "2-D image of " + element;
-        case ir::MemoryShape::image3d: return "3-D image of " + element;
-        case ir::MemoryShape::imagecube: return "cube image of " + element;
-        }
-        return element;
-    }
-
-    void explain(const ir::Translator& translator, const std::string& indent) {
+    Explained explained(const ir::Translator& translator, const Trial& trial) const {
         const ir::Properties& p = translator.properties;
-        text_ += indent + "translator " + translator.display + " : " + to_text(program_, translator.virtual_type) +
-                 " -> " + to_text(program_, translator.physical_type) + (p.partial ? "?" : "") + "  (" +
-                 place(translator.span) + ")\n";
-        line(indent, "memory", p.memory_complexity);
-        line(indent, "access", p.access_complexity + (p.uniform ? ", uniform" : ", not uniform"));
-        line(indent, "location", p.location);
-        line(indent, "mapping",
-             std::string(p.partial ? "partial, " : "total, ") + word(p.mapping));
-        line(indent, "invertible", p.invertible ? "yes" : "no");
-        line(indent, "affine", p.affine ? "yes" : "no");
-        if (indent.empty()) text_ += "\n";
+        Explained shown;
+        shown.name = translator.display;
+        shown.from = to_text(program_, translator.virtual_type);
+        shown.to = to_text(program_, translator.physical_type) + (p.partial ? "?" : "");
+        shown.place = place(translator.span);
+        shown.memory = p.memory_complexity;
+        if (!translator.structures.empty()) {
+            std::string tables;
+            for (Name name : translator.structure_names) tables += (tables.empty() ? "" : ", ") + c_.names[name];
+            shown.memory += ": that of " + tables;
+        }
+        shown.access = p.access_complexity;
+        shown.consistency = p.uniform ? "uniform" : "not uniform";
+        shown.location = p.location;
+        shown.totality = p.partial ? "partial" : "total";
+        shown.mapping = mapping_of(p, trial);
+        shown.invertible = inverse_of(p, trial);
+        shown.is_affine = p.affine;
+        return shown;
     }
 
     const Compilation& c_;
     const ir::Program& program_;
     std::set<std::uint32_t> shown_;
-    std::string text_;
 };
+
+std::string line(const std::string& indent, const std::string& what, const std::string& value) {
+    return indent + "  " + what + std::string(what.size() < 20 ? 20 - what.size() : 1, ' ') + value + "\n";
+}
+
+std::string text_of(const Explained& t, const std::string& indent) {
+    return indent + "translator " + t.name + " : " + t.from + " -> " + t.to + "  (" + t.place + ")\n" +
+           line(indent, "memory", t.memory) + line(indent, "access", t.access + ", " + t.consistency) +
+           line(indent, "location", t.location) + line(indent, "mapping", t.totality + ", " + t.mapping) +
+           line(indent, "invertible", t.invertible) + line(indent, "affine", t.is_affine ? "yes" : "no");
+}
+
+std::string as_text(const Explainer& explainer) {
+    std::string text;
+    for (const ExplainedStructure& s : explainer.structures) {
+        text += (s.is_view ? "view " : "structure ") + (s.name == s.type ? s.name : s.name + " = " + s.type) + "  (" +
+                s.place + ")\n" + line("", "addresses", s.addresses) +
+                line("", "elements", s.elements + (s.is_view ? ", computed" : ""));
+        for (const auto& [name, shape] : s.memories) text += line("", "memory " + name, shape);
+        for (const Explained& translator : s.via) text += text_of(translator, "  ");
+        text += "\n";
+    }
+    for (const Explained& translator : explainer.translators) text += text_of(translator, "") + "\n";
+    return text;
+}
+
+void write(json::Text& out, const Explained& t) {
+    out.object([&] {
+        out.field("name", t.name);
+        out.field("place", t.place);
+        out.field("virtual", t.from);
+        out.field("physical", t.to);
+        out.field("memory_complexity", t.memory);
+        out.field("access_complexity", t.access);
+        out.field("access_consistency", t.consistency);
+        out.field("location", t.location);
+        out.field("totality", t.totality);
+        out.field("mapping", t.mapping);
+        out.field("invertible", t.invertible);
+        out.field("affine", t.is_affine);
+    });
+}
+
+void write(json::Text& out, const ExplainedStructure& s) {
+    out.object([&] {
+        out.field("kind", s.is_view ? "view" : "structure");
+        out.field("name", s.name);
+        out.field("type", s.type);
+        out.field("place", s.place);
+        out.field("addresses", s.addresses);
+        out.field("elements", s.elements);
+        out.key("memories");
+        out.array([&] {
+            for (const auto& [name, shape] : s.memories)
+                out.object([&] {
+                    out.field("name", name);
+                    out.field("shape", shape);
+                });
+        });
+        out.key("via");
+        out.array([&] {
+            for (const Explained& translator : s.via) write(out, translator);
+        });
+    });
+}
+
+std::string as_json(const Explainer& explainer) {
+    json::Text out;
+    out.object([&] {
+        out.key("structures");
+        out.array([&] {
+            for (const ExplainedStructure& structure : explainer.structures) write(out, structure);
+        });
+        out.key("translators");
+        out.array([&] {
+            for (const Explained& translator : explainer.translators) write(out, translator);
+        });
+    });
+    return out.take();
+}
 
 }  // namespace
 
 int run_explain(const Options& options) {
+    if (names_diagnostic(options)) return explain_diagnostic(options);
     auto& compilation = *new Compilation;  // ends with the process
     configure(compilation.diagnostics, options);
     compile(options, disk(), compilation);
     int code = report(compilation, options);
     if (code != 0) return code;
-    std::string text = Explainer(compilation).run();
+    const Explainer explainer(compilation);
+    std::string text = options.explain_as_json ? as_json(explainer) : as_text(explainer);
     std::fwrite(text.data(), 1, text.size(), stdout);
     return code;
 }

@@ -109,12 +109,19 @@ std::optional<std::string> write_if_changed(const std::string& path, const std::
     return std::nullopt;
 }
 
-std::string library_beside_executable() {
+namespace {
+
+std::string shared_beside_executable(const char* folder) {
     char path[4096];
     ssize_t length = readlink("/proc/self/exe", path, sizeof path);
     if (length <= 0) return {};
     fs::path executable(std::string(path, static_cast<std::size_t>(length)));
-    return (executable.parent_path().parent_path() / "share/glift/stdlib").string();
+    return (executable.parent_path().parent_path() / "share/glift" / folder).string();
 }
+
+}  // namespace
+
+std::string library_beside_executable() { return shared_beside_executable("stdlib"); }
+std::string diagnostics_beside_executable() { return shared_beside_executable("diagnostics"); }
 
 }  // namespace gliftc

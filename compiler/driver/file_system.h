@@ -32,5 +32,7 @@ std::optional<std::string> write_if_changed(const std::string& path, const std::
 
 /// The folder of the standard library beside this executable: ../share/glift/stdlib.
 std::string library_beside_executable();
+/// The folder of the diagnostics' examples beside this executable: ../share/glift/diagnostics.
+std::string diagnostics_beside_executable();
 
 }  // namespace gliftc

@@ -18,6 +18,26 @@ constexpr std::array<std::string_view, 5> library_folders{"math", "translators",
                                                           "algorithms"};
 constexpr std::string_view library_prefix = "std.", extension = ".glift";
 
+std::string as_path(std::string_view dotted) {
+    std::string path(dotted);
+    std::replace(path.begin(), path.end(), '.', '/');
+    return path + std::string(extension);
+}
+
+std::string if_there(const FileSystem& files, const fs::path& path) {
+    std::string name = path.lexically_normal().generic_string();
+    return files.exists(name) ? name : std::string();
+}
+
+/// The file's name as that of a module: my-file.glift holds the module my_file.
+std::string module_of_stem(std::string stem) {
+    for (char& c : stem) {
+        const bool fits = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.';
+        if (!fits) c = '_';
+    }
+    return stem;
+}
+
 class Loader {
 public:
     Loader(const Options& options, const FileSystem& files, Sources& sources, Names& names, ast::Tree& tree,
@@ -85,15 +105,9 @@ private:
         return file == "-" ? fs::path() : fs::path(file).parent_path();
     }
 
-    static std::string as_path(std::string_view dotted) {
-        std::string path(dotted);
-        std::replace(path.begin(), path.end(), '.', '/');
-        return path + std::string(extension);
-    }
-
-    std::string if_there(const fs::path& path) const {
-        std::string name = path.lexically_normal().generic_string();
-        return files_.exists(name) ? name : std::string();
+    std::string if_there(const fs::path& path) const { return gliftc::if_there(files_, path); }
+    std::string find_in_library(std::string_view name) const {
+        return gliftc::find_in_library(files_, library_, name);
     }
 
     std::string find_beside(const std::string& path, const std::string& from) const {
@@ -109,14 +123,6 @@ private:
         return {};
     }
 
-    std::string find_in_library(std::string_view name) const {
-        if (library_.empty()) return {};
-        std::string path = as_path(name.substr(library_prefix.size()));
-        for (std::string_view folder : library_folders)
-            if (std::string found = if_there(fs::path(library_) / folder / path); !found.empty()) return found;
-        return if_there(fs::path(library_) / path);
-    }
-
     /// The module's name is the one it was asked for by; a file named by path holds a module that ends in the file's
     /// name.
     void check_name(const ast::Module& module, const std::string& path, const std::string& asked) {
@@ -125,9 +131,15 @@ private:
         std::string stem = fs::path(path).filename().string();
         if (stem.ends_with(extension)) stem.resize(stem.size() - extension.size());
         std::string_view last = std::string_view(name).substr(name.rfind('.') + 1);
-        bool fits =
-            asked.empty() ? last == stem || last == stem.substr(0, stem.find('.')) || name == stem : name == asked;
-        if (!fits) diagnostics_.report(Diag::module_name, module.name.span, {name, asked.empty() ? stem : asked});
+        const std::string own = module_of_stem(stem);
+        bool fits = asked.empty() ? last == own || last == own.substr(0, own.find('.')) || name == own : name == asked;
+        if (fits) return;
+        const std::size_t before = diagnostics_.error_count();
+        auto& error = diagnostics_.report(Diag::module_name, module.name.span, {name, asked.empty() ? stem : asked});
+        error.notes.push_back({{},
+                               "write 'module " + (asked.empty() ? own.substr(0, own.find('.')) : asked) +
+                                   ";', or call the file '" + std::string(last) + std::string(extension) + "'"});
+        loaded_.misnamed += diagnostics_.error_count() - before;
     }
 
     void check_unique(const ast::Module& module) {
@@ -195,6 +207,14 @@ private:
 };
 
 }  // namespace
+
+std::string find_in_library(const FileSystem& files, const std::string& library, std::string_view module) {
+    if (library.empty()) return {};
+    std::string path = as_path(module.substr(library_prefix.size()));
+    for (std::string_view folder : library_folders)
+        if (std::string found = if_there(files, fs::path(library) / folder / path); !found.empty()) return found;
+    return if_there(files, fs::path(library) / path);
+}
 
 LoadedModules load_modules(const Options& options, const FileSystem& files, Sources& sources, Names& names,
                            ast::Tree& tree, Diagnostics& diagnostics) {

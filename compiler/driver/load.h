@@ -13,9 +13,13 @@
 
 namespace gliftc {
 
+/// Where the module is in the folder of a standard library; empty: it is not there.
+std::string find_in_library(const FileSystem& files, const std::string& library, std::string_view module);
+
 struct LoadedModules {
     std::deque<ast::Module> trees;
     std::vector<sema::LoadedModule> modules;  ///< imports before importers, each once
+    std::size_t misnamed = 0;                 ///< errors that leave nothing else in doubt: modules by a wrong name
 };
 
 LoadedModules load_modules(const Options& options, const FileSystem& files, Sources& sources, Names& names,

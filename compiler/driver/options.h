@@ -37,7 +37,8 @@ struct Options {
     bool host_only = false;   ///< --host-only: C++ without SPIR-V inside
     bool list_outputs = false;
     bool time_report = false;
-    std::string depfile;  ///< empty: none, but see writes_depfile()
+    std::string depfile;          ///< empty: none is asked for by name
+    bool writes_depfile = false;  ///< -MD: beside the outputs, also where not all targets are written
     std::string style;    ///< of the generated C++: a .clang-format file or a name; empty: ours
     DiagnosticsFormat diagnostics_format = DiagnosticsFormat::text;
     ColourChoice colour = ColourChoice::automatic;
@@ -47,11 +48,13 @@ struct Options {
     std::string device;       ///< test: which device to compare with the host; empty: GLIFT_DEVICE, else any
     std::string test_filter;  ///< test: only tests with this in their title
     bool validate = true;     ///< test: with Vulkan's validation layer
+    bool list_tests = false;  ///< test: print titles, run nothing
+    bool explain_as_json = false;
 
     bool wants(Target target) const {
         for (Target each : targets)
             if (each == target) return true;
-        return targets.empty();
+        return targets.empty() && !(host_only && target == Target::spirv);
     }
     bool stops_after(Stage stage) const { return stop_after && *stop_after <= stage; }
 };

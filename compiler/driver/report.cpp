@@ -5,6 +5,7 @@
 #include "diag/render.h"
 
 #include <cstdio>
+#include <cstdlib>
 #include <unistd.h>
 
 namespace gliftc {
@@ -17,6 +18,8 @@ Colour chosen_colour(ColourChoice choice) {
     case ColourChoice::never: return Colour::plain;
     case ColourChoice::automatic: break;
     }
+    // https://no-color.org
+    if (const char* refused = std::getenv("NO_COLOR"); refused && *refused) return Colour::plain;
     return isatty(STDERR_FILENO) ? Colour::coloured : Colour::plain;
 }
 

@@ -93,7 +93,9 @@ public:
     Interpreter(const Program& program, const Definitions& definitions)
         : program_(program), types_(program.types), definitions_(definitions) {}
 
+    void set_surroundings(const Surroundings& surroundings) { surroundings_ = &surroundings; }
     std::optional<Value> value_of(ExprId id);
+    std::optional<Value> call(FunctionId id, std::vector<Value> arguments);
 
 private:
     enum class Flow { next, break_, continue_, return_, stuck };
@@ -133,6 +135,7 @@ private:
     const Program& program_;
     const Types& types_;
     const Definitions& definitions_;
+    const Surroundings* surroundings_ = nullptr;
     Frame* frame_ = nullptr;
     Value returned_;
     std::uint64_t steps_ = 0;
@@ -214,7 +217,7 @@ std::optional<Value> Interpreter::value_of(ExprId id) {
         if (!value) return std::nullopt;
         return Value{expr.type, {value->lanes.begin() + 1, value->lanes.end()}};
     }
-    default: return std::nullopt;
+    default: return surroundings_ ? (*surroundings_)(expr) : std::nullopt;
     }
 }
 
@@ -331,13 +334,21 @@ std::optional<Value> Interpreter::intrinsic(const Expr& expr) {
 
 std::optional<Value> Interpreter::call(const Expr& expr) {
     const Function& function = program_.functions[expr.function];
-    if (!function.structures.empty() || !function.extern_name.empty() || depth_ >= depth_limit) return std::nullopt;
-    Frame frame;
-    for (std::size_t i = 0; i < expr.operands.size(); ++i) {
-        auto value = value_of(expr.operands[i]);
+    if (!function.structures.empty()) return std::nullopt;
+    std::vector<Value> arguments;
+    for (ExprId operand : expr.operands) {
+        auto value = value_of(operand);
         if (!value) return std::nullopt;
-        frame.set(function.params[i], std::move(*value));
+        arguments.push_back(std::move(*value));
     }
+    return call(expr.function, std::move(arguments));
+}
+
+std::optional<Value> Interpreter::call(FunctionId id, std::vector<Value> arguments) {
+    const Function& function = program_.functions[id];
+    if (!function.extern_name.empty() || depth_ >= depth_limit) return std::nullopt;
+    Frame frame;
+    for (std::size_t i = 0; i < arguments.size(); ++i) frame.set(function.params[i], std::move(arguments[i]));
     Frame* outer = std::exchange(frame_, &frame);
     ++depth_;
     returned_ = {};
@@ -530,10 +541,27 @@ std::size_t lane_count(const Program& program, TypeId id) {
     }
 }
 
-std::optional<Value> evaluate(const Program& program, ExprId expr) { return evaluate(program, expr, {}); }
+std::optional<Value> evaluate(const Program& program, ExprId expr) {
+    return evaluate(program, expr, Definitions{});
+}
 
 std::optional<Value> evaluate(const Program& program, ExprId expr, const Definitions& definitions) {
     return Interpreter(program, definitions).value_of(expr);
+}
+
+std::optional<Value> evaluate(const Program& program, ExprId expr, const Surroundings& surroundings) {
+    const Definitions none;
+    Interpreter interpreter(program, none);
+    interpreter.set_surroundings(surroundings);
+    return interpreter.value_of(expr);
+}
+
+std::optional<Value> call(const Program& program, FunctionId function, std::vector<Value> arguments,
+                          const Surroundings& surroundings) {
+    const Definitions none;
+    Interpreter interpreter(program, none);
+    interpreter.set_surroundings(surroundings);
+    return interpreter.call(function, std::move(arguments));
 }
 
 }  // namespace gliftc::ir

@@ -3,6 +3,7 @@
 
 #include "ir/ir.h"
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <unordered_map>
@@ -38,6 +39,16 @@ using Definitions = std::unordered_map<LocalId, ExprId>;
 
 /// The same where locals may be known by their definitions.
 std::optional<Value> evaluate(const Program& program, ExprId expr, const Definitions& definitions);
+
+/// What an expression asks of its surroundings (state, member, memory_extent, domain); nothing: not known.
+using Surroundings = std::function<std::optional<Value>(const Expr&)>;
+
+/// The same where the surroundings are known.
+std::optional<Value> evaluate(const Program& program, ExprId expr, const Surroundings& surroundings);
+
+/// What a function gives for these arguments.
+std::optional<Value> call(const Program& program, FunctionId function, std::vector<Value> arguments,
+                          const Surroundings& surroundings);
 
 /// Makes the expression that gives `value`.
 ExprId materialize(Program& program, const Value& value, Span span);

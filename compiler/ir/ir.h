@@ -240,9 +240,9 @@ struct Properties {
     bool invertible = false;        ///< has invert
     Mapping mapping = Mapping::unknown;
     bool affine = false;            ///< physical address is an affine function of the virtual one
-    bool uniform = true;            ///< the same work for every address
-    std::string memory_complexity;  ///< "O(1)", "O(n)", …
-    std::string access_complexity;
+    bool uniform = true;            ///< the same work for every address, but that some leave with `none`
+    std::string memory_complexity;  ///< "O(1)", or as declared: "O(n)", …; "not known"
+    std::string access_complexity;  ///< likewise
     std::string location = "GPU and CPU";
 };
 

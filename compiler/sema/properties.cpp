@@ -4,20 +4,27 @@ namespace gliftc::sema {
 
 namespace {
 
+constexpr const char *constant = "O(1)", *not_known = "not known";
+
 /// What the control flow of a translation shows.
 struct Flow {
-    bool has_branch = false;
-    bool has_counted_loop = false;
-    bool has_open_loop = false;
-    bool reads_structure = false;
+    bool has_branch = false;     ///< other than one that leaves with `none`
+    bool has_open_loop = false;  ///< how often it runs is not a constant
 };
+
+/// `return none;` and nothing else: no work that other addresses would not have.
+bool only_gives_up(const ir::Program& program, const std::vector<ir::StmtId>& body) {
+    if (body.empty()) return true;
+    const ir::Stmt& stmt = program.stmts[body[0]];
+    return body.size() == 1 && stmt.op == ir::StmtOp::return_ && stmt.value &&
+           program.exprs[stmt.value].op == ir::Op::none;
+}
 
 void look(const ir::Program& program, ir::FunctionId id, Flow& flow);
 
 void look(const ir::Program& program, ir::ExprId id, Flow& flow) {
     if (!id) return;
     const ir::Expr& expr = program.exprs[id];
-    flow.reads_structure |= expr.op == ir::Op::read || expr.op == ir::Op::sample;
     if (expr.op == ir::Op::call) look(program, expr.function, flow);
     for (ir::ExprId operand : expr.operands) look(program, operand, flow);
 }
@@ -27,11 +34,12 @@ void look(const ir::Program& program, const std::vector<ir::StmtId>& body, Flow&
         const ir::Stmt& stmt = program.stmts[id];
         look(program, stmt.value, flow);
         look(program, stmt.target, flow);
-        if (stmt.op == ir::StmtOp::if_) flow.has_branch = true;
+        if (stmt.op == ir::StmtOp::if_ && !ir::evaluate(program, stmt.value))
+            flow.has_branch |=
+                !only_gives_up(program, stmt.body) || !only_gives_up(program, stmt.otherwise);
         if (stmt.op == ir::StmtOp::while_) flow.has_open_loop = true;
         if (stmt.op == ir::StmtOp::for_) {
-            bool counted = ir::evaluate(program, stmt.value) && ir::evaluate(program, stmt.limit);
-            (counted ? flow.has_counted_loop : flow.has_open_loop) = true;
+            flow.has_open_loop |= !ir::evaluate(program, stmt.value) || !ir::evaluate(program, stmt.limit);
         }
         look(program, stmt.body, flow);
         look(program, stmt.otherwise, flow);
@@ -42,6 +50,18 @@ void look(const ir::Program& program, ir::FunctionId id, Flow& flow) {
     look(program, program.functions[id].body, flow);
 }
 
+/// What reading the tables adds: their own translations.
+void add_tables(const ir::Program& program, ir::Translator& translator) {
+    ir::Properties& properties = translator.properties;
+    for (std::uint32_t structure : translator.structures) {
+        for (const ir::Stage& stage : program.structures[structure].via) {
+            const ir::Properties& table = program.translators[stage.translator].properties;
+            properties.uniform &= table.uniform;
+            if (table.access_complexity != constant) properties.access_complexity = not_known;
+        }
+    }
+}
+
 }  // namespace
 
 void infer_properties(Context& c, std::uint32_t index, const ast::Decl& decl) {
@@ -49,10 +69,11 @@ void infer_properties(Context& c, std::uint32_t index, const ast::Decl& decl) {
     look(c.program, c.program.translators[index].translate, flow);
     ir::Translator& translator = c.program.translators[index];
     ir::Properties& properties = translator.properties;
-    // An early `return none` is not work that differs between addresses; an open loop is.
-    properties.uniform = !flow.has_open_loop;
-    properties.access_complexity = flow.has_open_loop ? "O(log n)" : "O(1)";
-    properties.memory_complexity = translator.structures.empty() ? "O(1)" : "O(n)";
+    properties.uniform = !flow.has_open_loop && !flow.has_branch;
+    properties.access_complexity = flow.has_open_loop ? not_known : constant;
+    properties.memory_complexity = translator.structures.empty() ? constant : not_known;
+    add_tables(c.program, translator);
+    const bool is_constant = properties.access_complexity == constant;
     properties.location = "GPU and CPU";
     if (properties.invertible) properties.mapping = ir::Mapping::claimed_one_to_one;
     for (const ast::Attribute& attribute : decl.attributes) {
@@ -73,8 +94,8 @@ void infer_properties(Context& c, std::uint32_t index, const ast::Decl& decl) {
             properties.mapping = ir::Mapping::claimed_one_to_one;
         } else if (name == "access") {
             std::string declared = text();
-            if (!flow.has_open_loop && declared != "O(1)" && !declared.empty())
-                c.error(Diag::property_contradicts, attribute.span, {"access", declared, "O(1)"});
+            if (is_constant && declared != constant && !declared.empty())
+                c.error(Diag::property_contradicts, attribute.span, {"access", declared, constant});
             properties.access_complexity = declared;
         } else if (name == "memory") {
             properties.memory_complexity = text();

@@ -23,9 +23,14 @@ struct Options {
     std::string (*host_kernel)(Globals& globals, const ir::Pass& pass, const std::string& name) = nullptr;
 };
 
+struct TestName {
+    std::string title, place;
+};
+
 struct Module {
-    std::string header;  ///< <name>.glift.hpp
-    std::string source;  ///< <name>.glift.cpp
+    std::string header;           ///< <name>.glift.hpp
+    std::string source;           ///< <name>.glift.cpp
+    std::vector<TestName> tests;  ///< in a test program: all that it runs
 };
 
 /// The kernels, as indices, whose code the module's C++ contains: the others need no SPIR-V.

@@ -259,6 +259,7 @@ Module module_of(const ir::Program& program, const ir::Lowered& lowered, const S
     Module result;
     result.source = source_of(unit, stem);
     result.header = header_of(unit, stem);
+    result.tests = std::move(unit.test_names);
     return result;
 }
 

@@ -64,6 +64,7 @@ std::string scalars_of(const ir::Program& program, ir::TypeId id) {
 void print_tests(Unit& unit, Writer& out) {
     std::vector<std::string> rows;
     const auto row = [&](const std::string& title, Span span, bool exact, const std::string& rest) {
+        unit.test_names.push_back({title, place_text(unit.sources, span)});
         rows.push_back("{" + quoted(title) + ", \"" + place_text(unit.sources, span) + "\", " +
                        (exact ? "true, " : "false, ") + rest + "},");
     };

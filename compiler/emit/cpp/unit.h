@@ -45,6 +45,7 @@ struct Unit {
     Globals globals;
     std::string tests;  ///< the table of tests
     std::vector<TranslationCheck> translation_checks{};  ///< in a test program
+    std::vector<TestName> test_names{};                  ///< in a test program
 
     std::string name(Name n) const { return (*program.names)[n]; }
     std::string type(ir::TypeId id, bool qualified = false) const { return type_text(globals, id, qualified); }

@@ -1,0 +1,14 @@
+// `gliftc explain unknown-name`: what a diagnostic means, with an example.
+#pragma once
+
+#include "driver/options.h"
+
+namespace gliftc {
+
+/// Whether what is to be explained is the id of a diagnostic rather than a file.
+bool names_diagnostic(const Options& options);
+
+/// Prints the diagnostic's text and its example, which is the test that the compiler has of it. Returns the exit code.
+int explain_diagnostic(const Options& options);
+
+}  // namespace gliftc

@@ -1,0 +1,83 @@
+#!/usr/bin/env python3
+"""Options, exit codes and `explain`: command_line_test.py GLIFTC"""
+import json
+import os
+import pty
+import subprocess
+
+from gliftc import Folder, compiler, expect, finish, says, sources
+
+snake = (sources.parent.parent / "tests/command_line/properties.glift").read_text()
+here = Folder(good="module good;\npub fn one() -> int { return 1; }\n", bad="module bad;\nfn f() -> int { return y; }\n",
+              properties=snake)
+
+# Response files.
+here.write("words", "--check 'good.glift'\n@more")
+here.write("more", "--error-limit 3\n")
+says(here.run("@words"), 0)
+says(here.run("@nothing"), 2, "cannot read 'nothing'")
+here.write("itself", "@itself")
+says(here.run("@itself"), 2, "names itself")
+
+# Depfiles as C and C++ compilers write them.
+says(here.run("-MD", "-MF", "made.d", "-o", "out", "good.glift"), 0)
+expect("good.glift.hpp" in (here.path / "made.d").read_text(), "-MF writes the rule")
+says(here.run("-MD", "--target=json", "-o", "json", "good.glift"), 0)
+expect(here.names("json") == ["good.glift.d", "good.glift.json"], "-MD writes a rule beside any output",
+       here.names("json"))
+says(here.run("--check", "--depfile", "d", "good.glift"), 2, "nothing is written here")
+
+# Outputs.
+says(here.run("--host-only", "-o", "host", "properties.glift"), 0)
+expect(here.names("host") and not [n for n in here.names("host") if n.endswith(".spv")],
+       "--host-only writes no SPIR-V", here.names("host"))
+says(here.run("-o", "-", "good.glift"), 2, "name a folder")
+expect("-" not in here.names(), "no folder is called -")
+here.write("taken", "")
+ran = here.run("-o", "taken", "properties.glift")
+says(ran, 4, "cannot write 'taken/")
+expect(ran.said.count("cannot write") == 1, "one folder, one error", ran.said)
+
+# Diagnostics.
+says(here.run("--error-limit", "1", "--check", "bad.glift"), 1, "1 error; no more")
+says(here.run("--error-limit", "-3", "--check", "good.glift"), 2)
+says(here.run("--library", "/nowhere", "--check", "good.glift"), 2, "does not hold the standard library")
+expect("or ir" in here.run("--help").said, "--help names the stage 'ir'")
+for code in ("0 done", "1 errors", "2 wrong usage", "3 a bug", "4 a file"):
+    expect(code in here.run("--help").said, f"--help says what {code} is")
+
+
+def on_terminal(**environment):
+    """What gliftc writes to a terminal."""
+    mine, its = pty.openpty()
+    subprocess.run([compiler, "--check", "bad.glift"], cwd=here.path, stderr=its, env={**os.environ, **environment})
+    os.close(its)
+    return os.read(mine, 4096).decode()
+
+
+expect("\x1b[" in on_terminal(NO_COLOR=""), "errors are coloured on a terminal")
+expect("\x1b[" not in on_terminal(NO_COLOR="1"), "NO_COLOR turns colours off")
+
+# Modules by a wrong name.
+here.write("my-file.glift", "module my_file;\npub fn one() -> int { return 1; }\n")
+says(here.run("--check", "my-file.glift"), 0)
+here.write("other.glift", "module wrong;\nfn f() -> int { return y; }\n")
+says(here.run("--check", "other.glift"), 1, "[module-name]", "write 'module other;', or call the file 'wrong.glift'",
+     "unknown name 'y'")
+
+# explain.
+ran = here.run("explain", "properties.glift")
+says(ran, 0,
+     "total, one to one (checked to 4087 addresses)", "yes (checked to 4087 addresses)",
+     "total, many to one: {0} and {1} both map to {0}",
+     "no: invert(translate({1, 0})) is {0, 1}",
+     "total, one to one or many to one: not known",
+     "not known: that of list", "not known, not uniform")
+explained = json.loads(here.run("explain", "--json", "properties.glift").stdout)
+expect({s["name"] for s in explained["structures"]} >= {"Snake", "Halves", "Wrong", "Places"}, "explain --json", explained)
+expect(all(t["location"] == "GPU and CPU" for s in explained["structures"] for t in s["via"]), "properties in JSON")
+for word in ("unknown-name", "E-unknown-name", "[unknown-name]"):
+    says(here.run("explain", word), 0, "error: unknown name '…' [unknown-name]", "heigth")
+expect(json.loads(here.run("explain", "--json", "unknown-name").stdout)["example"].startswith("module"), "explain --json ID")
+says(here.run("explain", "unknwon-name"), 2, "did you mean 'unknown-name'?")
+finish()

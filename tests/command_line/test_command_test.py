@@ -1,0 +1,31 @@
+#!/usr/bin/env python3
+"""`gliftc test`: what it finds, what it says it could not check, how it ends. test_command_test.py GLIFTC"""
+from gliftc import Folder, expect, finish, says, sources
+
+wrong = sources / "wrong_translations.glift"
+here = Folder()
+
+ran = here.run("test", wrong)
+says(ran, 1,
+     "FAIL  translation of Folded", "{0} and {1} both map to {0}",
+     "FAIL  translation of Curve, as the tests made it", "invert(translate({1, 0})) is {0, 1}",
+     "FAIL  translation of Places, as the tests made it", "{2} and {7} both map to {2}",
+     "not checked: translation of Unmade", "pass  a square", "3 failed, 1 not checked")
+
+ran = here.run("test", "--list", wrong)
+says(ran, 0, "a square (wrong_translations.glift:", "translation of Folded (")
+expect("pass" not in ran.said, "--list runs nothing", ran.said)
+says(here.run("test", "--filter", "typo", wrong), 2, "no test has 'typo' in its title")
+says(here.run("test", "--filter", "a square", wrong, CXX="no-such-compiler"), 4,
+     "there is no 'no-such-compiler' here", "CXX")
+
+# A test that ends its program is named. The signal stands in for a driver that crashes.
+here.write("crash.hpp", "inline void crash() {}\n")
+here.write("killer", "#!/bin/sh\nexec c++ \"$@\" -include " + str(here.path / "crash.h") + "\n")
+here.write("crash.h", "#include <csignal>\n#include <cstdlib>\n"
+           "namespace { struct Killer { Killer() { if (std::getenv(\"GLIFT_TEST_NOW\")) std::atexit([] "
+           "{ std::raise(SIGKILL); }); } } killer; }\n")
+(here.path / "killer").chmod(0o755)
+ran = here.run("test", "--device", "host", "--filter", "halves", wrong, CXX=str(here.path / "killer"))
+says(ran, 1, "FAIL  halves (wrong_translations.glift:", "ended by signal 9 (Killed)")
+finish()
