@@ -87,7 +87,8 @@ void check_combinations(const Options& options) {
     if (!options.depfile.empty() && (!writes || options.command != Command::compile))
         throw CLI::ValidationError("--depfile", "nothing is written here: leave it out");
     if (options.output_folder == "-")
-        throw CLI::ValidationError("-o", "outputs are several files, which do not go to standard output: name a folder");
+        throw CLI::ValidationError("-o",
+                                   "outputs are several files, which do not go to standard output: name a folder");
     if (options.depfile == "-") throw CLI::ValidationError("--depfile", "name a file");
     if (!options.library_folder.empty() &&
         find_in_library(disk(), options.library_folder, sema::transfer_module).empty())
@@ -203,11 +204,11 @@ std::variant<Options, ExitCode> read_command_line(int argc, char** argv) {
     test->add_option("--filter", options.test_filter, "Only the tests with this in their title")->type_name("TEXT");
     test->add_flag("!--no-validate", options.validate, "Without Vulkan's validation layer");
     test->add_flag("--list", options.list_tests, "Print the titles of the tests and run none");
-    CLI::App* explain = add_command(
-        app, options, "explain",
-        "Print what is known of every translator and structure in the files; or, given the id of a diagnostic, what it\n"
-        "means, with an example",
-        Command::explain);
+    CLI::App* explain = add_command(app, options, "explain",
+                                    "Print what is known of every translator and structure in the files; or, given the "
+                                    "id of a diagnostic, what it\n"
+                                    "means, with an example",
+                                    Command::explain);
     explain->add_flag("--json", options.explain_as_json, "As JSON");
     add_command(app, options, "fmt", "Format the files in place; with --check, say which are not formatted",
                 Command::fmt);

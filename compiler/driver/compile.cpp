@@ -66,8 +66,8 @@ Result compile(const Options& options, const FileSystem& files, Compilation& c) 
     clock.lap("import");
     if (has_errors()) return result;
 
-    c.program = sema::check(c.loaded.modules, c.tree, c.names, c.diagnostics, 
-                             {.defines = options.defines, .looks_into_tables = options.command == Command::test});
+    c.program = sema::check(c.loaded.modules, c.tree, c.names, c.diagnostics,
+                            {.defines = options.defines, .looks_into_tables = options.command == Command::test});
     clock.lap("sema");
     if (options.dump == Stage::sema) result.dump = ir::print(c.program);
     if (stops_after(Stage::sema) || c.diagnostics.has_errors()) return result;

@@ -41,8 +41,7 @@ void write_outputs(const Options& options, const Result& result, const Compilati
     });
     for (std::size_t i = 0; i < errors.size(); ++i) check_written(path_of(result.outputs[i]), errors[i]);
     std::string depfile = depfile_of(options, result);
-    if (!depfile.empty())
-        check_written(depfile, write_if_changed(depfile, make_depfile(options, result, compilation)));
+    if (!depfile.empty()) check_written(depfile, write_if_changed(depfile, make_depfile(options, result, compilation)));
 }
 
 }  // namespace

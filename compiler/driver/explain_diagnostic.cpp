@@ -80,7 +80,8 @@ int explain_diagnostic(const Options& options) {
     }
     std::printf("%s: %s [%s]\n", severity, readable(text_of(*diag)).c_str(), id.c_str());
     if (!example.empty())
-        std::printf("\nFor example; behind //~ is what gliftc says of the line above:\n\n%s", indented(example).c_str());
+        std::printf("\nFor example; behind //~ is what gliftc says of the line above:\n\n%s",
+                    indented(example).c_str());
     return 0;
 }
 

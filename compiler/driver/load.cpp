@@ -106,9 +106,7 @@ private:
     }
 
     std::string if_there(const fs::path& path) const { return gliftc::if_there(files_, path); }
-    std::string find_in_library(std::string_view name) const {
-        return gliftc::find_in_library(files_, library_, name);
-    }
+    std::string find_in_library(std::string_view name) const { return gliftc::find_in_library(files_, library_, name); }
 
     std::string find_beside(const std::string& path, const std::string& from) const {
         return if_there(folder_of(from) / (path + std::string(extension)));

@@ -89,7 +89,8 @@ public:
         for (std::uint64_t side : domain) count *= side;
         for (std::size_t i = 0; i < count; ++i) {
             std::size_t rest = i;
-            for (std::size_t axis = 0; axis < domain.size(); rest /= domain[axis++]) address[axis] = rest % domain[axis];
+            for (std::size_t axis = 0; axis < domain.size(); rest /= domain[axis++])
+                address[axis] = rest % domain[axis];
             auto there = call(translator_.translate, value_of(translator_.virtual_type, address));
             if (!there) return false;
             Words physical = words_of(*there);
@@ -105,8 +106,7 @@ public:
             auto back = call(translator_.invert, value_of(translator_.physical_type, physical));
             if (!back) return false;
             if (words_of(*back) != address)
-                trial.wrong_inverse =
-                    "invert(translate(" + text_of(address) + ")) is " + text_of(words_of(*back));
+                trial.wrong_inverse = "invert(translate(" + text_of(address) + ")) is " + text_of(words_of(*back));
         }
         trial.addresses = std::max(trial.addresses, count);
         return true;
@@ -146,18 +146,17 @@ private:
 Trial try_translator(const ir::Program& program, const ir::Structure& structure, const ir::Stage& stage) {
     constexpr std::size_t most = 1u << 14;
     Trial trial;
-    const bool is_made_of_extents =
-        structure.kind == ir::StructureKind::stored && !structure.constructor.empty() &&
-        std::ranges::all_of(structure.constructor, [&](ir::LocalId local) {
-            return program.locals[local].type == structure.domain_type;
-        });
+    const bool is_made_of_extents = structure.kind == ir::StructureKind::stored && !structure.constructor.empty() &&
+                                    std::ranges::all_of(structure.constructor, [&](ir::LocalId local) {
+                                        return program.locals[local].type == structure.domain_type;
+                                    });
     if (!is_made_of_extents) return trial;
     for (const Words& extent : extents_of(program.types.components(structure.domain_type))) {
         const Made made(program, structure,
                         std::vector<Value>(structure.constructor.size(), value_of(structure.domain_type, extent)));
         const Tried tried(program, made, stage);
-        auto domain = &stage == structure.via.data() && structure.domain ? made.value_of(structure.domain)
-                                                                         : tried.domain();
+        auto domain =
+            &stage == structure.via.data() && structure.domain ? made.value_of(structure.domain) : tried.domain();
         if (!domain) return {};
         std::size_t count = 1;
         for (const ir::Lane& lane : domain->lanes) count = std::min<std::size_t>(most + 1, count * lane.bits);

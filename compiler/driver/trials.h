@@ -9,9 +9,9 @@ namespace gliftc {
 
 /// What came out for one translator of a structure.
 struct Trial {
-    std::size_t addresses = 0;   ///< of the largest domain that was tried as a whole; 0: none could be
-    std::string meeting;         ///< "{0} and {1} both map to {0}"; empty: no two did
-    std::string wrong_inverse;   ///< "invert(translate({1, 0})) is {0, 1}"; empty: all came back
+    std::size_t addresses = 0;  ///< of the largest domain that was tried as a whole; 0: none could be
+    std::string meeting;        ///< "{0} and {1} both map to {0}"; empty: no two did
+    std::string wrong_inverse;  ///< "invert(translate({1, 0})) is {0, 1}"; empty: all came back
 };
 
 /// Tries a stage of a structure's `via` where the structure is made of extents alone and reads no table.

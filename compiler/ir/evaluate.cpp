@@ -541,9 +541,7 @@ std::size_t lane_count(const Program& program, TypeId id) {
     }
 }
 
-std::optional<Value> evaluate(const Program& program, ExprId expr) {
-    return evaluate(program, expr, Definitions{});
-}
+std::optional<Value> evaluate(const Program& program, ExprId expr) { return evaluate(program, expr, Definitions{}); }
 
 std::optional<Value> evaluate(const Program& program, ExprId expr, const Definitions& definitions) {
     return Interpreter(program, definitions).value_of(expr);

@@ -35,8 +35,7 @@ void look(const ir::Program& program, const std::vector<ir::StmtId>& body, Flow&
         look(program, stmt.value, flow);
         look(program, stmt.target, flow);
         if (stmt.op == ir::StmtOp::if_ && !ir::evaluate(program, stmt.value))
-            flow.has_branch |=
-                !only_gives_up(program, stmt.body) || !only_gives_up(program, stmt.otherwise);
+            flow.has_branch |= !only_gives_up(program, stmt.body) || !only_gives_up(program, stmt.otherwise);
         if (stmt.op == ir::StmtOp::while_) flow.has_open_loop = true;
         if (stmt.op == ir::StmtOp::for_) {
             flow.has_open_loop |= !ir::evaluate(program, stmt.value) || !ir::evaluate(program, stmt.limit);

@@ -189,8 +189,7 @@ void PipelinePrinter::keep(const std::string& shown, const std::string& object, 
     for (std::size_t i = 0; i < made.memories.size(); ++i) {
         const std::string memory = object + "." + names.memories[i] + "()";
         p.out.line("test.keep_memory(commands, " + quoted(shown + "." + unit.name(made.memories[i].name)) + ", " +
-                   memory + ", \"" +
-                   scalars_of(unit.program, made.memories[i].element) + "\");");
+                   memory + ", \"" + scalars_of(unit.program, made.memories[i].element) + "\");");
     }
     for (std::size_t i = 0; i < made.members.size(); ++i) {
         const ir::Structure& member = unit.program.structures[made.members[i].structure];
@@ -281,8 +280,7 @@ std::string param_type(const Unit& unit, const ir::PipelineParam& param, bool qu
     return "";
 }
 
-std::string signature(Unit& unit, std::uint32_t index, const Printer& names, const std::string& owner,
-                      bool qualified) {
+std::string signature(Unit& unit, std::uint32_t index, const Printer& names, const std::string& owner, bool qualified) {
     const Pipeline& pipeline = unit.program.pipelines[index];
     std::string parameters = "const glift::Commands& commands";
     if (is_test(unit, index)) parameters = "glift::Test& test, const glift::Commands& commands";

@@ -14,9 +14,9 @@ using ir::TypeKind;
 
 /// Its constructor takes nothing but extents of its domain, so that any size makes a whole structure.
 bool is_made_of_extents(const ir::Program& program, const Structure& structure) {
-    return !structure.constructor.empty() &&
-           std::ranges::all_of(structure.constructor,
-                               [&](ir::LocalId local) { return program.locals[local].type == structure.domain_type; });
+    return !structure.constructor.empty() && std::ranges::all_of(structure.constructor, [&](ir::LocalId local) {
+        return program.locals[local].type == structure.domain_type;
+    });
 }
 
 /// A value of the structure's element type that its memory keeps exactly, from a number `i`; empty where there is none.
@@ -180,15 +180,13 @@ private:
     void boxes(const std::string& title) {
         const std::string last = "reached_" + std::to_string(structure_.via.size() - 1);
         const std::string value = sample_value(unit_, structure_);
-        const bool is_moved =
-            std::ranges::any_of(unit_.program.transfers, [&](const ir::Program::Transfer& transfer) {
-                return transfer.structure == index_ && transfer.write_kernel < unit_.program.kernels.size();
-            });
+        const bool is_moved = std::ranges::any_of(unit_.program.transfers, [&](const ir::Program::Transfer& transfer) {
+            return transfer.structure == index_ && transfer.write_kernel < unit_.program.kernels.size();
+        });
         if (!is_moved || !structure_.copyable || value.empty()) return out_.line("(void)" + last + ";");
         const std::string extent = unit_.globals.class_names[index_].extents[structure_.via_memory] + "()";
         out_.open("if (glift::fill_memory(" + last + ", structure." + extent + "))");
-        out_.line("glift::check_boxes(test, " + quoted(title) + ", structure, [](uint i) { return " + value +
-                  "; });");
+        out_.line("glift::check_boxes(test, " + quoted(title) + ", structure, [](uint i) { return " + value + "; });");
         out_.close();
     }
 

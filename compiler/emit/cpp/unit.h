@@ -43,7 +43,7 @@ struct Unit {
     Options options;
     Reach reach;
     Globals globals;
-    std::string tests;  ///< the table of tests
+    std::string tests;                                   ///< the table of tests
     std::vector<TranslationCheck> translation_checks{};  ///< in a test program
     std::vector<TestName> test_names{};                  ///< in a test program
 

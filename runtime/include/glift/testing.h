@@ -195,7 +195,8 @@ public:
         }
         const Download download = commands.download(memory, 0, memory.description().bytes);
         const std::span<const std::byte> bytes = download.get();
-        const auto count = static_cast<std::uint32_t>(bytes.size() / std::max<std::size_t>(1, detail::places_of(scalars).stride));
+        const auto count =
+            static_cast<std::uint32_t>(bytes.size() / std::max<std::size_t>(1, detail::places_of(scalars).stride));
         kept.push_back({name, 1, {count, 1, 1, 1}, scalars, {bytes.begin(), bytes.end()}});
     }
 
@@ -284,8 +285,8 @@ template <class S, class Value> void check_boxes(Test& test, const char* name, S
 
 struct TestCase {
     const char* title;
-    const char* place;  ///< file:line
-    bool exact;         ///< all passes are exact: devices agree bit for bit
+    const char* place;                                  ///< file:line
+    bool exact;                                         ///< all passes are exact: devices agree bit for bit
     void (*run)(Test& test, const Commands& commands);  ///< null: a translation that is checked as tests make it
     const char* why_not_alone = "";
 };
@@ -329,8 +330,7 @@ public:
                 if (std::ranges::find(notes, note) == notes.end()) notes.push_back(note);
             for (const auto& [title, found] : run.translations) {
                 std::vector<std::string>& all = translations_[title];
-                for (const std::string& failure : found)
-                    all.push_back(failure + " [" + device.properties().name + "]");
+                for (const std::string& failure : found) all.push_back(failure + " [" + device.properties().name + "]");
             }
         }
         if (runs.size() == 2 && runs[0].kept.size() == runs[1].kept.size()) {

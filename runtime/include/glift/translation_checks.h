@@ -11,8 +11,8 @@ namespace glift {
 /// Addresses that a translator is tried with: all of a small domain, else a spread.
 template <class A> struct Tried {
     std::vector<A> addresses;
-    std::string domain;      ///< of the structure, in words
-    bool complete = true;    ///< these are all there are, each is mapped so far, and no two have met
+    std::string domain;    ///< of the structure, in words
+    bool complete = true;  ///< these are all there are, each is mapped so far, and no two have met
 };
 
 template <class A> Tried<A> tried(const A& domain) {
@@ -93,8 +93,7 @@ auto check_translator(Test& test, const std::string& name, const Tried<A>& from,
         std::optional<Physical> physical;
         try {
             physical = translate(address);
-        } catch (const OutsideTable&) {
-        }
+        } catch (const OutsideTable&) {}
         if (!physical) {
             result.complete = false;
             continue;
@@ -121,11 +120,11 @@ auto check_translator(Test& test, const std::string& name, const Tried<A>& from,
 template <class P> bool fill_memory(const Tried<P>& reached, const P& extent) {
     const Extent limit = detail::extent_of(extent);
     return reached.complete && std::ranges::all_of(reached.addresses, [&](const P& address) {
-        const Extent at = detail::extent_of(address, 0);
-        for (unsigned axis = 0; axis < 4; ++axis)
-            if (at[axis] >= limit[axis]) return false;
-        return true;
-    });
+               const Extent at = detail::extent_of(address, 0);
+               for (unsigned axis = 0; axis < 4; ++axis)
+                   if (at[axis] >= limit[axis]) return false;
+               return true;
+           });
 }
 
 }  // namespace glift
