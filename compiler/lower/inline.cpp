@@ -135,7 +135,7 @@ ExprId Expander::known_call(const Expr& node, const std::vector<Pair>& arguments
     std::vector<std::uint64_t> key{node.function.index};
     for (const Pair& argument : arguments) {
         const Expr& constant = p.exprs[argument.value];
-        if (constant.op != Op::constant || p.types.is_floating(constant.type)) return {};
+        if (argument.has || constant.op != Op::constant || p.types.is_floating(constant.type)) return {};
         key.push_back(constant.bits);
     }
     auto [found, is_new] = cx.known_calls.try_emplace(std::move(key));
