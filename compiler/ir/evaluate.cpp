@@ -48,7 +48,6 @@ Lane apply_floating(const Types& types, BinaryOp op, TypeId type, Lane a, Lane b
     switch (op) {
     case BinaryOp::multiply: result = a.number * b.number; break;
     case BinaryOp::divide: result = a.number / b.number; break;
-    case BinaryOp::remainder: result = a.number - b.number * std::floor(a.number / b.number); break;
     case BinaryOp::add: result = a.number + b.number; break;
     case BinaryOp::subtract: result = a.number - b.number; break;
     default: break;
@@ -263,12 +262,21 @@ std::optional<Lane> apply_intrinsic(const Types& types, Intrinsic intrinsic, Typ
     const Lane &a = lanes[0], &b = lanes[1], &c = lanes[2];
     auto less = [&](const Lane& x, const Lane& y) { return compare(types, BinaryOp::less, type, x, y).bits != 0; };
     auto number = [&](double value) { return Lane{.number = round_to(types, type, value)}; };
+    // Where one is not a number, the other.
+    auto least = [&](const Lane& x, const Lane& y) { return less(y, x) || std::isnan(x.number) ? y : x; };
+    auto greatest = [&](const Lane& x, const Lane& y) { return less(x, y) || std::isnan(x.number) ? y : x; };
     bool floating = types.is_floating(type), is_signed = types.is_signed(type);
     auto signed_bits = static_cast<std::int64_t>(a.bits);
+    const std::uint64_t word = is_64_bit(types, type) ? a.bits : static_cast<std::uint32_t>(a.bits);
     switch (intrinsic) {
-    case Intrinsic::min: return less(b, a) ? b : a;
-    case Intrinsic::max: return less(a, b) ? b : a;
-    case Intrinsic::clamp: return less(a, b) ? b : less(c, a) ? c : a;
+    case Intrinsic::min: return least(a, b);
+    case Intrinsic::max: return greatest(a, b);
+    case Intrinsic::clamp: return least(greatest(a, b), c);
+    case Intrinsic::mod: {
+        const Lane quotient = apply(types, BinaryOp::divide, type, a, b);
+        const Lane whole = apply(types, BinaryOp::multiply, type, b, number(std::floor(quotient.number)));
+        return apply(types, BinaryOp::subtract, type, a, whole);
+    }
     case Intrinsic::abs:
         if (floating) return number(std::fabs(a.number));
         return normalize(types, type, {.bits = is_signed && signed_bits < 0 ? 0 - a.bits : a.bits});
@@ -283,16 +291,12 @@ std::optional<Lane> apply_intrinsic(const Types& types, Intrinsic intrinsic, Typ
     case Intrinsic::trunc: return number(std::trunc(a.number));
     case Intrinsic::round: return number(std::nearbyint(a.number));
     case Intrinsic::sqrt: return number(std::sqrt(a.number));
-    case Intrinsic::bitCount:
-        return Lane{.bits = static_cast<std::uint64_t>(std::popcount(static_cast<std::uint32_t>(a.bits)))};
+    case Intrinsic::bitCount: return Lane{.bits = static_cast<std::uint64_t>(std::popcount(word))};
     case Intrinsic::findLSB:
-        return Lane{.bits = static_cast<std::uint64_t>(static_cast<std::uint32_t>(a.bits)
-                                                           ? std::countr_zero(static_cast<std::uint32_t>(a.bits))
-                                                           : -1)};
+        return Lane{.bits = static_cast<std::uint64_t>(word ? std::int64_t{std::countr_zero(word)} : -1)};
     case Intrinsic::findMSB: {
-        auto word = static_cast<std::uint32_t>(a.bits);
-        if (is_signed && signed_bits < 0) word = ~word;
-        return Lane{.bits = static_cast<std::uint64_t>(std::int64_t{31} - std::countl_zero(word))};
+        const std::uint64_t found = is_signed && signed_bits < 0 ? ~a.bits : word;
+        return Lane{.bits = static_cast<std::uint64_t>(std::int64_t{63} - std::countl_zero(found))};
     }
     case Intrinsic::lessThan: return of_bool(less(a, b));
     case Intrinsic::greaterThan: return of_bool(less(b, a));
@@ -319,7 +323,6 @@ std::optional<Value> Interpreter::intrinsic(const Expr& expr) {
         for (const Lane& lane : operands[0].lanes) any |= lane.bits != 0, all &= lane.bits != 0;
         return Value{expr.type, {of_bool(expr.intrinsic == Intrinsic::any ? any : all)}};
     }
-    if (types_.kind(types_.scalar_of(operands[0].type)) == TypeKind::int64) return std::nullopt;
     Value result{expr.type, {}};
     for (std::size_t i = 0; i < count; ++i) {
         Lane lanes[3];

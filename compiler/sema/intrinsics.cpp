@@ -150,6 +150,22 @@ Operand wrong_argument(Body& body, ir::Intrinsic intrinsic, Span span, ir::TypeI
     return error_operand(span);
 }
 
+/// GLSL's abs and sign take signed numbers; of unsigned ones the value itself is the first, the lesser of it and one the
+/// second.
+std::optional<ir::ExprId> of_unsigned(Body& body, ir::Intrinsic intrinsic, const ir::Operands& operands, Span span) {
+    if (intrinsic != ir::Intrinsic::abs && intrinsic != ir::Intrinsic::sign) return std::nullopt;
+    ir::Types& types = body.types();
+    const ir::TypeId type = body.program().exprs[operands[0]].type, scalar = types.scalar_of(type);
+    if (!types.is_integer(scalar) || types.is_signed(scalar)) return std::nullopt;
+    if (intrinsic == ir::Intrinsic::abs) return operands[0];
+    ir::ExprId one = add(body.program(), ir::Op::constant, scalar, span);
+    body.program().exprs[one].bits = 1;
+    if (type != scalar) one = add(body.program(), ir::Op::construct, type, span, {one});
+    const ir::ExprId least = add(body.program(), ir::Op::intrinsic, type, span, {operands[0], one});
+    body.program().exprs[least].intrinsic = ir::Intrinsic::min;
+    return least;
+}
+
 }  // namespace
 
 std::optional<ir::Intrinsic> find_intrinsic(std::string_view name) {
@@ -227,6 +243,7 @@ Operand call_intrinsic(Body& body, ir::Intrinsic intrinsic, const std::vector<as
             return error_operand(call.span);
         }
     }
+    if (auto value = of_unsigned(body, intrinsic, operands, call.span)) return value_operand(body, *value, call.span);
     ir::TypeId type =
         result_type(types, signature,
                     common && !operands.empty() && is_generic_letter(signature.params[0].letter) ? common : first);

@@ -54,14 +54,15 @@ private:
         add(is_line ? PieceKind::line_comment : PieceKind::block_comment, comment.begin, end);
     }
 
-    /// A `>>` that the parser took apart becomes pieces of its own.
+    /// A `>>` or `??` that the parser took apart becomes pieces of its own.
     void add_token(std::uint32_t i) {
         const Token& token = written_.tokens[i];
         const Token& parsed = read_.tokens[i];
         for (std::uint32_t at = token.begin; at < parsed.begin; ++at) {
-            Piece& closing = add(PieceKind::token, at, at + 1);
-            closing.token = greater;
-            closing.role = Role::close_generic;
+            Piece& part = add(PieceKind::token, at, at + 1);
+            const bool is_optional = text_[at] == '?';
+            part.token = is_optional ? question : greater;
+            part.role = is_optional ? Role::optional : Role::close_generic;
         }
         Piece& piece = add(PieceKind::token, parsed.begin, parsed.end);
         piece.token = parsed.kind;

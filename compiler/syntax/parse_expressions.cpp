@@ -170,21 +170,13 @@ ast::ExprId Parser::parse_unary() {
     return add(std::move(expr));
 }
 
-/// generic-argument = additive [ "?" ] ;      comparisons and shifts stand in parentheses there
+/// generic-argument = additive { "?" } ;      comparisons and shifts stand in parentheses there
 ast::ExprId Parser::parse_generic_argument() {
     Nesting nesting(*this);
     if (!nesting.ok) return error_expr();
     std::uint32_t first = cursor_;
     ExprId argument = parse_binary(additive_precedence);
-    while (at(TokenKind::question) && !lost_) {
-        set_role(Role::optional);
-        Expr expr;
-        expr.kind = ExprKind::optional;
-        expr.name_span = span_of(advance());
-        expr.operands = {argument};
-        expr.span = since(first);
-        argument = add(std::move(expr));
-    }
+    while (at_optional_mark() && !lost_) argument = parse_optional(argument, first);
     return argument;
 }
 

@@ -14,14 +14,14 @@ namespace {
 
 using enum TokenKind;
 constexpr TokenSet literal_tokens{integer, floating, bad_number, string, kw_true, kw_false, kw_none};
-/// What stands in generic arguments outside of parentheses, besides `<`, `>`, `>>` and `?`.
+/// What stands in generic arguments outside of parentheses, besides `<`, `>`, `>>`, `?` and `??`.
 constexpr TokenSet in_generic_arguments{identifier, integer, floating, kw_true, kw_false, kw_none, comma, dot,
                                         plus,       minus,   star,     slash,   percent,  exclaim, tilde};
 constexpr TokenSet never_in_brackets{semicolon, open_brace, close_brace, end};
 constexpr TokenSet after_generic_arguments{
     open_paren, close_paren, open_bracket, close_bracket, open_brace, close_brace, comma,         semicolon, colon,
     dot,        dot_dot,     greater,      question,      equal,      equal_equal, exclaim_equal, kw_then,   end};
-constexpr TokenSet after_optional{comma, greater, greater_greater, question};
+constexpr TokenSet after_optional{comma, greater, greater_greater, question, question_question};
 
 /// The digits and the suffix of a number's text.
 struct NumberParts {
@@ -299,6 +299,11 @@ ast::ExprId Parser::parse_generic_arguments(ExprId base, std::uint32_t first) {
     return add(std::move(expr));
 }
 
+/// More than one `>` at once, which closes generic arguments around those that end here.
+bool Parser::closes_outer(TokenKind kind) const {
+    return open_angles_ > 0 && (kind == greater_greater || kind == greater_greater_equal || kind == greater_equal);
+}
+
 /// Whether the `<` here opens generic arguments: up to its `>` stands only what can be an argument, and behind it what
 /// can follow one. As in C#, `f(a < b, c > (d))` is read as a call with one generic name.
 bool Parser::generic_arguments_follow() const {
@@ -317,10 +322,10 @@ bool Parser::generic_arguments_follow() const {
         } else if (kind == greater || kind == greater_greater) {
             angles -= kind == greater ? 1 : 2;
             if (angles < 0) return open_angles_ > 0;  // `>>` closes the outer ones too
-            if (angles == 0) return after_generic_arguments.has(peek(i + 1).kind);
+            if (angles == 0) return after_generic_arguments.has(peek(i + 1).kind) || closes_outer(peek(i + 1).kind);
         } else if (kind == greater_greater_equal) {
             return angles == 1 && open_angles_ > 0;
-        } else if (kind == question) {
+        } else if (kind == question || kind == question_question) {
             if (!after_optional.has(peek(i + 1).kind)) return false;
         } else if (!in_generic_arguments.has(kind)) {
             return false;

@@ -6,7 +6,7 @@ namespace gliftc {
 using ast::Expr;
 using ast::ExprKind;
 
-/// type = type-name { "[" [ expression { "," expression } ] "]" | "?" } ;
+/// type = type-name { "[" [ expression { "," expression } ] "]" | "?" } ;      "??" is "?" twice here
 /// type-name = name [ generic-arguments ] { "." name [ generic-arguments ] } ;
 ast::ExprId Parser::parse_type() {
     using enum TokenKind;
@@ -25,19 +25,34 @@ ast::ExprId Parser::parse_type() {
             type = parse_member(type, first);
         } else if (at(open_bracket)) {
             type = parse_index(type, first);
-        } else if (at(question)) {
-            set_role(Role::optional);
-            Expr expr;
-            expr.kind = ExprKind::optional;
-            expr.name_span = span_of(advance());
-            expr.operands = {type};
-            expr.span = since(first);
-            type = add(std::move(expr));
+        } else if (at_optional_mark()) {
+            type = parse_optional(type, first);
         } else {
             break;
         }
     }
     return type;
+}
+
+bool Parser::at_optional_mark() const { return at(TokenKind::question) || at(TokenKind::question_question); }
+
+/// Takes one `?`, also off the front of `??`: an optional of an optional.
+ast::ExprId Parser::parse_optional(ExprId type, std::uint32_t first) {
+    set_role(Role::optional);
+    Expr expr;
+    expr.kind = ExprKind::optional;
+    expr.name_span = here();
+    if (at(TokenKind::question)) {
+        advance();
+    } else {
+        Token& token = tokens_[cursor_];
+        token.kind = TokenKind::question;
+        previous_end_ = ++token.begin;
+        expr.name_span.end = previous_end_;
+    }
+    expr.operands = {type};
+    expr.span = since(first);
+    return add(std::move(expr));
 }
 
 /// generic-parameters = "<" generic-parameter { "," generic-parameter } ">" ;

@@ -39,6 +39,8 @@ private:
     bool expect_close(TokenKind kind, std::uint32_t open_token);
     void set_role(Role role) { tokens_[cursor_].role = role; }
     bool at_close_angle() const;
+    bool at_optional_mark() const;
+    ExprId parse_optional(ExprId type, std::uint32_t first);
     bool expect_close_angle(std::uint32_t open_token);
     Span span_of(const Token& token) const { return {file_, token.begin, token.end}; }
     Span here() const { return span_of(tokens_[cursor_]); }
@@ -108,6 +110,7 @@ private:
     ExprId parse_member(ExprId base, std::uint32_t first);
     ExprId parse_generic_arguments(ExprId base, std::uint32_t first);
     void parse_arguments(ast::Expr& expr, TokenKind close);
+    bool closes_outer(TokenKind kind) const;
     bool generic_arguments_follow() const;
     std::string decode_string(const Token& token);
 

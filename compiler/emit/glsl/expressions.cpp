@@ -97,7 +97,6 @@ Text print_division(Printer& p, const Expr& expr) {
     TypeId scalar = types.scalar_of(expr.type);
     bool remainder = expr.binary == BinaryOp::remainder;
     if (types.is_floating(scalar)) {
-        if (remainder) return helper_call(p, Helper::modulo, expr, expr.type);
         if (types.is_matrix(expr.type) && types.is_scalar(p.program.exprs[b].type))
             return {need(p, Helper::matrix_scalar_quotient, expr.type) + "(" + print_any(p, a) + ", " +
                     print_any(p, b) + ")"};

@@ -99,6 +99,7 @@ Text print_intrinsic(Printer& p, const Expr& expr) {
     case Intrinsic::min: return minimum(p, "min", expr);
     case Intrinsic::max: return minimum(p, "max", expr);
     case Intrinsic::clamp: return clamp(p, expr);
+    case Intrinsic::mod: return shaped(p, Helper::modulo, expr);
     case Intrinsic::sqrt:
         return corrects_division(p, expr.type) ? shaped(p, Helper::square_root, expr) : call(p, "sqrt", expr);
     case Intrinsic::isnan: return call(p, "isnan", expr);

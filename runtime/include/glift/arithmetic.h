@@ -25,12 +25,8 @@ template <class T> constexpr T divide(T a, T b) {
     else return a / b;
 }
 
-/// a % b. Integers: with the sign of a, by zero zero. Floating: a - b * floor(a / b).
-template <class T> constexpr T remainder(T a, T b) {
-    if constexpr (std::is_integral_v<T>) return static_cast<T>(a % divisor(a, b));
-    else if constexpr (std::is_same_v<T, half>) return a - b * half(__builtin_floorf(a / b));
-    else return a - b * static_cast<T>(__builtin_floor(a / b));
-}
+/// a % b, with the sign of a; by zero zero.
+template <class T> constexpr T remainder(T a, T b) { return static_cast<T>(a % divisor(a, b)); }
 
 /// Shifts take their amount modulo the width of a.
 template <class T, class U> constexpr T shift_left(T a, U amount) {

@@ -79,6 +79,9 @@ TEST(Generics, take_additive_expressions) {
 
 TEST(Generics, close_two_at_once) {
     EXPECT_EQ(expression("A<B<C<2>>>()"), "(call (generic A (generic B (generic C 2))))");
+    EXPECT_EQ(expression("A<B<C<D<2>>>>()"), "(call (generic A (generic B (generic C (generic D 2)))))");
+    EXPECT_EQ(type("A<B<C<D<E<2>>>>>"), "(generic A (generic B (generic C (generic D (generic E 2)))))");
+    EXPECT_EQ(type("A<1, B<2, C<3, D<4>>>>"), "(generic A 1 (generic B 2 (generic C 3 (generic D 4))))");
     EXPECT_EQ(type("vec<2, vec<3, uint>>"), "(generic vec 2 (generic vec 3 uint))");
     EXPECT_EQ(expression("a >> b"), "(>> a b)");
     EXPECT_EQ(declarations("struct S { x: A<B<2>>= 1; y: A<2>= 2; }"),
@@ -88,6 +91,10 @@ TEST(Generics, close_two_at_once) {
 TEST(Types, have_suffixes) {
     EXPECT_EQ(type("float[8]"), "(index float 8)");
     EXPECT_EQ(type("vec<N, uint>?"), "(optional (generic vec N uint))");
+    EXPECT_EQ(type("uint??"), "(optional (optional uint))");
+    EXPECT_EQ(type("uint???[2]"), "(index (optional (optional (optional uint))) 2)");
+    EXPECT_EQ(expression("A<uint??, B<float??>>()"),
+              "(call (generic A (optional (optional uint)) (generic B (optional (optional float)))))");
     EXPECT_EQ(type("T[N * 2][3]?"), "(optional (index (index T (* N 2)) 3))");
     EXPECT_EQ(type("module_name.Type<2>"), "(generic (. module_name Type) 2)");
 }

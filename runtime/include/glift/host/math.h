@@ -69,6 +69,9 @@ inline float sqrt(float x) { return __builtin_sqrtf(x); }
 inline double sqrt(double x) { return __builtin_sqrt(x); }
 inline half sqrt(half x) { return sqrt(static_cast<float>(x)); }
 
+/// With the sign of y, each operation rounded by itself: as shaders compute it.
+template <class T>
+requires is_floating<T> T mod(T x, detail::same<T> y) { return x - y * floor(x / y); }
 template <class T>
 requires is_floating<T> T fract(T x) { return x - floor(x); }
 
@@ -119,6 +122,7 @@ GLIFT_MATH_1(sqrt)
 GLIFT_MATH_1(fract)
 GLIFT_MATH_1(isnan)
 GLIFT_MATH_1(isinf)
+GLIFT_MATH_2(mod)
 GLIFT_MATH_2(min)
 GLIFT_MATH_2(max)
 GLIFT_MATH_2(step)
