@@ -67,6 +67,8 @@ bool accepts(const ir::Types& types, char letter, ir::TypeId type) {
     bool shaped = types.is_scalar(type) || types.is_vector(type);
     switch (letter) {
     case 'F': return shaped && types.is_floating(scalar);
+    case 'G': return shaped && types.is_floating(scalar) && scalar != types.double_;
+    case 'J': return shaped && (scalar == types.int_ || scalar == types.uint);
     case 'V': return (types.is_vector(type) || types.is_scalar(type)) && types.is_floating(scalar);
     case 'N': return shaped && types.is_number(scalar);
     case 'I': return shaped && types.is_integer(scalar);
@@ -114,7 +116,7 @@ ir::TypeId result_type(ir::Types& types, const Signature& signature, ir::TypeId 
     return result_of(types, signature.result, argument);
 }
 
-bool is_generic_letter(char letter) { return std::string_view("FVNIUSRDLBMT").find(letter) != std::string_view::npos; }
+bool is_generic_letter(char letter) { return std::string_view("FGVNIJUSRDLBMT").find(letter) != std::string_view::npos; }
 
 ir::TypeId fixed_type(ir::Types& types, char letter) {
     switch (letter) {
@@ -137,16 +139,21 @@ bool has_type_of_result(const Signature& signature, const Shape& shape) {
 ir::TypeId literal_hint(ir::Types& types, char letter, ir::TypeId common, ir::TypeId wanted) {
     if (common) return types.scalar_of(common);
     if (wanted && accepts(types, letter, wanted)) return types.scalar_of(wanted);
-    if (letter == 'F' || letter == 'V' || letter == 'R') return types.float_;
+    if (letter == 'F' || letter == 'G' || letter == 'V' || letter == 'R') return types.float_;
     if (letter == 'D') return types.double_;
     if (letter == 'L') return types.uint64;
     return {};
 }
 
-Operand wrong_argument(Body& body, ir::Intrinsic intrinsic, Span span, ir::TypeId type) {
-    note_optional(body,
-                  body.context.error(Diag::intrinsic_argument, span, {ir::name_of(intrinsic), body.context.text(type)}),
-                  span, type);
+Operand wrong_argument(Body& body, ir::Intrinsic intrinsic, char letter, Span span, ir::TypeId type) {
+    Diagnostic& diagnostic =
+        body.context.error(Diag::intrinsic_argument, span, {ir::name_of(intrinsic), body.context.text(type)});
+    note_optional(body, diagnostic, span, type);
+    const ir::TypeId scalar = body.types().scalar_of(type);
+    if (letter == 'G' && scalar == body.types().double_)
+        note(diagnostic, span, "devices have this function of float and half alone: convert what it is given");
+    if (letter == 'J' && body.types().is_integer(scalar))
+        note(diagnostic, span, "devices have this function of 32 bits alone: uint(x) and uint(x >> 32) are the halves");
     return error_operand(span);
 }
 
@@ -214,7 +221,7 @@ Operand call_intrinsic(Body& body, ir::Intrinsic intrinsic, const std::vector<as
                 fixed ? check_value(body, arguments[i], fixed) : check_hinted(body, arguments[i], hint);
             if (is_error(body, operands[i])) return error_operand(call.span);
             ir::TypeId type = body.program().exprs[operands[i]].type;
-            if (!accepts(types, shape.letter, type)) return wrong_argument(body, intrinsic, c[arguments[i]].span, type);
+            if (!accepts(types, shape.letter, type)) return wrong_argument(body, intrinsic, shape.letter, c[arguments[i]].span, type);
             if (is_generic_letter(shape.letter) && (!common || types.components(type) > types.components(common)))
                 common = type;
         }
@@ -229,7 +236,7 @@ Operand call_intrinsic(Body& body, ir::Intrinsic intrinsic, const std::vector<as
         bool scalar = types.is_scalar(type) && type == types.scalar_of(common);
         // A literal among vectors stands for all components; so does a scalar where GLSL takes one.
         if (!scalar || !(shape.or_scalar || is_flexible(c, arguments[i])))
-            return wrong_argument(body, intrinsic, c[arguments[i]].span, type);
+            return wrong_argument(body, intrinsic, shape.letter, c[arguments[i]].span, type);
         operands[i] = add(body.program(), ir::Op::construct, common, call.span, {operands[i]});
     }
     if (signature.atomic) {

@@ -1,6 +1,7 @@
 #include "sema/components.h"
 #include "sema/generics.h"
 #include "sema/instances.h"
+#include "sema/typing.h"
 #include "syntax/print.h"
 
 #include <algorithm>
@@ -102,16 +103,6 @@ void check_extra(Context& c, const Env& env, const ast::Param& param, ir::Kernel
     bool bits = made.combine >= ir::Combine::bit_and;
     bool fits = element == c.types().int_ || element == c.types().uint || (element == c.types().float_ && !bits);
     if (!fits) c.error(Diag::scatter_element, op.span, {c.text(op.name), c.text(element)});
-}
-
-/// Whether a value of the type is an optional or has one among its parts.
-bool holds_optional(const ir::Program& program, ir::TypeId id) {
-    const ir::Type& type = program.types[id];
-    if (type.kind == ir::TypeKind::optional) return true;
-    if (type.kind == ir::TypeKind::array) return holds_optional(program, type.element);
-    if (type.kind != ir::TypeKind::struct_) return false;
-    const auto& fields = program.structs[type.index].fields;
-    return std::ranges::any_of(fields, [&](const auto& field) { return holds_optional(program, field.type); });
 }
 
 /// Elements that workgroups share lie in a buffer.

@@ -2,6 +2,8 @@
 #include "sema/body.h"
 #include "sema/typing.h"
 
+#include <algorithm>
+
 namespace gliftc::sema {
 
 namespace {
@@ -104,6 +106,8 @@ Operand mismatch(Body& body, const ast::Expr& expr, Pair sides) {
         note_optional(body, diagnostic, c[expr.operands[0]].span, left);
     else if (body.types().kind(right) == ir::TypeKind::optional)
         note_optional(body, diagnostic, c[expr.operands[1]].span, right);
+    else if (expr.binary == ast::BinaryOp::remainder && body.types().is_floating(body.types().scalar_of(left)))
+        note(diagnostic, expr.span, "of floats 'mod(x, y)' is x - y * floor(x / y)");
     else if (body.types().scalar_of(left) != body.types().scalar_of(right))
         note(diagnostic, expr.span,
              "values are never converted silently: convert one side, as in " + c.text(body.types().scalar_of(left)) +
@@ -150,6 +154,13 @@ ir::TypeId result_type(ir::Types& types, ast::BinaryOp op, ir::TypeId left, ir::
     return types.components(left) == 1 ? right : ir::TypeId{};
 }
 
+/// Defined, but hardly meant.
+void warn_of_zero(Body& body, ast::BinaryOp op, ir::ExprId divisor, Span span) {
+    const auto known = ir::evaluate(body.program(), divisor);
+    if (!known || std::ranges::none_of(known->lanes, [](const ir::Lane& lane) { return lane.bits == 0; })) return;
+    body.context.error(Diag::division_by_zero, span, {op == ast::BinaryOp::divide ? "the dividend" : "zero"});
+}
+
 }  // namespace
 
 Operand check_binary(Body& body, ast::ExprId id, ir::TypeId wanted) {
@@ -188,13 +199,8 @@ Operand check_binary(Body& body, ast::ExprId id, ir::TypeId wanted) {
     }
     if (!result) return mismatch(body, expr, sides);
     if (body.types().is_integer(types.scalar_of(left)) &&
-        (expr.binary == ast::BinaryOp::divide || expr.binary == ast::BinaryOp::remainder)) {
-        auto divisor = ir::evaluate(body.program(), sides.right);
-        if (divisor && divisor->lanes[0].bits == 0) {
-            c.error(Diag::division_by_zero, expr.span);
-            return error_operand(expr.span);
-        }
-    }
+        (expr.binary == ast::BinaryOp::divide || expr.binary == ast::BinaryOp::remainder))
+        warn_of_zero(body, expr.binary, sides.right, expr.span);
     return value_operand(
         body, make_binary(body.program(), lowered(expr.binary), result, sides.left, sides.right, expr.span), expr.span);
 }
@@ -216,13 +222,7 @@ ir::ExprId check_compound(Body& body, const ast::Stmt& stmt, ir::ExprId before) 
         return error_value(body, stmt.span);
     }
     bool divides = *stmt.op == ast::BinaryOp::divide || *stmt.op == ast::BinaryOp::remainder;
-    if (divides && types.is_integer(types.scalar_of(left))) {
-        auto divisor = ir::evaluate(body.program(), value);
-        if (divisor && divisor->bits() == 0) {
-            c.error(Diag::division_by_zero, stmt.op_span);
-            return error_value(body, stmt.span);
-        }
-    }
+    if (divides && types.is_integer(types.scalar_of(left))) warn_of_zero(body, *stmt.op, value, stmt.op_span);
     return make_binary(body.program(), lowered(*stmt.op), left, before, value, stmt.span);
 }
 

@@ -83,6 +83,12 @@ std::optional<MemoryText> read_memory(Context& c, ast::ExprId id) {
     return std::nullopt;
 }
 
+/// A generic parameter: what it stands for is written elsewhere.
+bool is_generic_name(const Body& body, ast::ExprId type) {
+    const ast::Expr& expr = body.context[type];
+    return expr.kind == ast::ExprKind::name && body.env.find(expr.name) != nullptr;
+}
+
 void add_memory(Body& body, std::uint32_t index, const ast::Item& item) {
     Context& c = body.context;
     auto text = read_memory(c, item.value);
@@ -112,6 +118,13 @@ void add_memory(Body& body, std::uint32_t index, const ast::Item& item) {
         if (ir::holds_empty(c.program, element.type)) {
             note(c.error(Diag::memory_element, c[text->element].span), c[text->element].span,
                  "memory has no place for a struct without fields");
+            return;
+        }
+        if (holds_optional(c.program, element.type)) {
+            const Span span = is_generic_name(body, text->element) && !c.requests.empty() ? c.requests.back().span
+                                                                                          : c[text->element].span;
+            note(c.error(Diag::memory_optional, span, {c.text(element.type)}), span,
+                 "a struct says the same: 'present: bool;' and the value beside it");
             return;
         }
         memory.element = element.type;

@@ -86,6 +86,15 @@ ir::TypeId operand_hint(const ir::Types& types, ir::TypeId wanted) {
     return wanted;
 }
 
+bool holds_optional(const ir::Program& program, ir::TypeId id) {
+    const ir::Type& type = program.types[id];
+    if (type.kind == ir::TypeKind::optional) return true;
+    if (type.kind == ir::TypeKind::array) return holds_optional(program, type.element);
+    if (type.kind != ir::TypeKind::struct_) return false;
+    const auto& fields = program.structs[type.index].fields;
+    return std::ranges::any_of(fields, [&](const auto& field) { return holds_optional(program, field.type); });
+}
+
 bool becomes(const ir::Types& types, ir::TypeId from, ir::TypeId to) {
     return from == to || (types.kind(to) == ir::TypeKind::optional && becomes(types, from, types[to].element));
 }

@@ -30,4 +30,7 @@ ir::TypeId operand_hint(const ir::Types&, ir::TypeId wanted);
 /// Whether a value of type `from` becomes one of type `to` by itself: the same type, or an optional of it.
 bool becomes(const ir::Types&, ir::TypeId from, ir::TypeId to);
 
+/// Whether a value of the type is an optional or has one among its parts.
+bool holds_optional(const ir::Program&, ir::TypeId);
+
 }  // namespace gliftc::sema

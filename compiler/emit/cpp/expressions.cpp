@@ -192,12 +192,28 @@ Text print_swizzle(Printer& p, const Expr& expr) {
     return {"glift::swizzle<" + lanes + ">(" + vector + ")"};
 }
 
+/// A part of a struct or an array, where bools are as in memory: vectors of them become those that values are.
+std::string as_value(Printer& p, const Expr& part, std::string text) {
+    if (!is_bool_vector(p.program, part.type)) return text;
+    return concat(type_text(p.globals, part.type, p.use_namespaces), "(", text, ")");
+}
+
+/// One side of a choice: a bool in memory and a bool beside it would each become the other.
+std::string print_side(Printer& p, ExprId id, Level least) {
+    const Expr& expr = p.program.exprs[id];
+    const bool lies_in_memory = expr.op == Op::field || expr.op == Op::index || expr.op == Op::load;
+    if (!lies_in_memory || expr.type != p.program.types.bool_) return print(p, id, least);
+    return concat("bool(", print_any(p, id), ")");
+}
+
 Text print_index(Printer& p, const Expr& expr) {
     const Expr& index = p.program.exprs[expr.operands[1]];
     const std::string base = print(p, expr.operands[0], Level::postfix);
     if (index.op == Op::constant && p.program.types.is_vector(p.program.exprs[expr.operands[0]].type) && index.bits < 4)
         return {base + "." + "xyzw"[index.bits]};
-    return {base + "[" + print_any(p, expr.operands[1]) + "]"};
+    std::string text = base + "[" + print_any(p, expr.operands[1]) + "]";
+    const bool is_of_array = p.program.types.kind(p.program.exprs[expr.operands[0]].type) == TypeKind::array;
+    return {is_of_array ? as_value(p, expr, std::move(text)) : std::move(text)};
 }
 
 Text print_intrinsic(Printer& p, const Expr& expr) {
@@ -280,8 +296,8 @@ Text print(Printer& p, ExprId id) {
     case Op::select: {
         if (p.truths.contains(expr.operands[0])) return print(p, expr.operands[1]);
         const std::string condition = print(p, expr.operands[0], Level::logical_or);
-        const std::string yes = print(p, expr.operands[1], Level::logical_or);
-        return {concat(condition, " ? ", yes, " : ", print(p, expr.operands[2], Level::ternary)), Level::ternary};
+        const std::string yes = print_side(p, expr.operands[1], Level::logical_or);
+        return {concat(condition, " ? ", yes, " : ", print_side(p, expr.operands[2], Level::ternary)), Level::ternary};
     }
     case Op::swizzle: return print_swizzle(p, expr);
     case Op::index: return print_index(p, expr);
@@ -289,9 +305,7 @@ Text print(Printer& p, ExprId id) {
         const ir::Type& type = p.program.types[p.program.exprs[expr.operands[0]].type];
         std::string text =
             concat(print(p, expr.operands[0], Level::postfix), ".", p.globals.field_names[type.index][expr.slot]);
-        if (p.program.types.is_vector(expr.type) && holds_bool(p.program, expr.type))
-            text = type_text(p.globals, expr.type, p.use_namespaces) + "(" + text + ")";
-        return {text};
+        return {as_value(p, expr, std::move(text))};
     }
     case Op::call: return print_call(p, expr);
     case Op::intrinsic: {

@@ -169,7 +169,7 @@ std::string value_of(Unit& unit, const Kernel& kernel, const PassParameter& para
             return structure_property(unit.globals, expr, param.structure, param_name(unit, param) + "->");
         };
         std::string text = print_any(p, parameter.value);
-        if (holds_bool(unit.program, parameter.type) && unit.program.types.is_vector(parameter.type))
+        if (is_bool_vector(unit.program, parameter.type))
             text = storage_text(unit.globals, parameter.type) + "(" + text + ")";
         return text;
     }

@@ -114,7 +114,7 @@ std::string type_text(const Globals& globals, ir::TypeId type, bool qualified = 
 std::string storage_text(const Globals& globals, ir::TypeId type, bool qualified = false);
 std::string_view format_name(ir::Format format);
 std::string literal(const ir::Program& program, ir::TypeId type, std::uint64_t bits, double number);
-bool holds_bool(const ir::Program& program, ir::TypeId type);
+bool is_bool_vector(const ir::Program& program, ir::TypeId type);
 
 // expressions.cpp
 Text print(Printer& p, ir::ExprId expr);

@@ -1,6 +1,7 @@
 // What only a test program has: the table of tests.
 #include "emit/cpp/unit.h"
 #include "ir/walk.h"
+#include "layout/layout.h"
 
 namespace gliftc::cpp {
 
@@ -42,12 +43,22 @@ std::string scalars_of(const ir::Program& program, ir::TypeId id) {
     case TypeKind::array: {
         std::string all;
         const std::uint32_t count = type.kind == TypeKind::matrix ? type.count * type.rows : type.count;
-        for (std::uint32_t i = 0; i < count; ++i) all += scalars_of(program, type.element);
+        const std::string part = scalars_of(program, type.element);
+        for (std::uint32_t i = 0; i < count; ++i) all += part;
         return all;
     }
     case TypeKind::struct_: {
+        const ir::Struct& declared = program.structs[type.index];
+        const std::vector<std::uint32_t> offsets = layout::offsets_of(program, declared);
         std::string all;
-        for (const ir::StructField& field : program.structs[type.index].fields) all += scalars_of(program, field.type);
+        std::uint32_t end = 0;
+        const auto skip_to = [&](std::uint32_t offset) { all.append(offset - end, '.'); };
+        for (std::size_t i = 0; i < offsets.size(); ++i) {
+            skip_to(offsets[i]);
+            all += scalars_of(program, declared.fields[i].type);
+            end = offsets[i] + layout::size_of(program, declared.fields[i].type).size;
+        }
+        skip_to(layout::size_of(program, id).size);
         return all;
     }
     case TypeKind::error:

@@ -72,7 +72,11 @@ std::string Spelling::of(ir::TypeId id) const {
             return glift + "float" + std::to_string(type.count) + "x" + std::to_string(type.rows);
         return "glift::mat<" + of(type.element) + ", " + std::to_string(type.count) + ", " + std::to_string(type.rows) +
                ">";
-    case TypeKind::array: return "glift::array<" + of(type.element) + ", " + std::to_string(type.count) + ">";
+    case TypeKind::array: {
+        // Bools of arrays lie as in memory, like those of structs: one type for both.
+        const Spelling element{globals, prefix, true};
+        return "glift::array<" + element.of(type.element) + ", " + std::to_string(type.count) + ">";
+    }
     case TypeKind::struct_: return globals.struct_names[type.index];
     case TypeKind::enum_: return glift + "uint";
     case TypeKind::optional: return "std::optional<" + of(type.element) + ">";
@@ -163,10 +167,8 @@ std::string literal(const ir::Program& program, ir::TypeId type, std::uint64_t b
     return "{}";
 }
 
-bool holds_bool(const ir::Program& program, ir::TypeId id) {
-    const ir::Type& type = program.types[id];
-    if (type.kind == TypeKind::bool_) return true;
-    return (type.kind == TypeKind::vector || type.kind == TypeKind::array) && holds_bool(program, type.element);
+bool is_bool_vector(const ir::Program& program, ir::TypeId type) {
+    return program.types.is_vector(type) && program.types.scalar_of(type) == program.types.bool_;
 }
 
 }  // namespace gliftc::cpp

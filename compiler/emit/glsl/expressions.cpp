@@ -228,7 +228,7 @@ Text print_local(Printer& p, const Expr& expr) {
 
 Text print_index(Printer& p, const Expr& expr) {
     const ir::Type& of = p.program.types[p.program.exprs[expr.operands[0]].type];
-    return {print(p, expr.operands[0], Level::postfix) + "[" + guarded_index(p, expr.operands[1], of.count) + "]"};
+    return {print_whole(p, expr.operands[0]) + "[" + guarded_index(p, expr.operands[1], of.count) + "]"};
 }
 
 /// Whether the value is read where a block keeps it, not from a variable.
@@ -292,7 +292,7 @@ Text print(Printer& p, ExprId id) {
     case Op::index: return print_index(p, expr);
     case Op::field: {
         const ir::Type& of = p.program.types[p.program.exprs[expr.operands[0]].type];
-        return {print(p, expr.operands[0], Level::postfix) + "." + p.field_names[of.index][expr.slot]};
+        return {print_whole(p, expr.operands[0]) + "." + p.field_names[of.index][expr.slot]};
     }
     case Op::call: return {p.function_names.at(expr.function) + "(" + join_arguments(p, expr.operands) + ")"};
     case Op::intrinsic: return print_intrinsic(p, expr);

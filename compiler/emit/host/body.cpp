@@ -41,7 +41,7 @@ Text print_outer(Body& body, const Expr& expr) {
             return {"glift::host::load_row(" + row_arguments(body, expr.slot, expr.operands[0]) + ")"};
         std::string text = element_text(body, expr.slot, expr.operands[0]);
         if (body.pass.bindings[expr.slot].coherent) text = "glift::host::memory::read(" + text + ")";
-        if (p.program.types.is_vector(expr.type) && cpp::holds_bool(p.program, expr.type))
+        if (cpp::is_bool_vector(p.program, expr.type))
             text = cpp::type_text(p.globals, expr.type) + "(" + text + ")";
         return {text};
     }
@@ -108,7 +108,7 @@ void print_outer(Body& body, const Stmt& stmt) {
         if (is_row(p.program.types, body.pass.bindings[stmt.slot], p.program.exprs[stmt.value].type))
             return p.out.line("glift::host::store_row(" + row_arguments(body, stmt.slot, stmt.target) + ", " + value +
                               ");");
-        if (p.program.types.is_vector(element) && cpp::holds_bool(p.program, element))
+        if (cpp::is_bool_vector(p.program, element))
             value = cpp::storage_text(p.globals, element) + "(" + value + ")";
         const std::string place = element_text(body, stmt.slot, stmt.target);
         if (body.pass.bindings[stmt.slot].coherent)
@@ -209,7 +209,7 @@ void declare_used(Body& body, cpp::Writer& out, const std::string& name) {
         const ir::PassParameter& parameter = body.pass.parameters[i];
         std::string value = "parameters." + members[i];
         const std::string type = cpp::type_text(body.p.globals, parameter.type);
-        if (cpp::holds_bool(body.p.program, parameter.type) && body.p.program.types.is_vector(parameter.type))
+        if (cpp::is_bool_vector(body.p.program, parameter.type))
             value = type + "(" + value + ")";
         out.line("const " + type + " " + body.parameter_names[i] + " = " + value + ";");
     }

@@ -20,7 +20,7 @@ namespace glift {
 inline constexpr double inexact_tolerance = 1e-3;
 
 /// All elements of one structure at the end of a test, with how to read their bytes: one letter a scalar (f float, h
-/// half, d double, u uint, i int, b bool, U uint64, I int64).
+/// half, d double, u uint, i int, b bool, U uint64, I int64), a point for each byte of padding, which nothing writes.
 struct KeptStructure {
     std::string name;
     unsigned rank;
@@ -36,7 +36,7 @@ template <class T, unsigned N> inline constexpr unsigned value_components<vec<T,
 
 struct ScalarReader {
     static std::size_t size_of(char kind) {
-        return kind == 'h' ? 2 : kind == 'd' || kind == 'U' || kind == 'I' ? 8 : 4;
+        return kind == '.' ? 1 : kind == 'h' ? 2 : kind == 'd' || kind == 'U' || kind == 'I' ? 8 : 4;
     }
     template <class T> static T load(const std::byte* at) {
         T value;
@@ -82,21 +82,20 @@ inline Extent address_of(std::size_t index, const Extent& extent) {
 
 /// Where an element's scalars lie, and how far the next element is.
 struct Places {
-    std::vector<std::size_t> offsets;
+    struct Part {
+        char kind;
+        std::size_t offset;
+    };
+    std::vector<Part> parts;
     std::size_t stride = 0;
 };
 
 inline Places places_of(std::string_view scalars) {
     Places places;
-    std::size_t align = 1;
     for (char kind : scalars) {
-        const std::size_t size = ScalarReader::size_of(kind);
-        places.stride = (places.stride + size - 1) / size * size;
-        places.offsets.push_back(places.stride);
-        places.stride += size;
-        align = std::max(align, size);
+        if (kind != '.') places.parts.push_back({kind, places.stride});
+        places.stride += ScalarReader::size_of(kind);
     }
-    places.stride = (places.stride + align - 1) / align * align;
     return places;
 }
 
@@ -109,19 +108,20 @@ inline void compare(const KeptStructure& a, const std::string& name_a, const Kep
                            text_of(b.extent, b.rank));
         return;
     }
-    const auto [offsets, stride] = places_of(a.scalars);
+    const auto [parts, stride] = places_of(a.scalars);
     std::size_t differing = 0;
     if (stride == 0) return;
     for (std::size_t i = 0; i * stride < a.bytes.size(); ++i) {
-        for (std::size_t k = 0; k < offsets.size(); ++k) {
-            const std::byte* x = a.bytes.data() + i * stride + offsets[k];
-            const std::byte* y = b.bytes.data() + i * stride + offsets[k];
-            if (ScalarReader::agree(a.scalars[k], x, y, tolerance)) continue;
+        for (const Places::Part& part : parts) {
+            const std::byte* x = a.bytes.data() + i * stride + part.offset;
+            const std::byte* y = b.bytes.data() + i * stride + part.offset;
+            if (ScalarReader::agree(part.kind, x, y, tolerance)) continue;
             if (++differing > 3) break;
-            const std::string part = offsets.size() > 1 ? " part " + std::to_string(k) : "";
-            failures.push_back(where + ": at " + text_of(address_of(i, a.extent), a.rank) + part + " " + name_a +
-                               " has " + ScalarReader::text(a.scalars[k], x) + " and " + name_b + " has " +
-                               ScalarReader::text(a.scalars[k], y));
+            const std::string number =
+                parts.size() > 1 ? " part " + std::to_string(&part - parts.data()) : std::string();
+            failures.push_back(where + ": at " + text_of(address_of(i, a.extent), a.rank) + number + " " + name_a +
+                               " has " + ScalarReader::text(part.kind, x) + " and " + name_b + " has " +
+                               ScalarReader::text(part.kind, y));
         }
     }
     if (differing > 3) failures.push_back(where + ": and more");
