@@ -202,6 +202,28 @@ static Operand several_elements(Body& body, const Operand& self, ast::Identifier
     return value_operand(body, add(body.program(), ir::Op::constant, body.types().void_, call.span), call.span);
 }
 
+/// A view has its elements within its domain.
+static ir::ExprId is_in_view(Body& body, const Operand& view, ir::ExprId address, Span span) {
+    ir::Program& p = body.program();
+    const ir::TypeId type = p.exprs[address].type;
+    const ir::ExprId domain = structure_operation(body, ir::Op::domain, type, view, span);
+    const ir::ExprId less =
+        add(p, ir::Op::intrinsic, p.types.with_scalar(type, p.types.bool_), span, {address, domain});
+    p.exprs[less].intrinsic = ir::Intrinsic::lessThan;
+    const ir::ExprId all = add(p, ir::Op::intrinsic, p.types.bool_, span, {less});
+    p.exprs[all].intrinsic = ir::Intrinsic::all;
+    return all;
+}
+
+/// The element at an address of a structure where there `is` one.
+static Operand found_where(Body& body, const Operand& structure, ir::ExprId is, ir::ExprId address, Span span) {
+    const ir::TypeId optional = body.types().optional(body.program().structures[structure.structure].element);
+    const ir::ExprId some =
+        add(body.program(), ir::Op::some, optional, span, {make_read(body, structure, address, span)});
+    const ir::ExprId none = add(body.program(), ir::Op::none, optional, span);
+    return value_operand(body, add(body.program(), ir::Op::select, optional, span, {is, some, none}), span);
+}
+
 Operand call_method(Body& body, const Operand& self, ast::Identifier method, const ast::Expr& call, ir::TypeId wanted) {
     Context& c = body.context;
     std::vector<ast::ExprId> arguments = arguments_of(call);
@@ -246,6 +268,13 @@ Operand call_method(Body& body, const Operand& self, ast::Identifier method, con
                              call.span);
     }
     if ((name == "load" || name == "store") && addressed) return several_elements(body, self, method, call, wanted);
+    if ((name == "find" || name == "contains") &&
+        body.program().structures[self.structure].kind == ir::StructureKind::view) {
+        const ir::ExprId at = address(domain);
+        if (is_error(body, at)) return error_operand(call.span);
+        const ir::ExprId has = is_in_view(body, self, at, call.span);
+        return name == "find" ? found_where(body, self, has, at, call.span) : value_operand(body, has, call.span);
+    }
     bool stored = body.program().structures[self.structure].kind == ir::StructureKind::stored;
     if ((name == "find" || name == "translate" || name == "contains") && stored) {
         ir::ExprId at = address(domain);
@@ -257,12 +286,7 @@ Operand call_method(Body& body, const Operand& self, ast::Identifier method, con
         if (name == "translate") return value_operand(body, translated, call.span);
         ir::ExprId has = add(body.program(), ir::Op::has_value, body.types().bool_, call.span, {translated});
         if (name == "contains") return value_operand(body, has, call.span);
-        ir::TypeId optional = body.types().optional(element);
-        ir::ExprId some =
-            add(body.program(), ir::Op::some, optional, call.span, {make_read(body, self, at, call.span)});
-        ir::ExprId none = add(body.program(), ir::Op::none, optional, call.span);
-        return value_operand(body, add(body.program(), ir::Op::select, optional, call.span, {has, some, none}),
-                             call.span);
+        return found_where(body, self, has, at, call.span);
     }
     std::vector<std::string_view> known = {"domain", "sample", "find", "translate", "contains", "load", "store"};
     for (const ast::Item& item : *items)

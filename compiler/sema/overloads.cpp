@@ -3,6 +3,7 @@
 #include "sema/generics.h"
 #include "sema/instances.h"
 #include "sema/lookup.h"
+#include "sema/specificity.h"
 #include "sema/typing.h"
 
 namespace gliftc::sema {
@@ -16,6 +17,7 @@ struct Candidate {
     ir::TypeId result;
     bool gives_wanted = true;
     bool is_generic = false;
+    bool takes_as_they_are = true;  ///< no value becomes an optional
     bool takes_literals = true;  ///< as the types that they have on their own
 };
 
@@ -199,6 +201,9 @@ std::optional<Candidate> try_overload(Body& body, ast::DeclId id, const Env* own
     candidate.decl = id;
     const auto& function = std::get<ast::Function>(c[id].body);
     for (std::size_t i = 0; i < function.params.size(); ++i) {
+        const ir::TypeId given = operand_type(body, arguments.operands[i]);
+        if (!arguments.waits[i] && given)
+            candidate.takes_as_they_are &= given == type_of(c, *env, function.params[i].type);
         ast::ExprId literal = call.operands[i + 1];
         if (!is_flexible(c, literal)) continue;
         const ir::TypeId own = operand_hint(c.types(), own_type(c, literal));
@@ -215,38 +220,13 @@ std::optional<Candidate> try_overload(Body& body, ast::DeclId id, const Env* own
     return candidate;
 }
 
-/// Whether the written type depends on what the declaration's generics are.
-bool names_generic(const Context& c, const ast::Decl& decl, ast::ExprId type) {
-    if (!type) return false;
-    const ast::Expr& expr = c[type];
-    if (expr.kind == ast::ExprKind::name)
-        for (const ast::GenericParam& generic : decl.generics)
-            if (generic.name.name == expr.name) return true;
-    for (ast::ExprId operand : expr.operands)
-        if (names_generic(c, decl, operand)) return true;
-    return false;
-}
-
-/// Whether some parameter of a is written for its type where b's takes several, and none the other way round.
-bool is_more_special(const Context& c, const Candidate& a, const Candidate& b) {
-    const auto& left = std::get<ast::Function>(c[a.decl].body).params;
-    const auto& right = std::get<ast::Function>(c[b.decl].body).params;
-    bool more = false;
-    for (std::size_t i = 0; i < left.size() && i < right.size(); ++i) {
-        bool is_open = names_generic(c, c[a.decl], left[i].type),
-             other_is_open = names_generic(c, c[b.decl], right[i].type);
-        if (is_open && !other_is_open) return false;
-        more = more || (!is_open && other_is_open);
-    }
-    return more;
-}
-
-/// What is wanted decides first; then the one written more closely for these types; then the types that literals have
+/// What is wanted decides first; then the one that makes no optionals of the arguments; then the one written more closely for these types; then the types that literals have
 /// on their own.
 bool is_better(const Context& c, const Candidate& a, const Candidate& b) {
     if (a.gives_wanted != b.gives_wanted) return a.gives_wanted;
-    if (is_more_special(c, a, b)) return true;
-    if (is_more_special(c, b, a)) return false;
+    if (a.takes_as_they_are != b.takes_as_they_are) return a.takes_as_they_are;
+    if (is_more_special(c, c[a.decl], c[b.decl])) return true;
+    if (is_more_special(c, c[b.decl], c[a.decl])) return false;
     if (a.is_generic != b.is_generic) return !a.is_generic;
     return a.takes_literals && !b.takes_literals;
 }

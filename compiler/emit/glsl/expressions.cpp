@@ -226,37 +226,12 @@ Text print_local(Printer& p, const Expr& expr) {
                            (*p.program.names)[p.program.locals[expr.local].name]);
 }
 
+/// What an index or a member is of: where it lies, also where its value as a whole would have to be made anew.
+std::string print_whole(Printer& p, ExprId id);
+
 Text print_index(Printer& p, const Expr& expr) {
     const ir::Type& of = p.program.types[p.program.exprs[expr.operands[0]].type];
     return {print_whole(p, expr.operands[0]) + "[" + guarded_index(p, expr.operands[1], of.count) + "]"};
-}
-
-/// Whether the value is read where a block keeps it, not from a variable.
-bool lies_in_block(const ir::Program& program, ExprId id) {
-    const Expr& expr = program.exprs[id];
-    if (expr.op == Op::parameter || expr.op == Op::load) return true;
-    bool part = expr.op == Op::field || expr.op == Op::index || expr.op == Op::value;
-    return part && lies_in_block(program, expr.operands[0]);
-}
-
-/// The value at `place`, made anew of its parts.
-std::string remade(Printer& p, const std::string& place, TypeId id) {
-    const ir::Type type = p.program.types[id];
-    std::string parts;
-    auto add = [&](const std::string& part, TypeId of) { parts += (parts.empty() ? "" : ", ") + remade(p, part, of); };
-    if (type.kind == TypeKind::struct_) {
-        const auto& fields = p.program.structs[type.index].fields;
-        for (std::size_t i = 0; i < fields.size(); ++i)
-            if (!is_empty(p.program, fields[i].type)) add(place + "." + p.field_names[type.index][i], fields[i].type);
-    } else if (type.kind == TypeKind::array) {
-        for (std::uint32_t i = 0; i < type.count; ++i) add(place + "[" + std::to_string(i) + "]", type.element);
-    } else if (type.kind == TypeKind::optional) {
-        parts = place + ".has";
-        if (!is_empty(p.program, type.element)) add(place + ".value", type.element);
-    } else {
-        return place;
-    }
-    return type_text(p, id) + "(" + parts + ")";
 }
 
 /// One side of a select. glslang keeps structs in blocks and structs in variables apart, as they are laid out
@@ -265,13 +240,19 @@ std::string print_side(Printer& p, ExprId id, Level least) {
     TypeId type = p.program.exprs[id].type;
     TypeKind kind = p.program.types.kind(type);
     bool has_parts = kind == TypeKind::struct_ || kind == TypeKind::array || kind == TypeKind::optional;
-    if (has_parts && lies_in_block(p.program, id)) return remade(p, print(p, id, Level::postfix), type);
+    if (has_parts && lies_in_block(p.program, id)) return remade(p, print_whole(p, id), type);
     return print(p, id, least);
 }
 
-}  // namespace
+Text print_node(Printer& p, ExprId id);
 
-Text print(Printer& p, ExprId id) {
+std::string print_whole(Printer& p, ExprId id) {
+    if (!lies_in_block(p.program, id)) return print(p, id, Level::postfix);
+    Text text = print_node(p, id);
+    return text.level < Level::postfix ? concat("(", text.text, ")") : std::move(text.text);
+}
+
+Text print_node(Printer& p, ExprId id) {
     const Expr& expr = p.program.exprs[id];
     switch (expr.op) {
     case Op::constant: {
@@ -279,7 +260,9 @@ Text print(Printer& p, ExprId id) {
         return {text, text[0] == '-' ? Level::unary : Level::postfix};
     }
     case Op::local: return print_local(p, expr);
-    case Op::construct: return {type_text(p, expr.type) + "(" + join_arguments(p, expr.operands) + ")"};
+    case Op::construct:
+        return {concat(type_text(p, expr.type), "(", join_arguments(p, expr.operands), padding_values(p, expr.type),
+                       ")")};
     case Op::convert: return print_convert(p, expr);
     case Op::unary: return print_unary(p, expr);
     case Op::binary: return print_binary(p, expr);
@@ -315,6 +298,15 @@ Text print(Printer& p, ExprId id) {
         break;
     }
     ir::misplaced(expr.op, "emit/glsl: a lowered pass");
+}
+
+}  // namespace
+
+Text print(Printer& p, ExprId id) {
+    Text text = print_node(p, id);
+    const TypeId type = p.program.exprs[id].type;
+    if (!may_hold_bool_array(p.program, type) || !lies_in_block(p.program, id)) return text;
+    return {remade(p, text.level < Level::postfix ? "(" + text.text + ")" : text.text, type)};
 }
 
 std::string print(Printer& p, ExprId id, Level least) {

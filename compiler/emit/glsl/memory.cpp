@@ -282,16 +282,17 @@ Text print_load(Printer& p, const ir::Expr& expr) {
     return {"imageLoad(" + name + ", " + texel + ")" + components};
 }
 
-std::string store_text(Printer& p, const ir::Stmt& stmt) {
+void print_store(Printer& p, const ir::Stmt& stmt) {
     const PassBinding& binding = p.pass.bindings.at(stmt.slot);
     const std::string& name = p.binding_names[stmt.slot];
     if (stmt.op == ir::StmtOp::image_store)
-        return "imageStore(" + name + ", " + texel_text(p, stmt.target) + ", " + four_components(p, stmt.value) + ");";
+        return line(p, "imageStore(" + name + ", " + texel_text(p, stmt.target) + ", " +
+                           four_components(p, stmt.value) + ");");
     std::string value = print_any(p, stmt.value);
     if (is_row(p.program.types, binding, p.program.exprs[stmt.value].type))
-        return p.row_names[stmt.slot] + "[" + index_text(p, stmt.target) + "] = " + value + ";";
+        return line(p, p.row_names[stmt.slot] + "[" + index_text(p, stmt.target) + "] = " + value + ";");
     if (stored_as_bits(p, binding)) value = "floatBitsToUint(" + value + ")";
-    return name + "[" + index_text(p, stmt.target) + "] = " + value + ";";
+    print_store(p, name + "[" + index_text(p, stmt.target) + "]", value, binding.element);
 }
 
 std::string atomic_text(Printer& p, const ir::Stmt& stmt) {

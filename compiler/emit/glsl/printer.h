@@ -137,6 +137,7 @@ struct Printer {
 std::string type_text(Printer& p, ir::TypeId type);
 std::string declaration(Printer& p, ir::TypeId type, const std::string& name);  ///< float a[8]
 std::string zero(Printer& p, ir::TypeId type);
+std::string padding_values(const Printer& p, ir::TypeId type);  ///< ", 0u" for what a struct has behind its fields
 std::string struct_definitions(Printer& p);
 std::string literal(Printer& p, ir::TypeId type, std::uint64_t bits, double number);
 std::string optional_name(Printer& p, ir::TypeId type);
@@ -155,9 +156,23 @@ bool divisor_is_safe(const Printer& p, ir::ExprId divisor);
 bool shift_is_safe(const Printer& p, ir::ExprId amount, std::uint32_t width);
 std::string guarded_index(Printer& p, ir::ExprId index, std::uint32_t count);
 
+// blocks.cpp: structs and arrays have another type in a block than in a variable
+/// Whether the value is read where a block keeps it, not from a variable.
+bool lies_in_block(const ir::Program& program, ir::ExprId id);
+/// Whether it has an array of bools somewhere, which is no bool in a block: glslang copies such only bool by bool.
+bool holds_bool_array(const ir::Program& program, ir::TypeId id);
+inline bool may_hold_bool_array(const ir::Program& program, ir::TypeId id) {
+    const ir::TypeKind kind = program.types.kind(id);
+    return (kind == ir::TypeKind::array || kind == ir::TypeKind::struct_) && holds_bool_array(program, id);
+}
+/// The value at `place`, made anew of its parts.
+std::string remade(Printer& p, const std::string& place, ir::TypeId id);
+/// `place = value`, as many lines as it takes.
+void print_store(Printer& p, const std::string& place, const std::string& value, ir::TypeId type);
+
 // memory.cpp
 Text print_load(Printer& p, const ir::Expr& expr);
-std::string store_text(Printer& p, const ir::Stmt& stmt);
+void print_store(Printer& p, const ir::Stmt& stmt);
 std::string atomic_text(Printer& p, const ir::Stmt& stmt);
 std::string bindings_text(Printer& p);
 std::string parameter_members(Printer& p);

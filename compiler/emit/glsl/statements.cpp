@@ -245,7 +245,7 @@ void print_statement(Printer& p, StmtId id) {
     case StmtOp::barrier: return line(p, barrier_text(p));
     case StmtOp::subgroup_barrier: return line(p, subgroup_barrier(p, memory_of_barriers(p)));
     case StmtOp::store:
-    case StmtOp::image_store: return line(p, store_text(p, stmt));
+    case StmtOp::image_store: return print_store(p, stmt);
     case StmtOp::atomic: return line(p, atomic_text(p, stmt));
     case StmtOp::report: return line(p, report_text(p, stmt));
 #define STRUCTURE_STATEMENT(name) case StmtOp::name:

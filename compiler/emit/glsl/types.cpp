@@ -1,5 +1,6 @@
 // Types and literals.
 #include "emit/glsl/printer.h"
+#include "layout/layout.h"
 
 #include <algorithm>
 #include <charconv>
@@ -103,7 +104,41 @@ std::string enumerator(Printer& p, std::uint32_t index, std::uint64_t value) {
     return std::to_string(value) + "u";
 }
 
+/// Bytes that a struct has behind its last field.
+std::uint32_t padding_of(const Printer& p, TypeId type) {
+    const ir::Struct& declared = p.program.structs[p.program.types[type].index];
+    const std::vector<std::uint32_t> offsets = layout::offsets_of(p.program, declared);
+    std::uint32_t end = 0;
+    for (std::size_t i = 0; i < offsets.size(); ++i)
+        end = std::max(end, offsets[i] + layout::size_of(p.program, declared.fields[i].type).size);
+    return layout::size_of(p.program, type).size - end;
+}
+
+/// Members for the padding: without them glslang puts what comes next into it, which C++ does not.
+std::string padding_members(Printer& p, TypeId type) {
+    const std::uint32_t bytes = padding_of(p, type);
+    const std::vector<std::string>& fields = p.field_names[p.program.types[type].index];
+    std::string name = "padding", text;
+    while (std::ranges::find(fields, name) != fields.end() || std::ranges::find(fields, "half_" + name) != fields.end())
+        name += "_0";
+    if (bytes % 4 == 2) text += "    float16_t half_" + name + ";\n";
+    if (bytes >= 4) text += "    uint " + name + (bytes >= 8 ? "[" + std::to_string(bytes / 4) + "]" : "") + ";\n";
+    return text;
+}
+
 }  // namespace
+
+std::string padding_values(const Printer& p, TypeId type) {
+    if (p.program.types.kind(type) != TypeKind::struct_) return "";
+    const std::uint32_t bytes = padding_of(p, type);
+    std::string text = bytes % 4 == 2 ? ", float16_t(0.0)" : "";
+    if (bytes >= 8) {
+        text += ", uint[" + std::to_string(bytes / 4) + "](";
+        for (std::uint32_t i = 0; i < bytes / 4; ++i) text += i ? ", 0u" : "0u";
+        return text + ")";
+    }
+    return bytes >= 4 ? text + ", 0u" : text;
+}
 
 std::string optional_name(Printer& p, TypeId type) {
     std::string inside = type_text(p, p.program.types[type].element);
@@ -178,7 +213,7 @@ std::string zero(Printer& p, TypeId type) {
             text += (first ? "" : ", ") + zero(p, field.type);
             first = false;
         }
-        return text + ")";
+        return text + padding_values(p, type) + ")";
     }
     case TypeKind::optional: {
         TypeId element = p.program.types[type].element;
@@ -236,7 +271,7 @@ std::string struct_definitions(Printer& p) {
         for (std::size_t i = 0; i < s.fields.size(); ++i)
             if (!is_empty(p.program, s.fields[i].type))
                 text += "    " + declaration(p, s.fields[i].type, p.field_names[t.index][i]) + ";\n";
-        text += "};\n\n";
+        text += padding_members(p, type) + "};\n\n";
     }
     return text;
 }
