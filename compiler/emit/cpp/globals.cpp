@@ -38,12 +38,15 @@ NameSet members_of_class(ir::StructureKind kind) {
     return names;
 }
 
-/// A type in whose scope, or about which, a class has a member of its name would not be found there.
+/// A type of such a name would not be found where generated code calls a member or a variable so.
 const NameSet& not_for_types() {
     static const NameSet names = [] {
         NameSet all = members_of_class(ir::StructureKind::stored);
         all.merge(members_of_class(ir::StructureKind::view));
         all.merge(members_of_class(ir::StructureKind::adaptor));
+        all.insert(std::begin(locals_of_kernels), std::end(locals_of_kernels));
+        all.insert(std::begin(locals_of_groups), std::end(locals_of_groups));
+        all.insert({"iteration", "memories", "structure", "test"});
         return all;
     }();
     return names;

@@ -13,6 +13,17 @@ namespace gliftc::cpp {
 /// `text` with every run of characters that a C++ name can't have replaced by one '_', and no word or macro of C++.
 std::string identifier(std::string_view text);
 
+/// What the host's code of a kernel calls its own variables.
+inline constexpr const char* locals_of_kernels[] = {
+    "address", "block", "call",   "count", "first",      "i",    "inside", "interior",
+    "lane",    "part",  "parameters", "row",   "rows", "stretch", "unclamped", "x",
+};
+/// The same where the kernel has a group.
+inline constexpr const char* locals_of_groups[] = {
+    "global_id",   "group_count", "group_id",    "group_index", "group_size",
+    "group_total", "local_id",    "local_index", "number",      "returned",
+};
+
 /// The namespace of a module: laplacian, std.array → std_array, dup2 → dup2_.
 std::string space_of(std::string_view module);
 

@@ -218,9 +218,7 @@ std::vector<StmtId> needed(const ir::Program& program, const ir::Pass& pass) {
 std::string group_kernel(cpp::Globals& globals, const ir::Pass& pass, const std::string& name) {
     Groups groups(globals, pass);
     cpp::Printer& p = groups.p;
-    for (const char* taken : {"group_id", "group_count", "local_index", "local_id", "global_id", "number", "returned",
-                              "group_index", "group_total", "group_size"})
-        p.names.declare(taken);
+    for (const char* taken : cpp::locals_of_groups) p.names.declare(taken);
     const std::vector<StmtId> all = needed(globals.program, pass);
     groups.may_return = returns_early(globals.program, all);
     groups.run(all, false);
