@@ -18,7 +18,8 @@ const glift::Kernel kernel = {.name = "scale",
                               .group = {64, 1, 1},
                               .loop_rounds = 0,
                               .bindings = bindings,
-                              .direct = {.spirv = runtime_dispatch, .parameter_bytes = 8, .push_constants = true}};
+                              .direct = {.spirv = runtime_dispatch, .parameter_bytes = 8, .push_constants = true},
+                              .digest = 1};
 
 struct Parameters {
     std::uint32_t size;

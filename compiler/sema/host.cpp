@@ -245,15 +245,8 @@ std::optional<Operand> call_pipeline(Body& body, ast::DeclId id, const std::vect
 }
 
 ir::ExprId slice_of(Body& body, const Operand& structure, ir::ExprId low, ir::ExprId high, Span span) {
-    ir::TypeId domain = body.program().structures[structure.structure].domain_type;
-    ir::ExprId size = high;
-    auto known = known_value(body, low);
-    bool from_zero = known.has_value();
-    if (known)
-        for (const ir::Lane& lane : known->lanes) from_zero &= lane.bits == 0;
-    if (!from_zero) size = make_binary(body.program(), ir::BinaryOp::subtract, domain, high, low, span);
     ir::TypeId type = body.types().slice(body.types().of_structure(structure.structure));
-    return structure_operation(body, ir::Op::slice, type, structure, span, {low, size});
+    return structure_operation(body, ir::Op::slice, type, structure, span, {low, high});
 }
 
 Operand check_slice(Body& body, const Operand& structure, const ast::Expr& range, Span span) {

@@ -8,11 +8,16 @@
 
 namespace glift::detail {
 
-void throw_report(const Kernel& kernel, const StatusRecord& record) {
+Reporter::Reporter(const Kernel& reporting)
+    : kernel(kernel_text(reporting)), files(reporting.other_files.begin(), reporting.other_files.end()) {
+    files.insert(files.begin(), reporting.file);
+    for (const Binding& binding : reporting.bindings) bindings.emplace_back(binding.name);
+}
+
+void throw_report(const Reporter& reporter, const StatusRecord& record) {
     if (record.code == StatusRecord::fine) return;
-    const bool is_other = record.file != 0 && record.file <= kernel.other_files.size();
-    const char* file = is_other ? kernel.other_files[record.file - 1] : kernel.file;
-    const std::string where = std::string(file) + ":" + std::to_string(record.line) + ", " + kernel_text(kernel);
+    const std::string& file = reporter.files[record.file < reporter.files.size() ? record.file : 0];
+    const std::string where = file + ":" + std::to_string(record.line) + ", " + reporter.kernel;
     if (record.code == StatusRecord::loop_limit) {
         throw Error(ErrorCode::loop_limit, "a loop ran longer than this device allows; the results are not complete",
                     where, "the device cuts an invocation off after a number of rounds, over all its loops together",
@@ -22,9 +27,10 @@ void throw_report(const Kernel& kernel, const StatusRecord& record) {
     for (std::uint32_t axis = 0; axis < std::min(record.rank, 4u); ++axis) {
         address += (axis ? ", " : "") + std::to_string(static_cast<std::int32_t>(record.address[axis]));
     }
-    const char* name = record.binding < kernel.bindings.size() ? kernel.bindings[record.binding].name : "a structure";
+    const std::string name =
+        record.binding < reporter.bindings.size() ? reporter.bindings[record.binding] : "a structure";
     throw Error(ErrorCode::out_of_range, "an access outside a structure", where,
-                std::string(name) + " at virtual address " + address + ")",
+                name + " at virtual address " + address + ")",
                 "ask first, with contains() or find(); or make the structure larger, or give it an edge");
 }
 

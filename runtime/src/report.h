@@ -5,6 +5,7 @@
 #include <glift/pass.h>
 
 #include <string>
+#include <vector>
 
 namespace glift::detail {
 
@@ -13,8 +14,18 @@ inline constexpr const char* loop_remedy =
     "split the work over more invocations or dispatches, or run on another device "
     "(GLIFT_DEVICE=gpu or GLIFT_DEVICE=host)";
 
+/// What reports say of a kernel; in words of its own, since the kernel's library may be unloaded before the report is
+/// read.
+struct Reporter {
+    explicit Reporter(const Kernel& kernel);
+
+    std::string kernel;  ///< as errors name it
+    std::vector<std::string> bindings;
+    std::vector<std::string> files;  ///< by StatusRecord::file
+};
+
 /// Throws loop_limit or out_of_range if the record says so.
-void throw_report(const Kernel& kernel, const StatusRecord& record);
+void throw_report(const Reporter& reporter, const StatusRecord& record);
 
 /// For commands that came after what they belong to was finished.
 [[noreturn]] void throw_closed(std::string where);

@@ -130,7 +130,9 @@ void print_bindings(Unit& unit, Writer& out, const ir::Lowered::Forms& forms, co
 }
 
 /// How the structure passed for a parameter is spelled in the kernel's function.
-const std::string& param_name(const Unit& unit, const KernelParam& param) { return unit.globals.param_names.at(&param); }
+const std::string& param_name(const Unit& unit, const KernelParam& param) {
+    return unit.globals.param_names.at(&param);
+}
 
 std::string memories_text(Unit& unit, const Kernel& kernel, const Pass& pass) {
     std::string text;
@@ -200,6 +202,21 @@ std::vector<NamedParameter> in_order(const Globals& globals, const Pass& pass) {
     for (std::size_t i = 0; i < names.size(); ++i) ordered.push_back({&pass.parameters[i], names[i]});
     std::ranges::stable_sort(ordered, {}, [](const NamedParameter& named) { return named.parameter->offset; });
     return ordered;
+}
+
+/// Tells kernels from each other, FNV-1a of their code and of all that is printed about them. Empty where there is no
+/// code for devices that keep any.
+std::string digest_text(const Unit& unit, std::uint32_t kernel, const std::string& printed) {
+    if (kernel >= unit.code.size() || !unit.reach.vulkan_kernels.contains(kernel)) return "";
+    std::uint64_t hash = 14695981039346656037u;
+    const auto add = [&](std::uint64_t value) { hash = (hash ^ value) * 1099511628211u; };
+    const KernelCode& code = unit.code[kernel];
+    for (const std::vector<std::uint32_t>* form : {&code.direct, &code.general, &code.wide}) {
+        for (std::uint32_t word : *form) add(word);
+        add(form->size());
+    }
+    for (char c : printed) add(static_cast<unsigned char>(c));
+    return std::to_string(hash | 1) + "u";  // 0 would say that there is none
 }
 
 /// Declares `parameters` and dispatches one form.
@@ -384,6 +401,8 @@ std::string kernel_code(Unit& unit, std::uint32_t index) {
         out.line(".longest_loop = {\"" + file_name(unit.sources, any.longest_loop.file) + "\", " +
                  std::to_string(unit.sources.line_of(any.longest_loop)) + "},");
     if (any.files.size() > 1) out.line(".other_files = " + name + "_other_files,");
+    if (const std::string digest = digest_text(unit, index, out.text()); !digest.empty())
+        out.line(".digest = " + digest + ",");
     out.close(";");
     return out.take();
 }

@@ -80,10 +80,11 @@ std::string PipelinePrinter::base(const Expr& expr) {
 }
 
 Text PipelinePrinter::slice(const Expr& expr) {
-    const std::string origin = print_any(p, expr.operands[0]), size = print_any(p, expr.operands[1]);
+    const std::string first = print_any(p, expr.operands[0]), last = print_any(p, expr.operands[1]);
     if (kind(unit.program.exprs[expr.operands[1]].type) == TypeKind::device)
-        return {base(expr) + ".first(" + size + ")"};
-    return {base(expr) + ".range(" + origin + ", " + size + ")"};
+        return {base(expr) + ".first(" + last + ")"};
+    return {"glift::slice(" + base(expr) + ", " + first + ", " + last + ", " +
+            quoted(place_text(unit.sources, expr.span)) + ")"};
 }
 
 Text PipelinePrinter::call(const Expr& expr) {

@@ -69,6 +69,17 @@ struct Box {
                 "pass a box inside the range; its addresses count from the range's origin");
 }
 
+[[noreturn]] inline void throw_slice(const char* place, unsigned rank, const Extent& first, const Extent& last,
+                                     const Extent& whole) {
+    bool ends_first = false;
+    for (unsigned axis = 0; axis < rank; ++axis) ends_first = ends_first || last[axis] < first[axis];
+    throw Error(ErrorCode::wrong_argument,
+                ends_first ? "a slice ends before it begins" : "a slice lies outside what it is taken from", place,
+                "it goes from " + text_of(first, rank) + " to before " + text_of(last, rank) +
+                    ", and there are elements from 0 to before " + text_of(whole, rank),
+                "slice as a[first .. last], with first <= last and last no larger than the extent");
+}
+
 /// For structures that were default-made or moved from.
 [[noreturn]] inline void throw_empty_structure(const char* type, const char* operation) {
     throw Error(ErrorCode::wrong_argument, std::string("an empty ") + type + " was used",

@@ -114,7 +114,9 @@ struct Parameter {
     std::uint32_t offset, bytes;
 };
 
-/// A kernel is static data: the runtime keeps pipelines by its address. The entry point is `main`.
+/// A kernel is static data of the program or of a library that it loads. The runtime keeps pipelines by what the kernel
+/// holds, so that a library may be unloaded and another one take its place; a recording on the host device calls the
+/// kernel's code, which has to stay loaded as long as the recording. The entry point is `main`.
 ///
 /// How the iteration size maps to workgroups:
 ///   groups.x = ceil(size.x / (group.x * items.x)), groups.y = ceil(size.y / (group.y * items.y)),
@@ -145,6 +147,8 @@ struct Kernel {
     std::uint32_t shared_bytes = 0;                 ///< workgroup memory
     SourceLine longest_loop = {};                   ///< of its loops, the one of most rounds
     std::span<const char* const> other_files = {};  ///< that reports may name, beside `file`
+    std::uint64_t digest = 0;  ///< of all of the above: kernels with one digest are one kernel. 0: the runtime makes
+                               ///< one at each call, which takes microseconds
 };
 
 /// A 4-byte value that lives on the device: a count that a kernel wrote.

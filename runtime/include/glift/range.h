@@ -104,11 +104,26 @@ private:
     bool whole_ = false;
 };
 
+namespace detail {
+
+template <class S> typename S::Address size_of(const S& structure) { return structure.domain(); }
+template <class S> typename S::Address size_of(const Range<S>& range) { return range.size(); }
+
+}  // namespace detail
+
+/// The box from one address to before another, as pipelines write it: a[first .. last]. `place`: where.
+template <class S> auto slice(const S& from, typename S::Address first, typename S::Address last, const char* place) {
+    const Extent begin = detail::extent_of(first, 0), end = detail::extent_of(last, 0);
+    const Extent whole = detail::extent_of(detail::size_of(from));
+    constexpr unsigned rank = detail::Axes<typename S::Address>::count;
+    for (unsigned axis = 0; axis < rank; ++axis)
+        if (begin[axis] > end[axis] || end[axis] > whole[axis]) detail::throw_slice(place, rank, begin, end, whole);
+    return from.range(first, last - first);
+}
+
 /// How many elements a structure or a box has.
 template <class S> uint element_count(const S& structure) {
-    if constexpr (requires { structure.size(); })
-        return static_cast<uint>(detail::volume_of(detail::extent_of(structure.size())));
-    else return static_cast<uint>(detail::volume_of(detail::extent_of(structure.domain())));
+    return static_cast<uint>(detail::volume_of(detail::extent_of(detail::size_of(structure))));
 }
 
 }  // namespace glift

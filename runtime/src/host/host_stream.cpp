@@ -106,7 +106,7 @@ void HostStream::dispatch(const Kernel& kernel, const Call& call) {
     host.status = &record;
     ++counters_.passes;
     if (host.size[0] && host.size[1] && host.size[2] && host.size[3]) form.host(host);
-    if (kernel.reports) throw_report(kernel, record);
+    if (kernel.reports && record.code != StatusRecord::fine) throw_report(Reporter(kernel), record);
 }
 
 void HostStream::fill(const Memory& memory, std::uint64_t offset, std::uint64_t bytes, std::uint32_t value) {

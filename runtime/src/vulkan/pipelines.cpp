@@ -25,15 +25,6 @@ constexpr std::uint32_t loop_round_constant = 101;
 constexpr std::uint32_t fence_constant = 102;
 constexpr std::uint32_t copy_constant = 103;
 
-const Form& form_of(const Kernel& kernel, CompiledForm form) {
-    switch (form) {
-    case CompiledForm::direct: return kernel.direct;
-    case CompiledForm::general: return kernel.general;
-    case CompiledForm::wide: return kernel.wide;
-    }
-    return kernel.direct;
-}
-
 const char* form_text(CompiledForm form) {
     switch (form) {
     case CompiledForm::direct: return "direct";
@@ -99,6 +90,15 @@ VkSamplerAddressMode vulkan_address_mode(AddressMode mode) {
 
 }  // namespace
 
+const Form& form_of(const Kernel& kernel, CompiledForm form) {
+    switch (form) {
+    case CompiledForm::direct: return kernel.direct;
+    case CompiledForm::general: return kernel.general;
+    case CompiledForm::wide: return kernel.wide;
+    }
+    return kernel.direct;
+}
+
 Pipelines::Pipelines(Context& context) : context_(context), disk_(std::make_unique<DiskCache>(context)), table_(256) {}
 
 Pipelines::~Pipelines() {
@@ -114,16 +114,17 @@ void Pipelines::destroy(Pipeline& pipeline) {
     context_.vk.vkDestroyDescriptorSetLayout(context_.device, pipeline.set_layout, nullptr);
 }
 
-Pipeline& Pipelines::find(const Kernel& kernel, CompiledForm form, std::span<const FixedWord> fixed) {
-    for (std::size_t at = hash(&kernel, form);; ++at) {
+Pipeline& Pipelines::find(std::uint64_t digest, const Kernel& kernel, CompiledForm form,
+                          std::span<const FixedWord> fixed) {
+    for (std::size_t at = hash(digest, form);; ++at) {
         const Entry& entry = table_[at & (table_.size() - 1)];
-        if (!entry.kernel) break;
-        if (entry.kernel == &kernel && entry.form == form && entry.plain == fixed.empty() &&
+        if (!entry.pipeline) break;
+        if (entry.digest == digest && entry.form == form && entry.plain == fixed.empty() &&
             std::ranges::equal(fixed, entry.pipeline->fixed)) {
             return *entry.pipeline;
         }
     }
-    std::unique_ptr<Pipeline> made = make(kernel, form, fixed);
+    std::unique_ptr<Pipeline> made = make(digest, kernel, form, fixed);
     all_.push_back(std::move(made));
     if (all_.size() * 2 > table_.size()) {
         table_.assign(table_.size() * 2, {});
@@ -135,31 +136,37 @@ Pipeline& Pipelines::find(const Kernel& kernel, CompiledForm form, std::span<con
 }
 
 void Pipelines::insert(Pipeline* pipeline) {
-    std::size_t at = hash(pipeline->kernel, pipeline->name);
-    while (table_[at & (table_.size() - 1)].kernel) ++at;
-    table_[at & (table_.size() - 1)] = {pipeline->kernel, pipeline, pipeline->name, pipeline->fixed.empty()};
+    std::size_t at = hash(pipeline->digest, pipeline->name);
+    while (table_[at & (table_.size() - 1)].pipeline) ++at;
+    table_[at & (table_.size() - 1)] = {pipeline->digest, pipeline, pipeline->name, pipeline->fixed.empty()};
 }
 
-std::unique_ptr<Pipeline> Pipelines::make(const Kernel& kernel, CompiledForm form, std::span<const FixedWord> fixed) {
+std::uint32_t Pipelines::status_slot(std::uint64_t digest, const Kernel& kernel) {
+    const auto known = std::find(reporting_digests_.begin(), reporting_digests_.end(), digest);
+    const auto slot = static_cast<std::uint32_t>(known - reporting_digests_.begin());
+    if (known != reporting_digests_.end()) return slot;
+    if (reporting_.size() == status_slots) {
+        throw Error(ErrorCode::too_large, "too many kernels report to one device", kernel_text(kernel),
+                    "it keeps " + std::to_string(status_slots) + " reports", "open the device anew");
+    }
+    reporting_.emplace_back(kernel);
+    reporting_digests_.push_back(digest);
+    return slot;
+}
+
+std::unique_ptr<Pipeline> Pipelines::make(std::uint64_t digest, const Kernel& kernel, CompiledForm form,
+                                          std::span<const FixedWord> fixed) {
     const Form& compiled = form_of(kernel, form);
     if (compiled.spirv.empty()) throw_missing_form(kernel, form_text(form), context_.properties.name.c_str());
     check_limits(context_, kernel, compiled);
     check_requirements(context_, kernel, compiled);
     auto pipeline = std::make_unique<Pipeline>();
+    pipeline->digest = digest;
     pipeline->kernel = &kernel;
     pipeline->form = &compiled;
     pipeline->name = form;
     pipeline->fixed.assign(fixed.begin(), fixed.end());
-    if (kernel.reports) {
-        const auto known = std::find(reporting_.begin(), reporting_.end(), &kernel);
-        pipeline->status_slot = static_cast<std::uint32_t>(known - reporting_.begin());
-        if (known == reporting_.end()) {
-            if (reporting_.size() == status_slots) {
-                throw Error(ErrorCode::too_large, "too many kernels report to one device", kernel_text(kernel));
-            }
-            reporting_.push_back(&kernel);
-        }
-    }
+    if (kernel.reports) pipeline->status_slot = status_slot(digest, kernel);
     try {
         make_layout(*pipeline);
         pipeline->handle = make_handle(*pipeline);

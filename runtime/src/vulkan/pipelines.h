@@ -1,7 +1,9 @@
 // Compiled passes: one pipeline for each kernel, form and set of fixed parameters.
 #pragma once
 
+#include "../report.h"
 #include "context.h"
+#include "kernel_digest.h"
 
 #include <glift/pass.h>
 
@@ -15,6 +17,8 @@ enum class CompiledForm : std::uint8_t { direct, general, wide };
 /// Pipelines as a pass needs them. Descriptor infos stand in one array in this order: the parameter buffer if there is
 /// one, each memory that has a descriptor, the status record if the kernel reports.
 struct Pipeline {
+    std::uint64_t digest = 0;
+    /// Of the call in progress: where the kernel was when the pipeline was made, another library may be by now.
     const Kernel* kernel = nullptr;
     const Form* form = nullptr;
     CompiledForm name = CompiledForm::direct;
@@ -35,6 +39,8 @@ union DescriptorInfo {
     VkDescriptorImageInfo image;
 };
 
+const Form& form_of(const Kernel& kernel, CompiledForm form);
+
 class DiskCache;
 
 /// Not safe for several threads: the device's lock is held around it.
@@ -45,44 +51,49 @@ public:
 
     /// Throws missing_form, loop_limit, too_large.
     Pipeline& get(const Kernel& kernel, CompiledForm form, std::span<const FixedWord> fixed) {
-        if (fixed.empty()) {
-            const Entry& entry = table_[hash(&kernel, form) & (table_.size() - 1)];
-            if (entry.kernel == &kernel && entry.form == form && entry.plain) return *entry.pipeline;
-        }
-        return find(kernel, form, fixed);
+        const std::uint64_t digest = digest_of(kernel);
+        const Entry& entry = table_[hash(digest, form) & (table_.size() - 1)];
+        const bool known =
+            fixed.empty() && entry.pipeline && entry.digest == digest && entry.form == form && entry.plain;
+        Pipeline& pipeline = known ? *entry.pipeline : find(digest, kernel, form, fixed);
+        pipeline.kernel = &kernel;
+        pipeline.form = &form_of(kernel, form);
+        return pipeline;
     }
 
     VkSampler sampler(Sampler sampler);
 
     /// Kernels that report, by status slot.
-    const std::vector<const Kernel*>& reporting() const { return reporting_; }
+    const std::vector<Reporter>& reporting() const { return reporting_; }
     std::uint64_t created() const { return created_; }
 
 private:
     struct Entry {
-        const Kernel* kernel = nullptr;
-        Pipeline* pipeline = nullptr;
+        std::uint64_t digest = 0;
+        Pipeline* pipeline = nullptr;  ///< null: there is none
         CompiledForm form = CompiledForm::direct;
         bool plain = true;  ///< nothing is fixed
     };
 
-    static std::size_t hash(const Kernel* kernel, CompiledForm form) {
-        const auto bits = reinterpret_cast<std::uintptr_t>(kernel) + static_cast<std::uintptr_t>(form) * 0x9E3779B9u;
-        return (bits * 0x9E3779B97F4A7C15u) >> 20;
+    static std::size_t hash(std::uint64_t digest, CompiledForm form) {
+        return ((digest + static_cast<std::uint64_t>(form)) * 0x9E3779B97F4A7C15u) >> 20;
     }
 
-    Pipeline& find(const Kernel& kernel, CompiledForm form, std::span<const FixedWord> fixed);
-    std::unique_ptr<Pipeline> make(const Kernel& kernel, CompiledForm form, std::span<const FixedWord> fixed);
+    Pipeline& find(std::uint64_t digest, const Kernel& kernel, CompiledForm form, std::span<const FixedWord> fixed);
+    std::unique_ptr<Pipeline> make(std::uint64_t digest, const Kernel& kernel, CompiledForm form,
+                                   std::span<const FixedWord> fixed);
     void make_layout(Pipeline& pipeline);
     VkPipeline make_handle(const Pipeline& pipeline);
     void destroy(Pipeline& pipeline);
     void insert(Pipeline* pipeline);
+    std::uint32_t status_slot(std::uint64_t digest, const Kernel& kernel);
 
     Context& context_;
     std::unique_ptr<DiskCache> disk_;
     std::vector<Entry> table_;
     std::vector<std::unique_ptr<Pipeline>> all_;
-    std::vector<const Kernel*> reporting_;
+    std::vector<Reporter> reporting_;
+    std::vector<std::uint64_t> reporting_digests_;
     std::array<VkSampler, 8> samplers_ = {};
     std::uint64_t created_ = 0;
 };

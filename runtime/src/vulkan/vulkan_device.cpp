@@ -170,7 +170,7 @@ void VulkanDevice::check_reports() {
         std::memcpy(&record, slot, sizeof record);
         if (record.code == StatusRecord::fine) continue;
         std::memset(slot, 0, sizeof record);
-        throw_report(*kernels[k], record);
+        throw_report(kernels[k], record);
     }
 }
 

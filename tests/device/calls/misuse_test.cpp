@@ -173,6 +173,20 @@ TEST_P(Misuse, OfBoxes) {
     EXPECT_NE(around.find("the domain of f is {4}"), std::string::npos) << around;
 }
 
+TEST_P(Misuse, OfSlices) {
+    Line line(device, 10);
+    misuse::add_to_part(device, line, 2, 7);
+    misuse::add_to_part(device, line, 3, 3);
+    misuse::add_to_part(device, line, 10, 10);
+    EXPECT_EQ(line.read(), (std::vector<float>{0, 0, 1, 1, 1, 1, 1, 0, 0, 0}));
+    const std::string backwards = error_of([&] { misuse::add_to_part(device, line, 7, 2); });
+    EXPECT_NE(backwards.find("a slice ends before it begins"), std::string::npos) << backwards;
+    EXPECT_NE(backwards.find("misuse.glift:"), std::string::npos) << backwards;
+    EXPECT_NE(backwards.find("from {7} to before {2}"), std::string::npos) << backwards;
+    expect_error("lies outside", [&] { misuse::add_to_part(device, line, 7, 11); });
+    expect_error("lies outside", [&] { misuse::add_to_part(device, line, 11, 11); });
+}
+
 TEST_P(Misuse, RangesAndMappedBoxesKeepTheMemory) {
     const auto part_of_a_line_that_is_gone = [&] {
         Line line(device, 10);

@@ -166,4 +166,28 @@ TEST_P(Dispatch, ImagesAreSampledAndStored) {
     }
 }
 
+// As after a library with kernels was unloaded and another one loaded in its place.
+TEST_P(Dispatch, KernelsAreKnownByWhatTheyHoldNotByTheirAddress) {
+    const auto g = buffer(device, "g.data", 256);
+    glift::Kernel kernel = store_value;
+    const AddParameters block = {64, 5};
+    const auto run = [&] {
+        device.commands().dispatch(kernel, {.form = glift::FormName::direct,
+                                            .memories = {&g, 1},
+                                            .parameters = bytes_of(block),
+                                            .size = {64, 1, 1, 1}});
+    };
+    run();
+    const auto stored = read<std::uint32_t>(device, g, 64)[63];
+    kernel = add_in_place;
+    run();
+    EXPECT_EQ(read<std::uint32_t>(device, g, 64)[63], 2 * stored + 5);
+    const auto pipelines = device.statistics().pipelines;
+    const glift::Kernel copy = kernel;
+    device.commands().dispatch(
+        copy,
+        {.form = glift::FormName::direct, .memories = {&g, 1}, .parameters = bytes_of(block), .size = {64, 1, 1, 1}});
+    EXPECT_EQ(device.statistics().pipelines, pipelines) << "the same kernel";
+}
+
 }  // namespace

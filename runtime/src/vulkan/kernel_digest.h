@@ -1,0 +1,11 @@
+// What makes two kernels the same one.
+#pragma once
+
+#include <glift/pass.h>
+
+namespace glift::detail {
+
+/// Kernel::digest or, where that is 0, one of the kernel's contents.
+std::uint64_t digest_of(const Kernel& kernel);
+
+}  // namespace glift::detail
