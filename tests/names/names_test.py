@@ -113,7 +113,7 @@ POSITIONS = {
         f"pub adaptor Z{i}({w}: uint) {{ structure zs = ZLine({w}); pub pipeline zp() {{ zone(zs); }} }}\n"
         f"pub adaptor Y{i}(zn: uint) {{ structure {w} = ZLine(zn); pub pipeline zp() {{ zone({w}); }} }}\n"
         f"pub adaptor X{i}(zn: uint) {{ structure zs = ZLine(zn); host {w}: uint = 0; pub pipeline zp() {{ {w} += 1; zone(zs); }} }}\n"
-        f"pub adaptor W{i}(zn: uint) {{ structure zs = ZLine(zn); pub pipeline {w}() {{ zone(zs); }} pub pipeline zp() {{ {w}(); }} }}\n"))),
+        f"pub adaptor W{i}(zn: uint) {{ structure zs = ZLine(zn); pub pipeline {w}() {{ zone(zs); }} }}\n"))),
     "interfaces": (CPP, 1, declared(lambda i, w: f"interface {w} {{ fn {w}(za: uint) -> uint; }}\n")),
     "types": (ALL, 1, in_body(lambda i, w: (
         f"type {w} = float2;\n", f"    {{ let zv = {w}(zs, 2.0); zs = zv.y; }}\n"))),
