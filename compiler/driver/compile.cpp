@@ -1,5 +1,6 @@
 #include "driver/compile.h"
 
+#include "driver/declarations.h"
 #include "driver/emit.h"
 #include "driver/import_structs.h"
 #include "ir/print.h"
@@ -66,8 +67,11 @@ Result compile(const Options& options, const FileSystem& files, Compilation& c) 
     clock.lap("import");
     if (has_errors()) return result;
 
-    c.program = sema::check(c.loaded.modules, c.tree, c.names, c.diagnostics,
-                            {.defines = options.defines, .looks_into_tables = options.command == Command::test});
+    c.program = sema::check(
+        c.loaded.modules, c.tree, c.names, c.diagnostics,
+        {.defines = options.defines,
+         .looks_into_tables = options.command == Command::test,
+         .module_with = [&](std::string_view name) { return module_with_declaration(options, files, name); }});
     clock.lap("sema");
     if (options.dump == Stage::sema) result.dump = ir::print(c.program);
     if (stops_after(Stage::sema) || c.diagnostics.has_errors()) return result;

@@ -214,6 +214,13 @@ std::string find_in_library(const FileSystem& files, const std::string& library,
     return if_there(files, fs::path(library) / path);
 }
 
+std::vector<std::string> library_folders_of(const Options& options) {
+    const fs::path library = options.library_folder.empty() ? library_beside_executable() : options.library_folder;
+    std::vector<std::string> folders;
+    for (std::string_view folder : library_folders) folders.push_back((library / folder).string());
+    return folders;
+}
+
 LoadedModules load_modules(const Options& options, const FileSystem& files, Sources& sources, Names& names,
                            ast::Tree& tree, Diagnostics& diagnostics) {
     return Loader(options, files, sources, names, tree, diagnostics).run();

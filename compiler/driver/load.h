@@ -16,6 +16,9 @@ namespace gliftc {
 /// Where the module is in the folder of a standard library; empty: it is not there.
 std::string find_in_library(const FileSystem& files, const std::string& library, std::string_view module);
 
+/// The folders of the standard library that have modules.
+std::vector<std::string> library_folders_of(const Options& options);
+
 struct LoadedModules {
     std::deque<ast::Module> trees;
     std::vector<sema::LoadedModule> modules;  ///< imports before importers, each once

@@ -3,6 +3,8 @@
 #include "sema/lookup.h"
 #include "sema/typing.h"
 
+#include <algorithm>
+
 namespace gliftc::sema {
 
 namespace {
@@ -298,6 +300,25 @@ Operand call_method(Body& body, const Operand& self, ast::Identifier method, con
     return error_operand(call.span);
 }
 
+/// What of a module can be called, where the module was.
+static void note_functions(const Context& c, Diagnostic& diagnostic, const Meta& meta, Span span) {
+    if (meta.kind != MetaKind::module) return;
+    std::vector<std::string> names;
+    for (const auto& [name, declarations] : c.scopes[meta.module].names) {
+        const ast::Decl& decl = c[declarations[0]];
+        const bool is_called = std::holds_alternative<ast::Function>(decl.body) ||
+                               std::holds_alternative<ast::Pipeline>(decl.body) ||
+                               std::holds_alternative<ast::Kernel>(decl.body);
+        if (decl.is_pub && is_called) names.push_back("'" + c.text(name) + "'");
+    }
+    if (names.empty()) return;
+    std::sort(names.begin(), names.end());
+    constexpr std::size_t most = 6;
+    std::string all;
+    for (std::size_t i = 0; i < std::min(names.size(), most); ++i) all += (i ? ", " : "") + names[i];
+    note(diagnostic, span, "this is a module; it has " + all + (names.size() > most ? ", …" : ""));
+}
+
 /// A call by plain name.
 static Operand call_named(Body& body, ast::Identifier name, const std::vector<ast::ExprId>& generics,
                           const ast::Expr& call, ir::TypeId wanted) {
@@ -320,7 +341,7 @@ static Operand call_named(Body& body, ast::Identifier name, const std::vector<as
         meta = meta_of(c, env_for(body, call.operands[0]), call.operands[0]);
     if (meta.kind == MetaKind::type) return call_type(body, meta.type, call);
     if (meta.kind == MetaKind::none) report_unknown(c, body.env, name);
-    else c.error(Diag::not_callable, name.span, {"'" + c.text(name.name) + "'"});
+    else note_functions(c, c.error(Diag::not_callable, name.span, {"'" + c.text(name.name) + "'"}), meta, name.span);
     return error_operand(call.span);
 }
 

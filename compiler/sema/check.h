@@ -7,7 +7,9 @@
 #include "source/source.h"
 #include "syntax/ast.h"
 
+#include <functional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -18,6 +20,8 @@ struct Settings {
     std::vector<std::pair<std::string, std::string>> defines;
     /// What translators read is read by the host, too: `gliftc test` checks them with it.
     bool looks_into_tables = false;
+    /// A module, not loaded, that has a public declaration of this name; empty: none is known. For messages.
+    std::function<std::string(std::string_view name)> module_with;
 };
 
 /// A parsed module and how it was found.

@@ -300,6 +300,8 @@ ir::ExprId coerce(Body& body, ir::ExprId expr, ir::TypeId wanted, Span span) {
         body.context.error(Diag::type_mismatch, span, {body.context.text(wanted), body.context.text(have)});
     if (types.kind(have) == ir::TypeKind::device && types[have].element == wanted)
         note(diagnostic, span, "the value lives on the device: 'await' brings it to the host");
+    else if (wanted == types.bool_ && types.is_number(have))
+        note(diagnostic, span, "a number is no condition: write 'x != 0'");
     else if (types.is_number(types.scalar_of(have)) && types.is_number(types.scalar_of(wanted)) &&
              types.components(have) == types.components(wanted))
         note(diagnostic, span, "values are never converted silently: write " + body.context.text(wanted) + "(…)");

@@ -174,6 +174,11 @@ bool Arguments::give(const Env& user, const std::vector<ast::ExprId>& written, s
                 }
             if (found[i]) continue;
         }
+        if (expr.kind == ast::ExprKind::name && find_meta(c, user, {expr.name, expr.span}).kind == MetaKind::type) {
+            note(c.error(Diag::type_mismatch, expr.span, {c.text(type), "a type"}), decl.name.span,
+                 "'" + c.text(param.name.name) + "' stands at place " + std::to_string(i + 1));
+            return false;
+        }
         auto value = constant_of(c, user, argument, type);
         if (!value) return false;
         Meta meta;

@@ -115,11 +115,19 @@ static void declare_params(Body& body, const std::vector<ast::Param>& params, ir
     for (const ast::Param& param : params) {
         ir::TypeId type = param.type ? type_of(c, body.env, param.type) : c.types().error;
         if (!param.type) c.error(Diag::param_type, param.name.span, {c.text(param.name.name)});
-        if (param.direction == ast::Direction::out || param.direction == ast::Direction::inout)
-            c.error(Diag::function_out, param.direction_span);
         bool seen = param.pattern == ast::Pattern::none || param.pattern == ast::Pattern::near ||
                     param.pattern == ast::Pattern::any || (param.pattern == ast::Pattern::coherent && body.grouped());
-        if (!seen) c.error(Diag::function_pattern, param.pattern_span);
+        const bool is_out = param.direction == ast::Direction::out || param.direction == ast::Direction::inout;
+        if (!seen)
+            note(c.error(Diag::function_pattern, param.pattern_span), param.pattern_span,
+                 "a function gives its value by 'return'; elements are written by the kernel");
+        else if (is_out) c.error(Diag::function_out, param.direction_span);
+        if (!seen || is_out) {  // what is done with it is no further mistake
+            const ir::LocalId local = declare_local(body, param.name, c.types().error, true, false);
+            if (c.types().kind(type) == ir::TypeKind::structure) ++first_structure;
+            else function.params.push_back(local);
+            continue;
+        }
         if (c.types().kind(type) != ir::TypeKind::structure) {
             function.params.push_back(declare_local(body, param.name, type, false, false));
             continue;

@@ -145,9 +145,12 @@ Operand index_part(Body& body, ir::ExprId value, const ast::Expr& expr) {
     if (is_error(body, index)) return error_operand(expr.span);
     if (auto known = ir::evaluate(body.program(), index)) {
         if (known->bits() >= count) {
-            c.error(
+            Diagnostic& diagnostic = c.error(
                 Diag::index_range, c[expr.operands[1]].span,
                 {ir::to_text(body.program(), *known), c.text(body.program().exprs[value].type), std::to_string(count)});
+            if (body.types().is_scalar(body.program().exprs[value].type))
+                note(diagnostic, expr.span,
+                     "this is one element; others are reached through a parameter that is 'near<S, r>' or 'any<S>'");
             return error_operand(expr.span);
         }
         if (count == 1 && type.kind != ir::TypeKind::array) return value_operand(body, value, expr.span);

@@ -6,6 +6,7 @@
 #include "sema/instances.h"
 #include "sema/lookup.h"
 #include "sema/typing.h"
+#include "syntax/habits.h"
 
 #include <algorithm>
 #include <array>
@@ -383,21 +384,27 @@ std::string suggestion_for(Context& c, const Env& env, std::string_view name,
     return std::string(did_you_mean(name, candidates));
 }
 
+/// A module that declares the name as public: one that is loaded, else one that is there to be imported.
+static std::string module_with(const Context& c, Name name) {
+    for (std::uint32_t i = 0; i < c.scopes.size(); ++i) {
+        auto found = c.scopes[i].names.find(name);
+        if (found != c.scopes[i].names.end() && c[found->second[0]].is_pub) return c.text(c.modules[i].tree->name.name);
+    }
+    return c.settings.module_with ? c.settings.module_with(c.text(name)) : std::string();
+}
+
 void report_unknown(Context& c, const Env& env, ast::Identifier name, const std::vector<std::string_view>& more) {
     Diagnostic& diagnostic = c.error(Diag::unknown_name, name.span, {c.text(name.name)});
+    if (std::string hint = hint_for_name(c.text(name.name)); !hint.empty()) {
+        note(diagnostic, name.span, hint);
+        return;
+    }
+    if (std::string module = module_with(c, name.name); !module.empty()) {
+        note(diagnostic, name.span, "module " + module + " has it: 'use " + module + ";'");
+        return;
+    }
     std::string meant = suggestion_for(c, env, c.text(name.name), more);
-    if (!meant.empty()) {
-        note(diagnostic, name.span, "did you mean '" + meant + "'?");
-        return;
-    }
-    for (std::uint32_t i = 0; i < c.scopes.size(); ++i) {
-        auto found = c.scopes[i].names.find(name.name);
-        if (found == c.scopes[i].names.end() || !c[found->second[0]].is_pub) continue;
-        note(diagnostic, name.span,
-             "module " + c.text(c.modules[i].tree->name.name) + " has it: 'use " +
-                 c.text(c.modules[i].tree->name.name) + ";'");
-        return;
-    }
+    if (!meant.empty()) note(diagnostic, name.span, "did you mean '" + meant + "'?");
 }
 
 std::string to_text(const Context& c, const Meta& meta) {

@@ -5,8 +5,10 @@ namespace gliftc::sema {
 void open_scope(Body& body) { body.scopes.emplace_back(); }
 
 void close_scope(Body& body) {
+    // Beside an error: what it kept from being checked may have used the name.
+    const bool is_sure = !body.context.diagnostics.has_errors();
     for (const auto& [name, symbol] : body.scopes.back())
-        if (symbol.warn_unused && !symbol.used && !body.context.text(name).starts_with('_'))
+        if (is_sure && symbol.warn_unused && !symbol.used && !body.context.text(name).starts_with('_'))
             note(body.context.diagnostics.report(Diag::unused_variable, symbol.span, {body.context.text(name)}),
                  symbol.span, "a name that begins with '_' may stay unused");
     body.scopes.pop_back();

@@ -167,9 +167,12 @@ void add_member(Body& body, std::uint32_t index, const ast::Item& item) {
         return;
     }
     ir::TypeId type = type_of(c, body.env, call.operands[0]);
-    if (type == c.types().error) return;
-    if (c.types().kind(type) != ir::TypeKind::structure) {
+    if (type != c.types().error && c.types().kind(type) != ir::TypeKind::structure) {
         c.error(Diag::member_form, call.span);
+        type = c.types().error;
+    }
+    if (type == c.types().error) {  // the name stands for nothing, which no use of it says again
+        declare_local(body, item.name, type, false, false);
         return;
     }
     ir::MemberStructure member;
@@ -182,7 +185,7 @@ void add_member(Body& body, std::uint32_t index, const ast::Item& item) {
     if (wanted.size() != call.operands.size() - 1) {
         c.error(Diag::argument_count, call.span,
                 {c.text(type), std::to_string(wanted.size()), std::to_string(call.operands.size() - 1)});
-        return;
+        wanted.clear();
     }
     for (std::size_t i = 0; i < wanted.size(); ++i)
         member.arguments.push_back(check_value(body, call.operands[i + 1], wanted[i]));

@@ -1,5 +1,7 @@
 #include "syntax/lexer.h"
 
+#include "syntax/habits.h"
+
 #include <array>
 #include <cstring>
 #include <string>
@@ -204,6 +206,7 @@ private:
             ++at_;
         } else {
             diagnostics_.report(Diag::unterminated_string, {file_, offset(begin), offset(begin + 1)});
+            list_.has_open_string = true;
         }
         push(TokenKind::string, begin);
     }
@@ -291,7 +294,13 @@ private:
         bool printable = code > 0x20 && code < 0x7f;
         std::string shown = printable ? std::string("'") + text_[begin] + "'" : "with code " + std::to_string(code);
         while (at_ < text_.size() && is_bad(text_[at_])) ++at_;
-        diagnostics_.report(Diag::bad_character, {file_, offset(begin), offset(at_)}, {shown});
+        auto& error = diagnostics_.report(Diag::bad_character, {file_, offset(begin), offset(at_)}, {shown});
+        if (text_[begin] == '#') {
+            std::size_t end = at_;
+            while (end < text_.size() && continues_word(text_[end])) ++end;
+            if (std::string hint = hint_for_directive(text_.substr(at_, end - at_)); !hint.empty())
+                error.notes.push_back({{}, std::move(hint)});
+        }
         push(TokenKind::bad_character, begin);
     }
 

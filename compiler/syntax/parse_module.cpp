@@ -1,4 +1,5 @@
 // A file: its header, its imports, its declarations.
+#include "syntax/habits.h"
 #include "syntax/parser_state.h"
 
 #include <utility>
@@ -144,9 +145,10 @@ void Parser::parse_declaration_body(Decl& decl) {
     }
     bool known = at(kw_fn) || at(kw_struct) || at(kw_enum) || at(kw_interface) || at(kw_const) || at_declaration_word();
     if (!known) {
+        std::string note = hint_for_declaration(text_of(peek()));
         std::string_view meant = did_you_mean(text_of(peek()), declaration_spellings);
-        fail(Diag::expected_declaration, here(), {shown(peek())},
-             meant.empty() ? "" : "did you mean '" + std::string(meant) + "'?");
+        if (note.empty() && !meant.empty()) note = "did you mean '" + std::string(meant) + "'?";
+        fail(Diag::expected_declaration, here(), {shown(peek())}, std::move(note));
         return;
     }
     advance();

@@ -20,7 +20,7 @@ ast::Module parse(TokenList& tokens, std::uint32_t file, const Sources& sources,
 Parser::Parser(TokenList& list, std::uint32_t file, const Sources& sources, Names& names, ast::Tree& tree,
                Diagnostics& diagnostics)
     : tokens_(list.tokens), comments_(list.comments), file_(file), sources_(sources), names_(names), tree_(tree),
-      diagnostics_(diagnostics), first_expr_(tree.exprs.size()) {
+      diagnostics_(diagnostics), has_open_string_(list.has_open_string), first_expr_(tree.exprs.size()) {
     heights_.reserve(tokens_.size());
 }
 
@@ -47,8 +47,16 @@ bool Parser::accept_word(Word word) {
     return true;
 }
 
+/// What should stand here may be within the string.
+bool Parser::follows_open_string() const {
+    if (!has_open_string_ || cursor_ == 0 || tokens_[cursor_ - 1].kind != TokenKind::string) return false;
+    const std::string_view text = text_of(tokens_[cursor_ - 1]);
+    return text.size() < 2 || text.back() != '"';
+}
+
 bool Parser::expect(TokenKind kind) {
     if (accept(kind)) return true;
+    if (kind == TokenKind::semicolon && follows_open_string()) return true;
     // A token left out at the end of a line is taken as written: what stands on the next line is likely right.
     if (kind == TokenKind::semicolon && cursor_ > 0 && (peek().first_on_line || at(TokenKind::close_brace)) && !lost_) {
         diagnostics_.report(Diag::expected, after_previous(), {describe(kind), shown(peek())});
@@ -62,9 +70,10 @@ bool Parser::expect_close(TokenKind kind, std::uint32_t open_token) {
     if (accept(kind)) return true;
     if (lost_) return false;
     lost_ = true;
-    if (at(TokenKind::bad_character)) return false;  // reported by the lexer
+    if (at(TokenKind::bad_character) || follows_open_string()) return false;  // reported by the lexer
     Span place = cursor_ > 0 && peek().first_on_line ? after_previous() : here();
     Diagnostic& error = diagnostics_.report(Diag::expected, place, {describe(kind), shown(peek())});
+    if (std::string meant = habit(describe(kind)); !meant.empty()) error.notes.push_back({{}, std::move(meant)});
     error.notes.push_back({span_of(tokens_[open_token]), "to close this"});
     return false;
 }

@@ -34,6 +34,7 @@ private:
     bool at_end() const { return at(TokenKind::end); }
     const Token& advance();
     bool accept(TokenKind kind);
+    bool follows_open_string() const;
     bool accept_word(Word word);
     bool expect(TokenKind kind);
     bool expect_close(TokenKind kind, std::uint32_t open_token);
@@ -56,6 +57,8 @@ private:
     void fail(Diag id, Span span, std::initializer_list<std::string_view> arguments = {}, std::string note = {});
     void fail_expected(std::string_view what, std::string note = {});
     void fail_reserved(std::string_view reason);
+    const Token& head() const;                         // habits.cpp
+    std::string habit(std::string_view wanted) const;  // habits.cpp
     void report_unclosed(std::uint32_t open_token);
     void check_indentation(std::uint32_t open_token);
     void skip_balanced();
@@ -190,6 +193,7 @@ private:
     std::uint32_t cursor_ = 0;
     std::uint32_t previous_end_ = 0;  // of the token, or the front of a split `>>`, that was taken last
     bool lost_ = false;
+    bool has_open_string_;
     int depth_ = 0;
     int open_angles_ = 0;                 // generic arguments around this place
     std::uint32_t first_expr_;            // of this file, in the tree

@@ -41,12 +41,14 @@ std::string Parser::shown(const Token& token) const {
 void Parser::fail(Diag id, Span span, std::initializer_list<std::string_view> arguments, std::string note) {
     if (lost_) return;
     lost_ = true;
-    if (at(bad_character)) return;  // reported by the lexer
+    if (at(bad_character) || follows_open_string()) return;  // reported by the lexer
     Diagnostic& error = diagnostics_.report(id, span, arguments);
     if (!note.empty()) error.notes.push_back({{}, std::move(note)});
 }
 
 void Parser::fail_expected(std::string_view what, std::string note) {
+    if (lost_) return;
+    if (std::string meant = habit(what); !meant.empty()) note = std::move(meant);
     bool at_line_end = cursor_ > 0 && (peek().first_on_line || at_end());
     fail(Diag::expected, at_line_end ? after_previous() : here(), {what, shown(peek())}, std::move(note));
 }
@@ -57,7 +59,7 @@ void Parser::fail_reserved(std::string_view reason) {
 }
 
 void Parser::report_unclosed(std::uint32_t open_token) {
-    if (lost_ || unclosed_at_ == cursor_) return;
+    if (lost_ || unclosed_at_ == cursor_ || has_open_string_) return;
     unclosed_at_ = cursor_;
     Diagnostic& error =
         diagnostics_.report(Diag::unclosed, span_of(tokens_[open_token]), {text_of(tokens_[open_token])});
@@ -98,8 +100,9 @@ void Parser::recover_in_list() {
         if (accept(semicolon)) return;
         if (peek().first_on_line && at_statement_keyword()) return;
         if (at(open_brace)) {
+            const bool is_do = cursor_ > 0 && text_of(tokens_[cursor_ - 1]) == "do";
             skip_balanced();
-            if (!at(kw_else)) return;
+            if (!at(kw_else) && !(is_do && at(kw_while))) return;
             continue;
         }
         if (open_brackets.has(peek().kind)) {

@@ -70,6 +70,7 @@ struct Comment {
 struct TokenList {
     std::vector<Token> tokens;
     std::vector<Comment> comments;
+    bool has_open_string = false;  ///< one that is not closed: what it took of its line may have closed braces
 };
 
 /// "'{'", "'kernel'", "an identifier": for messages.

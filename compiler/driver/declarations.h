@@ -1,0 +1,16 @@
+// Where a name is declared among the modules that could be imported: for messages only.
+#pragma once
+
+#include "driver/file_system.h"
+#include "driver/options.h"
+
+#include <string>
+#include <string_view>
+
+namespace gliftc {
+
+/// The module, as `use` names it, that declares the name as public: in the standard library, beside the files on the
+/// command line or in a folder given by -I. Empty: none does.
+std::string module_with_declaration(const Options& options, const FileSystem& files, std::string_view name);
+
+}  // namespace gliftc
