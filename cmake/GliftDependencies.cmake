@@ -1,22 +1,28 @@
 # Everything Glift needs from the system, all of it in Debian 12 (tools/setup installs it).
 # The order matters: glslang's and SPIRV-Tools' packages name targets of the ones before them.
 
+# The runtime's.
 find_package(Threads REQUIRED)
-find_package(SPIRV-Tools-opt CONFIG REQUIRED)
-find_package(SPIRV-Tools-link CONFIG REQUIRED)
-find_package(glslang CONFIG REQUIRED)
 find_package(Vulkan REQUIRED)
 find_package(TBB CONFIG REQUIRED)
-find_package(fmt CONFIG REQUIRED)
-find_package(CLI11 CONFIG REQUIRED)
-find_package(nlohmann_json CONFIG REQUIRED)
+# The compiler's: a gliftc that is built already needs none of them here.
+if(NOT GLIFT_GLIFTC)
+    find_package(SPIRV-Tools-opt CONFIG REQUIRED)
+    find_package(SPIRV-Tools-link CONFIG REQUIRED)
+    find_package(glslang CONFIG REQUIRED)
+    find_package(fmt CONFIG REQUIRED)
+endif()
+if(NOT GLIFT_GLIFTC OR GLIFT_BUILD_BENCH)
+    find_package(CLI11 CONFIG REQUIRED)
+    find_package(nlohmann_json CONFIG REQUIRED)
+endif()
 if(GLIFT_BUILD_TESTS)
     find_package(GTest REQUIRED)
 endif()
 if(GLIFT_BUILD_BENCH)
     find_package(benchmark CONFIG REQUIRED)
 endif()
-if(GLIFT_BUILD_INTEROP)
+if(GLIFT_BUILD_INTEROP AND NOT GLIFT_GLIFTC)
     # PATHS and NO_DEFAULT_PATH: with several LLVMs installed, Clang of another version would be found.
     find_package(LLVM 14.0 REQUIRED CONFIG)
     find_package(Clang REQUIRED CONFIG PATHS ${LLVM_INSTALL_PREFIX}/lib/cmake/clang NO_DEFAULT_PATH)

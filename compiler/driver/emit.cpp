@@ -91,13 +91,16 @@ void emit_shaders(const Options& options, const Compilation& c, std::uint32_t mo
 }
 
 void emit_cpp(const Options& options, const Compilation& c, std::uint32_t module, const std::string& base,
-              const std::vector<ShaderSet>& shaders, const cpp::Options& cpp, std::vector<Output>& outputs) {
+              const std::vector<ShaderSet>& shaders, const cpp::Options& cpp, cpp::Defined& defined,
+              std::vector<Output>& outputs) {
     std::vector<cpp::KernelCode> code(shaders.size());
     for (std::size_t k = 0; k < shaders.size(); ++k) code[k] = {shaders[k].direct, shaders[k].general, shaders[k].wide};
     if (options.host_only || !options.wants(Target::cpp)) code.clear();
-    cpp::Module written = cpp::module_of(c.program, c.lowered, c.sources, module, code, cpp);
+    cpp::Module written = cpp::module_of(c.program, c.lowered, c.sources, module, code, cpp, defined);
     outputs.push_back({base + ".glift.hpp", styled(options, std::move(written.header))});
     outputs.push_back({base + ".glift.cpp", styled(options, std::move(written.source)), std::move(written.tests)});
+    outputs.push_back({base + ".glift.internal.hpp", styled(options, std::move(written.internal)), {}});
+    outputs.push_back({base + ".glift.library.cpp", styled(options, std::move(written.library)), {}});
 }
 
 /// Functions of the public structures, to include in shaders of one's own: `laplacian.Field.glsl`.
@@ -109,13 +112,13 @@ void emit_libraries(const Compilation& c, std::uint32_t module, const std::strin
 
 /// The kernels whose SPIR-V some output of the module holds.
 std::set<std::uint32_t> kernels_with_code(const Options& options, const Compilation& c, std::uint32_t module,
-                                          const cpp::Options& cpp) {
+                                          const cpp::Options& cpp, const cpp::Defined& defined) {
     std::set<std::uint32_t> kernels;
     if (options.wants(Target::spirv))
         for (std::uint32_t k = 0; k < c.program.kernels.size(); ++k)
             if (c.program.kernels[k].module == module) kernels.insert(k);
     if (options.wants(Target::cpp) && !options.host_only)
-        for (std::uint32_t k : cpp::vulkan_kernels_of(c.program, module, cpp)) kernels.insert(k);
+        for (std::uint32_t k : cpp::vulkan_kernels_of(c.program, module, cpp, defined)) kernels.insert(k);
     return kernels;
 }
 
@@ -131,6 +134,7 @@ std::vector<Output> emit(const Options& options, const Compilation& c) {
     std::vector<Output> outputs;
     cpp::Options cpp{.tests = options.command == Command::test,
                      .host_kernel = options.wants(Target::host) ? &host::kernel_of : nullptr};
+    cpp::Defined defined;
     std::set<std::string> bases;
     for (std::uint32_t m = 0; m < c.program.modules.size(); ++m) {
         const ir::Module& module = c.program.modules[m];
@@ -138,7 +142,7 @@ std::vector<Output> emit(const Options& options, const Compilation& c) {
         std::string base = base_name(c, module);
         if (!bases.insert(base).second)
             throw std::runtime_error("two files on the command line are called '" + base + "'");
-        std::vector<ShaderSet> shaders = compile_shaders(c, kernels_with_code(options, c, m, cpp), options.optimize);
+        std::vector<ShaderSet> shaders = compile_shaders(c, kernels_with_code(options, c, m, cpp, defined), options.optimize);
         // C++ takes as long as all else together.
         auto others = std::async(std::launch::async, [&] {
             std::vector<Output> made;
@@ -149,7 +153,7 @@ std::vector<Output> emit(const Options& options, const Compilation& c) {
             return made;
         });
         if (options.wants(Target::cpp) || options.wants(Target::host))
-            emit_cpp(options, c, m, base, shaders, cpp, outputs);
+            emit_cpp(options, c, m, base, shaders, cpp, defined, outputs);
         std::ranges::move(others.get(), std::back_inserter(outputs));
     }
     return outputs;

@@ -58,6 +58,10 @@ std::string to_text(const Program& program, const Value& value);
 
 /// The name of a type as written in the language: uint3, float?, Array<4, float>.
 std::string to_text(const Program& program, TypeId type);
+/// The same with the modules of the structs, enums and structures.
+std::string to_qualified_text(const Program& program, TypeId type);
+/// The name of a module and a dot: `std.array.`
+std::string module_text(const Program& program, std::uint32_t module);
 
 /// One scalar operation with the exact semantics of the language (wraparound, float rounding, defined division by
 /// zero).

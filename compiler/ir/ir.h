@@ -205,6 +205,7 @@ struct StructField {
 struct Struct {
     Name name;
     std::string display;
+    std::string key;  ///< display with the modules of all it names: the same in every compilation, as are those below
     std::uint32_t module = 0;
     bool is_pub = false;
     std::vector<StructField> fields;
@@ -250,6 +251,7 @@ struct Properties {
 struct Translator {
     Name name;
     std::string display;  ///< Fold<4>
+    std::string key;
     Span span;
     std::uint32_t module = 0;
     TypeId virtual_type;                    ///< uint or a vector of uint
@@ -341,6 +343,7 @@ struct Structure {
     StructureKind kind = StructureKind::stored;
     Name name;                   ///< of the declaration: Array
     std::string display;         ///< Array<4, float>
+    std::string key;             ///< std.array.Array<4, float>
     std::vector<Alias> aliases;  ///< of all modules, each module's in its order
     Span span;
     std::uint32_t module = 0;          ///< of the declaration
@@ -381,6 +384,7 @@ struct KernelParam {
 struct Kernel {
     Name name;
     std::string display;
+    std::string key;
     Span span;
     std::uint32_t module = 0;
     bool is_pub = false;
@@ -411,6 +415,7 @@ struct PipelineParam {
 struct Pipeline {
     Name name;
     std::string display;
+    std::string key;
     Span span;
     std::uint32_t module = 0;
     bool is_pub = false;

@@ -85,6 +85,37 @@ std::string to_text(const Program& program, const Value& value) {
     return text + ")";
 }
 
+std::string module_text(const Program& program, std::uint32_t module) {
+    return (*program.names)[program.modules[module].name] + ".";
+}
+
+std::string to_qualified_text(const Program& program, TypeId id) {
+    const Type& type = program.types[id];
+    switch (type.kind) {
+    case TypeKind::struct_: return program.structs[type.index].key;
+    case TypeKind::structure: return program.structures[type.index].key;
+    case TypeKind::enum_: return module_text(program, program.enums[type.index].module) + to_text(program, id);
+    case TypeKind::array: return to_qualified_text(program, type.element) + "[" + std::to_string(type.count) + "]";
+    case TypeKind::optional: return to_qualified_text(program, type.element) + "?";
+    case TypeKind::range: return "range of " + to_qualified_text(program, type.element);
+    case TypeKind::slice: return "slice of " + to_qualified_text(program, type.element);
+    case TypeKind::device: return to_qualified_text(program, type.element) + " on the device";
+    case TypeKind::error:
+    case TypeKind::void_:
+    case TypeKind::bool_:
+    case TypeKind::int_:
+    case TypeKind::uint:
+    case TypeKind::float_:
+    case TypeKind::half:
+    case TypeKind::double_:
+    case TypeKind::int64:
+    case TypeKind::uint64:
+    case TypeKind::vector:
+    case TypeKind::matrix: return to_text(program, id);
+    }
+    return "?";
+}
+
 std::string to_text(const Program& program, TypeId id) {
     const Type& type = program.types[id];
     switch (type.kind) {

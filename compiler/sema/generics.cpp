@@ -323,6 +323,18 @@ std::string display_of(const Context& c, const ast::Decl& decl, const Env& env) 
     return text + ">";
 }
 
+std::string qualified_display_of(const Context& c, ast::DeclId id, const Env& env) {
+    const ast::Decl& decl = c[id];
+    std::string text = ir::module_text(c.program, c.module_of.at(id)) + c.text(decl.name.name);
+    if (decl.generics.empty()) return text;
+    text += "<";
+    for (std::size_t i = 0; i < decl.generics.size(); ++i) {
+        const Meta* meta = env.find(decl.generics[i].name.name);
+        text += (i ? ", " : "") + (meta ? to_qualified_text(c, *meta) : c.text(decl.generics[i].name.name));
+    }
+    return text + ">";
+}
+
 std::string key_of(const Context&, ast::DeclId id, const Env& env) {
     std::string key = std::to_string(id.index);
     for (const auto& [name, meta] : env.bindings) key += ":" + key_part(meta);

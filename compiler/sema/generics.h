@@ -35,6 +35,8 @@ void infer_from_literal(Arguments&, ast::ExprId pattern, ast::ExprId literal);
 
 /// "Array<4, float>" for a declaration and its environment.
 std::string display_of(const Context&, const ast::Decl&, const Env&);
+/// The same with the modules of all that it names: unique, and the same in every compilation.
+std::string qualified_display_of(const Context&, ast::DeclId, const Env&);
 
 /// The key of an instance in Context::instances.
 std::string key_of(const Context&, ast::DeclId, const Env&);

@@ -18,6 +18,7 @@ ir::TypeId make_struct(Context& c, ast::DeclId id, const Env& env, const std::st
     ir::Struct record;
     record.name = decl.name.name;
     record.display = display_of(c, decl, env);
+    record.key = qualified_display_of(c, id, env);
     record.module = c.module_of.at(id);
     record.is_pub = decl.is_pub;
     record.doc = decl.doc;

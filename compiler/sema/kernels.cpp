@@ -285,6 +285,7 @@ std::optional<std::uint32_t> instantiate_kernel(Context& c, ast::DeclId id, cons
     ir::Kernel kernel;
     kernel.name = decl.name.name;
     kernel.display = display_of(c, decl, env);
+    kernel.key = qualified_display_of(c, id, env);
     kernel.span = decl.name.span;
     kernel.module = c.module_of.at(id);
     kernel.is_pub = decl.is_pub && decl.generics.empty();

@@ -431,6 +431,16 @@ std::string to_text(const Context& c, const Meta& meta) {
     return "?";
 }
 
+std::string to_qualified_text(const Context& c, const Meta& meta) {
+    if (meta.kind == MetaKind::type) return ir::to_qualified_text(c.program, meta.type);
+    if (meta.kind == MetaKind::value && meta.value.lanes.size() != 1)  // a struct's type may be of any module
+        return ir::to_qualified_text(c.program, meta.value.type) + ir::to_text(c.program, meta.value);
+    if (meta.kind != MetaKind::translator) return to_text(c, meta);
+    std::string text;
+    for (std::uint32_t i : meta.translators) text += (text.empty() ? "" : " then ") + c.program.translators[i].key;
+    return text;
+}
+
 bool same(const Meta& a, const Meta& b) {
     return a.kind == b.kind && a.type == b.type && a.value == b.value && a.translators == b.translators &&
            a.format == b.format;

@@ -36,6 +36,8 @@ void report_unknown(Context&, const Env&, ast::Identifier name, const std::vecto
 
 /// Text of a generic argument: 4, float, uint2(8, 8).
 std::string to_text(const Context&, const Meta&);
+/// The same with the modules of all that it names.
+std::string to_qualified_text(const Context&, const Meta&);
 bool same(const Meta&, const Meta&);
 
 }  // namespace gliftc::sema

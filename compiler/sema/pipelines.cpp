@@ -104,6 +104,7 @@ std::optional<std::uint32_t> instantiate_pipeline(Context& c, ast::DeclId id, co
     ir::Pipeline pipeline;
     pipeline.name = decl.name.name;
     pipeline.display = display_of(c, decl, env);
+    pipeline.key = qualified_display_of(c, id, env);
     pipeline.span = decl.name.span;
     pipeline.module = c.module_of.at(id);
     pipeline.is_pub = decl.is_pub;

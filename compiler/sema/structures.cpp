@@ -391,6 +391,7 @@ std::uint32_t begin_structure(Context& c, ast::DeclId id, const Env& env, ir::St
     structure.kind = kind;
     structure.name = decl.name.name;
     structure.display = display_of(c, decl, env);
+    structure.key = qualified_display_of(c, id, env);
     structure.span = decl.name.span;
     structure.module = c.module_of.at(id);
     structure.doc = decl.doc;

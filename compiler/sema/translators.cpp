@@ -90,6 +90,7 @@ std::optional<std::uint32_t> make_translator(Context& c, ast::DeclId id, const E
     ir::Translator translator;
     translator.name = decl.name.name;
     translator.display = display_of(c, decl, env);
+    translator.key = qualified_display_of(c, id, env);
     translator.span = decl.name.span;
     translator.module = c.module_of.at(id);
     translator.doc = decl.doc;

@@ -4,6 +4,7 @@
 #include "ir/pass.h"
 #include "source/source.h"
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -30,15 +31,22 @@ struct TestName {
 struct Module {
     std::string header;           ///< <name>.glift.hpp
     std::string source;           ///< <name>.glift.cpp
+    std::string internal;         ///< <name>.glift.internal.hpp: what the sources share
+    std::string library;          ///< <name>.glift.library.cpp: what it uses of modules that have no source of their own
     std::vector<TestName> tests;  ///< in a test program: all that it runs
 };
 
+/// What earlier modules of one run define: it is not defined again.
+struct Defined {
+    std::set<std::uint32_t> kernels, pipelines, structures;
+};
+
 /// The kernels, as indices, whose code the module's C++ contains: the others need no SPIR-V.
-std::vector<std::uint32_t> vulkan_kernels_of(const ir::Program& program, std::uint32_t module,
-                                             const Options& options = {});
+std::vector<std::uint32_t> vulkan_kernels_of(const ir::Program& program, std::uint32_t module, const Options& options,
+                                             const Defined& defined);
 
 /// `code` is indexed as Program::kernels; it may be empty where no Vulkan code is wanted.
 Module module_of(const ir::Program& program, const ir::Lowered& lowered, const Sources& sources, std::uint32_t module,
-                 const std::vector<KernelCode>& code, const Options& options = {});
+                 const std::vector<KernelCode>& code, const Options& options, Defined& defined);
 
 }  // namespace gliftc::cpp

@@ -327,7 +327,7 @@ std::string kernel_signature(Unit& unit, std::uint32_t index, bool qualified, st
         else parameters += ", const glift::Range<" + unit.class_name(param.structure) + ">& ";
         parameters += param_name(unit, param);
     }
-    return "void " + unit.globals.kernel_names.at(index) + "(" + parameters + ")";
+    return "void " + unit.own.kernels[index] + "(" + parameters + ")";
 }
 
 bool code_adds_functions(const Unit& unit, std::uint32_t kernel) {
@@ -413,7 +413,7 @@ std::string kernel_function(Unit& unit, std::uint32_t index) {
     const std::string& name = unit.globals.kernel_stems.at(index);
     const Pass& any = forms.general.exists ? forms.general : forms.direct;
     Writer out;
-    out.open(kernel_signature(unit, index, false));
+    out.open(unit.linkage(kernel.key) + kernel_signature(unit, index, false));
     out.line("glift::Iteration iteration(" + name + "_kernel);");
     for (bool near : {false, true}) {
         for (std::size_t i = 0; i < kernel.params.size(); ++i) {
@@ -450,7 +450,7 @@ std::string short_kernel_function(Unit& unit, std::uint32_t index) {
     std::string arguments = "commands, " + param_name(unit, kernel.params[*range]);
     for (std::size_t i = 1; i < kernel.params.size(); ++i) arguments += ", " + param_name(unit, kernel.params[i]);
     Writer out;
-    out.open(kernel_signature(unit, index, false, 1));
+    out.open(unit.linkage(kernel.key) + kernel_signature(unit, index, false, 1));
     Printer p(unit.globals);
     for (const KernelParam& param : kernel.params) p.names.declare(param_name(unit, param));
     out.line(visible(p, unit.globals.kernel_names.at(index)) + "(" + arguments + ");");

@@ -49,6 +49,7 @@ public:
     /// A name that is none itself, but begins others: it with each of the suffixes.
     std::string declare_stem(std::string_view wanted, std::span<const char* const> suffixes);
 
+    const NameSet& used() const { return used_; }
     bool holds(const std::string& name) const { return used_.contains(name) || reserved_.contains(name); }
 
 private:

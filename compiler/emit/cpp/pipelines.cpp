@@ -290,13 +290,12 @@ std::string signature(Unit& unit, std::uint32_t index, const Printer& names, con
     };
     for (const ir::PipelineParam& param : pipeline.params)
         parameters += ", " + (mark(param) + param_type(unit, param, qualified)) + names.local_names.at(param.local);
-    return unit.type(pipeline.result, qualified) + " " + owner + unit.globals.pipeline_names.at(index) + "(" +
-           parameters + ")";
+    return unit.type(pipeline.result, qualified) + " " + owner + unit.own.pipelines[index] + "(" + parameters + ")";
 }
 
 }  // namespace
 
-std::string pipeline_signature(Unit& unit, std::uint32_t index, bool qualified, bool) {
+std::string pipeline_signature(Unit& unit, std::uint32_t index, bool qualified) {
     PipelinePrinter printer(unit, unit.program.pipelines[index]);
     return signature(unit, index, printer.p, "", qualified);
 }
@@ -310,8 +309,8 @@ void print_pipeline(Unit& unit, Writer& out, std::uint32_t index) {
     if (printer.tracks) printer.keep_all();
     out.gap();
     out.line("// " + place_text(unit.sources, pipeline.span) + ": " + pipeline.display);
-    const std::string owner = pipeline.owner ? unit.class_name(*pipeline.owner) + "::" : "";
-    out.open(signature(unit, index, printer.p, owner, false));
+    const std::string owner = pipeline.owner ? unit.own_name(*pipeline.owner) + "::" : "";
+    out.open(unit.linkage(pipeline.key) + signature(unit, index, printer.p, owner, false));
     out.raw(printer.p.out.take());
     out.close();
 }

@@ -45,32 +45,57 @@ struct ClassNames {
     NameSet all;  ///< also the rest of its interface: what hides names of the namespace in them
 };
 
-/// Names that a whole generated file shares.
+/// What everything is called in the namespace of its module. The names depend on little but the things themselves, so that
+/// all files and all runs of gliftc agree.
+struct ProgramNames {
+    std::vector<std::string> spaces;                    ///< of Program::modules: laplacian, std.array → std_array
+    std::vector<NameSet> types;                         ///< of Program::modules: no other name hides them
+    std::vector<std::string> structs;                   ///< of Program::structs
+    std::vector<std::vector<std::string>> fields;       ///< of Program::structs
+    std::vector<std::string> enums;                     ///< of Program::enums
+    std::vector<std::string> structures;                ///< of Program::structures: the classes
+    std::vector<std::vector<std::string>> aliases;      ///< of Program::structures: of their aliases
+    std::vector<ClassNames> classes;                    ///< of Program::structures
+    std::vector<std::string> kernels;                   ///< of Program::kernels: the functions that call them
+    std::vector<std::string> pipelines;                 ///< of Program::pipelines
+    std::vector<Scopes> taken;                          ///< of Program::modules
+};
+
+ProgramNames program_names(const ir::Program& program);
+
+/// Whether code of a module may call a structure so: by a name of its own, or a public one that it imports.
+bool is_alias_seen(const ir::Program& program, const ir::Alias& alias, std::uint32_t module);
+
+/// Names that all code in one namespace shares. What lies in another namespace is spelled with it: ::grid::Cell.
 struct Globals {
     const ir::Program& program;
     const Sources& sources;
-    std::string space;                                  ///< the module's namespace: laplacian, std::array → std_array
-    Scopes names;                                       ///< of the module's namespace
+    std::string space;                                  ///< the namespace
+    Scopes names;                                       ///< of the namespace
     NameSet type_names;                                 ///< of structs and structures: no other name hides them
     NameSet kernel_symbols;                             ///< what is made for a kernel beside its function
     std::vector<std::string> struct_names;              ///< of Program::structs
     std::vector<std::vector<std::string>> field_names;  ///< of Program::structs
-    std::vector<std::string> enum_names;                ///< of Program::enums
     std::vector<std::string> structure_names;           ///< of Program::structures
-    std::vector<std::vector<std::string>> other_names;  ///< of Program::structures: further public names
     std::vector<ClassNames> class_names;                ///< of Program::structures
-    std::unordered_map<ir::FunctionId, std::string> function_names;
-    std::string functions;                                        ///< printed so far, callees first
-    std::unordered_map<std::uint32_t, std::string> kernel_names;  ///< of Program::kernels
+    std::vector<std::string> kernel_names;              ///< of Program::kernels: the functions that call them
+    std::vector<std::string> pipeline_names;            ///< of Program::pipelines
     std::unordered_map<std::uint32_t, std::string> kernel_stems;  ///< what the names of all that is made for them begin with
     std::unordered_map<const ir::KernelParam*, std::string> param_names;
-    std::unordered_map<std::uint32_t, std::string> pipeline_names;
+    std::unordered_map<ir::FunctionId, std::string> function_names;
+    std::string functions;  ///< printed so far, callees first
 
     Globals(const ir::Program& program, const Sources& sources) : program(program), sources(sources) {}
 };
 
-/// Names every enum, struct and structure of the program for code of a module.
-Globals make_globals(const ir::Program& program, const Sources& sources, std::uint32_t module);
+/// Where generated code stands: in the namespace of the module `home`, in a file of the module `root`. In its own
+/// namespace a module's code calls structures as the module does.
+struct Surroundings {
+    std::uint32_t root, home;
+};
+
+Globals make_globals(const ir::Program& program, const Sources& sources, const ProgramNames& names,
+                     Surroundings surroundings);
 
 /// Prints one function, kernel or method body.
 struct Printer {

@@ -290,9 +290,12 @@ void add_inner_structs(Reach& reach, const ir::Program& program, const ir::Lower
     reach = std::move(collector.reach);
 }
 
-std::vector<std::uint32_t> vulkan_kernels_of(const ir::Program& program, std::uint32_t module, const Options& options) {
+std::vector<std::uint32_t> vulkan_kernels_of(const ir::Program& program, std::uint32_t module, const Options& options,
+                                             const Defined& defined) {
     const Reach reach = reach_of(program, module, options);
-    return {reach.vulkan_kernels.begin(), reach.vulkan_kernels.end()};
+    std::vector<std::uint32_t> kernels;
+    std::ranges::set_difference(reach.vulkan_kernels, defined.kernels, std::back_inserter(kernels));
+    return kernels;
 }
 
 }  // namespace gliftc::cpp

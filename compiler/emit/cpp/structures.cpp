@@ -1,7 +1,6 @@
 // Structures, views and adaptors as classes; structs as structs.
 #include "emit/cpp/translators.h"
 #include "emit/cpp/unit.h"
-#include "ir/aliases.h"
 #include "ir/empty.h"
 #include "layout/layout.h"
 
@@ -39,10 +38,10 @@ Constructor constructor_of(const Unit& unit, std::uint32_t index, const ClassNam
     return result;
 }
 
-std::string base_of(const Unit& unit, std::uint32_t index, bool qualified) {
+std::string base_of(const Unit& unit, std::uint32_t index) {
     const Structure& structure = unit.program.structures[index];
-    const std::string arguments = "<" + unit.class_name(index) + ", " + unit.type(structure.domain_type, qualified) +
-                                  ", " + storage_text(unit.globals, structure.element, qualified) + ">";
+    const std::string arguments = "<" + unit.own_name(index) + ", " + unit.type(structure.domain_type, true) + ", " +
+                                  storage_text(unit.globals, structure.element, true) + ">";
     switch (structure.kind) {
     case StructureKind::stored: return " : public glift::Structure" + arguments;
     case StructureKind::view: return " : public glift::View" + arguments;
@@ -58,9 +57,16 @@ const ir::Program::Transfer* transfer_of(const ir::Program& program, std::uint32
     return nullptr;
 }
 
+/// Whether boxes of it go to the host and back. The class says so wherever it is made; what the functions do is defined
+/// where it is used.
+bool has_transfers(const Structure& structure) {
+    return structure.kind == StructureKind::stored || (structure.kind == StructureKind::view && structure.domain);
+}
+
 bool is_kernel(const Unit& unit, std::uint32_t kernel) { return kernel < unit.program.kernels.size(); }
 
-void print_accessors(Unit& unit, Writer& out, std::uint32_t index, const ClassNames& names, bool qualified) {
+void print_accessors(Unit& unit, Writer& out, std::uint32_t index, const ClassNames& names) {
+    constexpr bool qualified = true;
     const Structure& structure = unit.program.structures[index];
     for (std::size_t i = 0; i < structure.constructor.size(); ++i)
         out.line(unit.type(unit.program.locals[structure.constructor[i]].type, qualified) + " " + names.arguments[i] +
@@ -81,7 +87,8 @@ void print_accessors(Unit& unit, Writer& out, std::uint32_t index, const ClassNa
                  names.host_fields[i] + "; }");
 }
 
-void print_fields(Unit& unit, Writer& out, std::uint32_t index, const ClassNames& names, bool qualified) {
+void print_fields(Unit& unit, Writer& out, std::uint32_t index, const ClassNames& names) {
+    constexpr bool qualified = true;
     const Structure& structure = unit.program.structures[index];
     if (structure.kind == StructureKind::adaptor) out.line("glift::Device device_;");
     for (std::size_t i = 0; i < structure.constructor.size(); ++i)
@@ -115,7 +122,8 @@ bool has_parts(const Structure& structure) {
 std::string memory_description(Unit& unit, Printer& p, std::uint32_t index, std::size_t i, const ClassNames& names) {
     const ir::Memory& memory = unit.program.structures[index].memories[i];
     const std::string& extent = names.extent_fields[i];
-    std::string text = "{.name = " + quoted(unit.class_name(index) + "." + unit.name(memory.name));
+    std::string text =
+        "{.name = " + quoted(unit.program.structures[index].display + "." + unit.name(memory.name));
     const std::string mips = memory.mips ? ", .mips = " + print_any(p, memory.mips) : "";
     switch (memory.shape) {
     case ir::MemoryShape::buffer:
@@ -159,13 +167,13 @@ std::string adopted_part(Unit& unit, Printer& p, std::uint32_t index, std::size_
         alike += (alike.empty() ? "" : " && ") + names.members[i] + "." + made.arguments[value++] +
                  "() == " + print(p, argument, Level::relation);
     }
-    return "glift::detail::part(std::move(" + names.members[i] + "), " + (alike.empty() ? "true" : alike) + ", \"" +
-           unit.class_name(index) + "." + names.members[i] + "\")";
+    return "glift::detail::part(std::move(" + names.members[i] + "), " + (alike.empty() ? "true" : alike) + ", " +
+           quoted(unit.program.structures[index].display + "." + names.members[i]) + ")";
 }
 
 void print_constructors(Unit& unit, Writer& out, std::uint32_t index, const ClassNames& names) {
     const Structure& structure = unit.program.structures[index];
-    const std::string& type = unit.class_name(index);
+    const std::string& type = unit.own_name(index);
     Printer p = own_printer(unit, index);
     const auto head = [&](const std::string& more, bool adopts) {
         std::vector<std::string> initialisers;
@@ -190,7 +198,7 @@ void print_constructors(Unit& unit, Writer& out, std::uint32_t index, const Clas
             if (structure.host[i].initial)
                 initialisers.push_back(names.host_fields[i] + "(" + print_any(p, structure.host[i].initial) + ")");
         }
-        out.line(type + "::" + type + "(" + constructor_of(unit, index, names, false).text() + more + ")");
+        out.line(unit.linkage(structure.key) + type + "::" + type + "(" + constructor_of(unit, index, names, false).text() + more + ")");
         out.indent();
         for (std::size_t i = 0; i < initialisers.size(); ++i)
             out.line((i == 0 ? ": " : "  ") + initialisers[i] + (i + 1 < initialisers.size() ? "," : " {}"));
@@ -207,8 +215,8 @@ void print_same_state(Unit& unit, Writer& out, std::uint32_t index, const ClassN
     const auto also = [&](const std::string& text) { condition += (condition.empty() ? "" : " && ") + text; };
     for (const std::string& field : names.argument_fields) also(field + " == other." + field);
     for (const std::string& field : names.member_fields) also(field + ".same_state(other." + field + ")");
-    const std::string& type = unit.class_name(index);
-    out.open("bool " + type + "::same_state(const " + type + "& other) const");
+    const std::string& type = unit.own_name(index);
+    out.open(unit.linkage(unit.program.structures[index].key) + ("bool " + type) + "::same_state(const " + type + "& other) const");
     out.line(condition.empty() ? "return this == &other || true;" : "return " + condition + ";");
     out.close();
     out.gap();
@@ -217,30 +225,30 @@ void print_same_state(Unit& unit, Writer& out, std::uint32_t index, const ClassN
 void print_transfers(Unit& unit, Writer& out, std::uint32_t index) {
     const ir::Program::Transfer* transfer = transfer_of(unit.program, index);
     if (!transfer) return;
-    const std::string& type = unit.class_name(index);
-    if (has_rows(unit.program, unit.program.structures[index])) print_place(unit, out, index);
+    const std::string& type = unit.own_name(index);
+    const char* const linkage = unit.linkage(unit.program.structures[index].key);
     const std::string& box = unit.class_name(transfer->box_structure);
     const std::string parameters =
         "(const glift::Commands& commands, const glift::Range<" + type + ">& range, const glift::Memory& box) const";
     const std::string made = box + "(commands, range.size(), box)";
     const Printer p = own_printer(unit, index);
     const auto kernel = [&](std::uint32_t called) { return visible(p, unit.globals.kernel_names.at(called)); };
-    out.open("void " + type + "::copy_out" + parameters);
+    out.open(linkage + ("void " + type) + "::copy_out" + parameters);
     out.line(kernel(transfer->read_kernel) + "(commands, range, " + made + ");");
     out.close();
     out.gap();
     if (is_kernel(unit, transfer->write_kernel)) {
-        out.open("void " + type + "::copy_in" + parameters);
+        out.open(linkage + ("void " + type) + "::copy_in" + parameters);
         out.line(kernel(transfer->write_kernel) + "(commands, " + made + ", range);");
         out.close();
         out.gap();
     }
     if (is_kernel(unit, transfer->fill_kernel)) {
         const std::string element = unit.type(unit.program.structures[index].element);
-        out.open("void " + type + "::fill(" + element + " value, const glift::Range<" + type + ">& range)");
+        out.open(linkage + ("void " + type) + "::fill(" + element + " value, const glift::Range<" + type + ">& range)");
         out.line(kernel(transfer->fill_kernel) + "(device(), range, value);");
         out.close();
-        out.open("void " + type + "::fill(" + element + " value)");
+        out.open(linkage + ("void " + type) + "::fill(" + element + " value)");
         out.line("fill(value, *this);");
         out.close();
         out.gap();
@@ -249,77 +257,75 @@ void print_transfers(Unit& unit, Writer& out, std::uint32_t index) {
 
 }  // namespace
 
-void print_class(Unit& unit, Writer& out, std::uint32_t index, bool qualified) {
+void print_class(Unit& unit, Writer& out, std::uint32_t index) {
     const Structure& structure = unit.program.structures[index];
     const ClassNames& names = unit.globals.class_names[index];
-    const std::string& type = unit.class_name(index);
-    const Name alias = ir::name_in(unit.program, structure, unit.module);
-    const std::string shown = alias ? unit.name(alias) : structure.display;
+    const std::string& type = unit.own_name(index);
+    const bool is_instance = structure.display != unit.name(structure.name);
     if (structure.doc.empty())
         out.line("/// " + structure.display + ", " + place_text(unit.sources, structure.span) + ".");
-    else write_doc(out, alias && shown != structure.display ? structure.display + ". " + structure.doc : structure.doc);
-    out.open("class " + type + base_of(unit, index, qualified));
+    else write_doc(out, is_instance ? structure.display + ". " + structure.doc : structure.doc);
+    out.open("class " + type + base_of(unit, index));
     out.dedent();
     out.line("public:");
     out.indent();
-    out.line("static constexpr const char* type_name = " + quoted(shown) + ";");
+    out.line("static constexpr const char* type_name = " + quoted(structure.display) + ";");
     out.gap();
     out.line(type + "() = default;");
-    // A module's own classes: what of them is used depends on what the module does.
-    const std::string unused = qualified ? "" : "[[maybe_unused]] ";
-    const Constructor constructor = constructor_of(unit, index, names, qualified);
+    const Constructor constructor = constructor_of(unit, index, names, true);
     if (!constructor.parameters.empty())
-        out.line(unused + (constructor.parameters.size() == 1 ? "explicit " : "") + type + "(" + constructor.text() +
+        out.line((constructor.parameters.size() == 1 ? "explicit " : "") + type + "(" + constructor.text() +
                  ");");
     if (has_parts(structure)) {
         out.line("/// Over parts that exist already.");
-        out.line(unused + type + "(" + constructor.text() + memory_parameters(unit, index, names) + ");");
+        out.line(type + "(" + constructor.text() + memory_parameters(unit, index, names) + ");");
     }
     out.gap();
     if (structure.kind != StructureKind::adaptor) {
         out.line("/// The extent of the virtual domain.");
-        out.line(unused + unit.type(structure.domain_type, qualified) + " domain() const;");
+        out.line(unit.type(structure.domain_type, true) + " domain() const;");
     } else {
         out.open("const glift::Device& device() const");
         out.line("if (!device_) glift::detail::throw_empty_structure(type_name, \"device\");");
         out.line("return device_;");
         out.close();
     }
-    print_accessors(unit, out, index, names, qualified);
+    print_accessors(unit, out, index, names);
     out.line("/// True if the two were made with equal arguments.");
-    out.line(unused + "bool same_state(const " + type + "& other) const;");
-    if (const ir::Program::Transfer* transfer = transfer_of(unit.program, index)) {
+    out.line("bool same_state(const " + type + "& other) const;");
+    if (has_transfers(structure)) {
+        const bool is_written = structure.kind == StructureKind::stored;
         out.gap();
-        if (is_kernel(unit, transfer->fill_kernel)) {
-            const std::string element = unit.type(structure.element, qualified);
+        if (is_written) {
+            const std::string element = unit.type(structure.element, true);
             out.line("/// Gives every element, or those of a box, one value.");
-            out.line(unused + "void fill(" + element + " value);");
-            out.line(unused + "void fill(" + element + " value, const glift::Range<" + type + ">& range);");
+            out.line("void fill(" + element + " value);");
+            out.line("void fill(" + element + " value, const glift::Range<" + type + ">& range);");
         }
         const std::string parameters = "(const glift::Commands& commands, const glift::Range<" + type +
                                        ">& range, const glift::Memory& box) const;";
         if (has_rows(unit.program, structure)) {
             out.line("/// Where an element lies in row_memory(), in elements; the address is an affine function of the "
                      "virtual one.");
-            out.line(unused + "std::uint64_t place(" + unit.type(structure.domain_type, qualified) +
+            out.line("std::uint64_t place(" + unit.type(structure.domain_type, true) +
                      " address) const;");
-            out.line(unused + "const glift::Memory& row_memory() const { return " +
+            out.line("const glift::Memory& row_memory() const { return " +
                      names.memory_fields[structure.via_memory] + "; }");
         }
         out.line("/// Elements of a box to a linear buffer, and back.");
-        out.line(unused + "void copy_out" + parameters);
-        if (is_kernel(unit, transfer->write_kernel)) out.line(unused + "void copy_in" + parameters);
+        out.line("void copy_out" + parameters);
+        if (is_written) out.line("void copy_in" + parameters);
     }
     for (std::uint32_t pipeline : structure.pipelines) {
         out.gap();
         write_doc(out, unit.program.pipelines[pipeline].doc);
-        out.line(pipeline_signature(unit, pipeline, qualified, true) + ";");
+        out.line(pipeline_signature(unit, pipeline, true) + ";");
     }
     out.gap();
     out.dedent();
     out.line("private:");
     out.indent();
-    print_fields(unit, out, index, names, qualified);
+    print_fields(unit, out, index, names);
     out.close(";");
     out.gap();
 }
@@ -330,56 +336,57 @@ void print_class_members(Unit& unit, Writer& out, std::uint32_t index) {
     print_constructors(unit, out, index, names);
     if (structure.kind != StructureKind::adaptor) {
         Printer p = own_printer(unit, index);
-        out.open(unit.type(structure.domain_type) + " " + unit.class_name(index) + "::domain() const");
+        out.open(unit.linkage(structure.key) + unit.type(structure.domain_type) + " " + unit.own_name(index) +
+                 "::domain() const");
         out.line("return " + (structure.domain ? print_any(p, structure.domain) : std::string("{}")) + ";");
         out.close();
         out.gap();
     }
     print_same_state(unit, out, index, names);
+    if (has_rows(unit.program, structure)) print_place(unit, out, index);
     print_transfers(unit, out, index);
 }
 
-void print_structs(Unit& unit, Writer& out) {
-    for (std::uint32_t index : unit.reach.enums) {
-        const ir::Enum& type = unit.program.enums[index];
+void print_enum(const Unit& unit, Writer& out, std::uint32_t index) {
+    const ir::Enum& type = unit.program.enums[index];
+    write_doc(out, type.doc);
+    out.open("struct " + unit.own.enums[index]);
+    std::string list;
+    const NameSet type_name{unit.own.enums[index]};
+    Scopes names;
+    names.avoid(type_name);
+    for (std::size_t i = 0; i < type.enumerators.size(); ++i)
+        list += (i ? ", " : "") + names.declare(unit.name(type.enumerators[i])) + " = " +
+                std::to_string(type.values[i]);
+    out.line("enum : glift::uint { " + list + " };");
+    out.close(";");
+    out.gap();
+}
+
+void print_struct(const Unit& unit, Writer& out, std::uint32_t index) {
+    const ir::Struct& type = unit.program.structs[index];
+    const std::string name = type.extern_header.empty() ? unit.own.structs[index] : "::" + type.extern_name;
+    const std::vector<std::string>& fields = unit.globals.field_names[index];
+    const std::vector<std::uint32_t> offsets = layout::offsets_of(unit.program, type);
+    if (type.extern_header.empty()) {
         write_doc(out, type.doc);
-        out.open("struct " + unit.globals.enum_names[index]);
-        std::string list;
-        const NameSet type_name{unit.globals.enum_names[index]};
-        Scopes names;
-        names.avoid(type_name);
-        for (std::size_t i = 0; i < type.enumerators.size(); ++i)
-            list += (i ? ", " : "") + names.declare(unit.name(type.enumerators[i])) + " = " +
-                    std::to_string(type.values[i]);
-        out.line("enum : glift::uint { " + list + " };");
-        out.close(";");
-        out.gap();
-    }
-    for (std::uint32_t index : unit.reach.structs) {
-        const ir::Struct& type = unit.program.structs[index];
-        const std::string& name = unit.globals.struct_names[index];
-        const std::vector<std::string>& fields = unit.globals.field_names[index];
-        const std::vector<std::uint32_t> offsets = layout::offsets_of(unit.program, type);
-        if (type.extern_header.empty()) {
-            write_doc(out, type.doc);
-            out.open("struct " + name);
-            for (std::size_t i = 0; i < type.fields.size(); ++i) {
-                write_doc(out, type.fields[i].doc);
-                out.line(storage_text(unit.globals, type.fields[i].type, true) + " " + fields[i] + "{};");
-            }
-            out.line("bool operator==(const " + name + "&) const = default;");
-            out.close(";");
+        out.open("struct " + name);
+        for (std::size_t i = 0; i < type.fields.size(); ++i) {
+            write_doc(out, type.fields[i].doc);
+            out.line(storage_text(unit.globals, type.fields[i].type, true) + " " + fields[i] + "{};");
         }
-        // What has a part that takes up no memory is in none itself.
-        const bool is_in_memory =
-            std::none_of(type.fields.begin(), type.fields.end(),
-                         [&](const ir::StructField& field) { return ir::holds_empty(unit.program, field.type); });
-        for (std::size_t i = 0; i < type.fields.size() && is_in_memory; ++i)
-            out.line("static_assert(offsetof(" + name + ", " + fields[i] + ") == " + std::to_string(offsets[i]) + ");");
-        if (!type.extern_header.empty())
-            out.line("static_assert(sizeof(" + name + ") == " + std::to_string(type.size) + ");");
-        out.gap();
+        out.line("bool operator==(const " + name + "&) const = default;");
+        out.close(";");
     }
+    // What has a part that takes up no memory is in none itself.
+    const bool is_in_memory = std::none_of(type.fields.begin(), type.fields.end(), [&](const ir::StructField& field) {
+        return ir::holds_empty(unit.program, field.type);
+    });
+    for (std::size_t i = 0; i < type.fields.size() && is_in_memory; ++i)
+        out.line("static_assert(offsetof(" + name + ", " + fields[i] + ") == " + std::to_string(offsets[i]) + ");");
+    if (!type.extern_header.empty())
+        out.line("static_assert(sizeof(" + name + ") == " + std::to_string(type.size) + ");");
+    out.gap();
 }
 
 }  // namespace gliftc::cpp

@@ -78,8 +78,8 @@ void print_place(Unit& unit, Writer& out, std::uint32_t index) {
     const ir::Structure& structure = unit.program.structures[index];
     const ir::Stage& stage = structure.via[0];
     const ir::Translator& translator = unit.program.translators[stage.translator];
-    out.open("std::uint64_t " + unit.class_name(index) + "::place(" + unit.type(structure.domain_type) +
-             " address) const");
+    out.open(unit.linkage(structure.key) + ("std::uint64_t " + unit.own_name(index)) + "::place(" +
+             unit.type(structure.domain_type) + " address) const");
     const std::vector<std::string> states = print_state(unit, out, index, stage, "", {"address", "translate", "place"});
     print_method(unit, out, "translate", translator.translate, unit.type(translator.physical_type), states);
     out.line("return translate(address);");

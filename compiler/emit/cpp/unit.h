@@ -34,14 +34,18 @@ struct TranslationCheck {
     std::string why_not_alone;  ///< where `of_extents` is empty
 };
 
+/// One namespace of the code that is made for a module: its own, or that of another module, of which it uses what no
+/// header and no source has: instances of generics, and all of modules that nothing is made for.
 struct Unit {
     const ir::Program& program;
     const ir::Lowered& lowered;
     const Sources& sources;
-    std::uint32_t module;
+    std::uint32_t module;  ///< the one that code is made for
+    std::uint32_t home;    ///< the one whose namespace it is
     const std::vector<KernelCode>& code;
-    Options options;
-    Reach reach;
+    const Options& options;
+    const Reach& reach;
+    const ProgramNames& own;  ///< names within their namespaces
     Globals globals;
     std::string tests;                                   ///< the table of tests
     std::vector<TranslationCheck> translation_checks{};  ///< in a test program
@@ -50,15 +54,20 @@ struct Unit {
     std::string name(Name n) const { return (*program.names)[n]; }
     std::string type(ir::TypeId id, bool qualified = false) const { return type_text(globals, id, qualified); }
     const std::string& class_name(std::uint32_t structure) const { return globals.structure_names[structure]; }
+    /// Within the class and where its members are defined.
+    const std::string& own_name(std::uint32_t structure) const { return own.structures[structure]; }
+    /// Before definitions that another module's code may have, too: the linker takes one.
+    const char* linkage(const std::string& key) const;
 };
 
 /// The structure instance at a place below a root.
 std::uint32_t structure_at(const ir::Program& program, std::uint32_t root_structure, const ir::Place& place);
 
 // structures.cpp
-void print_class(Unit& unit, Writer& out, std::uint32_t structure, bool qualified);
+void print_class(Unit& unit, Writer& out, std::uint32_t structure);
 void print_class_members(Unit& unit, Writer& out, std::uint32_t structure);
-void print_structs(Unit& unit, Writer& out);
+void print_struct(const Unit& unit, Writer& out, std::uint32_t index);
+void print_enum(const Unit& unit, Writer& out, std::uint32_t index);
 
 // kernels.cpp
 /// The struct that mirrors the parameter block: `struct <name>_parameters { … };`. Empty without parameters.
@@ -77,7 +86,7 @@ std::optional<std::size_t> range_of_first_at(const ir::Kernel& kernel);
 std::string short_kernel_function(Unit& unit, std::uint32_t kernel);  ///< empty: it may not
 
 // pipelines.cpp
-std::string pipeline_signature(Unit& unit, std::uint32_t pipeline, bool qualified, bool in_class);
+std::string pipeline_signature(Unit& unit, std::uint32_t pipeline, bool qualified);
 void print_pipeline(Unit& unit, Writer& out, std::uint32_t pipeline);
 
 // translation_checks.cpp

@@ -174,9 +174,9 @@ void name_structs(Printer& p) {
 void name_functions(Printer& p) {
     for (ir::FunctionId id : p.pass.functions) {
         const ir::Function& function = p.program.functions[id];
-        const std::string& name = (*p.program.names)[function.name];
-        p.function_names[id] =
-            p.names.declare(p.names.is_free(name) || function.display.empty() ? name : function.display);
+        const std::string name = p.function_prefix + (*p.program.names)[function.name];
+        p.function_names[id] = p.names.declare(
+            p.names.is_free(name) || function.display.empty() ? name : p.function_prefix + function.display);
     }
 }
 

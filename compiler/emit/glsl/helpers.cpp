@@ -344,12 +344,18 @@ std::string need(Printer& p, Helper helper, TypeId a, TypeId b) {
     return name_of(helper);
 }
 
+std::vector<std::string> helper_list(Printer& p) {
+    std::vector<std::string> texts;
+    for (const HelperUse& use : p.helpers) {
+        std::string made = definition(p, use);
+        if (std::ranges::find(texts, made) == texts.end()) texts.push_back(std::move(made));  // an enum is a uint here
+    }
+    return texts;
+}
+
 std::string helper_definitions(Printer& p) {
     std::string text;
-    for (const HelperUse& use : p.helpers) {
-        std::string made = definition(p, use) + "\n";
-        if (text.find(made) == std::string::npos) text += made;  // an enum is a uint here
-    }
+    for (const std::string& made : helper_list(p)) text += made + "\n";
     return text;
 }
 

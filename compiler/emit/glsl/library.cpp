@@ -112,16 +112,62 @@ std::string heading(const Program& program, const Sources& sources, std::uint32_
     const Structure& s = program.structures[structure];
     std::string text = "// " + s.display;
     if (s.span) text += ", " + file_name(sources[s.span.file].path) + ":" + std::to_string(sources.line_of(s.span));
-    return text + ".\n// Define before including: " + macro + "_SET, " + macro +
-           "_BINDING (the state; memory k follows at + 1 + k), " + macro + "_STATE, " + macro + "_READONLY.\n";
+    return text + ".\n// Define before including: " + macro + "_BINDING (the state; memory k follows at + 1 + k)." +
+           " Where wanted: " + macro + "_SET, " + macro + "_STATE, " + macro + "_READONLY.\n";
 }
 
-std::string macros_text(const std::string& macro) {
-    std::string text;
-    for (const char* suffix : {"_SET", "_BINDING"})
-        text += "#ifndef " + macro + suffix + "\n#define " + macro + suffix + " 0\n#endif\n";
+/// `has_bindings`: something is bound even where the shader declares the state in a block of its own.
+std::string macros_text(const std::string& macro, bool has_bindings) {
+    std::string text = "#ifndef " + macro + "_SET\n#define " + macro + "_SET 0\n#endif\n";
+    const std::string missing = has_bindings ? "#ifndef " + macro + "_BINDING\n"
+                                             : "#if !defined " + macro + "_BINDING && !defined " + macro + "_STATE\n";
+    text += missing + "#error define " + macro + "_BINDING before this file is included\n#endif\n";
     return text + "#ifdef " + macro + "_READONLY\n#define " + macro + "_ACCESS readonly\n#else\n#define " + macro +
            "_ACCESS\n#endif\n\n";
+}
+
+/// FNV-1a, as a number that the preprocessor of GLSL takes.
+std::string number_of(const std::string& text) {
+    std::uint32_t hash = 2166136261u;
+    for (char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
+    return std::to_string(hash & 0x7fffffffu);
+}
+
+/// Text that several files may have: once in a shader. Other text under the same macro is an error.
+std::string once(const std::string& macro, const std::string& text, const std::string& error) {
+    const std::string number = number_of(text);
+    return "#ifndef " + macro + "\n#define " + macro + " " + number + "\n" + text + "#elif " + macro + " != " + number +
+           "\n#error " + error + "\n#endif\n";
+}
+
+std::string structs_text(Printer& p) {
+    std::string text;
+    for (TypeId type : p.struct_types) {
+        const std::string name = type_text(p, type);
+        text += once("GLIFT_STRUCT_" + name, struct_definition(p, type),
+                     "another struct is called " + name + " in a file included before") +
+                "\n";
+    }
+    return text;
+}
+
+std::string enumerators_once(const Printer& p) {
+    std::string text;
+    for (const auto& [key, name] : p.enumerators) {
+        const std::string value = std::to_string(p.program.enums[key.first].values[key.second]);
+        const std::string macro = "GLIFT_ENUMERATOR_" + name + "_" + value;
+        text += "#ifndef " + macro + "\n#define " + macro + "\nconst uint " + name + " = " + value + "u;\n#endif\n";
+    }
+    return text.empty() ? "" : text + "\n";
+}
+
+std::string helpers_text(Printer& p) {
+    std::string text;
+    for (const std::string& helper : helper_list(p)) {
+        const std::string macro = "GLIFT_HELPER_" + number_of(helper);
+        text += "#ifndef " + macro + "\n#define " + macro + "\n" + helper + "#endif\n\n";
+    }
+    return text;
 }
 
 }  // namespace
@@ -146,6 +192,7 @@ std::string library_of(const Program& program, const Sources& sources, const Lib
 
     Printer all(program, sources, interface.all, {});
     all.names = interface.names;
+    all.function_prefix = name + "_";
     for (const PassBinding& binding : interface.all.bindings) {
         all.binding_names.push_back(binding.name);
         all.block_names.push_back(all.names.declare(binding.name + "_memory"));
@@ -157,6 +204,7 @@ std::string library_of(const Program& program, const Sources& sources, const Lib
         const LibraryFunction& function = library.functions[i];
         Printer p(program, sources, function.pass, {});
         carry_over(all, p);
+        p.function_prefix = all.function_prefix;
         p.binding_names = bindings[i];
         p.parameter_names = parameters[i];
         std::string text = callees_text(p);  // names what the function calls
@@ -168,12 +216,14 @@ std::string library_of(const Program& program, const Sources& sources, const Lib
     std::string memories = memories_text(all, macro);
     replace_all(memories, ") buffer ", ") " + macro + "_ACCESS buffer ");
     replace_all(memories, ") uniform ", ") uniform " + macro + "_ACCESS ");
-    std::string state = state_text(all, name, macro), helpers = helper_definitions(all),
-                structs = struct_definitions(all);
-    return "#ifndef GLIFT_" + macro + "\n#define GLIFT_" + macro + "\n" +
-           heading(program, sources, library.structure, macro) + extensions_text(all) + macros_text(macro) +
-           enumerators_text(all) + structs + state + memories + (memories.empty() ? "" : "\n") + helpers + functions +
-           "#endif\n";
+    const std::string state = state_text(all, name, macro), helpers = helpers_text(all), structs = structs_text(all);
+    const std::string macros =
+        state.empty() && memories.empty() ? "" : macros_text(macro, !memories.empty());
+    return heading(program, sources, library.structure, macro) +
+           once("GLIFT_" + macro,
+                extensions_text(all) + macros + enumerators_once(all) + structs + state + memories +
+                    (memories.empty() ? "" : "\n") + helpers + functions,
+                "the functions of another structure called " + library.name + " are included already");
 }
 
 }  // namespace gliftc::glsl

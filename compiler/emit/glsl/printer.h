@@ -117,6 +117,7 @@ struct Printer {
     std::vector<std::string> struct_names;  ///< of Program::structs
     std::vector<std::vector<std::string>> field_names;
     std::unordered_map<ir::FunctionId, std::string> function_names;
+    std::string function_prefix;  ///< of their names: in files that shaders include beside others
     std::unordered_map<ir::LocalId, std::string> local_names;
     std::unordered_map<ir::LocalId, Bounds> bounds;
     bool in_range_is_known = false;  ///< the shader returned already where in_range is false
@@ -138,6 +139,7 @@ std::string type_text(Printer& p, ir::TypeId type);
 std::string declaration(Printer& p, ir::TypeId type, const std::string& name);  ///< float a[8]
 std::string zero(Printer& p, ir::TypeId type);
 std::string padding_values(const Printer& p, ir::TypeId type);  ///< ", 0u" for what a struct has behind its fields
+std::string struct_definition(Printer& p, ir::TypeId type);
 std::string struct_definitions(Printer& p);
 std::string literal(Printer& p, ir::TypeId type, std::uint64_t bits, double number);
 std::string optional_name(Printer& p, ir::TypeId type);
@@ -190,6 +192,7 @@ Text print_intrinsic(Printer& p, const ir::Expr& expr);
 
 // helpers.cpp
 std::string need(Printer& p, Helper helper, ir::TypeId a, ir::TypeId b = {});  ///< the name to call
+std::vector<std::string> helper_list(Printer& p);  ///< each once
 std::string helper_definitions(Printer& p);
 
 // order.cpp

@@ -256,23 +256,24 @@ std::string literal(Printer& p, TypeId type, std::uint64_t bits, double number) 
     throw std::logic_error("emit/glsl: a constant that is not a scalar");
 }
 
+std::string struct_definition(Printer& p, ir::TypeId type) {
+    const ir::Type& t = p.program.types[type];
+    if (t.kind == TypeKind::optional) {
+        std::string text = "struct " + optional_name(p, type) + " {\n    bool has;\n";
+        if (!is_empty(p.program, t.element)) text += "    " + declaration(p, t.element, "value") + ";\n";
+        return text + "};\n";
+    }
+    const ir::Struct& s = p.program.structs[t.index];
+    std::string text = "struct " + p.struct_names[t.index] + " {\n";
+    for (std::size_t i = 0; i < s.fields.size(); ++i)
+        if (!is_empty(p.program, s.fields[i].type))
+            text += "    " + declaration(p, s.fields[i].type, p.field_names[t.index][i]) + ";\n";
+    return text + padding_members(p, type) + "};\n";
+}
+
 std::string struct_definitions(Printer& p) {
     std::string text;
-    for (TypeId type : p.struct_types) {
-        const ir::Type& t = p.program.types[type];
-        if (t.kind == TypeKind::optional) {
-            text += "struct " + optional_name(p, type) + " {\n    bool has;\n";
-            if (!is_empty(p.program, t.element)) text += "    " + declaration(p, t.element, "value") + ";\n";
-            text += "};\n\n";
-            continue;
-        }
-        const ir::Struct& s = p.program.structs[t.index];
-        text += "struct " + p.struct_names[t.index] + " {\n";
-        for (std::size_t i = 0; i < s.fields.size(); ++i)
-            if (!is_empty(p.program, s.fields[i].type))
-                text += "    " + declaration(p, s.fields[i].type, p.field_names[t.index][i]) + ";\n";
-        text += padding_members(p, type) + "};\n\n";
-    }
+    for (TypeId type : p.struct_types) text += struct_definition(p, type) + "\n";
     return text;
 }
 

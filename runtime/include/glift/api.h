@@ -11,3 +11,6 @@
 #else
 #define GLIFT_API __attribute__((visibility("default")))
 #endif
+
+// Before functions that several generated sources may define, all alike: the linker takes one.
+#define GLIFT_SHARED __attribute__((weak))

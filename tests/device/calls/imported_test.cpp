@@ -7,7 +7,7 @@ namespace {
 
 TEST(Imported, is_written_by_the_program) {
     for (const glift::Device& device : {glift::Device::open("host"), glift::Device::open()}) {
-        imported::Folded folded(device, 3);
+        shapes::Folded folded(device, 3);
         folded.write(std::vector<glift::uint>{5, 7, 11});
         EXPECT_EQ(imported::total(device, folded).await(device), 23u);
         folded.fill(2);

@@ -1,14 +1,14 @@
-#ifndef GLIFT_NUMBERS
-#define GLIFT_NUMBERS
 // Array<1, uint, none, buffer>, array.glift:20.
-// Define before including: NUMBERS_SET, NUMBERS_BINDING (the state; memory k follows at + 1 + k), NUMBERS_STATE, NUMBERS_READONLY.
+// Define before including: NUMBERS_BINDING (the state; memory k follows at + 1 + k). Where wanted: NUMBERS_SET, NUMBERS_STATE, NUMBERS_READONLY.
+#ifndef GLIFT_NUMBERS
+#define GLIFT_NUMBERS 1489420975
 #extension GL_EXT_scalar_block_layout : require
 
 #ifndef NUMBERS_SET
 #define NUMBERS_SET 0
 #endif
 #ifndef NUMBERS_BINDING
-#define NUMBERS_BINDING 0
+#error define NUMBERS_BINDING before this file is included
 #endif
 #ifdef NUMBERS_READONLY
 #define NUMBERS_ACCESS readonly
@@ -41,4 +41,6 @@ void Numbers_write(uint address, uint value) {
     }
 }
 #endif
+#elif GLIFT_NUMBERS != 1489420975
+#error the functions of another structure called Numbers are included already
 #endif

@@ -1,14 +1,14 @@
-#ifndef GLIFT_LINE
-#define GLIFT_LINE
 // Array<1, uint, none, buffer>, array.glift:20.
-// Define before including: LINE_SET, LINE_BINDING (the state; memory k follows at + 1 + k), LINE_STATE, LINE_READONLY.
+// Define before including: LINE_BINDING (the state; memory k follows at + 1 + k). Where wanted: LINE_SET, LINE_STATE, LINE_READONLY.
+#ifndef GLIFT_LINE
+#define GLIFT_LINE 159017423
 #extension GL_EXT_scalar_block_layout : require
 
 #ifndef LINE_SET
 #define LINE_SET 0
 #endif
 #ifndef LINE_BINDING
-#define LINE_BINDING 0
+#error define LINE_BINDING before this file is included
 #endif
 #ifdef LINE_READONLY
 #define LINE_ACCESS readonly
@@ -41,4 +41,6 @@ void Line_write(uint address, uint value) {
     }
 }
 #endif
+#elif GLIFT_LINE != 159017423
+#error the functions of another structure called Line are included already
 #endif

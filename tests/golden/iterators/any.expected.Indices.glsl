@@ -1,14 +1,14 @@
-#ifndef GLIFT_INDICES
-#define GLIFT_INDICES
 // Array<1, uint, none, buffer>, array.glift:20.
-// Define before including: INDICES_SET, INDICES_BINDING (the state; memory k follows at + 1 + k), INDICES_STATE, INDICES_READONLY.
+// Define before including: INDICES_BINDING (the state; memory k follows at + 1 + k). Where wanted: INDICES_SET, INDICES_STATE, INDICES_READONLY.
+#ifndef GLIFT_INDICES
+#define GLIFT_INDICES 658572325
 #extension GL_EXT_scalar_block_layout : require
 
 #ifndef INDICES_SET
 #define INDICES_SET 0
 #endif
 #ifndef INDICES_BINDING
-#define INDICES_BINDING 0
+#error define INDICES_BINDING before this file is included
 #endif
 #ifdef INDICES_READONLY
 #define INDICES_ACCESS readonly
@@ -41,4 +41,6 @@ void Indices_write(uint address, uint value) {
     }
 }
 #endif
+#elif GLIFT_INDICES != 658572325
+#error the functions of another structure called Indices are included already
 #endif

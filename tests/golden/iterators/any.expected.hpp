@@ -7,19 +7,22 @@
 #include <cstddef>
 
 /// Random reads: a gather through a structure of addresses.
-namespace any {
 
+namespace std_array {
+
+#ifndef GLIFT_std_array_HAS_Array_1_float_none_buffer
+#define GLIFT_std_array_HAS_Array_1_float_none_buffer
 /// Array<1, float, none, buffer>. A dense N-D array. Memory: one element an address. What lies outside is up to
 /// `edge`: by default reads give zero and
 /// writes go nowhere. Thesis section 9.1.
-class Values : public glift::Structure<Values, glift::uint, float> {
+class Array_1_float_none_buffer : public glift::Structure<Array_1_float_none_buffer, glift::uint, float> {
 public:
-    static constexpr const char* type_name = "Values";
+    static constexpr const char* type_name = "Array<1, float, none, buffer>";
 
-    Values() = default;
-    Values(const glift::Commands& commands, glift::uint extent);
+    Array_1_float_none_buffer() = default;
+    Array_1_float_none_buffer(const glift::Commands& commands, glift::uint extent);
     /// Over parts that exist already.
-    Values(const glift::Commands& commands, glift::uint extent, glift::Memory data);
+    Array_1_float_none_buffer(const glift::Commands& commands, glift::uint extent, glift::Memory data);
 
     /// The extent of the virtual domain.
     glift::uint domain() const;
@@ -27,35 +30,50 @@ public:
     const glift::Memory& data() const { return data_; }
     glift::uint data_extent() const { return data_extent_; }
     /// True if the two were made with equal arguments.
-    bool same_state(const Values& other) const;
+    bool same_state(const Array_1_float_none_buffer& other) const;
 
     /// Gives every element, or those of a box, one value.
     void fill(float value);
-    void fill(float value, const glift::Range<Values>& range);
+    void fill(float value, const glift::Range<Array_1_float_none_buffer>& range);
     /// Where an element lies in row_memory(), in elements; the address is an affine function of the virtual one.
     std::uint64_t place(glift::uint address) const;
     const glift::Memory& row_memory() const { return data_; }
     /// Elements of a box to a linear buffer, and back.
-    void copy_out(const glift::Commands& commands, const glift::Range<Values>& range, const glift::Memory& box) const;
-    void copy_in(const glift::Commands& commands, const glift::Range<Values>& range, const glift::Memory& box) const;
+    void copy_out(const glift::Commands& commands, const glift::Range<Array_1_float_none_buffer>& range,
+        const glift::Memory& box) const;
+    void copy_in(const glift::Commands& commands, const glift::Range<Array_1_float_none_buffer>& range,
+        const glift::Memory& box) const;
 
 private:
     glift::uint extent_{};
     glift::uint data_extent_{};
     glift::Memory data_;
 };
+#endif
 
+}  // namespace std_array
+
+namespace any {
+
+using Values = ::std_array::Array_1_float_none_buffer;
+
+}  // namespace any
+
+namespace std_array {
+
+#ifndef GLIFT_std_array_HAS_Array_1_uint_none_buffer
+#define GLIFT_std_array_HAS_Array_1_uint_none_buffer
 /// Array<1, uint, none, buffer>. A dense N-D array. Memory: one element an address. What lies outside is up to
 /// `edge`: by default reads give zero and
 /// writes go nowhere. Thesis section 9.1.
-class Indices : public glift::Structure<Indices, glift::uint, glift::uint> {
+class Array_1_uint_none_buffer : public glift::Structure<Array_1_uint_none_buffer, glift::uint, glift::uint> {
 public:
-    static constexpr const char* type_name = "Indices";
+    static constexpr const char* type_name = "Array<1, uint, none, buffer>";
 
-    Indices() = default;
-    Indices(const glift::Commands& commands, glift::uint extent);
+    Array_1_uint_none_buffer() = default;
+    Array_1_uint_none_buffer(const glift::Commands& commands, glift::uint extent);
     /// Over parts that exist already.
-    Indices(const glift::Commands& commands, glift::uint extent, glift::Memory data);
+    Array_1_uint_none_buffer(const glift::Commands& commands, glift::uint extent, glift::Memory data);
 
     /// The extent of the virtual domain.
     glift::uint domain() const;
@@ -63,23 +81,32 @@ public:
     const glift::Memory& data() const { return data_; }
     glift::uint data_extent() const { return data_extent_; }
     /// True if the two were made with equal arguments.
-    bool same_state(const Indices& other) const;
+    bool same_state(const Array_1_uint_none_buffer& other) const;
 
     /// Gives every element, or those of a box, one value.
     void fill(glift::uint value);
-    void fill(glift::uint value, const glift::Range<Indices>& range);
+    void fill(glift::uint value, const glift::Range<Array_1_uint_none_buffer>& range);
     /// Where an element lies in row_memory(), in elements; the address is an affine function of the virtual one.
     std::uint64_t place(glift::uint address) const;
     const glift::Memory& row_memory() const { return data_; }
     /// Elements of a box to a linear buffer, and back.
-    void copy_out(const glift::Commands& commands, const glift::Range<Indices>& range, const glift::Memory& box) const;
-    void copy_in(const glift::Commands& commands, const glift::Range<Indices>& range, const glift::Memory& box) const;
+    void copy_out(const glift::Commands& commands, const glift::Range<Array_1_uint_none_buffer>& range,
+        const glift::Memory& box) const;
+    void copy_in(const glift::Commands& commands, const glift::Range<Array_1_uint_none_buffer>& range,
+        const glift::Memory& box) const;
 
 private:
     glift::uint extent_{};
     glift::uint data_extent_{};
     glift::Memory data_;
 };
+#endif
+
+}  // namespace std_array
+
+namespace any {
+
+using Indices = ::std_array::Array_1_uint_none_buffer;
 
 void gather(const glift::Commands& commands, const glift::Range<Values>& values, const glift::Range<Indices>& index,
     const glift::Range<Values>& g);

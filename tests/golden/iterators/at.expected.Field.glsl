@@ -1,14 +1,14 @@
-#ifndef GLIFT_FIELD
-#define GLIFT_FIELD
 // Array<2, float, none, buffer>, array.glift:20.
-// Define before including: FIELD_SET, FIELD_BINDING (the state; memory k follows at + 1 + k), FIELD_STATE, FIELD_READONLY.
+// Define before including: FIELD_BINDING (the state; memory k follows at + 1 + k). Where wanted: FIELD_SET, FIELD_STATE, FIELD_READONLY.
+#ifndef GLIFT_FIELD
+#define GLIFT_FIELD 834591167
 #extension GL_EXT_scalar_block_layout : require
 
 #ifndef FIELD_SET
 #define FIELD_SET 0
 #endif
 #ifndef FIELD_BINDING
-#define FIELD_BINDING 0
+#error define FIELD_BINDING before this file is included
 #endif
 #ifdef FIELD_READONLY
 #define FIELD_ACCESS readonly
@@ -42,4 +42,6 @@ void Field_write(uvec2 address, float value) {
     }
 }
 #endif
+#elif GLIFT_FIELD != 834591167
+#error the functions of another structure called Field are included already
 #endif

@@ -7,19 +7,22 @@
 #include <cstddef>
 
 /// Addresses without data.
-namespace at {
 
+namespace std_array {
+
+#ifndef GLIFT_std_array_HAS_Array_2_float_none_buffer
+#define GLIFT_std_array_HAS_Array_2_float_none_buffer
 /// Array<2, float, none, buffer>. A dense N-D array. Memory: one element an address. What lies outside is up to
 /// `edge`: by default reads give zero and
 /// writes go nowhere. Thesis section 9.1.
-class Field : public glift::Structure<Field, glift::uint2, float> {
+class Array_2_float_none_buffer : public glift::Structure<Array_2_float_none_buffer, glift::uint2, float> {
 public:
-    static constexpr const char* type_name = "Field";
+    static constexpr const char* type_name = "Array<2, float, none, buffer>";
 
-    Field() = default;
-    Field(const glift::Commands& commands, glift::uint2 extent);
+    Array_2_float_none_buffer() = default;
+    Array_2_float_none_buffer(const glift::Commands& commands, glift::uint2 extent);
     /// Over parts that exist already.
-    Field(const glift::Commands& commands, glift::uint2 extent, glift::Memory data);
+    Array_2_float_none_buffer(const glift::Commands& commands, glift::uint2 extent, glift::Memory data);
 
     /// The extent of the virtual domain.
     glift::uint2 domain() const;
@@ -27,23 +30,32 @@ public:
     const glift::Memory& data() const { return data_; }
     glift::uint data_extent() const { return data_extent_; }
     /// True if the two were made with equal arguments.
-    bool same_state(const Field& other) const;
+    bool same_state(const Array_2_float_none_buffer& other) const;
 
     /// Gives every element, or those of a box, one value.
     void fill(float value);
-    void fill(float value, const glift::Range<Field>& range);
+    void fill(float value, const glift::Range<Array_2_float_none_buffer>& range);
     /// Where an element lies in row_memory(), in elements; the address is an affine function of the virtual one.
     std::uint64_t place(glift::uint2 address) const;
     const glift::Memory& row_memory() const { return data_; }
     /// Elements of a box to a linear buffer, and back.
-    void copy_out(const glift::Commands& commands, const glift::Range<Field>& range, const glift::Memory& box) const;
-    void copy_in(const glift::Commands& commands, const glift::Range<Field>& range, const glift::Memory& box) const;
+    void copy_out(const glift::Commands& commands, const glift::Range<Array_2_float_none_buffer>& range,
+        const glift::Memory& box) const;
+    void copy_in(const glift::Commands& commands, const glift::Range<Array_2_float_none_buffer>& range,
+        const glift::Memory& box) const;
 
 private:
     glift::uint2 extent_{};
     glift::uint data_extent_{};
     glift::Memory data_;
 };
+#endif
+
+}  // namespace std_array
+
+namespace at {
+
+using Field = ::std_array::Array_2_float_none_buffer;
 
 void ramp(const glift::Commands& commands, const glift::Range<Field>& a, const glift::Range<Field>& f);
 void ramp(const glift::Commands& commands, const glift::Range<Field>& f);

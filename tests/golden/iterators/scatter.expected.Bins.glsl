@@ -1,14 +1,14 @@
-#ifndef GLIFT_BINS
-#define GLIFT_BINS
 // Array<1, uint, none, buffer>, array.glift:20.
-// Define before including: BINS_SET, BINS_BINDING (the state; memory k follows at + 1 + k), BINS_STATE, BINS_READONLY.
+// Define before including: BINS_BINDING (the state; memory k follows at + 1 + k). Where wanted: BINS_SET, BINS_STATE, BINS_READONLY.
+#ifndef GLIFT_BINS
+#define GLIFT_BINS 840872263
 #extension GL_EXT_scalar_block_layout : require
 
 #ifndef BINS_SET
 #define BINS_SET 0
 #endif
 #ifndef BINS_BINDING
-#define BINS_BINDING 0
+#error define BINS_BINDING before this file is included
 #endif
 #ifdef BINS_READONLY
 #define BINS_ACCESS readonly
@@ -41,4 +41,6 @@ void Bins_write(uint address, uint value) {
     }
 }
 #endif
+#elif GLIFT_BINS != 840872263
+#error the functions of another structure called Bins are included already
 #endif

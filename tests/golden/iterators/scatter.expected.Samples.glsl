@@ -1,14 +1,14 @@
-#ifndef GLIFT_SAMPLES
-#define GLIFT_SAMPLES
 // Array<1, uint, none, buffer>, array.glift:20.
-// Define before including: SAMPLES_SET, SAMPLES_BINDING (the state; memory k follows at + 1 + k), SAMPLES_STATE, SAMPLES_READONLY.
+// Define before including: SAMPLES_BINDING (the state; memory k follows at + 1 + k). Where wanted: SAMPLES_SET, SAMPLES_STATE, SAMPLES_READONLY.
+#ifndef GLIFT_SAMPLES
+#define GLIFT_SAMPLES 757895941
 #extension GL_EXT_scalar_block_layout : require
 
 #ifndef SAMPLES_SET
 #define SAMPLES_SET 0
 #endif
 #ifndef SAMPLES_BINDING
-#define SAMPLES_BINDING 0
+#error define SAMPLES_BINDING before this file is included
 #endif
 #ifdef SAMPLES_READONLY
 #define SAMPLES_ACCESS readonly
@@ -41,4 +41,6 @@ void Samples_write(uint address, uint value) {
     }
 }
 #endif
+#elif GLIFT_SAMPLES != 757895941
+#error the functions of another structure called Samples are included already
 #endif

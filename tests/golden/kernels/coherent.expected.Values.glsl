@@ -1,14 +1,14 @@
-#ifndef GLIFT_VALUES
-#define GLIFT_VALUES
 // Array<1, uint, none, buffer>, array.glift:20.
-// Define before including: VALUES_SET, VALUES_BINDING (the state; memory k follows at + 1 + k), VALUES_STATE, VALUES_READONLY.
+// Define before including: VALUES_BINDING (the state; memory k follows at + 1 + k). Where wanted: VALUES_SET, VALUES_STATE, VALUES_READONLY.
+#ifndef GLIFT_VALUES
+#define GLIFT_VALUES 280060139
 #extension GL_EXT_scalar_block_layout : require
 
 #ifndef VALUES_SET
 #define VALUES_SET 0
 #endif
 #ifndef VALUES_BINDING
-#define VALUES_BINDING 0
+#error define VALUES_BINDING before this file is included
 #endif
 #ifdef VALUES_READONLY
 #define VALUES_ACCESS readonly
@@ -41,4 +41,6 @@ void Values_write(uint address, uint value) {
     }
 }
 #endif
+#elif GLIFT_VALUES != 280060139
+#error the functions of another structure called Values are included already
 #endif

@@ -7,19 +7,22 @@
 #include <cstddef>
 
 /// Passes in a row with temporaries, a loop on the host and a value waited for.
-namespace steps {
 
+namespace std_array {
+
+#ifndef GLIFT_std_array_HAS_Array_1_float_none_buffer
+#define GLIFT_std_array_HAS_Array_1_float_none_buffer
 /// Array<1, float, none, buffer>. A dense N-D array. Memory: one element an address. What lies outside is up to
 /// `edge`: by default reads give zero and
 /// writes go nowhere. Thesis section 9.1.
-class Line : public glift::Structure<Line, glift::uint, float> {
+class Array_1_float_none_buffer : public glift::Structure<Array_1_float_none_buffer, glift::uint, float> {
 public:
-    static constexpr const char* type_name = "Line";
+    static constexpr const char* type_name = "Array<1, float, none, buffer>";
 
-    Line() = default;
-    Line(const glift::Commands& commands, glift::uint extent);
+    Array_1_float_none_buffer() = default;
+    Array_1_float_none_buffer(const glift::Commands& commands, glift::uint extent);
     /// Over parts that exist already.
-    Line(const glift::Commands& commands, glift::uint extent, glift::Memory data);
+    Array_1_float_none_buffer(const glift::Commands& commands, glift::uint extent, glift::Memory data);
 
     /// The extent of the virtual domain.
     glift::uint domain() const;
@@ -27,23 +30,32 @@ public:
     const glift::Memory& data() const { return data_; }
     glift::uint data_extent() const { return data_extent_; }
     /// True if the two were made with equal arguments.
-    bool same_state(const Line& other) const;
+    bool same_state(const Array_1_float_none_buffer& other) const;
 
     /// Gives every element, or those of a box, one value.
     void fill(float value);
-    void fill(float value, const glift::Range<Line>& range);
+    void fill(float value, const glift::Range<Array_1_float_none_buffer>& range);
     /// Where an element lies in row_memory(), in elements; the address is an affine function of the virtual one.
     std::uint64_t place(glift::uint address) const;
     const glift::Memory& row_memory() const { return data_; }
     /// Elements of a box to a linear buffer, and back.
-    void copy_out(const glift::Commands& commands, const glift::Range<Line>& range, const glift::Memory& box) const;
-    void copy_in(const glift::Commands& commands, const glift::Range<Line>& range, const glift::Memory& box) const;
+    void copy_out(const glift::Commands& commands, const glift::Range<Array_1_float_none_buffer>& range,
+        const glift::Memory& box) const;
+    void copy_in(const glift::Commands& commands, const glift::Range<Array_1_float_none_buffer>& range,
+        const glift::Memory& box) const;
 
 private:
     glift::uint extent_{};
     glift::uint data_extent_{};
     glift::Memory data_;
 };
+#endif
+
+}  // namespace std_array
+
+namespace steps {
+
+using Line = ::std_array::Array_1_float_none_buffer;
 
 void smoothed(const glift::Commands& commands, const Line& g, glift::uint rounds);
 

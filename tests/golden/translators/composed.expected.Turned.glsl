@@ -1,14 +1,14 @@
-#ifndef GLIFT_TURNED
-#define GLIFT_TURNED
 // Turned, composed.glift:19.
-// Define before including: TURNED_SET, TURNED_BINDING (the state; memory k follows at + 1 + k), TURNED_STATE, TURNED_READONLY.
+// Define before including: TURNED_BINDING (the state; memory k follows at + 1 + k). Where wanted: TURNED_SET, TURNED_STATE, TURNED_READONLY.
+#ifndef GLIFT_TURNED
+#define GLIFT_TURNED 340955886
 #extension GL_EXT_scalar_block_layout : require
 
 #ifndef TURNED_SET
 #define TURNED_SET 0
 #endif
 #ifndef TURNED_BINDING
-#define TURNED_BINDING 0
+#error define TURNED_BINDING before this file is included
 #endif
 #ifdef TURNED_READONLY
 #define TURNED_ACCESS readonly
@@ -42,4 +42,6 @@ void Turned_write(uvec2 address, float value) {
     }
 }
 #endif
+#elif GLIFT_TURNED != 340955886
+#error the functions of another structure called Turned are included already
 #endif

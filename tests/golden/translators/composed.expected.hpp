@@ -7,8 +7,11 @@
 #include <cstddef>
 
 /// Translators in a chain: a transposed address, then a row-major one, in a buffer.
+
 namespace composed {
 
+#ifndef GLIFT_composed_HAS_Turned
+#define GLIFT_composed_HAS_Turned
 /// Turned, composed.glift:19.
 class Turned : public glift::Structure<Turned, glift::uint2, float> {
 public:
@@ -39,6 +42,7 @@ private:
     glift::uint data_extent_{};
     glift::Memory data_;
 };
+#endif
 
 void copy(const glift::Commands& commands, const glift::Range<Turned>& f, const glift::Range<Turned>& g);
 

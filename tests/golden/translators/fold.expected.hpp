@@ -7,8 +7,11 @@
 #include <cstddef>
 
 /// A translator of one's own, and a structure over it, in an image.
+
 namespace fold {
 
+#ifndef GLIFT_fold_HAS_Field
+#define GLIFT_fold_HAS_Field
 /// Field, fold.glift:26.
 class Field : public glift::Structure<Field, glift::uint3, float> {
 public:
@@ -39,6 +42,7 @@ private:
     glift::uint2 data_extent_{};
     glift::Memory data_;
 };
+#endif
 
 void twice(const glift::Commands& commands, const glift::Range<Field>& f);
 

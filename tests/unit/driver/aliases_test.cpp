@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <sstream>
 
 namespace gliftc {
 namespace {
@@ -45,15 +46,19 @@ std::map<std::string, std::string> outputs_of(std::vector<std::string> files) {
 
 TEST(Aliases, AreAllThere) {
     auto outputs = outputs_of({"two.glift"});
-    EXPECT_THAT(outputs["two.glift.hpp"], HasSubstr("\nclass Sums : "));
-    EXPECT_THAT(outputs["two.glift.hpp"], HasSubstr("\nusing Counts = Sums;\n"));
+    EXPECT_THAT(outputs["two.glift.hpp"], HasSubstr("\nclass Array_1_uint_none_buffer : "));
+    EXPECT_THAT(outputs["two.glift.hpp"], HasSubstr("\nusing Counts = ::std_array::Array_1_uint_none_buffer;\n"));
+    EXPECT_THAT(outputs["two.glift.hpp"], HasSubstr("\nusing Sums = ::std_array::Array_1_uint_none_buffer;\n"));
     EXPECT_THAT(outputs["two.glift.json"], HasSubstr("\"other_names\": [\n        \"Counts\"\n      ]"));
     EXPECT_THAT(outputs["two.Sums.glsl"], HasSubstr("Sums_translate"));
     EXPECT_THAT(outputs["two.Counts.glsl"], HasSubstr("Counts_translate"));
 }
 
 TEST(Aliases, OfWhatIsImportedAreTakenOver) {
-    EXPECT_THAT(outputs_of({"three.glift"})["three.glift.hpp"], HasSubstr("\nclass Line : "));
+    auto outputs = outputs_of({"three.glift"});
+    EXPECT_THAT(outputs["three.glift.hpp"],
+                HasSubstr("\nnamespace one {\n\nusing Line = ::std_array::Array_1_uint_none_buffer;\n"));
+    EXPECT_THAT(outputs["three.glift.hpp"], HasSubstr("const glift::Range<::one::Line>& x);"));
 }
 
 /// What programs see of a module: its header and its functions for their shaders.
@@ -65,12 +70,39 @@ std::map<std::string, std::string> seen_of(std::vector<std::string> files) {
     return outputs;
 }
 
+/// The header without what the headers have that it includes, and without those lines.
+std::string functions_of(const std::string& header) {
+    std::string functions;
+    std::istringstream lines(header);
+    for (std::string line; std::getline(lines, line);)
+        if (line.starts_with("void ") || line.find(" first(") != std::string::npos) functions += line + "\n";
+    return functions;
+}
+
 TEST(Aliases, DoNotDependOnWhatIsCompiledBeside) {
     std::map<std::string, std::string> alone;
     for (const char* file : {"one.glift", "two.glift", "three.glift"}) alone.merge(seen_of({file}));
-    EXPECT_EQ(seen_of({"one.glift", "two.glift", "three.glift"}), alone);
-    EXPECT_EQ(seen_of({"three.glift", "two.glift", "one.glift"}), alone);
+    auto together = seen_of({"one.glift", "two.glift", "three.glift"});
+    EXPECT_EQ(seen_of({"three.glift", "two.glift", "one.glift"}), together);
+    EXPECT_EQ(together["one.glift.hpp"], alone["one.glift.hpp"]);
+    for (const auto& [name, text] : alone) {
+        if (!name.ends_with(".hpp")) EXPECT_EQ(together[name], text);
+        EXPECT_EQ(functions_of(together[name]), functions_of(text)) << name;
+    }
     EXPECT_THAT(alone["one.glift.hpp"], Not(HasSubstr("Other")));
+}
+
+TEST(Modules, IncludeTheHeadersOfThoseTheyUse) {
+    auto outputs = outputs_of({"three.glift", "one.glift"});
+    EXPECT_THAT(outputs["three.glift.hpp"], HasSubstr("\n#include \"one.glift.hpp\"\n"));
+    EXPECT_THAT(outputs["three.glift.hpp"], Not(HasSubstr("class ")));
+}
+
+// An instance that two modules use is compiled with the first.
+TEST(Modules, CompileWhatTheyShareOnce) {
+    auto outputs = outputs_of({"one.glift", "three.glift"});
+    EXPECT_THAT(outputs["one.glift.library.cpp"], HasSubstr("Array_1_uint_none_buffer::domain() const"));
+    EXPECT_THAT(outputs["three.glift.library.cpp"], Not(HasSubstr("domain() const")));
 }
 
 }  // namespace

@@ -11,8 +11,8 @@ namespace {
 
 using testing::HasSubstr;
 
-/// The library of the only public structure of the text.
-std::string library(const std::string& text) {
+/// The libraries of the public structures of the text.
+std::vector<std::string> libraries(const std::string& text) {
     FileSystem files = disk();
     auto read = files.read;
     files.read = [=](const std::string& path) { return path == "own.glift" ? ReadResult{text, ""} : read(path); };
@@ -27,9 +27,24 @@ std::string library(const std::string& text) {
     Compilation c;
     compile(options, files, c);
     for (const Diagnostic& diagnostic : c.diagnostics.all()) ADD_FAILURE() << diagnostic.text;
-    if (c.diagnostics.has_errors()) return "";
-    EXPECT_EQ(c.lowered.libraries.size(), 1u);
-    return c.lowered.libraries.empty() ? "" : glsl::library_of(c.program, c.sources, c.lowered.libraries[0]);
+    std::vector<std::string> texts;
+    if (c.diagnostics.has_errors()) return texts;
+    for (const ir::Library& library : c.lowered.libraries)
+        texts.push_back(glsl::library_of(c.program, c.sources, library));
+    return texts;
+}
+
+/// Of the only one.
+std::string library(const std::string& text) {
+    const std::vector<std::string> texts = libraries(text);
+    EXPECT_EQ(texts.size(), 1u);
+    return texts.empty() ? "" : texts[0];
+}
+
+std::string error_of(const std::string& declarations) {
+    return spirv::spirv_of("#version 460\n#extension GL_EXT_scalar_block_layout : require\n" + declarations +
+                           "void main() {}\n")
+        .error;
 }
 
 void prove(const std::string& library, const std::string& before, const std::string& after) {
@@ -44,7 +59,7 @@ TEST(Library, OfAnArray) {
     EXPECT_THAT(text, HasSubstr("float Field_read(uvec3 address) {"));
     EXPECT_THAT(text, HasSubstr("void Field_write(uvec3 address, float value) {"));
     EXPECT_THAT(text, HasSubstr("uint Field_translate(uvec3 address) {"));
-    prove(text, "", "Field_write(id, Field_read(id + 1u) + float(Field_translate(id)));\n");
+    prove(text, "#define FIELD_BINDING 0\n", "Field_write(id, Field_read(id + 1u) + float(Field_translate(id)));\n");
     prove(text,
           "#define FIELD_SET 2\n#define FIELD_BINDING 5\n#define FIELD_STATE\n#define FIELD_READONLY\n"
           "layout(push_constant, scalar) uniform Mine { uvec3 Field_extent; };\nlayout(binding = 0) buffer Out { float "
@@ -56,20 +71,20 @@ TEST(Library, OfAnArray) {
 TEST(Library, StateIsThatOfTheStructure) {
     std::string text = library("module own;\nuse std.tiled;\npub structure Plane = Tiled<2, float, uint2(8, 8)>;\n");
     EXPECT_THAT(text, HasSubstr("buffer Plane_state {\n    uvec2 Plane_extent;\n};"));
-    prove(text, "", "Plane_write(id.xy, Plane_read(id.yx));\n");
+    prove(text, "#define PLANE_BINDING 0\n", "Plane_write(id.xy, Plane_read(id.yx));\n");
 }
 
 TEST(Library, OfAPartialMapping) {
     std::string text = library("module own;\nuse std.array;\nuse std.edge;\npub structure Field = Array<2, float2, "
                                "Boundary.repeat, Storage.image2d>;\n");
     EXPECT_THAT(text, HasSubstr("bool Field_is_mapped(uvec2 address) {"));
-    prove(text, "",
+    prove(text, "#define FIELD_BINDING 0\n",
           "if (Field_is_mapped(id.xy)) Field_write(id.xy, Field_read(id.yx) + vec2(Field_translate(id.xy)));\n");
 }
 
 TEST(Library, OfMortonOrder) {
     std::string text = library("module own;\nuse std.tiled;\npub structure Cloud = MortonArray<3, uint>;\n");
-    prove(text, "", "Cloud_write(id, Cloud_read(id.zyx));\n");
+    prove(text, "#define CLOUD_BINDING 0\n", "Cloud_write(id, Cloud_read(id.zyx));\n");
 }
 
 // A translator with a loop is a function of its own: it is named before what calls it is printed.
@@ -79,8 +94,30 @@ TEST(Library, OfATranslatorWithALoop) {
         "    translate(va) {\n        var p = va;\n        while p > 100u {\n            p = p / 2u;\n        }\n"
         "        return p;\n    }\n}\npub structure Few(n: uint) {\n    memory data = buffer<float>[n];\n"
         "    via Halved(n);\n}\n");
-    EXPECT_THAT(text, HasSubstr("return Halved_translate(address);"));
-    prove(text, "", "Few_write(id.x, Few_read(id.y));\n");
+    EXPECT_THAT(text, HasSubstr("return Few_Halved_translate(address);"));
+    prove(text, "#define FEW_BINDING 0\n", "Few_write(id.x, Few_read(id.y));\n");
+}
+
+// They share a struct, each has functions of its own, and what both call lies in both.
+TEST(Library, SeveralInOneShader) {
+    const std::vector<std::string> texts = libraries(
+        "module two;\nuse std.array;\nuse std.tiled;\nstruct Particle { x: float; v: float2; }\n"
+        "pub structure A = Array<1, Particle>;\npub structure B = Tiled<1, Particle, 4>;\n"
+        "pub structure C = Tiled<1, Particle, 8>;\n");
+    ASSERT_EQ(texts.size(), 3u);
+    prove(texts[0] + texts[1] + texts[2] + texts[0],
+          "#define A_BINDING 0\n#define B_BINDING 2\n#define C_BINDING 4\n",
+          "A_write(id.x, B_read(id.y));\nC_write(id.x, A_read(id.z));\n");
+}
+
+TEST(Library, SaysWhatMayNotMeet) {
+    const std::string a = library("module a;\nuse std.array;\nstruct P { x: float; }\npub structure A = Array<1, P>;\n");
+    const std::string b = library("module b;\nuse std.array;\nstruct P { y: float; }\npub structure B = Array<1, P>;\n");
+    const std::string other = library("module c;\nuse std.array;\npub structure A = Array<2, float>;\n");
+    const std::string bound = "#define A_BINDING 0\n#define B_BINDING 2\n";
+    EXPECT_THAT(error_of(bound + a + b), HasSubstr("another struct is called P in a file included before"));
+    EXPECT_THAT(error_of(bound + a + other), HasSubstr("the functions of another structure called A are included already"));
+    EXPECT_THAT(error_of(a), HasSubstr("define A_BINDING before this file is included"));
 }
 
 }  // namespace

@@ -1,12 +1,9 @@
 // How host kernels spread over the cores: blocks of rows, and atomic combination of values.
 #pragma once
 
+#include <glift/api.h>
 #include <glift/pass.h>
 #include <glift/vector.h>
-
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
 #include <atomic>
@@ -14,6 +11,7 @@
 #include <cstddef>
 #include <cstring>
 #include <iterator>
+#include <utility>
 
 // Compiled once for each width of vectors; the dynamic linker takes the widest that this machine has.
 #if !defined(GLIFT_HOST_KERNEL)
@@ -92,15 +90,12 @@ namespace detail {
 inline constexpr std::size_t task_elements = 1 << 14;
 
 /// Calls `run(body, begin, end)` for parts of [0, count) that together cover it once, in parallel, none shorter than
-/// half of `grain`. No template: what oneTBB makes of one takes longer to compile than most kernels.
-inline void spread(std::size_t count, std::size_t grain, void (*run)(const void* body, std::size_t, std::size_t),
-                   const void* body) {
-    // Isolated: while this thread waits, it takes no work of the program's, which might call another kernel in between.
-    tbb::this_task_arena::isolate([=] {
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain),
-                          [=](const tbb::blocked_range<std::size_t>& part) { run(body, part.begin(), part.end()); });
-    });
-}
+/// half of `grain`. In the runtime: oneTBB's headers take longer to compile than most kernels.
+GLIFT_API void spread(std::size_t count, std::size_t grain,
+                      void (*run)(const void* body, std::size_t, std::size_t), const void* body);
+
+/// How many threads `spread` uses at most.
+GLIFT_API std::size_t thread_count();
 
 /// The same with a function object that takes (begin, end).
 template <class Body> void spread(std::size_t count, std::size_t grain, const Body& body) {
@@ -118,7 +113,7 @@ template <class Body> void spread_in_order(std::size_t count, std::size_t grain,
         for (std::size_t part = next++; part < parts; part = next++)
             body(part * grain, std::min((part + 1) * grain, count));
     };
-    spread(std::min<std::size_t>(parts, tbb::this_task_arena::max_concurrency()), 1, take_parts);
+    spread(std::min(parts, thread_count()), 1, take_parts);
 }
 
 }  // namespace detail

@@ -1,0 +1,276 @@
+#include "driver/test_program.h"
+
+#include "driver/environment.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace gliftc {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t programs_kept = 64;
+constexpr int cannot_run = 127;
+
+/// What all test programs include.
+constexpr const char* common_headers = "#include <glift/host/image.h>\n#include <glift/host/math.h>\n"
+                                       "#include <glift/host/parallel.h>\n#include <glift/structure.h>\n"
+                                       "#include <glift/testing.h>\n";
+
+/// FNV-1a of two beginnings: what differs gives other digits.
+class Digest {
+public:
+    void add(std::string_view text) {
+        for (unsigned char c : text) {
+            a_ = (a_ ^ c) * prime;
+            b_ = (b_ ^ c) * prime;
+        }
+        a_ = (a_ ^ 0x100) * prime;  // where a text ends
+        b_ = (b_ ^ 0x100) * prime;
+    }
+    std::string digits() const {
+        char text[33];
+        std::snprintf(text, sizeof text, "%016llx%016llx", static_cast<unsigned long long>(a_),
+                      static_cast<unsigned long long>(b_));
+        return text;
+    }
+
+private:
+    static constexpr std::uint64_t prime = 0x100000001b3u;
+    std::uint64_t a_ = 0xcbf29ce484222325u, b_ = 0x84222325cbf29ce4u;
+};
+
+std::string text_of(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+/// Which file it is: its path, size and time.
+std::string identity_of(const fs::path& path) {
+    std::error_code error;
+    const auto size = fs::file_size(path, error);
+    const auto time = fs::last_write_time(path, error).time_since_epoch().count();
+    return path.string() + ":" + std::to_string(size) + ":" + std::to_string(time);
+}
+
+/// The program that the shell would run.
+fs::path find_program(const std::string& name) {
+    if (name.find('/') != std::string::npos) return name;
+    const char* path = std::getenv("PATH");
+    std::istringstream folders(path ? path : "");
+    for (std::string folder; std::getline(folders, folder, ':');)
+        if (access((folder + "/" + name).c_str(), X_OK) == 0) return fs::canonical(folder + "/" + name);
+    return name;
+}
+
+std::vector<std::string> compiler_words() {
+    const char* chosen = std::getenv("CXX");
+    std::istringstream text(chosen && *chosen ? chosen : "c++");  // CXX may hold a launcher: "ccache g++"
+    std::vector<std::string> words;
+    for (std::string word; text >> word;) words.push_back(word);
+    return words;
+}
+
+fs::path cache_folder() {
+    if (const char* named = std::getenv("GLIFT_CACHE_DIR")) return named;
+    if (const char* xdg = std::getenv("XDG_CACHE_HOME"); xdg && *xdg) return fs::path(xdg) / "glift";
+    if (const char* home = std::getenv("HOME"); home && *home) return fs::path(home) / ".cache" / "glift";
+    return {};
+}
+
+pid_t start(const std::vector<std::string>& words) {
+    std::vector<char*> arguments;
+    for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
+    arguments.push_back(nullptr);
+    std::fflush(nullptr);
+    const pid_t child = fork();
+    if (child < 0) throw EnvironmentError("cannot start " + words[0]);
+    if (child != 0) return child;
+    execvp(arguments[0], arguments.data());
+    _exit(cannot_run);
+}
+
+Ended wait_for(pid_t child) {
+    int status = 0;
+    waitpid(child, &status, 0);
+    if (WIFEXITED(status)) return {WEXITSTATUS(status), 0};
+    return {1, WTERMSIG(status)};
+}
+
+/// All commands of the compiler at once; true if all went well.
+bool run_all(const std::vector<std::vector<std::string>>& commands) {
+    std::vector<pid_t> children;
+    for (const std::vector<std::string>& words : commands) children.push_back(start(words));
+    bool well = true, found = true;
+    for (pid_t child : children) {
+        const Ended ended = wait_for(child);
+        well &= ended.code == 0;
+        found &= ended.code != cannot_run;
+    }
+    if (!found)
+        throw EnvironmentError("'gliftc test' builds tests with a C++ compiler, and there is no '" + commands[0][0] +
+                               "' here: install one (Debian: g++), or name one in CXX");
+    return well;
+}
+
+/// The runtime beside this executable: ../include and ../lib, in a build tree as in an installed one.
+fs::path library_folder(const fs::path& root) {
+    for (const char* folder : {"lib", "lib64", "lib/x86_64-linux-gnu", "lib/aarch64-linux-gnu"})
+        if (fs::exists(root / folder / "libglift.so") || fs::exists(root / folder / "libglift.a")) return root / folder;
+    throw EnvironmentError("no libglift in " + (root / "lib").string());
+}
+
+/// A folder that no other process has. Beside `folder`, so that it can take its name.
+fs::path new_folder(const fs::path& folder) {
+    std::string pattern = folder.string() + ".XXXXXX";
+    if (!mkdtemp(pattern.data())) throw EnvironmentError("cannot make a folder in " + folder.parent_path().string());
+    return pattern;
+}
+
+/// Gives the made folder its name, unless another process was sooner.
+void publish(const fs::path& made, const fs::path& name) {
+    std::error_code error;
+    fs::rename(made, name, error);
+    if (error) fs::remove_all(made, error);
+}
+
+}  // namespace
+
+Ended run_and_wait(const std::vector<std::string>& words) { return wait_for(start(words)); }
+
+TestPrograms::TestPrograms() {
+    const fs::path root = fs::canonical("/proc/self/exe").parent_path().parent_path();
+    include_ = root / "include";
+    if (!fs::exists(include_ / "glift" / "testing.h"))
+        throw EnvironmentError("no glift/testing.h in " + include_.string());
+    library_ = library_folder(root);
+
+    Digest tools;
+    for (const std::string& word : compiler_words()) tools.add(word + identity_of(find_program(word)));
+    for (const char* name : {"libglift.so", "libglift.a"})
+        if (fs::exists(library_ / name)) tools.add(identity_of(fs::canonical(library_ / name)));
+    std::set<std::string> headers;
+    for (const auto& entry : fs::recursive_directory_iterator(include_ / "glift", fs::directory_options::follow_directory_symlink))
+        if (entry.is_regular_file()) headers.insert(identity_of(entry.path()));
+    for (const std::string& header : headers) tools.add(header);
+    tools_ = tools.digits();
+
+    std::error_code error;
+    if (const fs::path cache = cache_folder(); !cache.empty()) {
+        folder_ = cache / "tests";
+        fs::create_directories(folder_, error);
+        if (!error && access(folder_.c_str(), W_OK) == 0) return;
+    }
+    folder_ = new_folder(fs::temp_directory_path() / "gliftc-test");
+    is_temporary_ = true;
+}
+
+TestPrograms::~TestPrograms() {
+    std::error_code ignored;
+    if (is_temporary_) fs::remove_all(folder_, ignored);
+}
+
+std::vector<std::string> TestPrograms::compile_command() const {
+    std::vector<std::string> words = compiler_words();
+    // -Og: less to wait for than with -O1, and good to step through. One copy of a kernel, not one a width of vectors.
+    words.insert(words.end(), {"-std=c++20", "-Og", "-DGLIFT_HOST_KERNEL=", "-ffp-contract=off", "-fwrapv",
+                               "-fno-math-errno", "-fno-trapping-math", "-I" + include_.string()});
+    return words;
+}
+
+/// The headers that all test programs include, compiled once: reading them is most of a small program's time. The file to
+/// include first; empty where the compiler can't.
+fs::path TestPrograms::compiled_headers() {
+    if (is_temporary_) return {};
+    const fs::path folder = folder_ / ("headers-" + tools_);
+    const fs::path header = folder / "common.hpp";
+    if (fs::exists(header)) {
+        std::error_code ignored;
+        fs::last_write_time(folder, fs::file_time_type::clock::now(), ignored);  // in use: not among the oldest
+        return header;
+    }
+    const fs::path made = new_folder(folder);
+    write_if_changed((made / "common.hpp").string(), common_headers);
+    std::vector<std::string> words = compile_command();
+    words.insert(words.end(), {"-x", "c++-header", (made / "common.hpp").string(), "-o", (made / "common.hpp.gch").string()});
+    if (!run_all({words})) return {};
+    publish(made, folder);
+    return header;
+}
+
+fs::path TestPrograms::build(const fs::path& folder, const std::vector<Output>& outputs,
+                             const std::vector<std::string>& include_folders) {
+    for (const Output& output : outputs)
+        if (auto error = write_if_changed((folder / output.name).string(), output.bytes))
+            throw EnvironmentError("cannot write " + output.name + ": " + *error);
+    const fs::path headers = compiled_headers();
+    std::vector<std::vector<std::string>> commands;
+    std::vector<std::string> link = compiler_words();
+    std::string stem;
+    for (const Output& output : outputs) {
+        if (!output.name.ends_with(".cpp")) continue;
+        if (stem.empty()) stem = output.name.substr(0, output.name.find(".glift."));
+        std::vector<std::string> words = compile_command();
+        if (!headers.empty()) words.insert(words.end(), {"-include", headers.string()});
+        for (const std::string& include : include_folders) words.push_back("-I" + include);
+        const std::string object = (folder / output.name).string() + ".o";
+        words.insert(words.end(), {"-c", (folder / output.name).string(), "-o", object});
+        commands.push_back(std::move(words));
+        link.push_back(object);
+    }
+    const fs::path program = folder / "program";
+    const std::string library = library_.string();
+    link.insert(link.end(), {"-L" + library, "-Wl,-rpath," + library, "-lglift", "-ltbb", "-o", program.string()});
+    if (!run_all(commands) || !run_all({link}))
+        throw std::runtime_error("the C++ compiler refused what gliftc wrote for " + stem);
+    return program;
+}
+
+std::string TestPrograms::program(const std::vector<Output>& outputs, const std::vector<std::string>& include_folders,
+                               const std::vector<std::string>& read_files) {
+    Digest digest;
+    digest.add(tools_);
+    for (const std::string& folder : include_folders) digest.add(folder);
+    for (const std::string& file : read_files) digest.add(text_of(file));
+    for (const Output& output : outputs) {
+        digest.add(output.name);
+        digest.add(output.bytes);
+    }
+    const fs::path folder = folder_ / digest.digits();
+    std::error_code error;
+    if (!fs::exists(folder / "program")) {
+        const fs::path made = new_folder(folder);
+        try {
+            build(made, outputs, include_folders);
+        } catch (...) {
+            fs::remove_all(made, error);
+            throw;
+        }
+        publish(made, folder);
+        remove_oldest();
+    }
+    fs::last_write_time(folder, fs::file_time_type::clock::now(), error);
+    return (folder / "program").string();
+}
+
+void TestPrograms::remove_oldest() const {
+    std::vector<std::pair<fs::file_time_type, fs::path>> folders;
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(folder_, error)) folders.emplace_back(entry.last_write_time(error), entry);
+    if (folders.size() <= programs_kept) return;
+    std::ranges::sort(folders);
+    for (std::size_t i = 0; i + programs_kept < folders.size(); ++i) fs::remove_all(folders[i].second, error);
+}
+
+}  // namespace gliftc

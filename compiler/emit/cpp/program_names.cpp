@@ -1,0 +1,212 @@
+// What structs, classes and functions are called, each in the namespace of its module.
+#include "emit/cpp/printer.h"
+#include "ir/evaluate.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <map>
+
+namespace gliftc::cpp {
+
+namespace {
+
+constexpr std::size_t longest_name = 48;
+
+/// What every generated class of the kind has, with what it has from its base.
+NameSet members_of_class(ir::StructureKind kind) {
+    NameSet names{"address", "box", "commands", "domain", "other", "range", "same_state", "type_name", "value"};
+    switch (kind) {
+    case ir::StructureKind::stored:
+        names.insert({"Address",     "Element",
+                      "Structure",   "box_description",
+                      "check",       "copy_from",
+                      "copy_in",     "copy_out",
+                      "count",       "device",
+                      "device_",     "device_of",
+                      "element",     "element_in_place",
+                      "fetch",       "fill",
+                      "first",       "map",
+                      "place",       "read",
+                      "row_memory",  "self",
+                      "throw_count", "translate",
+                      "write"});
+        break;
+    case ir::StructureKind::view: names.insert({"Address", "Element", "View", "first"}); break;
+    case ir::StructureKind::adaptor:
+        names.erase("domain");
+        names.erase("range");
+        names.insert({"device", "device_"});
+        break;
+    }
+    return names;
+}
+
+/// A type of such a name would not be found where generated code calls a member or a variable so.
+const NameSet& not_for_types() {
+    static const NameSet names = [] {
+        NameSet all = members_of_class(ir::StructureKind::stored);
+        all.merge(members_of_class(ir::StructureKind::view));
+        all.merge(members_of_class(ir::StructureKind::adaptor));
+        all.insert(std::begin(locals_of_kernels), std::end(locals_of_kernels));
+        all.insert(std::begin(locals_of_groups), std::end(locals_of_groups));
+        all.insert({"iteration", "memories", "structure", "test"});
+        return all;
+    }();
+    return names;
+}
+
+ClassNames class_names(const ir::Program& program, const NameSet& types, const ir::Structure& structure) {
+    const NameSet fixed = members_of_class(structure.kind);
+    Scopes scopes;
+    scopes.avoid(types);
+    scopes.avoid(fixed);
+    ClassNames names;
+    const auto text = [&](Name name) { return scopes.declare((*program.names)[name]); };
+    for (ir::LocalId local : structure.constructor) names.arguments.push_back(text(program.locals[local].name));
+    for (const ir::MemberStructure& member : structure.members) names.members.push_back(text(member.name));
+    for (const ir::Memory& memory : structure.memories) names.memories.push_back(text(memory.name));
+    for (const ir::HostField& field : structure.host) names.host.push_back(text(field.name));
+    std::unordered_map<std::uint32_t, std::string> overloads;
+    for (std::uint32_t pipeline : structure.pipelines) {
+        std::string& name = overloads[program.pipelines[pipeline].name.index];
+        if (name.empty()) name = text(program.pipelines[pipeline].name);
+        names.pipelines.push_back(name);
+    }
+    const auto also = [&](const std::vector<std::string>& of, const char* ending, std::vector<std::string>& made) {
+        for (const std::string& name : of) made.push_back(scopes.declare(name + ending));
+    };
+    also(names.memories, "_extent", names.extents);
+    also(names.arguments, "_", names.argument_fields);
+    also(names.members, "_", names.member_fields);
+    also(names.memories, "_", names.memory_fields);
+    also(names.extents, "_", names.extent_fields);
+    also(names.host, "_", names.host_fields);
+    names.own = fixed;
+    for (const auto* list : {&names.argument_fields, &names.member_fields, &names.memory_fields, &names.extent_fields,
+                             &names.host_fields, &names.pipelines})
+        names.own.insert(list->begin(), list->end());
+    names.all = names.own;
+    for (const auto* list : {&names.arguments, &names.members, &names.memories, &names.host, &names.extents})
+        names.all.insert(list->begin(), list->end());
+    return names;
+}
+
+/// Those of a struct from a user's header are what they are.
+std::vector<std::string> field_names(const ir::Program& program, const NameSet& types, const ir::Struct& type) {
+    Scopes scopes;
+    scopes.avoid(types);
+    std::vector<std::string> names;
+    for (const ir::StructField& field : type.fields) {
+        const std::string& name = (*program.names)[field.name];
+        names.push_back(type.extern_header.empty() ? scopes.declare(name) : name);
+    }
+    return names;
+}
+
+/// FNV-1a: the same on every machine.
+std::uint32_t hash_of(const std::string& text) {
+    std::uint32_t hash = 2166136261u;
+    for (char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
+    return hash;
+}
+
+/// Whether arguments are told apart by their letters and digits: `<2, grid.Cell>`, but not `<-1>`, `<A<2>>`, `<a_b>`.
+bool is_plain(std::string_view arguments) {
+    return std::ranges::all_of(arguments.substr(1, arguments.size() - 2), [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == ',' || c == ' ' ||
+               c == '.';
+    });
+}
+
+/// `Array_2_grid_Cell` of the key `std.array.Array<2, grid.Cell>`; where others may be called so, too, or it is long:
+/// `choose_by_5d1f3a2c`.
+std::string name_of_instance(const std::string& name, const std::string& key) {
+    const std::size_t arguments = key.find('<');
+    if (arguments == std::string::npos) return identifier(name);
+    const std::string_view text = std::string_view(key).substr(arguments);
+    const std::string all = identifier(name + std::string(text));
+    if (is_plain(text) && all.size() <= longest_name) return all;
+    char digits[9];
+    std::snprintf(digits, sizeof digits, "%08x", hash_of(key));
+    return identifier(name + "_" + digits);
+}
+
+/// Declares all names, types first.
+struct Naming {
+    const ir::Program& program;
+    ProgramNames names;
+    std::map<std::string, std::string> kernels, pipelines;  ///< by key: overloads share a name
+
+    const std::string& text(Name name) const { return (*program.names)[name]; }
+
+    std::string type(std::uint32_t module, const std::string& wanted) {
+        std::string name = wanted;
+        if (not_for_types().contains(name)) name += '_';
+        name = names.taken[module].declare(name);
+        names.types[module].insert(name);
+        return name;
+    }
+
+    void types() {
+        for (const ir::Struct& each : program.structs)
+            names.structs.push_back(type(each.module, name_of_instance(text(each.name), each.key)));
+        for (const ir::Structure& each : program.structures) {
+            names.structures.push_back(type(each.module, name_of_instance(text(each.name), each.key)));
+            names.aliases.emplace_back();
+        }
+        for (std::size_t i = 0; i < program.structures.size(); ++i) {
+            const ir::Structure& each = program.structures[i];
+            for (const ir::Alias& alias : each.aliases) {
+                const bool is_its_name = alias.name == each.name && alias.module == each.module;
+                names.aliases[i].push_back(is_its_name ? names.structures[i] : type(alias.module, text(alias.name)));
+            }
+        }
+        for (const ir::Enum& each : program.enums)
+            names.enums.push_back(names.taken[each.module].declare(text(each.name)));
+        for (const ir::Struct& each : program.structs)
+            names.fields.push_back(field_names(program, names.types[each.module], each));
+        for (const ir::Structure& each : program.structures)
+            names.classes.push_back(class_names(program, names.types[each.module], each));
+    }
+
+    std::string function(std::map<std::string, std::string>& known, std::uint32_t module, Name name,
+                         const std::string& key) {
+        std::string& found = known[key.empty() ? ir::module_text(program, module) + text(name) : key];
+        if (found.empty()) found = names.taken[module].declare(name_of_instance(text(name), key));
+        return found;
+    }
+
+    void kernels_that_are(bool is_pub) {
+        for (std::size_t i = 0; i < program.kernels.size(); ++i) {
+            const ir::Kernel& each = program.kernels[i];
+            if (each.is_pub == is_pub) names.kernels[i] = function(kernels, each.module, each.name, each.key);
+        }
+    }
+
+    /// Public kernels get the names that users wrote, where others would have the same.
+    void functions() {
+        names.kernels.resize(program.kernels.size());
+        kernels_that_are(true);
+        for (const ir::Pipeline& each : program.pipelines)
+            names.pipelines.push_back(each.owner ? "" : function(pipelines, each.module, each.name, each.key));
+        for (std::size_t i = 0; i < program.structures.size(); ++i)
+            for (std::size_t k = 0; k < program.structures[i].pipelines.size(); ++k)
+                names.pipelines[program.structures[i].pipelines[k]] = names.classes[i].pipelines[k];
+        kernels_that_are(false);
+    }
+};
+
+}  // namespace
+
+ProgramNames program_names(const ir::Program& program) {
+    Naming naming{program, {}, {}, {}};
+    for (const ir::Module& module : program.modules)
+        naming.names.spaces.push_back(space_of((*program.names)[module.name]));
+    naming.names.types.resize(program.modules.size());
+    naming.names.taken.resize(program.modules.size());
+    naming.types();
+    naming.functions();
+    return std::move(naming.names);
+}
+
+}  // namespace gliftc::cpp

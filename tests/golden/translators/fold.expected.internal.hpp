@@ -1,0 +1,53 @@
+// Made by gliftc from fold.glift. Changes are lost when it is made again.
+#pragma once
+
+#include "fold.glift.hpp"
+
+namespace std_transfer {
+
+#ifndef GLIFT_std_transfer_HAS_Box_3_float
+#define GLIFT_std_transfer_HAS_Box_3_float
+/// Box<3, float>. Elements of a box in a linear buffer, first axis fastest: what the host reads and writes.
+class Box_3_float : public glift::Structure<Box_3_float, glift::uint3, float> {
+public:
+    static constexpr const char* type_name = "Box<3, float>";
+
+    Box_3_float() = default;
+    Box_3_float(const glift::Commands& commands, glift::uint3 extent);
+    /// Over parts that exist already.
+    Box_3_float(const glift::Commands& commands, glift::uint3 extent, glift::Memory data);
+
+    /// The extent of the virtual domain.
+    glift::uint3 domain() const;
+    glift::uint3 extent() const { return extent_; }
+    const glift::Memory& data() const { return data_; }
+    glift::uint data_extent() const { return data_extent_; }
+    /// True if the two were made with equal arguments.
+    bool same_state(const Box_3_float& other) const;
+
+    /// Gives every element, or those of a box, one value.
+    void fill(float value);
+    void fill(float value, const glift::Range<Box_3_float>& range);
+    /// Where an element lies in row_memory(), in elements; the address is an affine function of the virtual one.
+    std::uint64_t place(glift::uint3 address) const;
+    const glift::Memory& row_memory() const { return data_; }
+    /// Elements of a box to a linear buffer, and back.
+    void copy_out(const glift::Commands& commands, const glift::Range<Box_3_float>& range,
+        const glift::Memory& box) const;
+    void copy_in(const glift::Commands& commands, const glift::Range<Box_3_float>& range,
+        const glift::Memory& box) const;
+
+private:
+    glift::uint3 extent_{};
+    glift::uint data_extent_{};
+    glift::Memory data_;
+};
+#endif
+
+void read_box_0059b9f4(const glift::Commands& commands, const glift::Range<::fold::Field>& from,
+    const glift::Range<Box_3_float>& to);
+void write_box_16a1dc11(const glift::Commands& commands, const glift::Range<Box_3_float>& from,
+    const glift::Range<::fold::Field>& to);
+void fill_box_fold_Field_float(const glift::Commands& commands, const glift::Range<::fold::Field>& to, float value);
+
+}  // namespace std_transfer

@@ -1,0 +1,486 @@
+// Made by gliftc from fold.glift. Changes are lost when it is made again.
+#include "fold.glift.internal.hpp"
+
+#include <glift/host/image.h>
+#include <glift/host/math.h>
+#include <glift/host/parallel.h>
+
+#include <optional>
+
+namespace std_transfer {
+
+using namespace glift::types;
+
+namespace {
+
+// address.glift:17: volume<3>
+inline uint volume(uint3 extent) {
+    // address.glift:18
+    uint product = extent.x;
+    // address.glift:19
+    for (uint axis = 1u; axis < 3u; ++axis) {
+        // address.glift:20
+        product *= extent[axis];
+    }
+    // address.glift:22
+    return product;
+}
+
+// address.glift:26: linearize<3>
+inline uint linearize(uint3 address, uint3 extent) {
+    // address.glift:27
+    uint index = address.z;
+    // address.glift:28
+    for (uint back = 1u; back < 3u; ++back) {
+        // address.glift:29
+        index = index * extent[3u - 1u - back] + address[3u - 1u - back];
+    }
+    // address.glift:31
+    return index;
+}
+
+// ----------------------------------------------------------------------------------------------------
+// transfer.glift:15: read_box<Field, Box<3, float>>
+
+struct read_box_0059b9f4_direct_parameters {
+    uint3 from_extent;
+    uint3 to_extent;
+};
+static_assert(offsetof(read_box_0059b9f4_direct_parameters, from_extent) == 0);
+static_assert(offsetof(read_box_0059b9f4_direct_parameters, to_extent) == 12);
+
+// transfer.glift:15: read_box<Field, Box<3, float>>, some rows.
+GLIFT_HOST_KERNEL
+static void read_box_0059b9f4_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const read_box_0059b9f4_direct_parameters*>(call.parameters);
+    const uint3 from_extent = parameters.from_extent;
+    const uint3 to_extent = parameters.to_extent;
+    const glift::HostMemory& from_data = call.memories[0];
+    float* to_data = glift::host::elements<float>(call.memories[1]);
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint3 address{row.begin, row.y, row.z};
+            // transfer.glift:15
+            const uint to_at = (address.z * to_extent.y + address.y) * to_extent.x + address.x;
+            float* to_data_row = glift::host::row_pointer(to_data + to_at);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                const uint3 address{row.begin + static_cast<uint>(i), row.y, row.z};
+                // transfer.glift:15
+                const uint from_i = (address.z * from_extent.y + address.y) * from_extent.x + address.x;
+                const uint2 from_at = uint2(from_i % 64u, from_i / 64u);
+                // transfer.glift:16
+                to_data_row[i] = glift::host::load_texel<glift::Format::r32f, float>(from_data, int2(from_at));
+            }
+        }
+    }
+}
+
+static void read_box_0059b9f4_direct(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { read_box_0059b9f4_direct_rows(call, rows); });
+}
+
+struct read_box_0059b9f4_general_parameters {
+    uint3 size;
+    uint3 from_origin;
+    uint3 to_origin;
+    uint3 from_extent;
+    uint3 to_extent;
+};
+static_assert(offsetof(read_box_0059b9f4_general_parameters, size) == 0);
+static_assert(offsetof(read_box_0059b9f4_general_parameters, from_origin) == 12);
+static_assert(offsetof(read_box_0059b9f4_general_parameters, to_origin) == 24);
+static_assert(offsetof(read_box_0059b9f4_general_parameters, from_extent) == 36);
+static_assert(offsetof(read_box_0059b9f4_general_parameters, to_extent) == 48);
+
+// transfer.glift:15: read_box<Field, Box<3, float>>, some rows.
+GLIFT_HOST_KERNEL
+static void read_box_0059b9f4_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const read_box_0059b9f4_general_parameters*>(call.parameters);
+    const uint3 from_origin = parameters.from_origin;
+    const uint3 to_origin = parameters.to_origin;
+    const uint3 from_extent = parameters.from_extent;
+    const uint3 to_extent = parameters.to_extent;
+    const glift::HostMemory& from_data = call.memories[0];
+    float* to_data = glift::host::elements<float>(call.memories[1]);
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint3 address{row.begin, row.y, row.z};
+            // transfer.glift:16
+            const uint3 to_address = to_origin + address;
+            // transfer.glift:15
+            const uint to_at = (to_address.z * to_extent.y + to_address.y) * to_extent.x + to_address.x;
+            float* to_data_row = glift::host::row_pointer(to_data + to_at);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                const uint3 address{row.begin + static_cast<uint>(i), row.y, row.z};
+                // transfer.glift:16
+                const uint3 from_address = from_origin + address;
+                // transfer.glift:15
+                const uint from_i = (from_address.z * from_extent.y + from_address.y) * from_extent.x + from_address.x;
+                const uint2 from_at = uint2(from_i % 64u, from_i / 64u);
+                // transfer.glift:16
+                to_data_row[i] = glift::host::load_texel<glift::Format::r32f, float>(from_data, int2(from_at));
+            }
+        }
+    }
+}
+
+static void read_box_0059b9f4_general(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { read_box_0059b9f4_general_rows(call,
+        rows); });
+}
+
+const glift::Binding read_box_0059b9f4_bindings[] = {
+    {.name = "from.data", .kind = glift::MemoryKind::image2d, .access = glift::Access::read, .sampled = true},
+    {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 64},
+};
+constexpr glift::Parameter read_box_0059b9f4_parameters[] = {
+    {"from_extent", 0, sizeof(read_box_0059b9f4_direct_parameters::from_extent)},
+    {"to_extent", 12, sizeof(read_box_0059b9f4_direct_parameters::to_extent)},
+};
+const glift::Kernel read_box_0059b9f4_kernel = {
+    .name = "read_box",
+    .file = "transfer.glift",
+    .line = 15,
+    .rank = 3,
+    .group = {32, 4, 2},
+    .loop_rounds = 0,
+    .bindings = read_box_0059b9f4_bindings,
+    .direct = {.host = &read_box_0059b9f4_direct, .parameter_bytes = 24, .push_constants = true},
+    .general = {.host = &read_box_0059b9f4_general, .parameter_bytes = 60},
+    .wide = {},
+    .parameters = read_box_0059b9f4_parameters,
+    .items = {1, 2, 1},
+};
+
+// ----------------------------------------------------------------------------------------------------
+// transfer.glift:20: write_box<Box<3, float>, Field>
+
+struct write_box_16a1dc11_direct_parameters {
+    uint3 from_extent;
+    uint3 to_extent;
+};
+static_assert(offsetof(write_box_16a1dc11_direct_parameters, from_extent) == 0);
+static_assert(offsetof(write_box_16a1dc11_direct_parameters, to_extent) == 12);
+
+// transfer.glift:20: write_box<Box<3, float>, Field>, some rows.
+GLIFT_HOST_KERNEL
+static void write_box_16a1dc11_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const write_box_16a1dc11_direct_parameters*>(call.parameters);
+    const uint3 from_extent = parameters.from_extent;
+    const uint3 to_extent = parameters.to_extent;
+    const float* from_data = glift::host::elements<const float>(call.memories[0]);
+    const glift::HostMemory& to_data = call.memories[1];
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint3 address{row.begin, row.y, row.z};
+            // transfer.glift:20
+            const uint from_at = (address.z * from_extent.y + address.y) * from_extent.x + address.x;
+            const float* from_data_row = glift::host::row_pointer(from_data + from_at);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                const uint3 address{row.begin + static_cast<uint>(i), row.y, row.z};
+                // transfer.glift:20
+                const uint to_i = (address.z * to_extent.y + address.y) * to_extent.x + address.x;
+                const uint2 to_at = uint2(to_i % 64u, to_i / 64u);
+                // transfer.glift:21
+                glift::host::store_texel<glift::Format::r32f, float>(to_data, int2(to_at), from_data_row[i]);
+            }
+        }
+    }
+}
+
+static void write_box_16a1dc11_direct(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { write_box_16a1dc11_direct_rows(call,
+        rows); });
+}
+
+struct write_box_16a1dc11_general_parameters {
+    uint3 size;
+    uint3 from_origin;
+    uint3 to_origin;
+    uint3 from_extent;
+    uint3 to_extent;
+};
+static_assert(offsetof(write_box_16a1dc11_general_parameters, size) == 0);
+static_assert(offsetof(write_box_16a1dc11_general_parameters, from_origin) == 12);
+static_assert(offsetof(write_box_16a1dc11_general_parameters, to_origin) == 24);
+static_assert(offsetof(write_box_16a1dc11_general_parameters, from_extent) == 36);
+static_assert(offsetof(write_box_16a1dc11_general_parameters, to_extent) == 48);
+
+// transfer.glift:20: write_box<Box<3, float>, Field>, some rows.
+GLIFT_HOST_KERNEL
+static void write_box_16a1dc11_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const write_box_16a1dc11_general_parameters*>(call.parameters);
+    const uint3 from_origin = parameters.from_origin;
+    const uint3 to_origin = parameters.to_origin;
+    const uint3 from_extent = parameters.from_extent;
+    const uint3 to_extent = parameters.to_extent;
+    const float* from_data = glift::host::elements<const float>(call.memories[0]);
+    const glift::HostMemory& to_data = call.memories[1];
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint3 address{row.begin, row.y, row.z};
+            // transfer.glift:21
+            const uint3 from_address = from_origin + address;
+            // transfer.glift:20
+            const uint from_at = (from_address.z * from_extent.y + from_address.y) * from_extent.x + from_address.x;
+            const float* from_data_row = glift::host::row_pointer(from_data + from_at);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                const uint3 address{row.begin + static_cast<uint>(i), row.y, row.z};
+                // transfer.glift:21
+                const uint3 to_address = to_origin + address;
+                // transfer.glift:20
+                const uint to_i = (to_address.z * to_extent.y + to_address.y) * to_extent.x + to_address.x;
+                const uint2 to_at = uint2(to_i % 64u, to_i / 64u);
+                // transfer.glift:21
+                glift::host::store_texel<glift::Format::r32f, float>(to_data, int2(to_at), from_data_row[i]);
+            }
+        }
+    }
+}
+
+static void write_box_16a1dc11_general(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { write_box_16a1dc11_general_rows(call,
+        rows); });
+}
+
+const glift::Binding write_box_16a1dc11_bindings[] = {
+    {.name = "from.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 64},
+    {.name = "to.data", .kind = glift::MemoryKind::image2d, .access = glift::Access::write},
+};
+constexpr glift::Parameter write_box_16a1dc11_parameters[] = {
+    {"from_extent", 0, sizeof(write_box_16a1dc11_direct_parameters::from_extent)},
+    {"to_extent", 12, sizeof(write_box_16a1dc11_direct_parameters::to_extent)},
+};
+const glift::Kernel write_box_16a1dc11_kernel = {
+    .name = "write_box",
+    .file = "transfer.glift",
+    .line = 20,
+    .rank = 3,
+    .group = {32, 4, 2},
+    .loop_rounds = 0,
+    .bindings = write_box_16a1dc11_bindings,
+    .direct = {.host = &write_box_16a1dc11_direct, .parameter_bytes = 24, .push_constants = true},
+    .general = {.host = &write_box_16a1dc11_general, .parameter_bytes = 60},
+    .wide = {},
+    .parameters = write_box_16a1dc11_parameters,
+    .items = {1, 2, 1},
+};
+
+// ----------------------------------------------------------------------------------------------------
+// transfer.glift:25: fill_box<Field, float>
+
+struct fill_box_fold_Field_float_direct_parameters {
+    uint3 to_extent;
+    float value;
+};
+static_assert(offsetof(fill_box_fold_Field_float_direct_parameters, to_extent) == 0);
+static_assert(offsetof(fill_box_fold_Field_float_direct_parameters, value) == 12);
+
+// transfer.glift:25: fill_box<Field, float>, some rows.
+GLIFT_HOST_KERNEL
+static void fill_box_fold_Field_float_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const fill_box_fold_Field_float_direct_parameters*>(call.parameters);
+    const uint3 to_extent = parameters.to_extent;
+    const float value = parameters.value;
+    const glift::HostMemory& to_data = call.memories[0];
+    for (const glift::host::Row row : rows) {
+        GLIFT_INDEPENDENT
+        for (uint x = row.begin; x < row.end; ++x) {
+            const uint3 address{x, row.y, row.z};
+            // transfer.glift:25
+            const uint to_i = (address.z * to_extent.y + address.y) * to_extent.x + address.x;
+            const uint2 to_at = uint2(to_i % 64u, to_i / 64u);
+            // transfer.glift:26
+            glift::host::store_texel<glift::Format::r32f, float>(to_data, int2(to_at), value);
+        }
+    }
+}
+
+static void fill_box_fold_Field_float_direct(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { fill_box_fold_Field_float_direct_rows(call,
+        rows); });
+}
+
+struct fill_box_fold_Field_float_general_parameters {
+    uint3 size;
+    uint3 to_origin;
+    uint3 to_extent;
+    float value;
+};
+static_assert(offsetof(fill_box_fold_Field_float_general_parameters, size) == 0);
+static_assert(offsetof(fill_box_fold_Field_float_general_parameters, to_origin) == 12);
+static_assert(offsetof(fill_box_fold_Field_float_general_parameters, to_extent) == 24);
+static_assert(offsetof(fill_box_fold_Field_float_general_parameters, value) == 36);
+
+// transfer.glift:25: fill_box<Field, float>, some rows.
+GLIFT_HOST_KERNEL
+static void fill_box_fold_Field_float_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const fill_box_fold_Field_float_general_parameters*>(call.parameters);
+    const uint3 to_origin = parameters.to_origin;
+    const uint3 to_extent = parameters.to_extent;
+    const float value = parameters.value;
+    const glift::HostMemory& to_data = call.memories[0];
+    for (const glift::host::Row row : rows) {
+        GLIFT_INDEPENDENT
+        for (uint x = row.begin; x < row.end; ++x) {
+            const uint3 address{x, row.y, row.z};
+            // transfer.glift:26
+            const uint3 to_address = to_origin + address;
+            // transfer.glift:25
+            const uint to_i = (to_address.z * to_extent.y + to_address.y) * to_extent.x + to_address.x;
+            const uint2 to_at = uint2(to_i % 64u, to_i / 64u);
+            // transfer.glift:26
+            glift::host::store_texel<glift::Format::r32f, float>(to_data, int2(to_at), value);
+        }
+    }
+}
+
+static void fill_box_fold_Field_float_general(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { fill_box_fold_Field_float_general_rows(call,
+        rows); });
+}
+
+const glift::Binding fill_box_fold_Field_float_bindings[] = {
+    {.name = "to.data", .kind = glift::MemoryKind::image2d, .access = glift::Access::write},
+};
+constexpr glift::Parameter fill_box_fold_Field_float_parameters[] = {
+    {"to_extent", 0, sizeof(fill_box_fold_Field_float_direct_parameters::to_extent)},
+    {"value", 12, sizeof(fill_box_fold_Field_float_direct_parameters::value)},
+};
+const glift::Kernel fill_box_fold_Field_float_kernel = {
+    .name = "fill_box",
+    .file = "transfer.glift",
+    .line = 25,
+    .rank = 3,
+    .group = {32, 4, 2},
+    .loop_rounds = 0,
+    .bindings = fill_box_fold_Field_float_bindings,
+    .direct = {.host = &fill_box_fold_Field_float_direct, .parameter_bytes = 16, .push_constants = true},
+    .general = {.host = &fill_box_fold_Field_float_general, .parameter_bytes = 40},
+    .wide = {},
+    .parameters = fill_box_fold_Field_float_parameters,
+    .items = {1, 2, 1},
+};
+
+}  // namespace
+
+GLIFT_SHARED void read_box_0059b9f4(const glift::Commands& commands, const glift::Range<::fold::Field>& from,
+    const glift::Range<Box_3_float>& to) {
+    glift::Iteration iteration(read_box_0059b9f4_kernel);
+    iteration.each("from", from);
+    iteration.each("to", to);
+    const glift::Memory memories[] = {from->data(), to->data()};
+    if (iteration.is_whole() && !commands.needs_general(read_box_0059b9f4_kernel, memories, iteration.size())) {
+        const read_box_0059b9f4_direct_parameters parameters = {
+            .from_extent = from->extent(),
+            .to_extent = to->extent(),
+        };
+        commands.dispatch(read_box_0059b9f4_kernel,
+            {.form = glift::FormName::direct, .memories = memories, .parameters = glift::bytes_of(parameters),
+            .size = iteration.size()});
+    } else {
+        const read_box_0059b9f4_general_parameters parameters = {
+            .size = from.size(),
+            .from_origin = from.origin(),
+            .to_origin = to.origin(),
+            .from_extent = from->extent(),
+            .to_extent = to->extent(),
+        };
+        commands.dispatch(read_box_0059b9f4_kernel,
+            {.form = glift::FormName::general, .memories = memories, .parameters = glift::bytes_of(parameters),
+            .size = iteration.size(), .patches = iteration.patches({offsetof(read_box_0059b9f4_general_parameters,
+            size)})});
+    }
+}
+
+GLIFT_SHARED void write_box_16a1dc11(const glift::Commands& commands, const glift::Range<Box_3_float>& from,
+    const glift::Range<::fold::Field>& to) {
+    glift::Iteration iteration(write_box_16a1dc11_kernel);
+    iteration.each("from", from);
+    iteration.each("to", to);
+    const glift::Memory memories[] = {from->data(), to->data()};
+    if (iteration.is_whole() && !commands.needs_general(write_box_16a1dc11_kernel, memories, iteration.size())) {
+        const write_box_16a1dc11_direct_parameters parameters = {
+            .from_extent = from->extent(),
+            .to_extent = to->extent(),
+        };
+        commands.dispatch(write_box_16a1dc11_kernel,
+            {.form = glift::FormName::direct, .memories = memories, .parameters = glift::bytes_of(parameters),
+            .size = iteration.size()});
+    } else {
+        const write_box_16a1dc11_general_parameters parameters = {
+            .size = from.size(),
+            .from_origin = from.origin(),
+            .to_origin = to.origin(),
+            .from_extent = from->extent(),
+            .to_extent = to->extent(),
+        };
+        commands.dispatch(write_box_16a1dc11_kernel,
+            {.form = glift::FormName::general, .memories = memories, .parameters = glift::bytes_of(parameters),
+            .size = iteration.size(), .patches = iteration.patches({offsetof(write_box_16a1dc11_general_parameters,
+            size)})});
+    }
+}
+
+GLIFT_SHARED void fill_box_fold_Field_float(const glift::Commands& commands, const glift::Range<::fold::Field>& to,
+    float value) {
+    glift::Iteration iteration(fill_box_fold_Field_float_kernel);
+    iteration.each("to", to);
+    const glift::Memory memories[] = {to->data()};
+    if (iteration.is_whole() && !commands.needs_general(fill_box_fold_Field_float_kernel, memories, iteration.size())) {
+        const fill_box_fold_Field_float_direct_parameters parameters = {
+            .to_extent = to->extent(),
+            .value = value,
+        };
+        commands.dispatch(fill_box_fold_Field_float_kernel,
+            {.form = glift::FormName::direct, .memories = memories, .parameters = glift::bytes_of(parameters),
+            .size = iteration.size()});
+    } else {
+        const fill_box_fold_Field_float_general_parameters parameters = {
+            .size = to.size(),
+            .to_origin = to.origin(),
+            .to_extent = to->extent(),
+            .value = value,
+        };
+        commands.dispatch(fill_box_fold_Field_float_kernel,
+            {.form = glift::FormName::general, .memories = memories, .parameters = glift::bytes_of(parameters),
+            .size = iteration.size(), .patches = iteration.patches({offsetof(fill_box_fold_Field_float_general_parameters, size)})});
+    }
+}
+
+GLIFT_SHARED Box_3_float::Box_3_float(const glift::Commands& commands, uint3 extent)
+    : Structure(commands.device()),
+      extent_(extent),
+      data_extent_(volume(extent_)),
+      data_(commands.allocate({.name = "Box<3, float>.data", .bytes = glift::buffer_bytes<float>(data_extent_)})) {}
+
+GLIFT_SHARED Box_3_float::Box_3_float(const glift::Commands& commands, uint3 extent, glift::Memory data)
+    : Structure(commands.device()),
+      extent_(extent),
+      data_extent_(volume(extent_)),
+      data_(commands.adopt(std::move(data),
+        {.name = "Box<3, float>.data", .bytes = glift::buffer_bytes<float>(data_extent_)})) {}
+
+GLIFT_SHARED uint3 Box_3_float::domain() const {
+    return extent_;
+}
+
+GLIFT_SHARED bool Box_3_float::same_state(const Box_3_float& other) const {
+    return extent_ == other.extent_;
+}
+
+GLIFT_SHARED std::uint64_t Box_3_float::place(uint3 address) const {
+    [[maybe_unused]] const uint3 extent = extent_;
+    const auto translate = [&](uint3 va) -> uint {
+        // linear.glift:12
+        return linearize(va, extent);
+    };
+    return translate(address);
+}
+
+}  // namespace std_transfer
+
