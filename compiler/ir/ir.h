@@ -260,6 +260,8 @@ struct Translator {
     std::vector<std::uint32_t> structures;  ///< state that is structures: instances; Place root i in its functions
     std::vector<Name> structure_names;
     FunctionId translate;  ///< (va) -> physical or physical?
+    FunctionId wide;       ///< the same in 64 bits, where the physical address is a number; set by lower/widen
+    FunctionId wide_of_wide;  ///< and of a virtual address of 64 bits
     FunctionId invert;     ///< (pa) -> va; absent if not invertible
     FunctionId ranges;     ///< absent: derived
     FunctionId domain;     ///< () -> extent of the virtual domain
@@ -306,7 +308,7 @@ struct Memory {
     MemoryShape shape = MemoryShape::buffer;
     TypeId element;  ///< the value type that loads give (float for r8, float4 for rgba8)
     Format format = Format::none;
-    ExprId extent;        ///< uint, uint2, uint3, over the structure (root 0)
+    ExprId extent;        ///< uint, uint2, uint3, over the structure (root 0); exact, in 64 bits, after lower/widen
     ExprId mips;          ///< or absent
     bool linear = false;  ///< filter linear
     Name compare;         ///< or empty

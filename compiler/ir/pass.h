@@ -48,6 +48,7 @@ enum class ParameterSource : std::uint8_t {
     size,     // the iteration size (uint or vector of uint)
     range_size,  // size of the range of kernel parameter `param`
     address,     // uint64: device address of binding `param`
+    base,        // uint3: what is added to the invocation's number, wide form
 };
 
 struct PassParameter {
@@ -100,6 +101,10 @@ struct Pass {
     bool has_reports = false;          ///< some statement is a `report`. The same in all forms
     std::vector<std::uint32_t> files;  ///< that reports name: the kernel's, then others. The same in all forms
     bool exact = true;                 ///< calls no inexact intrinsic: devices agree bit for bit
+
+    /// Whether an iteration beyond what a device dispatches at once is split: shaders add where their part begins.
+    bool has_base() const { return form == Form::wide && rank > 1 && splits; }
+    bool splits = false;  ///< no invocation sees the group that it belongs to
 
     /// Whether shaders count the rounds of every loop, for devices that cut loops off.
     bool counts_rounds() const { return loop_rounds == UINT64_MAX; }

@@ -104,6 +104,8 @@ void Reader::pass_parameter() {
     } else if (accept("range_size")) {
         made.source = ParameterSource::range_size;
         made.param = kernel_parameter_index();
+    } else if (accept("base")) {
+        made.source = ParameterSource::base;
     } else if (accept("address")) {
         made.source = ParameterSource::address;
         made.param = bindings_.at(name());

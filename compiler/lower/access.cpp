@@ -49,7 +49,7 @@ Pair Expander::atomic(const Expr& node) {
     element.op = Op::load;
     element.type = structure.element;
     element.slot = binding(place, structure.via_memory, Access::read_write);
-    element.operands = {physical.value};
+    element.operands = {index_of(physical.value)};
     cx.pass.bindings[element.slot].atomic = true;
     made.operands[0] = p.exprs.add(std::move(element));
     if (node.type == p.types.void_) {
@@ -70,6 +70,11 @@ ExprId Expander::texel(ExprId physical) {
     return make.convert(p.types.with_scalar(make.type(physical), p.types.int_), physical);
 }
 
+/// What a buffer is indexed by.
+ExprId Expander::index_of(ExprId physical) {
+    return cx.is_wide() ? make.convert(p.types.uint64, physical) : physical;
+}
+
 ExprId Expander::load(const Place& place, ExprId physical) {
     const Structure& structure = cx.structure_at(place);
     const Memory& memory = structure.memories[structure.via_memory];
@@ -77,7 +82,7 @@ ExprId Expander::load(const Place& place, ExprId physical) {
     node.op = memory.shape == MemoryShape::buffer ? Op::load : Op::image_load;
     node.type = memory.element;
     node.slot = binding(place, structure.via_memory, Access::read);
-    node.operands = {memory.shape == MemoryShape::buffer ? physical : texel(physical)};
+    node.operands = {memory.shape == MemoryShape::buffer ? index_of(physical) : texel(physical)};
     return p.exprs.add(std::move(node));
 }
 
@@ -272,7 +277,7 @@ void Expander::store(const Place& place, const Pair& physical, ExprId guard, con
     Stmt made = statement(is_atomic ? StmtOp::atomic : is_buffer ? StmtOp::store : StmtOp::image_store, stmt.span);
     made.slot = binding(place, structure.via_memory, is_atomic ? Access::read_write : Access::write);
     if (is_atomic) cx.pass.bindings[made.slot].atomic = true;
-    made.target = is_buffer ? physical.value : texel(physical.value);
+    made.target = is_buffer ? index_of(physical.value) : texel(physical.value);
     made.value = value;
     made.combine = stmt.combine;
     ExprId condition = make.both(guard, physical.has);

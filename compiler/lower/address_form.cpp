@@ -11,7 +11,7 @@ using namespace ir;
 
 Pair Expander::through_form(const Place& place, const Stage& stage, ExprId address, const std::string& name) {
     if (!varies_in_all(address)) return expanded(place, stage, address, name);
-    const AddressForm& form = form_of(place, stage);
+    const AddressForm& form = form_of(place, stage, make.type(address));
     return form.is_known ? made_again(form, address, name) : expanded(place, stage, address, name);
 }
 
@@ -26,20 +26,20 @@ bool Expander::varies_in_all(ExprId address) {
     return is_sum && std::ranges::any_of(node.operands, varies);
 }
 
-const AddressForm& Expander::form_of(const Place& place, const Stage& stage) {
+const AddressForm& Expander::form_of(const Place& place, const Stage& stage, TypeId address) {
     for (const auto& form : cx.address_forms)
         if (form->stage == &stage && form->place == place) return *form;
     AddressForm& form = *cx.address_forms.emplace_back(std::make_unique<AddressForm>());
     form.place = place;
     form.stage = &stage;
-    find_form(form);
+    find_form(form, address);
     return form;
 }
 
-void Expander::find_form(AddressForm& form) {
+void Expander::find_form(AddressForm& form, TypeId address) {
     const Translator& translator = p.translators[form.stage->translator];
-    if (!is_inlinable(translator.translate)) return;
-    form.address = make.local(cx.new_local(Name{}, translator.virtual_type, span_));
+    if (!is_inlinable(translate_of(translator, address))) return;
+    form.address = make.local(cx.new_local(Name{}, address, span_));
     const ExprId first{p.exprs.size()};
     const std::size_t bindings = cx.pass.bindings.size();
     auto* outer = std::exchange(namings_, &form.names);

@@ -20,6 +20,7 @@ void choose_dispatch(Context& cx) {
         default: cx.pass.group = {32, 4, 2}; break;
         }
     }
+    cx.pass.splits = !kernel.grouped();
     cx.pass.address = cx.new_local("address", kernel.domain_type, kernel.span);
     cx.pass.in_range = cx.new_local("in_range", cx.p.types.bool_, kernel.span);
     cx.pass.shared = kernel.shared;
@@ -56,7 +57,10 @@ ExprId line_address(Context& cx) {
 ExprId invocation_address(Context& cx, TypeId type) {
     Make& make = cx.make;
     const std::uint32_t axes = cx.p.types.components(type);
-    ExprId id = make.builtin(Builtin::global_id, cx.p.types.vector(cx.p.types.uint, 3));
+    const TypeId uint3 = cx.p.types.vector(cx.p.types.uint, 3);
+    ExprId id = make.builtin(Builtin::global_id, uint3);
+    if (cx.pass.has_base())
+        id = make.add(id, cx.parameter_expr(cx.parameter(ParameterSource::base, "base", uint3, 0)));
     if (axes == 2) {
         Expr both;
         both.op = Op::swizzle;

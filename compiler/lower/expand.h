@@ -128,8 +128,9 @@ private:
 
     // address_form.cpp
     Pair through_form(const ir::Place& place, const ir::Stage& stage, ExprId address, const std::string& name);
-    const AddressForm& form_of(const ir::Place& place, const ir::Stage& stage);
-    void find_form(AddressForm& form);
+    const AddressForm& form_of(const ir::Place& place, const ir::Stage& stage, TypeId address);
+    void find_form(AddressForm& form, TypeId address);
+    ir::FunctionId translate_of(const ir::Translator& translator, TypeId address) const;
     bool collect_nodes(AddressForm& form, ExprId first);
     Pair made_again(const AddressForm& form, ExprId address, const std::string& name);
     bool varies_in_all(ExprId address);
@@ -165,6 +166,7 @@ private:
     bool is_coherent(const ir::Place& place) const;
     std::uint32_t binding(const ir::Place& place, std::uint32_t memory, ir::Access access);
     ExprId texel(ExprId physical);
+    ExprId index_of(ExprId physical);
     std::optional<std::vector<std::int64_t>> offset_of(const ir::Expr& node);
     ExprId near_guard(std::uint32_t root, const std::vector<std::int64_t>& offset);
     void note_near_guard(std::uint32_t root);

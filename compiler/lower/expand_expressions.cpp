@@ -151,7 +151,8 @@ Pair Expander::expand(ExprId id) {
         Pair physical = translated(place, from_origin(place, address), cx.name_of(place));
         ExprId guard = is_total(cx.structure_at(place)) ? inside_domain(place, address) : ExprId{};
         ExprId has = make.both(guard, physical.has);
-        return {physical.value, has ? has : make.truth(true)};
+        const TypeId seen = p.types[node.type].element;  // what the language has, in all forms
+        return {make.convert(seen, physical.value), has ? has : make.truth(true)};
     }
     case Op::invocation: return {expand_invocation(node), {}};
     case Op::construct:

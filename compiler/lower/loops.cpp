@@ -199,16 +199,20 @@ void summarize(Context& cx) {
     for (const PassBinding& binding : cx.pass.bindings) cx.pass.exact = cx.pass.exact && !rounds_freely(binding.format);
 }
 
-void agree(const Program& program, Pass& direct, Pass& general) {
-    Pass& longer = direct.loop_rounds > general.loop_rounds ? direct : general;
-    direct.loop_rounds = general.loop_rounds = longer.loop_rounds;
-    direct.longest_loop = general.longest_loop = longer.longest_loop;
-    direct.has_reports = general.has_reports = direct.has_reports || general.has_reports;
-    if (!direct.has_status()) return;
-    std::vector<std::uint32_t> files{program.kernels[direct.kernel].span.file};
-    add_files(program, direct, files);
-    add_files(program, general, files);
-    direct.files = general.files = files;
+void agree(const Program& program, std::span<Pass* const> forms) {
+    const Pass& longest = **std::ranges::max_element(forms, {}, &Pass::loop_rounds);
+    const std::uint64_t rounds = longest.loop_rounds;
+    const Span loop = longest.longest_loop;
+    const bool has_reports = std::ranges::any_of(forms, &Pass::has_reports);
+    std::vector<std::uint32_t> files{program.kernels[forms[0]->kernel].span.file};
+    for (Pass* pass : forms) {
+        pass->loop_rounds = rounds;
+        pass->longest_loop = loop;
+        pass->has_reports = has_reports;
+        if (pass->has_status()) add_files(program, *pass, files);
+    }
+    for (Pass* pass : forms)
+        if (pass->has_status()) pass->files = files;
 }
 
 }  // namespace gliftc::lower

@@ -4,6 +4,8 @@
 
 #include "lower/context.h"
 
+#include <span>
+
 namespace gliftc::lower {
 
 /// Fills loop_rounds, longest_loop, has_reports, functions and exact.
@@ -11,6 +13,6 @@ void summarize(Context& cx);
 
 /// What the forms of a kernel have in common: the bound of its loops, whether it has reports, the files that reports
 /// name.
-void agree(const ir::Program& program, ir::Pass& direct, ir::Pass& general);
+void agree(const ir::Program& program, std::span<ir::Pass* const> forms);
 
 }  // namespace gliftc::lower

@@ -12,7 +12,9 @@
 #include "lower/passes.h"
 #include "lower/temporaries.h"
 #include "lower/uniforms.h"
+#include "lower/widen.h"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cstdio>
@@ -77,30 +79,22 @@ void finish_images(Pass& pass) {
         binding.sampled = binding.shape != MemoryShape::buffer && binding.access == Access::read;
 }
 
-/// The general pass with its buffers reached by address.
-Pass widened(const Program& program, const Pass& general) {
-    Pass wide = general;
-    wide.form = Form::wide;
-    wide.exists = false;  // without buffers there is nothing to reach
-    for (std::uint32_t i = 0; i < wide.bindings.size(); ++i) {
-        PassBinding& binding = wide.bindings[i];
+/// The wide form reaches its buffers by address.
+void reach_by_address(Context& cx) {
+    cx.pass.exists = cx.pass.has_base();  // without buffers and with one dispatch there is nothing to reach further
+    for (std::uint32_t i = 0; i < cx.pass.bindings.size(); ++i) {
+        PassBinding& binding = cx.pass.bindings[i];
         if (binding.shape != MemoryShape::buffer) continue;
-        wide.exists = true;
-        binding.address_parameter = static_cast<std::uint32_t>(wide.parameters.size());
-        PassParameter address;
-        address.name = binding.name + "_address";
-        address.type = program.types.uint64;
-        address.source = ParameterSource::address;
-        address.param = i;
-        wide.parameters.push_back(std::move(address));
+        cx.pass.exists = true;
+        binding.address_parameter =
+            cx.parameter(ParameterSource::address, binding.name + "_address", cx.p.types.uint64, i);
     }
-    return wide;
 }
 
 /// The host's body for centres whose neighbours all lie inside; `domain` becomes the parameter it is valid for.
 std::vector<StmtId> interior(Context& cx, Expander& checked, const std::vector<ExprId>& facts,
                              std::vector<StmtId>& holders) {
-    if (!checked.has_near_guards || !checked.near_domains_agree) return {};
+    if (!checked.has_near_guards || !checked.near_domains_agree || cx.is_wide()) return {};
     Expander expander(cx, Guards::interior);
     std::vector<StmtId> body = expander.kernel_body();
     cx.traits.clear();
@@ -172,6 +166,7 @@ Pass lowered(Program& program, Diagnostics& diagnostics, std::uint32_t kernel, F
                 cx.parameter(ParameterSource::origin, {}, cx.kernel.domain_type, *expander.near_root);
     }
     finish_images(pass);
+    if (form == Form::wide) reach_by_address(cx);
     summarize(cx);
     check_whole(cx);
     return pass;
@@ -185,15 +180,16 @@ Lowered::Forms lowered_forms(Program& program, Diagnostics& diagnostics, std::ui
     };
     forms.direct = lower(Form::direct, Elements::two_where_it_helps);
     forms.general = lower(Form::general, Elements::two_where_it_helps);
-    // A workgroup covers as much in all forms. The general one has more to compute.
-    if (forms.direct.taken != forms.general.taken) {
-        Pass& coarse = forms.direct.pair_body.empty() ? forms.general : forms.direct;
-        coarse = lower(coarse.form, Elements::one);
-    }
+    forms.wide = lower(Form::wide, Elements::two_where_it_helps);
+    // A workgroup covers as much in all forms. Those that have more to compute may take one element.
+    const std::array all{&forms.direct, &forms.general, &forms.wide};
+    const auto takes_one = [](const Pass* pass) { return pass->pair_body.empty(); };
+    if (std::ranges::any_of(all, takes_one))
+        for (Pass* pass : all)
+            if (!takes_one(pass)) *pass = lower(pass->form, Elements::one);
     if (settings.trace != nullptr && !settings.trace->stop_after.empty()) return forms;
-    agree(program, forms.direct, forms.general);
-    compact(program, before, std::array{&forms.direct, &forms.general});
-    forms.wide = widened(program, forms.general);
+    agree(program, all);
+    compact(program, before, all);
     return forms;
 }
 
@@ -257,6 +253,8 @@ Pass lower_function(Program& program, Diagnostics& diagnostics, const Kernel& ke
 }
 
 Lowered lower(Program& program, Diagnostics& diagnostics, Settings settings) {
+    widen_extents(program);
+    widen_translators(program);
     mark_affine(program);
     // Of the number of kernels alone, so that all machines do the same. A trace is in the order of the kernels.
     const bool are_few = program.kernels.size() < 2 * kernels_of_a_thread || settings.trace != nullptr;

@@ -15,8 +15,15 @@ Pair Expander::translated(const Place& place, ExprId address, const std::string&
     return at;
 }
 
+/// In the wide form addresses that are numbers may pass 2^32; each axis of a vector stays below.
+FunctionId Expander::translate_of(const Translator& translator, TypeId address) const {
+    if (!cx.is_wide() || !translator.wide) return translator.translate;
+    return address == p.types.uint64 ? translator.wide_of_wide : translator.wide;
+}
+
 Pair Expander::expanded(const Place& place, const Stage& stage, ExprId address, const std::string& name) {
-    const FunctionId translate = p.translators[stage.translator].translate;
+    const FunctionId translate = translate_of(p.translators[stage.translator], make.type(address));
+    address = make.convert(p.locals[p.functions[translate].params[0]].type, address);
     Frame frame;
     frame.stage = &stage;
     frame.structure = place;

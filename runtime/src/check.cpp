@@ -44,7 +44,7 @@ void check_owner(const DeviceObject* device, const Memory& memory, const char* c
 }
 
 void check_patches(const DeviceObject* device, const Kernel& kernel, const Call& call) {
-    if (call.form != FormName::general) wrong("device values were passed to the direct form", kernel_text(kernel));
+    if (call.form == FormName::direct) wrong("device values were passed to the direct form", kernel_text(kernel));
     for (const Patch& patch : call.patches) {
         check_range(device, patch.value.memory, patch.value.offset, 4, "a device value");
         const std::size_t bytes = call.parameters.size();
@@ -93,7 +93,7 @@ void check_memories(const DeviceObject* device, const Kernel& kernel, std::span<
 
 void check_call(const DeviceObject* device, const Kernel& kernel, const Call& call) {
     check_memories(device, kernel, call.memories);
-    const Form& form = call.form == FormName::direct ? kernel.direct : kernel.general;
+    const Form& form = form_of(kernel, call.form);
     if (call.parameters.size() != form.parameter_bytes) {
         wrong("the size of the parameters does not fit the kernel", kernel_text(kernel),
               "it takes " + std::to_string(form.parameter_bytes) + " bytes, given " +

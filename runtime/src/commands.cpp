@@ -46,9 +46,9 @@ detail::Stream& Commands::stream(const Kernel& kernel) const {
 Device Commands::device() const { return Device(stream_.in("Commands::device").device()); }
 bool Commands::is_recording() const { return stream_.in("Commands::is_recording").is_recording(); }
 
-bool Commands::needs_general(const Kernel& kernel, std::span<const Memory> memories,
-                             const std::array<std::uint32_t, 4>& size) const {
-    return stream(kernel).needs_general(kernel, memories, size);
+bool Commands::needs_wide(const Kernel& kernel, std::span<const Memory> memories,
+                          const std::array<std::uint32_t, 4>& size) const {
+    return stream(kernel).needs_wide(kernel, memories, size);
 }
 
 Commands Commands::specialised(std::vector<std::string> parameters) const {

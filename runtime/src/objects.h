@@ -56,7 +56,7 @@ public:
     virtual std::shared_ptr<DeviceObject> device() = 0;
     /// For what is put here; the description is checked and whole.
     virtual Memory allocate(const MemoryDescription& description);
-    virtual bool needs_general(const Kernel& kernel, std::span<const Memory> memories,
+    virtual bool needs_wide(const Kernel& kernel, std::span<const Memory> memories,
                                const std::array<std::uint32_t, 4>& size) = 0;
     /// Zeros, in buffers and images of any kind.
     virtual void clear(const Memory& memory) = 0;

@@ -46,4 +46,13 @@ std::string memory_text(const MemoryDescription& description) {
            shape_text(description) + ")";
 }
 
+const char* form_text(FormName form) {
+    switch (form) {
+    case FormName::direct: return "direct";
+    case FormName::general: return "general";
+    case FormName::wide: return "wide";
+    }
+    return "";
+}
+
 }  // namespace glift::detail

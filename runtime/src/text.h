@@ -12,5 +12,6 @@ std::string kernel_text(const Kernel& kernel);                  // `kernel blur 
 std::string memory_text(const MemoryDescription& description);  // `memory f.data (buffer, 4.0 KiB (4096 bytes))`
 std::string shape_text(const MemoryDescription& description);   // `buffer, 4.0 KiB (4096 bytes)`
 const char* kind_text(MemoryKind kind);
+const char* form_text(FormName form);
 
 }  // namespace glift::detail

@@ -3,6 +3,7 @@
 #include "ir/walk.h"
 
 #include <algorithm>
+#include <map>
 #include <charconv>
 
 namespace gliftc::cpp {
@@ -95,6 +96,7 @@ std::string form_text(const Pass& pass, const std::string& spirv, const std::str
     for (const PassParameter& parameter : pass.parameters) {
         if (parameter.source == ParameterSource::size && parameter.offset != 0)
             also(".size_offset = " + std::to_string(parameter.offset));
+        if (parameter.source == ParameterSource::base) also(".base_offset = " + std::to_string(parameter.offset));
     }
     return "{" + text + "}";
 }
@@ -123,6 +125,8 @@ void print_bindings(Unit& unit, Writer& out, const ir::Lowered::Forms& forms, co
         if (i < forms.wide.bindings.size() && forms.wide.bindings[i].address_parameter < forms.wide.parameters.size())
             text += ", .address_offset = " +
                     std::to_string(forms.wide.parameters[forms.wide.bindings[i].address_parameter].offset);
+        if (binding.shape == ir::MemoryShape::buffer)
+            text += ", .element_bytes = sizeof(" + storage_text(unit.globals, binding.element) + ")";
         out.line(text + "},");
     }
     out.dedent();
@@ -186,6 +190,7 @@ std::string value_of(Unit& unit, const Kernel& kernel, const PassParameter& para
     }
     case ParameterSource::range_size: return param_name(unit, kernel.params[parameter.param]) + ".size()";
     case ParameterSource::address: return "0u";
+    case ParameterSource::base: return "{}";
     }
     return "{}";
 }
@@ -219,6 +224,15 @@ std::string digest_text(const Unit& unit, std::uint32_t kernel, const std::strin
     return std::to_string(hash | 1) + "u";  // 0 would say that there is none
 }
 
+const char* form_name(ir::Form form) {
+    switch (form) {
+    case ir::Form::direct: return "direct";
+    case ir::Form::general: return "general";
+    case ir::Form::wide: return "wide";
+    }
+    return "";
+}
+
 /// Declares `parameters` and dispatches one form.
 void print_dispatch(Unit& unit, Writer& out, const Kernel& kernel, const Pass& pass, const std::string& name,
                     const char* form) {
@@ -236,7 +250,7 @@ void print_dispatch(Unit& unit, Writer& out, const Kernel& kernel, const Pass& p
                        ", .size = iteration.size()";
     std::string counted;
     bool counts_ranges = false;
-    if (pass.form == ir::Form::general) {
+    if (pass.form != ir::Form::direct) {
         for (const auto& [parameter, member] : ordered) {
             const std::string offset = "offsetof(" + block + ", " + member + ")";
             if (parameter->source == ParameterSource::range_size &&
@@ -255,7 +269,7 @@ void print_dispatch(Unit& unit, Writer& out, const Kernel& kernel, const Pass& p
 }
 
 /// Parameters that are taken to be made alike must have equal states in the direct form.
-std::string direct_condition(Unit& unit, const Kernel& kernel, const Pass& pass, const std::string& name) {
+std::string direct_condition(const Unit& unit, const Kernel& kernel) {
     std::string condition = "iteration.is_whole()";
     for (std::size_t i = 0; i < kernel.params.size(); ++i) {
         if (kernel.params[i].pattern == Pattern::value) continue;
@@ -267,8 +281,29 @@ std::string direct_condition(Unit& unit, const Kernel& kernel, const Pass& pass,
             break;
         }
     }
-    return condition + " && !commands.needs_general(" + name + "_kernel, " +
-           (pass.bindings.empty() ? "{}" : "memories") + ", iteration.size())";
+    return condition;
+}
+
+/// The dispatch of the form that the call can take.
+void print_choice(Unit& unit, Writer& out, const Kernel& kernel, const ir::Lowered::Forms& forms,
+                  const std::string& name) {
+    std::vector<std::pair<const Pass*, std::string>> choices;
+    if (forms.wide.exists)
+        choices.emplace_back(&forms.wide, "commands.needs_wide(" + name + "_kernel, " +
+                                              (forms.wide.bindings.empty() ? "{}" : "memories") +
+                                              ", iteration.size())");
+    if (forms.direct.exists) choices.emplace_back(&forms.direct, direct_condition(unit, kernel));
+    if (forms.general.exists) choices.emplace_back(&forms.general, "");
+    for (std::size_t i = 0; i < choices.size(); ++i) {
+        const auto& [pass, condition] = choices[i];
+        const bool is_last = i + 1 == choices.size();
+        if (i != 0) out.dedent();
+        const std::string otherwise = i == 0 ? "" : "} else ";
+        if (!is_last) out.open(otherwise + "if (" + condition + ")");
+        else if (i != 0) out.open("} else");
+        print_dispatch(unit, out, kernel, *pass, name, form_name(pass->form));
+        if (is_last && i != 0) out.close();
+    }
 }
 
 /// What Commands::specialised can name.
@@ -309,7 +344,7 @@ std::optional<std::size_t> range_of_first_at(const Kernel& kernel) {
 static std::string value_mark(const Unit& unit, std::uint32_t kernel, ir::LocalId value) {
     bool used = false;
     const ir::Lowered::Forms& forms = unit.lowered.passes[kernel];
-    for (const Pass* pass : {&forms.direct, &forms.general})
+    for (const Pass* pass : {&forms.direct, &forms.general, &forms.wide})
         for (const PassParameter& parameter : pass->parameters)
             ir::for_each_node(unit.program, parameter.value,
                               [&](ir::ExprId node) { used |= unit.program.exprs[node].local == value; });
@@ -336,13 +371,14 @@ bool code_adds_functions(const Unit& unit, std::uint32_t kernel) {
         return !unit.globals.function_names.contains(id) && is_pure(unit.program, id);
     };
     return std::ranges::any_of(forms.direct.functions, is_missing) ||
-           std::ranges::any_of(forms.general.functions, is_missing);
+           std::ranges::any_of(forms.general.functions, is_missing) ||
+           std::ranges::any_of(forms.wide.functions, is_missing);
 }
 
 bool function_adds_functions(const Unit& unit, std::uint32_t kernel) {
     bool adds = false;
     const ir::Lowered::Forms& forms = unit.lowered.passes[kernel];
-    for (const Pass* pass : {&forms.direct, &forms.general})
+    for (const Pass* pass : {&forms.direct, &forms.general, &forms.wide})
         for (const PassParameter& parameter : pass->parameters)
             ir::for_each_node(unit.program, parameter.value, [&](ir::ExprId node) {
                 const ir::Expr& expr = unit.program.exprs[node];
@@ -359,16 +395,16 @@ std::string kernel_code(Unit& unit, std::uint32_t index) {
     out.line("// " + std::string(100, '-'));
     out.line("// " + place_text(unit.sources, kernel.span) + ": " + kernel.display);
     out.gap();
-    std::string direct, general;
-    for (const Pass* pass : {&forms.direct, &forms.general}) {
+    std::map<const Pass*, std::string> host;
+    for (const Pass* pass : {&forms.direct, &forms.general, &forms.wide}) {
         if (!pass->exists) continue;
-        const std::string form = name + (pass->form == ir::Form::direct ? "_direct" : "_general");
+        const std::string form = name + "_" + form_name(pass->form);
         out.raw(parameters_of(unit.globals, *pass, form));
         if (!pass->parameters.empty()) out.gap();
         if (!unit.options.host_kernel || !unit.reach.host_kernels.contains(index)) continue;
         out.raw(unit.options.host_kernel(unit.globals, *pass, form));
         out.gap();
-        (pass->form == ir::Form::direct ? direct : general) = form;
+        host[pass] = form;
     }
     const Words words = print_code(unit, out, index, name);
     print_bindings(unit, out, forms, kernel, name);
@@ -388,9 +424,9 @@ std::string kernel_code(Unit& unit, std::uint32_t index) {
     out.line(".loop_rounds = " + (any.loop_rounds == UINT64_MAX ? "UINT64_MAX" : std::to_string(any.loop_rounds)) +
              ",");
     out.line(".bindings = " + (any.bindings.empty() ? "{}" : name + "_bindings") + ",");
-    out.line(".direct = " + (forms.direct.exists ? form_text(forms.direct, words.direct, direct) : "{}") + ",");
-    out.line(".general = " + (forms.general.exists ? form_text(forms.general, words.general, general) : "{}") + ",");
-    out.line(".wide = " + (words.wide.empty() ? "{}" : form_text(forms.wide, words.wide, "")) + ",");
+    out.line(".direct = " + (forms.direct.exists ? form_text(forms.direct, words.direct, host[&forms.direct]) : "{}") + ",");
+    out.line(".general = " + (forms.general.exists ? form_text(forms.general, words.general, host[&forms.general]) : "{}") + ",");
+    out.line(".wide = " + (forms.wide.exists ? form_text(forms.wide, words.wide, host[&forms.wide]) : "{}") + ",");
     if (has_parameters) out.line(".parameters = " + name + "_parameters,");
     if (any.taken != std::array{1u, 1u, 1u})
         out.line(".items = {" + std::to_string(any.taken[0]) + ", " + std::to_string(any.taken[1]) + ", " +
@@ -429,16 +465,7 @@ std::string kernel_function(Unit& unit, std::uint32_t index) {
         }
     }
     if (!any.bindings.empty()) out.line("const glift::Memory memories[] = {" + memories_text(unit, kernel, any) + "};");
-    if (forms.direct.exists && forms.general.exists) {
-        out.open("if (" + direct_condition(unit, kernel, any, name) + ")");
-        print_dispatch(unit, out, kernel, forms.direct, name, "direct");
-        out.dedent();
-        out.open("} else");
-        print_dispatch(unit, out, kernel, forms.general, name, "general");
-        out.close();
-    } else {
-        print_dispatch(unit, out, kernel, any, name, forms.general.exists ? "general" : "direct");
-    }
+    print_choice(unit, out, kernel, forms, name);
     out.close();
     return out.take();
 }

@@ -146,7 +146,7 @@ void Collector::function(ir::FunctionId id) {
 }
 
 void Collector::passes(const ir::Lowered::Forms& forms) {
-    for (const ir::Pass* pass : {&forms.direct, &forms.general}) {
+    for (const ir::Pass* pass : {&forms.direct, &forms.general, &forms.wide}) {
         for (const auto* body : {&pass->body, &pass->interior_body}) code(*body);
         for (ir::LocalId local : pass->shared) type(program.locals[local].type, false);
         for (ir::FunctionId id : pass->functions) function(id);

@@ -286,6 +286,10 @@ bool is_pure(const ir::Program& program, ir::FunctionId id) {
 void require_function(Globals& globals, ir::FunctionId id) {
     if (globals.function_names.contains(id)) return;
     const ir::Function& function = globals.program.functions[id];
+    if (!function.extern_name.empty()) {
+        globals.function_names[id] = function.extern_name;
+        return;
+    }
     const std::string name = globals.function_names[id] = declare_function(globals, id);
     Printer p(globals);
     std::string parameters;

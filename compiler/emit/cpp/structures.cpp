@@ -65,6 +65,29 @@ bool has_transfers(const Structure& structure) {
 
 bool is_kernel(const Unit& unit, std::uint32_t kernel) { return kernel < unit.program.kernels.size(); }
 
+/// Elements of a buffer in 64 bits, of an image as many as it can have along each axis.
+std::string extent_type(const Unit& unit, const ir::Memory& memory, bool qualified) {
+    if (memory.shape == ir::MemoryShape::buffer) return "std::uint64_t";
+    const ir::TypeId type = unit.program.exprs[memory.extent].type;
+    const std::uint32_t axes = unit.program.types.components(type);
+    return (qualified ? "glift::uint" : "uint") + (axes == 1 ? "" : std::to_string(axes));
+}
+
+/// An exact number as one of 32 bits; `what` is told of one that is too large.
+std::string fitted(Printer& p, ir::ExprId id, const std::string& what) {
+    return "glift::fitted(" + print_any(p, id) + ", \"" + what + "\")";
+}
+
+bool is_exact(const Unit& unit, ir::ExprId id) {
+    const ir::Types& types = unit.program.types;
+    return types.scalar_of(unit.program.exprs[id].type) == types.uint64;
+}
+
+std::string extent_value(Unit& unit, Printer& p, const std::string& owner, const ir::Memory& memory) {
+    if (memory.shape == ir::MemoryShape::buffer || !is_exact(unit, memory.extent)) return print_any(p, memory.extent);
+    return fitted(p, memory.extent, owner + "." + unit.name(memory.name));
+}
+
 void print_accessors(Unit& unit, Writer& out, std::uint32_t index, const ClassNames& names) {
     constexpr bool qualified = true;
     const Structure& structure = unit.program.structures[index];
@@ -79,8 +102,8 @@ void print_accessors(Unit& unit, Writer& out, std::uint32_t index, const ClassNa
     }
     for (std::size_t i = 0; i < structure.memories.size(); ++i) {
         out.line("const glift::Memory& " + names.memories[i] + "() const { return " + names.memory_fields[i] + "; }");
-        out.line(unit.type(unit.program.exprs[structure.memories[i].extent].type, qualified) + " " + names.extents[i] +
-                 "() const { return " + names.extent_fields[i] + "; }");
+        out.line(extent_type(unit, structure.memories[i], qualified) + " " + names.extents[i] + "() const { return " +
+                 names.extent_fields[i] + "; }");
     }
     for (std::size_t i = 0; i < structure.host.size(); ++i)
         out.line(unit.type(structure.host[i].type, qualified) + " " + names.host[i] + "() const { return " +
@@ -97,8 +120,7 @@ void print_fields(Unit& unit, Writer& out, std::uint32_t index, const ClassNames
     for (std::size_t i = 0; i < structure.members.size(); ++i)
         out.line(unit.class_name(structure.members[i].structure) + " " + names.member_fields[i] + ";");
     for (std::size_t i = 0; i < structure.memories.size(); ++i) {
-        out.line(unit.type(unit.program.exprs[structure.memories[i].extent].type, qualified) + " " +
-                 names.extent_fields[i] + "{};");
+        out.line(extent_type(unit, structure.memories[i], qualified) + " " + names.extent_fields[i] + "{};");
         out.line("glift::Memory " + names.memory_fields[i] + ";");
     }
     for (std::size_t i = 0; i < structure.host.size(); ++i)
@@ -148,10 +170,16 @@ Printer own_printer(Unit& unit, std::uint32_t index) {
     return p;
 }
 
-std::string member_value(Unit& unit, Printer& p, const ir::MemberStructure& member) {
+std::string member_value(Unit& unit, Printer& p, const std::string& owner, const ir::MemberStructure& member) {
     const Structure& made = unit.program.structures[member.structure];
     std::string arguments = made.kind == StructureKind::view ? "" : "commands";
-    for (ir::ExprId argument : member.arguments) arguments += (arguments.empty() ? "" : ", ") + print_any(p, argument);
+    for (std::size_t i = 0; i < member.arguments.size(); ++i) {
+        const ir::ExprId argument = member.arguments[i];
+        const ir::TypeId wanted = unit.program.locals[made.constructor[i]].type;
+        arguments += (arguments.empty() ? "" : ", ") + (unit.program.exprs[argument].type == wanted
+                                                            ? print_any(p, argument)
+                                                            : fitted(p, argument, owner + "." + unit.name(member.name)));
+    }
     return unit.class_name(member.structure) + "(" + arguments + ")";
 }
 
@@ -185,11 +213,12 @@ void print_constructors(Unit& unit, Writer& out, std::uint32_t index, const Clas
             const ir::MemberStructure& member = structure.members[i];
             const std::string value = adopts                ? adopted_part(unit, p, index, i, names)
                                       : member.by_reference ? names.members[i]
-                                                            : member_value(unit, p, member);
+                                                            : member_value(unit, p, type, member);
             initialisers.push_back(names.member_fields[i] + "(" + value + ")");
         }
         for (std::size_t i = 0; i < structure.memories.size(); ++i) {
-            initialisers.push_back(names.extent_fields[i] + "(" + print_any(p, structure.memories[i].extent) + ")");
+            initialisers.push_back(names.extent_fields[i] + "(" + extent_value(unit, p, type, structure.memories[i]) +
+                                   ")");
             initialisers.push_back(names.memory_fields[i] + "(commands." +
                                    (adopts ? "adopt(std::move(" + names.memories[i] + "), " : "allocate(") +
                                    memory_description(unit, p, index, i, names) + "))");

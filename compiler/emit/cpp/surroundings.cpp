@@ -23,7 +23,13 @@ Text structure_property(const Globals& globals, const ir::Expr& expr, std::uint3
     const ClassNames& names = globals.class_names[structure];
     switch (expr.op) {
     case ir::Op::member: return {own ? names.argument_fields[expr.slot] : prefix + names.arguments[expr.slot] + "()"};
-    case ir::Op::memory_extent: return {own ? names.extent_fields[expr.slot] : prefix + names.extents[expr.slot] + "()"};
+    case ir::Op::memory_extent: {
+        const std::string extent = own ? names.extent_fields[expr.slot] : prefix + names.extents[expr.slot] + "()";
+        const ir::Structure& of = globals.program.structures[structure];
+        const bool is_cut = of.memories[expr.slot].shape == ir::MemoryShape::buffer &&
+                            expr.type == globals.program.types.uint;
+        return {is_cut ? "glift::fitted(" + extent + ")" : extent};
+    }
     case ir::Op::host_state: return {own ? names.host_fields[expr.slot] : prefix + names.host[expr.slot] + "()"};
     case ir::Op::domain: return {prefix + "domain()"};
     case ir::Op::structure_value:

@@ -81,7 +81,8 @@ void print_place(Unit& unit, Writer& out, std::uint32_t index) {
     out.open(unit.linkage(structure.key) + ("std::uint64_t " + unit.own_name(index)) + "::place(" +
              unit.type(structure.domain_type) + " address) const");
     const std::vector<std::string> states = print_state(unit, out, index, stage, "", {"address", "translate", "place"});
-    print_method(unit, out, "translate", translator.translate, unit.type(translator.physical_type), states);
+    const ir::FunctionId exact = translator.wide;
+    print_method(unit, out, "translate", exact, unit.type(unit.program.functions[exact].result), states);
     out.line("return translate(address);");
     out.close();
     out.gap();

@@ -46,10 +46,7 @@ void name_globals(Printer& p) {
         const ir::PassParameter& parameter = p.pass.parameters[i];
         if (parameter.source != ir::ParameterSource::address) continue;
         p.parameter_names[i] = p.binding_names.at(parameter.param);
-        const std::string address = "parameters." + p.parameter_names[i];
-        if (!p.row_names[parameter.param].empty())
-            p.row_names[parameter.param] = p.row_block_names[parameter.param] + "(" + address + ").rows";
-        p.binding_names[parameter.param] = address + ".at";
+        p.binding_names[parameter.param] = "parameters." + p.parameter_names[i];
     }
     p.member_names = p.parameter_names;
     if (!p.pass.push_constants) name_parameter_reads(p);
@@ -145,7 +142,7 @@ const char* form_text(ir::Form form) {
     switch (form) {
     case ir::Form::direct: return "whole ranges, shared state";
     case ir::Form::general: return "any ranges, a state for each structure";
-    case ir::Form::wide: return "any ranges, a state for each structure, buffers by address";
+    case ir::Form::wide: return "any ranges, a state for each structure, buffers by 64-bit address";
     }
     return "";
 }
@@ -197,7 +194,10 @@ std::string enumerators_text(const Printer& p) {
 
 std::string extensions_text(Printer& p) {
     p.extensions.insert("GL_EXT_scalar_block_layout");
-    if (p.pass.form == ir::Form::wide) p.extensions.insert("GL_EXT_buffer_reference");
+    if (p.pass.form == ir::Form::wide) {
+        p.extensions.insert("GL_EXT_buffer_reference");
+        p.extensions.insert("GL_EXT_shader_explicit_arithmetic_types_int64");
+    }
     if (p.options.lines == LineMarks::directives) p.extensions.insert("GL_GOOGLE_cpp_style_line_directive");
     std::string text;
     for (const std::string& extension : p.extensions) text += "#extension " + extension + " : require\n";
@@ -215,8 +215,7 @@ std::string glsl_of(const ir::Program& program, const Sources& sources, const ir
                 structs = struct_definitions(p);
     if (!bindings.empty()) bindings += "\n";
     if (!parameters.empty()) parameters += "\n";
-    // The addresses in the parameters of the wide form are of the buffers' types.
-    std::string interface = pass.form == ir::Form::wide ? bindings + parameters : parameters + bindings;
+    std::string interface = parameters + bindings;
     return "#version 460\n" + heading(p) + extensions_text(p) + group_text(pass) + enumerators_text(p) + structs +
            interface + shared + status + order_definitions(p) + helpers + atomics + functions + main;
 }

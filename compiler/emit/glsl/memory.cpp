@@ -1,6 +1,7 @@
 // Buffers, images and parameters: how they are declared, read and written.
 #include "emit/glsl/printer.h"
 #include "ir/walk.h"
+#include "layout/layout.h"
 
 #include <algorithm>
 #include <cctype>
@@ -16,6 +17,8 @@ using ir::TypeId;
 using ir::TypeKind;
 
 namespace {
+
+constexpr std::uint32_t row_bytes = 16;
 
 const char* format_text(Format format) {
     switch (format) {
@@ -86,21 +89,46 @@ std::string buffer_text(Printer& p, std::size_t index) {
     std::string qualifiers = (is_coherent(p, binding) ? "coherent " : "") + std::string(access_text(binding.access));
     note_storage(p, binding.element);
     std::string element = stored_as_bits(p, binding) ? "uint" : "";
-    std::string name = p.pass.form == ir::Form::wide ? "at" : p.binding_names[index];
+    const bool is_wide = p.pass.form == ir::Form::wide;
+    const std::string name = is_wide ? "at" : p.binding_names[index] + "[]";
     const ir::Type& type = p.program.types[binding.element];
-    std::string member = !element.empty() ? element + " " + name + "[]"
+    std::string member = !element.empty() ? element + " " + name
                          : type.kind == TypeKind::array
-                             ? type_text(p, type.element) + " " + name + "[][" + std::to_string(type.count) + "]"
-                             : type_text(p, binding.element) + " " + name + "[]";
-    std::string layout = p.pass.form == ir::Form::wide
-                             ? "layout(buffer_reference, scalar) "
-                             : "layout(scalar, set = 0, binding = " + std::to_string(index + 1) + ") ";
+                             ? type_text(p, type.element) + " " + name + "[" + std::to_string(type.count) + "]"
+                             : type_text(p, binding.element) + " " + name;
+    const auto by_address = [](std::uint32_t align) {
+        return "layout(buffer_reference, scalar, buffer_reference_align = " + std::to_string(align) + ") ";
+    };
+    std::string layout = is_wide ? by_address(layout::size_of(p.program, binding.element).align)
+                                 : "layout(scalar, set = 0, binding = " + std::to_string(index + 1) + ") ";
     std::string text = layout + qualifiers + "buffer " + p.block_names[index] + " { " + member + "; };\n";
     if (!binding.in_rows) return text;
-    const bool is_wide = p.pass.form == ir::Form::wide;
-    const std::string row = image_prefix(p, binding.element) + "vec4 " + (is_wide ? "rows" : p.row_names[index]) + "[]";
-    return text + (is_wide ? "layout(buffer_reference, scalar, buffer_reference_align = 16) " : layout) + qualifiers +
-           "buffer " + p.row_block_names[index] + " { " + row + "; };   // the same, as vectors\n";
+    const std::string row =
+        image_prefix(p, binding.element) + "vec4 " + (is_wide ? "at" : p.row_names[index] + "[]");
+    return text + (is_wide ? by_address(row_bytes) : layout) + qualifiers + "buffer " + p.row_block_names[index] +
+           " { " + row + "; };   // the same, as vectors\n";
+}
+
+/// What lies at an address: what indexes an array has 32 bits, of which SPIR-V takes one for a sign.
+std::string at_address(const std::string& block, const std::string& address, const std::string& index,
+                       std::uint32_t bytes) {
+    return block + "(" + address + " + " + index + " * " + std::to_string(bytes) + "ul).at";
+}
+
+/// An element of a buffer, by an index that may have an operator in it only in parentheses.
+std::string element_text(const Printer& p, std::uint32_t slot, const std::string& index) {
+    if (p.pass.form != ir::Form::wide) return p.binding_names[slot] + "[" + index + "]";
+    const std::uint32_t bytes = layout::size_of(p.program, p.pass.bindings[slot].element).size;
+    return at_address(p.block_names[slot], p.binding_names[slot], index, bytes);
+}
+
+std::string element_text(Printer& p, std::uint32_t slot, ir::ExprId index) {
+    return element_text(p, slot, p.pass.form == ir::Form::wide ? print(p, index, Level::term) : print_any(p, index));
+}
+
+std::string row_text(Printer& p, std::uint32_t slot, ir::ExprId index) {
+    if (p.pass.form != ir::Form::wide) return p.row_names[slot] + "[" + print_any(p, index) + "]";
+    return at_address(p.row_block_names[slot], p.binding_names[slot], print(p, index, Level::term), row_bytes);
 }
 
 std::string image_text(Printer& p, std::size_t index) {
@@ -198,8 +226,7 @@ namespace {
 std::string parameter_declaration(Printer& p, std::size_t i) {
     const ir::PassParameter& param = p.pass.parameters[i];
     const std::string& name = p.member_names.empty() ? p.parameter_names[i] : p.member_names[i];
-    return param.source == ir::ParameterSource::address ? p.block_names.at(param.param) + " " + name
-                                                        : declaration(p, param.type, name);
+    return declaration(p, param.type, name);
 }
 
 /// Numbers and vectors. A struct has another type in a block than in a variable, which glslang's `?:` mixes up.
@@ -266,9 +293,8 @@ Text print_load(Printer& p, const ir::Expr& expr) {
     const PassBinding& binding = p.pass.bindings.at(expr.slot);
     const std::string& name = p.binding_names[expr.slot];
     if (expr.op == ir::Op::load) {
-        if (is_row(p.program.types, binding, expr.type))
-            return {p.row_names[expr.slot] + "[" + index_text(p, expr.operands[0]) + "]"};
-        std::string text = name + "[" + index_text(p, expr.operands[0]) + "]";
+        if (is_row(p.program.types, binding, expr.type)) return {row_text(p, expr.slot, expr.operands[0])};
+        std::string text = element_text(p, expr.slot, expr.operands[0]);
         return {stored_as_bits(p, binding) ? "uintBitsToFloat(" + text + ")" : text};
     }
     std::string level = expr.operands.size() > 1          ? print_any(p, expr.operands[1])
@@ -290,9 +316,9 @@ void print_store(Printer& p, const ir::Stmt& stmt) {
                            four_components(p, stmt.value) + ");");
     std::string value = print_any(p, stmt.value);
     if (is_row(p.program.types, binding, p.program.exprs[stmt.value].type))
-        return line(p, p.row_names[stmt.slot] + "[" + index_text(p, stmt.target) + "] = " + value + ";");
+        return line(p, row_text(p, stmt.slot, stmt.target) + " = " + value + ";");
     if (stored_as_bits(p, binding)) value = "floatBitsToUint(" + value + ")";
-    print_store(p, name + "[" + index_text(p, stmt.target) + "]", value, binding.element);
+    print_store(p, element_text(p, stmt.slot, stmt.target), value, binding.element);
 }
 
 std::string atomic_text(Printer& p, const ir::Stmt& stmt) {
@@ -309,31 +335,32 @@ std::string atomic_text(Printer& p, const ir::Stmt& stmt) {
         return std::string("imageAtomic") + atomic_name(stmt.combine) + "(" + name + ", " + texel_text(p, stmt.target) +
                ", " + value + ");";
     }
-    std::string index = index_text(p, stmt.target);
-    if (stored_as_bits(p, binding)) {
-        if (stmt.combine == Combine::replace)
-            return "atomicExchange(" + name + "[" + index + "], floatBitsToUint(" + value + "));";
+    if (stored_as_bits(p, binding) && stmt.combine != Combine::replace) {
         std::string place = !p.status.another_round.empty() ? ", " + place_arguments(p, stmt.span) : "";
-        return float_atomic(p, stmt.slot, stmt.combine) + "(" + index + ", " + value + place + ");";
+        return float_atomic(p, stmt.slot, stmt.combine) + "(" + print_any(p, stmt.target) + ", " + value + place +
+               ");";
     }
+    const std::string element = element_text(p, stmt.slot, stmt.target);
+    if (stored_as_bits(p, binding)) return "atomicExchange(" + element + ", floatBitsToUint(" + value + "));";
     if (kind == TypeKind::int64 || kind == TypeKind::uint64) p.extensions.insert("GL_EXT_shader_atomic_int64");
-    return std::string("atomic") + atomic_name(stmt.combine) + "(" + name + "[" + index + "], " + value + ");";
+    return std::string("atomic") + atomic_name(stmt.combine) + "(" + element + ", " + value + ");";
 }
 
 std::string atomic_definitions(Printer& p) {
     std::string text;
     std::string test = round_test(p, {}, p.pass.files.size() > 1 ? "line, file" : "line");
     for (const AtomicUse& use : p.atomics) {
-        const std::string& memory = p.binding_names[use.binding];
+        const std::string element = element_text(p, use.binding, "index");
         std::string function = p.pass.bindings[use.binding].name + "_" + lower_case(atomic_name(use.combine));
-        text += "void " + function + "(uint index, float value" + (test.empty() ? "" : ", " + place_parameters(p)) +
+        const std::string index = p.pass.form == ir::Form::wide ? "uint64_t" : "uint";
+        text += "void " + function + "(" + index + " index, float value" + (test.empty() ? "" : ", " + place_parameters(p)) +
                 ") {\n";
-        text += "    uint seen = " + memory + "[index], expected;\n    do {\n" +
+        text += "    uint seen = " + element + ", expected;\n    do {\n" +
                 (test.empty() ? "" : "        if (!" + test + ") return;\n") + "        expected = seen;\n";
         text += "        uint wanted = floatBitsToUint(" + combined(use.combine) +
                 ");\n        if (wanted == seen) return;\n";
-        text += "        seen = atomicCompSwap(" + memory +
-                "[index], expected, wanted);\n    } while (seen != expected);\n}\n\n";
+        text += "        seen = atomicCompSwap(" + element +
+                ", expected, wanted);\n    } while (seen != expected);\n}\n\n";
     }
     return text;
 }

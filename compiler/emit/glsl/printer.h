@@ -106,7 +106,7 @@ struct Printer {
     Options options;
 
     Scopes names;
-    std::vector<std::string> binding_names;  ///< as expressions: f_data, or f_data.at in the wide form
+    std::vector<std::string> binding_names;  ///< as expressions: f_data; in the wide form its address
     std::vector<std::string> block_names;    ///< of buffer bindings
     std::vector<std::string> row_names;      ///< the same memory as vectors of four, as expressions; empty: not needed
     std::vector<std::string> row_block_names;

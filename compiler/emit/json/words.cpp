@@ -105,6 +105,7 @@ const char* word(ir::ParameterSource source) {
     case ir::ParameterSource::size: return "size";
     case ir::ParameterSource::range_size: return "range_size";
     case ir::ParameterSource::address: return "address";
+    case ir::ParameterSource::base: return "base";
     }
     return "";
 }

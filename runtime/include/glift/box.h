@@ -2,8 +2,10 @@
 #pragma once
 
 #include <glift/error.h>
+#include <glift/extent.h>
 #include <glift/vector.h>
 
+#include <algorithm>
 #include <array>
 #include <string>
 
@@ -29,8 +31,12 @@ template <class A> constexpr Extent extent_of(const A& a, std::uint32_t rest = 1
     return extent;
 }
 
+/// Elements of a box; 2^64 - 1 where there are more.
 constexpr std::uint64_t volume_of(const Extent& extent) {
-    return std::uint64_t{extent[0]} * extent[1] * extent[2] * extent[3];
+    if (std::ranges::find(extent, 0u) != extent.end()) return 0;
+    std::uint64_t volume = 1;
+    for (std::uint32_t part : extent) volume = saturated_product(volume, part);
+    return volume;
 }
 
 inline std::string text_of(const Extent& extent, unsigned rank) {

@@ -95,9 +95,9 @@ public:
     /// Whether what is put here runs later, perhaps many times: in a recording, or in the user's command buffer.
     bool is_recording() const;
 
-    /// True if a call over these memories and this iteration size cannot take the direct form on this device: pack the
-    /// general parameters then (pass.h).
-    bool needs_general(const Kernel& kernel, std::span<const Memory> memories,
+    /// True if these memories or this iteration size are too large for the direct and the general form: pack the wide
+    /// parameters then (pass.h).
+    bool needs_wide(const Kernel& kernel, std::span<const Memory> memories,
                        const std::array<std::uint32_t, 4>& size) const;
 
     void dispatch(const Kernel& kernel, const Call& call) const;

@@ -5,14 +5,13 @@
 //             all sizes are known to the host; parameters are push constants where they fit;
 //   general   ranges with origins, a state for each structure, sizes that may live on the device;
 //             parameters in a storage buffer at binding 0;
-//   wide      like general, buffers reached by 64-bit address (for memories beyond maxStorageBufferRange).
+//   wide      like general, for what is too large for it: physical addresses are computed in 64 bits, buffers are reached
+//             by 64-bit address (without descriptors), and iterations may be split into several dispatches.
 //
-// Who chooses. Generated code asks Commands::needs_general(kernel, memories, size) before it packs the parameters, and
-// packs the general block where the answer is true, even if it would have packed the direct one. The runtime runs the
-// wide form in place of the general one if a buffer is too large for a descriptor. The wide block is the general block
-// followed by the addresses: general.parameter_bytes bytes as packed, then at Binding::address_offset (8-byte aligned,
-// >= general.parameter_bytes) the address of each buffer, in wide.parameter_bytes in all. Generated code packs only the
-// general part; the runtime writes the addresses. needs_general is always false on the host device.
+// Who chooses. Generated code asks Commands::needs_wide(kernel, memories, size) before it packs the parameters, and packs
+// the wide block where the answer is true. On Vulkan devices it is true of a buffer that no descriptor covers and of an
+// iteration of more workgroups than one dispatch may have, on every device of a memory of 2^32 elements or more. At
+// Binding::address_offset (8-byte aligned) the runtime writes the address of each buffer.
 #pragma once
 
 #include <glift/memory.h>
@@ -48,6 +47,7 @@ struct Binding {
     bool sampled = false;  ///< a combined image sampler over all mips, else a storage image of mip 0; buffers: false
     Sampler sampler = {};
     std::uint32_t address_offset = 0;  ///< wide form, buffers: byte offset of the 64-bit address in the parameters
+    std::uint32_t element_bytes = 4;   ///< buffers
 };
 
 /// A place in the source.
@@ -103,8 +103,8 @@ struct Form {
     std::uint32_t parameter_bytes = 0;
     bool push_constants = false;             ///< parameters are push constants, else the storage buffer at binding 0
     std::uint32_t size_offset = 0;           ///< byte offset in the parameters of the iteration size (`rank` uints)
-    std::uint32_t base_offset = UINT32_MAX;  ///< general and wide, rank 2 to 4: byte offset in the parameters of three
-                                             ///< uints, packed as zeros, that the shader adds to gl_WorkGroupID.
+    std::uint32_t base_offset = UINT32_MAX;  ///< wide, rank 2 to 4: byte offset in the parameters of three uints, packed
+                                             ///< as zeros, that the shader adds to gl_GlobalInvocationID.
                                              ///< UINT32_MAX: none, iterations beyond the device's limits are refused
 };
 
@@ -125,8 +125,8 @@ struct Parameter {
 /// one-dimensional iteration of more groups than the device allows along x is folded: the runtime dispatches (x, y, 1)
 /// groups with x * y >= groups.x, of which gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x is the number;
 /// invocations beyond the size do nothing. In more dimensions an iteration beyond the device's limits (65535 groups
-/// along y and z on most) takes the general form, split by the runtime into several dispatches through
-/// Form::base_offset; indirect ones are refused (ErrorCode::too_large).
+/// along y and z on most) takes the wide form, split by the runtime into several dispatches through Form::base_offset;
+/// indirect ones are refused (ErrorCode::too_large).
 struct Kernel {
     const char* name;
     const char* file;
@@ -176,7 +176,16 @@ struct FixedWord {
     bool operator==(const FixedWord&) const = default;
 };
 
-enum class FormName : std::uint8_t { direct, general };  ///< wide is chosen by the runtime in place of general
+enum class FormName : std::uint8_t { direct, general, wide };
+
+inline const Form& form_of(const Kernel& kernel, FormName name) {
+    switch (name) {
+    case FormName::direct: return kernel.direct;
+    case FormName::general: return kernel.general;
+    case FormName::wide: return kernel.wide;
+    }
+    return kernel.direct;
+}
 
 /// One call of a kernel. Spans need to live only until Commands::dispatch returns.
 struct Call {
@@ -184,7 +193,7 @@ struct Call {
     std::span<const Memory> memories;       ///< in binding order
     std::span<const std::byte> parameters;  ///< the block of the named form, size included
     std::array<std::uint32_t, 4> size;      ///< host-known iteration size; where patches set it, an upper bound
-    std::span<const Patch> patches = {};    ///< non-empty: the general form
+    std::span<const Patch> patches = {};    ///< non-empty: the general or the wide form
     std::span<const FixedWord> fixed = {};  ///< of the direct form; ignored on the host device
 };
 

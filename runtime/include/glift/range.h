@@ -121,9 +121,9 @@ template <class S> auto slice(const S& from, typename S::Address first, typename
     return from.range(first, last - first);
 }
 
-/// How many elements a structure or a box has.
+/// How many elements a structure or a box has; an error where a uint can't say it.
 template <class S> uint element_count(const S& structure) {
-    return static_cast<uint>(detail::volume_of(detail::extent_of(detail::size_of(structure))));
+    return fitted(detail::volume_of(detail::extent_of(detail::size_of(structure))), "count of a structure's elements");
 }
 
 }  // namespace glift

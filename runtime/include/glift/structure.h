@@ -75,8 +75,8 @@ template <class S> S&& part(S&& made, bool alike, const char* name) {
 }  // namespace detail
 
 /// The bytes of a buffer with this many elements; never none, so that an empty structure has a memory too.
-template <class T> constexpr std::uint64_t buffer_bytes(std::uint32_t count) {
-    return (std::max<std::uint64_t>(1, std::uint64_t{count}) * sizeof(T) + 3) / 4 * 4;
+template <class T> constexpr std::uint64_t buffer_bytes(std::uint64_t count) {
+    return saturated_sum(saturated_product(std::max<std::uint64_t>(1, count), sizeof(T)), 3) / 4 * 4;
 }
 
 /// The texels of an image; never none.
@@ -124,15 +124,9 @@ public:
     void write(A origin, A size, std::span<const T> values) {
         check("write", origin, size);
         if (values.size() != count(size)) throw_count(values.size(), size);
-        if (values.empty()) return;
-        const Commands commands(device());
-        if constexpr (detail::HasRows<Self>) {
-            if (const auto rows = detail::rows_of(self(), origin, size))
-                return commands.upload(self().row_memory(), *rows, std::as_bytes(values));
-        }
-        const Memory box = commands.allocate(box_description(values.size_bytes()));
-        commands.upload(box, 0, std::as_bytes(values));
-        self().copy_in(commands, Range<Self>(self(), origin, size), box);
+        each_part(origin, size, [&](A first, A extent, std::size_t at) {
+            put(first, extent, values.subspan(at, count(extent)));
+        });
     }
     void write(std::span<const T> values) { write({}, self().domain(), values); }
 
@@ -140,9 +134,11 @@ public:
     std::vector<T> read(A origin, A size) const {
         check("read", origin, size);
         std::vector<T> values(count(size));
-        if (values.empty()) return values;
-        const Download download = fetch(origin, size, values.size() * sizeof(T));
-        std::memcpy(values.data(), download.get().data(), values.size() * sizeof(T));
+        each_part(origin, size, [&](A first, A extent, std::size_t at) {
+            const std::size_t bytes = count(extent) * sizeof(T);
+            const Download download = fetch(first, extent, bytes);
+            std::memcpy(values.data() + at, download.get().data(), bytes);
+        });
         return values;
     }
     std::vector<T> read() const { return read({}, self().domain()); }
@@ -172,11 +168,13 @@ public:
         static_assert(std::is_same_v<typename Other::Address, A>);
         const A size = from.size();
         check("copy_from", to_origin, size);
-        if (count(size) == 0) return;
         const Commands commands(device());
-        const Memory box = commands.allocate(box_description(count(size) * sizeof(T)));
-        from->copy_out(commands, from, box);
-        self().copy_in(commands, Range<Self>(self(), to_origin, size, from.device_counts()), box);
+        each_part({}, size, [&](A first, A extent, std::size_t) {
+            const Memory box = commands.allocate(box_description(count(extent) * sizeof(T)));
+            const Range<Other> part = extent == size ? from : from.range(first, extent);
+            part->copy_out(commands, part, box);
+            self().copy_in(commands, Range<Self>(self(), to_origin + first, extent, part.device_counts()), box);
+        });
     }
 
     /// Waits as `read` does.
@@ -192,6 +190,43 @@ private:
     const Self& self() const { return static_cast<const Self&>(*this); }
     static std::size_t count(const A& size) {
         return static_cast<std::size_t>(detail::volume_of(detail::extent_of(size)));
+    }
+
+    /// Boxes are moved in parts that staging has room for: calls f(origin, size, elements before it) for each, cut along
+    /// the last axis that is longer than one.
+    template <class F> static void each_part(A origin, A size, F f, std::size_t before = 0) {
+        constexpr std::uint64_t most = (std::uint64_t{1} << 30) / sizeof(T) + 1;
+        const std::uint64_t elements = detail::volume_of(detail::extent_of(size));
+        if (elements == 0) return;
+        if (elements <= most) return f(origin, size, before);
+        unsigned axis = detail::Axes<A>::count - 1;
+        const Extent extent = detail::extent_of(size);
+        while (axis > 0 && extent[axis] == 1) --axis;
+        const std::uint64_t row = elements / extent[axis];
+        const auto step = static_cast<std::uint32_t>(std::clamp<std::uint64_t>(most / row, 1, extent[axis]));
+        for (std::uint64_t at = 0; at < extent[axis]; at += step) {
+            const auto length = static_cast<std::uint32_t>(std::min<std::uint64_t>(step, extent[axis] - at));
+            A first = origin, part = size;
+            if constexpr (detail::Axes<A>::count == 1) {
+                first += static_cast<std::uint32_t>(at);
+                part = length;
+            } else {
+                first[axis] += static_cast<std::uint32_t>(at);
+                part[axis] = length;
+            }
+            each_part(first, part, f, before + at * row);
+        }
+    }
+
+    void put(A origin, A size, std::span<const T> values) {
+        const Commands commands(device());
+        if constexpr (detail::HasRows<Self>) {
+            if (const auto rows = detail::rows_of(self(), origin, size))
+                return commands.upload(self().row_memory(), *rows, std::as_bytes(values));
+        }
+        const Memory box = commands.allocate(box_description(values.size_bytes()));
+        commands.upload(box, 0, std::as_bytes(values));
+        self().copy_in(commands, Range<Self>(self(), origin, size), box);
     }
 
     Download fetch(A origin, A size, std::size_t bytes) const {

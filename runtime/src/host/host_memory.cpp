@@ -6,6 +6,9 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <fstream>
+
+#include <unistd.h>
 
 namespace glift::detail {
 
@@ -13,17 +16,40 @@ namespace {
 
 constexpr std::uint64_t alignment = 64;
 
+/// Bytes that the machine can give at this moment. Untouched pages count for nothing in it, so that it is asked beside the
+/// bytes that Glift holds.
+std::uint64_t available_bytes() {
+    std::ifstream info("/proc/meminfo");
+    std::string word;
+    std::uint64_t kilobytes = 0;
+    while (info >> word)
+        if (word == "MemAvailable:" && info >> kilobytes) return kilobytes * 1024;
+    return unlimited;
+}
+
+/// Beyond it pages that are not there would be promised, and the process ended when they are touched.
+bool fits_machine(std::uint64_t bytes, std::uint64_t held) {
+    constexpr std::uint64_t small = std::uint64_t(64) << 20;  // not worth a look at the file
+    const std::uint64_t machine = host_memory_bytes();
+    return bytes <= machine && held <= machine - bytes && (bytes <= small || bytes <= available_bytes());
+}
+
 }  // namespace
+
+std::uint64_t host_memory_bytes() {
+    return std::uint64_t(sysconf(_SC_PHYS_PAGES)) * static_cast<std::uint64_t>(sysconf(_SC_PAGE_SIZE));
+}
 
 HostStorage::HostStorage(std::uint64_t bytes, const MemoryDescription& description, HostCounters& counters)
     : bytes_(bytes), counters_(counters) {
     // calloc gives large blocks as untouched zero pages, which aligned allocation followed by memset would touch.
     const std::uint64_t used = counters_.bytes, most = std::min(counters_.limit, UINT64_MAX - 2 * alignment);
-    const bool fits = used <= most && bytes <= most - used;
+    const bool fits = used <= most && bytes <= most - used && fits_machine(bytes, used);
     if (fits) allocated_ = std::calloc(1, bytes + 2 * alignment);
     if (!allocated_) {
         throw Error(ErrorCode::out_of_memory, "the host has no memory left for a structure", memory_text(description),
-                    size_text(bytes) + " asked for, " + size_text(used) + " in use by Glift" +
+                    size_text(bytes) + " asked for; the machine has " + size_text(host_memory_bytes()) + ", of which " +
+                        size_text(used) + " are in use by Glift" +
                         (counters_.limit == unlimited ? "" : "; GLIFT_MEMORY_LIMIT is " + size_text(counters_.limit)),
                     "free structures that are no longer used, or make them smaller");
     }

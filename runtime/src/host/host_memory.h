@@ -8,6 +8,9 @@
 
 namespace glift::detail {
 
+/// Of the machine.
+std::uint64_t host_memory_bytes();
+
 struct HostCounters {
     std::atomic<std::uint64_t> passes{0}, memories{0}, bytes{0};
     const std::uint64_t limit = memory_limit();  ///< of bytes

@@ -3,6 +3,8 @@
 #include "../check.h"
 #include "../image_layout.h"
 #include "../report.h"
+#include "../text.h"
+#include "../wide.h"
 
 #include <algorithm>
 #include <array>
@@ -60,6 +62,7 @@ template <class Row> void each_row(const Memory& image, std::span<const ImageReg
 
 // Applies device values to a copy of the parameters and to the size.
 std::vector<std::byte> patched(const Kernel& kernel, const Call& call, std::array<std::uint32_t, 4>& size) {
+    const std::uint32_t first = form_of(kernel, call.form).size_offset;
     std::vector<std::byte> parameters(call.parameters.begin(), call.parameters.end());
     std::uint32_t last = 0;
     for (const Patch& patch : call.patches) {
@@ -67,7 +70,6 @@ std::vector<std::byte> patched(const Kernel& kernel, const Call& call, std::arra
         std::memcpy(&value, host_memory(patch.value.memory).data() + patch.value.offset, 4);
         value = std::min(value - std::min(value, patch.before), patch.limit);
         if (patch.joins) value = std::min(value, last);
-        const std::uint32_t first = kernel.general.size_offset;
         if (patch.offset >= first && patch.offset < first + 4 * kernel.rank) {
             const std::uint32_t axis = (patch.offset - first) / 4;
             value = size[axis] = std::min(value, call.size[axis]);
@@ -82,12 +84,17 @@ constexpr std::size_t small_count = 16;
 
 }  // namespace
 
+bool HostStream::needs_wide(const Kernel& kernel, std::span<const Memory> memories,
+                            const std::array<std::uint32_t, 4>&) {
+    check_memories(&device_, kernel, memories);
+    return counts_in_64_bits(kernel, memories);
+}
+
 void HostStream::dispatch(const Kernel& kernel, const Call& call) {
     const auto held = lock();
     check_call(&device_, kernel, call);
-    const bool direct = call.form == FormName::direct;
-    const Form& form = direct ? kernel.direct : kernel.general;
-    if (!form.host) throw_missing_form(kernel, direct ? "direct" : "general", "the host device");
+    const Form& form = form_of(kernel, call.form);
+    if (!form.host) throw_missing_form(kernel, form_text(call.form), "the host device");
     std::array<HostMemory, small_count> few;
     std::vector<HostMemory> many;
     HostMemory* views = few.data();

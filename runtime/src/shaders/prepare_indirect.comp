@@ -53,7 +53,7 @@ void main() {
     uint y = div_ceil(size[1], arguments.per_group[1]);
     const uint z = div_ceil(size[2] * size[3], arguments.per_group[2]);
     if (arguments.rank == 1u && x > arguments.limit_x) {
-        y = div_ceil(x, arguments.limit_x);
+        y = 1u << (findMSB(div_ceil(x, arguments.limit_x) * 2u - 1u));
         x = div_ceil(x, y);
     }
     const bool none = x == 0u || y == 0u || z == 0u;

@@ -4,6 +4,7 @@
 
 #include <glift/error.h>
 
+#include <algorithm>
 #include <tuple>
 
 namespace glift::detail {
@@ -40,6 +41,15 @@ void check_queue_family(const Instance& instance, const Context::Adopted& object
         refuse_adoption("queue family " + std::to_string(objects.queue_family) + " does not exist or cannot compute",
                         "pass a queue of a family with VK_QUEUE_COMPUTE_BIT");
     }
+}
+
+/// Of a buffer that is bound from several allocations.
+std::uint64_t max_sparse_bytes(const Instance& instance, VkPhysicalDevice physical) {
+    VkPhysicalDeviceMaintenance4Properties maintenance4 = {
+        .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_4_PROPERTIES};
+    VkPhysicalDeviceProperties2 all = {.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, .pNext = &maintenance4};
+    instance.vk().vkGetPhysicalDeviceProperties2(physical, &all);
+    return std::min<std::uint64_t>(maintenance4.maxBufferSize, all.properties.limits.sparseAddressSpaceSize);
 }
 
 }  // namespace
@@ -100,7 +110,13 @@ void Context::read_limits(const FeatureChain& features) {
     properties = read_properties(*instance, physical, features, extensions);
     core = features.properties;
     instance->vk().vkGetPhysicalDeviceMemoryProperties(physical, &memory);
-    timestamp_bits = queue_families(*instance, physical)[queue_family].timestampValidBits;
+    const VkQueueFamilyProperties family = queue_families(*instance, physical)[queue_family];
+    timestamp_bits = family.timestampValidBits;
+    max_piece_bytes = properties.max_allocation_bytes;
+    // Whether a program enabled it on a device of its own is not known.
+    const bool is_sparse =
+        owned && features.core.features.sparseBinding && (family.queueFlags & VK_QUEUE_SPARSE_BINDING_BIT) != 0;
+    if (is_sparse) properties.max_allocation_bytes = max_sparse_bytes(*instance, physical);
     VkPhysicalDeviceVulkan12Properties v12 = {.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_PROPERTIES};
     VkPhysicalDeviceProperties2 floats = {.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, .pNext = &v12};
     instance->vk().vkGetPhysicalDeviceProperties2(physical, &floats);

@@ -51,6 +51,7 @@ public:
     VkPhysicalDeviceProperties core = {};
     VkPhysicalDeviceMemoryProperties memory = {};
     std::uint32_t max_push_descriptors = 0;
+    std::uint64_t max_piece_bytes = 0;  ///< of one allocation; larger buffers are bound from several
     FloatControls float_controls;
     std::vector<const char*> extensions;
     std::atomic<bool> lost{false};

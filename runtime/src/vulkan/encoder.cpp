@@ -2,6 +2,7 @@
 
 #include "../check.h"
 #include "../text.h"
+#include "../wide.h"
 #include "vulkan_device.h"
 
 #include <glift/error.h>
@@ -83,33 +84,30 @@ void Encoder::full_barrier() {
     hazards_.barrier();
 }
 
-bool Encoder::is_wide(std::span<const Memory> memories) const {
+bool Encoder::is_wide(const Kernel& kernel, std::span<const Memory> memories) const {
     for (const Memory& memory : memories) {
         if (vulkan_memory(memory).range > context_.properties.max_storage_buffer_range) return true;
     }
-    return false;
+    return counts_in_64_bits(kernel, memories);
 }
 
-bool Encoder::needs_general(const Kernel& kernel, std::span<const Memory> memories,
+bool Encoder::needs_wide(const Kernel& kernel, std::span<const Memory> memories,
                             const std::array<std::uint32_t, 4>& size) const {
     check_memories(&device_, kernel, memories);
-    if (is_wide(memories)) return true;
+    if (is_wide(kernel, memories)) return true;
     return kernel.rank > 1 && !count_groups(kernel, size).within(context_.properties.max_workgroups);
 }
 
-CompiledForm Encoder::choose(const Kernel& kernel, const Call& call) const {
-    if (!is_wide(call.memories)) {
-        return call.form == FormName::direct ? CompiledForm::direct : CompiledForm::general;
-    }
-    if (call.form == FormName::general) return CompiledForm::wide;
+void Encoder::check_form(const Kernel& kernel, const Call& call) const {
+    if (call.form == FormName::wide || !is_wide(kernel, call.memories)) return;
     const auto largest =
         std::max_element(call.memories.begin(), call.memories.end(), [](const Memory& a, const Memory& b) {
             return vulkan_memory(a).range < vulkan_memory(b).range;
         });
-    throw Error(ErrorCode::too_large, "a memory is too large for the direct form of a kernel",
+    throw Error(ErrorCode::too_large, std::string("a memory is too large for the ") + form_text(call.form) + " form of a kernel",
                 kernel_text(kernel) + ", " + memory_text(largest->description()),
                 "a descriptor covers " + size_text(context_.properties.max_storage_buffer_range),
-                "ask Commands::needs_general before packing the parameters");
+                "ask Commands::needs_wide before packing the parameters");
 }
 
 // The barrier before a pass, if one of its memories needs it.
@@ -130,7 +128,7 @@ Slice Encoder::write_parameters(const Pipeline& pipeline, const Call& call) {
     if (form.push_constants || !form.parameter_bytes) return {};
     const Slice block = batch_->upload.take(form.parameter_bytes);
     std::memcpy(block.data, call.parameters.data(), call.parameters.size());
-    if (pipeline.name == CompiledForm::wide) {
+    if (pipeline.name == FormName::wide) {
         for (std::size_t k = 0; k < call.memories.size(); ++k) {
             const Binding& binding = pipeline.kernel->bindings[k];
             if (binding.kind != MemoryKind::buffer) continue;
@@ -153,7 +151,7 @@ void Encoder::push_descriptors(const Pipeline& pipeline, const Call& call, const
         const Binding& binding = pipeline.kernel->bindings[k];
         const VulkanMemory& memory = vulkan_memory(call.memories[k]);
         if (binding.kind == MemoryKind::buffer) {
-            if (pipeline.name != CompiledForm::wide) (next++)->buffer = {memory.parts.buffer, 0, memory.range};
+            if (pipeline.name != FormName::wide) (next++)->buffer = {memory.parts.buffer, 0, memory.range};
         } else if (binding.sampled) {
             (next++)->image = {device_.pipelines().sampler(binding.sampler), memory.parts.sampled_view,
                                VK_IMAGE_LAYOUT_GENERAL};
@@ -230,8 +228,8 @@ Slice Encoder::prepare(const Pipeline& pipeline, const Call& call, const Slice& 
 
 void Encoder::dispatch(const Kernel& kernel, const Call& call) {
     check_call(&device_, kernel, call);
-    const CompiledForm form = choose(kernel, call);
-    const Pipeline& pipeline = device_.pipelines().get(kernel, form, call.fixed);
+    check_form(kernel, call);
+    const Pipeline& pipeline = device_.pipelines().get(kernel, call.form, call.fixed);
     Groups groups = count_groups(kernel, call.size);
     if (groups.none()) return;
     ++batch_->operations;
@@ -271,9 +269,9 @@ void Encoder::dispatch_split(const Pipeline& pipeline, const Call& call, const G
         for (base[1] = 0; base[1] < groups.count[1]; base[1] += limit[1]) {
             for (base[0] = 0; base[0] < groups.count[0]; base[0] += limit[0]) {
                 const Slice block = write_parameters(pipeline, call);
-                const std::uint32_t start[3] = {static_cast<std::uint32_t>(base[0]),
-                                                static_cast<std::uint32_t>(base[1]),
-                                                static_cast<std::uint32_t>(base[2])};
+                std::uint32_t start[3];
+                for (int axis = 0; axis < 3; ++axis)
+                    start[axis] = static_cast<std::uint32_t>(base[axis] * pipeline.kernel->group[axis]);
                 std::memcpy(block.data + pipeline.form->base_offset, start, sizeof start);
                 bind(pipeline, call, block);
                 context_.vk.vkCmdDispatch(commands_, part(0), part(1), part(2));

@@ -21,7 +21,7 @@ public:
     }
     CommandBatch& batch() { return *batch_; }
 
-    bool needs_general(const Kernel& kernel, std::span<const Memory> memories,
+    bool needs_wide(const Kernel& kernel, std::span<const Memory> memories,
                        const std::array<std::uint32_t, 4>& size) const;
     void dispatch(const Kernel& kernel, const Call& call);
 
@@ -47,11 +47,12 @@ public:
 private:
     void barrier();
     void barrier(const VkMemoryBarrier2& what);
+    void fill_in_parts(const VulkanMemory& memory, std::uint64_t offset, std::uint64_t bytes, std::uint32_t value);
     void clear_image(const VulkanMemory& memory);
     void touch(const VulkanMemory& memory, Access access);
     void touch(const VulkanMemory& from, const VulkanMemory& to);
-    CompiledForm choose(const Kernel& kernel, const Call& call) const;
-    bool is_wide(std::span<const Memory> memories) const;
+    void check_form(const Kernel& kernel, const Call& call) const;
+    bool is_wide(const Kernel& kernel, std::span<const Memory> memories) const;
     void order(const Kernel& kernel, const Call& call);
     Slice write_parameters(const Pipeline& pipeline, const Call& call);
     Slice prepare(const Pipeline& pipeline, const Call& call, const Slice& block);

@@ -3,6 +3,7 @@
 #include "encoder.h"
 #include "vulkan_device.h"
 
+#include <algorithm>
 #include <cstring>
 
 namespace glift::detail {
@@ -28,11 +29,15 @@ std::vector<VkBufferImageCopy> image_copies(const MemoryDescription& d, std::spa
     return result;
 }
 
+/// Larger copies and fills are made in parts: not every driver counts their bytes in 64 bits.
+constexpr std::uint64_t most_at_once = std::uint64_t(1) << 30;
+
 std::vector<VkBufferCopy> buffer_copies(std::span<const CopyRegion> regions, VkDeviceSize from, VkDeviceSize to) {
     std::vector<VkBufferCopy> result;
     result.reserve(regions.size());
     for (const CopyRegion& region : regions) {
-        if (region.bytes) result.push_back({region.from + from, region.to + to, region.bytes});
+        for (std::uint64_t at = 0; at < region.bytes; at += most_at_once)
+            result.push_back({region.from + from + at, region.to + to + at, std::min(most_at_once, region.bytes - at)});
     }
     return result;
 }
@@ -65,11 +70,18 @@ void Encoder::fill(const VulkanMemory& memory, std::uint64_t offset, std::uint64
     if (bytes == 0) return;
     touch(memory, Access::write);
     if (bytes > most_filled_by_pass)
-        return context_.vk.vkCmdFillBuffer(commands_, memory.parts.buffer, offset, bytes, value);
+        return fill_in_parts(memory, offset, bytes, value);
     const FillArguments arguments = {memory.address + offset, static_cast<std::uint32_t>(bytes / 4), value};
     device_.fill_pass().bind(commands_, &arguments);
     bound_ = VK_NULL_HANDLE;
     context_.vk.vkCmdDispatch(commands_, (arguments.words + 255) / 256, 1, 1);
+}
+
+void Encoder::fill_in_parts(const VulkanMemory& memory, std::uint64_t offset, std::uint64_t bytes,
+                            std::uint32_t value) {
+    for (std::uint64_t at = 0; at < bytes; at += most_at_once)
+        context_.vk.vkCmdFillBuffer(commands_, memory.parts.buffer, offset + at, std::min(most_at_once, bytes - at),
+                                    value);
 }
 
 void Encoder::clear_new(const VulkanMemory& memory) {

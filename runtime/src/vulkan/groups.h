@@ -4,6 +4,7 @@
 #include <glift/pass.h>
 
 #include <array>
+#include <bit>
 
 namespace glift::detail {
 
@@ -30,10 +31,11 @@ inline Groups count_groups(const Kernel& kernel, const std::array<std::uint32_t,
              div_ceil(std::uint64_t(size[2]) * size[3], covered[2])}};
 }
 
-/// One-dimensional iterations: what is too much along x goes along y.
+/// One-dimensional iterations: what is too much along x goes along y. Rows are a power of two, so that the groups that
+/// fill up the last one begin below 2^32 where a group covers a power of two.
 inline void fold(Groups& groups, std::uint32_t limit) {
     if (groups.count[0] <= limit) return;
-    groups.count[1] = div_ceil(groups.count[0], limit);
+    groups.count[1] = std::bit_ceil(div_ceil(groups.count[0], limit));
     groups.count[0] = div_ceil(groups.count[0], groups.count[1]);
 }
 

@@ -1,5 +1,6 @@
 // Recordings, and commands for the user's own command buffer.
 #include "../report.h"
+#include "../text.h"
 #include "vulkan_device.h"
 #include "vulkan_stream.h"
 
@@ -86,6 +87,16 @@ RecordingStream::~RecordingStream() {
     batch_.reset();
 }
 
+namespace {
+
+[[noreturn]] void throw_in_pieces(const MemoryDescription& description) {
+    throw Error(ErrorCode::too_large, "a temporary of a recording is larger than one allocation",
+                memory_text(description), size_text(description.bytes) + " asked for",
+                "make the structure before the recording, and pass it");
+}
+
+}  // namespace
+
 Memory RecordingStream::allocate(const MemoryDescription& description) {
     const std::lock_guard lock(device_.mutex());
     open();
@@ -95,6 +106,7 @@ Memory RecordingStream::allocate(const MemoryDescription& description) {
         return Memory(image);
     }
     const std::shared_ptr<VulkanMemory> buffer = device_.new_object(description);
+    if (buffer->is_in_pieces()) throw_in_pieces(description);
     const Workspace::Place place = workspace_->take(device_.storage_needs(description));
     if (place.is_new_block) {
         blocks_.push_back(device_.new_memory({.name = description.name, .bytes = place.bytes, .zeroed = false}));

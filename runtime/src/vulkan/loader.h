@@ -82,6 +82,7 @@ private:
     X(vkCreateDescriptorPool) \
     X(vkCreateDescriptorSetLayout) \
     X(vkCreateDescriptorUpdateTemplate) \
+    X(vkCreateFence) \
     X(vkCreateImage) \
     X(vkCreateImageView) \
     X(vkCreatePipelineCache) \
@@ -96,6 +97,7 @@ private:
     X(vkDestroyDescriptorSetLayout) \
     X(vkDestroyDescriptorUpdateTemplate) \
     X(vkDestroyDevice) \
+    X(vkDestroyFence) \
     X(vkDestroyImage) \
     X(vkDestroyImageView) \
     X(vkDestroyPipeline) \
@@ -116,12 +118,14 @@ private:
     X(vkGetQueryPoolResults) \
     X(vkGetSemaphoreCounterValue) \
     X(vkMapMemory) \
+    X(vkQueueBindSparse) \
     X(vkQueueSubmit2) \
     X(vkQueueWaitIdle) \
     X(vkResetCommandPool) \
     X(vkResetDescriptorPool) \
     X(vkResetQueryPool) \
     X(vkUpdateDescriptorSetWithTemplate) \
+    X(vkWaitForFences) \
     X(vkWaitSemaphores)
 // clang-format on
 

@@ -25,15 +25,6 @@ constexpr std::uint32_t loop_round_constant = 101;
 constexpr std::uint32_t fence_constant = 102;
 constexpr std::uint32_t copy_constant = 103;
 
-const char* form_text(CompiledForm form) {
-    switch (form) {
-    case CompiledForm::direct: return "direct";
-    case CompiledForm::general: return "general";
-    case CompiledForm::wide: return "wide (for memories beyond maxStorageBufferRange)";
-    }
-    return "";
-}
-
 void check_limits(const Context& context, const Kernel& kernel, const Form& form) {
     const DeviceProperties& p = context.properties;
     const auto refuse = [&](const std::string& what, const std::string& why, const std::string& remedy) {
@@ -90,11 +81,11 @@ VkSamplerAddressMode vulkan_address_mode(AddressMode mode) {
 
 }  // namespace
 
-const Form& form_of(const Kernel& kernel, CompiledForm form) {
+const Form& form_of(const Kernel& kernel, FormName form) {
     switch (form) {
-    case CompiledForm::direct: return kernel.direct;
-    case CompiledForm::general: return kernel.general;
-    case CompiledForm::wide: return kernel.wide;
+    case FormName::direct: return kernel.direct;
+    case FormName::general: return kernel.general;
+    case FormName::wide: return kernel.wide;
     }
     return kernel.direct;
 }
@@ -114,7 +105,7 @@ void Pipelines::destroy(Pipeline& pipeline) {
     context_.vk.vkDestroyDescriptorSetLayout(context_.device, pipeline.set_layout, nullptr);
 }
 
-Pipeline& Pipelines::find(std::uint64_t digest, const Kernel& kernel, CompiledForm form,
+Pipeline& Pipelines::find(std::uint64_t digest, const Kernel& kernel, FormName form,
                           std::span<const FixedWord> fixed) {
     for (std::size_t at = hash(digest, form);; ++at) {
         const Entry& entry = table_[at & (table_.size() - 1)];
@@ -154,7 +145,7 @@ std::uint32_t Pipelines::status_slot(std::uint64_t digest, const Kernel& kernel)
     return slot;
 }
 
-std::unique_ptr<Pipeline> Pipelines::make(std::uint64_t digest, const Kernel& kernel, CompiledForm form,
+std::unique_ptr<Pipeline> Pipelines::make(std::uint64_t digest, const Kernel& kernel, FormName form,
                                           std::span<const FixedWord> fixed) {
     const Form& compiled = form_of(kernel, form);
     if (compiled.spirv.empty()) throw_missing_form(kernel, form_text(form), context_.properties.name.c_str());
@@ -194,7 +185,7 @@ void Pipelines::make_layout(Pipeline& pipeline) {
     for (std::size_t k = 0; k < kernel.bindings.size(); ++k) {
         const Binding& binding = kernel.bindings[k];
         if (binding.kind == MemoryKind::buffer) {
-            if (pipeline.name != CompiledForm::wide) {
+            if (pipeline.name != FormName::wide) {
                 add(k + 1, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, pipeline.storage_buffers);
             }
         } else if (binding.sampled) {

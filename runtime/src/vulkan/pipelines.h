@@ -12,8 +12,6 @@
 
 namespace glift::detail {
 
-enum class CompiledForm : std::uint8_t { direct, general, wide };
-
 /// Pipelines as a pass needs them. Descriptor infos stand in one array in this order: the parameter buffer if there is
 /// one, each memory that has a descriptor, the status record if the kernel reports.
 struct Pipeline {
@@ -21,7 +19,7 @@ struct Pipeline {
     /// Of the call in progress: where the kernel was when the pipeline was made, another library may be by now.
     const Kernel* kernel = nullptr;
     const Form* form = nullptr;
-    CompiledForm name = CompiledForm::direct;
+    FormName name = FormName::direct;
     std::vector<FixedWord> fixed;
     VkPipeline handle = VK_NULL_HANDLE;
     VkPipelineLayout layout = VK_NULL_HANDLE;
@@ -39,7 +37,7 @@ union DescriptorInfo {
     VkDescriptorImageInfo image;
 };
 
-const Form& form_of(const Kernel& kernel, CompiledForm form);
+const Form& form_of(const Kernel& kernel, FormName form);
 
 class DiskCache;
 
@@ -50,7 +48,7 @@ public:
     ~Pipelines();
 
     /// Throws missing_form, loop_limit, too_large.
-    Pipeline& get(const Kernel& kernel, CompiledForm form, std::span<const FixedWord> fixed) {
+    Pipeline& get(const Kernel& kernel, FormName form, std::span<const FixedWord> fixed) {
         const std::uint64_t digest = digest_of(kernel);
         const Entry& entry = table_[hash(digest, form) & (table_.size() - 1)];
         const bool known =
@@ -71,16 +69,16 @@ private:
     struct Entry {
         std::uint64_t digest = 0;
         Pipeline* pipeline = nullptr;  ///< null: there is none
-        CompiledForm form = CompiledForm::direct;
+        FormName form = FormName::direct;
         bool plain = true;  ///< nothing is fixed
     };
 
-    static std::size_t hash(std::uint64_t digest, CompiledForm form) {
+    static std::size_t hash(std::uint64_t digest, FormName form) {
         return ((digest + static_cast<std::uint64_t>(form)) * 0x9E3779B97F4A7C15u) >> 20;
     }
 
-    Pipeline& find(std::uint64_t digest, const Kernel& kernel, CompiledForm form, std::span<const FixedWord> fixed);
-    std::unique_ptr<Pipeline> make(std::uint64_t digest, const Kernel& kernel, CompiledForm form,
+    Pipeline& find(std::uint64_t digest, const Kernel& kernel, FormName form, std::span<const FixedWord> fixed);
+    std::unique_ptr<Pipeline> make(std::uint64_t digest, const Kernel& kernel, FormName form,
                                    std::span<const FixedWord> fixed);
     void make_layout(Pipeline& pipeline);
     VkPipeline make_handle(const Pipeline& pipeline);

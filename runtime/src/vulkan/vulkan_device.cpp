@@ -3,6 +3,7 @@
 #include "../report.h"
 #include "../text.h"
 #include "fill_words.h"
+#include "pieces.h"
 #include "prepare_indirect.h"
 
 #include <glift/error.h>
@@ -71,9 +72,14 @@ std::shared_ptr<MemoryObject> VulkanDevice::allocate(const MemoryDescription& de
 
 std::shared_ptr<VulkanMemory> VulkanDevice::new_memory(const MemoryDescription& description) {
     const auto memory = new_object(description);
-    Allocation own;
-    allocate_parts(VulkanMemory::needs_of(*this, description), memory->is_buffer(), description, own);
-    memory->place(own);
+    const VkMemoryRequirements needs = VulkanMemory::needs_of(*this, description);
+    if (memory->is_in_pieces()) {
+        memory->place(allocate_pieces(needs, description));
+    } else {
+        Allocation own;
+        allocate_parts(needs, memory->is_buffer(), description, own);
+        memory->place(own);
+    }
     stream_->clear_new(*memory);
     return memory;
 }
@@ -94,9 +100,12 @@ StorageNeeds VulkanDevice::storage_needs(const MemoryDescription& description) {
 }
 
 void VulkanDevice::throw_too_large(const MemoryDescription& description) const {
+    const bool is_buffer = description.kind == MemoryKind::buffer;
+    const std::uint64_t allowed = is_buffer ? context_->properties.max_allocation_bytes : context_->max_piece_bytes;
     throw Error(ErrorCode::too_large, "a memory is larger than the device can allocate at once",
                 memory_text(description),
-                context_->properties.name + " allows " + size_text(context_->properties.max_allocation_bytes),
+                size_text(description.bytes) + " asked for; " + context_->properties.name + " allows " +
+                    size_text(allowed),
                 "split the structure into several, or use a device with a larger limit (GLIFT_DEVICE=host has none)");
 }
 
@@ -109,8 +118,33 @@ void VulkanDevice::allocate_parts(const VkMemoryRequirements& needs, bool linear
     collect();
     chunks_->clear();
     if (allocator_->allocate(needs, MemoryUse::device, linear, result)) return;
+    throw_out_of_memory(needs.size, description);
+}
+
+std::vector<Allocation> VulkanDevice::allocate_pieces(const VkMemoryRequirements& needs,
+                                                      const MemoryDescription& description) {
+    if (needs.size > context_->properties.memory_bytes) throw_out_of_memory(needs.size, description);
+    const VkDeviceSize most = std::min<VkDeviceSize>(largest_piece, context_->max_piece_bytes);
+    std::vector<Allocation> pieces;
+    try {
+        for (VkDeviceSize rest = needs.size; rest != 0;) {
+            VkMemoryRequirements piece = needs;
+            piece.size = std::min(rest, most / needs.alignment * needs.alignment);
+            Allocation made;
+            allocate_parts(piece, true, description, made);
+            pieces.push_back(made);
+            rest -= piece.size;
+        }
+    } catch (const Error&) {
+        for (const Allocation& piece : pieces) allocator_->free(piece);
+        throw_out_of_memory(needs.size, description);
+    }
+    return pieces;
+}
+
+void VulkanDevice::throw_out_of_memory(std::uint64_t bytes, const MemoryDescription& description) const {
     // Both sizes are what they are called: some drivers give more than the heap that they name.
-    std::string why = size_text(needs.size) + " asked for; Glift holds " + size_text(allocator_->reserved()) + " (" +
+    std::string why = size_text(bytes) + " asked for; Glift holds " + size_text(allocator_->reserved()) + " (" +
                       size_text(allocator_->used()) + " in use), on the device and for bytes on their way; " +
                       context_->properties.name + " names a heap of " + size_text(context_->properties.memory_bytes);
     if (allocator_->limit() != UINT64_MAX) why += "; GLIFT_MEMORY_LIMIT is " + size_text(allocator_->limit());
@@ -214,6 +248,7 @@ void VulkanDevice::destroy(Retired& retired) {
     vk.vkDestroyImage(context_->device, parts.image, nullptr);
     vk.vkDestroyBuffer(context_->device, parts.buffer, nullptr);
     allocator_->free(parts.allocation);
+    for (const Allocation& piece : parts.pieces) allocator_->free(piece);
     free_slots_.push_back(retired.id.slot);
     --memories_;
 }

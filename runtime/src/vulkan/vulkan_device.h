@@ -55,6 +55,9 @@ public:
     void collect();  ///< destroys and takes back what the device is done with
     void allocate_parts(const VkMemoryRequirements& needs, bool linear, const MemoryDescription& description,
                         Allocation& result);
+    /// The same in allocations that a buffer is bound from one after the other.
+    std::vector<Allocation> allocate_pieces(const VkMemoryRequirements& needs, const MemoryDescription& description);
+    std::uint64_t max_piece_bytes() const { return context_->max_piece_bytes; }
     void set_retire_value(std::uint64_t value) { retire_value_ = value; }
     [[noreturn]] void throw_too_large(const MemoryDescription& description) const;
 
@@ -79,6 +82,7 @@ private:
         std::unique_ptr<CommandBatch> batch;
     };
 
+    [[noreturn]] void throw_out_of_memory(std::uint64_t bytes, const MemoryDescription& description) const;
     void destroy(Retired& retired);
     void destroy_retired(std::uint64_t completed);
     void check_reports();

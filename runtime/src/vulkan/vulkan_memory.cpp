@@ -2,6 +2,7 @@
 
 #include "../image_layout.h"
 #include "../text.h"
+#include "pieces.h"
 #include "vulkan_device.h"
 
 #include <glift/error.h>
@@ -77,13 +78,17 @@ VkImageUsageFlags image_usage(Context& context, const MemoryDescription& d) {
 
 VkBufferCreateInfo buffer_info(const VulkanDevice& owner, const MemoryDescription& d) {
     // Shaders may load vectors of four words: there is always room for one, and for what the last words begin.
+    if (d.bytes > owner.properties().max_allocation_bytes - 16) owner.throw_too_large(d);
     const VkDeviceSize size = (std::max<VkDeviceSize>(d.bytes, 1) + 15) / 16 * 16;
-    if (size > owner.properties().max_allocation_bytes) owner.throw_too_large(d);
-    return {.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO, .size = size, .usage = buffer_usage};
+    const bool in_pieces = size > owner.max_piece_bytes();
+    return {.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO,
+            .flags = in_pieces ? VkBufferCreateFlags(VK_BUFFER_CREATE_SPARSE_BINDING_BIT) : 0,
+            .size = size,
+            .usage = buffer_usage};
 }
 
 VkImageCreateInfo image_info(VulkanDevice& owner, const MemoryDescription& d) {
-    if (d.bytes > owner.properties().max_allocation_bytes) owner.throw_too_large(d);
+    if (d.bytes > owner.max_piece_bytes()) owner.throw_too_large(d);
     return {.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
             .flags = d.kind == MemoryKind::imagecube ? VkImageCreateFlags(VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT) : 0,
             .imageType = image_type(d.kind),
@@ -193,16 +198,28 @@ void VulkanMemory::bind(VkDeviceMemory memory, VkDeviceSize offset) {
     if (is_buffer()) {
         context.check(context.vk.vkBindBufferMemory(context.device, parts.buffer, memory, offset),
                       "vkBindBufferMemory");
-        const VkBufferDeviceAddressInfo info = {.sType = VK_STRUCTURE_TYPE_BUFFER_DEVICE_ADDRESS_INFO,
-                                                .buffer = parts.buffer};
-        address = context.vk.vkGetBufferDeviceAddress(context.device, &info);
-        return;
+        return read_address();
     }
     context.check(context.vk.vkBindImageMemory(context.device, parts.image, memory, offset), "vkBindImageMemory");
     parts.sampled_view = make_view(context, parts.image, d, d.mips, VK_IMAGE_USAGE_SAMPLED_BIT);
     if (image_usage(context, d) & VK_IMAGE_USAGE_STORAGE_BIT) {
         parts.storage_view = make_view(context, parts.image, d, 1, VK_IMAGE_USAGE_STORAGE_BIT);
     }
+}
+
+void VulkanMemory::read_address() {
+    Context& context = owner().context();
+    const VkBufferDeviceAddressInfo info = {.sType = VK_STRUCTURE_TYPE_BUFFER_DEVICE_ADDRESS_INFO,
+                                            .buffer = parts.buffer};
+    address = context.vk.vkGetBufferDeviceAddress(context.device, &info);
+}
+
+bool VulkanMemory::is_in_pieces() const { return is_buffer() && range > owner().context().max_piece_bytes; }
+
+void VulkanMemory::place(std::vector<Allocation> pieces) {
+    parts.pieces = std::move(pieces);
+    bind_pieces(owner().context(), parts.buffer, parts.pieces);
+    read_address();
 }
 
 void VulkanMemory::place(const Allocation& own) {

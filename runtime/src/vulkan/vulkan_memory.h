@@ -16,6 +16,7 @@ struct MemoryParts {
     VkImageView sampled_view = VK_NULL_HANDLE;  ///< all mips
     VkImageView storage_view = VK_NULL_HANDLE;  ///< mip 0; null for formats that cannot be stored to
     Allocation allocation;
+    std::vector<Allocation> pieces;  ///< of a buffer larger than one allocation, in place of it
 };
 
 class VulkanMemory final : public MemoryObject {
@@ -30,9 +31,12 @@ public:
     void make();
     /// Gives it storage: of its own, or a part of another memory's, which lives as long.
     void place(const Allocation& own);
+    void place(std::vector<Allocation> pieces);
     void place(std::shared_ptr<VulkanMemory> block, VkDeviceSize offset);
 
     VulkanDevice& owner() const;
+    /// Whether it takes several allocations.
+    bool is_in_pieces() const;
     bool is_buffer() const { return parts.buffer != VK_NULL_HANDLE; }
 
     MemoryParts parts;
@@ -42,6 +46,7 @@ public:
 
 private:
     void bind(VkDeviceMemory memory, VkDeviceSize offset);
+    void read_address();
 
     std::shared_ptr<VulkanMemory> block_;  ///< null: the storage is its own
 };

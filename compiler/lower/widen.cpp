@@ -1,0 +1,471 @@
+#include "lower/widen.h"
+
+#include <algorithm>
+#include <map>
+#include <unordered_map>
+#include <utility>
+
+namespace gliftc::lower {
+
+using namespace ir;
+
+namespace {
+
+/// What happens to a number that passes 2^64: it wraps around, or it stays at 2^64 - 1.
+enum class Overflow : std::uint8_t { wraps, saturates };
+
+/// An expression of the copy: in its own type, or, where a uint may pass 2^32, in 64 bits.
+struct Value {
+    ExprId narrow, wide;
+};
+
+/// The 64-bit copy of a function. Its result stays narrow where no sum or product reaches it.
+struct Copy {
+    FunctionId id;
+    bool has_wide_result = false;
+};
+
+class Widener {
+public:
+    Widener(Program& program, Overflow overflow) : p(program), overflow_(overflow) {}
+
+    Value value(ExprId id) { return visit(p.exprs[id]); }
+    ExprId widened(const Value& value);
+    /// The copy of a function that takes 64-bit numbers for the parameters so marked.
+    Copy copied(FunctionId id, std::vector<bool> wide_params);
+
+private:
+    /// One function that is being copied.
+    struct Frame {
+        std::unordered_map<LocalId, LocalId> locals;
+        std::vector<std::pair<StmtId, Value>> returns;
+        bool has_wide = false;
+    };
+
+    Value visit(Expr node);
+    Value local(const Expr& node);
+    Value construct(Expr node);
+    Value conversion(Expr node);
+    Value unary(Expr node);
+    Value binary(Expr node);
+    Value shift(Expr node);
+    Value part(Expr node);
+    Value call(Expr node);
+    Value intrinsic(Expr node);
+    Value optional(Expr node);
+    Value extent(Expr node);
+    Value rebuilt(Expr node);
+    Value joined(Expr node, const std::vector<Value>& values);
+    Value grown(const Expr& node, ExprId a, ExprId b);
+    ExprId narrowed(const Value& value);
+    ExprId convert(TypeId type, ExprId id);
+    ExprId made(Op op, TypeId type, Operands operands);
+    ExprId remade(ExprId optional, TypeId type);
+    ExprId called(const char* name, TypeId result, Operands operands);
+    ExprId target(ExprId id);
+
+    std::vector<StmtId> body(const std::vector<StmtId>& statements);
+    void rewrite(const Stmt& stmt, Stmt& made);
+    void declare(const Stmt& stmt, Stmt& made);
+    Value note(ExprId wide) {
+        if (frame_ != nullptr) frame_->has_wide = true;
+        return {{}, wide};
+    }
+
+    TypeId wide_type(TypeId type);
+    bool is_widenable(TypeId type) { return wide_type(type) != type; }
+    bool is_uint(ExprId id) { return p.types.scalar_of(p.exprs[id].type) == p.types.uint; }
+    ExprId add(Expr node) { return p.exprs.add(std::move(node)); }
+
+    Program& p;
+    Overflow overflow_;
+    Frame* frame_ = nullptr;
+    std::map<std::pair<std::uint32_t, std::vector<bool>>, Copy> copies_;
+    std::map<std::pair<std::string, std::uint32_t>, FunctionId> externs_;
+};
+
+/// uint64 for uint, also in vectors and optionals; other types as they are.
+TypeId Widener::wide_type(TypeId type) {
+    if (p.types.kind(type) == TypeKind::optional) {
+        const TypeId element = p.types[type].element, wide = wide_type(element);
+        return wide == element ? type : p.types.optional(wide);
+    }
+    const bool is_number = type == p.types.uint || p.types.is_vector(type);
+    return is_number && p.types.scalar_of(type) == p.types.uint ? p.types.with_scalar(type, p.types.uint64) : type;
+}
+
+ExprId Widener::convert(TypeId type, ExprId id) {
+    Expr node;
+    node.op = Op::convert;
+    node.type = type;
+    node.span = p.exprs[id].span;
+    node.operands = {id};
+    return add(std::move(node));
+}
+
+ExprId Widener::made(Op op, TypeId type, Operands operands) {
+    Expr node;
+    node.op = op;
+    node.type = type;
+    node.operands = std::move(operands);
+    return add(std::move(node));
+}
+
+/// The optional with its value converted to what `type` is an optional of.
+ExprId Widener::remade(ExprId optional, TypeId type) {
+    const TypeId element = p.types[type].element;
+    const ExprId inner = made(Op::value, p.types[p.exprs[optional].type].element, {optional});
+    return made(Op::select, type,
+                {made(Op::has_value, p.types.bool_, {optional}), made(Op::some, type, {convert(element, inner)}),
+                 made(Op::none, type, {})});
+}
+
+/// A C++ function of the runtime: glift::NAME.
+ExprId Widener::called(const char* name, TypeId result, Operands operands) {
+    FunctionId& function = externs_[{name, result.index}];
+    if (!function) {
+        Function made;
+        made.name = p.names->intern(name);
+        made.extern_name = std::string("glift::") + name;
+        made.result = result;
+        for (ExprId operand : operands) {
+            Local param;
+            param.name = made.name;
+            param.type = p.exprs[operand].type;
+            made.params.push_back(p.locals.add(std::move(param)));
+        }
+        function = p.functions.add(std::move(made));
+    }
+    Expr node;
+    node.op = Op::call;
+    node.type = result;
+    node.function = function;
+    node.operands = std::move(operands);
+    return add(std::move(node));
+}
+
+ExprId Widener::widened(const Value& value) {
+    if (value.wide) return value.wide;
+    Expr node = p.exprs[value.narrow];
+    const TypeId type = wide_type(node.type);
+    if (type == node.type) return value.narrow;
+    if (node.op == Op::constant || node.op == Op::none) {
+        node.type = type;
+        return add(std::move(node));
+    }
+    if (p.types.kind(type) == TypeKind::optional) return remade(value.narrow, type);
+    // A signed number stands for itself, also below zero: as a summand it is right in any width.
+    if (node.op == Op::convert && p.types.is_signed(p.types.scalar_of(p.exprs[node.operands[0]].type)))
+        return convert(type, node.operands[0]);
+    return convert(type, value.narrow);
+}
+
+/// In its own type: the low 32 bits, or, where nothing may be lost, an error at run time.
+ExprId Widener::narrowed(const Value& value) {
+    if (value.narrow) return value.narrow;
+    const TypeId wide = p.exprs[value.wide].type;
+    if (p.types.kind(wide) == TypeKind::optional)
+        return remade(value.wide, p.types.optional(p.types.with_scalar(p.types[wide].element, p.types.uint)));
+    const TypeId type = p.types.with_scalar(wide, p.types.uint);
+    return overflow_ == Overflow::wraps ? convert(type, value.wide) : called("fitted", type, {value.wide});
+}
+
+Value Widener::visit(Expr node) {
+    switch (node.op) {
+    case Op::constant: return {add(std::move(node)), {}};
+    case Op::local: return local(node);
+    case Op::construct: return construct(std::move(node));
+    case Op::convert: return conversion(std::move(node));
+    case Op::unary: return unary(std::move(node));
+    case Op::binary: return binary(std::move(node));
+    case Op::swizzle:
+    case Op::index: return part(std::move(node));
+    case Op::select: {
+        const Value condition = value(node.operands[0]);
+        std::vector<Value> values{condition, value(node.operands[1]), value(node.operands[2])};
+        return joined(std::move(node), values);
+    }
+    case Op::call: return call(std::move(node));
+    case Op::intrinsic: return intrinsic(std::move(node));
+    case Op::none:
+    case Op::some:
+    case Op::has_value:
+    case Op::value: return optional(std::move(node));
+    case Op::memory_extent: return extent(std::move(node));
+    default: return rebuilt(std::move(node));
+    }
+}
+
+Value Widener::local(const Expr& node) {
+    const auto found = frame_ == nullptr ? decltype(frame_->locals)::iterator{} : frame_->locals.find(node.local);
+    if (frame_ == nullptr || found == frame_->locals.end()) return {add(node), {}};
+    Expr copy = node;
+    copy.local = found->second;
+    copy.type = p.locals[copy.local].type;
+    const bool is_wide = copy.type != node.type;
+    const ExprId id = add(std::move(copy));
+    return is_wide ? note(id) : Value{id, {}};
+}
+
+/// The operation with its operands in their own types.
+Value Widener::rebuilt(Expr node) {
+    for (ExprId& operand : node.operands) operand = narrowed(value(operand));
+    return {add(std::move(node)), {}};
+}
+
+/// The operation in its own type where all operands are; else those that are uints in 64 bits, and the result with them.
+Value Widener::joined(Expr node, const std::vector<Value>& values) {
+    const bool is_wide = std::ranges::any_of(values, [](const Value& each) { return static_cast<bool>(each.wide); });
+    for (std::size_t i = 0; i < values.size(); ++i)
+        node.operands[i] = is_wide ? widened(values[i]) : values[i].narrow;
+    const TypeId type = is_wide ? wide_type(node.type) : node.type;
+    const bool grows = type != node.type;
+    node.type = type;
+    const ExprId id = add(std::move(node));
+    return grows ? note(id) : Value{id, {}};
+}
+
+Value Widener::construct(Expr node) {
+    if (!is_widenable(node.type)) return rebuilt(std::move(node));
+    std::vector<Value> values;
+    for (ExprId operand : node.operands) values.push_back(value(operand));
+    return joined(std::move(node), values);
+}
+
+Value Widener::conversion(Expr node) {
+    const Value from = value(node.operands[0]);
+    const bool to_uint = p.types.scalar_of(node.type) == p.types.uint;
+    if (from.wide && to_uint && p.types.scalar_of(p.exprs[from.wide].type) == p.types.uint64) return from;
+    node.operands[0] = from.wide ? from.wide : from.narrow;
+    return {add(std::move(node)), {}};
+}
+
+Value Widener::unary(Expr node) {
+    const Value of = value(node.operands[0]);
+    return joined(std::move(node), {of});
+}
+
+/// A sum, product or left shift of uints.
+Value Widener::grown(const Expr& node, ExprId a, ExprId b) {
+    const TypeId type = wide_type(node.type);
+    if (overflow_ == Overflow::saturates) {
+        const char* name = node.binary == BinaryOp::add        ? "saturated_sum"
+                           : node.binary == BinaryOp::multiply ? "saturated_product"
+                                                               : "saturated_shift";
+        return note(called(name, type, {a, b}));
+    }
+    Expr made = node;
+    made.type = type;
+    made.operands = {a, b};
+    return note(add(std::move(made)));
+}
+
+Value Widener::binary(Expr node) {
+    const Value a = value(node.operands[0]), b = value(node.operands[1]);
+    const bool of_uints = is_uint(node.operands[0]) && is_uint(node.operands[1]);
+    if (node.binary == BinaryOp::shift_left || node.binary == BinaryOp::shift_right) {
+        node.operands[1] = narrowed(b);
+        if (node.binary == BinaryOp::shift_left && is_widenable(node.type))
+            return grown(node, widened(a), node.operands[1]);
+        if (!a.wide) {
+            node.operands[0] = a.narrow;
+            return {add(std::move(node)), {}};
+        }
+        node.operands[0] = a.wide;
+        node.type = wide_type(node.type);
+        return note(add(std::move(node)));
+    }
+    const bool grows = node.binary == BinaryOp::add || node.binary == BinaryOp::multiply;
+    if (grows && of_uints && is_widenable(node.type)) return grown(node, widened(a), widened(b));
+    return joined(std::move(node), {a, b});
+}
+
+/// A component or an element.
+Value Widener::part(Expr node) {
+    const Value whole = value(node.operands[0]);
+    if (node.op == Op::index) node.operands[1] = narrowed(value(node.operands[1]));
+    node.operands[0] = whole.wide ? whole.wide : whole.narrow;
+    if (!whole.wide) return {add(std::move(node)), {}};
+    node.type = wide_type(node.type);
+    return note(add(std::move(node)));
+}
+
+Value Widener::call(Expr node) {
+    if (!p.functions[node.function].extern_name.empty()) return rebuilt(std::move(node));
+    std::vector<Value> values;
+    std::vector<bool> wide;
+    for (ExprId operand : node.operands) {
+        values.push_back(value(operand));
+        wide.push_back(static_cast<bool>(values.back().wide));
+    }
+    const Copy copy = copied(node.function, std::move(wide));
+    node.function = copy.id;
+    for (std::size_t i = 0; i < values.size(); ++i)
+        node.operands[i] = values[i].wide ? values[i].wide : values[i].narrow;
+    if (copy.has_wide_result) node.type = wide_type(node.type);
+    const ExprId id = add(std::move(node));
+    return copy.has_wide_result ? note(id) : Value{id, {}};
+}
+
+/// Those that mean the same in any width; others see 32 bits.
+Value Widener::intrinsic(Expr node) {
+    switch (node.intrinsic) {
+    case Intrinsic::min:
+    case Intrinsic::max:
+    case Intrinsic::clamp:
+    case Intrinsic::lessThan:
+    case Intrinsic::lessThanEqual:
+    case Intrinsic::greaterThan:
+    case Intrinsic::greaterThanEqual:
+    case Intrinsic::equal:
+    case Intrinsic::notEqual: {
+        std::vector<Value> values;
+        for (ExprId operand : node.operands) values.push_back(value(operand));
+        return joined(std::move(node), values);
+    }
+    case Intrinsic::findMSB: {
+        const Value of = value(node.operands[0]);
+        const bool stays_wide = of.wide && overflow_ == Overflow::saturates;
+        node.operands[0] = stays_wide ? of.wide : narrowed(of);
+        return {add(std::move(node)), {}};
+    }
+    default: return rebuilt(std::move(node));
+    }
+}
+
+Value Widener::optional(Expr node) {
+    if (node.op == Op::none) return {add(std::move(node)), {}};
+    const Value of = value(node.operands[0]);
+    node.operands[0] = of.wide ? of.wide : of.narrow;
+    const TypeId type = of.wide ? wide_type(node.type) : node.type;
+    const bool grows = type != node.type;
+    node.type = type;
+    const ExprId id = add(std::move(node));
+    return grows ? note(id) : Value{id, {}};
+}
+
+/// Of a buffer: exact where memories are made, which know it so.
+Value Widener::extent(Expr node) {
+    if (overflow_ == Overflow::wraps || node.type != p.types.uint) return {add(std::move(node)), {}};
+    node.type = p.types.uint64;
+    return note(add(std::move(node)));
+}
+
+/// What is assigned to: a local, or a part of one.
+ExprId Widener::target(ExprId id) {
+    const Value made = value(id);
+    return made.wide ? made.wide : made.narrow;
+}
+
+void Widener::declare(const Stmt& stmt, Stmt& made) {
+    const Local before = p.locals[stmt.local];
+    Local copy = before;
+    Value init;
+    if (stmt.value) init = value(stmt.value);
+    // What may change may grow.
+    const bool is_wide = stmt.op == StmtOp::let && is_widenable(before.type) && (before.is_mutable || init.wide);
+    if (is_wide) copy.type = wide_type(before.type);
+    made.local = p.locals.add(std::move(copy));
+    frame_->locals[stmt.local] = made.local;
+    if (stmt.value) made.value = is_wide ? widened(init) : narrowed(init);
+}
+
+void Widener::rewrite(const Stmt& stmt, Stmt& made) {
+    switch (stmt.op) {
+    case StmtOp::let: return declare(stmt, made);
+    case StmtOp::for_:
+        made.limit = narrowed(value(stmt.limit));
+        declare(stmt, made);
+        break;
+    case StmtOp::assign: {
+        made.target = target(stmt.target);
+        const Value assigned = value(stmt.value);
+        const bool is_wide = p.exprs[made.target].type != p.exprs[stmt.target].type;
+        made.value = is_wide ? widened(assigned) : narrowed(assigned);
+        break;
+    }
+    default:
+        if (stmt.value) made.value = narrowed(value(stmt.value));
+        break;
+    }
+    made.body = body(stmt.body);
+    made.otherwise = body(stmt.otherwise);
+}
+
+std::vector<StmtId> Widener::body(const std::vector<StmtId>& statements) {
+    std::vector<StmtId> result;
+    for (StmtId id : statements) {
+        const Stmt stmt = p.stmts[id];
+        Stmt made = stmt;
+        if (stmt.op == StmtOp::return_) {
+            Value returned;
+            if (stmt.value) returned = value(stmt.value);
+            result.push_back(p.stmts.add(std::move(made)));
+            if (stmt.value) frame_->returns.emplace_back(result.back(), returned);
+            continue;
+        }
+        rewrite(stmt, made);
+        result.push_back(p.stmts.add(std::move(made)));
+    }
+    return result;
+}
+
+Copy Widener::copied(FunctionId id, std::vector<bool> wide_params) {
+    const auto key = std::pair(id.index, wide_params);
+    if (const auto found = copies_.find(key); found != copies_.end()) return found->second;
+    const Function original = p.functions[id];
+    Function made = original;
+    Frame frame;
+    Frame* const outer = std::exchange(frame_, &frame);
+    for (std::size_t i = 0; i < made.params.size(); ++i) {
+        Local param = p.locals[original.params[i]];
+        if (wide_params[i]) param.type = wide_type(param.type);
+        made.params[i] = p.locals.add(std::move(param));
+        frame.locals[original.params[i]] = made.params[i];
+    }
+    made.body = body(original.body);
+    Copy result;
+    for (const auto& [stmt, returned] : frame.returns) result.has_wide_result |= static_cast<bool>(returned.wide);
+    for (const auto& [stmt, returned] : frame.returns)
+        p.stmts[stmt].value = result.has_wide_result ? widened(returned) : narrowed(returned);
+    frame_ = outer;
+    if (!frame.has_wide) {
+        result.id = id;
+        return copies_[key] = result;
+    }
+    if (result.has_wide_result) made.result = wide_type(original.result);
+    made.name = p.names->intern((*p.names)[original.name] + "_64");
+    made.display += " in 64 bits";
+    result.id = p.functions.add(std::move(made));
+    return copies_[key] = result;
+}
+
+}  // namespace
+
+void widen_extents(Program& program) {
+    Widener widener(program, Overflow::saturates);
+    const auto exact = [&](ExprId& id) {
+        const Value value = widener.value(id);
+        if (value.wide) id = value.wide;
+    };
+    for (Structure& structure : program.structures) {
+        for (Memory& memory : structure.memories) {
+            if (memory.shape == MemoryShape::buffer) memory.extent = widener.widened(widener.value(memory.extent));
+            else exact(memory.extent);
+        }
+        for (MemberStructure& member : structure.members)
+            for (ExprId& argument : member.arguments) exact(argument);
+    }
+}
+
+void widen_translators(Program& program) {
+    Widener widener(program, Overflow::wraps);
+    for (Translator& translator : program.translators) {
+        if (translator.physical_type != program.types.uint || !translator.translate) continue;
+        translator.wide = widener.copied(translator.translate, {false}).id;
+        if (translator.virtual_type == program.types.uint)
+            translator.wide_of_wide = widener.copied(translator.translate, {true}).id;
+    }
+}
+
+}  // namespace gliftc::lower

@@ -1,0 +1,52 @@
+// Sizes of memories, which generated code computes exactly: in 64 bits, and a number that passes 2^64 - 1 stays there, more than
+// any device has.
+#pragma once
+
+#include <glift/error.h>
+#include <glift/vector.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+
+namespace glift {
+
+constexpr std::uint64_t saturated_sum(std::uint64_t a, std::uint64_t b) { return a > UINT64_MAX - b ? UINT64_MAX : a + b; }
+constexpr std::uint64_t saturated_product(std::uint64_t a, std::uint64_t b) {
+    return b != 0 && a > UINT64_MAX / b ? UINT64_MAX : a * b;
+}
+constexpr std::uint64_t saturated_shift(std::uint64_t a, std::uint64_t amount) {
+    if (a == 0) return 0;
+    return amount >= 64 || a > UINT64_MAX >> amount ? UINT64_MAX : a << amount;
+}
+
+// Component by component; one operand may be a number.
+template <unsigned N> using exact_vec = vec<std::uint64_t, N>;
+#define GLIFT_SATURATED(operation)                                                                                     \
+    template <unsigned N> constexpr exact_vec<N> operation(const exact_vec<N>& a, const exact_vec<N>& b) {             \
+        return detail::map([](std::uint64_t x, std::uint64_t y) { return operation(x, y); }, a, b);                    \
+    }                                                                                                                  \
+    template <unsigned N> constexpr exact_vec<N> operation(const exact_vec<N>& a, std::uint64_t b) {                   \
+        return operation(a, exact_vec<N>(b));                                                                          \
+    }                                                                                                                  \
+    template <unsigned N> constexpr exact_vec<N> operation(std::uint64_t a, const exact_vec<N>& b) {                   \
+        return operation(exact_vec<N>(a), b);                                                                          \
+    }
+GLIFT_SATURATED(saturated_sum)
+GLIFT_SATURATED(saturated_product)
+#undef GLIFT_SATURATED
+template <class I, unsigned N> constexpr exact_vec<N> saturated_shift(const exact_vec<N>& a, const vec<I, N>& amount) {
+    return detail::map([](std::uint64_t x, I y) { return saturated_shift(x, static_cast<std::uint64_t>(y)); }, a, amount);
+}
+
+/// A number that a uint has to hold; `what` has it.
+inline uint fitted(std::uint64_t value, const char* what = "") {
+    if (value <= UINT32_MAX) return static_cast<uint>(value);
+    throw Error(ErrorCode::too_large, "a number that a uint holds passes 2^32 - 1", what,
+                "it is " + std::to_string(value), "make the structure smaller");
+}
+template <unsigned N> vec<uint, N> fitted(const exact_vec<N>& value, const char* what = "") {
+    return detail::map([&](std::uint64_t part) { return fitted(part, what); }, value);
+}
+
+}  // namespace glift

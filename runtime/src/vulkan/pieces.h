@@ -1,0 +1,18 @@
+// Buffers larger than one allocation: bound from several, at one address (sparse binding).
+#pragma once
+
+#include "context.h"
+
+#include <span>
+
+namespace glift::detail {
+
+struct Allocation;
+
+/// Of one allocation among those that a buffer is bound from.
+inline constexpr VkDeviceSize largest_piece = VkDeviceSize(2) << 30;
+
+/// Binds the buffer to the allocations, one after the other from its start on, and waits until that is done.
+void bind_pieces(Context& context, VkBuffer buffer, std::span<const Allocation> pieces);
+
+}  // namespace glift::detail
