@@ -4,6 +4,7 @@
 #include "sema/body.h"
 #include "sema/components.h"
 #include "sema/generics.h"
+#include "sema/type_size.h"
 
 namespace gliftc::sema {
 
@@ -32,11 +33,20 @@ ir::TypeId make_struct(Context& c, ast::DeclId id, const Env& env, const std::st
     c.struct_decl[index] = id;
     for (const auto& [name, meta] : env.bindings) c.struct_arguments[index].push_back(meta);
     std::vector<ir::StructField> fields;
+    std::uint64_t numbers = 0;
     for (const ast::Field& field : written.fields) {
         ir::TypeId type = type_of(c, env, field.type);
         bool storable = c.types().kind(type) != ir::TypeKind::structure && c.types().kind(type) != ir::TypeKind::void_;
         if (!storable) {
             c.error(Diag::field_type, c[field.type].span, {c.text(type)});
+            type = c.types().error;
+        }
+        numbers += numbers_in(c.program, type);
+        if (numbers > most_numbers) {
+            const Name name = decl.name.name;
+            c.error(Diag::field_type, c[field.type].span,
+                    {c.text(type) + ": with it " + too_many_numbers(c.text(name), numbers)});
+            numbers -= numbers_in(c.program, type);
             type = c.types().error;
         }
         for (const ir::StructField& other : fields)

@@ -5,6 +5,7 @@
 #include "sema/generics.h"
 #include "sema/instances.h"
 #include "sema/lookup.h"
+#include "sema/type_size.h"
 #include "sema/typing.h"
 #include "syntax/habits.h"
 
@@ -223,7 +224,13 @@ Meta meta_of_array(Context& c, const Env& env, const ast::Expr& expr) {
         c.error(Diag::array_size, c[expr.operands[1]].span);
         return {};
     }
-    return of_type(c.types().array(element, *count));
+    const ir::TypeId type = c.types().array(element, *count);
+    if (const std::uint64_t numbers = numbers_in(c.program, type); numbers > most_numbers) {
+        Diagnostic& error = c.error(Diag::array_size, expr.span);
+        note(error, {}, too_many_numbers(c.text(type), numbers) + ": keep it in a structure, as Array<1, …>");
+        return {};
+    }
+    return of_type(type);
 }
 
 }  // namespace

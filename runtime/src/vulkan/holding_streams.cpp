@@ -4,6 +4,8 @@
 #include "vulkan_device.h"
 #include "vulkan_stream.h"
 
+#include <glift/error.h>
+
 namespace glift::detail {
 
 namespace {

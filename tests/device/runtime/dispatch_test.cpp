@@ -58,13 +58,14 @@ TEST_P(Dispatch, LongIterationsFold) {
 TEST_P(Dispatch, TallIterationsSplit) {
     const std::array<std::uint32_t, 4> size = {1, 70000, 2, 1};
     const auto g = buffer(device, "g.data", 4 * 140000);
-    const std::uint32_t block[6] = {size[0], size[1], size[2], 0, 0, 0};
+    const std::uint32_t block[8] = {size[0], size[1], size[2]};  // then the base and the address, which are the runtime's
+    const std::span<const std::byte> bytes = bytes_of(block);
     const glift::Commands commands = device;
-    const bool general = commands.needs_general(mark_grid, {&g, 1}, size);
-    EXPECT_EQ(general, !device.is_host());
-    commands.dispatch(mark_grid, {.form = general ? glift::FormName::general : glift::FormName::direct,
+    const bool wide = commands.needs_wide(mark_grid, {&g, 1}, size);
+    EXPECT_EQ(wide, !device.is_host());
+    commands.dispatch(mark_grid, {.form = wide ? glift::FormName::wide : glift::FormName::direct,
                                   .memories = {&g, 1},
-                                  .parameters = bytes_of(block),
+                                  .parameters = wide ? bytes : bytes.first(24),
                                   .size = size});
     const auto visits = read<std::uint32_t>(device, g, 140000);
     for (std::uint32_t i = 0; i < 140000; ++i) ASSERT_EQ(visits[i], 1 + i % 70000) << i;

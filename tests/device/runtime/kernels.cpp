@@ -72,6 +72,8 @@ const Binding scale_bindings[] = {
     {.name = "f.data", .kind = MemoryKind::buffer, .access = Access::read, .address_offset = 8},
     {.name = "g.data", .kind = MemoryKind::buffer, .access = Access::write, .address_offset = 16}};
 const Binding in_place[] = {{.name = "g.data", .kind = MemoryKind::buffer, .access = Access::read_write}};
+const Binding marked[] = {
+    {.name = "g.data", .kind = MemoryKind::buffer, .access = Access::read_write, .address_offset = 24}};
 const Binding out_only[] = {{.name = "g.data", .kind = MemoryKind::buffer, .access = Access::write}};
 const Binding image_bindings[] = {{.name = "f.data",
                                    .kind = MemoryKind::image2d,
@@ -92,7 +94,7 @@ const glift::Kernel scale = {
     .bindings = scale_bindings,
     .direct = {.spirv = scale_direct, .host = host_scale, .parameter_bytes = 8, .push_constants = true},
     .general = {.spirv = scale_general, .host = host_scale, .parameter_bytes = 8},
-    .wide = {.spirv = scale_wide, .parameter_bytes = 24}};
+    .wide = {.spirv = scale_wide, .host = host_scale, .parameter_bytes = 24}};
 
 const glift::Kernel add_in_place = {
     .name = "add_in_place",
@@ -121,9 +123,9 @@ const glift::Kernel mark_grid = {
     .rank = 3,
     .group = {1, 1, 1},
     .loop_rounds = 0,
-    .bindings = in_place,
+    .bindings = marked,
     .direct = {.host = host_mark, .parameter_bytes = 24},
-    .general = {.spirv = ::mark_grid, .host = host_mark, .parameter_bytes = 24, .base_offset = 12}};
+    .wide = {.spirv = ::mark_grid, .host = host_mark, .parameter_bytes = 32, .base_offset = 12}};
 
 const glift::Kernel image_step = {
     .name = "image_step",
@@ -153,13 +155,21 @@ glift::Memory buffer(const glift::Device& device, const char* name, std::uint64_
 void run_scale(const glift::Commands& commands, const glift::Memory& f, const glift::Memory& g, std::uint32_t size,
                float factor) {
     const glift::Memory memories[] = {f, g};
-    const ScaleParameters block = {size, factor};
+    struct Block {
+        ScaleParameters parameters;
+        std::uint64_t addresses[2];  ///< the runtime's
+    } const block = {{size, factor}, {}};
     const std::array<std::uint32_t, 4> axes = {size, 1, 1, 1};
-    const bool general = commands.needs_general(scale, memories, axes);
-    commands.dispatch(scale, {.form = general ? glift::FormName::general : glift::FormName::direct,
-                              .memories = memories,
-                              .parameters = bytes_of(block),
-                              .size = axes});
+    if (commands.needs_wide(scale, memories, axes))
+        commands.dispatch(scale, {.form = glift::FormName::wide,
+                                  .memories = memories,
+                                  .parameters = bytes_of(block),
+                                  .size = axes});
+    else
+        commands.dispatch(scale, {.form = glift::FormName::direct,
+                                  .memories = memories,
+                                  .parameters = bytes_of(block.parameters),
+                                  .size = axes});
 }
 
 void run_add(const glift::Commands& commands, const glift::Memory& g, std::uint32_t size, std::uint32_t amount) {
