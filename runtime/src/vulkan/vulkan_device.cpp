@@ -135,8 +135,9 @@ std::vector<Allocation> VulkanDevice::allocate_pieces(const VkMemoryRequirements
             pieces.push_back(made);
             rest -= piece.size;
         }
-    } catch (const Error&) {
+    } catch (const Error& error) {
         for (const Allocation& piece : pieces) allocator_->free(piece);
+        if (error.code() != ErrorCode::out_of_memory) throw;
         throw_out_of_memory(needs.size, description);
     }
     return pieces;
