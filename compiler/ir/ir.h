@@ -362,6 +362,7 @@ struct Structure {
     std::vector<FunctionId> functions;     ///< other fns: structures[0] is this structure
     std::vector<HostField> host;           ///< adaptors
     std::vector<std::uint32_t> pipelines;  ///< adaptors: Program::pipelines
+    bool is_contained = false;             ///< no address leads beyond the memory: set by lower/contained.cpp
     bool copyable = true;                  ///< elements can be read and written from the host (not views)
     std::string doc;
 };

@@ -145,6 +145,8 @@ private:
     ExprId range_size(std::uint32_t root);
     ExprId from_origin(const ir::Place& place, ExprId address);
     ExprId inside_domain(const ir::Place& place, ExprId address);
+    ExprId inside_memory(const ir::Place& place, ExprId physical);
+    ExprId all_less(ExprId address, ExprId extent);
     bool is_total(const ir::Structure& structure);  ///< the first translator maps every address of the domain
 
     // access.cpp

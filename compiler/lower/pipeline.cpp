@@ -5,6 +5,7 @@
 #include "lower/branch.h"
 #include "lower/coarsen.h"
 #include "lower/compact.h"
+#include "lower/contained.h"
 #include "lower/dispatch.h"
 #include "lower/expand.h"
 #include "lower/loops.h"
@@ -256,6 +257,7 @@ Lowered lower(Program& program, Diagnostics& diagnostics, Settings settings) {
     widen_extents(program);
     widen_translators(program);
     mark_affine(program);
+    mark_contained(program);
     // Of the number of kernels alone, so that all machines do the same. A trace is in the order of the kernels.
     const bool are_few = program.kernels.size() < 2 * kernels_of_a_thread || settings.trace != nullptr;
     Lowered result{(are_few ? lowered_in_order : lowered_on_threads)(program, diagnostics, settings), {}};

@@ -12,7 +12,27 @@ Pair Expander::translated(const Place& place, ExprId address, const std::string&
         Pair next = is_affine ? through_form(place, stage, at.value, name) : expanded(place, stage, at.value, name);
         at = {next.value, make.both(at.has, next.has)};
     }
-    return at;
+    if (cx.structure_at(place).is_contained) return at;
+    at.value = named(name + "_place", at.value);
+    return {at.value, make.both(at.has, inside_memory(place, at.value))};
+}
+
+/// Whether the memory has a physical address: one that it has not maps nowhere.
+ExprId Expander::inside_memory(const Place& place, ExprId physical) {
+    const std::uint32_t memory = cx.structure_at(place).via_memory;
+    Expr extent;
+    extent.op = Op::memory_extent;
+    extent.type = make.type(physical);
+    extent.place = canonical(place);
+    extent.slot = memory;
+    return all_less(physical, p.exprs.add(std::move(extent)));
+}
+
+ExprId Expander::all_less(ExprId address, ExprId extent) {
+    if (!p.types.is_vector(make.type(address))) return make.binary(BinaryOp::less, address, extent);
+    TypeId truths = p.types.with_scalar(make.type(address), p.types.bool_);
+    return make.intrinsic(Intrinsic::all, p.types.bool_,
+                          {make.intrinsic(Intrinsic::lessThan, truths, {address, extent})});
 }
 
 /// In the wide form addresses that are numbers may pass 2^32; each axis of a vector stays below.
@@ -88,11 +108,7 @@ ExprId Expander::domain_of(const Place& place) {
 }
 
 ExprId Expander::inside_domain(const Place& place, ExprId address) {
-    ExprId domain = domain_of(place);
-    if (!p.types.is_vector(make.type(address))) return make.binary(BinaryOp::less, address, domain);
-    TypeId truths = p.types.with_scalar(make.type(address), p.types.bool_);
-    return make.intrinsic(Intrinsic::all, p.types.bool_,
-                          {make.intrinsic(Intrinsic::lessThan, truths, {address, domain})});
+    return all_less(address, domain_of(place));
 }
 
 ExprId Expander::centre_address(std::uint32_t root) {

@@ -1,0 +1,95 @@
+// Follows the code of translators and extents over symbolic numbers: what lower/contained.cpp compares.
+#pragma once
+
+#include "ir/ir.h"
+#include "lower/symbolic.h"
+
+#include <unordered_map>
+#include <vector>
+
+namespace gliftc::lower {
+
+/// What follows from a condition, each a sum that is at least zero.
+struct Truth {
+    std::optional<bool> known;
+    std::vector<symbolic::Sum> if_true, if_false;
+};
+
+/// One scalar of a value: a number, or a condition (then `sum` stands for it where it is the same for all addresses).
+struct Part {
+    symbolic::Sum sum;
+    Truth truth;
+};
+using Parts = std::vector<Part>;
+
+/// Where addresses are followed: one structure, made with sizes that are not known.
+class Following {
+public:
+    Following(const ir::Program& program, std::uint32_t structure) : p(program), s(program.structures[structure]) {}
+
+    /// An expression over the structure itself.
+    Parts of_structure(ir::ExprId id);
+    /// What translators make of an address; none where all of it maps nowhere.
+    std::optional<Parts> translated(Parts address);
+    /// An argument of the constructor is this, from here on.
+    void set_member(std::uint32_t slot, std::uint32_t lane, const symbolic::Sum& sum) { members_[{slot, lane}] = sum; }
+    Parts member(std::uint32_t slot, ir::TypeId type);
+
+    symbolic::Symbols symbols;
+
+private:
+    struct Frame {
+        std::unordered_map<ir::LocalId, Parts> locals;
+        std::optional<Parts> returned;
+        bool has_left = false;     ///< every path to here has returned
+        bool is_followed = true;   ///< otherwise what is returned is not known
+        unsigned maybe_depth = 0;  ///< conditions around that are not known
+    };
+
+    Parts of(ir::ExprId id);
+    Parts of_local(const ir::Expr& node);
+    Parts of_construct(const ir::Expr& node);
+    Parts of_binary(const ir::Expr& node);
+    Parts of_comparison(const ir::Expr& node);
+    Parts of_convert(const ir::Expr& node);
+    Parts of_unary(const ir::Expr& node);
+    Parts of_select(const ir::Expr& node);
+    Parts of_index(const ir::Expr& node);
+    Parts of_intrinsic(const ir::Expr& node);
+    Parts of_call(const ir::Expr& node);
+    Parts of_leaf(const ir::Expr& node);
+    Parts call(ir::FunctionId id, std::vector<Parts> arguments);
+
+    Part calculated(const ir::Expr& node, ir::TypeId scalar, const Part& a, const Part& b);
+    symbolic::Sum difference(const symbolic::Sum& a, const symbolic::Sum& b);
+    symbolic::Sum quotient(const symbolic::Sum& a, const symbolic::Sum& b);
+    symbolic::Sum remainder(const symbolic::Sum& a, const symbolic::Sum& b);
+    symbolic::Sum smaller(const symbolic::Sum& a, const symbolic::Sum& b);
+    symbolic::Sum larger(const symbolic::Sum& a, const symbolic::Sum& b);
+    symbolic::Sum at_least_one(const symbolic::Sum& sum);
+    symbolic::Sum opaque(std::uint32_t operation, std::vector<symbolic::Sum> operands, ir::TypeId scalar);
+    Truth compared(ir::BinaryOp op, const symbolic::Sum& a, const symbolic::Sum& b);
+    Part chosen(const Part& condition, const Part& yes, const Part& no);
+    Part joined(const Part& a, const Part& b);
+    Parts joined(const Parts& a, const Parts& b);
+    bool fits(const symbolic::Sum& sum);
+    Parts unknown(ir::TypeId type);
+    Part unknown_scalar(ir::TypeId scalar);
+    ir::TypeId scalar_at(ir::TypeId type, std::size_t lane) const;
+
+    void run(const std::vector<ir::StmtId>& body);
+    void run_if(const ir::Stmt& stmt);
+    void run_for(const ir::Stmt& stmt);
+    void assign(ir::ExprId target, const Parts& value);
+    void assume(const std::vector<symbolic::Sum>& facts);
+    void give_up();
+
+    const ir::Program& p;
+    const ir::Structure& s;
+    const ir::Stage* stage_ = nullptr;
+    Frame* frame_ = nullptr;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, symbolic::Sum> members_;
+    unsigned depth_ = 0;
+};
+
+}  // namespace gliftc::lower

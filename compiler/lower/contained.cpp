@@ -1,0 +1,97 @@
+#include "lower/contained.h"
+
+#include "lower/bounds.h"
+
+#include <algorithm>
+
+namespace gliftc::lower {
+
+using namespace ir;
+using symbolic::number;
+using symbolic::operator-;
+using symbolic::Sum;
+
+namespace {
+
+/// A component of an argument of the constructor.
+struct Argument {
+    std::uint32_t slot, lane;
+};
+
+/// The argument's components that are the extents of the domain, one an axis; none where they are something else.
+std::vector<Argument> extents_of(const Program& p, std::uint32_t index) {
+    const Structure& s = p.structures[index];
+    Following following(p, index);
+    const Parts domain = following.of_structure(s.domain);
+    std::vector<Argument> extents;
+    for (const Part& part : domain) {
+        for (std::uint32_t slot = 0; slot < s.constructor.size(); ++slot) {
+            const Parts argument = following.member(slot, p.locals[s.constructor[slot]].type);
+            for (std::uint32_t lane = 0; lane < argument.size(); ++lane)
+                if (argument[lane].sum == part.sum) extents.push_back({slot, lane});
+        }
+    }
+    return extents.size() == domain.size() ? extents : std::vector<Argument>{};
+}
+
+bool is_partial(const Program& p, const Structure& s) {
+    return !s.via.empty() && p.translators[s.via[0].translator].properties.partial;
+}
+
+/// An address that may be asked for: any where the first translator is partial, else one of the domain.
+Parts any_address(Following& following, const Program& p, const Structure& s) {
+    const Parts domain = following.of_structure(s.domain);
+    Parts address;
+    for (const Part& part : domain) {
+        std::optional<Sum> high;
+        if (!is_partial(p, s)) high = part.sum - number(1);
+        address.push_back({following.symbols.varying({number(0), high}), {}});
+    }
+    return address;
+}
+
+/// Whether every address leads into the memory where the domain has elements.
+bool is_inside(const Program& p, std::uint32_t index, const std::vector<Argument>& extents) {
+    const Structure& s = p.structures[index];
+    Following following(p, index);
+    for (const Argument& each : extents)
+        following.set_member(each.slot, each.lane, following.symbols.size(1));
+    const std::optional<Parts> at = following.translated(any_address(following, p, s));
+    if (!at) return true;
+    const Parts memory = following.of_structure(s.memories[s.via_memory].extent);
+    if (memory.size() != at->size()) return false;
+    for (std::size_t i = 0; i < memory.size(); ++i)
+        if (!following.symbols.is_natural(memory[i].sum - (*at)[i].sum - number(1))) return false;
+    return true;
+}
+
+/// Whether an empty domain, of no extent along one axis, leads nowhere or to the first element, which is zero: every
+/// memory has room for one.
+bool is_harmless_empty(const Program& p, std::uint32_t index, const Argument& none) {
+    const Structure& s = p.structures[index];
+    Following following(p, index);
+    following.set_member(none.slot, none.lane, number(0));
+    const std::optional<Parts> at = following.translated(any_address(following, p, s));
+    if (!at) return true;
+    return !s.otherwise && std::ranges::all_of(*at, [](const Part& part) { return part.sum.empty(); });
+}
+
+bool is_contained(const Program& p, std::uint32_t index) {
+    const Structure& s = p.structures[index];
+    if (s.kind != StructureKind::stored || s.memories.empty() || !s.domain) return false;
+    const std::vector<Argument> extents = extents_of(p, index);
+    if (!is_inside(p, index, extents)) return false;
+    // A total translator is asked for no address of an empty domain.
+    if (!is_partial(p, s)) return true;
+    return !extents.empty() &&
+           std::ranges::all_of(extents, [&](const Argument& each) { return is_harmless_empty(p, index, each); });
+}
+
+}  // namespace
+
+void mark_contained(Program& program) {
+    for (std::uint32_t i = 0; i < program.structures.size(); ++i)
+        program.structures[i].is_contained = is_contained(program, i);
+}
+
+}  // namespace gliftc::lower
