@@ -22,6 +22,20 @@ struct Part {
 };
 using Parts = std::vector<Part>;
 
+inline Part part_of(symbolic::Sum sum) { return {std::move(sum), {}}; }
+inline Part part_of(bool known) { return {symbolic::number(known ? 1 : 0), {known, {}, {}}}; }
+
+inline Truth inverse(const Truth& truth) {
+    Truth result{std::nullopt, truth.if_false, truth.if_true};
+    if (truth.known) result.known = !*truth.known;
+    return result;
+}
+
+/// What unknowns are results of, beside binary operators and intrinsics.
+enum Operation : std::uint32_t { not_zero = 1000, choice, leaf, conversion, logical_inversion, minus, bit_inversion };
+inline std::uint32_t operation_of(ir::BinaryOp op) { return static_cast<std::uint32_t>(op); }
+inline std::uint32_t operation_of(ir::Intrinsic intrinsic) { return 100 + static_cast<std::uint32_t>(intrinsic); }
+
 /// Where addresses are followed: one structure, made with sizes that are not known.
 class Following {
 public:
@@ -41,13 +55,11 @@ private:
     struct Frame {
         std::unordered_map<ir::LocalId, Parts> locals;
         std::optional<Parts> returned;
-        bool has_left = false;     ///< every path to here has returned
-        bool is_followed = true;   ///< otherwise what is returned is not known
-        unsigned maybe_depth = 0;  ///< conditions around that are not known
+        bool has_left = false;    ///< every path to here has returned
+        bool is_followed = true;  ///< otherwise what is returned is not known
     };
 
     Parts of(ir::ExprId id);
-    Parts of_local(const ir::Expr& node);
     Parts of_construct(const ir::Expr& node);
     Parts of_binary(const ir::Expr& node);
     Parts of_comparison(const ir::Expr& node);
@@ -56,6 +68,8 @@ private:
     Parts of_select(const ir::Expr& node);
     Parts of_index(const ir::Expr& node);
     Parts of_intrinsic(const ir::Expr& node);
+    Parts of_lanes(ir::BinaryOp op, const Parts& a, const Parts& b, std::size_t count);
+    Part of_all(ir::Intrinsic which, const Parts& conditions);
     Parts of_call(const ir::Expr& node);
     Parts of_leaf(const ir::Expr& node);
     Parts call(ir::FunctionId id, std::vector<Parts> arguments);
@@ -67,6 +81,9 @@ private:
     symbolic::Sum smaller(const symbolic::Sum& a, const symbolic::Sum& b);
     symbolic::Sum larger(const symbolic::Sum& a, const symbolic::Sum& b);
     symbolic::Sum at_least_one(const symbolic::Sum& sum);
+    symbolic::Sum of_bits(const ir::Expr& node, const symbolic::Sum& a, const symbolic::Sum& b);
+    symbolic::Sum bits_together(ir::BinaryOp op, const symbolic::Sum& a, const symbolic::Sum& b);
+    std::optional<symbolic::Sum> bits_of(const symbolic::Sum& sum);
     symbolic::Sum opaque(std::uint32_t operation, std::vector<symbolic::Sum> operands, ir::TypeId scalar);
     Truth compared(ir::BinaryOp op, const symbolic::Sum& a, const symbolic::Sum& b);
     Part chosen(const Part& condition, const Part& yes, const Part& no);
@@ -89,6 +106,7 @@ private:
     const ir::Stage* stage_ = nullptr;
     Frame* frame_ = nullptr;
     std::map<std::pair<std::uint32_t, std::uint32_t>, symbolic::Sum> members_;
+    std::unordered_map<symbolic::Unknown, symbolic::Sum> bits_;  ///< that a result of operations on bits may have
     unsigned depth_ = 0;
 };
 

@@ -54,8 +54,7 @@ Parts any_address(Following& following, const Program& p, const Structure& s) {
 bool is_inside(const Program& p, std::uint32_t index, const std::vector<Argument>& extents) {
     const Structure& s = p.structures[index];
     Following following(p, index);
-    for (const Argument& each : extents)
-        following.set_member(each.slot, each.lane, following.symbols.size(1));
+    for (const Argument& each : extents) following.set_member(each.slot, each.lane, following.symbols.size(1));
     const std::optional<Parts> at = following.translated(any_address(following, p, s));
     if (!at) return true;
     const Parts memory = following.of_structure(s.memories[s.via_memory].extent);
@@ -73,7 +72,9 @@ bool is_harmless_empty(const Program& p, std::uint32_t index, const Argument& no
     following.set_member(none.slot, none.lane, number(0));
     const std::optional<Parts> at = following.translated(any_address(following, p, s));
     if (!at) return true;
-    return !s.otherwise && std::ranges::all_of(*at, [](const Part& part) { return part.sum.empty(); });
+    return !s.otherwise && std::ranges::all_of(*at, [&](const Part& part) {
+        return following.symbols.is_natural(number(0) - part.sum);
+    });
 }
 
 bool is_contained(const Program& p, std::uint32_t index) {

@@ -1,8 +1,8 @@
-// Sums of products of unknown numbers with integer factors, and what can be said of their sign: how address arithmetic is
-// compared with the size of a memory before either is known.
+// Sums of products of unknown numbers with integer factors, and what can be said of their sign: how address arithmetic
+// is compared with the size of a memory before either is known.
 //
-// Unknowns are sizes, which have a lower bound, or vary from address to address between two bounds. Numbers are those of
-// mathematics: who makes a sum of what may wrap around says what that means.
+// Unknowns are sizes, which have a lower bound, or vary from address to address between two bounds. Numbers are those
+// of mathematics: who makes a sum of what may wrap around says what that means.
 #pragma once
 
 #include <cstdint>

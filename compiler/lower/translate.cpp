@@ -107,9 +107,7 @@ ExprId Expander::domain_of(const Place& place) {
     return p.exprs.add(std::move(leaf));
 }
 
-ExprId Expander::inside_domain(const Place& place, ExprId address) {
-    return all_less(address, domain_of(place));
-}
+ExprId Expander::inside_domain(const Place& place, ExprId address) { return all_less(address, domain_of(place)); }
 
 ExprId Expander::centre_address(std::uint32_t root) {
     ExprId address = make.local(cx.pass.address);

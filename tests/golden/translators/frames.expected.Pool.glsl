@@ -1,0 +1,69 @@
+#ifndef GLIFT_POOL
+#define GLIFT_POOL
+// Pool, frames.glift:27.
+// Define before including: POOL_SET, POOL_BINDING (the state; memory k follows at + 1 + k), POOL_STATE, POOL_READONLY.
+#extension GL_EXT_scalar_block_layout : require
+
+#ifndef POOL_SET
+#define POOL_SET 0
+#endif
+#ifndef POOL_BINDING
+#define POOL_BINDING 0
+#endif
+#ifdef POOL_READONLY
+#define POOL_ACCESS readonly
+#else
+#define POOL_ACCESS
+#endif
+
+#ifndef POOL_STATE  // define it where the members below are declared in a block of your own
+layout(scalar, set = POOL_SET, binding = POOL_BINDING) readonly buffer Pool_state {
+    uint Pool_frames_n;
+    uint Pool_data_extent;
+};
+#endif
+
+layout(scalar, set = POOL_SET, binding = POOL_BINDING + 1) POOL_ACCESS buffer Pool_frames_data_memory { uint Pool_frames_data[]; };
+layout(scalar, set = POOL_SET, binding = POOL_BINDING + 2) POOL_ACCESS buffer Pool_data_memory { float Pool_data[]; };
+
+bool Pool_is_mapped(uint address) {
+    uint Pool_frames_address = address / 4u;
+    bool Pool_frames_value_inside = Pool_frames_address < Pool_frames_n;
+    uint Pool_frames_value = Pool_frames_data[Pool_frames_value_inside ? Pool_frames_address : 0u];
+    uint Pool_frame = Pool_frames_value_inside ? Pool_frames_value : 0u;
+    uint Pool_place = (Pool_frame - 1u) * 4u + address % 4u;
+    return !(Pool_frame == 0u) && Pool_place < Pool_data_extent;
+}
+
+uint Pool_translate(uint address) {
+    uint Pool_frames_address = address / 4u;
+    bool Pool_frames_value_inside = Pool_frames_address < Pool_frames_n;
+    uint Pool_frames_value = Pool_frames_data[Pool_frames_value_inside ? Pool_frames_address : 0u];
+    uint Pool_place = ((Pool_frames_value_inside ? Pool_frames_value : 0u) - 1u) * 4u + address % 4u;
+    return Pool_place;
+}
+
+float Pool_read(uint address) {
+    uint Pool_frames_address = address / 4u;
+    bool Pool_frames_value_inside = Pool_frames_address < Pool_frames_n;
+    uint Pool_frames_value = Pool_frames_data[Pool_frames_value_inside ? Pool_frames_address : 0u];
+    uint Pool_frame = Pool_frames_value_inside ? Pool_frames_value : 0u;
+    uint Pool_place = (Pool_frame - 1u) * 4u + address % 4u;
+    bool Pool_value_inside = !(Pool_frame == 0u) && Pool_place < Pool_data_extent;
+    float Pool_value = Pool_data[Pool_value_inside ? Pool_place : 0u];
+    return Pool_value_inside ? Pool_value : -1.0;
+}
+
+#ifndef POOL_READONLY
+void Pool_write(uint address, float value) {
+    uint Pool_frames_address = address / 4u;
+    bool Pool_frames_value_inside = Pool_frames_address < Pool_frames_n;
+    uint Pool_frames_value = Pool_frames_data[Pool_frames_value_inside ? Pool_frames_address : 0u];
+    uint Pool_frames_value_1 = Pool_frames_value_inside ? Pool_frames_value : 0u;
+    uint Pool_place = (Pool_frames_value_1 - 1u) * 4u + address % 4u;
+    if (address < Pool_frames_n * 4u && (!(Pool_frames_value_1 == 0u) && Pool_place < Pool_data_extent)) {
+        Pool_data[Pool_place] = value;
+    }
+}
+#endif
+#endif

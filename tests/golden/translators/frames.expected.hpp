@@ -1,0 +1,73 @@
+// Made by gliftc from frames.glift. Changes are lost when it is made again.
+#pragma once
+
+#include <glift/glift.h>
+#include <glift/structure.h>
+
+#include <cstddef>
+
+/// Physical addresses that come from memory are compared with what they lead to; those of the table itself are not.
+namespace frames {
+
+/// Frames, frames.glift:11.
+class Frames : public glift::Structure<Frames, glift::uint, glift::uint> {
+public:
+    static constexpr const char* type_name = "Frames";
+
+    Frames() = default;
+    Frames(const glift::Commands& commands, glift::uint n);
+    /// Over parts that exist already.
+    Frames(const glift::Commands& commands, glift::uint n, glift::Memory data);
+
+    /// The extent of the virtual domain.
+    glift::uint domain() const;
+    glift::uint n() const { return n_; }
+    const glift::Memory& data() const { return data_; }
+    glift::uint data_extent() const { return data_extent_; }
+    /// True if the two were made with equal arguments.
+    bool same_state(const Frames& other) const;
+
+private:
+    glift::uint n_{};
+    glift::uint data_extent_{};
+    glift::Memory data_;
+};
+
+/// Pool, frames.glift:27.
+class Pool : public glift::Structure<Pool, glift::uint, float> {
+public:
+    static constexpr const char* type_name = "Pool";
+
+    Pool() = default;
+    Pool(const glift::Commands& commands, glift::uint pages, glift::uint capacity);
+    /// Over parts that exist already.
+    Pool(const glift::Commands& commands, glift::uint pages, glift::uint capacity, Frames frames, glift::Memory data);
+
+    /// The extent of the virtual domain.
+    glift::uint domain() const;
+    glift::uint pages() const { return pages_; }
+    glift::uint capacity() const { return capacity_; }
+    const Frames& frames() const { return frames_; }
+    const glift::Memory& data() const { return data_; }
+    glift::uint data_extent() const { return data_extent_; }
+    /// True if the two were made with equal arguments.
+    bool same_state(const Pool& other) const;
+
+    /// Gives every element, or those of a box, one value.
+    void fill(float value);
+    void fill(float value, const glift::Range<Pool>& range);
+    /// Elements of a box to a linear buffer, and back.
+    void copy_out(const glift::Commands& commands, const glift::Range<Pool>& range, const glift::Memory& box) const;
+    void copy_in(const glift::Commands& commands, const glift::Range<Pool>& range, const glift::Memory& box) const;
+
+private:
+    glift::uint pages_{};
+    glift::uint capacity_{};
+    Frames frames_;
+    glift::uint data_extent_{};
+    glift::Memory data_;
+};
+
+void double_there(const glift::Commands& commands, const glift::Range<Pool>& s, const glift::Range<Pool>& g);
+
+}  // namespace frames
