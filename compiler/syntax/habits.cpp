@@ -14,7 +14,6 @@ struct Habit {
 };
 
 constexpr std::string_view conversion = "conversions are written 'float(x)'";
-constexpr std::string_view no_modulo = "write 'x - y * floor(x / y)'; integers have '%'";
 constexpr std::string_view no_pointers = "there are no pointers and no references: an optional has 'none'";
 constexpr std::string_view no_output = "kernels print nothing: write what you want to see into a structure";
 constexpr std::string_view own_address = "the address is an 'at' parameter of the kernel: 'a: at<S>'";
@@ -32,9 +31,8 @@ constexpr Habit names[] = {
     {"popcount", "it is called 'bitCount'"},
     {"countbits", "it is called 'bitCount'"},
     {"saturate", "write 'clamp(x, 0.0, 1.0)'"},
-    {"mod", no_modulo},
-    {"fmod", no_modulo},
-    {"fmodf", no_modulo},
+    {"fmod", "it is called 'mod', whose sign is that of 'y'"},
+    {"fmodf", "it is called 'mod', whose sign is that of 'y'"},
     {"mul", "matrices and vectors are multiplied by '*'"},
     {"printf", no_output},
     {"print", no_output},
