@@ -254,10 +254,10 @@ Pass lower_function(Program& program, Diagnostics& diagnostics, const Kernel& ke
 }
 
 Lowered lower(Program& program, Diagnostics& diagnostics, Settings settings) {
-    widen_extents(program);
-    widen_translators(program);
     mark_affine(program);
     mark_contained(program);
+    widen_extents(program);  // what the other two follow is the extent as it was written
+    widen_translators(program);
     // Of the number of kernels alone, so that all machines do the same. A trace is in the order of the kernels.
     const bool are_few = program.kernels.size() < 2 * kernels_of_a_thread || settings.trace != nullptr;
     Lowered result{(are_few ? lowered_in_order : lowered_on_threads)(program, diagnostics, settings), {}};

@@ -10,10 +10,10 @@
 namespace gliftc::lower {
 
 /// Memories' extents and the arguments of nested structures become exact: 64-bit numbers that stay at 2^64 - 1 where they
-/// would pass it. Before any other pass.
+/// would pass it. Before kernels are lowered.
 void widen_extents(ir::Program& program);
 
-/// Makes the 64-bit copies of the translators that lead to a number: Translator::wide. Before any other pass.
+/// Makes the 64-bit copies of the translators that lead to a number: Translator::wide. Before kernels are lowered.
 void widen_translators(ir::Program& program);
 
 }  // namespace gliftc::lower
