@@ -368,7 +368,11 @@ struct Structure {
 };
 
 enum class Direction : std::uint8_t { in, out, inout };
-enum class Pattern : std::uint8_t { value, each, near, any, at, scatter, coherent };
+enum class Pattern : std::uint8_t {
+#define PATTERN(name, reach, course, directions) name,
+#include "ir/patterns.def"
+#undef PATTERN
+};
 
 struct KernelParam {
     Name name;
@@ -401,7 +405,8 @@ struct Kernel {
     bool grouped() const { return group[0] != 0; }
 };
 
-/// The parameter whose range an `at` parameter takes where it is left out: the first each, else any, of its structure.
+/// The parameter whose range an `at` parameter takes where it is left out: of its structure the first each, else any,
+/// else scatter.
 std::optional<std::size_t> range_giver(const std::vector<KernelParam>& params, std::size_t at);
 
 enum class HostPattern : std::uint8_t { value, structure, range };

@@ -85,7 +85,8 @@ void Printer::kernel_parameters() {
 }
 
 void Printer::bindings() {
-    for (const PassBinding& of : pass_->bindings) {
+    for (std::uint32_t i = 0; i < pass_->bindings.size(); ++i) {
+        const PassBinding& of = pass_->bindings[i];
         std::string text = "binding " + of.name + ": " + std::string(spelling(of.shape)) + "<" + type(of.element) +
                            "> " + std::string(spelling(of.access));
         if (of.format != Format::none) text += " " + std::string(spelling(of.format));
@@ -95,6 +96,7 @@ void Printer::bindings() {
                                   {of.coherent, " coherent"},
                                   {of.in_rows, " in_rows"}})
             if (flag) text += word;
+        if (of.one_place < i) text += " one_place " + pass_->bindings[of.one_place].name;
         text += " of " + place(of.place) + " " + std::to_string(of.memory);
         if (of.address_parameter < pass_->parameters.size())
             text += " at $" + pass_->parameters[of.address_parameter].name;

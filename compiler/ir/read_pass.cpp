@@ -58,6 +58,12 @@ std::uint32_t Reader::kernel_parameter_index() {
     return found->second;
 }
 
+std::uint32_t Reader::earlier_binding() {
+    const auto found = bindings_.find(name());
+    if (found == bindings_.end()) fail("no such binding before this");
+    return found->second;
+}
+
 void Reader::binding() {
     PassBinding made;
     made.name = name();
@@ -71,12 +77,14 @@ void Reader::binding() {
     const auto access = spelled(word(), Access::read_write);
     if (!access) fail("expected an access before this");
     made.access = *access;
+    made.one_place = static_cast<std::uint32_t>(current().bindings.size());
     while (!accept("of")) {
         if (accept("sampled")) made.sampled = true;
         else if (accept("linear")) made.linear = true;
         else if (accept("atomic")) made.atomic = true;
         else if (accept("coherent")) made.coherent = true;
         else if (accept("in_rows")) made.in_rows = true;
+        else if (accept("one_place")) made.one_place = earlier_binding();
         else if (const auto format = spelled(word(), Format::d32)) made.format = *format;
         else fail("expected a property of a binding before this");
     }

@@ -83,6 +83,7 @@ private:
     std::uint32_t new_structure(const std::string& called);
     std::uint32_t parameter_slot();
     std::uint32_t kernel_parameter_index();
+    std::uint32_t earlier_binding();
     std::array<std::uint32_t, 3> three();
     Pass& current() { return read_.pass; }
     Kernel& kernel() { return p.kernels[read_.pass.kernel]; }

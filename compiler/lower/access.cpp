@@ -1,5 +1,6 @@
 // Reads and writes of elements: the address, the guard, the load or store.
 #include "lower/expand.h"
+#include "lower/one_place.h"
 
 #include <cstdlib>
 
@@ -25,6 +26,7 @@ std::uint32_t Expander::binding(const Place& place, std::uint32_t memory, Access
     made.coherent = is_coherent(place);
     made.access = made.coherent ? Access::read_write : access;
     made.linear = of.linear;
+    made.one_place = first_of_place(cx, made);
     bindings.push_back(std::move(made));
     return static_cast<std::uint32_t>(bindings.size() - 1);
 }
@@ -71,9 +73,7 @@ ExprId Expander::texel(ExprId physical) {
 }
 
 /// What a buffer is indexed by.
-ExprId Expander::index_of(ExprId physical) {
-    return cx.is_wide() ? make.convert(p.types.uint64, physical) : physical;
-}
+ExprId Expander::index_of(ExprId physical) { return cx.is_wide() ? make.convert(p.types.uint64, physical) : physical; }
 
 ExprId Expander::load(const Place& place, ExprId physical) {
     const Structure& structure = cx.structure_at(place);
@@ -149,7 +149,8 @@ ExprId Expander::element(std::uint32_t root, Span) {
     if (cx.structure_at(place).kind == StructureKind::view) return view_around(place, centre_address(root));
     ExprId guard = cx.kernel.grouped() ? make.local(cx.pass.in_range) : ExprId{};
     ExprId value = guarded_load(place, centre(root), guard, {}, otherwise_around(place), cx.name_of(place) + "_value");
-    if (cx.kernel.params[root].direction == Direction::in || p.exprs[value].op == Op::local) return value;
+    const bool is_read_only = cx.kernel.params[root].direction == Direction::in && !may_be_written_elsewhere(cx, root);
+    if (is_read_only || p.exprs[value].op == Op::local) return value;
     // Written too: what was read must not move past a write.
     return make.local(let(cx.name_of(place) + "_value", value, span_));
 }

@@ -192,6 +192,15 @@ public:
         return {std::move(result_), second.of(in_range_condition(cx))};
     }
 
+    Coarsened run_in_turn(const std::vector<StmtId>& body) {
+        Copy second(cx, next_address());
+        result_.insert(result_.end(), body.begin(), body.end());
+        std::vector<StmtId> again;
+        for (StmtId id : body) again.push_back(second.of(id));
+        result_.push_back(where_there_is_one(again));
+        return {std::move(result_), second.of(in_range_condition(cx))};
+    }
+
 private:
     LocalId let(std::string_view name, ExprId value, Span span) {
         const LocalId local = cx.new_local(name, cx.make.type(value), span);
@@ -251,10 +260,10 @@ private:
     }
 
     /// Without shared rows the second element is then the first, and storing it again changes nothing.
-    StmtId where_there_is_one(const std::vector<StmtId>& stores) {
-        Stmt stmt = statement(StmtOp::if_, cx.p.stmts[stores.front()].span);
+    StmtId where_there_is_one(const std::vector<StmtId>& statements) {
+        Stmt stmt = statement(StmtOp::if_, cx.p.stmts[statements.front()].span);
         stmt.value = has_next_;
-        stmt.body = stores;
+        stmt.body = statements;
         return cx.add(std::move(stmt));
     }
 
@@ -291,5 +300,7 @@ Coarsened coarsened(Context& cx, const std::vector<StmtId>& body, const Expander
     if (!Eligibility(cx).holds(body)) return {};
     return Coarsening(cx).run(body, made);
 }
+
+Coarsened coarsened_in_turn(Context& cx, const std::vector<StmtId>& body) { return Coarsening(cx).run_in_turn(body); }
 
 }  // namespace gliftc::lower

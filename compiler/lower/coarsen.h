@@ -19,4 +19,8 @@ struct Coarsened {
 /// element's, too.
 Coarsened coarsened(Context& cx, const std::vector<StmtId>& body, const Expander& made);
 
+/// All of the first element, then all of the second, if there is one: for statements that may run twice, whatever they
+/// read and write.
+Coarsened coarsened_in_turn(Context& cx, const std::vector<StmtId>& body);
+
 }  // namespace gliftc::lower

@@ -59,8 +59,7 @@ ExprId invocation_address(Context& cx, TypeId type) {
     const std::uint32_t axes = cx.p.types.components(type);
     const TypeId uint3 = cx.p.types.vector(cx.p.types.uint, 3);
     ExprId id = make.builtin(Builtin::global_id, uint3);
-    if (cx.pass.has_base())
-        id = make.add(id, cx.parameter_expr(cx.parameter(ParameterSource::base, "base", uint3, 0)));
+    if (cx.pass.has_base()) id = make.add(id, cx.parameter_expr(cx.parameter(ParameterSource::base, "base", uint3, 0)));
     if (axes == 2) {
         Expr both;
         both.op = Op::swizzle;

@@ -1,3 +1,4 @@
+#include "ir/effects.h"
 #include "ir/levels.h"
 #include "lower/expand.h"
 #include "lower/unroll.h"
@@ -26,9 +27,7 @@ ExprId Expander::iteration_size() {
     size_statements = collect([&] {
         size = inside(std::move(frame), [&]() -> ExprId {
             for (std::uint32_t i = 0; cx.is_direct() && i < cx.kernel.params.size(); ++i) {
-                Pattern pattern = cx.kernel.params[i].pattern;
-                if (pattern == Pattern::each || pattern == Pattern::near || pattern == Pattern::at)
-                    return domain_of({i, {}});
+                if (follows_iteration(cx.kernel.params[i].pattern)) return domain_of({i, {}});
             }
             return cx.parameter_expr(cx.parameter(ParameterSource::size, "size", cx.kernel.domain_type, 0));
         });

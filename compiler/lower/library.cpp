@@ -79,7 +79,8 @@ void add_translate(Maker& k) {
     if (s.via.empty()) return;
     TypeId physical = k.program.translators[s.via.back().translator].physical_type;
     ExprId translated = k.make(Op::translate, k.program.types.optional(physical), k.use(k.address));
-    if (is_partial(k.program, s) || !s.is_contained) k.add_value("is_mapped", k.make(Op::has_value, k.program.types.bool_, translated));
+    if (is_partial(k.program, s) || !s.is_contained)
+        k.add_value("is_mapped", k.make(Op::has_value, k.program.types.bool_, translated));
     k.add_value("translate", k.make(Op::value, physical, translated));
 }
 

@@ -2,6 +2,7 @@
 
 #include "ir/walk.h"
 
+#include <algorithm>
 #include <bit>
 
 namespace gliftc::lower {
@@ -19,6 +20,13 @@ bool has_effect(const Pass& pass, const Expr& node) {
 
 }  // namespace
 
+bool Numbers::is_written(std::uint32_t binding) const {
+    const std::uint32_t place = cx.pass.bindings[binding].one_place;
+    return std::ranges::any_of(cx.pass.bindings, [&](const PassBinding& other) {
+        return other.one_place == place && other.access != Access::read;
+    });
+}
+
 std::uint8_t Numbers::find_traits(ExprId id) {
     const Expr& node = cx.p.exprs[id];
     std::uint8_t trait = known;
@@ -29,7 +37,7 @@ std::uint8_t Numbers::find_traits(ExprId id) {
     }
     if (node.op == Op::load || node.op == Op::image_load || node.op == Op::image_sample) {
         trait |= loads;
-        if (cx.pass.bindings[node.slot].access != Access::read) trait |= changes;
+        if (is_written(node.slot)) trait |= changes;
     }
     // A function made for this pass may load.
     if (node.op == Op::call) trait |= loads;
@@ -66,7 +74,7 @@ ShapeKey Numbers::shape_of(const Expr& node) const {
     case Op::image_load:
     case Op::image_sample:
         key.mix(node.slot);
-        key.mix(version_of(node.slot));
+        key.mix(version_of(cx.pass.bindings[node.slot].one_place));
         break;
     case Op::builtin: key.mix(static_cast<std::uint64_t>(node.builtin)); break;
     default: break;  // told apart by op, type and operands

@@ -32,13 +32,13 @@ public:
         memory_->note_change();
     }
     ValueNumber count() const { return next_ + 1; }
-    /// The local, or the memory behind a binding, may have changed.
+    /// The local, or the memory behind a binding and whatever may be the same place, may have changed.
     void change(LocalId local) {
         ++versions_[local];
         memory_->note_change();
     }
     void change_binding(std::uint32_t binding) {
-        ++bindings_[binding];
+        ++bindings_[cx.pass.bindings[binding].one_place];
         memory_->note_change();
     }
     /// Everything that the statements may change.
@@ -55,6 +55,7 @@ private:
     enum Trait : std::uint8_t { known = 1, impure = 2, loads = 4, changes = 8 };
 
     void change_by(const ir::Stmt& stmt);
+    bool is_written(std::uint32_t binding) const;
     std::uint8_t traits_of(ExprId id) {
         const std::uint8_t* found = cx.traits.find(id);
         return found != nullptr ? *found : find_traits(id);
@@ -64,8 +65,8 @@ private:
         const std::uint32_t* found = versions_.find(local);
         return found == nullptr ? 0 : *found;
     }
-    std::uint32_t version_of(std::uint32_t binding) const {
-        const std::uint32_t* found = bindings_.find(binding);
+    std::uint32_t version_of(std::uint32_t place) const {
+        const std::uint32_t* found = bindings_.find(place);
         return found == nullptr ? 0 : *found;
     }
     ShapeKey shape_of(const ir::Expr& node) const;
@@ -74,7 +75,7 @@ private:
     std::unique_ptr<NumberMemory> memory_;
     NodeMap<LocalId, ValueNumber> locals_{cx.first_local};
     NodeMap<LocalId, std::uint32_t> versions_{cx.first_local};
-    FlatMap<std::uint32_t, std::uint32_t> bindings_;
+    FlatMap<std::uint32_t, std::uint32_t> bindings_;  ///< by PassBinding::one_place
     ValueNumber next_ = 0;
 };
 

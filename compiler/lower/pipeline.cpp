@@ -1,5 +1,6 @@
 // The passes in order. Each says in its header what it needs and what it guarantees.
 #include "base/parallel.h"
+#include "ir/effects.h"
 #include "ir/validate.h"
 #include "lower/affine.h"
 #include "lower/branch.h"
@@ -10,6 +11,7 @@
 #include "lower/expand.h"
 #include "lower/loops.h"
 #include "lower/lower.h"
+#include "lower/one_place.h"
 #include "lower/passes.h"
 #include "lower/temporaries.h"
 #include "lower/uniforms.h"
@@ -75,9 +77,10 @@ StmtId holder(Context& cx, ExprId value) {
     return cx.add(std::move(stmt));
 }
 
-void finish_images(Pass& pass) {
+void finish_images(const Program& program, Pass& pass) {
     for (PassBinding& binding : pass.bindings)
-        binding.sampled = binding.shape != MemoryShape::buffer && binding.access == Access::read;
+        binding.sampled = binding.shape != MemoryShape::buffer && binding.access == Access::read &&
+                          !loads_after_store(program, pass, binding.one_place);
 }
 
 /// The wide form reaches its buffers by address.
@@ -125,7 +128,7 @@ void check_whole([[maybe_unused]] const Context& cx) {
 }
 
 /// That an invocation of a shader takes.
-enum class Elements { one, two_where_it_helps };
+enum class Elements { one, two_where_it_helps, two_in_turn };
 
 Pass lowered(Program& program, Diagnostics& diagnostics, std::uint32_t kernel, Form form, Settings settings,
              Elements elements) {
@@ -144,6 +147,7 @@ Pass lowered(Program& program, Diagnostics& diagnostics, std::uint32_t kernel, F
     cx.traits.clear();
     Coarsened pair;
     if (elements == Elements::two_where_it_helps) pair = coarsened(cx, body, expander);
+    if (elements == Elements::two_in_turn) pair = coarsened_in_turn(cx, body);
     if (!pair.body.empty()) finished(cx, "coarsen", pair.body, facts, "two elements");
     pass.body = simplified(cx, "body", std::move(body), facts);
     if (!pair.body.empty())
@@ -166,7 +170,7 @@ Pass lowered(Program& program, Diagnostics& diagnostics, std::uint32_t kernel, F
             pass.interior_origin =
                 cx.parameter(ParameterSource::origin, {}, cx.kernel.domain_type, *expander.near_root);
     }
-    finish_images(pass);
+    finish_images(program, pass);
     if (form == Form::wide) reach_by_address(cx);
     summarize(cx);
     check_whole(cx);
@@ -182,6 +186,9 @@ Lowered::Forms lowered_forms(Program& program, Diagnostics& diagnostics, std::ui
     forms.direct = lower(Form::direct, Elements::two_where_it_helps);
     forms.general = lower(Form::general, Elements::two_where_it_helps);
     forms.wide = lower(Form::wide, Elements::two_where_it_helps);
+    for (Pass* pass : {&forms.general, &forms.wide})
+        if (!forms.direct.pair_body.empty() && pass->pair_body.empty() && has_one_place(*pass))
+            *pass = lower(pass->form, Elements::two_in_turn);
     // A workgroup covers as much in all forms. Those that have more to compute may take one element.
     const std::array all{&forms.direct, &forms.general, &forms.wide};
     const auto takes_one = [](const Pass* pass) { return pass->pair_body.empty(); };

@@ -1,4 +1,5 @@
 // Addresses: the stages of `via` one after the other, and the centre's address once a kernel.
+#include "ir/effects.h"
 #include "lower/expand.h"
 
 namespace gliftc::lower {
@@ -69,8 +70,7 @@ bool Expander::is_total(const Structure& structure) {
 /// origin.
 bool Expander::is_range(const Place& place) const {
     if (cx.is_direct() || !place.members.empty()) return false;
-    Pattern pattern = cx.kernel.params[place.root].pattern;
-    return pattern == Pattern::any || pattern == Pattern::scatter || pattern == Pattern::coherent;
+    return has_own_range(cx.kernel.params[place.root].pattern);
 }
 
 ExprId Expander::range_size(std::uint32_t root) {

@@ -213,11 +213,11 @@ Value Widener::rebuilt(Expr node) {
     return {add(std::move(node)), {}};
 }
 
-/// The operation in its own type where all operands are; else those that are uints in 64 bits, and the result with them.
+/// The operation in its own type where all operands are; else those that are uints in 64 bits, and the result with
+/// them.
 Value Widener::joined(Expr node, const std::vector<Value>& values) {
     const bool is_wide = std::ranges::any_of(values, [](const Value& each) { return static_cast<bool>(each.wide); });
-    for (std::size_t i = 0; i < values.size(); ++i)
-        node.operands[i] = is_wide ? widened(values[i]) : values[i].narrow;
+    for (std::size_t i = 0; i < values.size(); ++i) node.operands[i] = is_wide ? widened(values[i]) : values[i].narrow;
     const TypeId type = is_wide ? wide_type(node.type) : node.type;
     const bool grows = type != node.type;
     node.type = type;

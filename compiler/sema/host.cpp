@@ -3,6 +3,7 @@
 #include "sema/components.h"
 #include "sema/generics.h"
 #include "sema/instances.h"
+#include "sema/one_memory.h"
 #include "sema/typing.h"
 
 #include <algorithm>
@@ -181,6 +182,7 @@ std::optional<Operand> call_kernel(Body& body, ast::DeclId id, const std::vector
     }
     auto values = kernel_arguments(body, *kernel, arguments);
     if (!values) return std::nullopt;
+    check_one_memory(c, body.program().kernels[*kernel], *values);
     ir::StmtId stmt = add(body.program(), ir::StmtOp::dispatch, call.span);
     body.program().stmts[stmt].slot = *kernel;
     body.program().stmts[stmt].arguments = std::move(*values);

@@ -1,3 +1,4 @@
+#include "ir/effects.h"
 #include "sema/components.h"
 #include "sema/generics.h"
 #include "sema/instances.h"
@@ -36,15 +37,15 @@ std::optional<ir::Combine> combine_of(std::string_view name) {
 
 /// Is the direction one that the pattern allows?
 void check_direction(Context& c, const ast::Param& param, ir::KernelParam& made) {
-    bool reads_only =
-        made.pattern == ir::Pattern::near || made.pattern == ir::Pattern::any || made.pattern == ir::Pattern::at;
-    bool writes_only = made.pattern == ir::Pattern::scatter;
-    bool does_both = made.pattern == ir::Pattern::coherent;
+    const ir::Directions allowed = ir::traits_of(made.pattern).directions;
+    const bool reads_only = allowed == ir::Directions::in;
+    const bool writes_only = allowed == ir::Directions::out;
+    const bool does_both = allowed == ir::Directions::inout;
     switch (param.direction) {
     case ast::Direction::none:
         // inout, so that the body's own use of it is no second mistake.
         made.direction = writes_only ? ir::Direction::out : reads_only ? ir::Direction::in : ir::Direction::inout;
-        if (made.pattern == ir::Pattern::each || writes_only || does_both)
+        if (!reads_only)
             note(c.error(Diag::direction_missing, param.name.span, {c.text(param.name.name)}), param.name.span,
                  "write 'in', 'out' or 'inout' before the pattern");
         break;
@@ -114,6 +115,17 @@ void check_coherent(Body& body, const ast::Param& param, std::uint32_t index) {
         c.error(Diag::coherent_memory, param.name.span, {structure.display});
 }
 
+/// The invocations of a pass run in no order, so no two of them may write one place.
+void check_exclusive(Context& c, const ast::Param& param, const ir::KernelParam& made) {
+    if (made.pattern != ir::Pattern::each || made.direction == ir::Direction::in) return;
+    const ir::Translator* translator = ir::many_to_one_stage(c.program, made.structure);
+    if (!translator) return;
+    Diagnostic& diagnostic =
+        c.error(Diag::each_many_to_one, param.name.span, {c.text(param.name.name), c.program.structures[made.structure].display});
+    note(diagnostic, translator->span, "declared @many_to_one here");
+    note(diagnostic, param.pattern_span, "scatter<S, op> says how writes that meet combine: min, max, add, and, or, xor");
+}
+
 void add_param(Body& body, const ast::Param& param, ir::Kernel& kernel) {
     Context& c = body.context;
     ir::KernelParam made;
@@ -156,10 +168,10 @@ void add_param(Body& body, const ast::Param& param, ir::Kernel& kernel) {
         c.error(Diag::adaptor_in_kernel, c[param.type].span, {structure.display});
     check_direction(c, param, made);
     check_extra(c, body.env, param, made);
+    check_exclusive(c, param, made);
     if (structure.kind == ir::StructureKind::view && made.direction != ir::Direction::in)
         c.error(Diag::view_written, param.name.span, {structure.display});
-    bool iterates = made.pattern == ir::Pattern::each || made.pattern == ir::Pattern::at;
-    if (iterates && !structure.domain && structure.kind != ir::StructureKind::adaptor)
+    if (ir::visits(made.pattern) && !structure.domain && structure.kind != ir::StructureKind::adaptor)
         c.error(Diag::no_domain, param.name.span, {structure.display});
     Symbol symbol;
     const bool is_coherent = made.pattern == ir::Pattern::coherent;
@@ -180,7 +192,7 @@ void add_param(Body& body, const ast::Param& param, ir::Kernel& kernel) {
 void find_domain(Context& c, const ast::Kernel& written, ir::Kernel& kernel, bool parameters_are_good) {
     const ir::KernelParam* first = nullptr;
     for (const ir::KernelParam& param : kernel.params) {
-        if (param.pattern != ir::Pattern::each && param.pattern != ir::Pattern::at) continue;
+        if (!ir::visits(param.pattern)) continue;
         ir::TypeId domain = c.program.structures[param.structure].domain_type;
         if (!first) first = &param, kernel.domain_type = domain;
         else if (domain != kernel.domain_type) {
@@ -208,17 +220,13 @@ void find_domain(Context& c, const ast::Kernel& written, ir::Kernel& kernel, boo
     }
 }
 
-bool follows_iteration(ir::Pattern pattern) {
-    return pattern == ir::Pattern::each || pattern == ir::Pattern::near || pattern == ir::Pattern::at;
-}
-
 /// Whether a caller will mostly pass two parameters of one structure that were made alike, of one size: what is visited
 /// together is, and what is written with the same type (`S` and `S`, not `S` and `D`).
 bool are_alike(const Context& c, const ast::Kernel& written, const ir::Kernel& kernel, std::size_t i, std::size_t k) {
     const ir::KernelParam &one = kernel.params[i], &other = kernel.params[k];
     if (one.pattern == ir::Pattern::value || other.pattern == ir::Pattern::value) return false;
     if (one.structure != other.structure) return false;
-    if (follows_iteration(one.pattern) && follows_iteration(other.pattern)) return true;
+    if (ir::follows_iteration(one.pattern) && ir::follows_iteration(other.pattern)) return true;
     return print(written.params[i].type, c.tree, c.names) == print(written.params[k].type, c.tree, c.names);
 }
 

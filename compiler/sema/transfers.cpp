@@ -1,4 +1,5 @@
 // How elements of a structure reach the host: kernels of std.transfer, instantiated for it.
+#include "ir/effects.h"
 #include "sema/components.h"
 #include "sema/generics.h"
 #include "sema/instances.h"
@@ -74,7 +75,8 @@ void require_transfers(Context& c, std::uint32_t index, Span use) {
     if (!read) return;
     constexpr std::uint32_t none = 0xffffffffu;
     std::uint32_t write = none, fill = none;
-    if (structure.kind == ir::StructureKind::stored) {
+    // Where elements share a place, a box of values has no one meaning: kernels that combine write there.
+    if (structure.kind == ir::StructureKind::stored && !ir::many_to_one_stage(c.program, index)) {
         Meta element;
         element.kind = MetaKind::type;
         element.type = structure.element;

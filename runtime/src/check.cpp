@@ -103,11 +103,13 @@ void check_call(const DeviceObject* device, const Kernel& kernel, const Call& ca
         const MemoryObject* object = call.memories[k].object();
         const Binding& binding = kernel.bindings[k];
         for (std::size_t j = 0; j < k; ++j) {
-            if (call.memories[j].object() != object) continue;
+            if (call.sharing != Sharing::unknown || call.memories[j].object() != object) continue;
             const Access other = kernel.bindings[j].access;
             if (other != binding.access || binding.access == Access::write) aliased(kernel, call, j, k);
         }
     }
+    if (call.sharing == Sharing::one_place && call.form == FormName::direct)
+        wrong("one place was passed under two names to the direct form", kernel_text(kernel));
     if (!call.patches.empty()) check_patches(device, kernel, call);
 }
 

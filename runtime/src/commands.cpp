@@ -47,8 +47,8 @@ Device Commands::device() const { return Device(stream_.in("Commands::device").d
 bool Commands::is_recording() const { return stream_.in("Commands::is_recording").is_recording(); }
 
 bool Commands::needs_wide(const Kernel& kernel, std::span<const Memory> memories,
-                          const std::array<std::uint32_t, 4>& size) const {
-    return stream(kernel).needs_wide(kernel, memories, size);
+                          const std::array<std::uint32_t, 4>& size, Sharing sharing) const {
+    return stream(kernel).needs_wide(kernel, memories, size, sharing);
 }
 
 Commands Commands::specialised(std::vector<std::string> parameters) const {

@@ -19,7 +19,7 @@ public:
 
     std::shared_ptr<DeviceObject> device() override { return device_.shared_from_this(); }
     Memory allocate(const MemoryDescription& description) override { return device_.plan(description); }
-    bool needs_wide(const Kernel&, std::span<const Memory>, const std::array<std::uint32_t, 4>&) override {
+    bool needs_wide(const Kernel&, std::span<const Memory>, const std::array<std::uint32_t, 4>&, Sharing) override {
         return false;
     }
     void clear(const Memory&) override {}

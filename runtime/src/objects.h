@@ -57,7 +57,7 @@ public:
     /// For what is put here; the description is checked and whole.
     virtual Memory allocate(const MemoryDescription& description);
     virtual bool needs_wide(const Kernel& kernel, std::span<const Memory> memories,
-                               const std::array<std::uint32_t, 4>& size) = 0;
+                            const std::array<std::uint32_t, 4>& size, Sharing sharing) = 0;
     /// Zeros, in buffers and images of any kind.
     virtual void clear(const Memory& memory) = 0;
     /// Whether what is put here may run more than once, or at another time than the device's own stream.

@@ -1,10 +1,12 @@
 // Kernels: their code as data, and the functions that call them.
+#include "emit/cpp/sharing.h"
 #include "emit/cpp/unit.h"
+#include "ir/effects.h"
 #include "ir/walk.h"
 
 #include <algorithm>
-#include <map>
 #include <charconv>
+#include <map>
 
 namespace gliftc::cpp {
 
@@ -17,8 +19,6 @@ using ir::Pass;
 using ir::PassBinding;
 using ir::PassParameter;
 using ir::Pattern;
-
-bool is_visited(Pattern pattern) { return pattern == Pattern::each || pattern == Pattern::at; }
 
 std::string memory_kind(ir::MemoryShape shape) {
     switch (shape) {
@@ -113,6 +113,7 @@ void print_other_files(Unit& unit, Writer& out, const Pass& pass, const std::str
 void print_bindings(Unit& unit, Writer& out, const ir::Lowered::Forms& forms, const Kernel& kernel,
                     const std::string& name) {
     if (forms.general.bindings.empty()) return;
+    const bool shares = may_share(forms.general);
     out.line("const glift::Binding " + name + "_bindings[] = {");
     out.indent();
     for (std::size_t i = 0; i < forms.general.bindings.size(); ++i) {
@@ -127,6 +128,7 @@ void print_bindings(Unit& unit, Writer& out, const ir::Lowered::Forms& forms, co
                     std::to_string(forms.wide.parameters[forms.wide.bindings[i].address_parameter].offset);
         if (binding.shape == ir::MemoryShape::buffer)
             text += ", .element_bytes = sizeof(" + storage_text(unit.globals, binding.element) + ")";
+        if (shares) text += sharing_fields(unit.program, kernel, binding);
         out.line(text + "},");
     }
     out.dedent();
@@ -136,6 +138,14 @@ void print_bindings(Unit& unit, Writer& out, const ir::Lowered::Forms& forms, co
 /// How the structure passed for a parameter is spelled in the kernel's function.
 const std::string& param_name(const Unit& unit, const KernelParam& param) {
     return unit.globals.param_names.at(&param);
+}
+
+/// The structures passed, in order.
+std::string structures_text(const Unit& unit, const Kernel& kernel) {
+    std::string text;
+    for (const KernelParam& param : kernel.params)
+        if (param.pattern != Pattern::value) text += (text.empty() ? "" : ", ") + param_name(unit, param);
+    return text;
 }
 
 std::string memories_text(Unit& unit, const Kernel& kernel, const Pass& pass) {
@@ -157,7 +167,7 @@ std::string memories_text(Unit& unit, const Kernel& kernel, const Pass& pass) {
 /// The parameter whose range the kernel's size is.
 const KernelParam* first_visited(const Kernel& kernel) {
     for (const KernelParam& param : kernel.params) {
-        if (is_visited(param.pattern)) return &param;
+        if (ir::visits(param.pattern)) return &param;
     }
     return nullptr;
 }
@@ -254,17 +264,18 @@ void print_dispatch(Unit& unit, Writer& out, const Kernel& kernel, const Pass& p
         for (const auto& [parameter, member] : ordered) {
             const std::string offset = "offsetof(" + block + ", " + member + ")";
             if (parameter->source == ParameterSource::range_size &&
-                !is_visited(kernel.params[parameter->param].pattern)) {
+                !ir::visits(kernel.params[parameter->param].pattern)) {
                 out.line("iteration.count(" + param_name(unit, kernel.params[parameter->param]) + ", " + offset + ");");
                 counts_ranges = true;
             }
             const bool of_first =
-                parameter->source == ParameterSource::range_size && is_visited(kernel.params[parameter->param].pattern);
+                parameter->source == ParameterSource::range_size && ir::visits(kernel.params[parameter->param].pattern);
             if (parameter->source == ParameterSource::size || of_first)
                 counted += (counted.empty() ? "" : ", ") + offset;
         }
     }
     if (!counted.empty() || counts_ranges) call += ", .patches = iteration.patches({" + counted + "})";
+    if (may_share(pass)) call += ", .sharing = iteration.sharing()";
     out.line("commands.dispatch(" + name + "_kernel, " + call + "});");
 }
 
@@ -288,11 +299,14 @@ std::string direct_condition(const Unit& unit, const Kernel& kernel) {
 void print_choice(Unit& unit, Writer& out, const Kernel& kernel, const ir::Lowered::Forms& forms,
                   const std::string& name) {
     std::vector<std::pair<const Pass*, std::string>> choices;
+    const bool shares = ir::has_one_place(forms.general);
     if (forms.wide.exists)
         choices.emplace_back(&forms.wide, "commands.needs_wide(" + name + "_kernel, " +
-                                              (forms.wide.bindings.empty() ? "{}" : "memories") +
-                                              ", iteration.size())");
-    if (forms.direct.exists) choices.emplace_back(&forms.direct, direct_condition(unit, kernel));
+                                              (forms.wide.bindings.empty() ? "{}" : "memories") + ", iteration.size()" +
+                                              (shares ? ", iteration.sharing())" : ")"));
+    if (forms.direct.exists)
+        choices.emplace_back(&forms.direct, direct_condition(unit, kernel) +
+                                                (shares ? " && iteration.sharing() != glift::Sharing::one_place" : ""));
     if (forms.general.exists) choices.emplace_back(&forms.general, "");
     for (std::size_t i = 0; i < choices.size(); ++i) {
         const auto& [pass, condition] = choices[i];
@@ -424,8 +438,10 @@ std::string kernel_code(Unit& unit, std::uint32_t index) {
     out.line(".loop_rounds = " + (any.loop_rounds == UINT64_MAX ? "UINT64_MAX" : std::to_string(any.loop_rounds)) +
              ",");
     out.line(".bindings = " + (any.bindings.empty() ? "{}" : name + "_bindings") + ",");
-    out.line(".direct = " + (forms.direct.exists ? form_text(forms.direct, words.direct, host[&forms.direct]) : "{}") + ",");
-    out.line(".general = " + (forms.general.exists ? form_text(forms.general, words.general, host[&forms.general]) : "{}") + ",");
+    out.line(".direct = " + (forms.direct.exists ? form_text(forms.direct, words.direct, host[&forms.direct]) : "{}") +
+             ",");
+    out.line(".general = " +
+             (forms.general.exists ? form_text(forms.general, words.general, host[&forms.general]) : "{}") + ",");
     out.line(".wide = " + (forms.wide.exists ? form_text(forms.wide, words.wide, host[&forms.wide]) : "{}") + ",");
     if (has_parameters) out.line(".parameters = " + name + "_parameters,");
     if (any.taken != std::array{1u, 1u, 1u})
@@ -455,16 +471,18 @@ std::string kernel_function(Unit& unit, std::uint32_t index) {
         for (std::size_t i = 0; i < kernel.params.size(); ++i) {
             const KernelParam& param = kernel.params[i];
             const std::string argument = param_name(unit, param);
-            if (!near && is_visited(param.pattern))
+            if (!near && ir::visits(param.pattern))
                 out.line("iteration.each(\"" + unit.name(param.name) + "\", " + argument + ");");
             if (near && param.pattern == Pattern::near)
                 out.line("iteration.near(\"" + unit.name(param.name) + "\", " + argument + ");");
-            if (near && (param.pattern == Pattern::any || param.pattern == Pattern::scatter ||
-                         param.pattern == Pattern::coherent))
+            if (near && ir::has_own_range(param.pattern))
                 out.line("iteration.any(\"" + unit.name(param.name) + "\", " + argument + ");");
         }
     }
     if (!any.bindings.empty()) out.line("const glift::Memory memories[] = {" + memories_text(unit, kernel, any) + "};");
+    if (may_share(any))
+        out.line("if (iteration.is_shared(memories)) iteration.share(memories, {" + structures_text(unit, kernel) +
+                 "});");
     print_choice(unit, out, kernel, forms, name);
     out.close();
     return out.take();

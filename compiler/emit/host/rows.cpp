@@ -270,8 +270,8 @@ void Rows::print_plain_loop(const std::vector<StmtId>& statements, const std::st
 /// And if all elements do the same, so that it pays.
 bool Rows::fills_blocks(const std::vector<StmtId>& statements) const {
     if (!is_independent(statements)) return false;
-    for (const ir::PassBinding& binding : pass.bindings) {
-        if (binding.access == ir::Access::read_write) return false;
+    for (std::uint32_t i = 0; i < pass.bindings.size(); ++i) {
+        if (pass.bindings[i].access == ir::Access::read_write || pass.bindings[i].one_place != i) return false;
     }
     bool straight = true;
     ir::for_each_statement(program, statements, [&](const Stmt& stmt) {

@@ -1,5 +1,6 @@
 #include "emit/json/words.h"
 
+#include "ir/effects.h"
 #include "ir/evaluate.h"
 
 namespace gliftc::json {
@@ -63,18 +64,7 @@ const char* word(ir::Direction direction) {
     return "";
 }
 
-const char* word(ir::Pattern pattern) {
-    switch (pattern) {
-    case ir::Pattern::value: return "value";
-    case ir::Pattern::each: return "each";
-    case ir::Pattern::near: return "near";
-    case ir::Pattern::any: return "any";
-    case ir::Pattern::coherent: return "coherent";
-    case ir::Pattern::at: return "at";
-    case ir::Pattern::scatter: return "scatter";
-    }
-    return "";
-}
+const char* word(ir::Pattern pattern) { return ir::traits_of(pattern).name; }
 
 const char* word(ir::Combine combine) {
     switch (combine) {

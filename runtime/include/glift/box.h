@@ -51,6 +51,14 @@ struct Box {
     unsigned rank;
     Extent origin, size, domain;
 
+    /// Of boxes of one domain.
+    bool meets(const Box& other) const {
+        for (unsigned i = 0; i < rank; ++i) {
+            if (std::uint64_t{origin[i]} + size[i] <= other.origin[i]) return false;
+            if (std::uint64_t{other.origin[i]} + other.size[i] <= origin[i]) return false;
+        }
+        return volume_of(size) != 0 && volume_of(other.size) != 0;
+    }
     bool is_inside() const {
         for (unsigned i = 0; i < rank; ++i) {
             if (size[i] > domain[i] || origin[i] > domain[i] - size[i]) return false;

@@ -95,10 +95,10 @@ public:
     /// Whether what is put here runs later, perhaps many times: in a recording, or in the user's command buffer.
     bool is_recording() const;
 
-    /// True if these memories or this iteration size are too large for the direct and the general form: pack the wide
-    /// parameters then (pass.h).
-    bool needs_wide(const Kernel& kernel, std::span<const Memory> memories,
-                       const std::array<std::uint32_t, 4>& size) const;
+    /// True if these memories or this iteration size are too large for the direct and the general form, or if memories
+    /// that are one place under two names need pointers on this device: pack the wide parameters then (pass.h).
+    bool needs_wide(const Kernel& kernel, std::span<const Memory> memories, const std::array<std::uint32_t, 4>& size,
+                    Sharing sharing = Sharing::unknown) const;
 
     void dispatch(const Kernel& kernel, const Call& call) const;
 

@@ -1,5 +1,5 @@
-// Sizes of memories, which generated code computes exactly: in 64 bits, and a number that passes 2^64 - 1 stays there, more than
-// any device has.
+// Sizes of memories, which generated code computes exactly: in 64 bits, and a number that passes 2^64 - 1 stays there,
+// more than any device has.
 #pragma once
 
 #include <glift/error.h>
@@ -11,7 +11,9 @@
 
 namespace glift {
 
-constexpr std::uint64_t saturated_sum(std::uint64_t a, std::uint64_t b) { return a > UINT64_MAX - b ? UINT64_MAX : a + b; }
+constexpr std::uint64_t saturated_sum(std::uint64_t a, std::uint64_t b) {
+    return a > UINT64_MAX - b ? UINT64_MAX : a + b;
+}
 constexpr std::uint64_t saturated_product(std::uint64_t a, std::uint64_t b) {
     return b != 0 && a > UINT64_MAX / b ? UINT64_MAX : a * b;
 }
@@ -36,7 +38,8 @@ GLIFT_SATURATED(saturated_sum)
 GLIFT_SATURATED(saturated_product)
 #undef GLIFT_SATURATED
 template <class I, unsigned N> constexpr exact_vec<N> saturated_shift(const exact_vec<N>& a, const vec<I, N>& amount) {
-    return detail::map([](std::uint64_t x, I y) { return saturated_shift(x, static_cast<std::uint64_t>(y)); }, a, amount);
+    return detail::map([](std::uint64_t x, I y) { return saturated_shift(x, static_cast<std::uint64_t>(y)); }, a,
+                       amount);
 }
 
 /// A number that a uint has to hold; `what` has it.

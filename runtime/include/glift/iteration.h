@@ -1,6 +1,7 @@
 // What one call of a kernel visits.
 #pragma once
 
+#include <glift/footprint.h>
 #include <glift/range.h>
 
 #include <algorithm>
@@ -61,6 +62,14 @@ public:
         return origin;
     }
 
+    /// Whether some memory stands for two parameters and is written: then `share` says how.
+    bool is_shared(std::span<const Memory> memories) const { return detail::is_shared(kernel_, memories); }
+    /// The ranges of all structures that the kernel takes, in its order. Throws where invocations could meet.
+    void share(std::span<const Memory> memories, std::initializer_list<detail::Footprint> footprints) {
+        sharing_ = detail::compare_footprints(kernel_, memories, first_, footprints);
+    }
+    Sharing sharing() const { return sharing_; }
+
     const Extent& size() const { return first_.size; }
     /// All ranges are whole structures.
     bool is_whole() const { return whole_; }
@@ -118,6 +127,7 @@ private:
     detail::Box first_{};
     unsigned count_ = 0;
     bool whole_ = true;
+    Sharing sharing_ = Sharing::unknown;
     std::vector<detail::DeviceCount> counts_;  ///< of what is visited
     std::array<Patch, 24> patches_{};
     std::size_t patch_count_ = 0;

@@ -5,13 +5,14 @@
 //             all sizes are known to the host; parameters are push constants where they fit;
 //   general   ranges with origins, a state for each structure, sizes that may live on the device;
 //             parameters in a storage buffer at binding 0;
-//   wide      like general, for what is too large for it: physical addresses are computed in 64 bits, buffers are reached
+//   wide      like general, for what is too large for it: physical addresses are computed in 64 bits, buffers are
+//   reached
 //             by 64-bit address (without descriptors), and iterations may be split into several dispatches.
 //
-// Who chooses. Generated code asks Commands::needs_wide(kernel, memories, size) before it packs the parameters, and packs
-// the wide block where the answer is true. On Vulkan devices it is true of a buffer that no descriptor covers and of an
-// iteration of more workgroups than one dispatch may have, on every device of a memory of 2^32 elements or more. At
-// Binding::address_offset (8-byte aligned) the runtime writes the address of each buffer.
+// Who chooses. Generated code asks Commands::needs_wide(kernel, memories, size) before it packs the parameters, and
+// packs the wide block where the answer is true. On Vulkan devices it is true of a buffer that no descriptor covers and
+// of an iteration of more workgroups than one dispatch may have, on every device of a memory of 2^32 elements or more.
+// At Binding::address_offset (8-byte aligned) the runtime writes the address of each buffer.
 #pragma once
 
 #include <glift/memory.h>
@@ -28,6 +29,14 @@ namespace glift {
 /// How a pass touches a memory. Combined writes (scatter, atomics) are read_write.
 enum class Access : std::uint8_t { read, write, read_write };
 
+/// Which elements of a parameter's range one invocation touches: its own; a window around that; any. `memory`: anything
+/// of the memory, whatever the range is.
+enum class Reach : std::uint8_t { memory, range, window, element };
+
+/// How writes of several invocations to one place combine; two bindings of one kind may be one memory. `coherent`:
+/// workgroups share the memory within the pass.
+enum class Combine : std::uint8_t { none, min, max, add, bit_and, bit_or, bit_xor, coherent };
+
 /// How a sampled image is filtered between texels and beyond its edge (clamp_to_border: zeros).
 enum class Filter : std::uint8_t { nearest, linear };
 enum class AddressMode : std::uint8_t { clamp_to_edge, repeat, mirrored_repeat, clamp_to_border };
@@ -38,8 +47,7 @@ struct Sampler {
 };
 
 /// One memory that a kernel touches. Memory k is descriptor binding k + 1 of set 0 (wide form: images only, buffers
-/// have no descriptor). One memory may be passed for two bindings of one call only if both read it or both are
-/// read_write; anything else is ErrorCode::aliased_memory.
+/// have no descriptor). What Sharing says of a call allows one memory for two bindings.
 struct Binding {
     const char* name;  ///< as in the source, `f.data`
     MemoryKind kind;
@@ -48,6 +56,10 @@ struct Binding {
     Sampler sampler = {};
     std::uint32_t address_offset = 0;  ///< wide form, buffers: byte offset of the 64-bit address in the parameters
     std::uint32_t element_bytes = 4;   ///< buffers
+    std::uint32_t parameter = 0;       ///< that the memory comes with, among those that are structures
+    Reach reach = Reach::memory;
+    std::uint32_t radius = 0;  ///< window
+    Combine combine = Combine::none;
 };
 
 /// A place in the source.
@@ -103,8 +115,8 @@ struct Form {
     std::uint32_t parameter_bytes = 0;
     bool push_constants = false;             ///< parameters are push constants, else the storage buffer at binding 0
     std::uint32_t size_offset = 0;           ///< byte offset in the parameters of the iteration size (`rank` uints)
-    std::uint32_t base_offset = UINT32_MAX;  ///< wide, rank 2 to 4: byte offset in the parameters of three uints, packed
-                                             ///< as zeros, that the shader adds to gl_GlobalInvocationID.
+    std::uint32_t base_offset = UINT32_MAX;  ///< wide, rank 2 to 4: byte offset in the parameters of three uints,
+                                             ///< packed as zeros, that the shader adds to gl_GlobalInvocationID.
                                              ///< UINT32_MAX: none, iterations beyond the device's limits are refused
 };
 
@@ -187,6 +199,14 @@ inline const Form& form_of(const Kernel& kernel, FormName name) {
     return kernel.direct;
 }
 
+/// What the maker of a call knows of memories that it passes for several bindings, of which one writes.
+enum class Sharing : std::uint8_t {
+    unknown,    ///< nothing: refused (ErrorCode::aliased_memory), unless all these bindings are read_write
+    apart,      ///< no invocation touches what another one writes, and none a place by two names
+    one_place,  ///< no invocation touches what another one writes; some touch one place by two names: not the direct
+                ///< form
+};
+
 /// One call of a kernel. Spans need to live only until Commands::dispatch returns.
 struct Call {
     FormName form;
@@ -195,6 +215,7 @@ struct Call {
     std::array<std::uint32_t, 4> size;      ///< host-known iteration size; where patches set it, an upper bound
     std::span<const Patch> patches = {};    ///< non-empty: the general or the wide form
     std::span<const FixedWord> fixed = {};  ///< of the direct form; ignored on the host device
+    Sharing sharing = Sharing::unknown;
 };
 
 }  // namespace glift

@@ -124,9 +124,8 @@ public:
     void write(A origin, A size, std::span<const T> values) {
         check("write", origin, size);
         if (values.size() != count(size)) throw_count(values.size(), size);
-        each_part(origin, size, [&](A first, A extent, std::size_t at) {
-            put(first, extent, values.subspan(at, count(extent)));
-        });
+        each_part(origin, size,
+                  [&](A first, A extent, std::size_t at) { put(first, extent, values.subspan(at, count(extent))); });
     }
     void write(std::span<const T> values) { write({}, self().domain(), values); }
 
@@ -192,8 +191,8 @@ private:
         return static_cast<std::size_t>(detail::volume_of(detail::extent_of(size)));
     }
 
-    /// Boxes are moved in parts that staging has room for: calls f(origin, size, elements before it) for each, cut along
-    /// the last axis that is longer than one.
+    /// Boxes are moved in parts that staging has room for: calls f(origin, size, elements before it) for each, cut
+    /// along the last axis that is longer than one.
     template <class F> static void each_part(A origin, A size, F f, std::size_t before = 0) {
         constexpr std::uint64_t most = (std::uint64_t{1} << 30) / sizeof(T) + 1;
         const std::uint64_t elements = detail::volume_of(detail::extent_of(size));

@@ -3,6 +3,7 @@
 #include "../check.h"
 #include "../text.h"
 #include "../wide.h"
+#include "descriptor_limits.h"
 #include "vulkan_device.h"
 
 #include <glift/error.h>
@@ -91,20 +92,31 @@ bool Encoder::is_wide(const Kernel& kernel, std::span<const Memory> memories) co
     return counts_in_64_bits(kernel, memories);
 }
 
+bool Encoder::needs_addresses(const Kernel& kernel, std::span<const Memory> memories) const {
+    return is_wide(kernel, memories) || !buffers_fit(context_, kernel);
+}
+
+// Several names of one place are pointers that may be equal, which two buffer descriptors of a shader must not be. A
+// kernel of images alone has no wide form: lower/one_place.h says how the general one reads what was written by another
+// name.
 bool Encoder::needs_wide(const Kernel& kernel, std::span<const Memory> memories,
-                            const std::array<std::uint32_t, 4>& size) const {
+                         const std::array<std::uint32_t, 4>& size, Sharing sharing) const {
     check_memories(&device_, kernel, memories);
-    if (is_wide(kernel, memories)) return true;
+    const bool is_aliased = sharing == Sharing::one_place && !kernel.wide.spirv.empty();
+    if (is_aliased || needs_addresses(kernel, memories)) return true;
     return kernel.rank > 1 && !count_groups(kernel, size).within(context_.properties.max_workgroups);
 }
 
 void Encoder::check_form(const Kernel& kernel, const Call& call) const {
-    if (call.form == FormName::wide || !is_wide(kernel, call.memories)) return;
+    if (call.form == FormName::wide || !needs_addresses(kernel, call.memories)) return;
+    if (!is_wide(kernel, call.memories))
+        check_descriptors(context_, kernel, count_descriptors(kernel, form_of(kernel, call.form)));
     const auto largest =
         std::max_element(call.memories.begin(), call.memories.end(), [](const Memory& a, const Memory& b) {
             return vulkan_memory(a).range < vulkan_memory(b).range;
         });
-    throw Error(ErrorCode::too_large, std::string("a memory is too large for the ") + form_text(call.form) + " form of a kernel",
+    throw Error(ErrorCode::too_large,
+                std::string("a memory is too large for the ") + form_text(call.form) + " form of a kernel",
                 kernel_text(kernel) + ", " + memory_text(largest->description()),
                 "a descriptor covers " + size_text(context_.properties.max_storage_buffer_range),
                 "ask Commands::needs_wide before packing the parameters");

@@ -69,8 +69,7 @@ void Encoder::touch(const VulkanMemory& from, const VulkanMemory& to) {
 void Encoder::fill(const VulkanMemory& memory, std::uint64_t offset, std::uint64_t bytes, std::uint32_t value) {
     if (bytes == 0) return;
     touch(memory, Access::write);
-    if (bytes > most_filled_by_pass)
-        return fill_in_parts(memory, offset, bytes, value);
+    if (bytes > most_filled_by_pass) return fill_in_parts(memory, offset, bytes, value);
     const FillArguments arguments = {memory.address + offset, static_cast<std::uint32_t>(bytes / 4), value};
     device_.fill_pass().bind(commands_, &arguments);
     bound_ = VK_NULL_HANDLE;

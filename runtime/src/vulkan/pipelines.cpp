@@ -2,6 +2,7 @@
 
 #include "../report.h"
 #include "../text.h"
+#include "descriptor_limits.h"
 #include "disk_cache.h"
 #include "fixed_parameters.h"
 #include "float_controls.h"
@@ -81,15 +82,6 @@ VkSamplerAddressMode vulkan_address_mode(AddressMode mode) {
 
 }  // namespace
 
-const Form& form_of(const Kernel& kernel, FormName form) {
-    switch (form) {
-    case FormName::direct: return kernel.direct;
-    case FormName::general: return kernel.general;
-    case FormName::wide: return kernel.wide;
-    }
-    return kernel.direct;
-}
-
 Pipelines::Pipelines(Context& context) : context_(context), disk_(std::make_unique<DiskCache>(context)), table_(256) {}
 
 Pipelines::~Pipelines() {
@@ -105,8 +97,7 @@ void Pipelines::destroy(Pipeline& pipeline) {
     context_.vk.vkDestroyDescriptorSetLayout(context_.device, pipeline.set_layout, nullptr);
 }
 
-Pipeline& Pipelines::find(std::uint64_t digest, const Kernel& kernel, FormName form,
-                          std::span<const FixedWord> fixed) {
+Pipeline& Pipelines::find(std::uint64_t digest, const Kernel& kernel, FormName form, std::span<const FixedWord> fixed) {
     for (std::size_t at = hash(digest, form);; ++at) {
         const Entry& entry = table_[at & (table_.size() - 1)];
         if (!entry.pipeline) break;
@@ -151,6 +142,9 @@ std::unique_ptr<Pipeline> Pipelines::make(std::uint64_t digest, const Kernel& ke
     if (compiled.spirv.empty()) throw_missing_form(kernel, form_text(form), context_.properties.name.c_str());
     check_limits(context_, kernel, compiled);
     check_requirements(context_, kernel, compiled);
+    DescriptorCounts counts = count_descriptors(kernel, compiled);
+    if (form == FormName::wide) counts.buffers = 0;
+    check_descriptors(context_, kernel, counts);
     auto pipeline = std::make_unique<Pipeline>();
     pipeline->digest = digest;
     pipeline->kernel = &kernel;

@@ -37,8 +37,6 @@ union DescriptorInfo {
     VkDescriptorImageInfo image;
 };
 
-const Form& form_of(const Kernel& kernel, FormName form);
-
 class DiskCache;
 
 /// Not safe for several threads: the device's lock is held around it.

@@ -102,11 +102,10 @@ StorageNeeds VulkanDevice::storage_needs(const MemoryDescription& description) {
 void VulkanDevice::throw_too_large(const MemoryDescription& description) const {
     const bool is_buffer = description.kind == MemoryKind::buffer;
     const std::uint64_t allowed = is_buffer ? context_->properties.max_allocation_bytes : context_->max_piece_bytes;
-    throw Error(ErrorCode::too_large, "a memory is larger than the device can allocate at once",
-                memory_text(description),
-                size_text(description.bytes) + " asked for; " + context_->properties.name + " allows " +
-                    size_text(allowed),
-                "split the structure into several, or use a device with a larger limit (GLIFT_DEVICE=host has none)");
+    throw Error(
+        ErrorCode::too_large, "a memory is larger than the device can allocate at once", memory_text(description),
+        size_text(description.bytes) + " asked for; " + context_->properties.name + " allows " + size_text(allowed),
+        "split the structure into several, or use a device with a larger limit (GLIFT_DEVICE=host has none)");
 }
 
 void VulkanDevice::allocate_parts(const VkMemoryRequirements& needs, bool linear, const MemoryDescription& description,

@@ -65,5 +65,6 @@ void count_digits(const glift::Commands& commands, const glift::Range<Values>& f
     const glift::Range<Values>& counts);
 
 void corners(const glift::Commands& commands, const glift::Range<Values>& i, const glift::Range<Values>& to);
+void corners(const glift::Commands& commands, const glift::Range<Values>& to);
 
 }  // namespace large_arrays

@@ -14,7 +14,7 @@ TEST(Iterators, StructuresOfOneStateShareTheAddress) {
     EXPECT_THAT(text, HasSubstr("g_data[f_at] = f_data[f_at];"));
     EXPECT_EQ(count(text, "parameter "), 1u) << text;
     text = lowering.general("copy");
-    EXPECT_THAT(text, HasSubstr("g_data[g_at] = f_data[f_at];"));
+    EXPECT_THAT(text, HasSubstr("g_data[g_at] = f_value;"));
     EXPECT_THAT(text, HasSubstr("let f_address: uint3 = $f_origin + address;"));
 }
 

@@ -1,0 +1,69 @@
+#include "emit/cpp/sharing.h"
+
+#include "ir/effects.h"
+
+#include <algorithm>
+
+namespace gliftc::cpp {
+
+namespace {
+
+bool writes(const ir::PassBinding& binding) { return binding.access != ir::Access::read; }
+
+/// Among the kernel's parameters that are structures.
+std::size_t structure_number(const ir::Kernel& kernel, std::uint32_t root) {
+    const auto is_structure = [](const ir::KernelParam& param) { return param.pattern != ir::Pattern::value; };
+    return static_cast<std::size_t>(std::ranges::count_if(kernel.params.begin(), kernel.params.begin() + root, is_structure));
+}
+
+const char* reach_text(ir::Reach reach) {
+    switch (reach) {
+    case ir::Reach::element: return "element";
+    case ir::Reach::window: return "window";
+    case ir::Reach::anywhere: return "range";
+    case ir::Reach::nothing: break;
+    }
+    return "memory";
+}
+
+const char* combine_text(ir::Combine combine) {
+    switch (combine) {
+    case ir::Combine::replace: return "none";
+    case ir::Combine::min: return "min";
+    case ir::Combine::max: return "max";
+    case ir::Combine::add: return "add";
+    case ir::Combine::bit_and: return "bit_and";
+    case ir::Combine::bit_or: return "bit_or";
+    case ir::Combine::bit_xor: return "bit_xor";
+    }
+    return "none";
+}
+
+}  // namespace
+
+bool may_share(const ir::Pass& pass) {
+    for (std::size_t k = 1; k < pass.bindings.size(); ++k) {
+        const ir::PassBinding& other = pass.bindings[k];
+        for (std::size_t i = 0; i < k; ++i) {
+            const ir::PassBinding& one = pass.bindings[i];
+            if (one.shape == other.shape && one.format == other.format && (writes(one) || writes(other))) return true;
+        }
+    }
+    return false;
+}
+
+std::string sharing_fields(const ir::Program& program, const ir::Kernel& kernel, const ir::PassBinding& binding) {
+    const ir::KernelParam& param = kernel.params[binding.place.root];
+    std::string text;
+    if (const std::size_t number = structure_number(kernel, binding.place.root))
+        text += ", .parameter = " + std::to_string(number);
+    if (ir::is_addressed(program, kernel, binding))
+        text += std::string(", .reach = glift::Reach::") + reach_text(ir::traits_of(param.pattern).reach);
+    if (ir::traits_of(param.pattern).reach == ir::Reach::window) text += ", .radius = " + std::to_string(param.radius);
+    if (binding.coherent) text += ", .combine = glift::Combine::coherent";
+    else if (param.combine != ir::Combine::replace)
+        text += std::string(", .combine = glift::Combine::") + combine_text(param.combine);
+    return text;
+}
+
+}  // namespace gliftc::cpp

@@ -1,0 +1,49 @@
+#include "ir/effects.h"
+
+namespace gliftc::ir {
+
+const PatternTraits& traits_of(Pattern pattern) {
+    static constexpr PatternTraits table[] = {
+#define PATTERN(name, reach, course, directions) {#name, Reach::reach, Course::course, Directions::directions},
+#include "ir/patterns.def"
+#undef PATTERN
+    };
+    return table[static_cast<std::size_t>(pattern)];
+}
+
+bool is_addressed(const Program& program, const Kernel& kernel, const PassBinding& binding) {
+    const Structure& structure = program.structures[kernel.params[binding.place.root].structure];
+    return binding.place.members.empty() && binding.memory == structure.via_memory;
+}
+
+bool may_be_one_place(const Program& program, const Kernel& kernel, const PassBinding& one, const PassBinding& other) {
+    const KernelParam &param = kernel.params[one.place.root], &other_param = kernel.params[other.place.root];
+    return param.structure == other_param.structure && traits_of(param.pattern).reach == Reach::element &&
+           traits_of(other_param.pattern).reach == Reach::element && is_addressed(program, kernel, one) &&
+           is_addressed(program, kernel, other);
+}
+
+bool has_one_place(const Pass& pass) {
+    for (std::uint32_t i = 0; i < pass.bindings.size(); ++i)
+        if (pass.bindings[i].one_place != i) return true;
+    return false;
+}
+
+bool may_meet(const KernelParam& one, const KernelParam& other) {
+    const Reach reach = traits_of(one.pattern).reach, other_reach = traits_of(other.pattern).reach;
+    if (reach == Reach::nothing || other_reach == Reach::nothing) return false;
+    if (one.direction == Direction::in && other.direction == Direction::in) return false;
+    if (reach == Reach::element && other_reach == Reach::element) return false;
+    if (one.pattern == Pattern::coherent && other.pattern == Pattern::coherent) return false;
+    return one.pattern != other.pattern || one.combine != other.combine || one.combine == Combine::replace;
+}
+
+const Translator* many_to_one_stage(const Program& program, std::uint32_t structure) {
+    for (const Stage& stage : program.structures[structure].via) {
+        const Translator& translator = program.translators[stage.translator];
+        if (translator.properties.mapping == Mapping::many_to_one) return &translator;
+    }
+    return nullptr;
+}
+
+}  // namespace gliftc::ir

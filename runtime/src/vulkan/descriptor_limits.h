@@ -1,0 +1,28 @@
+// How many descriptors a kernel takes, and how many the device has.
+#pragma once
+
+#include "context.h"
+
+#include <glift/pass.h>
+
+namespace glift::detail {
+
+struct DescriptorCounts {
+    std::uint32_t buffers = 0;  ///< of the memories
+    std::uint32_t parameter_buffers = 0, status_buffers = 0;
+    std::uint32_t storage_images = 0, sampled_images = 0;
+
+    std::uint32_t storage_buffers() const { return buffers + parameter_buffers + status_buffers; }
+    std::uint32_t all() const { return storage_buffers() + storage_images + sampled_images; }
+};
+
+/// Of a form with a descriptor for each memory; the wide form has none for buffers.
+DescriptorCounts count_descriptors(const Kernel& kernel, const Form& form);
+
+/// Whether the device has as many descriptors as forms with one for each buffer take.
+bool buffers_fit(const Context& context, const Kernel& kernel);
+
+/// Throws too_large: the kernel, the number and the limit.
+void check_descriptors(const Context& context, const Kernel& kernel, const DescriptorCounts& counts);
+
+}  // namespace glift::detail
