@@ -3,6 +3,7 @@
 #include "sema/generics.h"
 #include "sema/instances.h"
 #include "sema/typing.h"
+#include "sema/uniformity.h"
 #include "syntax/print.h"
 
 #include <algorithm>
@@ -314,6 +315,7 @@ std::optional<std::uint32_t> instantiate_kernel(Context& c, ast::DeclId id, cons
     open_scope(body);
     check_block(body, written.body);
     close_scope(body);
+    if (kernel.grouped() && c.diagnostics.error_count() == errors) check_barriers(c, kernel);
     Instance& instance = c.instances[key];
     instance.state = c.diagnostics.error_count() == errors ? Instance::State::done : Instance::State::failed;
     if (instance.state == Instance::State::failed) return std::nullopt;

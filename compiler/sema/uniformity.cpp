@@ -1,0 +1,307 @@
+// A walk over the kernel and, where they are called, the functions with its workgroup; levels only rise, and the walk is
+// repeated until none does.
+#include "sema/uniformity.h"
+
+#include "ir/effects.h"
+#include "ir/walk.h"
+
+#include <map>
+#include <set>
+#include <utility>
+
+namespace gliftc::sema {
+
+namespace {
+
+/// Among which invocations a value is the same.
+enum class Level : std::uint8_t { workgroup, subgroup, invocation };
+
+/// How a value, or the way to a statement, may differ.
+struct Flow {
+    Level level = Level::workgroup;
+    Span why;        ///< what differs
+    Span condition;  ///< of the way: the condition or loop that it goes through
+};
+
+Flow worse(const Flow& one, const Flow& other) { return other.level > one.level ? other : one; }
+
+/// A function with a workgroup has locals of its own wherever it is called; the kernel is call 0.
+using Call = std::uint32_t;
+
+/// What happened to workgroup memory since the last barrier.
+struct Interval {
+    std::set<ir::LocalId> written;
+    std::set<std::pair<ir::LocalId, ir::ExprId>> read;
+
+    bool add(const Interval& other) {
+        const std::size_t before = written.size() + read.size();
+        written.insert(other.written.begin(), other.written.end());
+        read.insert(other.read.begin(), other.read.end());
+        return written.size() + read.size() != before;
+    }
+};
+
+class Uniformity {
+public:
+    Uniformity(Context& context, const ir::Kernel& kernel) : c(context), p(context.program), kernel_(kernel) {
+        for (std::uint32_t i = 0; i < kernel.params.size(); ++i) roots_.push_back(i);
+    }
+
+    void run() {
+        do {
+            changed_ = false;
+            interval_ = {};
+            walk(kernel_.body);
+        } while (changed_);
+        reports_ = true;
+        interval_ = {};
+        walk(kernel_.body);
+    }
+
+private:
+    void walk(const std::vector<ir::StmtId>& body) {
+        for (ir::StmtId id : body) visit(id);
+    }
+    void visit(ir::StmtId id);
+    void if_(const ir::Stmt& stmt);
+    void loop_(ir::StmtId id);
+    void assign(const ir::Stmt& stmt);
+    void barrier(const ir::Stmt& stmt, Level allowed);
+
+    Flow value(ir::ExprId id);
+    Flow operands(const ir::Expr& node);
+    Flow local(ir::ExprId id, const ir::Expr& node);
+    Flow intrinsic(const ir::Expr& node);
+    Flow call(ir::ExprId id, const ir::Expr& node);
+    Flow grouped_call(ir::ExprId id, const ir::Expr& node);
+    Flow invocation(const ir::Expr& node) const;
+    Flow of_memory(const ir::Expr& node, const ir::Place& place, const Flow& address) const;
+
+    void raise(Flow& flow, const Flow& to) {
+        if (to.level <= flow.level) return;
+        flow = to;
+        changed_ = true;
+    }
+    void write_shared(ir::LocalId local);
+    static Flow differs(const ir::Expr& node, Level level = Level::invocation) { return {level, node.span, {}}; }
+
+    Context& c;
+    const ir::Program& p;
+    const ir::Kernel& kernel_;
+    std::map<std::pair<Call, ir::LocalId>, Flow> locals_;
+    std::map<std::pair<Call, ir::StmtId>, Flow> exits_;          ///< of loops: the ways to their breaks and continues
+    std::map<std::pair<Call, ir::StmtId>, Interval> intervals_;  ///< at the end of a loop's body
+    std::map<std::pair<Call, ir::ExprId>, Call> calls_;
+    std::set<std::pair<ir::LocalId, ir::ExprId>> races_;  ///< reads of workgroup memory that another may write meanwhile
+    std::set<std::pair<std::uint32_t, std::uint32_t>> reported_;  ///< file and place of barriers
+
+    Call call_ = 0;
+    std::vector<std::uint32_t> roots_;  ///< the kernel's parameter behind each Place root
+    Flow way_;
+    Flow result_;
+    Flow* exit_ = nullptr;  ///< of the innermost loop
+    Interval interval_;
+    bool changed_ = false, reports_ = false;
+};
+
+void Uniformity::visit(ir::StmtId id) {
+    const ir::Stmt& stmt = p.stmts[id];
+    switch (stmt.op) {
+    case ir::StmtOp::let:
+        if (stmt.value) raise(locals_[{call_, stmt.local}], value(stmt.value));
+        return;
+    case ir::StmtOp::assign: return assign(stmt);
+    case ir::StmtOp::if_: return if_(stmt);
+    case ir::StmtOp::for_:
+    case ir::StmtOp::while_: return loop_(id);
+    case ir::StmtOp::break_:
+    case ir::StmtOp::continue_: return raise(*exit_, way_);
+    case ir::StmtOp::return_:
+        if (stmt.value) result_ = value(stmt.value);
+        return;
+    case ir::StmtOp::barrier: return barrier(stmt, Level::workgroup);
+    case ir::StmtOp::subgroup_barrier: return barrier(stmt, Level::subgroup);
+    default: break;  // expressions and statements within
+    }
+    ir::for_each_root(stmt, [&](ir::ExprId root) { value(root); });
+    walk(stmt.body);
+}
+
+void Uniformity::if_(const ir::Stmt& stmt) {
+    const Flow condition = value(stmt.value), before = way_;
+    way_ = worse(way_, {condition.level, condition.why, p.exprs[stmt.value].span});
+    Interval otherwise = interval_;
+    walk(stmt.body);
+    std::swap(interval_, otherwise);
+    walk(stmt.otherwise);
+    interval_.add(otherwise);
+    way_ = before;
+}
+
+/// The invocations that are in a loop's body: those that its bounds or condition let in and that no break or continue
+/// has taken out.
+void Uniformity::loop_(ir::StmtId id) {
+    const ir::Stmt& stmt = p.stmts[id];
+    const Flow before = way_;
+    Flow* const outer = exit_;
+    Flow& exit = exits_[{call_, id}];
+    Interval& last = intervals_[{call_, id}];
+    exit_ = &exit;
+    interval_.add(last);
+    for (ir::ExprId bound : {stmt.value, stmt.limit}) {
+        if (!bound) continue;
+        const Flow flow = value(bound);
+        way_ = worse(way_, {flow.level, flow.why, p.exprs[bound].span});
+        if (stmt.op == ir::StmtOp::for_ && bound == stmt.value) raise(locals_[{call_, stmt.local}], flow);
+    }
+    way_ = worse(way_, exit);
+    const Interval entry = interval_;
+    walk(stmt.body);
+    if (last.add(interval_)) changed_ = true;
+    interval_.add(entry);
+    exit_ = outer;
+    way_ = before;
+}
+
+void Uniformity::assign(const ir::Stmt& stmt) {
+    Flow flow = worse(value(stmt.value), way_);
+    ir::ExprId root = stmt.target;
+    for (; p.exprs[root].op != ir::Op::local; root = p.exprs[root].operands[0])
+        if (p.exprs[root].op == ir::Op::index) flow = worse(flow, value(p.exprs[root].operands[1]));
+    const ir::LocalId target = p.exprs[root].local;
+    if (p.locals[target].storage == ir::Storage::shared) write_shared(target);
+    else raise(locals_[{call_, target}], flow);
+}
+
+void Uniformity::write_shared(ir::LocalId local) {
+    interval_.written.insert(local);
+    for (const auto& read : interval_.read)
+        if (read.first == local && races_.insert(read).second) changed_ = true;
+}
+
+void Uniformity::barrier(const ir::Stmt& stmt, Level allowed) {
+    if (allowed == Level::workgroup) interval_ = {};
+    if (!reports_ || way_.level <= allowed || !reported_.insert({stmt.span.file, stmt.span.begin}).second) return;
+    const bool of_workgroup = allowed == Level::workgroup;
+    Diagnostic& diagnostic = c.error(Diag::divergent_barrier, stmt.span,
+                                     {of_workgroup ? "barrier" : "subgroupBarrier", of_workgroup ? "workgroup" : "subgroup"});
+    note(diagnostic, way_.condition, "this may differ between them");
+    if (way_.why != way_.condition) note(diagnostic, way_.why, "because this does");
+    note(diagnostic, stmt.span, "put the barrier where all come by, and the condition around what stands before and after it");
+}
+
+Flow Uniformity::value(ir::ExprId id) {
+    const ir::Expr& node = p.exprs[id];
+    switch (node.op) {
+    case ir::Op::local: return local(id, node);
+    case ir::Op::element:
+    case ir::Op::address:
+    case ir::Op::near:
+    case ir::Op::position: return operands(node), differs(node);
+    case ir::Op::invocation: return invocation(node);
+    case ir::Op::read:
+    case ir::Op::sample:
+    case ir::Op::translate: return of_memory(node, node.place, operands(node));
+    case ir::Op::intrinsic: return intrinsic(node);
+    case ir::Op::call: return call(id, node);
+    default: return operands(node);
+    }
+}
+
+Flow Uniformity::operands(const ir::Expr& node) {
+    Flow flow;
+    for (ir::ExprId operand : node.operands) flow = worse(flow, value(operand));
+    return flow;
+}
+
+/// Workgroup memory is the same for all after a barrier, until someone writes.
+Flow Uniformity::local(ir::ExprId id, const ir::Expr& node) {
+    if (p.locals[node.local].storage != ir::Storage::shared) return locals_[{call_, node.local}];
+    interval_.read.insert({node.local, id});
+    if (interval_.written.contains(node.local) || races_.contains({node.local, id})) return differs(node);
+    return {};
+}
+
+Flow Uniformity::invocation(const ir::Expr& node) const {
+    switch (node.invocation) {
+    case ir::Invocation::local_index:
+    case ir::Invocation::subgroup_lane: return differs(node);
+    case ir::Invocation::subgroup_index: return differs(node, Level::subgroup);
+    case ir::Invocation::group_index:
+    case ir::Invocation::group_count:
+    case ir::Invocation::group_size:
+    case ir::Invocation::subgroup_size:
+    case ir::Invocation::subgroup_count: break;
+    }
+    return {};
+}
+
+/// What a pass only reads is the same for all who ask for one address.
+Flow Uniformity::of_memory(const ir::Expr& node, const ir::Place& place, const Flow& address) const {
+    const ir::KernelParam& param = kernel_.params[roots_[place.root]];
+    const bool is_fixed =
+        param.direction == ir::Direction::in && ir::traits_of(param.pattern).reach == ir::Reach::anywhere;
+    return is_fixed ? address : differs(node);
+}
+
+Flow Uniformity::intrinsic(const ir::Expr& node) {
+    const std::string_view signature = ir::signature_of(node.intrinsic);
+    if (signature[0] == '@') {
+        ir::ExprId root = node.operands[0];
+        while (p.exprs[root].op == ir::Op::index || p.exprs[root].op == ir::Op::field)
+            root = p.exprs[root].operands[0];
+        if (p.exprs[root].op == ir::Op::local) write_shared(p.exprs[root].local);
+    }
+    const Flow flow = operands(node);
+    if (signature[0] == '@') return differs(node);
+    if (signature.back() != '*') return flow;
+    switch (node.intrinsic) {
+    case ir::Intrinsic::subgroupMin:
+    case ir::Intrinsic::subgroupMax:
+    case ir::Intrinsic::subgroupAnd:
+    case ir::Intrinsic::subgroupOr:
+    case ir::Intrinsic::subgroupAll:
+    case ir::Intrinsic::subgroupAny:
+    case ir::Intrinsic::subgroupBroadcast:
+    case ir::Intrinsic::subgroupBroadcastFirst:
+        return flow.level == Level::workgroup ? flow : differs(node, Level::subgroup);
+    case ir::Intrinsic::subgroupAdd:  // of equal values, too: subgroups may have fewer lanes than others
+    case ir::Intrinsic::subgroupMul:
+    case ir::Intrinsic::subgroupXor:
+    case ir::Intrinsic::subgroupBallot:
+    case ir::Intrinsic::subgroupBallotCount: return differs(node, Level::subgroup);
+    default: return differs(node);
+    }
+}
+
+/// A function without a workgroup gives the same for the same arguments, as far as what it reads is the same.
+Flow Uniformity::call(ir::ExprId id, const ir::Expr& node) {
+    if (p.functions[node.function].grouped()) return grouped_call(id, node);
+    Flow flow = operands(node);
+    for (const ir::Place& place : node.places) flow = worse(flow, of_memory(node, place, {}));
+    return flow;
+}
+
+Flow Uniformity::grouped_call(ir::ExprId id, const ir::Expr& node) {
+    const ir::Function& function = p.functions[node.function];
+    const Call made = calls_.try_emplace({call_, id}, static_cast<Call>(calls_.size() + 1)).first->second;
+    for (std::size_t i = 0; i < node.operands.size(); ++i)
+        raise(locals_[{made, function.params[i]}], value(node.operands[i]));
+    std::vector<std::uint32_t> roots;
+    for (const ir::Place& place : node.places) roots.push_back(roots_[place.root]);
+    std::swap(roots, roots_);
+    const Call outer = std::exchange(call_, made);
+    Flow* const outer_exit = std::exchange(exit_, nullptr);
+    const Flow outer_result = std::exchange(result_, {});
+    walk(function.body);
+    call_ = outer;
+    exit_ = outer_exit;
+    std::swap(roots, roots_);
+    return std::exchange(result_, outer_result);
+}
+
+}  // namespace
+
+void check_barriers(Context& c, const ir::Kernel& kernel) { Uniformity(c, kernel).run(); }
+
+}  // namespace gliftc::sema
