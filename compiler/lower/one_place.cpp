@@ -46,8 +46,8 @@ private:
         for_each_root(stmt, [&](ExprId root) {
             for_each_node(p, root, [&](ExprId id) {
                 const Expr& node = p.exprs[id];
-                found_ =
-                    found_ || (stored_ && (node.op == Op::load || node.op == Op::image_load) && is_place(node.slot));
+                const bool is_load = node.op == Op::load || node.op == Op::image_load;
+                found_ = found_ || (stored_ && is_load && is_place(node.slot));
             });
         });
         for (StmtId id : stmt.body) visit(p.stmts[id]);

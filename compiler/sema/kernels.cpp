@@ -121,10 +121,11 @@ void check_exclusive(Context& c, const ast::Param& param, const ir::KernelParam&
     if (made.pattern != ir::Pattern::each || made.direction == ir::Direction::in) return;
     const ir::Translator* translator = ir::many_to_one_stage(c.program, made.structure);
     if (!translator) return;
-    Diagnostic& diagnostic =
-        c.error(Diag::each_many_to_one, param.name.span, {c.text(param.name.name), c.program.structures[made.structure].display});
+    const std::string& structure = c.program.structures[made.structure].display;
+    Diagnostic& diagnostic = c.error(Diag::each_many_to_one, param.name.span, {c.text(param.name.name), structure});
     note(diagnostic, translator->span, "declared @many_to_one here");
-    note(diagnostic, param.pattern_span, "scatter<S, op> says how writes that meet combine: min, max, add, and, or, xor");
+    note(diagnostic, param.pattern_span,
+         "scatter<S, op> says how writes that meet combine: min, max, add, and, or, xor");
 }
 
 void add_param(Body& body, const ast::Param& param, ir::Kernel& kernel) {

@@ -12,7 +12,8 @@ bool are_one_structure(const ir::Expr& one, const ir::Expr& other) {
 }
 
 void report(Context& c, const ir::Kernel& kernel, const ir::KernelParam& one, const ir::KernelParam& other, Span span) {
-    Diagnostic& diagnostic = c.error(Diag::one_memory, span, {c.text(one.name), c.text(other.name), c.text(kernel.name)});
+    Diagnostic& diagnostic =
+        c.error(Diag::one_memory, span, {c.text(one.name), c.text(other.name), c.text(kernel.name)});
     note(diagnostic, one.span, "'" + c.text(one.name) + "' is declared here");
     note(diagnostic, other.span, "'" + c.text(other.name) + "' is declared here");
     note(diagnostic, span, "write into another structure, then copy or swap");

@@ -183,11 +183,13 @@ void Uniformity::barrier(const ir::Stmt& stmt, Level allowed) {
     if (allowed == Level::workgroup) interval_ = {};
     if (!reports_ || way_.level <= allowed || !reported_.insert({stmt.span.file, stmt.span.begin}).second) return;
     const bool of_workgroup = allowed == Level::workgroup;
-    Diagnostic& diagnostic = c.error(Diag::divergent_barrier, stmt.span,
-                                     {of_workgroup ? "barrier" : "subgroupBarrier", of_workgroup ? "workgroup" : "subgroup"});
+    const char* const barrier = of_workgroup ? "barrier" : "subgroupBarrier";
+    Diagnostic& diagnostic =
+        c.error(Diag::divergent_barrier, stmt.span, {barrier, of_workgroup ? "workgroup" : "subgroup"});
     note(diagnostic, way_.condition, "this may differ between them");
     if (way_.why != way_.condition) note(diagnostic, way_.why, "because this does");
-    note(diagnostic, stmt.span, "put the barrier where all come by, and the condition around what stands before and after it");
+    note(diagnostic, stmt.span,
+         "put the barrier where all come by, and the condition around what stands before and after it");
 }
 
 Flow Uniformity::value(ir::ExprId id) {

@@ -13,7 +13,8 @@ bool writes(const ir::PassBinding& binding) { return binding.access != ir::Acces
 /// Among the kernel's parameters that are structures.
 std::size_t structure_number(const ir::Kernel& kernel, std::uint32_t root) {
     const auto is_structure = [](const ir::KernelParam& param) { return param.pattern != ir::Pattern::value; };
-    return static_cast<std::size_t>(std::ranges::count_if(kernel.params.begin(), kernel.params.begin() + root, is_structure));
+    const auto last = kernel.params.begin() + root;
+    return static_cast<std::size_t>(std::count_if(kernel.params.begin(), last, is_structure));
 }
 
 const char* reach_text(ir::Reach reach) {

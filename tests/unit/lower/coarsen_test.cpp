@@ -71,12 +71,14 @@ TEST(Coarsen, OneElementWhereThereIsALoop) {
 }
 
 TEST(Coarsen, TwoNamesOfOnePlaceAreReadInTurn) {
-    Lowering lowering("kernel k(f: in each<Field>, g: out each<Field>, h: out each<Field>) { g = f + 1.0; h = 2.0 * f; }");
+    Lowering lowering(
+        "kernel k(f: in each<Field>, g: out each<Field>, h: out each<Field>) { g = f + 1.0; h = 2.0 * f; }");
     EXPECT_EQ(taken(lowering), a_row_each);  // the direct form knows that the names are apart
     EXPECT_EQ(count(pair_of(lowering), "= f_data["), 2u) << pair_of(lowering);
     const std::string general = lowering.general("k");
     const std::string text = general.substr(general.find("two elements"));
-    const std::size_t store = text.find("g_data["), load = text.find("= f_data[", store), next = text.find("if has_next");
+    const std::size_t store = text.find("g_data["), load = text.find("= f_data[", store);
+    const std::size_t next = text.find("if has_next");
     EXPECT_LT(store, load) << text;
     EXPECT_LT(load, next) << text;
     EXPECT_EQ(count(text, "= f_data["), 4u) << text;
