@@ -69,8 +69,8 @@ bool has_rows(const ir::Program& program, const ir::Structure& structure) {
                            program.types.kind(structure.element) == ir::TypeKind::struct_;
     return memory.shape == ir::MemoryShape::buffer && memory.element == structure.element && is_number &&
            translator.properties.affine && !translator.properties.partial &&
-           translator.properties.mapping != ir::Mapping::many_to_one &&
-           translator.structures.empty() && translator.physical_type == program.types.uint && structure.is_contained &&
+           translator.properties.mapping != ir::Mapping::many_to_one && translator.structures.empty() &&
+           translator.physical_type == program.types.uint && structure.is_contained &&
            !uses_state_elsewhere(program, translator.translate);
 }
 

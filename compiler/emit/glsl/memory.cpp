@@ -103,8 +103,7 @@ std::string buffer_text(Printer& p, std::size_t index) {
                                  : "layout(scalar, set = 0, binding = " + std::to_string(index + 1) + ") ";
     std::string text = layout + qualifiers + "buffer " + p.block_names[index] + " { " + member + "; };\n";
     if (!binding.in_rows) return text;
-    const std::string row =
-        image_prefix(p, binding.element) + "vec4 " + (is_wide ? "at" : p.row_names[index] + "[]");
+    const std::string row = image_prefix(p, binding.element) + "vec4 " + (is_wide ? "at" : p.row_names[index] + "[]");
     return text + (is_wide ? by_address(row_bytes) : layout) + qualifiers + "buffer " + p.row_block_names[index] +
            " { " + row + "; };   // the same, as vectors\n";
 }
@@ -337,8 +336,7 @@ std::string atomic_text(Printer& p, const ir::Stmt& stmt) {
     }
     if (stored_as_bits(p, binding) && stmt.combine != Combine::replace) {
         std::string place = !p.status.another_round.empty() ? ", " + place_arguments(p, stmt.span) : "";
-        return float_atomic(p, stmt.slot, stmt.combine) + "(" + print_any(p, stmt.target) + ", " + value + place +
-               ");";
+        return float_atomic(p, stmt.slot, stmt.combine) + "(" + print_any(p, stmt.target) + ", " + value + place + ");";
     }
     const std::string element = element_text(p, stmt.slot, stmt.target);
     if (stored_as_bits(p, binding)) return "atomicExchange(" + element + ", floatBitsToUint(" + value + "));";
@@ -353,14 +351,14 @@ std::string atomic_definitions(Printer& p) {
         const std::string element = element_text(p, use.binding, "index");
         std::string function = p.pass.bindings[use.binding].name + "_" + lower_case(atomic_name(use.combine));
         const std::string index = p.pass.form == ir::Form::wide ? "uint64_t" : "uint";
-        text += "void " + function + "(" + index + " index, float value" + (test.empty() ? "" : ", " + place_parameters(p)) +
-                ") {\n";
+        text += "void " + function + "(" + index + " index, float value" +
+                (test.empty() ? "" : ", " + place_parameters(p)) + ") {\n";
         text += "    uint seen = " + element + ", expected;\n    do {\n" +
                 (test.empty() ? "" : "        if (!" + test + ") return;\n") + "        expected = seen;\n";
         text += "        uint wanted = floatBitsToUint(" + combined(use.combine) +
                 ");\n        if (wanted == seen) return;\n";
-        text += "        seen = atomicCompSwap(" + element +
-                ", expected, wanted);\n    } while (seen != expected);\n}\n\n";
+        text +=
+            "        seen = atomicCompSwap(" + element + ", expected, wanted);\n    } while (seen != expected);\n}\n\n";
     }
     return text;
 }
