@@ -121,12 +121,19 @@ std::string element_text(const Printer& p, std::uint32_t slot, const std::string
     return at_address(p.block_names[slot], p.binding_names[slot], index, bytes);
 }
 
+/// The index of an element, or of a row of them.
+std::string index_text(Printer& p, ir::ExprId id) {
+    const ir::Expr& index = p.program.exprs[id];
+    const bool is_far = index.op == ir::Op::constant && index.bits > 0x7fffffffu;
+    return is_far ? need(p, Helper::far_index, {}) + "(" + print_any(p, id) + ")" : print_any(p, id);
+}
+
 std::string element_text(Printer& p, std::uint32_t slot, ir::ExprId index) {
-    return element_text(p, slot, p.pass.form == ir::Form::wide ? print(p, index, Level::term) : print_any(p, index));
+    return element_text(p, slot, p.pass.form == ir::Form::wide ? print(p, index, Level::term) : index_text(p, index));
 }
 
 std::string row_text(Printer& p, std::uint32_t slot, ir::ExprId index) {
-    if (p.pass.form != ir::Form::wide) return p.row_names[slot] + "[" + print_any(p, index) + "]";
+    if (p.pass.form != ir::Form::wide) return p.row_names[slot] + "[" + index_text(p, index) + "]";
     return at_address(p.row_block_names[slot], p.binding_names[slot], print(p, index, Level::term), row_bytes);
 }
 
@@ -276,17 +283,6 @@ void print_parameter_copies(Printer& p) {
     --p.indent;
     line(p, "}");
 }
-
-namespace {
-
-/// The index of an element, or of a row of them.
-std::string index_text(Printer& p, ir::ExprId id) {
-    const ir::Expr& index = p.program.exprs[id];
-    const bool is_far = index.op == ir::Op::constant && index.bits > 0x7fffffffu;
-    return is_far ? need(p, Helper::far_index, {}) + "(" + print_any(p, id) + ")" : print_any(p, id);
-}
-
-}  // namespace
 
 Text print_load(Printer& p, const ir::Expr& expr) {
     const PassBinding& binding = p.pass.bindings.at(expr.slot);
