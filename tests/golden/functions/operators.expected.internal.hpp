@@ -21,7 +21,7 @@ public:
     glift::uint domain() const;
     glift::uint extent() const { return extent_; }
     const glift::Memory& data() const { return data_; }
-    glift::uint data_extent() const { return data_extent_; }
+    std::uint64_t data_extent() const { return data_extent_; }
     /// True if the two were made with equal arguments.
     bool same_state(const Box_1_uint& other) const;
 
@@ -39,7 +39,7 @@ public:
 
 private:
     glift::uint extent_{};
-    glift::uint data_extent_{};
+    std::uint64_t data_extent_{};
     glift::Memory data_;
 };
 #endif

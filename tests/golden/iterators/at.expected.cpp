@@ -1,5 +1,5 @@
 // Made by gliftc from at.glift. Changes are lost when it is made again.
-#include "at.glift.hpp"
+#include "at.glift.internal.hpp"
 
 #include <glift/host/image.h>
 #include <glift/host/math.h>
@@ -12,56 +12,6 @@ namespace at {
 using namespace glift::types;
 
 namespace {
-
-/// Elements of a box in a linear buffer, first axis fastest: what the host reads and writes.
-class Box_2_float : public glift::Structure<Box_2_float, uint2, float> {
-public:
-    static constexpr const char* type_name = "Box<2, float>";
-
-    Box_2_float() = default;
-    [[maybe_unused]] Box_2_float(const glift::Commands& commands, uint2 extent);
-    /// Over parts that exist already.
-    [[maybe_unused]] Box_2_float(const glift::Commands& commands, uint2 extent, glift::Memory data);
-
-    /// The extent of the virtual domain.
-    [[maybe_unused]] uint2 domain() const;
-    uint2 extent() const { return extent_; }
-    const glift::Memory& data() const { return data_; }
-    uint data_extent() const { return data_extent_; }
-    /// True if the two were made with equal arguments.
-    [[maybe_unused]] bool same_state(const Box_2_float& other) const;
-
-private:
-    uint2 extent_{};
-    uint data_extent_{};
-    glift::Memory data_;
-};
-
-// address.glift:17: volume<2>
-inline uint volume(uint2 extent) {
-    // address.glift:18
-    uint product = extent.x;
-    // address.glift:19
-    for (uint axis = 1u; axis < 2u; ++axis) {
-        // address.glift:20
-        product *= extent[axis];
-    }
-    // address.glift:22
-    return product;
-}
-
-// address.glift:26: linearize<2>
-inline uint linearize(uint2 address, uint2 extent) {
-    // address.glift:27
-    uint index = address.y;
-    // address.glift:28
-    for (uint back = 1u; back < 2u; ++back) {
-        // address.glift:29
-        index = index * extent[2u - 1u - back] + address[2u - 1u - back];
-    }
-    // address.glift:31
-    return index;
-}
 
 // ----------------------------------------------------------------------------------------------------
 // at.glift:8: ramp
@@ -138,8 +88,49 @@ static void ramp_general(const glift::HostCall& call) {
     glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { ramp_general_rows(call, rows); });
 }
 
+struct ramp_wide_parameters {
+    uint2 size;
+    uint2 a_origin;
+    uint2 f_origin;
+    uint3 base;
+    std::uint64_t f_extent_x;
+    std::uint64_t f_data_address;
+};
+static_assert(offsetof(ramp_wide_parameters, size) == 0);
+static_assert(offsetof(ramp_wide_parameters, a_origin) == 8);
+static_assert(offsetof(ramp_wide_parameters, f_origin) == 16);
+static_assert(offsetof(ramp_wide_parameters, base) == 24);
+static_assert(offsetof(ramp_wide_parameters, f_extent_x) == 40);
+static_assert(offsetof(ramp_wide_parameters, f_data_address) == 48);
+
+// at.glift:8: ramp, some rows.
+GLIFT_HOST_KERNEL
+static void ramp_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const ramp_wide_parameters*>(call.parameters);
+    const uint2 a_origin = parameters.a_origin;
+    const uint2 f_origin = parameters.f_origin;
+    const std::uint64_t f_extent_x = parameters.f_extent_x;
+    float* f_data = glift::host::elements<float>(call.memories[0]);
+    for (const glift::host::Row row : rows) {
+        GLIFT_INDEPENDENT
+        for (uint x = row.begin; x < row.end; ++x) {
+            const uint2 address{x, row.y};
+            // at.glift:8
+            const uint2 a_address = a_origin + address;
+            const uint2 f_address = f_origin + address;
+            const std::uint64_t f_at = std::uint64_t(f_address.y) * f_extent_x + std::uint64_t(f_address.x);
+            f_data[f_at] = float(a_address.x) + 10.0f * float(a_address.y);
+        }
+    }
+}
+
+static void ramp_wide(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { ramp_wide_rows(call, rows); });
+}
+
 const glift::Binding ramp_bindings[] = {
-    {.name = "f.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 32},
+    {.name = "f.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 48,
+        .element_bytes = sizeof(float)},
 };
 constexpr glift::Parameter ramp_parameters[] = {
     {"a_extent", 0, sizeof(ramp_direct_parameters::a_extent)},
@@ -154,435 +145,10 @@ const glift::Kernel ramp_kernel = {
     .bindings = ramp_bindings,
     .direct = {.host = &ramp_direct, .parameter_bytes = 8, .push_constants = true},
     .general = {.host = &ramp_general, .parameter_bytes = 28},
-    .wide = {},
+    .wide = {.host = &ramp_wide, .parameter_bytes = 56, .base_offset = 24},
     .parameters = ramp_parameters,
     .items = {1, 2, 1},
 };
-
-// ----------------------------------------------------------------------------------------------------
-// transfer.glift:15: read_box<Array<2, float, none, buffer>, Box<2, float>>
-
-struct read_box_direct_parameters {
-    uint2 from_extent;
-    uint to_extent_x;
-};
-static_assert(offsetof(read_box_direct_parameters, from_extent) == 0);
-static_assert(offsetof(read_box_direct_parameters, to_extent_x) == 8);
-
-// transfer.glift:15: read_box<Array<2, float, none, buffer>, Box<2, float>>, some rows.
-GLIFT_HOST_KERNEL
-static void read_box_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
-    const auto& parameters = *static_cast<const read_box_direct_parameters*>(call.parameters);
-    const uint2 from_extent = parameters.from_extent;
-    const uint to_extent_x = parameters.to_extent_x;
-    const float* from_data = glift::host::elements<const float>(call.memories[0]);
-    float* to_data = glift::host::elements<float>(call.memories[1]);
-    for (const glift::host::Row row : rows) {
-        if (row.begin < row.end) {
-            const uint2 address{row.begin, row.y};
-            // transfer.glift:15
-            const uint from_at = address.y * from_extent.x + address.x;
-            const uint to_at = address.y * to_extent_x + address.x;
-            const float* from_data_row = glift::host::row_pointer(from_data + from_at);
-            float* to_data_row = glift::host::row_pointer(to_data + to_at);
-            GLIFT_INDEPENDENT
-            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
-                // transfer.glift:16
-                to_data_row[i] = from_data_row[i];
-            }
-        }
-    }
-}
-
-static void read_box_direct(const glift::HostCall& call) {
-    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { read_box_direct_rows(call, rows); });
-}
-
-struct read_box_general_parameters {
-    uint2 size;
-    uint2 from_origin;
-    uint2 to_origin;
-    uint from_extent_x;
-    uint to_extent_x;
-};
-static_assert(offsetof(read_box_general_parameters, size) == 0);
-static_assert(offsetof(read_box_general_parameters, from_origin) == 8);
-static_assert(offsetof(read_box_general_parameters, to_origin) == 16);
-static_assert(offsetof(read_box_general_parameters, from_extent_x) == 24);
-static_assert(offsetof(read_box_general_parameters, to_extent_x) == 28);
-
-// transfer.glift:15: read_box<Array<2, float, none, buffer>, Box<2, float>>, some rows.
-GLIFT_HOST_KERNEL
-static void read_box_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
-    const auto& parameters = *static_cast<const read_box_general_parameters*>(call.parameters);
-    const uint2 from_origin = parameters.from_origin;
-    const uint2 to_origin = parameters.to_origin;
-    const uint from_extent_x = parameters.from_extent_x;
-    const uint to_extent_x = parameters.to_extent_x;
-    const float* from_data = glift::host::elements<const float>(call.memories[0]);
-    float* to_data = glift::host::elements<float>(call.memories[1]);
-    for (const glift::host::Row row : rows) {
-        if (row.begin < row.end) {
-            const uint2 address{row.begin, row.y};
-            // transfer.glift:16
-            const uint2 from_address = from_origin + address;
-            // transfer.glift:15
-            const uint from_at = from_address.y * from_extent_x + from_address.x;
-            // transfer.glift:16
-            const uint2 to_address = to_origin + address;
-            // transfer.glift:15
-            const uint to_at = to_address.y * to_extent_x + to_address.x;
-            const float* from_data_row = glift::host::row_pointer(from_data + from_at);
-            float* to_data_row = glift::host::row_pointer(to_data + to_at);
-            GLIFT_INDEPENDENT
-            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
-                // transfer.glift:16
-                to_data_row[i] = from_data_row[i];
-            }
-        }
-    }
-}
-
-static void read_box_general(const glift::HostCall& call) {
-    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { read_box_general_rows(call, rows); });
-}
-
-const glift::Binding read_box_bindings[] = {
-    {.name = "from.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 32,
-        .reach = glift::Reach::element},
-    {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 40,
-        .parameter = 1, .reach = glift::Reach::element},
-};
-constexpr glift::Parameter read_box_parameters[] = {
-    {"from_extent", 0, sizeof(read_box_direct_parameters::from_extent)},
-    {"to_extent_x", 8, sizeof(read_box_direct_parameters::to_extent_x)},
-};
-const glift::Kernel read_box_kernel = {
-    .name = "read_box",
-    .file = "transfer.glift",
-    .line = 15,
-    .rank = 2,
-    .group = {32, 8, 1},
-    .loop_rounds = 0,
-    .bindings = read_box_bindings,
-    .direct = {.host = &read_box_direct, .parameter_bytes = 12, .push_constants = true},
-    .general = {.host = &read_box_general, .parameter_bytes = 32},
-    .wide = {},
-    .parameters = read_box_parameters,
-    .items = {1, 2, 1},
-};
-
-// ----------------------------------------------------------------------------------------------------
-// transfer.glift:20: write_box<Box<2, float>, Array<2, float, none, buffer>>
-
-struct write_box_direct_parameters {
-    uint2 from_extent;
-    uint to_extent_x;
-};
-static_assert(offsetof(write_box_direct_parameters, from_extent) == 0);
-static_assert(offsetof(write_box_direct_parameters, to_extent_x) == 8);
-
-// transfer.glift:20: write_box<Box<2, float>, Array<2, float, none, buffer>>, some rows.
-GLIFT_HOST_KERNEL
-static void write_box_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
-    const auto& parameters = *static_cast<const write_box_direct_parameters*>(call.parameters);
-    const uint2 from_extent = parameters.from_extent;
-    const uint to_extent_x = parameters.to_extent_x;
-    const float* from_data = glift::host::elements<const float>(call.memories[0]);
-    float* to_data = glift::host::elements<float>(call.memories[1]);
-    for (const glift::host::Row row : rows) {
-        if (row.begin < row.end) {
-            const uint2 address{row.begin, row.y};
-            // transfer.glift:20
-            const uint from_at = address.y * from_extent.x + address.x;
-            const uint to_at = address.y * to_extent_x + address.x;
-            const float* from_data_row = glift::host::row_pointer(from_data + from_at);
-            float* to_data_row = glift::host::row_pointer(to_data + to_at);
-            GLIFT_INDEPENDENT
-            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
-                // transfer.glift:21
-                to_data_row[i] = from_data_row[i];
-            }
-        }
-    }
-}
-
-static void write_box_direct(const glift::HostCall& call) {
-    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { write_box_direct_rows(call, rows); });
-}
-
-struct write_box_general_parameters {
-    uint2 size;
-    uint2 from_origin;
-    uint2 to_origin;
-    uint from_extent_x;
-    uint to_extent_x;
-};
-static_assert(offsetof(write_box_general_parameters, size) == 0);
-static_assert(offsetof(write_box_general_parameters, from_origin) == 8);
-static_assert(offsetof(write_box_general_parameters, to_origin) == 16);
-static_assert(offsetof(write_box_general_parameters, from_extent_x) == 24);
-static_assert(offsetof(write_box_general_parameters, to_extent_x) == 28);
-
-// transfer.glift:20: write_box<Box<2, float>, Array<2, float, none, buffer>>, some rows.
-GLIFT_HOST_KERNEL
-static void write_box_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
-    const auto& parameters = *static_cast<const write_box_general_parameters*>(call.parameters);
-    const uint2 from_origin = parameters.from_origin;
-    const uint2 to_origin = parameters.to_origin;
-    const uint from_extent_x = parameters.from_extent_x;
-    const uint to_extent_x = parameters.to_extent_x;
-    const float* from_data = glift::host::elements<const float>(call.memories[0]);
-    float* to_data = glift::host::elements<float>(call.memories[1]);
-    for (const glift::host::Row row : rows) {
-        if (row.begin < row.end) {
-            const uint2 address{row.begin, row.y};
-            // transfer.glift:21
-            const uint2 from_address = from_origin + address;
-            // transfer.glift:20
-            const uint from_at = from_address.y * from_extent_x + from_address.x;
-            // transfer.glift:21
-            const uint2 to_address = to_origin + address;
-            // transfer.glift:20
-            const uint to_at = to_address.y * to_extent_x + to_address.x;
-            const float* from_data_row = glift::host::row_pointer(from_data + from_at);
-            float* to_data_row = glift::host::row_pointer(to_data + to_at);
-            GLIFT_INDEPENDENT
-            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
-                // transfer.glift:21
-                to_data_row[i] = from_data_row[i];
-            }
-        }
-    }
-}
-
-static void write_box_general(const glift::HostCall& call) {
-    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { write_box_general_rows(call, rows); });
-}
-
-const glift::Binding write_box_bindings[] = {
-    {.name = "from.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 32,
-        .reach = glift::Reach::element},
-    {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 40,
-        .parameter = 1, .reach = glift::Reach::element},
-};
-constexpr glift::Parameter write_box_parameters[] = {
-    {"from_extent", 0, sizeof(write_box_direct_parameters::from_extent)},
-    {"to_extent_x", 8, sizeof(write_box_direct_parameters::to_extent_x)},
-};
-const glift::Kernel write_box_kernel = {
-    .name = "write_box",
-    .file = "transfer.glift",
-    .line = 20,
-    .rank = 2,
-    .group = {32, 8, 1},
-    .loop_rounds = 0,
-    .bindings = write_box_bindings,
-    .direct = {.host = &write_box_direct, .parameter_bytes = 12, .push_constants = true},
-    .general = {.host = &write_box_general, .parameter_bytes = 32},
-    .wide = {},
-    .parameters = write_box_parameters,
-    .items = {1, 2, 1},
-};
-
-// ----------------------------------------------------------------------------------------------------
-// transfer.glift:25: fill_box<Array<2, float, none, buffer>, float>
-
-struct fill_box_direct_parameters {
-    uint2 to_extent;
-    float value;
-};
-static_assert(offsetof(fill_box_direct_parameters, to_extent) == 0);
-static_assert(offsetof(fill_box_direct_parameters, value) == 8);
-
-// transfer.glift:25: fill_box<Array<2, float, none, buffer>, float>, some rows.
-GLIFT_HOST_KERNEL
-static void fill_box_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
-    const auto& parameters = *static_cast<const fill_box_direct_parameters*>(call.parameters);
-    const uint2 to_extent = parameters.to_extent;
-    const float value = parameters.value;
-    float* to_data = glift::host::elements<float>(call.memories[0]);
-    for (const glift::host::Row row : rows) {
-        if (row.begin < row.end) {
-            const uint2 address{row.begin, row.y};
-            // transfer.glift:25
-            const uint to_at = address.y * to_extent.x + address.x;
-            float* to_data_row = glift::host::row_pointer(to_data + to_at);
-            GLIFT_INDEPENDENT
-            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
-                // transfer.glift:26
-                to_data_row[i] = value;
-            }
-        }
-    }
-}
-
-static void fill_box_direct(const glift::HostCall& call) {
-    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { fill_box_direct_rows(call, rows); });
-}
-
-struct fill_box_general_parameters {
-    uint2 size;
-    uint2 to_origin;
-    uint to_extent_x;
-    float value;
-};
-static_assert(offsetof(fill_box_general_parameters, size) == 0);
-static_assert(offsetof(fill_box_general_parameters, to_origin) == 8);
-static_assert(offsetof(fill_box_general_parameters, to_extent_x) == 16);
-static_assert(offsetof(fill_box_general_parameters, value) == 20);
-
-// transfer.glift:25: fill_box<Array<2, float, none, buffer>, float>, some rows.
-GLIFT_HOST_KERNEL
-static void fill_box_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
-    const auto& parameters = *static_cast<const fill_box_general_parameters*>(call.parameters);
-    const uint2 to_origin = parameters.to_origin;
-    const uint to_extent_x = parameters.to_extent_x;
-    const float value = parameters.value;
-    float* to_data = glift::host::elements<float>(call.memories[0]);
-    for (const glift::host::Row row : rows) {
-        if (row.begin < row.end) {
-            const uint2 address{row.begin, row.y};
-            // transfer.glift:26
-            const uint2 to_address = to_origin + address;
-            // transfer.glift:25
-            const uint to_at = to_address.y * to_extent_x + to_address.x;
-            float* to_data_row = glift::host::row_pointer(to_data + to_at);
-            GLIFT_INDEPENDENT
-            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
-                // transfer.glift:26
-                to_data_row[i] = value;
-            }
-        }
-    }
-}
-
-static void fill_box_general(const glift::HostCall& call) {
-    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { fill_box_general_rows(call, rows); });
-}
-
-const glift::Binding fill_box_bindings[] = {
-    {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 24},
-};
-constexpr glift::Parameter fill_box_parameters[] = {
-    {"to_extent", 0, sizeof(fill_box_direct_parameters::to_extent)},
-    {"value", 8, sizeof(fill_box_direct_parameters::value)},
-};
-const glift::Kernel fill_box_kernel = {
-    .name = "fill_box",
-    .file = "transfer.glift",
-    .line = 25,
-    .rank = 2,
-    .group = {32, 8, 1},
-    .loop_rounds = 0,
-    .bindings = fill_box_bindings,
-    .direct = {.host = &fill_box_direct, .parameter_bytes = 12, .push_constants = true},
-    .general = {.host = &fill_box_general, .parameter_bytes = 24},
-    .wide = {},
-    .parameters = fill_box_parameters,
-    .items = {1, 2, 1},
-};
-
-void read_box(const glift::Commands& commands, const glift::Range<Field>& from, const glift::Range<Box_2_float>& to) {
-    glift::Iteration iteration(read_box_kernel);
-    iteration.each("from", from);
-    iteration.each("to", to);
-    const glift::Memory memories[] = {from->data(), to->data()};
-    if (iteration.is_shared(memories)) iteration.share(memories, {from, to});
-    if (iteration.is_whole() && !commands.needs_general(read_box_kernel, memories, iteration.size())) {
-        const read_box_direct_parameters parameters = {
-            .from_extent = from->extent(),
-            .to_extent_x = to->extent().x,
-        };
-        commands.dispatch(read_box_kernel, {.form = glift::FormName::direct, .memories = memories,
-            .parameters = glift::bytes_of(parameters), .size = iteration.size(), .sharing = iteration.sharing()});
-    } else {
-        const read_box_general_parameters parameters = {
-            .size = from.size(),
-            .from_origin = from.origin(),
-            .to_origin = to.origin(),
-            .from_extent_x = from->extent().x,
-            .to_extent_x = to->extent().x,
-        };
-        commands.dispatch(read_box_kernel, {.form = glift::FormName::general, .memories = memories,
-            .parameters = glift::bytes_of(parameters), .size = iteration.size(),
-            .patches = iteration.patches({offsetof(read_box_general_parameters, size)}),
-            .sharing = iteration.sharing()});
-    }
-}
-
-void write_box(const glift::Commands& commands, const glift::Range<Box_2_float>& from, const glift::Range<Field>& to) {
-    glift::Iteration iteration(write_box_kernel);
-    iteration.each("from", from);
-    iteration.each("to", to);
-    const glift::Memory memories[] = {from->data(), to->data()};
-    if (iteration.is_shared(memories)) iteration.share(memories, {from, to});
-    if (iteration.is_whole() && !commands.needs_general(write_box_kernel, memories, iteration.size())) {
-        const write_box_direct_parameters parameters = {
-            .from_extent = from->extent(),
-            .to_extent_x = to->extent().x,
-        };
-        commands.dispatch(write_box_kernel, {.form = glift::FormName::direct, .memories = memories,
-            .parameters = glift::bytes_of(parameters), .size = iteration.size(), .sharing = iteration.sharing()});
-    } else {
-        const write_box_general_parameters parameters = {
-            .size = from.size(),
-            .from_origin = from.origin(),
-            .to_origin = to.origin(),
-            .from_extent_x = from->extent().x,
-            .to_extent_x = to->extent().x,
-        };
-        commands.dispatch(write_box_kernel, {.form = glift::FormName::general, .memories = memories,
-            .parameters = glift::bytes_of(parameters), .size = iteration.size(),
-            .patches = iteration.patches({offsetof(write_box_general_parameters, size)}),
-            .sharing = iteration.sharing()});
-    }
-}
-
-void fill_box(const glift::Commands& commands, const glift::Range<Field>& to, float value) {
-    glift::Iteration iteration(fill_box_kernel);
-    iteration.each("to", to);
-    const glift::Memory memories[] = {to->data()};
-    if (iteration.is_whole() && !commands.needs_general(fill_box_kernel, memories, iteration.size())) {
-        const fill_box_direct_parameters parameters = {
-            .to_extent = to->extent(),
-            .value = value,
-        };
-        commands.dispatch(fill_box_kernel, {.form = glift::FormName::direct, .memories = memories,
-            .parameters = glift::bytes_of(parameters), .size = iteration.size()});
-    } else {
-        const fill_box_general_parameters parameters = {
-            .size = to.size(),
-            .to_origin = to.origin(),
-            .to_extent_x = to->extent().x,
-            .value = value,
-        };
-        commands.dispatch(fill_box_kernel, {.form = glift::FormName::general, .memories = memories,
-            .parameters = glift::bytes_of(parameters), .size = iteration.size(),
-            .patches = iteration.patches({offsetof(fill_box_general_parameters, size)})});
-    }
-}
-
-Box_2_float::Box_2_float(const glift::Commands& commands, uint2 extent)
-    : Structure(commands.device()),
-      extent_(extent),
-      data_extent_(volume(extent_)),
-      data_(commands.allocate({.name = "Box_2_float.data", .bytes = glift::buffer_bytes<float>(data_extent_)})) {}
-
-Box_2_float::Box_2_float(const glift::Commands& commands, uint2 extent, glift::Memory data)
-    : Structure(commands.device()),
-      extent_(extent),
-      data_extent_(volume(extent_)),
-      data_(commands.adopt(std::move(data),
-        {.name = "Box_2_float.data", .bytes = glift::buffer_bytes<float>(data_extent_)})) {}
-
-uint2 Box_2_float::domain() const {
-    return extent_;
-}
-
-bool Box_2_float::same_state(const Box_2_float& other) const {
-    return extent_ == other.extent_;
-}
 
 }  // namespace
 
@@ -591,8 +157,19 @@ void ramp(const glift::Commands& commands, const glift::Range<Field>& a, const g
     iteration.each("a", a);
     iteration.each("f", f);
     const glift::Memory memories[] = {f->data()};
-    if (iteration.is_whole() && a->same_state(f.structure())
-        && !commands.needs_general(ramp_kernel, memories, iteration.size())) {
+    if (commands.needs_wide(ramp_kernel, memories, iteration.size())) {
+        const ramp_wide_parameters parameters = {
+            .size = a.size(),
+            .a_origin = a.origin(),
+            .f_origin = f.origin(),
+            .base = {},
+            .f_extent_x = std::uint64_t(f->extent().x),
+            .f_data_address = 0u,
+        };
+        commands.dispatch(ramp_kernel, {.form = glift::FormName::wide, .memories = memories,
+            .parameters = glift::bytes_of(parameters), .size = iteration.size(),
+            .patches = iteration.patches({offsetof(ramp_wide_parameters, size)})});
+    } else if (iteration.is_whole() && a->same_state(f.structure())) {
         const ramp_direct_parameters parameters = {
             .a_extent = a->extent(),
         };
@@ -613,52 +190,6 @@ void ramp(const glift::Commands& commands, const glift::Range<Field>& a, const g
 
 void ramp(const glift::Commands& commands, const glift::Range<Field>& f) {
     ramp(commands, f, f);
-}
-
-Field::Field(const glift::Commands& commands, uint2 extent)
-    : Structure(commands.device()),
-      extent_(extent),
-      data_extent_(volume(extent_)),
-      data_(commands.allocate({.name = "Field.data", .bytes = glift::buffer_bytes<float>(data_extent_)})) {}
-
-Field::Field(const glift::Commands& commands, uint2 extent, glift::Memory data)
-    : Structure(commands.device()),
-      extent_(extent),
-      data_extent_(volume(extent_)),
-      data_(commands.adopt(std::move(data),
-        {.name = "Field.data", .bytes = glift::buffer_bytes<float>(data_extent_)})) {}
-
-uint2 Field::domain() const {
-    return extent_;
-}
-
-bool Field::same_state(const Field& other) const {
-    return extent_ == other.extent_;
-}
-
-std::uint64_t Field::place(uint2 address) const {
-    [[maybe_unused]] const uint2 extent = extent_;
-    const auto translate = [&](uint2 va) -> uint {
-        // linear.glift:12
-        return linearize(va, extent);
-    };
-    return translate(address);
-}
-
-void Field::copy_out(const glift::Commands& commands, const glift::Range<Field>& range,
-    const glift::Memory& box) const {
-    read_box(commands, range, Box_2_float(commands, range.size(), box));
-}
-
-void Field::copy_in(const glift::Commands& commands, const glift::Range<Field>& range, const glift::Memory& box) const {
-    write_box(commands, Box_2_float(commands, range.size(), box), range);
-}
-
-void Field::fill(float value, const glift::Range<Field>& range) {
-    fill_box(device(), range, value);
-}
-void Field::fill(float value) {
-    fill(value, *this);
 }
 
 }  // namespace at

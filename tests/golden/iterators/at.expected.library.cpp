@@ -13,29 +13,29 @@ using namespace glift::types;
 
 namespace {
 
-// address.glift:17: volume<2>
-inline uint volume(uint2 extent) {
-    // address.glift:18
-    uint product = extent.x;
+// address.glift:18: volume<2> in 64 bits
+inline std::uint64_t volume_64(uint2 extent) {
     // address.glift:19
+    std::uint64_t product = std::uint64_t(extent.x);
+    // address.glift:20
     for (uint axis = 1u; axis < 2u; ++axis) {
-        // address.glift:20
-        product *= extent[axis];
+        // address.glift:21
+        product = glift::saturated_product(product, std::uint64_t(extent[axis]));
     }
-    // address.glift:22
+    // address.glift:23
     return product;
 }
 
-// address.glift:26: linearize<2>
-inline uint linearize(uint2 address, uint2 extent) {
-    // address.glift:27
-    uint index = address.y;
+// address.glift:27: linearize<2> in 64 bits
+inline std::uint64_t linearize_64(uint2 address, uint2 extent) {
     // address.glift:28
+    std::uint64_t index = std::uint64_t(address.y);
+    // address.glift:29
     for (uint back = 1u; back < 2u; ++back) {
-        // address.glift:29
-        index = index * extent[2u - 1u - back] + address[2u - 1u - back];
+        // address.glift:30
+        index = index * std::uint64_t(extent[2u - 1u - back]) + std::uint64_t(address[2u - 1u - back]);
     }
-    // address.glift:31
+    // address.glift:32
     return index;
 }
 
@@ -44,7 +44,7 @@ inline uint linearize(uint2 address, uint2 extent) {
 GLIFT_SHARED Array_2_float_none_buffer::Array_2_float_none_buffer(const glift::Commands& commands, uint2 extent)
     : Structure(commands.device()),
       extent_(extent),
-      data_extent_(volume(extent_)),
+      data_extent_(volume_64(extent_)),
       data_(commands.allocate({.name = "Array<2, float, none, buffer>.data",
         .bytes = glift::buffer_bytes<float>(data_extent_)})) {}
 
@@ -52,7 +52,7 @@ GLIFT_SHARED Array_2_float_none_buffer::Array_2_float_none_buffer(const glift::C
     glift::Memory data)
     : Structure(commands.device()),
       extent_(extent),
-      data_extent_(volume(extent_)),
+      data_extent_(volume_64(extent_)),
       data_(commands.adopt(std::move(data),
         {.name = "Array<2, float, none, buffer>.data", .bytes = glift::buffer_bytes<float>(data_extent_)})) {}
 
@@ -66,9 +66,9 @@ GLIFT_SHARED bool Array_2_float_none_buffer::same_state(const Array_2_float_none
 
 GLIFT_SHARED std::uint64_t Array_2_float_none_buffer::place(uint2 address) const {
     [[maybe_unused]] const uint2 extent = extent_;
-    const auto translate = [&](uint2 va) -> uint {
+    const auto translate = [&](uint2 va) -> std::uint64_t {
         // linear.glift:12
-        return linearize(va, extent);
+        return linearize_64(va, extent);
     };
     return translate(address);
 }
@@ -98,29 +98,29 @@ using namespace glift::types;
 
 namespace {
 
-// address.glift:17: volume<2>
-inline uint volume(uint2 extent) {
-    // address.glift:18
-    uint product = extent.x;
+// address.glift:18: volume<2> in 64 bits
+inline std::uint64_t volume_64(uint2 extent) {
     // address.glift:19
+    std::uint64_t product = std::uint64_t(extent.x);
+    // address.glift:20
     for (uint axis = 1u; axis < 2u; ++axis) {
-        // address.glift:20
-        product *= extent[axis];
+        // address.glift:21
+        product = glift::saturated_product(product, std::uint64_t(extent[axis]));
     }
-    // address.glift:22
+    // address.glift:23
     return product;
 }
 
-// address.glift:26: linearize<2>
-inline uint linearize(uint2 address, uint2 extent) {
-    // address.glift:27
-    uint index = address.y;
+// address.glift:27: linearize<2> in 64 bits
+inline std::uint64_t linearize_64(uint2 address, uint2 extent) {
     // address.glift:28
+    std::uint64_t index = std::uint64_t(address.y);
+    // address.glift:29
     for (uint back = 1u; back < 2u; ++back) {
-        // address.glift:29
-        index = index * extent[2u - 1u - back] + address[2u - 1u - back];
+        // address.glift:30
+        index = index * std::uint64_t(extent[2u - 1u - back]) + std::uint64_t(address[2u - 1u - back]);
     }
-    // address.glift:31
+    // address.glift:32
     return index;
 }
 
@@ -213,9 +213,62 @@ static void read_box_f3d15695_general(const glift::HostCall& call) {
         rows); });
 }
 
+struct read_box_f3d15695_wide_parameters {
+    uint2 size;
+    uint2 from_origin;
+    uint2 to_origin;
+    uint3 base;
+    std::uint64_t from_extent_x;
+    std::uint64_t to_extent_x;
+    std::uint64_t from_data_address;
+    std::uint64_t to_data_address;
+};
+static_assert(offsetof(read_box_f3d15695_wide_parameters, size) == 0);
+static_assert(offsetof(read_box_f3d15695_wide_parameters, from_origin) == 8);
+static_assert(offsetof(read_box_f3d15695_wide_parameters, to_origin) == 16);
+static_assert(offsetof(read_box_f3d15695_wide_parameters, base) == 24);
+static_assert(offsetof(read_box_f3d15695_wide_parameters, from_extent_x) == 40);
+static_assert(offsetof(read_box_f3d15695_wide_parameters, to_extent_x) == 48);
+static_assert(offsetof(read_box_f3d15695_wide_parameters, from_data_address) == 56);
+static_assert(offsetof(read_box_f3d15695_wide_parameters, to_data_address) == 64);
+
+// transfer.glift:15: read_box<Array<2, float, none, buffer>, Box<2, float>>, some rows.
+GLIFT_HOST_KERNEL
+static void read_box_f3d15695_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const read_box_f3d15695_wide_parameters*>(call.parameters);
+    const uint2 from_origin = parameters.from_origin;
+    const uint2 to_origin = parameters.to_origin;
+    const std::uint64_t from_extent_x = parameters.from_extent_x;
+    const std::uint64_t to_extent_x = parameters.to_extent_x;
+    const float* from_data = glift::host::elements<const float>(call.memories[0]);
+    float* to_data = glift::host::elements<float>(call.memories[1]);
+    for (const glift::host::Row row : rows) {
+        GLIFT_INDEPENDENT
+        for (uint x = row.begin; x < row.end; ++x) {
+            const uint2 address{x, row.y};
+            // transfer.glift:16
+            const uint2 from_address = from_origin + address;
+            // transfer.glift:15
+            const std::uint64_t from_at = std::uint64_t(from_address.y) * from_extent_x + std::uint64_t(from_address.x);
+            // transfer.glift:16
+            const uint2 to_address = to_origin + address;
+            // transfer.glift:15
+            const std::uint64_t to_at = std::uint64_t(to_address.y) * to_extent_x + std::uint64_t(to_address.x);
+            // transfer.glift:16
+            to_data[to_at] = from_data[from_at];
+        }
+    }
+}
+
+static void read_box_f3d15695_wide(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { read_box_f3d15695_wide_rows(call, rows); });
+}
+
 const glift::Binding read_box_f3d15695_bindings[] = {
-    {.name = "from.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 32},
-    {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 40},
+    {.name = "from.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 56,
+        .element_bytes = sizeof(float), .reach = glift::Reach::element},
+    {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 64,
+        .element_bytes = sizeof(float), .parameter = 1, .reach = glift::Reach::element},
 };
 constexpr glift::Parameter read_box_f3d15695_parameters[] = {
     {"from_extent", 0, sizeof(read_box_f3d15695_direct_parameters::from_extent)},
@@ -231,7 +284,7 @@ const glift::Kernel read_box_f3d15695_kernel = {
     .bindings = read_box_f3d15695_bindings,
     .direct = {.host = &read_box_f3d15695_direct, .parameter_bytes = 12, .push_constants = true},
     .general = {.host = &read_box_f3d15695_general, .parameter_bytes = 32},
-    .wide = {},
+    .wide = {.host = &read_box_f3d15695_wide, .parameter_bytes = 72, .base_offset = 24},
     .parameters = read_box_f3d15695_parameters,
     .items = {1, 2, 1},
 };
@@ -326,9 +379,62 @@ static void write_box_d5801374_general(const glift::HostCall& call) {
         rows); });
 }
 
+struct write_box_d5801374_wide_parameters {
+    uint2 size;
+    uint2 from_origin;
+    uint2 to_origin;
+    uint3 base;
+    std::uint64_t from_extent_x;
+    std::uint64_t to_extent_x;
+    std::uint64_t from_data_address;
+    std::uint64_t to_data_address;
+};
+static_assert(offsetof(write_box_d5801374_wide_parameters, size) == 0);
+static_assert(offsetof(write_box_d5801374_wide_parameters, from_origin) == 8);
+static_assert(offsetof(write_box_d5801374_wide_parameters, to_origin) == 16);
+static_assert(offsetof(write_box_d5801374_wide_parameters, base) == 24);
+static_assert(offsetof(write_box_d5801374_wide_parameters, from_extent_x) == 40);
+static_assert(offsetof(write_box_d5801374_wide_parameters, to_extent_x) == 48);
+static_assert(offsetof(write_box_d5801374_wide_parameters, from_data_address) == 56);
+static_assert(offsetof(write_box_d5801374_wide_parameters, to_data_address) == 64);
+
+// transfer.glift:20: write_box<Box<2, float>, Array<2, float, none, buffer>>, some rows.
+GLIFT_HOST_KERNEL
+static void write_box_d5801374_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const write_box_d5801374_wide_parameters*>(call.parameters);
+    const uint2 from_origin = parameters.from_origin;
+    const uint2 to_origin = parameters.to_origin;
+    const std::uint64_t from_extent_x = parameters.from_extent_x;
+    const std::uint64_t to_extent_x = parameters.to_extent_x;
+    const float* from_data = glift::host::elements<const float>(call.memories[0]);
+    float* to_data = glift::host::elements<float>(call.memories[1]);
+    for (const glift::host::Row row : rows) {
+        GLIFT_INDEPENDENT
+        for (uint x = row.begin; x < row.end; ++x) {
+            const uint2 address{x, row.y};
+            // transfer.glift:21
+            const uint2 from_address = from_origin + address;
+            // transfer.glift:20
+            const std::uint64_t from_at = std::uint64_t(from_address.y) * from_extent_x + std::uint64_t(from_address.x);
+            // transfer.glift:21
+            const uint2 to_address = to_origin + address;
+            // transfer.glift:20
+            const std::uint64_t to_at = std::uint64_t(to_address.y) * to_extent_x + std::uint64_t(to_address.x);
+            // transfer.glift:21
+            to_data[to_at] = from_data[from_at];
+        }
+    }
+}
+
+static void write_box_d5801374_wide(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { write_box_d5801374_wide_rows(call, rows); });
+}
+
 const glift::Binding write_box_d5801374_bindings[] = {
-    {.name = "from.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 32},
-    {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 40},
+    {.name = "from.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 56,
+        .element_bytes = sizeof(float), .reach = glift::Reach::element},
+    {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 64,
+        .element_bytes = sizeof(float), .parameter = 1, .reach = glift::Reach::element},
 };
 constexpr glift::Parameter write_box_d5801374_parameters[] = {
     {"from_extent", 0, sizeof(write_box_d5801374_direct_parameters::from_extent)},
@@ -344,7 +450,7 @@ const glift::Kernel write_box_d5801374_kernel = {
     .bindings = write_box_d5801374_bindings,
     .direct = {.host = &write_box_d5801374_direct, .parameter_bytes = 12, .push_constants = true},
     .general = {.host = &write_box_d5801374_general, .parameter_bytes = 32},
-    .wide = {},
+    .wide = {.host = &write_box_d5801374_wide, .parameter_bytes = 72, .base_offset = 24},
     .parameters = write_box_d5801374_parameters,
     .items = {1, 2, 1},
 };
@@ -426,8 +532,50 @@ static void fill_box_902cb707_general(const glift::HostCall& call) {
         rows); });
 }
 
+struct fill_box_902cb707_wide_parameters {
+    uint2 size;
+    uint2 to_origin;
+    uint3 base;
+    std::uint64_t to_extent_x;
+    float value;
+    std::uint64_t to_data_address;
+};
+static_assert(offsetof(fill_box_902cb707_wide_parameters, size) == 0);
+static_assert(offsetof(fill_box_902cb707_wide_parameters, to_origin) == 8);
+static_assert(offsetof(fill_box_902cb707_wide_parameters, base) == 16);
+static_assert(offsetof(fill_box_902cb707_wide_parameters, to_extent_x) == 32);
+static_assert(offsetof(fill_box_902cb707_wide_parameters, value) == 40);
+static_assert(offsetof(fill_box_902cb707_wide_parameters, to_data_address) == 48);
+
+// transfer.glift:25: fill_box<Array<2, float, none, buffer>, float>, some rows.
+GLIFT_HOST_KERNEL
+static void fill_box_902cb707_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const fill_box_902cb707_wide_parameters*>(call.parameters);
+    const uint2 to_origin = parameters.to_origin;
+    const std::uint64_t to_extent_x = parameters.to_extent_x;
+    const float value = parameters.value;
+    float* to_data = glift::host::elements<float>(call.memories[0]);
+    for (const glift::host::Row row : rows) {
+        GLIFT_INDEPENDENT
+        for (uint x = row.begin; x < row.end; ++x) {
+            const uint2 address{x, row.y};
+            // transfer.glift:26
+            const uint2 to_address = to_origin + address;
+            // transfer.glift:25
+            const std::uint64_t to_at = std::uint64_t(to_address.y) * to_extent_x + std::uint64_t(to_address.x);
+            // transfer.glift:26
+            to_data[to_at] = value;
+        }
+    }
+}
+
+static void fill_box_902cb707_wide(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { fill_box_902cb707_wide_rows(call, rows); });
+}
+
 const glift::Binding fill_box_902cb707_bindings[] = {
-    {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 24},
+    {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 48,
+        .element_bytes = sizeof(float)},
 };
 constexpr glift::Parameter fill_box_902cb707_parameters[] = {
     {"to_extent", 0, sizeof(fill_box_902cb707_direct_parameters::to_extent)},
@@ -443,7 +591,7 @@ const glift::Kernel fill_box_902cb707_kernel = {
     .bindings = fill_box_902cb707_bindings,
     .direct = {.host = &fill_box_902cb707_direct, .parameter_bytes = 12, .push_constants = true},
     .general = {.host = &fill_box_902cb707_general, .parameter_bytes = 24},
-    .wide = {},
+    .wide = {.host = &fill_box_902cb707_wide, .parameter_bytes = 56, .base_offset = 16},
     .parameters = fill_box_902cb707_parameters,
     .items = {1, 2, 1},
 };
@@ -456,14 +604,30 @@ GLIFT_SHARED void read_box_f3d15695(const glift::Commands& commands,
     iteration.each("from", from);
     iteration.each("to", to);
     const glift::Memory memories[] = {from->data(), to->data()};
-    if (iteration.is_whole() && !commands.needs_general(read_box_f3d15695_kernel, memories, iteration.size())) {
+    if (iteration.is_shared(memories)) iteration.share(memories, {from, to});
+    if (commands.needs_wide(read_box_f3d15695_kernel, memories, iteration.size())) {
+        const read_box_f3d15695_wide_parameters parameters = {
+            .size = from.size(),
+            .from_origin = from.origin(),
+            .to_origin = to.origin(),
+            .base = {},
+            .from_extent_x = std::uint64_t(from->extent().x),
+            .to_extent_x = std::uint64_t(to->extent().x),
+            .from_data_address = 0u,
+            .to_data_address = 0u,
+        };
+        commands.dispatch(read_box_f3d15695_kernel,
+            {.form = glift::FormName::wide, .memories = memories, .parameters = glift::bytes_of(parameters),
+            .size = iteration.size(), .patches = iteration.patches({offsetof(read_box_f3d15695_wide_parameters, size)}),
+            .sharing = iteration.sharing()});
+    } else if (iteration.is_whole()) {
         const read_box_f3d15695_direct_parameters parameters = {
             .from_extent = from->extent(),
             .to_extent_x = to->extent().x,
         };
         commands.dispatch(read_box_f3d15695_kernel,
             {.form = glift::FormName::direct, .memories = memories, .parameters = glift::bytes_of(parameters),
-            .size = iteration.size()});
+            .size = iteration.size(), .sharing = iteration.sharing()});
     } else {
         const read_box_f3d15695_general_parameters parameters = {
             .size = from.size(),
@@ -475,7 +639,7 @@ GLIFT_SHARED void read_box_f3d15695(const glift::Commands& commands,
         commands.dispatch(read_box_f3d15695_kernel,
             {.form = glift::FormName::general, .memories = memories, .parameters = glift::bytes_of(parameters),
             .size = iteration.size(), .patches = iteration.patches({offsetof(read_box_f3d15695_general_parameters,
-            size)})});
+            size)}), .sharing = iteration.sharing()});
     }
 }
 
@@ -485,14 +649,30 @@ GLIFT_SHARED void write_box_d5801374(const glift::Commands& commands, const glif
     iteration.each("from", from);
     iteration.each("to", to);
     const glift::Memory memories[] = {from->data(), to->data()};
-    if (iteration.is_whole() && !commands.needs_general(write_box_d5801374_kernel, memories, iteration.size())) {
+    if (iteration.is_shared(memories)) iteration.share(memories, {from, to});
+    if (commands.needs_wide(write_box_d5801374_kernel, memories, iteration.size())) {
+        const write_box_d5801374_wide_parameters parameters = {
+            .size = from.size(),
+            .from_origin = from.origin(),
+            .to_origin = to.origin(),
+            .base = {},
+            .from_extent_x = std::uint64_t(from->extent().x),
+            .to_extent_x = std::uint64_t(to->extent().x),
+            .from_data_address = 0u,
+            .to_data_address = 0u,
+        };
+        commands.dispatch(write_box_d5801374_kernel,
+            {.form = glift::FormName::wide, .memories = memories, .parameters = glift::bytes_of(parameters),
+            .size = iteration.size(), .patches = iteration.patches({offsetof(write_box_d5801374_wide_parameters,
+            size)}), .sharing = iteration.sharing()});
+    } else if (iteration.is_whole()) {
         const write_box_d5801374_direct_parameters parameters = {
             .from_extent = from->extent(),
             .to_extent_x = to->extent().x,
         };
         commands.dispatch(write_box_d5801374_kernel,
             {.form = glift::FormName::direct, .memories = memories, .parameters = glift::bytes_of(parameters),
-            .size = iteration.size()});
+            .size = iteration.size(), .sharing = iteration.sharing()});
     } else {
         const write_box_d5801374_general_parameters parameters = {
             .size = from.size(),
@@ -504,7 +684,7 @@ GLIFT_SHARED void write_box_d5801374(const glift::Commands& commands, const glif
         commands.dispatch(write_box_d5801374_kernel,
             {.form = glift::FormName::general, .memories = memories, .parameters = glift::bytes_of(parameters),
             .size = iteration.size(), .patches = iteration.patches({offsetof(write_box_d5801374_general_parameters,
-            size)})});
+            size)}), .sharing = iteration.sharing()});
     }
 }
 
@@ -513,7 +693,20 @@ GLIFT_SHARED void fill_box_902cb707(const glift::Commands& commands,
     glift::Iteration iteration(fill_box_902cb707_kernel);
     iteration.each("to", to);
     const glift::Memory memories[] = {to->data()};
-    if (iteration.is_whole() && !commands.needs_general(fill_box_902cb707_kernel, memories, iteration.size())) {
+    if (commands.needs_wide(fill_box_902cb707_kernel, memories, iteration.size())) {
+        const fill_box_902cb707_wide_parameters parameters = {
+            .size = to.size(),
+            .to_origin = to.origin(),
+            .base = {},
+            .to_extent_x = std::uint64_t(to->extent().x),
+            .value = value,
+            .to_data_address = 0u,
+        };
+        commands.dispatch(fill_box_902cb707_kernel,
+            {.form = glift::FormName::wide, .memories = memories, .parameters = glift::bytes_of(parameters),
+            .size = iteration.size(), .patches = iteration.patches({offsetof(fill_box_902cb707_wide_parameters,
+            size)})});
+    } else if (iteration.is_whole()) {
         const fill_box_902cb707_direct_parameters parameters = {
             .to_extent = to->extent(),
             .value = value,
@@ -538,13 +731,13 @@ GLIFT_SHARED void fill_box_902cb707(const glift::Commands& commands,
 GLIFT_SHARED Box_2_float::Box_2_float(const glift::Commands& commands, uint2 extent)
     : Structure(commands.device()),
       extent_(extent),
-      data_extent_(volume(extent_)),
+      data_extent_(volume_64(extent_)),
       data_(commands.allocate({.name = "Box<2, float>.data", .bytes = glift::buffer_bytes<float>(data_extent_)})) {}
 
 GLIFT_SHARED Box_2_float::Box_2_float(const glift::Commands& commands, uint2 extent, glift::Memory data)
     : Structure(commands.device()),
       extent_(extent),
-      data_extent_(volume(extent_)),
+      data_extent_(volume_64(extent_)),
       data_(commands.adopt(std::move(data),
         {.name = "Box<2, float>.data", .bytes = glift::buffer_bytes<float>(data_extent_)})) {}
 
@@ -558,9 +751,9 @@ GLIFT_SHARED bool Box_2_float::same_state(const Box_2_float& other) const {
 
 GLIFT_SHARED std::uint64_t Box_2_float::place(uint2 address) const {
     [[maybe_unused]] const uint2 extent = extent_;
-    const auto translate = [&](uint2 va) -> uint {
+    const auto translate = [&](uint2 va) -> std::uint64_t {
         // linear.glift:12
-        return linearize(va, extent);
+        return linearize_64(va, extent);
     };
     return translate(address);
 }

@@ -13,29 +13,29 @@ using namespace glift::types;
 
 namespace {
 
-// address.glift:17: volume<3>
-inline uint volume(uint3 extent) {
-    // address.glift:18
-    uint product = extent.x;
+// address.glift:18: volume<3> in 64 bits
+inline std::uint64_t volume_64(uint3 extent) {
     // address.glift:19
+    std::uint64_t product = std::uint64_t(extent.x);
+    // address.glift:20
     for (uint axis = 1u; axis < 3u; ++axis) {
-        // address.glift:20
-        product *= extent[axis];
+        // address.glift:21
+        product = glift::saturated_product(product, std::uint64_t(extent[axis]));
     }
-    // address.glift:22
+    // address.glift:23
     return product;
 }
 
-// address.glift:26: linearize<3>
-inline uint linearize(uint3 address, uint3 extent) {
-    // address.glift:27
-    uint index = address.z;
+// address.glift:27: linearize<3> in 64 bits
+inline std::uint64_t linearize_64(uint3 address, uint3 extent) {
     // address.glift:28
+    std::uint64_t index = std::uint64_t(address.z);
+    // address.glift:29
     for (uint back = 1u; back < 3u; ++back) {
-        // address.glift:29
-        index = index * extent[3u - 1u - back] + address[3u - 1u - back];
+        // address.glift:30
+        index = index * std::uint64_t(extent[3u - 1u - back]) + std::uint64_t(address[3u - 1u - back]);
     }
-    // address.glift:31
+    // address.glift:32
     return index;
 }
 
@@ -44,7 +44,7 @@ inline uint linearize(uint3 address, uint3 extent) {
 GLIFT_SHARED Array_3_float_none_buffer::Array_3_float_none_buffer(const glift::Commands& commands, uint3 extent)
     : Structure(commands.device()),
       extent_(extent),
-      data_extent_(volume(extent_)),
+      data_extent_(volume_64(extent_)),
       data_(commands.allocate({.name = "Array<3, float, none, buffer>.data",
         .bytes = glift::buffer_bytes<float>(data_extent_)})) {}
 
@@ -52,7 +52,7 @@ GLIFT_SHARED Array_3_float_none_buffer::Array_3_float_none_buffer(const glift::C
     glift::Memory data)
     : Structure(commands.device()),
       extent_(extent),
-      data_extent_(volume(extent_)),
+      data_extent_(volume_64(extent_)),
       data_(commands.adopt(std::move(data),
         {.name = "Array<3, float, none, buffer>.data", .bytes = glift::buffer_bytes<float>(data_extent_)})) {}
 
@@ -66,9 +66,9 @@ GLIFT_SHARED bool Array_3_float_none_buffer::same_state(const Array_3_float_none
 
 GLIFT_SHARED std::uint64_t Array_3_float_none_buffer::place(uint3 address) const {
     [[maybe_unused]] const uint3 extent = extent_;
-    const auto translate = [&](uint3 va) -> uint {
+    const auto translate = [&](uint3 va) -> std::uint64_t {
         // linear.glift:12
-        return linearize(va, extent);
+        return linearize_64(va, extent);
     };
     return translate(address);
 }
@@ -98,29 +98,29 @@ using namespace glift::types;
 
 namespace {
 
-// address.glift:17: volume<3>
-inline uint volume(uint3 extent) {
-    // address.glift:18
-    uint product = extent.x;
+// address.glift:18: volume<3> in 64 bits
+inline std::uint64_t volume_64(uint3 extent) {
     // address.glift:19
+    std::uint64_t product = std::uint64_t(extent.x);
+    // address.glift:20
     for (uint axis = 1u; axis < 3u; ++axis) {
-        // address.glift:20
-        product *= extent[axis];
+        // address.glift:21
+        product = glift::saturated_product(product, std::uint64_t(extent[axis]));
     }
-    // address.glift:22
+    // address.glift:23
     return product;
 }
 
-// address.glift:26: linearize<3>
-inline uint linearize(uint3 address, uint3 extent) {
-    // address.glift:27
-    uint index = address.z;
+// address.glift:27: linearize<3> in 64 bits
+inline std::uint64_t linearize_64(uint3 address, uint3 extent) {
     // address.glift:28
+    std::uint64_t index = std::uint64_t(address.z);
+    // address.glift:29
     for (uint back = 1u; back < 3u; ++back) {
-        // address.glift:29
-        index = index * extent[3u - 1u - back] + address[3u - 1u - back];
+        // address.glift:30
+        index = index * std::uint64_t(extent[3u - 1u - back]) + std::uint64_t(address[3u - 1u - back]);
     }
-    // address.glift:31
+    // address.glift:32
     return index;
 }
 
@@ -213,9 +213,70 @@ static void read_box_6d963c25_general(const glift::HostCall& call) {
         rows); });
 }
 
+struct read_box_6d963c25_wide_parameters {
+    uint3 size;
+    uint3 from_origin;
+    uint3 to_origin;
+    uint3 base;
+    std::uint64_t from_extent_y;
+    std::uint64_t from_extent_x;
+    std::uint64_t to_extent_y;
+    std::uint64_t to_extent_x;
+    std::uint64_t from_data_address;
+    std::uint64_t to_data_address;
+};
+static_assert(offsetof(read_box_6d963c25_wide_parameters, size) == 0);
+static_assert(offsetof(read_box_6d963c25_wide_parameters, from_origin) == 12);
+static_assert(offsetof(read_box_6d963c25_wide_parameters, to_origin) == 24);
+static_assert(offsetof(read_box_6d963c25_wide_parameters, base) == 36);
+static_assert(offsetof(read_box_6d963c25_wide_parameters, from_extent_y) == 48);
+static_assert(offsetof(read_box_6d963c25_wide_parameters, from_extent_x) == 56);
+static_assert(offsetof(read_box_6d963c25_wide_parameters, to_extent_y) == 64);
+static_assert(offsetof(read_box_6d963c25_wide_parameters, to_extent_x) == 72);
+static_assert(offsetof(read_box_6d963c25_wide_parameters, from_data_address) == 80);
+static_assert(offsetof(read_box_6d963c25_wide_parameters, to_data_address) == 88);
+
+// transfer.glift:15: read_box<Array<3, float, none, buffer>, Box<3, float>>, some rows.
+GLIFT_HOST_KERNEL
+static void read_box_6d963c25_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const read_box_6d963c25_wide_parameters*>(call.parameters);
+    const uint3 from_origin = parameters.from_origin;
+    const uint3 to_origin = parameters.to_origin;
+    const std::uint64_t from_extent_y = parameters.from_extent_y;
+    const std::uint64_t from_extent_x = parameters.from_extent_x;
+    const std::uint64_t to_extent_y = parameters.to_extent_y;
+    const std::uint64_t to_extent_x = parameters.to_extent_x;
+    const float* from_data = glift::host::elements<const float>(call.memories[0]);
+    float* to_data = glift::host::elements<float>(call.memories[1]);
+    for (const glift::host::Row row : rows) {
+        GLIFT_INDEPENDENT
+        for (uint x = row.begin; x < row.end; ++x) {
+            const uint3 address{x, row.y, row.z};
+            // transfer.glift:16
+            const uint3 from_address = from_origin + address;
+            // transfer.glift:15
+            const std::uint64_t from_at = (std::uint64_t(from_address.z) * from_extent_y
+                + std::uint64_t(from_address.y)) * from_extent_x + std::uint64_t(from_address.x);
+            // transfer.glift:16
+            const uint3 to_address = to_origin + address;
+            // transfer.glift:15
+            const std::uint64_t to_at = (std::uint64_t(to_address.z) * to_extent_y
+                + std::uint64_t(to_address.y)) * to_extent_x + std::uint64_t(to_address.x);
+            // transfer.glift:16
+            to_data[to_at] = from_data[from_at];
+        }
+    }
+}
+
+static void read_box_6d963c25_wide(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { read_box_6d963c25_wide_rows(call, rows); });
+}
+
 const glift::Binding read_box_6d963c25_bindings[] = {
-    {.name = "from.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 64},
-    {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 72},
+    {.name = "from.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 80,
+        .element_bytes = sizeof(float), .reach = glift::Reach::element},
+    {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 88,
+        .element_bytes = sizeof(float), .parameter = 1, .reach = glift::Reach::element},
 };
 constexpr glift::Parameter read_box_6d963c25_parameters[] = {
     {"from_extent", 0, sizeof(read_box_6d963c25_direct_parameters::from_extent)},
@@ -231,7 +292,7 @@ const glift::Kernel read_box_6d963c25_kernel = {
     .bindings = read_box_6d963c25_bindings,
     .direct = {.host = &read_box_6d963c25_direct, .parameter_bytes = 24, .push_constants = true},
     .general = {.host = &read_box_6d963c25_general, .parameter_bytes = 60},
-    .wide = {},
+    .wide = {.host = &read_box_6d963c25_wide, .parameter_bytes = 96, .base_offset = 36},
     .parameters = read_box_6d963c25_parameters,
     .items = {1, 2, 1},
 };
@@ -326,9 +387,70 @@ static void write_box_e5b112ea_general(const glift::HostCall& call) {
         rows); });
 }
 
+struct write_box_e5b112ea_wide_parameters {
+    uint3 size;
+    uint3 from_origin;
+    uint3 to_origin;
+    uint3 base;
+    std::uint64_t from_extent_y;
+    std::uint64_t from_extent_x;
+    std::uint64_t to_extent_y;
+    std::uint64_t to_extent_x;
+    std::uint64_t from_data_address;
+    std::uint64_t to_data_address;
+};
+static_assert(offsetof(write_box_e5b112ea_wide_parameters, size) == 0);
+static_assert(offsetof(write_box_e5b112ea_wide_parameters, from_origin) == 12);
+static_assert(offsetof(write_box_e5b112ea_wide_parameters, to_origin) == 24);
+static_assert(offsetof(write_box_e5b112ea_wide_parameters, base) == 36);
+static_assert(offsetof(write_box_e5b112ea_wide_parameters, from_extent_y) == 48);
+static_assert(offsetof(write_box_e5b112ea_wide_parameters, from_extent_x) == 56);
+static_assert(offsetof(write_box_e5b112ea_wide_parameters, to_extent_y) == 64);
+static_assert(offsetof(write_box_e5b112ea_wide_parameters, to_extent_x) == 72);
+static_assert(offsetof(write_box_e5b112ea_wide_parameters, from_data_address) == 80);
+static_assert(offsetof(write_box_e5b112ea_wide_parameters, to_data_address) == 88);
+
+// transfer.glift:20: write_box<Box<3, float>, Array<3, float, none, buffer>>, some rows.
+GLIFT_HOST_KERNEL
+static void write_box_e5b112ea_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const write_box_e5b112ea_wide_parameters*>(call.parameters);
+    const uint3 from_origin = parameters.from_origin;
+    const uint3 to_origin = parameters.to_origin;
+    const std::uint64_t from_extent_y = parameters.from_extent_y;
+    const std::uint64_t from_extent_x = parameters.from_extent_x;
+    const std::uint64_t to_extent_y = parameters.to_extent_y;
+    const std::uint64_t to_extent_x = parameters.to_extent_x;
+    const float* from_data = glift::host::elements<const float>(call.memories[0]);
+    float* to_data = glift::host::elements<float>(call.memories[1]);
+    for (const glift::host::Row row : rows) {
+        GLIFT_INDEPENDENT
+        for (uint x = row.begin; x < row.end; ++x) {
+            const uint3 address{x, row.y, row.z};
+            // transfer.glift:21
+            const uint3 from_address = from_origin + address;
+            // transfer.glift:20
+            const std::uint64_t from_at = (std::uint64_t(from_address.z) * from_extent_y
+                + std::uint64_t(from_address.y)) * from_extent_x + std::uint64_t(from_address.x);
+            // transfer.glift:21
+            const uint3 to_address = to_origin + address;
+            // transfer.glift:20
+            const std::uint64_t to_at = (std::uint64_t(to_address.z) * to_extent_y
+                + std::uint64_t(to_address.y)) * to_extent_x + std::uint64_t(to_address.x);
+            // transfer.glift:21
+            to_data[to_at] = from_data[from_at];
+        }
+    }
+}
+
+static void write_box_e5b112ea_wide(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { write_box_e5b112ea_wide_rows(call, rows); });
+}
+
 const glift::Binding write_box_e5b112ea_bindings[] = {
-    {.name = "from.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 64},
-    {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 72},
+    {.name = "from.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 80,
+        .element_bytes = sizeof(float), .reach = glift::Reach::element},
+    {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 88,
+        .element_bytes = sizeof(float), .parameter = 1, .reach = glift::Reach::element},
 };
 constexpr glift::Parameter write_box_e5b112ea_parameters[] = {
     {"from_extent", 0, sizeof(write_box_e5b112ea_direct_parameters::from_extent)},
@@ -344,7 +466,7 @@ const glift::Kernel write_box_e5b112ea_kernel = {
     .bindings = write_box_e5b112ea_bindings,
     .direct = {.host = &write_box_e5b112ea_direct, .parameter_bytes = 24, .push_constants = true},
     .general = {.host = &write_box_e5b112ea_general, .parameter_bytes = 60},
-    .wide = {},
+    .wide = {.host = &write_box_e5b112ea_wide, .parameter_bytes = 96, .base_offset = 36},
     .parameters = write_box_e5b112ea_parameters,
     .items = {1, 2, 1},
 };
@@ -426,8 +548,54 @@ static void fill_box_bdadf51c_general(const glift::HostCall& call) {
         rows); });
 }
 
+struct fill_box_bdadf51c_wide_parameters {
+    uint3 size;
+    uint3 to_origin;
+    uint3 base;
+    std::uint64_t to_extent_y;
+    std::uint64_t to_extent_x;
+    float value;
+    std::uint64_t to_data_address;
+};
+static_assert(offsetof(fill_box_bdadf51c_wide_parameters, size) == 0);
+static_assert(offsetof(fill_box_bdadf51c_wide_parameters, to_origin) == 12);
+static_assert(offsetof(fill_box_bdadf51c_wide_parameters, base) == 24);
+static_assert(offsetof(fill_box_bdadf51c_wide_parameters, to_extent_y) == 40);
+static_assert(offsetof(fill_box_bdadf51c_wide_parameters, to_extent_x) == 48);
+static_assert(offsetof(fill_box_bdadf51c_wide_parameters, value) == 56);
+static_assert(offsetof(fill_box_bdadf51c_wide_parameters, to_data_address) == 64);
+
+// transfer.glift:25: fill_box<Array<3, float, none, buffer>, float>, some rows.
+GLIFT_HOST_KERNEL
+static void fill_box_bdadf51c_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const fill_box_bdadf51c_wide_parameters*>(call.parameters);
+    const uint3 to_origin = parameters.to_origin;
+    const std::uint64_t to_extent_y = parameters.to_extent_y;
+    const std::uint64_t to_extent_x = parameters.to_extent_x;
+    const float value = parameters.value;
+    float* to_data = glift::host::elements<float>(call.memories[0]);
+    for (const glift::host::Row row : rows) {
+        GLIFT_INDEPENDENT
+        for (uint x = row.begin; x < row.end; ++x) {
+            const uint3 address{x, row.y, row.z};
+            // transfer.glift:26
+            const uint3 to_address = to_origin + address;
+            // transfer.glift:25
+            const std::uint64_t to_at = (std::uint64_t(to_address.z) * to_extent_y
+                + std::uint64_t(to_address.y)) * to_extent_x + std::uint64_t(to_address.x);
+            // transfer.glift:26
+            to_data[to_at] = value;
+        }
+    }
+}
+
+static void fill_box_bdadf51c_wide(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { fill_box_bdadf51c_wide_rows(call, rows); });
+}
+
 const glift::Binding fill_box_bdadf51c_bindings[] = {
-    {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 40},
+    {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 64,
+        .element_bytes = sizeof(float)},
 };
 constexpr glift::Parameter fill_box_bdadf51c_parameters[] = {
     {"to_extent", 0, sizeof(fill_box_bdadf51c_direct_parameters::to_extent)},
@@ -443,7 +611,7 @@ const glift::Kernel fill_box_bdadf51c_kernel = {
     .bindings = fill_box_bdadf51c_bindings,
     .direct = {.host = &fill_box_bdadf51c_direct, .parameter_bytes = 16, .push_constants = true},
     .general = {.host = &fill_box_bdadf51c_general, .parameter_bytes = 40},
-    .wide = {},
+    .wide = {.host = &fill_box_bdadf51c_wide, .parameter_bytes = 72, .base_offset = 24},
     .parameters = fill_box_bdadf51c_parameters,
     .items = {1, 2, 1},
 };
@@ -456,14 +624,32 @@ GLIFT_SHARED void read_box_6d963c25(const glift::Commands& commands,
     iteration.each("from", from);
     iteration.each("to", to);
     const glift::Memory memories[] = {from->data(), to->data()};
-    if (iteration.is_whole() && !commands.needs_general(read_box_6d963c25_kernel, memories, iteration.size())) {
+    if (iteration.is_shared(memories)) iteration.share(memories, {from, to});
+    if (commands.needs_wide(read_box_6d963c25_kernel, memories, iteration.size())) {
+        const read_box_6d963c25_wide_parameters parameters = {
+            .size = from.size(),
+            .from_origin = from.origin(),
+            .to_origin = to.origin(),
+            .base = {},
+            .from_extent_y = std::uint64_t(from->extent().y),
+            .from_extent_x = std::uint64_t(from->extent().x),
+            .to_extent_y = std::uint64_t(to->extent().y),
+            .to_extent_x = std::uint64_t(to->extent().x),
+            .from_data_address = 0u,
+            .to_data_address = 0u,
+        };
+        commands.dispatch(read_box_6d963c25_kernel,
+            {.form = glift::FormName::wide, .memories = memories, .parameters = glift::bytes_of(parameters),
+            .size = iteration.size(), .patches = iteration.patches({offsetof(read_box_6d963c25_wide_parameters, size)}),
+            .sharing = iteration.sharing()});
+    } else if (iteration.is_whole()) {
         const read_box_6d963c25_direct_parameters parameters = {
             .from_extent = from->extent(),
             .to_extent = to->extent(),
         };
         commands.dispatch(read_box_6d963c25_kernel,
             {.form = glift::FormName::direct, .memories = memories, .parameters = glift::bytes_of(parameters),
-            .size = iteration.size()});
+            .size = iteration.size(), .sharing = iteration.sharing()});
     } else {
         const read_box_6d963c25_general_parameters parameters = {
             .size = from.size(),
@@ -475,7 +661,7 @@ GLIFT_SHARED void read_box_6d963c25(const glift::Commands& commands,
         commands.dispatch(read_box_6d963c25_kernel,
             {.form = glift::FormName::general, .memories = memories, .parameters = glift::bytes_of(parameters),
             .size = iteration.size(), .patches = iteration.patches({offsetof(read_box_6d963c25_general_parameters,
-            size)})});
+            size)}), .sharing = iteration.sharing()});
     }
 }
 
@@ -485,14 +671,32 @@ GLIFT_SHARED void write_box_e5b112ea(const glift::Commands& commands, const glif
     iteration.each("from", from);
     iteration.each("to", to);
     const glift::Memory memories[] = {from->data(), to->data()};
-    if (iteration.is_whole() && !commands.needs_general(write_box_e5b112ea_kernel, memories, iteration.size())) {
+    if (iteration.is_shared(memories)) iteration.share(memories, {from, to});
+    if (commands.needs_wide(write_box_e5b112ea_kernel, memories, iteration.size())) {
+        const write_box_e5b112ea_wide_parameters parameters = {
+            .size = from.size(),
+            .from_origin = from.origin(),
+            .to_origin = to.origin(),
+            .base = {},
+            .from_extent_y = std::uint64_t(from->extent().y),
+            .from_extent_x = std::uint64_t(from->extent().x),
+            .to_extent_y = std::uint64_t(to->extent().y),
+            .to_extent_x = std::uint64_t(to->extent().x),
+            .from_data_address = 0u,
+            .to_data_address = 0u,
+        };
+        commands.dispatch(write_box_e5b112ea_kernel,
+            {.form = glift::FormName::wide, .memories = memories, .parameters = glift::bytes_of(parameters),
+            .size = iteration.size(), .patches = iteration.patches({offsetof(write_box_e5b112ea_wide_parameters,
+            size)}), .sharing = iteration.sharing()});
+    } else if (iteration.is_whole()) {
         const write_box_e5b112ea_direct_parameters parameters = {
             .from_extent = from->extent(),
             .to_extent = to->extent(),
         };
         commands.dispatch(write_box_e5b112ea_kernel,
             {.form = glift::FormName::direct, .memories = memories, .parameters = glift::bytes_of(parameters),
-            .size = iteration.size()});
+            .size = iteration.size(), .sharing = iteration.sharing()});
     } else {
         const write_box_e5b112ea_general_parameters parameters = {
             .size = from.size(),
@@ -504,7 +708,7 @@ GLIFT_SHARED void write_box_e5b112ea(const glift::Commands& commands, const glif
         commands.dispatch(write_box_e5b112ea_kernel,
             {.form = glift::FormName::general, .memories = memories, .parameters = glift::bytes_of(parameters),
             .size = iteration.size(), .patches = iteration.patches({offsetof(write_box_e5b112ea_general_parameters,
-            size)})});
+            size)}), .sharing = iteration.sharing()});
     }
 }
 
@@ -513,7 +717,21 @@ GLIFT_SHARED void fill_box_bdadf51c(const glift::Commands& commands,
     glift::Iteration iteration(fill_box_bdadf51c_kernel);
     iteration.each("to", to);
     const glift::Memory memories[] = {to->data()};
-    if (iteration.is_whole() && !commands.needs_general(fill_box_bdadf51c_kernel, memories, iteration.size())) {
+    if (commands.needs_wide(fill_box_bdadf51c_kernel, memories, iteration.size())) {
+        const fill_box_bdadf51c_wide_parameters parameters = {
+            .size = to.size(),
+            .to_origin = to.origin(),
+            .base = {},
+            .to_extent_y = std::uint64_t(to->extent().y),
+            .to_extent_x = std::uint64_t(to->extent().x),
+            .value = value,
+            .to_data_address = 0u,
+        };
+        commands.dispatch(fill_box_bdadf51c_kernel,
+            {.form = glift::FormName::wide, .memories = memories, .parameters = glift::bytes_of(parameters),
+            .size = iteration.size(), .patches = iteration.patches({offsetof(fill_box_bdadf51c_wide_parameters,
+            size)})});
+    } else if (iteration.is_whole()) {
         const fill_box_bdadf51c_direct_parameters parameters = {
             .to_extent = to->extent(),
             .value = value,
@@ -538,13 +756,13 @@ GLIFT_SHARED void fill_box_bdadf51c(const glift::Commands& commands,
 GLIFT_SHARED Box_3_float::Box_3_float(const glift::Commands& commands, uint3 extent)
     : Structure(commands.device()),
       extent_(extent),
-      data_extent_(volume(extent_)),
+      data_extent_(volume_64(extent_)),
       data_(commands.allocate({.name = "Box<3, float>.data", .bytes = glift::buffer_bytes<float>(data_extent_)})) {}
 
 GLIFT_SHARED Box_3_float::Box_3_float(const glift::Commands& commands, uint3 extent, glift::Memory data)
     : Structure(commands.device()),
       extent_(extent),
-      data_extent_(volume(extent_)),
+      data_extent_(volume_64(extent_)),
       data_(commands.adopt(std::move(data),
         {.name = "Box<3, float>.data", .bytes = glift::buffer_bytes<float>(data_extent_)})) {}
 
@@ -558,9 +776,9 @@ GLIFT_SHARED bool Box_3_float::same_state(const Box_3_float& other) const {
 
 GLIFT_SHARED std::uint64_t Box_3_float::place(uint3 address) const {
     [[maybe_unused]] const uint3 extent = extent_;
-    const auto translate = [&](uint3 va) -> uint {
+    const auto translate = [&](uint3 va) -> std::uint64_t {
         // linear.glift:12
-        return linearize(va, extent);
+        return linearize_64(va, extent);
     };
     return translate(address);
 }

@@ -171,9 +171,102 @@ static void count_digits_general(const glift::HostCall& call) {
         [&](const glift::host::Rows& rows) { count_digits_general_rows(call, rows); });
 }
 
+struct count_digits_wide_parameters {
+    uint size;
+    uint from_origin;
+    uint from_size;
+    uint counts_origin;
+    uint counts_size;
+    std::uint64_t from_data_address;
+    std::uint64_t counts_data_address;
+};
+static_assert(offsetof(count_digits_wide_parameters, size) == 0);
+static_assert(offsetof(count_digits_wide_parameters, from_origin) == 4);
+static_assert(offsetof(count_digits_wide_parameters, from_size) == 8);
+static_assert(offsetof(count_digits_wide_parameters, counts_origin) == 12);
+static_assert(offsetof(count_digits_wide_parameters, counts_size) == 16);
+static_assert(offsetof(count_digits_wide_parameters, from_data_address) == 24);
+static_assert(offsetof(count_digits_wide_parameters, counts_data_address) == 32);
+
+// large_arrays.glift:9: count_digits, some rows.
+GLIFT_HOST_KERNEL
+static void count_digits_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const count_digits_wide_parameters*>(call.parameters);
+    const uint from_origin = parameters.from_origin;
+    const uint from_size = parameters.from_size;
+    const uint counts_origin = parameters.counts_origin;
+    const uint counts_size = parameters.counts_size;
+    const uint* from_data = glift::host::elements<const uint>(call.memories[0]);
+    uint* counts_data = glift::host::elements<uint>(call.memories[1]);
+    for (const glift::host::Row row : rows) {
+        for (uint x = row.begin; x < row.end; ++x) {
+            const uint address = x * 256;
+            if (glift::host::fits(address, 256u, from_size) && glift::host::fits(address, 256u, counts_size)) {
+                // large_arrays.glift:10
+                glift::array<uint, 256> found;
+                for (uint found_at = 0u; found_at < 256u; ++found_at) {
+                    found[found_at] = 0u;
+                }
+                // large_arrays.glift:11
+                for (uint k = 0u; k < 256u; ++k) {
+                    // large_arrays.glift:12
+                    const uint from_address = address + k;
+                    const uint from_virtual = from_address + from_origin;
+                    const std::uint64_t from_value_at = std::uint64_t(from_virtual);
+                    const uint from_value = from_data[from_value_at];
+                    const uint value = from_value & 255u;
+                    found[value] += 1u;
+                }
+                // large_arrays.glift:14
+                for (uint d = 0u; d < 256u; ++d) {
+                    // large_arrays.glift:15
+                    const uint counts_address = address + d;
+                    const uint counts_virtual = counts_address + counts_origin;
+                    {
+                        counts_data[std::uint64_t(counts_virtual)] = found[d];
+                    }
+                }
+            } else {
+                // large_arrays.glift:10
+                glift::array<uint, 256> found;
+                for (uint found_at = 0u; found_at < 256u; ++found_at) {
+                    found[found_at] = 0u;
+                }
+                // large_arrays.glift:11
+                for (uint k = 0u; k < 256u; ++k) {
+                    // large_arrays.glift:12
+                    const uint from_address = address + k;
+                    const uint from_virtual = from_address + from_origin;
+                    const bool from_value_inside = from_address < from_size;
+                    const std::uint64_t from_value_at = std::uint64_t(from_virtual);
+                    const uint from_value = from_data[from_value_inside ? from_value_at : std::uint64_t{0u}];
+                    const uint value = (from_value_inside ? from_value : 0u) & 255u;
+                    found[value] += 1u;
+                }
+                // large_arrays.glift:14
+                for (uint d = 0u; d < 256u; ++d) {
+                    // large_arrays.glift:15
+                    const uint counts_address = address + d;
+                    const uint counts_virtual = counts_address + counts_origin;
+                    if (counts_address < counts_size) {
+                        counts_data[std::uint64_t(counts_virtual)] = found[d];
+                    }
+                }
+            }
+        }
+    }
+}
+
+static void count_digits_wide(const glift::HostCall& call) {
+    glift::host::for_strides(call.size[0], 256,
+        [&](const glift::host::Rows& rows) { count_digits_wide_rows(call, rows); });
+}
+
 const glift::Binding count_digits_bindings[] = {
-    {.name = "from.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 24},
-    {.name = "counts.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 32},
+    {.name = "from.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 24,
+        .element_bytes = sizeof(uint), .parameter = 1, .reach = glift::Reach::range},
+    {.name = "counts.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 32,
+        .element_bytes = sizeof(uint), .parameter = 2, .reach = glift::Reach::range},
 };
 constexpr glift::Parameter count_digits_parameters[] = {
     {"row_extent", 0, sizeof(count_digits_direct_parameters::row_extent)},
@@ -188,7 +281,7 @@ const glift::Kernel count_digits_kernel = {
     .bindings = count_digits_bindings,
     .direct = {.host = &count_digits_direct, .parameter_bytes = 4, .push_constants = true},
     .general = {.host = &count_digits_general, .parameter_bytes = 20},
-    .wide = {},
+    .wide = {.host = &count_digits_wide, .parameter_bytes = 40},
     .parameters = count_digits_parameters,
     .items = {256, 1, 1},
     .longest_loop = {"large_arrays.glift", 14},
@@ -279,8 +372,55 @@ static void corners_general(const glift::HostCall& call) {
     glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { corners_general_rows(call, rows); });
 }
 
+struct corners_wide_parameters {
+    uint size;
+    uint to_origin;
+    uint to_size;
+    std::uint64_t to_data_address;
+};
+static_assert(offsetof(corners_wide_parameters, size) == 0);
+static_assert(offsetof(corners_wide_parameters, to_origin) == 4);
+static_assert(offsetof(corners_wide_parameters, to_size) == 8);
+static_assert(offsetof(corners_wide_parameters, to_data_address) == 16);
+
+// large_arrays.glift:19: corners, some rows.
+GLIFT_HOST_KERNEL
+static void corners_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const corners_wide_parameters*>(call.parameters);
+    const uint to_origin = parameters.to_origin;
+    const uint to_size = parameters.to_size;
+    uint* to_data = glift::host::elements<uint>(call.memories[0]);
+    for (const glift::host::Row row : rows) {
+        GLIFT_INDEPENDENT
+        for (uint x = row.begin; x < row.end; ++x) {
+            const uint address = x;
+            // large_arrays.glift:20
+            glift::array<glift::array<float3, 2>, 80> corners;
+            for (uint corners_at = 0u; corners_at < 80u; ++corners_at) {
+                for (uint corners_at_2 = 0u; corners_at_2 < 2u; ++corners_at_2) {
+                    corners[corners_at][corners_at_2] = float3(0.0f);
+                }
+            }
+            // large_arrays.glift:21
+            const uint value = address % 80u;
+            const uint value_2 = address & 1u;
+            corners[value][value_2].y += 5.0f;
+            // large_arrays.glift:22
+            const uint to_virtual = to_origin + address;
+            if (address < to_size) {
+                to_data[std::uint64_t(to_virtual)] = glift::convert<uint>(corners[value][1u].y);
+            }
+        }
+    }
+}
+
+static void corners_wide(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { corners_wide_rows(call, rows); });
+}
+
 const glift::Binding corners_bindings[] = {
-    {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 16},
+    {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 16,
+        .element_bytes = sizeof(uint)},
 };
 constexpr glift::Parameter corners_parameters[] = {
     {"i_extent", 0, sizeof(corners_direct_parameters::i_extent)},
@@ -295,7 +435,7 @@ const glift::Kernel corners_kernel = {
     .bindings = corners_bindings,
     .direct = {.host = &corners_direct, .parameter_bytes = 4, .push_constants = true},
     .general = {.host = &corners_general, .parameter_bytes = 12},
-    .wide = {},
+    .wide = {.host = &corners_wide, .parameter_bytes = 24},
     .parameters = corners_parameters,
     .longest_loop = {"large_arrays.glift", 20},
 };
@@ -309,14 +449,30 @@ void count_digits(const glift::Commands& commands, const glift::Range<Values>& r
     iteration.any("from", from);
     iteration.any("counts", counts);
     const glift::Memory memories[] = {from->data(), counts->data()};
-    if (iteration.is_whole() && row->same_state(from.structure()) && from->same_state(counts.structure())
-        && !commands.needs_general(count_digits_kernel, memories, iteration.size())) {
+    if (iteration.is_shared(memories)) iteration.share(memories, {row, from, counts});
+    if (commands.needs_wide(count_digits_kernel, memories, iteration.size())) {
+        const count_digits_wide_parameters parameters = {
+            .size = row.size(),
+            .from_origin = from.origin(),
+            .from_size = from.size(),
+            .counts_origin = counts.origin(),
+            .counts_size = counts.size(),
+            .from_data_address = 0u,
+            .counts_data_address = 0u,
+        };
+        iteration.count(from, offsetof(count_digits_wide_parameters, from_size));
+        iteration.count(counts, offsetof(count_digits_wide_parameters, counts_size));
+        commands.dispatch(count_digits_kernel,
+            {.form = glift::FormName::wide, .memories = memories, .parameters = glift::bytes_of(parameters),
+            .size = iteration.size(), .patches = iteration.patches({offsetof(count_digits_wide_parameters, size)}),
+            .sharing = iteration.sharing()});
+    } else if (iteration.is_whole() && row->same_state(from.structure()) && from->same_state(counts.structure())) {
         const count_digits_direct_parameters parameters = {
             .row_extent = row->extent(),
         };
         commands.dispatch(count_digits_kernel,
             {.form = glift::FormName::direct, .memories = memories, .parameters = glift::bytes_of(parameters),
-            .size = iteration.size()});
+            .size = iteration.size(), .sharing = iteration.sharing()});
     } else {
         const count_digits_general_parameters parameters = {
             .size = row.size(),
@@ -329,7 +485,8 @@ void count_digits(const glift::Commands& commands, const glift::Range<Values>& r
         iteration.count(counts, offsetof(count_digits_general_parameters, counts_size));
         commands.dispatch(count_digits_kernel,
             {.form = glift::FormName::general, .memories = memories, .parameters = glift::bytes_of(parameters),
-            .size = iteration.size(), .patches = iteration.patches({offsetof(count_digits_general_parameters, size)})});
+            .size = iteration.size(), .patches = iteration.patches({offsetof(count_digits_general_parameters, size)}),
+            .sharing = iteration.sharing()});
     }
 }
 
@@ -343,8 +500,18 @@ void corners(const glift::Commands& commands, const glift::Range<Values>& i, con
     iteration.each("i", i);
     iteration.any("to", to);
     const glift::Memory memories[] = {to->data()};
-    if (iteration.is_whole() && i->same_state(to.structure())
-        && !commands.needs_general(corners_kernel, memories, iteration.size())) {
+    if (commands.needs_wide(corners_kernel, memories, iteration.size())) {
+        const corners_wide_parameters parameters = {
+            .size = i.size(),
+            .to_origin = to.origin(),
+            .to_size = to.size(),
+            .to_data_address = 0u,
+        };
+        iteration.count(to, offsetof(corners_wide_parameters, to_size));
+        commands.dispatch(corners_kernel, {.form = glift::FormName::wide, .memories = memories,
+            .parameters = glift::bytes_of(parameters), .size = iteration.size(),
+            .patches = iteration.patches({offsetof(corners_wide_parameters, size)})});
+    } else if (iteration.is_whole() && i->same_state(to.structure())) {
         const corners_direct_parameters parameters = {
             .i_extent = i->extent(),
         };
@@ -361,6 +528,10 @@ void corners(const glift::Commands& commands, const glift::Range<Values>& i, con
             .parameters = glift::bytes_of(parameters), .size = iteration.size(),
             .patches = iteration.patches({offsetof(corners_general_parameters, size)})});
     }
+}
+
+void corners(const glift::Commands& commands, const glift::Range<Values>& to) {
+    corners(commands, to, to);
 }
 
 }  // namespace large_arrays

@@ -80,6 +80,43 @@ static void twice_general(const glift::HostCall& call) {
     glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { twice_general_rows(call, rows); });
 }
 
+struct twice_wide_parameters {
+    uint3 size;
+    uint3 f_origin;
+    uint3 base;
+    uint3 f_extent;
+};
+static_assert(offsetof(twice_wide_parameters, size) == 0);
+static_assert(offsetof(twice_wide_parameters, f_origin) == 12);
+static_assert(offsetof(twice_wide_parameters, base) == 24);
+static_assert(offsetof(twice_wide_parameters, f_extent) == 36);
+
+// fold.glift:31: twice, some rows.
+GLIFT_HOST_KERNEL
+static void twice_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const twice_wide_parameters*>(call.parameters);
+    const uint3 f_origin = parameters.f_origin;
+    const uint3 f_extent = parameters.f_extent;
+    const glift::HostMemory& f_data = call.memories[0];
+    for (const glift::host::Row row : rows) {
+        GLIFT_INDEPENDENT
+        for (uint x = row.begin; x < row.end; ++x) {
+            const uint3 address{x, row.y, row.z};
+            // fold.glift:31
+            const uint3 f_address = f_origin + address;
+            const uint f_i = (f_address.z * f_extent.y + f_address.y) * f_extent.x + f_address.x;
+            const uint2 f_at = uint2(f_i % 64u, f_i / 64u);
+            const int2 value = int2(f_at);
+            const float f_value = glift::host::load_texel<glift::Format::r32f, float>(f_data, value);
+            glift::host::store_texel<glift::Format::r32f, float>(f_data, value, 2.0f * f_value);
+        }
+    }
+}
+
+static void twice_wide(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { twice_wide_rows(call, rows); });
+}
+
 const glift::Binding twice_bindings[] = {
     {.name = "f.data", .kind = glift::MemoryKind::image2d, .access = glift::Access::read_write},
 };
@@ -96,7 +133,7 @@ const glift::Kernel twice_kernel = {
     .bindings = twice_bindings,
     .direct = {.host = &twice_direct, .parameter_bytes = 12, .push_constants = true},
     .general = {.host = &twice_general, .parameter_bytes = 36},
-    .wide = {},
+    .wide = {.host = &twice_wide, .parameter_bytes = 48, .base_offset = 24},
     .parameters = twice_parameters,
     .items = {1, 2, 1},
 };
@@ -107,7 +144,17 @@ void twice(const glift::Commands& commands, const glift::Range<Field>& f) {
     glift::Iteration iteration(twice_kernel);
     iteration.each("f", f);
     const glift::Memory memories[] = {f->data()};
-    if (iteration.is_whole() && !commands.needs_general(twice_kernel, memories, iteration.size())) {
+    if (commands.needs_wide(twice_kernel, memories, iteration.size())) {
+        const twice_wide_parameters parameters = {
+            .size = f.size(),
+            .f_origin = f.origin(),
+            .base = {},
+            .f_extent = f->extent(),
+        };
+        commands.dispatch(twice_kernel, {.form = glift::FormName::wide, .memories = memories,
+            .parameters = glift::bytes_of(parameters), .size = iteration.size(),
+            .patches = iteration.patches({offsetof(twice_wide_parameters, size)})});
+    } else if (iteration.is_whole()) {
         const twice_direct_parameters parameters = {
             .f_extent = f->extent(),
         };
@@ -128,14 +175,16 @@ void twice(const glift::Commands& commands, const glift::Range<Field>& f) {
 Field::Field(const glift::Commands& commands, uint3 extent)
     : Structure(commands.device()),
       extent_(extent),
-      data_extent_(uint2(64u, (extent_.x * extent_.y * extent_.z + 63u) / 64u)),
+      data_extent_(glift::fitted(glift::vec<std::uint64_t,
+        2>(std::uint64_t{64u}, glift::saturated_sum(glift::saturated_product(glift::saturated_product(std::uint64_t(extent_.x), std::uint64_t(extent_.y)), std::uint64_t(extent_.z)), std::uint64_t{63u}) / std::uint64_t{64u}), "Field.data")),
       data_(commands.allocate({.name = "Field.data", .kind = glift::MemoryKind::image2d, .format = glift::Format::r32f,
         .extent = glift::image_extent(data_extent_)})) {}
 
 Field::Field(const glift::Commands& commands, uint3 extent, glift::Memory data)
     : Structure(commands.device()),
       extent_(extent),
-      data_extent_(uint2(64u, (extent_.x * extent_.y * extent_.z + 63u) / 64u)),
+      data_extent_(glift::fitted(glift::vec<std::uint64_t,
+        2>(std::uint64_t{64u}, glift::saturated_sum(glift::saturated_product(glift::saturated_product(std::uint64_t(extent_.x), std::uint64_t(extent_.y)), std::uint64_t(extent_.z)), std::uint64_t{63u}) / std::uint64_t{64u}), "Field.data")),
       data_(commands.adopt(std::move(data),
         {.name = "Field.data", .kind = glift::MemoryKind::image2d, .format = glift::Format::r32f,
         .extent = glift::image_extent(data_extent_)})) {}

@@ -13,29 +13,29 @@ using namespace glift::types;
 
 namespace {
 
-// address.glift:17: volume<3>
-inline uint volume(uint3 extent) {
-    // address.glift:18
-    uint product = extent.x;
+// address.glift:18: volume<3> in 64 bits
+inline std::uint64_t volume_64(uint3 extent) {
     // address.glift:19
+    std::uint64_t product = std::uint64_t(extent.x);
+    // address.glift:20
     for (uint axis = 1u; axis < 3u; ++axis) {
-        // address.glift:20
-        product *= extent[axis];
+        // address.glift:21
+        product = glift::saturated_product(product, std::uint64_t(extent[axis]));
     }
-    // address.glift:22
+    // address.glift:23
     return product;
 }
 
-// address.glift:26: linearize<3>
-inline uint linearize(uint3 address, uint3 extent) {
-    // address.glift:27
-    uint index = address.z;
+// address.glift:27: linearize<3> in 64 bits
+inline std::uint64_t linearize_64(uint3 address, uint3 extent) {
     // address.glift:28
+    std::uint64_t index = std::uint64_t(address.z);
+    // address.glift:29
     for (uint back = 1u; back < 3u; ++back) {
-        // address.glift:29
-        index = index * extent[3u - 1u - back] + address[3u - 1u - back];
+        // address.glift:30
+        index = index * std::uint64_t(extent[3u - 1u - back]) + std::uint64_t(address[3u - 1u - back]);
     }
-    // address.glift:31
+    // address.glift:32
     return index;
 }
 
@@ -131,9 +131,64 @@ static void read_box_0059b9f4_general(const glift::HostCall& call) {
         rows); });
 }
 
+struct read_box_0059b9f4_wide_parameters {
+    uint3 size;
+    uint3 from_origin;
+    uint3 to_origin;
+    uint3 base;
+    uint3 from_extent;
+    std::uint64_t to_extent_y;
+    std::uint64_t to_extent_x;
+    std::uint64_t to_data_address;
+};
+static_assert(offsetof(read_box_0059b9f4_wide_parameters, size) == 0);
+static_assert(offsetof(read_box_0059b9f4_wide_parameters, from_origin) == 12);
+static_assert(offsetof(read_box_0059b9f4_wide_parameters, to_origin) == 24);
+static_assert(offsetof(read_box_0059b9f4_wide_parameters, base) == 36);
+static_assert(offsetof(read_box_0059b9f4_wide_parameters, from_extent) == 48);
+static_assert(offsetof(read_box_0059b9f4_wide_parameters, to_extent_y) == 64);
+static_assert(offsetof(read_box_0059b9f4_wide_parameters, to_extent_x) == 72);
+static_assert(offsetof(read_box_0059b9f4_wide_parameters, to_data_address) == 80);
+
+// transfer.glift:15: read_box<Field, Box<3, float>>, some rows.
+GLIFT_HOST_KERNEL
+static void read_box_0059b9f4_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const read_box_0059b9f4_wide_parameters*>(call.parameters);
+    const uint3 from_origin = parameters.from_origin;
+    const uint3 to_origin = parameters.to_origin;
+    const uint3 from_extent = parameters.from_extent;
+    const std::uint64_t to_extent_y = parameters.to_extent_y;
+    const std::uint64_t to_extent_x = parameters.to_extent_x;
+    const glift::HostMemory& from_data = call.memories[0];
+    float* to_data = glift::host::elements<float>(call.memories[1]);
+    for (const glift::host::Row row : rows) {
+        GLIFT_INDEPENDENT
+        for (uint x = row.begin; x < row.end; ++x) {
+            const uint3 address{x, row.y, row.z};
+            // transfer.glift:16
+            const uint3 from_address = from_origin + address;
+            // transfer.glift:15
+            const uint from_i = (from_address.z * from_extent.y + from_address.y) * from_extent.x + from_address.x;
+            const uint2 from_at = uint2(from_i % 64u, from_i / 64u);
+            // transfer.glift:16
+            const uint3 to_address = to_origin + address;
+            // transfer.glift:15
+            const std::uint64_t to_at = (std::uint64_t(to_address.z) * to_extent_y
+                + std::uint64_t(to_address.y)) * to_extent_x + std::uint64_t(to_address.x);
+            // transfer.glift:16
+            to_data[to_at] = glift::host::load_texel<glift::Format::r32f, float>(from_data, int2(from_at));
+        }
+    }
+}
+
+static void read_box_0059b9f4_wide(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { read_box_0059b9f4_wide_rows(call, rows); });
+}
+
 const glift::Binding read_box_0059b9f4_bindings[] = {
     {.name = "from.data", .kind = glift::MemoryKind::image2d, .access = glift::Access::read, .sampled = true},
-    {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 64},
+    {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 80,
+        .element_bytes = sizeof(float)},
 };
 constexpr glift::Parameter read_box_0059b9f4_parameters[] = {
     {"from_extent", 0, sizeof(read_box_0059b9f4_direct_parameters::from_extent)},
@@ -149,7 +204,7 @@ const glift::Kernel read_box_0059b9f4_kernel = {
     .bindings = read_box_0059b9f4_bindings,
     .direct = {.host = &read_box_0059b9f4_direct, .parameter_bytes = 24, .push_constants = true},
     .general = {.host = &read_box_0059b9f4_general, .parameter_bytes = 60},
-    .wide = {},
+    .wide = {.host = &read_box_0059b9f4_wide, .parameter_bytes = 88, .base_offset = 36},
     .parameters = read_box_0059b9f4_parameters,
     .items = {1, 2, 1},
 };
@@ -247,8 +302,63 @@ static void write_box_16a1dc11_general(const glift::HostCall& call) {
         rows); });
 }
 
+struct write_box_16a1dc11_wide_parameters {
+    uint3 size;
+    uint3 from_origin;
+    uint3 to_origin;
+    uint3 base;
+    std::uint64_t from_extent_y;
+    std::uint64_t from_extent_x;
+    uint3 to_extent;
+    std::uint64_t from_data_address;
+};
+static_assert(offsetof(write_box_16a1dc11_wide_parameters, size) == 0);
+static_assert(offsetof(write_box_16a1dc11_wide_parameters, from_origin) == 12);
+static_assert(offsetof(write_box_16a1dc11_wide_parameters, to_origin) == 24);
+static_assert(offsetof(write_box_16a1dc11_wide_parameters, base) == 36);
+static_assert(offsetof(write_box_16a1dc11_wide_parameters, from_extent_y) == 48);
+static_assert(offsetof(write_box_16a1dc11_wide_parameters, from_extent_x) == 56);
+static_assert(offsetof(write_box_16a1dc11_wide_parameters, to_extent) == 64);
+static_assert(offsetof(write_box_16a1dc11_wide_parameters, from_data_address) == 80);
+
+// transfer.glift:20: write_box<Box<3, float>, Field>, some rows.
+GLIFT_HOST_KERNEL
+static void write_box_16a1dc11_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const write_box_16a1dc11_wide_parameters*>(call.parameters);
+    const uint3 from_origin = parameters.from_origin;
+    const uint3 to_origin = parameters.to_origin;
+    const std::uint64_t from_extent_y = parameters.from_extent_y;
+    const std::uint64_t from_extent_x = parameters.from_extent_x;
+    const uint3 to_extent = parameters.to_extent;
+    const float* from_data = glift::host::elements<const float>(call.memories[0]);
+    const glift::HostMemory& to_data = call.memories[1];
+    for (const glift::host::Row row : rows) {
+        GLIFT_INDEPENDENT
+        for (uint x = row.begin; x < row.end; ++x) {
+            const uint3 address{x, row.y, row.z};
+            // transfer.glift:21
+            const uint3 from_address = from_origin + address;
+            // transfer.glift:20
+            const std::uint64_t from_at = (std::uint64_t(from_address.z) * from_extent_y
+                + std::uint64_t(from_address.y)) * from_extent_x + std::uint64_t(from_address.x);
+            // transfer.glift:21
+            const uint3 to_address = to_origin + address;
+            // transfer.glift:20
+            const uint to_i = (to_address.z * to_extent.y + to_address.y) * to_extent.x + to_address.x;
+            const uint2 to_at = uint2(to_i % 64u, to_i / 64u);
+            // transfer.glift:21
+            glift::host::store_texel<glift::Format::r32f, float>(to_data, int2(to_at), from_data[from_at]);
+        }
+    }
+}
+
+static void write_box_16a1dc11_wide(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { write_box_16a1dc11_wide_rows(call, rows); });
+}
+
 const glift::Binding write_box_16a1dc11_bindings[] = {
-    {.name = "from.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 64},
+    {.name = "from.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 80,
+        .element_bytes = sizeof(float)},
     {.name = "to.data", .kind = glift::MemoryKind::image2d, .access = glift::Access::write},
 };
 constexpr glift::Parameter write_box_16a1dc11_parameters[] = {
@@ -265,7 +375,7 @@ const glift::Kernel write_box_16a1dc11_kernel = {
     .bindings = write_box_16a1dc11_bindings,
     .direct = {.host = &write_box_16a1dc11_direct, .parameter_bytes = 24, .push_constants = true},
     .general = {.host = &write_box_16a1dc11_general, .parameter_bytes = 60},
-    .wide = {},
+    .wide = {.host = &write_box_16a1dc11_wide, .parameter_bytes = 88, .base_offset = 36},
     .parameters = write_box_16a1dc11_parameters,
     .items = {1, 2, 1},
 };
@@ -344,6 +454,47 @@ static void fill_box_fold_Field_float_general(const glift::HostCall& call) {
         rows); });
 }
 
+struct fill_box_fold_Field_float_wide_parameters {
+    uint3 size;
+    uint3 to_origin;
+    uint3 base;
+    uint3 to_extent;
+    float value;
+};
+static_assert(offsetof(fill_box_fold_Field_float_wide_parameters, size) == 0);
+static_assert(offsetof(fill_box_fold_Field_float_wide_parameters, to_origin) == 12);
+static_assert(offsetof(fill_box_fold_Field_float_wide_parameters, base) == 24);
+static_assert(offsetof(fill_box_fold_Field_float_wide_parameters, to_extent) == 36);
+static_assert(offsetof(fill_box_fold_Field_float_wide_parameters, value) == 48);
+
+// transfer.glift:25: fill_box<Field, float>, some rows.
+GLIFT_HOST_KERNEL
+static void fill_box_fold_Field_float_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const fill_box_fold_Field_float_wide_parameters*>(call.parameters);
+    const uint3 to_origin = parameters.to_origin;
+    const uint3 to_extent = parameters.to_extent;
+    const float value = parameters.value;
+    const glift::HostMemory& to_data = call.memories[0];
+    for (const glift::host::Row row : rows) {
+        GLIFT_INDEPENDENT
+        for (uint x = row.begin; x < row.end; ++x) {
+            const uint3 address{x, row.y, row.z};
+            // transfer.glift:26
+            const uint3 to_address = to_origin + address;
+            // transfer.glift:25
+            const uint to_i = (to_address.z * to_extent.y + to_address.y) * to_extent.x + to_address.x;
+            const uint2 to_at = uint2(to_i % 64u, to_i / 64u);
+            // transfer.glift:26
+            glift::host::store_texel<glift::Format::r32f, float>(to_data, int2(to_at), value);
+        }
+    }
+}
+
+static void fill_box_fold_Field_float_wide(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { fill_box_fold_Field_float_wide_rows(call,
+        rows); });
+}
+
 const glift::Binding fill_box_fold_Field_float_bindings[] = {
     {.name = "to.data", .kind = glift::MemoryKind::image2d, .access = glift::Access::write},
 };
@@ -361,7 +512,7 @@ const glift::Kernel fill_box_fold_Field_float_kernel = {
     .bindings = fill_box_fold_Field_float_bindings,
     .direct = {.host = &fill_box_fold_Field_float_direct, .parameter_bytes = 16, .push_constants = true},
     .general = {.host = &fill_box_fold_Field_float_general, .parameter_bytes = 40},
-    .wide = {},
+    .wide = {.host = &fill_box_fold_Field_float_wide, .parameter_bytes = 52, .base_offset = 24},
     .parameters = fill_box_fold_Field_float_parameters,
     .items = {1, 2, 1},
 };
@@ -374,7 +525,22 @@ GLIFT_SHARED void read_box_0059b9f4(const glift::Commands& commands, const glift
     iteration.each("from", from);
     iteration.each("to", to);
     const glift::Memory memories[] = {from->data(), to->data()};
-    if (iteration.is_whole() && !commands.needs_general(read_box_0059b9f4_kernel, memories, iteration.size())) {
+    if (commands.needs_wide(read_box_0059b9f4_kernel, memories, iteration.size())) {
+        const read_box_0059b9f4_wide_parameters parameters = {
+            .size = from.size(),
+            .from_origin = from.origin(),
+            .to_origin = to.origin(),
+            .base = {},
+            .from_extent = from->extent(),
+            .to_extent_y = std::uint64_t(to->extent().y),
+            .to_extent_x = std::uint64_t(to->extent().x),
+            .to_data_address = 0u,
+        };
+        commands.dispatch(read_box_0059b9f4_kernel,
+            {.form = glift::FormName::wide, .memories = memories, .parameters = glift::bytes_of(parameters),
+            .size = iteration.size(), .patches = iteration.patches({offsetof(read_box_0059b9f4_wide_parameters,
+            size)})});
+    } else if (iteration.is_whole()) {
         const read_box_0059b9f4_direct_parameters parameters = {
             .from_extent = from->extent(),
             .to_extent = to->extent(),
@@ -403,7 +569,22 @@ GLIFT_SHARED void write_box_16a1dc11(const glift::Commands& commands, const glif
     iteration.each("from", from);
     iteration.each("to", to);
     const glift::Memory memories[] = {from->data(), to->data()};
-    if (iteration.is_whole() && !commands.needs_general(write_box_16a1dc11_kernel, memories, iteration.size())) {
+    if (commands.needs_wide(write_box_16a1dc11_kernel, memories, iteration.size())) {
+        const write_box_16a1dc11_wide_parameters parameters = {
+            .size = from.size(),
+            .from_origin = from.origin(),
+            .to_origin = to.origin(),
+            .base = {},
+            .from_extent_y = std::uint64_t(from->extent().y),
+            .from_extent_x = std::uint64_t(from->extent().x),
+            .to_extent = to->extent(),
+            .from_data_address = 0u,
+        };
+        commands.dispatch(write_box_16a1dc11_kernel,
+            {.form = glift::FormName::wide, .memories = memories, .parameters = glift::bytes_of(parameters),
+            .size = iteration.size(), .patches = iteration.patches({offsetof(write_box_16a1dc11_wide_parameters,
+            size)})});
+    } else if (iteration.is_whole()) {
         const write_box_16a1dc11_direct_parameters parameters = {
             .from_extent = from->extent(),
             .to_extent = to->extent(),
@@ -431,7 +612,19 @@ GLIFT_SHARED void fill_box_fold_Field_float(const glift::Commands& commands, con
     glift::Iteration iteration(fill_box_fold_Field_float_kernel);
     iteration.each("to", to);
     const glift::Memory memories[] = {to->data()};
-    if (iteration.is_whole() && !commands.needs_general(fill_box_fold_Field_float_kernel, memories, iteration.size())) {
+    if (commands.needs_wide(fill_box_fold_Field_float_kernel, memories, iteration.size())) {
+        const fill_box_fold_Field_float_wide_parameters parameters = {
+            .size = to.size(),
+            .to_origin = to.origin(),
+            .base = {},
+            .to_extent = to->extent(),
+            .value = value,
+        };
+        commands.dispatch(fill_box_fold_Field_float_kernel,
+            {.form = glift::FormName::wide, .memories = memories, .parameters = glift::bytes_of(parameters),
+            .size = iteration.size(), .patches = iteration.patches({offsetof(fill_box_fold_Field_float_wide_parameters,
+            size)})});
+    } else if (iteration.is_whole()) {
         const fill_box_fold_Field_float_direct_parameters parameters = {
             .to_extent = to->extent(),
             .value = value,
@@ -455,13 +648,13 @@ GLIFT_SHARED void fill_box_fold_Field_float(const glift::Commands& commands, con
 GLIFT_SHARED Box_3_float::Box_3_float(const glift::Commands& commands, uint3 extent)
     : Structure(commands.device()),
       extent_(extent),
-      data_extent_(volume(extent_)),
+      data_extent_(volume_64(extent_)),
       data_(commands.allocate({.name = "Box<3, float>.data", .bytes = glift::buffer_bytes<float>(data_extent_)})) {}
 
 GLIFT_SHARED Box_3_float::Box_3_float(const glift::Commands& commands, uint3 extent, glift::Memory data)
     : Structure(commands.device()),
       extent_(extent),
-      data_extent_(volume(extent_)),
+      data_extent_(volume_64(extent_)),
       data_(commands.adopt(std::move(data),
         {.name = "Box<3, float>.data", .bytes = glift::buffer_bytes<float>(data_extent_)})) {}
 
@@ -475,9 +668,9 @@ GLIFT_SHARED bool Box_3_float::same_state(const Box_3_float& other) const {
 
 GLIFT_SHARED std::uint64_t Box_3_float::place(uint3 address) const {
     [[maybe_unused]] const uint3 extent = extent_;
-    const auto translate = [&](uint3 va) -> uint {
+    const auto translate = [&](uint3 va) -> std::uint64_t {
         // linear.glift:12
-        return linearize(va, extent);
+        return linearize_64(va, extent);
     };
     return translate(address);
 }

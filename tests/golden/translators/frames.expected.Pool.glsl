@@ -1,14 +1,14 @@
-#ifndef GLIFT_POOL
-#define GLIFT_POOL
 // Pool, frames.glift:27.
-// Define before including: POOL_SET, POOL_BINDING (the state; memory k follows at + 1 + k), POOL_STATE, POOL_READONLY.
+// Define before including: POOL_BINDING (the state; memory k follows at + 1 + k). Where wanted: POOL_SET, POOL_STATE, POOL_READONLY.
+#ifndef GLIFT_POOL
+#define GLIFT_POOL 1726624261
 #extension GL_EXT_scalar_block_layout : require
 
 #ifndef POOL_SET
 #define POOL_SET 0
 #endif
 #ifndef POOL_BINDING
-#define POOL_BINDING 0
+#error define POOL_BINDING before this file is included
 #endif
 #ifdef POOL_READONLY
 #define POOL_ACCESS readonly
@@ -66,4 +66,6 @@ void Pool_write(uint address, float value) {
     }
 }
 #endif
+#elif GLIFT_POOL != 1726624261
+#error the functions of another structure called Pool are included already
 #endif

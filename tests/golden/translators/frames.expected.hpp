@@ -7,8 +7,11 @@
 #include <cstddef>
 
 /// Physical addresses that come from memory are compared with what they lead to; those of the table itself are not.
+
 namespace frames {
 
+#ifndef GLIFT_frames_HAS_Frames
+#define GLIFT_frames_HAS_Frames
 /// Frames, frames.glift:11.
 class Frames : public glift::Structure<Frames, glift::uint, glift::uint> {
 public:
@@ -23,16 +26,29 @@ public:
     glift::uint domain() const;
     glift::uint n() const { return n_; }
     const glift::Memory& data() const { return data_; }
-    glift::uint data_extent() const { return data_extent_; }
+    std::uint64_t data_extent() const { return data_extent_; }
     /// True if the two were made with equal arguments.
     bool same_state(const Frames& other) const;
 
+    /// Gives every element, or those of a box, one value.
+    void fill(glift::uint value);
+    void fill(glift::uint value, const glift::Range<Frames>& range);
+    /// Where an element lies in row_memory(), in elements; the address is an affine function of the virtual one.
+    std::uint64_t place(glift::uint address) const;
+    const glift::Memory& row_memory() const { return data_; }
+    /// Elements of a box to a linear buffer, and back.
+    void copy_out(const glift::Commands& commands, const glift::Range<Frames>& range, const glift::Memory& box) const;
+    void copy_in(const glift::Commands& commands, const glift::Range<Frames>& range, const glift::Memory& box) const;
+
 private:
     glift::uint n_{};
-    glift::uint data_extent_{};
+    std::uint64_t data_extent_{};
     glift::Memory data_;
 };
+#endif
 
+#ifndef GLIFT_frames_HAS_Pool
+#define GLIFT_frames_HAS_Pool
 /// Pool, frames.glift:27.
 class Pool : public glift::Structure<Pool, glift::uint, float> {
 public:
@@ -49,7 +65,7 @@ public:
     glift::uint capacity() const { return capacity_; }
     const Frames& frames() const { return frames_; }
     const glift::Memory& data() const { return data_; }
-    glift::uint data_extent() const { return data_extent_; }
+    std::uint64_t data_extent() const { return data_extent_; }
     /// True if the two were made with equal arguments.
     bool same_state(const Pool& other) const;
 
@@ -64,9 +80,10 @@ private:
     glift::uint pages_{};
     glift::uint capacity_{};
     Frames frames_;
-    glift::uint data_extent_{};
+    std::uint64_t data_extent_{};
     glift::Memory data_;
 };
+#endif
 
 void double_there(const glift::Commands& commands, const glift::Range<Pool>& s, const glift::Range<Pool>& g);
 

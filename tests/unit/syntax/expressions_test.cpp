@@ -91,9 +91,9 @@ TEST(Generics, close_two_at_once) {
 TEST(Types, have_suffixes) {
     EXPECT_EQ(type("float[8]"), "(index float 8)");
     EXPECT_EQ(type("vec<N, uint>?"), "(optional (generic vec N uint))");
-    EXPECT_EQ(type("uint??"), "(optional (optional uint))");
-    EXPECT_EQ(type("uint???[2]"), "(index (optional (optional (optional uint))) 2)");
-    EXPECT_EQ(expression("A<uint??, B<float??>>()"),
+    EXPECT_EQ(type("uint?\?"), "(optional (optional uint))");
+    EXPECT_EQ(type("uint?\?\?[2]"), "(index (optional (optional (optional uint))) 2)");
+    EXPECT_EQ(expression("A<uint?\?, B<float?\?>>()"),
               "(call (generic A (optional (optional uint)) (generic B (optional (optional float)))))");
     EXPECT_EQ(type("T[N * 2][3]?"), "(optional (index (index T (* N 2)) 3))");
     EXPECT_EQ(type("module_name.Type<2>"), "(generic (. module_name Type) 2)");
