@@ -81,8 +81,8 @@ void finish(Options& options, const Typed& typed) {
 
 /// What would do nothing, or something else than it says, is refused.
 void check_combinations(const Options& options) {
-    const bool stops = options.stop_after || options.dump || !options.stop_after_pass.empty() ||
-                       !options.dump_after.empty();
+    const bool stops =
+        options.stop_after || options.dump || !options.stop_after_pass.empty() || !options.dump_after.empty();
     const bool writes = !options.check_only && !options.list_outputs && !stops;
     if (!options.depfile.empty() && (!writes || options.command != Command::compile))
         throw CLI::ValidationError("--depfile", "nothing is written here: leave it out");

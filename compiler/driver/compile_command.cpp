@@ -59,8 +59,8 @@ int run_compile(const Options& options) {
         for (const Output& output : result.outputs) std::printf("%s\n", output.name.c_str());
         return code;
     }
-    const bool stops = options.stop_after || options.dump || !options.stop_after_pass.empty() ||
-                       !options.dump_after.empty();
+    const bool stops =
+        options.stop_after || options.dump || !options.stop_after_pass.empty() || !options.dump_after.empty();
     if (!stops) write_outputs(options, result, compilation);
     return code;
 }

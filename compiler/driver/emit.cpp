@@ -142,7 +142,8 @@ std::vector<Output> emit(const Options& options, const Compilation& c) {
         std::string base = base_name(c, module);
         if (!bases.insert(base).second)
             throw std::runtime_error("two files on the command line are called '" + base + "'");
-        std::vector<ShaderSet> shaders = compile_shaders(c, kernels_with_code(options, c, m, cpp, defined), options.optimize);
+        std::vector<ShaderSet> shaders =
+            compile_shaders(c, kernels_with_code(options, c, m, cpp, defined), options.optimize);
         // C++ takes as long as all else together.
         auto others = std::async(std::launch::async, [&] {
             std::vector<Output> made;

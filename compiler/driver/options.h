@@ -31,15 +31,15 @@ struct Options {
     std::vector<Target> targets;  ///< empty: all
     std::optional<Stage> stop_after, dump;
     std::string stop_after_pass, dump_after;  ///< passes of lower/passes.h
-    bool check_only = false;  ///< --check: report, write nothing (fmt: say what is not formatted)
-    bool checked = false;     ///< --checked: generated code reports accesses out of range
-    bool optimize = false;    ///< -O: SPIR-V through spirv-opt
-    bool host_only = false;   ///< --host-only: C++ without SPIR-V inside
+    bool check_only = false;                  ///< --check: report, write nothing (fmt: say what is not formatted)
+    bool checked = false;                     ///< --checked: generated code reports accesses out of range
+    bool optimize = false;                    ///< -O: SPIR-V through spirv-opt
+    bool host_only = false;                   ///< --host-only: C++ without SPIR-V inside
     bool list_outputs = false;
     bool time_report = false;
     std::string depfile;          ///< empty: none is asked for by name
     bool writes_depfile = false;  ///< -MD: beside the outputs, also where not all targets are written
-    std::string style;    ///< of the generated C++: a .clang-format file or a name; empty: ours
+    std::string style;            ///< of the generated C++: a .clang-format file or a name; empty: ours
     DiagnosticsFormat diagnostics_format = DiagnosticsFormat::text;
     ColourChoice colour = ColourChoice::automatic;
     bool warnings_are_errors = false;

@@ -113,8 +113,8 @@ int run_tests(const Options& given) {
     setenv("GLIFT_POISON", "1", 0);
     bool passed = true;
     for (const Output* output : programs)
-        passed &= run_program(options, built.program(sources_of(*output, result), include_folders(options),
-                                                     compilation.read_files));
+        passed &= run_program(
+            options, built.program(sources_of(*output, result), include_folders(options), compilation.read_files));
     return static_cast<int>(passed ? ExitCode::done : ExitCode::source_errors);
 }
 

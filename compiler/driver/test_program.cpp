@@ -161,7 +161,8 @@ TestPrograms::TestPrograms() {
     for (const char* name : {"libglift.so", "libglift.a"})
         if (fs::exists(library_ / name)) tools.add(identity_of(fs::canonical(library_ / name)));
     std::set<std::string> headers;
-    for (const auto& entry : fs::recursive_directory_iterator(include_ / "glift", fs::directory_options::follow_directory_symlink))
+    for (const auto& entry :
+         fs::recursive_directory_iterator(include_ / "glift", fs::directory_options::follow_directory_symlink))
         if (entry.is_regular_file()) headers.insert(identity_of(entry.path()));
     for (const std::string& header : headers) tools.add(header);
     tools_ = tools.digits();
@@ -189,8 +190,8 @@ std::vector<std::string> TestPrograms::compile_command() const {
     return words;
 }
 
-/// The headers that all test programs include, compiled once: reading them is most of a small program's time. The file to
-/// include first; empty where the compiler can't.
+/// The headers that all test programs include, compiled once: reading them is most of a small program's time. The file
+/// to include first; empty where the compiler can't.
 fs::path TestPrograms::compiled_headers() {
     if (is_temporary_) return {};
     const fs::path folder = folder_ / ("headers-" + tools_);
@@ -203,7 +204,8 @@ fs::path TestPrograms::compiled_headers() {
     const fs::path made = new_folder(folder);
     write_if_changed((made / "common.hpp").string(), common_headers);
     std::vector<std::string> words = compile_command();
-    words.insert(words.end(), {"-x", "c++-header", (made / "common.hpp").string(), "-o", (made / "common.hpp.gch").string()});
+    words.insert(words.end(),
+                 {"-x", "c++-header", (made / "common.hpp").string(), "-o", (made / "common.hpp.gch").string()});
     if (!run_all({words})) return {};
     publish(made, folder);
     return header;
@@ -238,7 +240,7 @@ fs::path TestPrograms::build(const fs::path& folder, const std::vector<Output>& 
 }
 
 std::string TestPrograms::program(const std::vector<Output>& outputs, const std::vector<std::string>& include_folders,
-                               const std::vector<std::string>& read_files) {
+                                  const std::vector<std::string>& read_files) {
     Digest digest;
     digest.add(tools_);
     for (const std::string& folder : include_folders) digest.add(folder);
@@ -267,7 +269,8 @@ std::string TestPrograms::program(const std::vector<Output>& outputs, const std:
 void TestPrograms::remove_oldest() const {
     std::vector<std::pair<fs::file_time_type, fs::path>> folders;
     std::error_code error;
-    for (const auto& entry : fs::directory_iterator(folder_, error)) folders.emplace_back(entry.last_write_time(error), entry);
+    for (const auto& entry : fs::directory_iterator(folder_, error))
+        folders.emplace_back(entry.last_write_time(error), entry);
     if (folders.size() <= programs_kept) return;
     std::ranges::sort(folders);
     for (std::size_t i = 0; i + programs_kept < folders.size(); ++i) fs::remove_all(folders[i].second, error);

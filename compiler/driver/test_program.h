@@ -18,8 +18,8 @@ struct Ended {
 /// Runs a program with this one's input and outputs.
 Ended run_and_wait(const std::vector<std::string>& words);
 
-/// Test programs, in the user's cache folder: GLIFT_CACHE_DIR, else XDG_CACHE_HOME/glift, else ~/.cache/glift. The oldest are
-/// removed. Where there is no such folder, in one that goes with this object.
+/// Test programs, in the user's cache folder: GLIFT_CACHE_DIR, else XDG_CACHE_HOME/glift, else ~/.cache/glift. The
+/// oldest are removed. Where there is no such folder, in one that goes with this object.
 class TestPrograms {
 public:
     TestPrograms();
@@ -27,9 +27,9 @@ public:
     TestPrograms(const TestPrograms&) = delete;
     TestPrograms& operator=(const TestPrograms&) = delete;
 
-    /// The program made of `outputs`, in which the C++ compiler looks for headers in `include_folders`. It is built where it
-    /// is not there from an earlier run with the same outputs, headers, runtime and compiler. Throws std::runtime_error
-    /// where the compiler refuses it.
+    /// The program made of `outputs`, in which the C++ compiler looks for headers in `include_folders`. It is built
+    /// where it is not there from an earlier run with the same outputs, headers, runtime and compiler. Throws
+    /// std::runtime_error where the compiler refuses it.
     std::string program(const std::vector<Output>& outputs, const std::vector<std::string>& include_folders,
                         const std::vector<std::string>& read_files);
 

@@ -237,8 +237,8 @@ enum class Mapping : std::uint8_t {
 
 /// What is inferred of a translator, or declared by @attributes and checked (thesis section 3.3).
 struct Properties {
-    bool partial = false;           ///< translate gives an optional
-    bool invertible = false;        ///< has invert
+    bool partial = false;     ///< translate gives an optional
+    bool invertible = false;  ///< has invert
     Mapping mapping = Mapping::unknown;
     bool affine = false;            ///< physical address is an affine function of the virtual one
     bool uniform = true;            ///< the same work for every address, but that some leave with `none`
@@ -259,12 +259,12 @@ struct Translator {
     std::vector<StructField> scalars;       ///< state: Op::state slot i
     std::vector<std::uint32_t> structures;  ///< state that is structures: instances; Place root i in its functions
     std::vector<Name> structure_names;
-    FunctionId translate;  ///< (va) -> physical or physical?
-    FunctionId wide;       ///< the same in 64 bits, where the physical address is a number; set by lower/widen
+    FunctionId translate;     ///< (va) -> physical or physical?
+    FunctionId wide;          ///< the same in 64 bits, where the physical address is a number; set by lower/widen
     FunctionId wide_of_wide;  ///< and of a virtual address of 64 bits
-    FunctionId invert;     ///< (pa) -> va; absent if not invertible
-    FunctionId ranges;     ///< absent: derived
-    FunctionId domain;     ///< () -> extent of the virtual domain
+    FunctionId invert;        ///< (pa) -> va; absent if not invertible
+    FunctionId ranges;        ///< absent: derived
+    FunctionId domain;        ///< () -> extent of the virtual domain
     Properties properties;
     std::string doc;
 };

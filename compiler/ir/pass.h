@@ -30,9 +30,9 @@ struct PassBinding {
     bool linear = false;
     bool atomic = false;  ///< some access is atomic
     bool coherent =
-        false;             ///< workgroups see what others write within the pass: every access stays where it is written
-    std::uint32_t one_place = 0;  ///< the first binding that a call may pass as the same place: itself if there is none,
-                                  ///< and in the direct form, which no such call takes
+        false;  ///< workgroups see what others write within the pass: every access stays where it is written
+    std::uint32_t one_place = 0;  ///< the first binding that a call may pass as the same place: itself if there is
+                                  ///< none, and in the direct form, which no such call takes
     bool in_rows = false;  ///< some load or store is of a vector of row_width numbers, whose index counts vectors
     std::uint32_t address_parameter = no_parameter;  ///< wide form, buffers: the parameter that holds the address
 };

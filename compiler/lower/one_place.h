@@ -1,12 +1,13 @@
-// One memory given to a pass under two names (docs/language.md, "One memory given twice"): each invocation has one place,
-// which it reads and writes by both.
+// One memory given to a pass under two names (docs/language.md, "One memory given twice"): each invocation has one
+// place, which it reads and writes by both.
 //
-// The general form is right for such calls, and no other one is compiled for them: a store by one name counts as a store by
-// the other (number.h), so no load moves over it. A variant with one binding for each way in which names may meet would be
-// as many passes as a set has partitions. Vulkan devices run the wide form, whose buffers are pointers that may be equal.
-// Images have descriptors in every form; where one is loaded after a store by another name, it is a storage image by both,
-// not a texture, so that the invocation sees its own store. The direct form knows nothing of all this: where it takes two
-// elements an invocation and the general form cannot, since loads keep their side of stores, that takes them in turn.
+// The general form is right for such calls, and no other one is compiled for them: a store by one name counts as a
+// store by the other (number.h), so no load moves over it. A variant with one binding for each way in which names may
+// meet would be as many passes as a set has partitions. Vulkan devices run the wide form, whose buffers are pointers
+// that may be equal. Images have descriptors in every form; where one is loaded after a store by another name, it is a
+// storage image by both, not a texture, so that the invocation sees its own store. The direct form knows nothing of all
+// this: where it takes two elements an invocation and the general form cannot, since loads keep their side of stores,
+// that takes them in turn.
 #pragma once
 
 #include "lower/context.h"

@@ -125,7 +125,7 @@ Operand check_unary(Body&, ast::ExprId, ir::TypeId wanted);
 Operand check_binary(Body&, ast::ExprId, ir::TypeId wanted);
 Operand check_conditional(Body&, const ast::Expr&, ir::TypeId wanted);
 Operand check_otherwise(Body&, const ast::Expr&, ir::TypeId wanted);  ///< `a ?? b`
-bool has_equality(const ir::Program&, ir::TypeId);  ///< `==` and `!=` apply to two of the type
+bool has_equality(const ir::Program&, ir::TypeId);                    ///< `==` and `!=` apply to two of the type
 ir::ExprId make_struct_equality(Body&, bool negated, ir::ExprId left, ir::ExprId right, Span);
 /// The value that `target op= value` assigns, where the target held `before`.
 ir::ExprId check_compound(Body&, const ast::Stmt&, ir::ExprId before);

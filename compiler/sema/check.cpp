@@ -130,7 +130,8 @@ void require_transfers_of_tables(Context& c) {
         for (const ir::Stage& stage : c.program.structures[i].via) {
             for (const ir::Place& place : stage.structures) {
                 auto table = static_cast<std::uint32_t>(i);
-                for (std::uint32_t member : place.members) table = c.program.structures[table].members[member].structure;
+                for (std::uint32_t member : place.members)
+                    table = c.program.structures[table].members[member].structure;
                 tables.push_back(table);
             }
         }

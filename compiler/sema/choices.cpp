@@ -57,8 +57,7 @@ Operand call_select(Body& body, const ast::Expr& call, ir::TypeId wanted) {
 Operand check_otherwise(Body& body, const ast::Expr& expr, ir::TypeId wanted) {
     ir::Types& types = body.types();
     const ir::TypeId value_hint = operand_hint(types, wanted);
-    ir::ExprId optional =
-        check_hinted(body, expr.operands[0], value_hint ? types.optional(value_hint) : ir::TypeId{});
+    ir::ExprId optional = check_hinted(body, expr.operands[0], value_hint ? types.optional(value_hint) : ir::TypeId{});
     if (is_error(body, optional)) return error_operand(expr.span);
     const ir::TypeId type = body.program().exprs[optional].type;
     if (types.kind(type) != ir::TypeKind::optional) {

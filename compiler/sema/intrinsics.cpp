@@ -116,7 +116,9 @@ ir::TypeId result_type(ir::Types& types, const Signature& signature, ir::TypeId 
     return result_of(types, signature.result, argument);
 }
 
-bool is_generic_letter(char letter) { return std::string_view("FGVNIJUSRDLBMT").find(letter) != std::string_view::npos; }
+bool is_generic_letter(char letter) {
+    return std::string_view("FGVNIJUSRDLBMT").find(letter) != std::string_view::npos;
+}
 
 ir::TypeId fixed_type(ir::Types& types, char letter) {
     switch (letter) {
@@ -157,8 +159,8 @@ Operand wrong_argument(Body& body, ir::Intrinsic intrinsic, char letter, Span sp
     return error_operand(span);
 }
 
-/// GLSL's abs and sign take signed numbers; of unsigned ones the value itself is the first, the lesser of it and one the
-/// second.
+/// GLSL's abs and sign take signed numbers; of unsigned ones the value itself is the first, the lesser of it and one
+/// the second.
 std::optional<ir::ExprId> of_unsigned(Body& body, ir::Intrinsic intrinsic, const ir::Operands& operands, Span span) {
     if (intrinsic != ir::Intrinsic::abs && intrinsic != ir::Intrinsic::sign) return std::nullopt;
     ir::Types& types = body.types();
@@ -217,11 +219,11 @@ Operand call_intrinsic(Body& body, ir::Intrinsic intrinsic, const std::vector<as
             const ir::TypeId hint = flexible ? literal_hint(types, shape.letter, common, like_result)
                                     : common ? common
                                              : like_result;
-            operands[i] =
-                fixed ? check_value(body, arguments[i], fixed) : check_hinted(body, arguments[i], hint);
+            operands[i] = fixed ? check_value(body, arguments[i], fixed) : check_hinted(body, arguments[i], hint);
             if (is_error(body, operands[i])) return error_operand(call.span);
             ir::TypeId type = body.program().exprs[operands[i]].type;
-            if (!accepts(types, shape.letter, type)) return wrong_argument(body, intrinsic, shape.letter, c[arguments[i]].span, type);
+            if (!accepts(types, shape.letter, type))
+                return wrong_argument(body, intrinsic, shape.letter, c[arguments[i]].span, type);
             if (is_generic_letter(shape.letter) && (!common || types.components(type) > types.components(common)))
                 common = type;
         }

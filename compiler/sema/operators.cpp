@@ -209,8 +209,7 @@ ir::ExprId check_compound(Body& body, const ast::Stmt& stmt, ir::ExprId before) 
     Context& c = body.context;
     ir::Types& types = body.types();
     ir::TypeId left = body.program().exprs[before].type;
-    ir::ExprId value =
-        check_hinted(body, stmt.value, is_flexible(c, stmt.value) ? types.scalar_of(left) : left);
+    ir::ExprId value = check_hinted(body, stmt.value, is_flexible(c, stmt.value) ? types.scalar_of(left) : left);
     if (is_error(body, value)) return value;
     ir::TypeId right = body.program().exprs[value].type;
     if (result_type(types, *stmt.op, left, right) != left) {

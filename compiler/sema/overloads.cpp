@@ -18,7 +18,7 @@ struct Candidate {
     bool gives_wanted = true;
     bool is_generic = false;
     bool takes_as_they_are = true;  ///< no value becomes an optional
-    bool takes_literals = true;  ///< as the types that they have on their own
+    bool takes_literals = true;     ///< as the types that they have on their own
 };
 
 struct CheckedArguments {
@@ -220,8 +220,8 @@ std::optional<Candidate> try_overload(Body& body, ast::DeclId id, const Env* own
     return candidate;
 }
 
-/// What is wanted decides first; then the one that makes no optionals of the arguments; then the one written more closely for these types; then the types that literals have
-/// on their own.
+/// What is wanted decides first; then the one that makes no optionals of the arguments; then the one written more
+/// closely for these types; then the types that literals have on their own.
 bool is_better(const Context& c, const Candidate& a, const Candidate& b) {
     if (a.gives_wanted != b.gives_wanted) return a.gives_wanted;
     if (a.takes_as_they_are != b.takes_as_they_are) return a.takes_as_they_are;

@@ -1,5 +1,5 @@
-// A walk over the kernel and, where they are called, the functions with its workgroup; levels only rise, and the walk is
-// repeated until none does.
+// A walk over the kernel and, where they are called, the functions with its workgroup; levels only rise, and the walk
+// is repeated until none does.
 #include "sema/uniformity.h"
 
 #include "ir/effects.h"
@@ -92,7 +92,8 @@ private:
     std::map<std::pair<Call, ir::StmtId>, Flow> exits_;          ///< of loops: the ways to their breaks and continues
     std::map<std::pair<Call, ir::StmtId>, Interval> intervals_;  ///< at the end of a loop's body
     std::map<std::pair<Call, ir::ExprId>, Call> calls_;
-    std::set<std::pair<ir::LocalId, ir::ExprId>> races_;  ///< reads of workgroup memory that another may write meanwhile
+    std::set<std::pair<ir::LocalId, ir::ExprId>>
+        races_;  ///< reads of workgroup memory that another may write meanwhile
     std::set<std::pair<std::uint32_t, std::uint32_t>> reported_;  ///< file and place of barriers
 
     Call call_ = 0;
@@ -250,8 +251,7 @@ Flow Uniformity::intrinsic(const ir::Expr& node) {
     const std::string_view signature = ir::signature_of(node.intrinsic);
     if (signature[0] == '@') {
         ir::ExprId root = node.operands[0];
-        while (p.exprs[root].op == ir::Op::index || p.exprs[root].op == ir::Op::field)
-            root = p.exprs[root].operands[0];
+        while (p.exprs[root].op == ir::Op::index || p.exprs[root].op == ir::Op::field) root = p.exprs[root].operands[0];
         if (p.exprs[root].op == ir::Op::local) write_shared(p.exprs[root].local);
     }
     const Flow flow = operands(node);

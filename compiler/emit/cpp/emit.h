@@ -29,10 +29,10 @@ struct TestName {
 };
 
 struct Module {
-    std::string header;           ///< <name>.glift.hpp
-    std::string source;           ///< <name>.glift.cpp
-    std::string internal;         ///< <name>.glift.internal.hpp: what the sources share
-    std::string library;          ///< <name>.glift.library.cpp: what it uses of modules that have no source of their own
+    std::string header;    ///< <name>.glift.hpp
+    std::string source;    ///< <name>.glift.cpp
+    std::string internal;  ///< <name>.glift.internal.hpp: what the sources share
+    std::string library;   ///< <name>.glift.library.cpp: what it uses of modules that have no source of their own
     std::vector<TestName> tests;  ///< in a test program: all that it runs
 };
 

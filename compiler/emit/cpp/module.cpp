@@ -5,8 +5,8 @@
 //   <name>.glift.internal.hpp  what both sources see: hidden classes and functions
 //   <name>.glift.library.cpp   the same of other modules, where no other source has it
 //
-// A class is defined where it is not defined yet: by the #ifndef of its name. A function of a module that has a source of
-// its own is defined there; other functions are weak, so that it does not matter how many sources define them.
+// A class is defined where it is not defined yet: by the #ifndef of its name. A function of a module that has a source
+// of its own is defined there; other functions are weak, so that it does not matter how many sources define them.
 #include "base/parallel.h"
 #include "emit/cpp/unit.h"
 
@@ -78,7 +78,6 @@ std::vector<std::string> printed_kernels(Unit& unit, const std::vector<std::uint
     return texts;
 }
 
-
 /// What the generated function of a kernel names besides its parameters.
 void name_parameters(Unit& unit, const ir::Kernel& kernel) {
     Scopes names;
@@ -119,7 +118,8 @@ private:
     bool is_declared_elsewhere(bool is_pub, const std::string& key, std::uint32_t module) const;
     void find_shown_elsewhere();
 
-    template <class Print> void print_once(Writer& out, Spaces& spaces, std::uint32_t home, const std::string& name, const Print& print);
+    template <class Print>
+    void print_once(Writer& out, Spaces& spaces, std::uint32_t home, const std::string& name, const Print& print);
     void print_types(Writer& out, Spaces& spaces);
     void print_classes(Writer& out, Spaces& spaces, bool (ModulePrinter::*wanted)(std::uint32_t) const);
     void print_aliases(Writer& out, Spaces& spaces, std::uint32_t structure);
@@ -157,15 +157,8 @@ private:
 ModulePrinter::ModulePrinter(const ir::Program& program, const ir::Lowered& lowered, const Sources& sources,
                              std::uint32_t module, const std::vector<KernelCode>& code, const Options& options,
                              Defined& defined)
-    : program_(program),
-      lowered_(lowered),
-      sources_(sources),
-      module_(module),
-      code_(code),
-      options_(options),
-      defined_(defined),
-      names_(program_names(program)),
-      reach_(reach_of(program, module, options)),
+    : program_(program), lowered_(lowered), sources_(sources), module_(module), code_(code), options_(options),
+      defined_(defined), names_(program_names(program)), reach_(reach_of(program, module, options)),
       stem_(stem_of(sources[program.modules[module].file].path)) {
     add_inner_structs(reach_, program, lowered);
     find_shown_elsewhere();
@@ -188,16 +181,8 @@ void ModulePrinter::find_shown_elsewhere() {
 
 Unit& ModulePrinter::unit_of(std::uint32_t home) {
     if (const auto found = units_.find(home); found != units_.end()) return found->second;
-    Unit unit{program_,
-              lowered_,
-              sources_,
-              module_,
-              home,
-              code_,
-              options_,
-              reach_,
-              names_,
-              make_globals(program_, sources_, names_, {module_, home}),
+    Unit unit{program_, lowered_, sources_, module_, home,
+              code_,    options_, reach_,   names_,  make_globals(program_, sources_, names_, {module_, home}),
               {}};
     name_symbols(unit);
     for (std::uint32_t kernel : reach_.kernels)
@@ -215,9 +200,8 @@ bool ModulePrinter::is_declared_elsewhere(bool is_pub, const std::string& key, s
     return is_pub && module != module_ && has_source(module) && key.find('<') == std::string::npos;
 }
 
-template <class Print>
-void ModulePrinter::print_once(Writer& out, Spaces& spaces, std::uint32_t home, const std::string& name,
-                               const Print& print) {
+template <class Print> void ModulePrinter::print_once(Writer& out, Spaces& spaces, std::uint32_t home,
+                                                      const std::string& name, const Print& print) {
     Unit& unit = unit_of(home);
     spaces.enter(unit.globals.space);
     const std::string guard = "GLIFT_" + unit.globals.space + "_HAS_" + name;
@@ -427,7 +411,8 @@ std::string ModulePrinter::source() {
     if (options_.tests) {
         out.gap();
         out.open("int main(int argc, char** argv)");
-        out.line("return glift::run_tests(" + (!unit.tests.empty() ? unit.globals.space + "::" + unit.tests : "{}") + ", argc, argv);");
+        out.line("return glift::run_tests(" + (!unit.tests.empty() ? unit.globals.space + "::" + unit.tests : "{}") +
+                 ", argc, argv);");
         out.close();
     }
     return out.take();

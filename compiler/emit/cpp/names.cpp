@@ -23,7 +23,8 @@ std::string identifier(std::string_view text) {
         if (is_letter(c) || is_digit(c)) result += c;
         else if (!result.ends_with('_')) result += '_';
     }
-    // Names that begin with '_' are C++'s own. What stands for brackets at the end is left out, not an '_' of the user's.
+    // Names that begin with '_' are C++'s own. What stands for brackets at the end is left out, not an '_' of the
+    // user's.
     while (result.size() > 1 && result.ends_with('_') && !text.ends_with('_')) result.pop_back();
     if (result.empty() || is_digit(result[0]) || result[0] == '_') result.insert(0, "n");
     if (is_word(result) || is_macro(result)) result += '_';
@@ -41,9 +42,7 @@ void Scopes::leave() {
     scopes_.pop_back();
 }
 
-void Scopes::reserve(std::initializer_list<const char*> names) {
-    reserved_.insert(names.begin(), names.end());
-}
+void Scopes::reserve(std::initializer_list<const char*> names) { reserved_.insert(names.begin(), names.end()); }
 
 bool Scopes::is_kept(const std::string& name) const {
     return reserved_.contains(name) ||

@@ -1,4 +1,5 @@
-// Names in C++, all of them: as in the source where C++ allows it, else with a '_' behind. docs/language.md, "Names in C++".
+// Names in C++, all of them: as in the source where C++ allows it, else with a '_' behind. docs/language.md, "Names in
+// C++".
 #pragma once
 
 #include <initializer_list>
@@ -15,8 +16,8 @@ std::string identifier(std::string_view text);
 
 /// What the host's code of a kernel calls its own variables.
 inline constexpr const char* locals_of_kernels[] = {
-    "address", "block", "call",   "count", "first",      "i",    "inside", "interior",
-    "lane",    "part",  "parameters", "row",   "rows", "stretch", "unclamped", "x",
+    "address", "block", "call",       "count", "first", "i",       "inside",    "interior",
+    "lane",    "part",  "parameters", "row",   "rows",  "stretch", "unclamped", "x",
 };
 /// The same where the kernel has a group.
 inline constexpr const char* locals_of_groups[] = {

@@ -45,20 +45,20 @@ struct ClassNames {
     NameSet all;  ///< also the rest of its interface: what hides names of the namespace in them
 };
 
-/// What everything is called in the namespace of its module. The names depend on little but the things themselves, so that
-/// all files and all runs of gliftc agree.
+/// What everything is called in the namespace of its module. The names depend on little but the things themselves, so
+/// that all files and all runs of gliftc agree.
 struct ProgramNames {
-    std::vector<std::string> spaces;                    ///< of Program::modules: laplacian, std.array → std_array
-    std::vector<NameSet> types;                         ///< of Program::modules: no other name hides them
-    std::vector<std::string> structs;                   ///< of Program::structs
-    std::vector<std::vector<std::string>> fields;       ///< of Program::structs
-    std::vector<std::string> enums;                     ///< of Program::enums
-    std::vector<std::string> structures;                ///< of Program::structures: the classes
-    std::vector<std::vector<std::string>> aliases;      ///< of Program::structures: of their aliases
-    std::vector<ClassNames> classes;                    ///< of Program::structures
-    std::vector<std::string> kernels;                   ///< of Program::kernels: the functions that call them
-    std::vector<std::string> pipelines;                 ///< of Program::pipelines
-    std::vector<Scopes> taken;                          ///< of Program::modules
+    std::vector<std::string> spaces;                ///< of Program::modules: laplacian, std.array → std_array
+    std::vector<NameSet> types;                     ///< of Program::modules: no other name hides them
+    std::vector<std::string> structs;               ///< of Program::structs
+    std::vector<std::vector<std::string>> fields;   ///< of Program::structs
+    std::vector<std::string> enums;                 ///< of Program::enums
+    std::vector<std::string> structures;            ///< of Program::structures: the classes
+    std::vector<std::vector<std::string>> aliases;  ///< of Program::structures: of their aliases
+    std::vector<ClassNames> classes;                ///< of Program::structures
+    std::vector<std::string> kernels;               ///< of Program::kernels: the functions that call them
+    std::vector<std::string> pipelines;             ///< of Program::pipelines
+    std::vector<Scopes> taken;                      ///< of Program::modules
 };
 
 ProgramNames program_names(const ir::Program& program);
@@ -80,7 +80,8 @@ struct Globals {
     std::vector<ClassNames> class_names;                ///< of Program::structures
     std::vector<std::string> kernel_names;              ///< of Program::kernels: the functions that call them
     std::vector<std::string> pipeline_names;            ///< of Program::pipelines
-    std::unordered_map<std::uint32_t, std::string> kernel_stems;  ///< what the names of all that is made for them begin with
+    std::unordered_map<std::uint32_t, std::string>
+        kernel_stems;  ///< what the names of all that is made for them begin with
     std::unordered_map<const ir::KernelParam*, std::string> param_names;
     std::unordered_map<ir::FunctionId, std::string> function_names;
     std::string functions;  ///< printed so far, callees first

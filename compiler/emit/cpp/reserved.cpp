@@ -117,8 +117,23 @@ constexpr auto globals = std::to_array<std::string_view>({
 
 /// Macros of compilers and systems that tools/cpp-names does not see here.
 constexpr auto other_macros = std::to_array<std::string_view>({
-    "CALLBACK", "CONST", "ERROR", "FALSE", "IN", "OPTIONAL", "OUT", "TRUE", "VOID", "WINAPI", "cdecl", "far", "huge",
-    "i386", "near", "pascal", "sun",
+    "CALLBACK",
+    "CONST",
+    "ERROR",
+    "FALSE",
+    "IN",
+    "OPTIONAL",
+    "OUT",
+    "TRUE",
+    "VOID",
+    "WINAPI",
+    "cdecl",
+    "far",
+    "huge",
+    "i386",
+    "near",
+    "pascal",
+    "sun",
 });
 
 static_assert(std::ranges::is_sorted(words));
@@ -128,7 +143,8 @@ static_assert(std::ranges::is_sorted(other_macros));
 
 /// What most names are told from the names of a table by: how long those are that begin with each character, a bit a
 /// length.
-template <std::size_t n> constexpr std::array<std::uint64_t, 128> lengths_of(const std::array<std::string_view, n>& names) {
+template <std::size_t n>
+constexpr std::array<std::uint64_t, 128> lengths_of(const std::array<std::string_view, n>& names) {
     std::array<std::uint64_t, 128> lengths{};
     for (std::string_view name : names)
         lengths[static_cast<unsigned char>(name[0])] |= std::uint64_t{1} << std::min<std::size_t>(name.size(), 63);

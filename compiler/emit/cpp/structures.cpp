@@ -144,8 +144,7 @@ bool has_parts(const Structure& structure) {
 std::string memory_description(Unit& unit, Printer& p, std::uint32_t index, std::size_t i, const ClassNames& names) {
     const ir::Memory& memory = unit.program.structures[index].memories[i];
     const std::string& extent = names.extent_fields[i];
-    std::string text =
-        "{.name = " + quoted(unit.program.structures[index].display + "." + unit.name(memory.name));
+    std::string text = "{.name = " + quoted(unit.program.structures[index].display + "." + unit.name(memory.name));
     const std::string mips = memory.mips ? ", .mips = " + print_any(p, memory.mips) : "";
     switch (memory.shape) {
     case ir::MemoryShape::buffer:
@@ -176,9 +175,10 @@ std::string member_value(Unit& unit, Printer& p, const std::string& owner, const
     for (std::size_t i = 0; i < member.arguments.size(); ++i) {
         const ir::ExprId argument = member.arguments[i];
         const ir::TypeId wanted = unit.program.locals[made.constructor[i]].type;
-        arguments += (arguments.empty() ? "" : ", ") + (unit.program.exprs[argument].type == wanted
-                                                            ? print_any(p, argument)
-                                                            : fitted(p, argument, owner + "." + unit.name(member.name)));
+        arguments +=
+            (arguments.empty() ? "" : ", ") + (unit.program.exprs[argument].type == wanted
+                                                   ? print_any(p, argument)
+                                                   : fitted(p, argument, owner + "." + unit.name(member.name)));
     }
     return unit.class_name(member.structure) + "(" + arguments + ")";
 }
@@ -227,7 +227,8 @@ void print_constructors(Unit& unit, Writer& out, std::uint32_t index, const Clas
             if (structure.host[i].initial)
                 initialisers.push_back(names.host_fields[i] + "(" + print_any(p, structure.host[i].initial) + ")");
         }
-        out.line(unit.linkage(structure.key) + type + "::" + type + "(" + constructor_of(unit, index, names, false).text() + more + ")");
+        out.line(unit.linkage(structure.key) + type + "::" + type + "(" +
+                 constructor_of(unit, index, names, false).text() + more + ")");
         out.indent();
         for (std::size_t i = 0; i < initialisers.size(); ++i)
             out.line((i == 0 ? ": " : "  ") + initialisers[i] + (i + 1 < initialisers.size() ? "," : " {}"));
@@ -245,7 +246,8 @@ void print_same_state(Unit& unit, Writer& out, std::uint32_t index, const ClassN
     for (const std::string& field : names.argument_fields) also(field + " == other." + field);
     for (const std::string& field : names.member_fields) also(field + ".same_state(other." + field + ")");
     const std::string& type = unit.own_name(index);
-    out.open(unit.linkage(unit.program.structures[index].key) + ("bool " + type) + "::same_state(const " + type + "& other) const");
+    out.open(unit.linkage(unit.program.structures[index].key) + ("bool " + type) + "::same_state(const " + type +
+             "& other) const");
     out.line(condition.empty() ? "return this == &other || true;" : "return " + condition + ";");
     out.close();
     out.gap();
@@ -303,8 +305,7 @@ void print_class(Unit& unit, Writer& out, std::uint32_t index) {
     out.line(type + "() = default;");
     const Constructor constructor = constructor_of(unit, index, names, true);
     if (!constructor.parameters.empty())
-        out.line((constructor.parameters.size() == 1 ? "explicit " : "") + type + "(" + constructor.text() +
-                 ");");
+        out.line((constructor.parameters.size() == 1 ? "explicit " : "") + type + "(" + constructor.text() + ");");
     if (has_parts(structure)) {
         out.line("/// Over parts that exist already.");
         out.line(type + "(" + constructor.text() + memory_parameters(unit, index, names) + ");");
@@ -336,10 +337,9 @@ void print_class(Unit& unit, Writer& out, std::uint32_t index) {
         if (has_rows(unit.program, structure)) {
             out.line("/// Where an element lies in row_memory(), in elements; the address is an affine function of the "
                      "virtual one.");
-            out.line("std::uint64_t place(" + unit.type(structure.domain_type, true) +
-                     " address) const;");
-            out.line("const glift::Memory& row_memory() const { return " +
-                     names.memory_fields[structure.via_memory] + "; }");
+            out.line("std::uint64_t place(" + unit.type(structure.domain_type, true) + " address) const;");
+            out.line("const glift::Memory& row_memory() const { return " + names.memory_fields[structure.via_memory] +
+                     "; }");
         }
         out.line("/// Elements of a box to a linear buffer, and back.");
         out.line("void copy_out" + parameters);
@@ -385,8 +385,8 @@ void print_enum(const Unit& unit, Writer& out, std::uint32_t index) {
     Scopes names;
     names.avoid(type_name);
     for (std::size_t i = 0; i < type.enumerators.size(); ++i)
-        list += (i ? ", " : "") + names.declare(unit.name(type.enumerators[i])) + " = " +
-                std::to_string(type.values[i]);
+        list +=
+            (i ? ", " : "") + names.declare(unit.name(type.enumerators[i])) + " = " + std::to_string(type.values[i]);
     out.line("enum : glift::uint { " + list + " };");
     out.close(";");
     out.gap();

@@ -26,8 +26,8 @@ Text structure_property(const Globals& globals, const ir::Expr& expr, std::uint3
     case ir::Op::memory_extent: {
         const std::string extent = own ? names.extent_fields[expr.slot] : prefix + names.extents[expr.slot] + "()";
         const ir::Structure& of = globals.program.structures[structure];
-        const bool is_cut = of.memories[expr.slot].shape == ir::MemoryShape::buffer &&
-                            expr.type == globals.program.types.uint;
+        const bool is_cut =
+            of.memories[expr.slot].shape == ir::MemoryShape::buffer && expr.type == globals.program.types.uint;
         return {is_cut ? "glift::fitted(" + extent + ")" : extent};
     }
     case ir::Op::host_state: return {own ? names.host_fields[expr.slot] : prefix + names.host[expr.slot] + "()"};

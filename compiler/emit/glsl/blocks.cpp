@@ -54,9 +54,8 @@ bool holds_bool_array(const ir::Program& program, TypeId id) {
         return program.types.scalar_of(element) == program.types.bool_ || may_hold_bool_array(program, element);
     }
     if (type.kind != TypeKind::struct_) return false;
-    return std::ranges::any_of(program.structs[type.index].fields, [&](const ir::StructField& field) {
-        return may_hold_bool_array(program, field.type);
-    });
+    return std::ranges::any_of(program.structs[type.index].fields,
+                               [&](const ir::StructField& field) { return may_hold_bool_array(program, field.type); });
 }
 
 std::string remade(Printer& p, const std::string& place, TypeId id) {

@@ -261,8 +261,8 @@ Text print_node(Printer& p, ExprId id) {
     }
     case Op::local: return print_local(p, expr);
     case Op::construct:
-        return {concat(type_text(p, expr.type), "(", join_arguments(p, expr.operands), padding_values(p, expr.type),
-                       ")")};
+        return {
+            concat(type_text(p, expr.type), "(", join_arguments(p, expr.operands), padding_values(p, expr.type), ")")};
     case Op::convert: return print_convert(p, expr);
     case Op::unary: return print_unary(p, expr);
     case Op::binary: return print_binary(p, expr);

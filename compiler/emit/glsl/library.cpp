@@ -217,8 +217,7 @@ std::string library_of(const Program& program, const Sources& sources, const Lib
     replace_all(memories, ") buffer ", ") " + macro + "_ACCESS buffer ");
     replace_all(memories, ") uniform ", ") uniform " + macro + "_ACCESS ");
     const std::string state = state_text(all, name, macro), helpers = helpers_text(all), structs = structs_text(all);
-    const std::string macros =
-        state.empty() && memories.empty() ? "" : macros_text(macro, !memories.empty());
+    const std::string macros = state.empty() && memories.empty() ? "" : macros_text(macro, !memories.empty());
     return heading(program, sources, library.structure, macro) +
            once("GLIFT_" + macro,
                 extensions_text(all) + macros + enumerators_once(all) + structs + state + memories +

@@ -192,7 +192,7 @@ Text print_intrinsic(Printer& p, const ir::Expr& expr);
 
 // helpers.cpp
 std::string need(Printer& p, Helper helper, ir::TypeId a, ir::TypeId b = {});  ///< the name to call
-std::vector<std::string> helper_list(Printer& p);  ///< each once
+std::vector<std::string> helper_list(Printer& p);                              ///< each once
 std::string helper_definitions(Printer& p);
 
 // order.cpp

@@ -41,8 +41,7 @@ Text print_outer(Body& body, const Expr& expr) {
             return {"glift::host::load_row(" + row_arguments(body, expr.slot, expr.operands[0]) + ")"};
         std::string text = element_text(body, expr.slot, expr.operands[0]);
         if (body.pass.bindings[expr.slot].coherent) text = "glift::host::memory::read(" + text + ")";
-        if (cpp::is_bool_vector(p.program, expr.type))
-            text = cpp::type_text(p.globals, expr.type) + "(" + text + ")";
+        if (cpp::is_bool_vector(p.program, expr.type)) text = cpp::type_text(p.globals, expr.type) + "(" + text + ")";
         return {text};
     }
     case Op::image_load:
@@ -108,8 +107,7 @@ void print_outer(Body& body, const Stmt& stmt) {
         if (is_row(p.program.types, body.pass.bindings[stmt.slot], p.program.exprs[stmt.value].type))
             return p.out.line("glift::host::store_row(" + row_arguments(body, stmt.slot, stmt.target) + ", " + value +
                               ");");
-        if (cpp::is_bool_vector(p.program, element))
-            value = cpp::storage_text(p.globals, element) + "(" + value + ")";
+        if (cpp::is_bool_vector(p.program, element)) value = cpp::storage_text(p.globals, element) + "(" + value + ")";
         const std::string place = element_text(body, stmt.slot, stmt.target);
         if (body.pass.bindings[stmt.slot].coherent)
             return p.out.line("glift::host::memory::write(" + place + ", " + value + ");");
@@ -207,8 +205,7 @@ void declare_used(Body& body, cpp::Writer& out, const std::string& name) {
         const ir::PassParameter& parameter = body.pass.parameters[i];
         std::string value = "parameters." + members[i];
         const std::string type = cpp::type_text(body.p.globals, parameter.type);
-        if (cpp::is_bool_vector(body.p.program, parameter.type))
-            value = type + "(" + value + ")";
+        if (cpp::is_bool_vector(body.p.program, parameter.type)) value = type + "(" + value + ")";
         out.line("const " + type + " " + body.parameter_names[i] + " = " + value + ";");
     }
     for (std::uint32_t i = 0; i < body.pass.bindings.size(); ++i) {

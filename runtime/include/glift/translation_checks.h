@@ -116,9 +116,13 @@ auto check_translator(Test& test, const std::string& name, const Tried<A>& from,
     return result;
 }
 
-/// True if the addresses are all of a domain, each by itself, in a memory that has them all.
-template <class P> bool fill_memory(const Tried<P>& reached, const P& extent) {
-    const Extent limit = detail::extent_of(extent);
+/// True if the addresses are all of a domain, each by itself, in a memory that has them all. Addresses that are tried
+/// have 32 bits: of more elements than these reach, a buffer has enough.
+template <class P, class E> bool fill_memory(const Tried<P>& reached, const E& extent) {
+    Extent limit{};
+    if constexpr (std::is_same_v<E, std::uint64_t>)
+        limit = detail::extent_of(static_cast<uint>(std::min<std::uint64_t>(extent, 0xffffffffu)));
+    else limit = detail::extent_of(extent);
     return reached.complete && std::ranges::all_of(reached.addresses, [&](const P& address) {
                const Extent at = detail::extent_of(address, 0);
                for (unsigned axis = 0; axis < 4; ++axis)

@@ -16,8 +16,8 @@ namespace {
 
 constexpr std::uint64_t alignment = 64;
 
-/// Bytes that the machine can give at this moment. Untouched pages count for nothing in it, so that it is asked beside the
-/// bytes that Glift holds.
+/// Bytes that the machine can give at this moment. Untouched pages count for nothing in it, so that it is asked beside
+/// the bytes that Glift holds.
 std::uint64_t available_bytes() {
     std::ifstream info("/proc/meminfo");
     std::string word;

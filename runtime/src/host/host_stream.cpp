@@ -84,8 +84,8 @@ constexpr std::size_t small_count = 16;
 
 }  // namespace
 
-bool HostStream::needs_wide(const Kernel& kernel, std::span<const Memory> memories,
-                            const std::array<std::uint32_t, 4>&, Sharing) {
+bool HostStream::needs_wide(const Kernel& kernel, std::span<const Memory> memories, const std::array<std::uint32_t, 4>&,
+                            Sharing) {
     check_memories(&device_, kernel, memories);
     return counts_in_64_bits(kernel, memories);
 }

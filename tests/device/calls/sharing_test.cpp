@@ -22,8 +22,8 @@ TEST(Sharing, a_structure_of_one_module_goes_to_another) {
 }
 
 TEST(Sharing, the_class_is_one) {
-    static_assert(std::is_same_v<decltype(&sharing::halve),
-                                 void (*)(const glift::Commands&, const glift::Range<calls::Plane>&)>);
+    static_assert(
+        std::is_same_v<decltype(&sharing::halve), void (*)(const glift::Commands&, const glift::Range<calls::Plane>&)>);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
-// A dense volume of any size, whose kernels count elements in 64 bits: written, computed on, summed, gathered, read back.
-// GLIFT_TEST_GIB is its size in GiB, a power of two; without it the volume is small, and GLIFT_WIDE_ELEMENTS has the kernels
-// take it for a large one.
+// A dense volume of any size, whose kernels count elements in 64 bits: written, computed on, summed, gathered, read
+// back. GLIFT_TEST_GIB is its size in GiB, a power of two; without it the volume is small, and GLIFT_WIDE_ELEMENTS has
+// the kernels take it for a large one.
 #include "on_every_device.h"
 
 #include "volume.glift.hpp"

@@ -58,7 +58,8 @@ TEST_P(Dispatch, LongIterationsFold) {
 TEST_P(Dispatch, TallIterationsSplit) {
     const std::array<std::uint32_t, 4> size = {1, 70000, 2, 1};
     const auto g = buffer(device, "g.data", 4 * 140000);
-    const std::uint32_t block[8] = {size[0], size[1], size[2]};  // then the base and the address, which are the runtime's
+    const std::uint32_t block[8] = {size[0], size[1],
+                                    size[2]};  // then the base and the address, which are the runtime's
     const std::span<const std::byte> bytes = bytes_of(block);
     const glift::Commands commands = device;
     const bool wide = commands.needs_wide(mark_grid, {&g, 1}, size);

@@ -161,10 +161,8 @@ void run_scale(const glift::Commands& commands, const glift::Memory& f, const gl
     } const block = {{size, factor}, {}};
     const std::array<std::uint32_t, 4> axes = {size, 1, 1, 1};
     if (commands.needs_wide(scale, memories, axes))
-        commands.dispatch(scale, {.form = glift::FormName::wide,
-                                  .memories = memories,
-                                  .parameters = bytes_of(block),
-                                  .size = axes});
+        commands.dispatch(
+            scale, {.form = glift::FormName::wide, .memories = memories, .parameters = bytes_of(block), .size = axes});
     else
         commands.dispatch(scale, {.form = glift::FormName::direct,
                                   .memories = memories,

@@ -94,29 +94,31 @@ TEST(Library, OfATranslatorWithALoop) {
         "    translate(va) {\n        var p = va;\n        while p > 100u {\n            p = p / 2u;\n        }\n"
         "        return p;\n    }\n}\npub structure Few(n: uint) {\n    memory data = buffer<float>[n];\n"
         "    via Halved(n);\n}\n");
-    EXPECT_THAT(text, HasSubstr("return Few_Halved_translate(address);"));
+    EXPECT_THAT(text, HasSubstr("uint Few_place = Few_Halved_translate(address);"));
     prove(text, "#define FEW_BINDING 0\n", "Few_write(id.x, Few_read(id.y));\n");
 }
 
 // They share a struct, each has functions of its own, and what both call lies in both.
 TEST(Library, SeveralInOneShader) {
-    const std::vector<std::string> texts = libraries(
-        "module two;\nuse std.array;\nuse std.tiled;\nstruct Particle { x: float; v: float2; }\n"
-        "pub structure A = Array<1, Particle>;\npub structure B = Tiled<1, Particle, 4>;\n"
-        "pub structure C = Tiled<1, Particle, 8>;\n");
+    const std::vector<std::string> texts =
+        libraries("module own;\nuse std.array;\nuse std.tiled;\nstruct Particle { x: float; v: float2; }\n"
+                  "pub structure A = Array<1, Particle>;\npub structure B = Tiled<1, Particle, 4>;\n"
+                  "pub structure C = Tiled<1, Particle, 8>;\n");
     ASSERT_EQ(texts.size(), 3u);
-    prove(texts[0] + texts[1] + texts[2] + texts[0],
-          "#define A_BINDING 0\n#define B_BINDING 2\n#define C_BINDING 4\n",
+    prove(texts[0] + texts[1] + texts[2] + texts[0], "#define A_BINDING 0\n#define B_BINDING 2\n#define C_BINDING 4\n",
           "A_write(id.x, B_read(id.y));\nC_write(id.x, A_read(id.z));\n");
 }
 
 TEST(Library, SaysWhatMayNotMeet) {
-    const std::string a = library("module a;\nuse std.array;\nstruct P { x: float; }\npub structure A = Array<1, P>;\n");
-    const std::string b = library("module b;\nuse std.array;\nstruct P { y: float; }\npub structure B = Array<1, P>;\n");
-    const std::string other = library("module c;\nuse std.array;\npub structure A = Array<2, float>;\n");
+    const std::string a =
+        library("module own;\nuse std.array;\nstruct P { x: float; }\npub structure A = Array<1, P>;\n");
+    const std::string b =
+        library("module own;\nuse std.array;\nstruct P { y: float; }\npub structure B = Array<1, P>;\n");
+    const std::string other = library("module own;\nuse std.array;\npub structure A = Array<2, float>;\n");
     const std::string bound = "#define A_BINDING 0\n#define B_BINDING 2\n";
     EXPECT_THAT(error_of(bound + a + b), HasSubstr("another struct is called P in a file included before"));
-    EXPECT_THAT(error_of(bound + a + other), HasSubstr("the functions of another structure called A are included already"));
+    EXPECT_THAT(error_of(bound + a + other),
+                HasSubstr("the functions of another structure called A are included already"));
     EXPECT_THAT(error_of(a), HasSubstr("define A_BINDING before this file is included"));
 }
 

@@ -89,9 +89,12 @@ TEST(Shader, ReachesBuffersByAddressInTheWideForm) {
     }
     b.pass.body = {b.store(out, address, b.load(in, address))};
     std::string text = proved(b);
-    EXPECT_THAT(text, HasSubstr("layout(buffer_reference, scalar) readonly buffer F_data { vec3 at[]; };"));
-    EXPECT_THAT(text, HasSubstr("    G_data g_data;\n"));
-    EXPECT_THAT(text, HasSubstr("parameters.g_data.at[address] = parameters.f_data.at[address];"));
+    EXPECT_THAT(
+        text,
+        HasSubstr("layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer F_data { vec3 at; };"));
+    EXPECT_THAT(text, HasSubstr("    uint64_t g_data;\n"));
+    EXPECT_THAT(text, HasSubstr("G_data(parameters.g_data + address * 12ul).at = "
+                                "F_data(parameters.f_data + address * 12ul).at;"));
 }
 
 TEST(Shader, ReadsAndWritesImages) {

@@ -75,8 +75,8 @@ TEST(Coarsen, TwoNamesOfOnePlaceAreReadInTurn) {
         "kernel k(f: in each<Field>, g: out each<Field>, h: out each<Field>) { g = f + 1.0; h = 2.0 * f; }");
     EXPECT_EQ(taken(lowering), a_row_each);  // the direct form knows that the names are apart
     EXPECT_EQ(count(pair_of(lowering), "= f_data["), 2u) << pair_of(lowering);
-    const std::string general = lowering.general("k");
-    const std::string text = general.substr(general.find("two elements"));
+    const ir::Pass& general = lowering.forms("k").general;
+    const std::string text = ir::print(lowering.program, general.pair_body, &general);
     const std::size_t store = text.find("g_data["), load = text.find("= f_data[", store);
     const std::size_t next = text.find("if has_next");
     EXPECT_LT(store, load) << text;

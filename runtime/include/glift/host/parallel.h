@@ -91,8 +91,8 @@ inline constexpr std::size_t task_elements = 1 << 14;
 
 /// Calls `run(body, begin, end)` for parts of [0, count) that together cover it once, in parallel, none shorter than
 /// half of `grain`. In the runtime: oneTBB's headers take longer to compile than most kernels.
-GLIFT_API void spread(std::size_t count, std::size_t grain,
-                      void (*run)(const void* body, std::size_t, std::size_t), const void* body);
+GLIFT_API void spread(std::size_t count, std::size_t grain, void (*run)(const void* body, std::size_t, std::size_t),
+                      const void* body);
 
 /// How many threads `spread` uses at most.
 GLIFT_API std::size_t thread_count();
