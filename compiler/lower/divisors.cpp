@@ -38,7 +38,11 @@ ExprId Expander::divisor(ExprId id) {
     if (!is_unsigned || make.is_constant(id) || !is_uniform(cx, id)) return id;
     bool is_state = true;
     for_each_node(p, id, [&](ExprId part) { is_state = is_state && p.exprs[part].op != Op::local; });
-    if (!is_state || is_visited_extent(id)) return id;
+    if (!is_state || compares_extents_) return id;
+    compares_extents_ = true;  // what a visited extent is itself divided by is left as it is
+    const bool is_visited = is_visited_extent(id);
+    compares_extents_ = false;
+    if (is_visited) return id;
     const ExprId one = make.integer(scalar, 1);
     return make.intrinsic(Intrinsic::max, type, {id, p.types.is_vector(type) ? make.construct(type, {one}) : one});
 }

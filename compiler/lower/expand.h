@@ -265,6 +265,7 @@ private:
     std::unordered_map<StmtId, bool> returning_;
     std::vector<AddressForm::Naming>* namings_ = nullptr;  ///< of the form that is being found
     std::vector<ExprId> made_again_;                       ///< for each node of a form
+    bool compares_extents_ = false;                        ///< divisors.cpp
     unsigned depth_ = 0;
     unsigned within_ = 0;  ///< translators and views around what is being expanded
 };

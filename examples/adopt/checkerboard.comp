@@ -12,6 +12,7 @@ layout(push_constant, scalar) uniform Parameters {
 };
 
 #define PICTURE_STATE
+#define PICTURE_BINDING 0  // the memory lies at 1
 #include "adopt.Picture.glsl"
 
 void main() {

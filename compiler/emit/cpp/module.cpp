@@ -93,7 +93,7 @@ void name_symbols(Unit& unit) {
     static constexpr auto suffixes = std::to_array<const char*>(
         {"_bindings", "_direct", "_direct_group", "_direct_parameters", "_direct_rows", "_direct_spirv", "_general",
          "_general_group", "_general_parameters", "_general_rows", "_general_spirv", "_kernel", "_other_files",
-         "_parameters", "_wide_spirv"});
+         "_parameters", "_wide", "_wide_group", "_wide_parameters", "_wide_rows", "_wide_spirv"});
     Globals& globals = unit.globals;
     for (std::uint32_t kernel : unit.reach.kernels) {
         if (unit.program.kernels[kernel].module != unit.home) continue;

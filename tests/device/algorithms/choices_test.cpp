@@ -11,7 +11,7 @@ namespace {
 
 using namespace property;
 using choices::Line;
-using choices::Part;
+using forms::Part;
 using Values = std::vector<std::uint32_t>;
 using Uints = Input<Line, choices::Folded, choices::Tiles, Line>;
 

@@ -16,9 +16,9 @@
 namespace {
 
 using namespace property;
-using filters::Area;
-using filters::Part;
-using filters::Recursion;
+using forms::Area;
+using forms::Part;
+using std_recursive_filter::Recursion;
 using Floats = Input<filters::Line, filters::Folded, filters::Folded, filters::Number>;
 
 GLIFT_PROPERTY_SUITE(Filters);

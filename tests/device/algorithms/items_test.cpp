@@ -13,9 +13,9 @@ template <> items::Item property::mirrored(items::Item x) { return {~x.key, ~x.w
 namespace {
 
 using namespace property;
+using forms::Part;
 using items::Item;
 using items::Line;
-using items::Part;
 using Values = std::vector<Item>;
 using Numbers = std::vector<std::uint32_t>;
 using In = Input<items::Items, items::Items, items::TiledItems, Line>;

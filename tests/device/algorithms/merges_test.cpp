@@ -9,9 +9,9 @@
 namespace {
 
 using namespace property;
+using forms::Part;
 using merges::Item;
 using merges::Line;
-using merges::Part;
 using Uints = Input<Line, merges::Folded, merges::Folded, Line>;
 
 GLIFT_PROPERTY_SUITE(Merges);

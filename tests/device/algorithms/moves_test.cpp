@@ -9,8 +9,8 @@
 namespace {
 
 using namespace property;
+using forms::Part;
 using moves::Line;
-using moves::Part;
 using Values = std::vector<std::uint32_t>;
 using Uints = Input<Line, moves::Folded, moves::Tiles, Line>;
 

@@ -10,8 +10,8 @@
 namespace {
 
 using namespace property;
+using forms::Part;
 using reductions::Affine;
-using reductions::Part;
 using Uints = Input<reductions::Line, reductions::Folded, reductions::Tiles, reductions::Line>;
 using Floats = Input<reductions::Reals, reductions::TiledReals, reductions::TiledReals, reductions::Line>;
 
@@ -151,7 +151,7 @@ TEST_P(Reductions, WhereTheExtremesAre) {
         const bool largest = round.chance(2);
         const auto found =
             reductions::extreme(device(), in.dense, placed.part<Part>(), in.length, largest).await(device());
-        reductions::Element expected{.value = largest ? -INFINITY : INFINITY, .index = UINT32_MAX};
+        std_min_element::Element_float expected{.value = largest ? -INFINITY : INFINITY, .index = UINT32_MAX};
         for (std::uint32_t i = 0; i < placed.count; ++i)
             if (largest ? values[i] > expected.value : values[i] < expected.value) expected = {values[i], i};
         EXPECT_TRUE(equal(round, {expected.index}, std::vector<std::uint32_t>{found.index}, "index:"));

@@ -13,9 +13,9 @@ template <> scans::Affine property::mirrored(scans::Affine x) { return {x.offset
 namespace {
 
 using namespace property;
+using forms::Part;
 using scans::Affine;
 using scans::Line;
-using scans::Part;
 using Uints = Input<Line, scans::Folded, scans::Tiles, Line>;
 
 GLIFT_PROPERTY_SUITE(Scans);

@@ -11,8 +11,8 @@
 namespace {
 
 using namespace property;
+using forms::Part;
 using sorts::Line;
-using sorts::Part;
 
 GLIFT_PROPERTY_SUITE(Sorts);
 

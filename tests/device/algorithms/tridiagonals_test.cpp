@@ -16,7 +16,7 @@
 namespace {
 
 using namespace property;
-using tridiagonals::Area;
+using forms::Area;
 
 GLIFT_PROPERTY_SUITE(Tridiagonals);
 
@@ -153,7 +153,7 @@ TEST_P(Tridiagonals, ColumnsOfDiffusion) {
 TEST_P(Tridiagonals, RowsOfAMatrix) {
     for_all("solve_tridiagonal_matrix, rows, sums, two right-hand sides", [&](Round& round) {
         const Box box(round, 0);
-        std::vector<tridiagonals::Coefficients> matrix(box.count());
+        std::vector<std_tridiagonal::Coefficients> matrix(box.count());
         std::vector<glift::float2> right(box.count());
         const double most = std::exp2(round.real() * 4);
         for (std::size_t i = 0; i < box.count(); ++i) {

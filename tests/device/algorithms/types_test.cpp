@@ -10,9 +10,9 @@
 namespace {
 
 using namespace property;
+using forms::Part;
 using types::Line;
 using types::Matrix;
-using types::Part;
 using Longs = Input<types::Longs, types::Longs, types::TiledLongs, Line>;
 using Doubles = Input<types::Doubles, types::Doubles, types::Doubles, Line>;
 using Pairs = Input<types::Pairs, types::FoldedPairs, types::TiledPairs, Line>;
@@ -174,10 +174,10 @@ TEST_P(Types, TheFirstOfTheLargest) {
         const auto values = values_with_repeats<std::int32_t>(round, placed.count);
         const In in(device(), round, placed, values);
         const auto found = types::first_largest(device(), in.folded, placed.part<Part>(), in.length).await(device());
-        types::Element expected{.value = INT32_MIN, .index = UINT32_MAX};
+        std_min_element::Element_int expected{.value = INT32_MIN, .index = UINT32_MAX};
         const auto at = std::ranges::max_element(values);
         if (at != values.end()) expected = {*at, static_cast<std::uint32_t>(at - values.begin())};
-        EXPECT_TRUE(equal(round, {expected}, std::vector<types::Element>{found}));
+        EXPECT_TRUE(equal(round, {expected}, std::vector<std_min_element::Element_int>{found}));
     });
 }
 

@@ -82,7 +82,7 @@ TEST_P(Volume, IsWrittenComputedOnSummedAndReadBack) {
     volume::number(device, volume);
     volume::twice(device, volume);
     volume::Counts wrong(device, 1);
-    volume::count_wrong(device, volume, wrong);
+    volume::count_wrong(device, volume, volume, wrong);
     EXPECT_EQ(wrong.read()[0], 0u);
     const volume::Plane plane(device, {extent.x, extent.y});
     const volume::Counts line(device, extent.y);

@@ -20,9 +20,9 @@ TEST(Arithmetic, DividesByZeroAsByOne) {
     EXPECT_EQ(uint2(8, 9) / uint2(0, 2), uint2(8, 4));
 }
 
-TEST(Arithmetic, RemainderOfFloatsHasTheDivisorsSign) {
-    EXPECT_EQ(remainder(-1.0f, 3.0f), 2.0f);
-    EXPECT_EQ(remainder(5.5f, 2.0f), 1.5f);
+TEST(Arithmetic, ModOfFloatsHasTheDivisorsSign) {
+    EXPECT_EQ(mod(-1.0f, 3.0f), 2.0f);
+    EXPECT_EQ(mod(5.5f, 2.0f), 1.5f);
 }
 
 TEST(Arithmetic, WrapsAndShiftsModuloTheWidth) {

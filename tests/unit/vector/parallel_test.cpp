@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <tbb/parallel_for.h>
+
 #include <vector>
 
 using namespace glift;
