@@ -189,9 +189,8 @@ struct Pair {
 bool is_shared(const Kernel& kernel, std::span<const Memory> memories) {
     for (std::size_t k = 1; k < memories.size(); ++k) {
         for (std::size_t j = 0; j < k; ++j) {
-            if (memories[j].object() == memories[k].object() &&
-                (writes(kernel.bindings[j]) || writes(kernel.bindings[k])))
-                return true;
+            const bool is_one = memories[j].object() && memories[j].object() == memories[k].object();
+            if (is_one && (writes(kernel.bindings[j]) || writes(kernel.bindings[k]))) return true;
         }
     }
     return false;

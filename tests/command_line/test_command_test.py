@@ -22,7 +22,7 @@ says(here.run("test", "--filter", "a square", wrong, CXX="no-such-compiler"), 4,
 # A test that ends its program is named. The signal stands in for a driver that crashes.
 here.write("crash.hpp", "inline void crash() {}\n")
 here.write("killer", "#!/bin/sh\nexec c++ \"$@\" -include " + str(here.path / "crash.h") + "\n")
-here.write("crash.h", "#include <csignal>\n#include <cstdlib>\n"
+here.write("crash.h", "#pragma once\n#include <csignal>\n#include <cstdlib>\n"
            "namespace { struct Killer { Killer() { if (std::getenv(\"GLIFT_TEST_NOW\")) std::atexit([] "
            "{ std::raise(SIGKILL); }); } } killer; }\n")
 (here.path / "killer").chmod(0o755)

@@ -6,6 +6,7 @@
 #include "ir/walk.h"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -245,7 +246,9 @@ void Collector::step(const ir::Stmt& stmt) {
 
 }  // namespace
 
-Reach reach_of(const ir::Program& program, std::uint32_t module, const Options& options) {
+namespace {
+
+Reach reach_of_alone(const ir::Program& program, std::uint32_t module, const Options& options) {
     Collector collector{program, {}, {}, {}, {}, {}, {}};
     for (std::uint32_t i = 0; i < program.structs.size(); ++i) {
         if (program.structs[i].module == module && program.structs[i].is_pub) collector.structure_type(i);
@@ -270,6 +273,24 @@ Reach reach_of(const ir::Program& program, std::uint32_t module, const Options& 
         if (pipeline.module == module && pipeline.is_pub && !pipeline.owner) collector.pipeline(i, true);
     }
     return std::move(collector.reach);
+}
+
+}  // namespace
+
+/// Kernels that several modules of the run come to are defined once, by one of them: with code for the devices that
+/// any of them comes from.
+Reach reach_of(const ir::Program& program, std::uint32_t module, const Options& options) {
+    Reach reach = reach_of_alone(program, module, options);
+    if (options.tests) return reach;
+    for (std::uint32_t other = 0; other < program.modules.size(); ++other) {
+        if (other == module || !program.modules[other].is_root) continue;
+        const Reach theirs = reach_of_alone(program, other, options);
+        std::ranges::set_intersection(reach.kernels, theirs.host_kernels,
+                                      std::inserter(reach.host_kernels, reach.host_kernels.end()));
+        std::ranges::set_intersection(reach.kernels, theirs.vulkan_kernels,
+                                      std::inserter(reach.vulkan_kernels, reach.vulkan_kernels.end()));
+    }
+    return reach;
 }
 
 void add_inner_structs(Reach& reach, const ir::Program& program, const ir::Lowered& lowered) {

@@ -114,17 +114,23 @@ TEST_P(Misuse, OfPartsThatDoNotFit) {
     exact.fill(1);
     EXPECT_EQ(exact.read()[99], 1.0f);
     Line larger(device, 100, bytes(404));
-    expect_error("Line.data", [&] { Line small(device, 100, bytes(396)); });
-    expect_error("Line.data", [&] { Line empty(device, 100, glift::Memory()); });
-    expect_error("Line.data", [&] { Line image(device, 4, picture({4, 4, 1}, glift::Format::r32f)); });
+    expect_error("Array<1, float, none, buffer>.data", [&] { Line small(device, 100, bytes(396)); });
+    expect_error("Array<1, float, none, buffer>.data", [&] { Line empty(device, 100, glift::Memory()); });
+    expect_error("Array<1, float, none, buffer>.data", [&] {
+        Line image(device, 4, picture({4, 4, 1}, glift::Format::r32f));
+    });
     expect_error("another device", [&] {
         const auto other = glift::Device::open("host");
         Line made(device, 4, other.allocate({.name = "theirs", .bytes = 16}));
     });
     Picture fits(device, {4, 3}, picture({4, 3, 1}, glift::Format::r32f));
-    expect_error("Picture.data", [&] { Picture small(device, {4, 3}, picture({4, 2, 1}, glift::Format::r32f)); });
-    expect_error("Picture.data", [&] { Picture other(device, {4, 3}, picture({4, 3, 1}, glift::Format::r32ui)); });
-    expect_error("Picture.data", [&] { Picture buffer(device, {4, 3}, bytes(400)); });
+    expect_error("Array<2, float, none, image2d>.data", [&] {
+        Picture small(device, {4, 3}, picture({4, 2, 1}, glift::Format::r32f));
+    });
+    expect_error("Array<2, float, none, image2d>.data", [&] {
+        Picture other(device, {4, 3}, picture({4, 3, 1}, glift::Format::r32ui));
+    });
+    expect_error("Array<2, float, none, image2d>.data", [&] { Picture buffer(device, {4, 3}, bytes(400)); });
     using Order = std::decay_t<decltype(std::declval<Ordered>().order())>;
     Ordered made(device, 4, Order(device, 4), bytes(16));
     expect_error("Ordered.order", [&] { Ordered shorter(device, 4, Order(device, 3), bytes(16)); });
@@ -162,10 +168,10 @@ TEST_P(Misuse, OfBoxes) {
     expect_error("lies outside its domain", [&] { line.element(device, 10); });
     expect_error("do not fill the box", [&] { line.write(std::vector<float>(9)); });
     const auto part = line.range(2, 4);
-    expect_error("outside the range of Line", [&] { part.range(2, 3); });
-    expect_error("outside the range of Line", [&] { part.range(~0u, 1); });
-    expect_error("outside the range of Line", [&] { part.element(device, 4); });
-    expect_error("outside the range of Line", [&] { part.element_in_place(device, 4); });
+    expect_error("outside the range of Array<1, float, none, buffer>", [&] { part.range(2, 3); });
+    expect_error("outside the range of Array<1, float, none, buffer>", [&] { part.range(~0u, 1); });
+    expect_error("outside the range of Array<1, float, none, buffer>", [&] { part.element(device, 4); });
+    expect_error("outside the range of Array<1, float, none, buffer>", [&] { part.element_in_place(device, 4); });
     EXPECT_EQ(part.range(1, 3).read().size(), 3u);
     expect_error("f is {10} and g is {4}", [&] { misuse::copy(device, line, line.range(0, 4)); });
     const std::string around = error_of([&] { misuse::around(device, Line(device, 4), line); });
@@ -236,8 +242,8 @@ TEST_P(Misuse, RecordingsRefuseWhatWaits) {
         expect_error(words, [&] { device.record(body); });
     };
     using Commands = glift::Commands;
-    fails("Line::read", [&](const Commands&) { line.read(); });
-    fails("Line::read", [&](const Commands&) { line.map(); });
+    fails("Array<1, float, none, buffer>::read", [&](const Commands&) { line.read(); });
+    fails("Array<1, float, none, buffer>::read", [&](const Commands&) { line.map(); });
     fails("cannot be recorded", [&](const Commands& c) { line.element(c, 0).await(c); });
     fails("cannot be recorded", [&](const Commands&) { line.element(device, 0).await(device); });
     fails("Recording::submit", [&](const Commands&) { earlier.submit(); });
