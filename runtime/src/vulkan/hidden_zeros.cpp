@@ -54,7 +54,8 @@ enum Op : std::uint32_t {
     no_line = 317,
 };
 
-constexpr std::uint32_t decoration_built_in = 11, global_invocation_id = 28;
+/// Numbers of three words that a shader may be given: of its workgroup, of the invocation in it, of the invocation.
+constexpr std::uint32_t decoration_built_in = 11, workgroup_id = 26, global_invocation_id = 28;
 
 using Words = std::span<const std::uint32_t>;
 using Module = std::vector<std::uint32_t>;
@@ -182,7 +183,8 @@ void Hiding::read(Words w) {
     const std::uint32_t op = w[0] & 0xffffu;
     switch (op) {
     case decorate:
-        if (w.size() == 4 && w[2] == decoration_built_in && w[3] == global_invocation_id) invocation_ = w[1];
+        if (w.size() == 4 && w[2] == decoration_built_in && w[3] >= workgroup_id && w[3] <= global_invocation_id)
+            invocation_ = w[1];
         break;
     case type_float: floats_.emplace(w[1], w[2]); break;
     case type_int:
