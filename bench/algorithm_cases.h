@@ -1,4 +1,4 @@
-// What bench_algorithms times.
+// The cases of bench_algorithms.
 #pragma once
 
 #include <glift/glift.h>
@@ -11,9 +11,9 @@ namespace bench {
 
 struct AlgorithmCase {
     std::string algorithm, variant;
-    std::uint64_t elements = 0, bytes = 0;  ///< bytes: the least that must be moved
+    std::uint64_t elements = 0, bytes = 0;  ///< bytes: the minimum memory traffic
     std::function<void(const glift::Commands&)> work;
-    std::function<double()> error = nullptr;  ///< of what the work left, relative; null: it is exact
+    std::function<double()> error = nullptr;  ///< relative error of the result; null: it is exact
 };
 
 /// Every algorithm over n elements.

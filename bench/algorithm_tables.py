@@ -1,9 +1,9 @@
-"""Markdown tables of a device's algorithms beside their rivals."""
+"""Markdown tables of a device's algorithms against their rivals."""
 import figures
 
 
 def number(x):
-    """Three digits, as a person would write them."""
+    """Formats with three significant digits."""
     return f"{x:.0f}" if x >= 100 else f"{x:.3g}"
 
 
@@ -44,7 +44,7 @@ def error_of(row):
 
 
 def systems(group):
-    """Tridiagonal systems, one and three right-hand sides beside a rival's one; G equations/s, and largest errors."""
+    """Tridiagonal systems with one and three right-hand sides, against a rival's one; G equations/s, and largest errors."""
     rows = {(row["by"], row["variant"]): row for row in group["rows"] if row["algorithm"] == "tridiagonal"}
     sides = sorted({int(variant.split("_")[1]) for _, variant in rows})
     if not sides:

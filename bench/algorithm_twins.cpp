@@ -35,7 +35,7 @@ constexpr glift::Binding digit_counts_bindings[] = {buffer("x", Access::read), b
 constexpr glift::Binding digit_scatter_bindings[] = {buffer("x", Access::read), buffer("offsets", Access::read),
                                                      buffer("y", Access::write)};
 
-// What the shaders say, too.
+// Constants that the shaders share.
 constexpr std::uint32_t group = 64, scan_items = 64, compact_items = 256, digits = 256, digit_bits = 8;
 constexpr std::uint32_t smallest_chunk = 512, largest_chunk = 4096;
 
@@ -113,20 +113,20 @@ template <class Block, std::size_t n> void dispatch(const glift::Commands& comma
 
 constexpr std::uint32_t rounded_up(std::uint32_t value, std::uint32_t step) { return (value + step - 1) / step * step; }
 
-/// A memory that the first pass to use it writes.
+/// A memory that need not be zeroed, since the first pass to use it writes it.
 glift::Memory scratch(const glift::Device& device, const char* name, std::uint64_t words) {
     return device.allocate({.name = name, .bytes = 4 * words, .zeroed = false});
 }
 
-/// So many keys a lane that 1024 lanes have work, within what keeps the counts few and the streams of keys near each
-/// other.
+/// Keys per lane: few enough that 1024 lanes have work, within bounds that keep the counts few and the lanes' streams
+/// of keys close together.
 std::uint32_t chunk_size(std::uint32_t count) {
     return std::clamp(std::bit_ceil(count / 1024), smallest_chunk, largest_chunk);
 }
 
 std::uint32_t chunks_of(std::uint32_t count) { return (count + chunk_size(count) - 1) / chunk_size(count); }
 
-/// Enough for fewer keys, too: chunks grow where their number would pass 1026.
+/// An upper bound for fewer keys, too: chunks grow where there would be more than 1026.
 std::uint32_t most_counts(std::uint32_t most) {
     return digits * std::max(chunks_of(most), std::min(2048u, most / smallest_chunk + 1));
 }

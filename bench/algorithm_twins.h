@@ -1,8 +1,8 @@
-// Algorithms as a person would write them in GLSL: the twins of stdlib/algorithms, shaped for lavapipe, right on every
-// device whose subgroups are full and of one size. No workgroup waits for another.
+// Hand-written GLSL versions of stdlib/algorithms, tuned for lavapipe, correct on every device with full subgroups of
+// one size. No workgroup waits for another.
 //
-// Millions of u32 a second, twice the elements by the processor time of both threads (another program's load does not
-// show in that), lavapipe 22.3 on 2 Sapphire Rapids threads, 2^24 elements (sort: 2^22):
+// Millions of u32 a second: twice the elements divided by the CPU time of both threads, so that the load of other
+// programs does not count; lavapipe 22.3 on 2 Sapphire Rapids threads, 2^24 elements (sort: 2^22):
 //
 //   copy, uvec4 an invocation                                        930   the limit: a read is 0.9 ns, a write 1.3
 //   scan, a lane has 64 elements in sequence, shared memory          455
@@ -23,7 +23,7 @@
 //     digits of 6, 7 and 11 bits in place of 8                       57, 64, 65 (8: 65 in the same, loaded, run)
 //     1024, 2048, 4096, 8192, 16384 keys a lane                      44, 65, 66, 64, 57 (the same run)
 //
-// A GPU would rather have a workgroup sort its keys in shared memory; there CUB is the rival (bench/cuda).
+// On a GPU, a workgroup should sort its keys in shared memory; there the baseline is CUB (bench/cuda).
 #pragma once
 
 #include <glift/glift.h>
@@ -35,7 +35,7 @@ namespace bench {
 /// y[i] = x[0] + .. + x[i - 1], modulo 2^32.
 class ScanTwin {
 public:
-    ScanTwin(const glift::Device& device, std::uint32_t most);  ///< `most` elements at once, below 2^31
+    ScanTwin(const glift::Device& device, std::uint32_t most);  ///< for at most `most` elements, below 2^31
     void record(const glift::Commands& commands, const glift::Memory& x, const glift::Memory& y,
                 std::uint32_t count) const;
 

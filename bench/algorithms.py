@@ -1,4 +1,4 @@
-"""Runs stdlib/algorithms and all their rivals: our side and theirs by turns, joined into groups of figures (figures.py)."""
+"""Runs stdlib/algorithms and all their rivals alternately, and joins the results into groups of figures (figures.py)."""
 import os
 import shutil
 import subprocess
@@ -20,7 +20,7 @@ def add_options(parser):
 
 
 def nvcc():
-    """As bench/cuda/build finds it."""
+    """The path of nvcc, as bench/cuda/build finds it."""
     return os.environ.get("NVCC") or shutil.which("nvcc") or shutil.which("/usr/local/cuda/bin/nvcc")
 
 

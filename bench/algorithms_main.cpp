@@ -1,4 +1,4 @@
-// bench_algorithms: stdlib/algorithms on one device, by its clock.
+// bench_algorithms: times stdlib/algorithms on one device, by its timestamps.
 //
 //     bench_algorithms [--device NAME] [--log2 20,24] [--systems 256,1024] [--only ALGORITHM] [--json FILE]
 #include "algorithm_cases.h"

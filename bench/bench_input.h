@@ -1,4 +1,4 @@
-// The input of all benches of algorithms: bench/cuda/rivals.h makes the same.
+// The input of all benches of algorithms; bench/cuda/rivals.cuh generates the same.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +6,7 @@
 
 namespace bench {
 
-/// A bijection of 32 bits, as good as random.
+/// A pseudo-random bijection of 32-bit numbers.
 constexpr std::uint32_t hash32(std::uint32_t x) {
     x ^= x >> 16;
     x *= 0x7feb352du;

@@ -91,7 +91,7 @@ template <class S> std::function<std::vector<std::byte>()> reader(std::shared_pt
     };
 }
 
-/// What the two passes share: the result, and the shaders to count.
+/// Sets what the two passes share: the result, and the shaders whose instructions are counted.
 template <class S>
 Case begin(const char* name, std::uint64_t elements, std::shared_ptr<S> g, std::span<const std::uint32_t> twin) {
     Case one{.name = name, .elements = elements};

@@ -15,7 +15,7 @@ struct Case {
     std::uint64_t elements = 0;
     std::function<void(const glift::Commands&)> generated, handwritten;
     std::function<std::vector<std::byte>()> result;  ///< what the last pass wrote
-    std::function<void()> clear;                     ///< forgets it
+    std::function<void()> clear;                     ///< clears it
     std::vector<std::uint32_t> generated_spirv, handwritten_spirv;
 };
 

@@ -96,7 +96,7 @@ def small(gliftc, runs):
 
 
 def large(gliftc, case, runs):
-    """The file and the one of twice its length by turns: what else the machine does falls on both."""
+    """Times the file and one of twice its length alternately, so that other load affects both."""
     kind, lines, options = CASES[case]
     with tempfile.TemporaryDirectory() as folder:
         files = []

@@ -1,4 +1,4 @@
-// The figures of benches of algorithms: a row each, in groups of one device, as bench/figures.py reads them.
+// Results of benches of algorithms: rows, grouped by device, as bench/figures.py reads them.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -14,7 +14,7 @@ struct Figure {
     std::string algorithm, variant;
     std::uint64_t elements = 0;
     double seconds = 0;             ///< median
-    std::uint64_t bytes_moved = 0;  ///< the least possible
+    std::uint64_t bytes_moved = 0;  ///< the minimum traffic
     int runs = 0;
     double error = -1;  ///< largest relative error; negative: results are exact
 };

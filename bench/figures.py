@@ -39,14 +39,14 @@ def median_row(same):
 
 
 def panel_of(row):
-    """What is drawn together, and who of it: systems of all sizes together, and sorts of keys apart from sorts of pairs."""
+    """The panel and the line that a row is drawn in: systems of all sizes in one panel, sorts of keys and of pairs in two."""
     if row["algorithm"] != "tridiagonal":
         return row["algorithm"] + ", " + row["variant"].replace("_", " ")
     return "tridiagonal, " + ("three right-hand sides" if row["variant"].endswith("_three") else "one right-hand side")
 
 
 def panels(group):
-    """{panel: {by: [rows, by size]}}, of what we have figures for. What is solved from memory has a table alone."""
+    """{panel: {by: [rows, by size]}}, where there are figures of ours. Systems solved from memory are only in a table."""
     found = {}
     for row in group["rows"]:
         if row["variant"].endswith("_from_memory"):

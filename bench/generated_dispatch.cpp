@@ -1,4 +1,4 @@
-// What a pass costs the host when generated functions record it: kernels called one by one, and a pipeline.
+// The host's cost of a pass recorded by generated functions: single kernel calls, and a pipeline.
 #include "dispatch.glift.hpp"
 
 #include <benchmark/benchmark.h>
@@ -71,7 +71,7 @@ void record_pipeline(benchmark::State& state) {
 }
 BENCHMARK(record_pipeline)->Name("generated_pipeline_record")->Unit(benchmark::kMicrosecond);
 
-/// One submission: what the host pays for all passes together.
+/// One submission of all passes.
 void replay_pipeline(benchmark::State& state) {
     Lines lines;
     const auto recording = lines.device.record(

@@ -1,4 +1,4 @@
-// bench_host: a generated kernel on the host device beside a loop written by hand, alternately.
+// bench_host: times a generated kernel on the host device and a hand-written loop, alternately.
 //
 //     bench_host [--runs N] [--size N] [--steps N] [--json FILE]
 #include "handwritten/diffusion.h"
@@ -48,7 +48,7 @@ Options parse(int count, char** arguments) {
     return options;
 }
 
-/// Zeros, taken and aligned as the memories of the host device are.
+/// Zeroed memory, allocated and aligned as that of the host device.
 class Aligned {
 public:
     explicit Aligned(std::size_t count) : storage_(std::calloc(count + 32, sizeof(float)), &std::free) {
@@ -63,7 +63,7 @@ private:
     float* data_;
 };
 
-/// Of the second of two runs: the first finds the other's data in the caches.
+/// Runs the work twice and times the second run: the first one finds the rival's data in the caches.
 double seconds_of(const std::function<void()>& work) {
     work();
     const auto start = std::chrono::steady_clock::now();

@@ -22,9 +22,9 @@ namespace {
 using Words = std::span<const std::uint32_t>;
 using Range = tbb::blocked_range<std::size_t>;
 
-constexpr std::size_t grain = std::size_t{1} << 16;  // elements; what a task does at least
+constexpr std::size_t grain = std::size_t{1} << 16;  // minimum elements of a task
 
-// The loops, once; below, each for every width of vectors and narrow.
+// The loops. Below, each is compiled with and without function multiversioning.
 
 inline std::uint32_t sum_elements(const std::uint32_t* x, std::size_t count) {
     std::uint32_t sum = 0;
@@ -32,7 +32,7 @@ inline std::uint32_t sum_elements(const std::uint32_t* x, std::size_t count) {
     return sum;
 }
 
-// Sixteen sums side by side: one would be as slow as additions that wait for each other.
+// Sixteen independent sums: a single one would be bound by the latency of additions.
 inline float sum_elements(const float* x, std::size_t count) {
     constexpr std::size_t lanes = 16;
     float sums[lanes] = {};
@@ -46,7 +46,7 @@ inline float sum_elements(const float* x, std::size_t count) {
     return sum;
 }
 
-// Four at a time: the chain of additions from one element to the next is what is slow.
+// Four at a time: the dependent additions from element to element are the bottleneck.
 inline std::uint32_t scan_elements(const std::uint32_t* x, std::size_t count, std::uint32_t run, std::uint32_t* y) {
     std::size_t i = 0;
     for (; i + 4 <= count; i += 4) {
@@ -73,7 +73,7 @@ inline std::size_t count_elements(const std::uint32_t* x, std::size_t count) {
     return kept;
 }
 
-// For each width of vectors, as the generated code is.
+// Function multiversioning, as in the generated code.
 struct Wide {
     FOR_EACH_VECTOR_WIDTH static std::uint32_t sum(const std::uint32_t* x, std::size_t count) {
         return sum_elements(x, count);
@@ -112,7 +112,7 @@ template <class Loops> float sum_with(std::span<const float> x) {
     return tbb::parallel_deterministic_reduce(Range(0, x.size(), grain), 0.0f, add, std::plus<>());
 }
 
-/// Without a branch for each element: into a small buffer, one place further if it is kept.
+/// Branch-free: each element is written to a small buffer, whose end advances if the element is kept.
 std::size_t copy_block(const std::uint32_t* x, std::size_t count, std::uint32_t* y) {
     constexpr std::size_t room = 1024;
     std::uint32_t buffer[room + 1];

@@ -1,6 +1,6 @@
-// Algorithms as a C++ programmer with oneTBB would write them: the rivals of stdlib/algorithms on the host device. All
-// run on all cores. Those whose loops vectors help have a second form, `narrow`: the vectors that the compiler's flags
-// allow and no wider ones.
+// Hand-written C++ versions of stdlib/algorithms with oneTBB: their rivals on the host device. All run on all cores.
+// Those whose loops are vectorised have a second form, `narrow`, without function multiversioning: only vectors that
+// the compiler's flags allow.
 #pragma once
 
 #include <cstdint>

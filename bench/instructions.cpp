@@ -23,7 +23,7 @@ std::vector<std::uint32_t> read_spirv(const std::string& path) {
 }
 
 std::size_t instructions_of(const std::vector<std::uint32_t>& spirv) {
-    // What `spirv-opt -O` does.
+    // The passes of `spirv-opt -O`.
     spvtools::Optimizer optimizer(SPV_ENV_UNIVERSAL_1_6);
     optimizer.RegisterPerformancePasses();
     spvtools::OptimizerOptions options;

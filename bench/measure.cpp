@@ -11,7 +11,7 @@ namespace {
 
 using Pass = std::function<void(const glift::Commands&)>;
 
-/// Seconds of one pass, by the device's clock. The first pass, which finds the other's data in the caches, is not
+/// Seconds of one pass, by device timestamps. The first pass, which finds the rival's data in the caches, is not
 /// counted.
 double time_of(const glift::Device& device, const Pass& pass, int repeats) {
     glift::Commands commands = device.commands();

@@ -5,7 +5,7 @@
 
 namespace bench {
 
-/// Of an even number of values, the mean of the two in the middle: of runs in two modes, neither is preferred.
+/// For an even number of values the mean of the two middle ones, so that neither mode of a bimodal sample is preferred.
 inline double median(std::vector<double> values) {
     std::sort(values.begin(), values.end());
     const std::size_t half = values.size() / 2;

@@ -15,7 +15,7 @@ import sys
 import figures
 
 COLUMNS = 3
-COLOURS = ["#d55e00", "#0072b2", "#009e73", "#cc79a7", "#56b4e9", "#e69f00"]   # told apart by everybody
+COLOURS = ["#d55e00", "#0072b2", "#009e73", "#cc79a7", "#56b4e9", "#e69f00"]   # safe for colour blindness
 MARKERS = "osD^vP"
 
 
@@ -51,7 +51,7 @@ def draw_panel(axes, title, lines, style):
 
 
 def draw(group, file):
-    """One figure of a device, to a file of which the name's end says the format."""
+    """Draws the figure of a device to a file; the extension gives the format."""
     plt = pyplot()
     panels = figures.panels(group)
     rows = math.ceil(len(panels) / COLUMNS)

@@ -2,8 +2,8 @@
 //
 //     bench_rivals [--device NAME] [--log2 22,24] [--host-log2 22,24] [--runs N] [--unchecked] [--json FILE]
 //
-// The twins in GLSL run on the device that is named, or that GLIFT_DEVICE names, which cannot be the host; those in C++
-// on the host.
+// The GLSL versions run on the device given by --device or GLIFT_DEVICE, which cannot be the host; those in C++ on the
+// host.
 #include "algorithm_twins.h"
 #include "bench_input.h"
 #include "figures.h"
@@ -146,7 +146,7 @@ void check_host(const Words& x, const Expected& expected) {
     check_sorts(x, expected);
 }
 
-/// Hashes, numbers that are all kept, none, and keys of which many are equal.
+/// Inputs: hashes; numbers that are all selected; none selected; keys of which many are equal.
 std::vector<Words> inputs_of(std::uint32_t count) {
     Words all = bench::hashed(count), none = all, equal = all;
     for (std::uint32_t& value : all) value &= ~7u;
@@ -196,10 +196,10 @@ void check(const glift::Device& device) {
     }
 }
 
-/// What is timed: as in bench_algorithms.
+/// A case, as in bench_algorithms.
 struct What {
     const char *by, *algorithm, *variant;
-    std::uint64_t bytes;  ///< an element, the least that must be moved
+    std::uint64_t bytes;  ///< minimum traffic for an element
 };
 
 constexpr double seconds_of_a_run = 0.005;
@@ -245,7 +245,7 @@ std::vector<bench::Figure> time_host(std::uint32_t count, int runs) {
     const auto refill_pairs = [&] {
         for (std::uint32_t i = 0; i < count; ++i) pairs[i] = {x[i], i};
     };
-    volatile std::uint32_t sink = 0;  // the sums are used
+    volatile std::uint32_t sink = 0;  // keeps the sums from being optimised away
     volatile float float_sink = 0;
     constexpr const char *wide = "oneTBB", *narrow = "oneTBB, narrow";
     using namespace host_rivals;

@@ -28,7 +28,7 @@ DISPATCH_ROWS = {
 
 
 def run_bench(command, file):
-    """Runs a bench that prints its tables itself and writes JSON to `file`; what it wrote, and if all went well."""
+    """Runs a bench that prints its tables itself and writes JSON to `file`; returns the JSON, and whether it succeeded."""
     sys.stdout.flush()
     good = subprocess.run(command).returncode == 0
     with open(file, encoding="utf-8") as text:

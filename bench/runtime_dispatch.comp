@@ -1,4 +1,4 @@
-// g = factor * f: the least that a pass can be.
+// g = factor * f: a minimal pass.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 layout(local_size_x = 64) in;

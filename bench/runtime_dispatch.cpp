@@ -1,4 +1,4 @@
-// What a pass costs the host: at most 2 microseconds to record, and next to nothing to replay.
+// The host's cost of a pass: at most 2 microseconds to record, and next to nothing to replay.
 #include <glift/glift.h>
 
 #include "runtime_dispatch.h"
@@ -28,7 +28,7 @@ struct Parameters {
 
 constexpr int passes = 500;  // below the size at which the device's own stream submits by itself
 
-// Ping and pong: each pass depends on the one before, so each needs a barrier. That is the dear case.
+// Ping-pong: each pass depends on the previous one and so needs a barrier, which is the expensive case.
 void record_chain(const glift::Commands& commands, const glift::Memory (&memories)[3]) {
     for (int k = 0; k < passes; ++k) {
         const Parameters block = {64, 1.0f};

@@ -19,7 +19,7 @@ double seconds_of(const glift::Device& device, const glift::Recording& recording
     return after - before;
 }
 
-/// A GPU that idled while its pipelines were made takes a while to come up to speed again.
+/// A GPU that idled while pipelines were compiled takes a while to raise its clocks again.
 void warm_up(const glift::Device& device, const glift::Recording& recording) {
     constexpr std::chrono::milliseconds enough(100);
     const auto start = std::chrono::steady_clock::now();

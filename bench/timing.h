@@ -6,8 +6,8 @@
 
 namespace bench {
 
-/// Median seconds of one execution, by the device's clock. A run is a recording that does the same thing for so many
-/// `seconds` that submitting it does not show.
+/// Median seconds of one execution, by device timestamps. A run is a recording that repeats the work for about
+/// `seconds`, so that the cost of its submission is negligible.
 double time_of(const glift::Device& device, const std::function<void(const glift::Commands&)>& work, int runs,
                double seconds);
 

@@ -71,7 +71,7 @@ Systems systems_of(const glift::Device& device, std::uint32_t n) {
     return made;
 }
 
-/// What all of them are solved into: one after the other, never side by side.
+/// The solutions' memory, shared by all cases, which run one after the other.
 struct Unknowns {
     solvers::Grid one;
     solvers::Grid3 three;
@@ -84,7 +84,7 @@ void solve_three(const glift::Commands& commands, const Systems& s, const Unknow
     solvers::solve_three(commands, s.a.lower, s.a.middle, s.a.upper, s.right3, x.three);
 }
 
-/// So many bytes in turn are in no cache when their turn comes.
+/// Cycling through this many bytes leaves none in a cache.
 constexpr std::uint64_t beyond_caches = std::uint64_t{128} << 20;
 
 }  // namespace
@@ -105,7 +105,7 @@ std::vector<AlgorithmCase> tridiagonal_cases(const glift::Device& device, std::u
             solve(commands, (*all)[(*turn)++ % all->size()], x);
         };
     };
-    // All systems of one size are the same, wherever they lie.
+    // All systems of one size have the same coefficients.
     const auto error = [=] { return largest_error(all->front().a, all->front().right, x.one, 1); };
     const auto error3 = [=] { return largest_error(all->front().a, all->front().right3, x.three, 3); };
     return {{"tridiagonal", variant, count, bytes, first(solve_one), error},

@@ -1,20 +1,46 @@
 # glift_compile(TARGET target SOURCES file.glift… [IMPORT_DIRS dir…] [DEFINES name=value…] [OPTIONS option…]
-#               [CHECKED])
+#               [SHARDS n] [CHECKED])
 #
-# Compiles the files with gliftc, in one run, and adds what comes out to the target, with its include directory and the
-# runtime that it calls. Works the same beside add_subdirectory and after find_package(glift). The include directories of the
-# target get those in which gliftc looks for the headers of `extern struct`: the folders of the files, and IMPORT_DIRS.
+# Compiles the files with gliftc, in one run, and adds the output to the target, with its include directory and the
+# runtime that it calls. Works the same with add_subdirectory and with find_package(glift). The target also gets the include
+# directories in which gliftc looks for the headers of `extern struct`: the folders of the files, and IMPORT_DIRS.
 #
-# Of each file: <name>.glift.hpp, <name>.glift.cpp, and what it uses of other modules, <name>.glift.internal.hpp and
-# <name>.glift.library.cpp. What several files use is in the library of the first: it is compiled once.
+# Outputs for each file: docs/language.md, "Modules". Code that several files use is in the sources of the first.
+#
+# SHARDS (4): number of sources for a file's kernels, and of those for kernels of other modules that it uses. CMake has
+# to know the sources before gliftc runs; a kernel's name determines its source, so that editing one kernel recompiles
+# one source.
 #
 # CHECKED: kernels report accesses by address outside a structure (docs/language.md, "Checked builds").
+#
+# GLIFT_SPIRV_FILES (detected once; set it to OFF for C++ that needs no files): the assembler embeds SPIR-V from files.
+#
+# In builds of type Debug and RelWithDebInfo debuggers stop at lines of the .glift files on the host device.
 #
 # gliftc rewrites an output only when its bytes change. The stamp is what says that it ran; the outputs are byproducts,
 # so an import that was only touched compiles no C++, and a second build does nothing.
 
+include(CheckCXXSourceCompiles)
+
+# Whether the compiler's assembler can embed a file as GLIFT_SPIRV_FILE of glift/kernel.h does.
+function(glift_check_spirv_files)
+    set(words ${CMAKE_BINARY_DIR}/CMakeFiles/glift_spirv_words)
+    file(WRITE ${words} "word")
+    check_cxx_source_compiles("
+        asm(R\"asm(
+            .pushsection .rodata.glift, \"a\"
+            .balign 4
+            .weak words
+            .hidden words
+            words: .incbin \"${words}\"
+            .popsection
+        )asm\");
+        extern \"C\" __attribute__((visibility(\"hidden\"))) const unsigned words[1];
+        int main() { return words[0] == 0; }" GLIFT_SPIRV_FILES)
+endfunction()
+
 function(glift_compile)
-    cmake_parse_arguments(PARSE_ARGV 0 arg "CHECKED" "TARGET" "SOURCES;IMPORT_DIRS;DEFINES;OPTIONS")
+    cmake_parse_arguments(PARSE_ARGV 0 arg "CHECKED" "TARGET;SHARDS" "SOURCES;IMPORT_DIRS;DEFINES;OPTIONS")
     if(arg_UNPARSED_ARGUMENTS)
         message(FATAL_ERROR "glift_compile: unknown arguments: ${arg_UNPARSED_ARGUMENTS}")
     endif()
@@ -24,6 +50,11 @@ function(glift_compile)
     if(NOT arg_SOURCES)
         message(FATAL_ERROR "glift_compile: SOURCES is empty")
     endif()
+
+    if(NOT arg_SHARDS)
+        set(arg_SHARDS 4)
+    endif()
+    glift_check_spirv_files()
 
     set(out ${CMAKE_CURRENT_BINARY_DIR}/glift/${arg_TARGET})
     file(MAKE_DIRECTORY ${out})
@@ -40,11 +71,16 @@ function(glift_compile)
     if(arg_CHECKED)
         list(APPEND arguments --checked)
     endif()
+    list(APPEND arguments --shards=${arg_SHARDS})
+    if(GLIFT_SPIRV_FILES)
+        list(APPEND arguments --spirv-files)
+    endif()
     list(APPEND arguments ${arg_OPTIONS})
 
     set(sources)
     set(headers)
     set(codes)
+    set(spirv)
     set(first)
     foreach(source IN LISTS arg_SOURCES)
         cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} NORMALIZE)
@@ -55,11 +91,21 @@ function(glift_compile)
         endif()
         list(APPEND sources ${source})
         list(APPEND include_dirs ${folder})
-        list(APPEND headers ${out}/${name}.glift.hpp ${out}/${name}.glift.internal.hpp)
+        list(APPEND headers ${out}/${name}.glift.hpp ${out}/${name}.glift.types.hpp ${out}/${name}.glift.internal.hpp)
         list(APPEND codes ${out}/${name}.glift.cpp ${out}/${name}.glift.library.cpp)
+        foreach(shard RANGE 1 ${arg_SHARDS})
+            set(number .${shard})
+            if(shard EQUAL 1)
+                set(number)
+            endif()
+            foreach(part kernels library.kernels)
+                list(APPEND codes ${out}/${name}.glift.${part}${number}.cpp)
+                list(APPEND spirv ${out}/${name}.glift.${part}${number}.spirv)
+            endforeach()
+        endforeach()
     endforeach()
     list(REMOVE_DUPLICATES include_dirs)
-    # In a build of the compiler itself: what reads C++ headers is a library that gliftc opens when it needs it.
+    # In a build of the compiler itself: gliftc opens this library at run time to read C++ headers.
     if(TARGET glift_clang)
         foreach(source IN LISTS sources)
             set(externs)
@@ -72,22 +118,34 @@ function(glift_compile)
         endforeach()
     endif()
 
+    if(NOT GLIFT_SPIRV_FILES)
+        set(spirv)
+    endif()
     set(stamp ${out}/${first}.stamp)
     add_custom_command(
         OUTPUT ${stamp}
-        BYPRODUCTS ${headers} ${codes}
-        COMMAND glift::gliftc -o ${out} --depfile ${out}/${first}.d --target=cpp --target=host ${arguments} ${sources}
+        BYPRODUCTS ${headers} ${codes} ${spirv}
+        COMMAND glift::gliftc -o ${out} --depfile ${out}/${first}.d --target=cpp --target=host
+                "$<$<CONFIG:Debug,RelWithDebInfo>:-g>" ${arguments} ${sources}
         COMMAND ${CMAKE_COMMAND} -D DEPFILE=${out}/${first}.d -D STAMP=${stamp}
                 -P ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/GliftDepfile.cmake
         DEPENDS ${sources} $<TARGET_FILE:glift::gliftc>
         DEPFILE ${out}/${first}.d
         COMMENT "Compiling ${arg_SOURCES}"
-        VERBATIM)
+        VERBATIM COMMAND_EXPAND_LISTS)
     target_sources(${arg_TARGET} PRIVATE ${stamp} ${headers} ${codes})
-    # Sums and products stay as written, so that the host device and the GPU agree to the bit. The other two
+    # No contraction of sums and products, so that the host device and the GPU agree bit for bit. The other two
     # change no value: they let the compiler vectorise.
     set_source_files_properties(${codes} PROPERTIES COMPILE_OPTIONS
         "-ffp-contract=off;-fwrapv;-fno-math-errno;-fno-trapping-math;$<$<CONFIG:Release>:-O3>")
+    # Sources of one module have internal names in common: parameters of kernels.
+    set_source_files_properties(${codes} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+    # ninja compiles in the build's root; a relative path lets compiler caches serve several builds.
+    set(folder ${out})
+    if(CMAKE_GENERATOR MATCHES Ninja)
+        cmake_path(RELATIVE_PATH folder BASE_DIRECTORY ${CMAKE_BINARY_DIR})
+    endif()
+    set_source_files_properties(${codes} PROPERTIES COMPILE_DEFINITIONS "GLIFT_SPIRV_FOLDER=\"${folder}\"")
 
     set_property(TARGET ${arg_TARGET} APPEND PROPERTY INCLUDE_DIRECTORIES ${include_dirs})
     set_property(TARGET ${arg_TARGET} APPEND PROPERTY INTERFACE_INCLUDE_DIRECTORIES

@@ -1,6 +1,6 @@
 # cmake -D DEPFILE=… -D STAMP=… -P GliftDepfile.cmake: the last step of glift_compile's command.
 #
-# gliftc's depfile names what gliftc wrote; the build's rule has the stamp as its output, and ninja wants to read that.
+# Rewrites gliftc's depfile: its target must be the stamp, which is the output of the build's rule, not gliftc's outputs.
 
 file(READ "${DEPFILE}" text)
 string(REPLACE " " "\\ " target "${STAMP}")

@@ -1,4 +1,4 @@
-# glift::gliftc as GLIFT_GLIFTC names it. It finds the library and the runtime's headers beside itself, as every gliftc does.
+# glift::gliftc from GLIFT_GLIFTC. It finds the library and the runtime's headers relative to itself, as every gliftc does.
 
 execute_process(COMMAND ${GLIFT_GLIFTC} --version OUTPUT_VARIABLE found RESULT_VARIABLE failed OUTPUT_STRIP_TRAILING_WHITESPACE)
 if(failed)

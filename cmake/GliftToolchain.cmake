@@ -5,7 +5,7 @@ set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
-# A test that defines something of its own may not match the shared precompiled header: then it is compiled without.
+# A test with definitions of its own may not match the shared precompiled header, and is then compiled without it.
 set(CMAKE_PCH_WARN_INVALID OFF)
 
 if(PROJECT_IS_TOP_LEVEL AND NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
@@ -31,7 +31,7 @@ endif()
 
 find_program(GLIFT_CCACHE ccache)
 if(GLIFT_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-    # The sloppiness is what lets ccache store compilations that use a precompiled header; NOHASHDIR lets build trees
+    # These sloppiness settings let ccache store compilations that use a precompiled header; NOHASHDIR lets build trees
     # share what they compiled.
     set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_NOHASHDIR=1
         CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime ${GLIFT_CCACHE})
@@ -45,7 +45,7 @@ if(GLIFT_FUZZ)
     add_compile_options(-fsanitize=fuzzer-no-link)
 endif()
 if(GLIFT_SANITIZE OR GLIFT_FUZZ)
-    # vptr needs typeinfo, which glslang and SPIRV-Tools (built -fno-rtti) have not.
+    # Without vptr: it needs typeinfo, which glslang and SPIRV-Tools (built with -fno-rtti) lack.
     set(GLIFT_SANITIZER_FLAGS -fsanitize=address,undefined -fno-sanitize=vptr -fno-sanitize-recover=all
         -fno-omit-frame-pointer)
     add_compile_options(${GLIFT_SANITIZER_FLAGS})

@@ -32,7 +32,7 @@ int internal_error(const char* what) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    gliftc::take_memory_in_large_pieces();
+    gliftc::grow_heap_in_large_steps();
     int code = 0;
     try {
         auto read = gliftc::read_command_line(argc, argv);
@@ -46,7 +46,7 @@ int main(int argc, char** argv) {
     } catch (...) {
         code = internal_error("an exception of unknown type");
     }
-    // Without taking static objects down: nothing is left to do but to end.
+    // Exit without destroying static objects, which takes time.
     std::fflush(nullptr);
     std::_Exit(code);
 }

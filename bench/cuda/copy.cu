@@ -1,4 +1,4 @@
-// What the chip's memory gives: read once, written once.
+// Memory bandwidth: every element is read once and written once.
 #include "rivals.cuh"
 
 namespace rivals {

@@ -1,4 +1,4 @@
-// 256 bins: of the keys' low byte, cut out on the way, and of keys that are below 256 already (what CUB reads fastest).
+// 256 bins: of the keys' low byte, extracted while reading, and of keys that are below 256 already (CUB's fastest case).
 #include "rivals.cuh"
 
 #include <cub/device/device_histogram.cuh>

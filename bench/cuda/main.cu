@@ -1,4 +1,4 @@
-// rivals: how fast CUB, cuSPARSE and a copy are on this GPU, as JSON.
+// rivals: times CUB, cuSPARSE and a copy on this GPU, and writes JSON.
 //
 //     rivals [--log2 20,22,24,26,28] [--runs N] [--only FAMILY] [--json FILE]
 #include "rivals.cuh"
@@ -67,7 +67,7 @@ const char* rival_of(const std::string& algorithm) {
     return algorithm == "tridiagonal" ? "cuSPARSE" : "CUB";
 }
 
-/// As bench/figures.py reads it.
+/// In the format that bench/figures.py reads.
 void print(std::ostream& out, const std::vector<rivals::Row>& rows) {
     cudaDeviceProp device;
     RIVALS_CUDA(cudaGetDeviceProperties(&device, 0));

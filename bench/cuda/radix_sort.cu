@@ -1,4 +1,4 @@
-// Ascending, from one memory to another: a run destroys nothing.
+// Ascending, out of place: a run does not change its input.
 #include "rivals.cuh"
 
 #include <cub/device/device_radix_sort.cuh>

@@ -1,9 +1,9 @@
-// What the CUDA rivals share: memories of the device, the input, the clock, the rows of the table.
+// Shared by the CUDA rivals: device memory, input, timing, rows of the table.
 //
-// A time is the device's: CUDA events around one run, the median of many. A kernel that holds the stream until the host
-// has given it the whole run comes first, so that no launch is waited for; `refill`, which restores what a run
-// destroys, comes before that and is not counted. All runs are over the same memories: what fits the caches is read
-// from them, as in the benches of Glift.
+// Times are device times: CUDA events around one run, the median of many. A kernel that blocks the stream until the host
+// has launched the whole run precedes it, so that launch latency is hidden; `refill`, which restores input that a run
+// overwrites, comes before that and is not timed. All runs use the same memories, so that what fits the caches is read
+// from there, as in the benches of Glift.
 #pragma once
 
 #include <cuda_runtime.h>
@@ -21,10 +21,10 @@ namespace rivals {
 void require(cudaError_t error, const char* call, const char* file, int line);
 #define RIVALS_CUDA(call) ::rivals::require((call), #call, __FILE__, __LINE__)
 
-/// Ends the program: nobody is to be measured against a wrong result.
+/// Ends the program with an error: results must be correct to be compared.
 [[noreturn]] void fail(const std::string& what);
 
-/// A bijection of 32 bits, as good as random. bench/bench_input.h and the .glift sides of the benches have the same.
+/// A pseudo-random bijection of 32-bit numbers, the same as in bench/bench_input.h and in the .glift files of the benches.
 __host__ __device__ inline std::uint32_t hash32(std::uint32_t x) {
     x ^= x >> 16;
     x *= 0x7feb352du;
@@ -65,7 +65,7 @@ public:
     T* data() const { return data_; }
     std::size_t bytes() const { return size_ * sizeof(T); }
 
-    /// So that an element that nobody writes is found.
+    /// Fills it with a pattern, so that elements which are not written are found.
     void poison() const { RIVALS_CUDA(cudaMemset(data_, 0xa5, bytes())); }
 
     std::vector<T> first(std::size_t count) const {
@@ -114,7 +114,7 @@ void require_equal(const std::string& what, const std::vector<T>& found, const s
 
 using Work = std::function<void()>;
 
-/// A call of CUB, which says how much workspace it needs when it is given none: call(workspace, bytes).
+/// A call of CUB: call(workspace, bytes), which returns the workspace that it needs if called with none.
 template <class Call> Work with_workspace(Call call) {
     std::size_t bytes = 0;
     RIVALS_CUDA(call(static_cast<void*>(nullptr), bytes));
@@ -129,7 +129,7 @@ struct Row {
     std::string algorithm, variant;
     std::uint64_t elements;
     double seconds;             ///< median
-    std::uint64_t bytes_moved;  ///< the least possible: what is read once and written once
+    std::uint64_t bytes_moved;  ///< the minimum traffic: input read once, output written once
     int runs;
     double error = -1;  ///< largest relative error; negative: results are exact
 };

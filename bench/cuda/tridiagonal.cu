@@ -109,7 +109,7 @@ void measure(Bench& bench, const Handle& handle, std::uint32_t n) {
     bench.note_error(largest_error(x, n));
 }
 
-/// What a solver must move at least: three coefficients and `sides` right-hand sides read, as many unknowns written.
+/// The minimum traffic of a solver: reads three coefficients and `sides` right-hand sides, writes as many unknowns.
 template <int sides> __global__ void move_elements(const float4* from, float4* to, std::size_t count) {
     const std::size_t stride = static_cast<std::size_t>(gridDim.x) * blockDim.x;
     for (std::size_t i = static_cast<std::size_t>(blockIdx.x) * blockDim.x + threadIdx.x; i < count; i += stride) {
@@ -122,7 +122,7 @@ template <int sides> __global__ void move_elements(const float4* from, float4* t
     }
 }
 
-/// The same elements each time, or, from memory, others in turn, so many that they are in no cache.
+/// Moves the same elements each time, or, to measure memory, cycles through so many that none stays in a cache.
 template <int sides> void measure_moving(Bench& bench, std::uint32_t n, const std::string& variant, bool from_memory) {
     constexpr std::size_t beyond_caches = std::size_t{128} << 20;
     const std::size_t count = std::size_t{n} * n, vectors = count / 4, bytes = 5 * sizeof(float) * count;

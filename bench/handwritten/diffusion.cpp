@@ -9,7 +9,7 @@ namespace handwritten {
 
 namespace {
 
-/// A row and the four beside it, those beyond the surface being the row itself.
+/// A row and its four neighbours; those beyond the border are the row itself.
 struct Rows {
     const float *centre, *above, *below, *behind, *before;
     float* target;
@@ -32,7 +32,7 @@ inline void diffuse_elements(const Rows& rows, std::size_t count, float rate) {
     rows.target[count - 1] = diffused(rows, count - 1, u[count - 1], u[count - 1 - (count > 1)], rate);
 }
 
-// For each width of vectors, as the generated code is.
+// Function multiversioning, as in the generated code.
 __attribute__((target_clones("default", "avx2", "avx512f"))) void diffuse_row(const Rows& rows, std::size_t count,
                                                                               float rate) {
     diffuse_elements(rows, count, rate);

@@ -1,4 +1,4 @@
-// One diffusion step as a person would write it for a CPU.
+// A hand-written diffusion step for CPUs.
 #pragma once
 
 #include <cstdint>
@@ -9,10 +9,10 @@ struct Extent3 {
     std::uint32_t x, y, z;
 };
 
-/// v = u + rate * (sum of the six neighbours - 6 u), x fastest; beyond the surface lies what lies on it. On all cores.
+/// v = u + rate * (sum of the six neighbours - 6 u), x fastest, clamped at the border. On all cores.
 void diffuse(const float* u, float* v, Extent3 extent, float rate);
 
-/// The same, with the vectors that the compiler's flags allow and no wider ones.
+/// The same without function multiversioning: only vectors that the compiler's flags allow.
 void diffuse_narrow(const float* u, float* v, Extent3 extent, float rate);
 
 }  // namespace handwritten

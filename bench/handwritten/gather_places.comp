@@ -1,7 +1,6 @@
 #version 460
 #extension GL_EXT_scalar_block_layout : require
-// Reads of a 3-D array in Morton order, at places in no order; zero outside. An invocation takes two places, a workgroup's
-// width apart.
+// Random reads of a 3-D array in Morton order; zero outside. An invocation takes two elements, a workgroup's width apart.
 
 layout(local_size_x = 256) in;
 
@@ -14,7 +13,7 @@ layout(scalar, set = 0, binding = 1) readonly buffer P { uvec3 places[]; };
 layout(set = 0, binding = 2) readonly buffer F { float f[]; };
 layout(set = 0, binding = 3) writeonly buffer G { float g[]; };
 
-// The bits of x with two zeros between them.
+// Inserts two zero bits after each bit of x.
 uint spread(uint x) {
     x = (x | (x << 16)) & 0x030000ffu;
     x = (x | (x << 8)) & 0x0300f00fu;
@@ -28,7 +27,7 @@ void main() {
     // More than 65535 workgroups along x are folded into y.
     uint i = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * 512u + gl_LocalInvocationID.x;
     if (i >= count) return;
-    uint j = i + 256u < count ? i + 256u : i;  // where there is none, the first once more: no branch
+    uint j = i + 256u < count ? i + 256u : i;  // beyond the end, the first again: no branch
     uvec3 p = places[i], q = places[j];
     bool inside = all(lessThan(p, extent)), next_inside = all(lessThan(q, extent));
     // Always a load, never a branch.

@@ -18,7 +18,7 @@ void main() {
     bool xp = p.x + 1u < extent.x, zp = p.z + 1u < extent.z, wp = p.w + 1u < extent.w;
     bool xm = p.x > 0u, ym = p.y > 0u, zm = p.z > 0u, wm = p.w > 0u;
     bool has_next = p.y + 1u < extent.y, yp = p.y + 2u < extent.y;
-    // Steps that stay where they are at the border: always a load, never a branch; one outside counts as zero.
+    // Steps are zero at the border: always a load, never a branch; neighbours outside count as zero.
     uint to_xp = xp ? 1u : 0u, to_xm = xm ? 1u : 0u, to_zp = zp ? plane : 0u, to_zm = zm ? plane : 0u;
     uint to_wp = wp ? box : 0u, to_wm = wm ? box : 0u;
 

@@ -17,7 +17,7 @@ void main() {
     // More than 65535 workgroups along x are folded into y.
     uint i = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * 512u + gl_LocalInvocationID.x;
     if (i >= count) return;
-    uint j = i + 256u < count ? i + 256u : i;  // where there is none, the first once more: no branch
+    uint j = i + 256u < count ? i + 256u : i;  // beyond the end, the first again: no branch
     ivec2 at = texel_of(i), next_at = texel_of(j);
     precise float value = 2.0 * texelFetch(f, at, 0).x + 1.0;  // no contraction: the same bits everywhere
     precise float next = 2.0 * texelFetch(f, next_at, 0).x + 1.0;

@@ -1,4 +1,4 @@
-// How gliftc has its memory from the kernel.
+// Tunes malloc for gliftc.
 #pragma once
 
 #include <cstdlib>
@@ -9,10 +9,9 @@
 
 namespace gliftc {
 
-/// In large pieces that it keeps: a run is short. The GNU C library would ask for four kilobytes at a time in all
-/// threads but the first, thousands of times where there are many kernels, and the kernel lets one thread ask at a
-/// time.
-inline void take_memory_in_large_pieces() {
+/// Makes malloc grow its heaps in large steps and never trim them, since a run is short. By default glibc extends the
+/// heaps of all threads but the first by 4 KiB at a time: thousands of system calls, which the kernel serialises.
+inline void grow_heap_in_large_steps() {
 #ifdef __GLIBC__
     mallopt(M_TOP_PAD, 32 << 20);
     mallopt(M_TRIM_THRESHOLD, 1 << 30);

@@ -1,4 +1,4 @@
-// Values in arenas behind typed ids: how every tree in the compiler is held.
+// Arenas of values behind typed ids: the storage of every tree in the compiler.
 #pragma once
 
 #include <cassert>
@@ -69,8 +69,8 @@ public:
         for (std::uint32_t i = first_; i < size_; ++i)
             if (own_[(i - first_) >> shift]) at(i).~T();
     }
-    /// Sees the values of `base` and adds its own after them. The base outlives it, and neither changes meanwhile what
-    /// was in it then.
+    /// An arena that shares the values of `base` and adds its own after them. The base must outlive it, and neither may
+    /// change the shared values.
     static Arena extending(const Arena& base) {
         Arena made;
         const std::uint32_t full = base.size_ >> shift;
@@ -82,12 +82,12 @@ public:
 
     Id<T> add(const T& value) { return emplace(value); }
     Id<T> add(T&& value) { return emplace(std::move(value)); }
-    /// Fills the last block, so that what is added next begins one.
+    /// Pads the last block, so that the next value begins a block.
     void fill_block() {
         while (size_ & mask) add(T());
     }
-    /// Takes the blocks that hold these values of another arena, which are then not to be asked for there. The values
-    /// begin a block and end one, and so do those that are here.
+    /// Moves the blocks of values [begin, end) from another arena, where they are no longer valid. Both bounds, and
+    /// this arena's size, are multiples of the block size.
     void adopt(Arena& from, std::uint32_t begin, std::uint32_t end) {
         assert(((size_ | begin | end) & mask) == 0 && begin >= from.first_);
         for (std::uint32_t i = begin; i < end; i += block_size) {
@@ -96,7 +96,7 @@ public:
         }
         size_ += end - begin;
     }
-    /// Forgets the values from this one on; their memory is used for those that come next.
+    /// Destroys the values from this index on; their memory is reused.
     void truncate(std::uint32_t size) {
         while (size_ > size) at(--size_).~T();
     }
@@ -133,7 +133,7 @@ private:
 
     std::vector<Block*> blocks_;
     std::vector<std::unique_ptr<Block>> own_;  ///< without those of the arena that this one extends
-    std::uint32_t first_ = 0;                  ///< of the values in blocks of its own
+    std::uint32_t first_ = 0;                  ///< index of the first value in its own blocks
     std::uint32_t size_ = 0;
 };
 

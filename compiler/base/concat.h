@@ -1,4 +1,4 @@
-// Text of several parts, made at once: with + every part that does not fit moves what stands before it.
+// Concatenates strings with one allocation; a chain of + reallocates.
 #pragma once
 
 #include <string>

@@ -1,5 +1,4 @@
-// Numbers as a 16-bit floating value holds them. Not by _Float16: clang has it only for processors that compute with
-// it.
+// Rounding to 16-bit floats. Without _Float16, which clang has only for targets with native support.
 #pragma once
 
 #include <algorithm>

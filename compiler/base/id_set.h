@@ -1,4 +1,4 @@
-// A set of ids for walks over the program. Most walks see few nodes: these lie in the set itself, more on the heap.
+// A set of visited ids. Most walks visit few nodes: these are stored inline, more on the heap.
 #pragma once
 
 #include "base/arena.h"

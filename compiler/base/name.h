@@ -23,7 +23,7 @@ struct Name {
 class Names {
 public:
     Names() : slots_(1024) { intern(""); }
-    /// Sees the names of `base` and adds its own. The base outlives it, and no name is added to it meanwhile.
+    /// A table that shares the names of `base` and adds its own. The base must outlive it and not change meanwhile.
     static Names extending(const Names& base) { return Names(&base); }
 
     Name intern(std::string_view text) {
@@ -51,14 +51,14 @@ private:
         std::uint32_t hash = 0, index = empty;
     };
 
-    /// FNV-1a with a last mix, since the low bits choose the slot.
+    /// FNV-1a with a final mix, since the low bits choose the slot.
     static std::uint32_t hash_of(std::string_view text) {
         std::uint32_t hash = 2166136261u;
         for (char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
         return hash ^ (hash >> 15);
     }
 
-    /// Of the slot that holds the text, or is to hold it.
+    /// The index of the slot that holds the text, or of the free one where it belongs.
     std::size_t place(std::uint32_t hash, std::string_view text) const {
         const std::size_t mask = slots_.size() - 1;
         std::size_t i = hash & mask;
@@ -80,7 +80,7 @@ private:
     }
 
     const Names* base_ = nullptr;
-    std::uint32_t first_ = 0;        ///< of the names that are not the base's
+    std::uint32_t first_ = 0;        ///< index of the first name that is not the base's
     std::deque<std::string> texts_;  ///< from the first on
     std::vector<Slot> slots_;
 };

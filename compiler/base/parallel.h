@@ -12,7 +12,7 @@
 
 namespace gliftc {
 
-/// The numbers below a count, each for one of the threads that ask.
+/// Hands each number below a count to one of the threads that take one.
 class Tickets {
 public:
     explicit Tickets(std::size_t count) : count_(count) {}
@@ -26,13 +26,13 @@ private:
     std::size_t count_;
 };
 
-/// As many threads as there are processors for `count` pieces of work; a thread for fewer than `share` does not pay.
+/// The number of threads for `count` work items: at most one a processor, and at least `share` items a thread, so that
+/// starting it pays off.
 inline std::size_t threads_for(std::size_t count, std::size_t share) {
     return std::clamp<std::size_t>(count / share, 1, std::max(1u, std::thread::hardware_concurrency()));
 }
 
-/// Calls work() once on each of so many threads, this one among them, and returns when all have returned. Throws what
-/// one of them threw.
+/// Calls work() once on each of `threads` threads, the calling one included, and waits for all. Rethrows an exception.
 template <class Work> void on_threads(std::size_t threads, Work&& work) {
     std::vector<std::future<void>> others;
     for (std::size_t i = 1; i < threads; ++i) others.push_back(std::async(std::launch::async, std::ref(work)));

@@ -1,5 +1,4 @@
-// A vector for members that are empty in nearly every node: it takes the room of one pointer, and memory where it holds
-// something.
+// A vector for members that are empty in nearly every node: one pointer, which is null while it is empty.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +9,7 @@
 
 namespace gliftc {
 
-/// What only looks at it sees a std::vector.
+/// Converts to a const std::vector for readers.
 template <class T> class RareVector {
 public:
     RareVector() = default;

@@ -1,5 +1,5 @@
-// A vector that holds its first elements itself. Nodes of the program have few operands, and passes make lists of them
-// for every node: on the heap, such lists were a third of what lowering took.
+// A vector with inline storage for its first elements. Nodes have few operands, and passes build lists of them for
+// every node: allocating these on the heap took a third of the time of lowering.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 
 namespace gliftc {
 
-/// Elements are copied as bytes. More than `Inside` of them lie on the heap.
+/// Elements are trivially copyable. More than `Inside` of them are stored on the heap.
 template <class T, std::uint32_t Inside> class SmallVector {
     static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
 
@@ -98,12 +98,12 @@ private:
     void release() {
         if (!is_inside()) std::allocator<T>().deallocate(heap(), capacity_);
     }
-    /// The other's elements, where both hold theirs inside. All bytes are copied, as in take().
+    /// Copies the other's elements, if both vectors are inline. Copies all bytes, as take() does.
     void copy_inside(const SmallVector& other) {
         std::memcpy(bytes_, other.bytes_, sizeof bytes_);
         size_ = other.size_;
     }
-    /// The other's elements; it is empty then. All bytes are copied, those that hold nothing too: that takes no test.
+    /// Moves the other's elements here. Copies all bytes, used or not, to avoid a branch.
     void take(SmallVector& other) {
         std::memcpy(bytes_, other.bytes_, sizeof bytes_);
         size_ = std::exchange(other.size_, 0);

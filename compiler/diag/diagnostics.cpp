@@ -20,7 +20,7 @@ constexpr Entry entries[] = {
 #undef DIAGNOSTIC
 };
 
-/// The ids as users see them: '-' for '_'. Made once; there are few.
+/// The ids as shown to users: '-' for '_'.
 const std::vector<std::string>& shown_ids() {
     static const std::vector<std::string> ids = [] {
         std::vector<std::string> made;
@@ -52,7 +52,7 @@ std::string fill(std::string_view text, std::initializer_list<std::string_view> 
     return filled;
 }
 
-/// Insertions, deletions, replacements and swaps of neighbours that lead from one word to the other.
+/// Damerau-Levenshtein distance: insertions, deletions, replacements and swaps of neighbours.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> before(b.size() + 1), row(b.size() + 1), next(b.size() + 1);
     for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
@@ -88,7 +88,7 @@ Diagnostic& Diagnostics::report(Diag id, Span span, std::initializer_list<std::s
 }
 
 Diagnostic& Diagnostics::keep(Diagnostic&& made) {
-    // Only the latest are looked at: repetitions come soon after, and thousands of warnings must not cost their square.
+    // Only the latest are compared: duplicates follow soon, and thousands of warnings must not take quadratic time.
     auto latest = all_.size() > 100 ? all_.end() - 100 : all_.begin();
     bool repeated = std::any_of(latest, all_.end(), [&](const Diagnostic& earlier) {
         bool same_place = made.span && earlier.span == made.span;

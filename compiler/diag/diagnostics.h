@@ -27,7 +27,7 @@ std::string_view id_of(Diag id);    ///< "unknown-name"
 std::string_view text_of(Diag id);  ///< with {0}, {1} … in it
 
 struct Note {
-    Span span;  ///< may be empty: a remark without a place
+    Span span;  ///< may be empty: a note without a location
     std::string text;
 };
 
@@ -46,9 +46,9 @@ public:
     /// Reports `id` at `span`; returns where notes can be added (valid until the next report).
     Diagnostic& report(Diag id, Span span, std::initializer_list<std::string_view> arguments = {});
 
-    /// Adds what others collected that began with these settings.
+    /// Adds the diagnostics of another collector with the same settings.
     void append(Diagnostics&& others);
-    /// Collects nothing yet; its settings are the same.
+    /// An empty collector with the same settings.
     Diagnostics emptied() const;
 
     bool has_errors() const { return errors_ > 0; }
@@ -56,7 +56,7 @@ public:
     const std::vector<Diagnostic>& all() const { return all_; }
 
     bool warnings_are_errors = false;
-    std::vector<Diag> silenced;    ///< warnings left out (-Wno-…)
+    std::vector<Diag> silenced;    ///< disabled warnings (-Wno-…)
     std::vector<Diag> promoted;    ///< warnings that are errors (-Werror=…)
     std::size_t error_limit = 50;  ///< errors kept; 0 is no limit
     bool at_limit() const { return error_limit != 0 && errors_ >= error_limit; }
@@ -72,7 +72,7 @@ private:
 /// The diagnostic of an id as users write it: "unknown-name".
 std::optional<Diag> find_diagnostic(std::string_view id);
 
-/// The id nearest to a word that is none; empty: none is near.
+/// The id nearest to a misspelled one; empty if none is near.
 std::string_view nearest_diagnostic(std::string_view word);
 
 /// The candidate nearest to `name` by edit distance, if near enough to be meant; else empty.

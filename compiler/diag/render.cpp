@@ -40,10 +40,10 @@ std::string place(Span span, const Sources& sources) {
     return sources[span.file].path + ":" + std::to_string(at.line) + ":" + std::to_string(at.column) + ": ";
 }
 
-/// Bytes that begin a character; the others continue one (UTF-8).
+/// Whether a byte of UTF-8 begins a character.
 bool begins_character(char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }
 
-/// The line a terminal can show: control characters as spaces, and no more than `widest` bytes around the span.
+/// A line for terminals: control characters become spaces, at most `widest` bytes around the span.
 struct Shown {
     std::string line, carets;
 };

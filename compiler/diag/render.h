@@ -7,13 +7,13 @@
 
 namespace gliftc {
 
-/// Whether escape sequences colour the text; deciding what `auto` means is the caller's.
+/// Whether escape sequences colour the text. The caller resolves `auto`.
 enum class Colour : std::uint8_t { plain, coloured };
 
-/// `file:line:col: error: text [id]`, the line of source, carets under the words, then the notes alike.
+/// `file:line:col: error: text [id]`, the source line, carets under the span, then the notes in the same form.
 std::string render_text(const Diagnostic& diagnostic, const Sources& sources, Colour colour);
 
-/// All of them, and a last line that counts errors where the limit cut them off.
+/// All of them; a last line gives the number of errors where the limit was reached.
 std::string render_text(const Diagnostics& diagnostics, const Sources& sources, Colour colour);
 
 /// One JSON array; an object a diagnostic: id, severity, text, and where known file, line, column, end_line,

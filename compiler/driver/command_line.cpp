@@ -29,14 +29,14 @@ const std::map<std::string, DiagnosticsFormat> format_names{{"text", Diagnostics
 const std::map<std::string, ColourChoice> colour_names{
     {"auto", ColourChoice::automatic}, {"always", ColourChoice::always}, {"never", ColourChoice::never}};
 
-/// The words as they were typed; turned into Options once all are read.
+/// Arguments as text; converted to Options once all are parsed.
 struct Typed {
     std::vector<std::string> defines, warnings;
     std::string stop_after, dump, format, colour;
     std::vector<std::string> targets;
 };
 
-/// Where `names` has `word`; else throws what CLI11 prints as wrong usage.
+/// The value of `word`; if there is none, throws what CLI11 prints as wrong usage.
 template <class T>
 T look_up(const std::map<std::string, T>& names, const std::string& option, const std::string& word) {
     if (auto found = names.find(word); found != names.end()) return found->second;
@@ -79,7 +79,7 @@ void finish(Options& options, const Typed& typed) {
     }
 }
 
-/// What would do nothing, or something else than it says, is refused.
+/// Refuses combinations of options that would be ignored or contradict each other.
 void check_combinations(const Options& options) {
     const bool stops =
         options.stop_after || options.dump || !options.stop_after_pass.empty() || !options.dump_after.empty();
@@ -116,6 +116,16 @@ void add_output_options(CLI::App& app, Options& options, Typed& typed) {
     app.add_flag("--checked", options.checked, "Generated code reports accesses out of range")->group("Output");
     app.add_flag("--host-only", options.host_only, "Generated C++ holds no SPIR-V: it runs on the host device only")
         ->group("Output");
+    app.add_option("--shards", options.shards,
+                   "Distribute a module's kernels over N C++ sources, and over N more those it uses of other modules")
+        ->type_name("N")
+        ->check(CLI::Range(1, 64))
+        ->group("Output");
+    app.add_flag("--spirv-files", options.spirv_files,
+                 "Write SPIR-V to files, which the generated C++ embeds from the folder GLIFT_SPIRV_FOLDER")
+        ->group("Output");
+    app.add_flag("-g", options.source_lines, "Generated C++ names the lines of its source, for debuggers")
+        ->group("Output");
     app.add_flag("-O,--optimize", options.optimize, "Optimise SPIR-V with spirv-opt")->group("Output");
 }
 
@@ -125,14 +135,14 @@ void add_stage_options(CLI::App& app, Options& options, Typed& typed) {
                    "Stop after a stage (syntax, sema or ir, lower, layout) or a pass of lowering")
         ->type_name("STAGE")
         ->group("Stages");
-    app.add_option("--dump", typed.dump, "Print what a stage made: syntax, sema (or ir), lower, layout")
+    app.add_option("--dump", typed.dump, "Print the result of a stage: syntax, sema (or ir), lower, layout")
         ->type_name("STAGE")
         ->group("Stages");
     app.add_option("--dump-after", options.dump_after,
-                   "Print what a pass of lowering left: expand, share, strengthen, …")
+                   "Print the IR after a pass of lowering: expand, share, strengthen, …")
         ->type_name("PASS")
         ->group("Stages");
-    app.add_flag("--time-report", options.time_report, "Say how long each stage took")->group("Stages");
+    app.add_flag("--time-report", options.time_report, "Print how long each stage took")->group("Stages");
 }
 
 void add_diagnostics_options(CLI::App& app, Options& options, Typed& typed) {
@@ -140,7 +150,7 @@ void add_diagnostics_options(CLI::App& app, Options& options, Typed& typed) {
         ->type_name("FORMAT")
         ->group("Diagnostics");
     app.add_option("--color", typed.colour, "auto (default), always or never")->type_name("WHEN")->group("Diagnostics");
-    app.add_option("-W", typed.warnings, "-Wno-ID leaves a warning out, -Werror makes all errors, -Werror=ID one")
+    app.add_option("-W", typed.warnings, "-Wno-ID disables a warning, -Werror turns all into errors, -Werror=ID one")
         ->type_name("ID")
         ->allow_extra_args(false)
         ->group("Diagnostics");
@@ -164,7 +174,7 @@ void add_input_options(CLI::App& app, Options& options, Typed& typed) {
         ->group("Input");
 }
 
-/// Words as C and C++ compilers spell them: CLI11 has no options of several letters behind one dash.
+/// Translates options spelled as in C and C++ compilers: CLI11 has no multi-letter options with a single dash.
 void translate_customs(std::vector<std::string>& words) {
     for (std::string& word : words) {
         if (word == "-MD") word = "--make-rule";
@@ -172,7 +182,7 @@ void translate_customs(std::vector<std::string>& words) {
     }
 }
 
-/// `gliftc NAME file.glift…`; the options of gliftc stand before or after the name.
+/// `gliftc NAME file.glift…`; the options of gliftc may come before or after the name.
 CLI::App* add_command(CLI::App& app, Options& options, const char* name, const char* description, Command command) {
     CLI::App* sub = app.add_subcommand(name, description);
     sub->fallthrough();
@@ -189,7 +199,7 @@ std::variant<Options, ExitCode> read_command_line(int argc, char** argv) {
     CLI::App app("The Glift compiler: GPU data structures to GLSL, SPIR-V and C++.", "gliftc");
     app.set_version_flag("--version", "gliftc " GLIFT_VERSION);
     app.get_formatter()->column_width(34);
-    app.footer("@FILE stands for the words in FILE. NO_COLOR in the environment turns colours off.\n"
+    app.footer("@FILE is replaced by the arguments in FILE. NO_COLOR in the environment turns colours off.\n"
                "Exit status: 0 done, 1 errors in the source or tests that fail, 2 wrong usage, 3 a bug in gliftc,\n"
                "4 a file that cannot be written or a program that is not there.");
     app.add_option("files", options.files, "The files to compile; '-' is standard input")->type_name("FILE");
@@ -218,7 +228,7 @@ std::variant<Options, ExitCode> read_command_line(int argc, char** argv) {
         if (std::string error = expand_response_files(words, disk()); !error.empty())
             throw CLI::ValidationError("@FILE", error);
         translate_customs(words);
-        std::reverse(words.begin(), words.end());  // as CLI11 takes them
+        std::reverse(words.begin(), words.end());  // the order that CLI11 expects
         app.parse(std::move(words));
         finish(options, typed);
         if (options.files.empty()) throw CLI::RequiredError("a file");

@@ -15,7 +15,7 @@ namespace gliftc {
 
 namespace {
 
-/// Times the stages one after the other.
+/// Times the stages.
 class Stopwatch {
 public:
     explicit Stopwatch(std::vector<StageTime>& times) : times_(times) {}
@@ -37,7 +37,7 @@ std::string dump_syntax(const Compilation& c) {
     return text;
 }
 
-/// A space or a '#' ends a name in a Makefile, a '$' begins a variable.
+/// In a Makefile, a space or '#' ends a name and '$' begins a variable.
 std::string escape_for_make(std::string_view path) {
     std::string escaped;
     for (char c : path) {
@@ -53,7 +53,7 @@ std::string escape_for_make(std::string_view path) {
 Result compile(const Options& options, const FileSystem& files, Compilation& c) {
     Result result;
     Stopwatch clock(result.times);
-    // A module by a wrong name can be checked like any other.
+    // A module with a wrong name is checked even so.
     auto has_errors = [&] { return c.diagnostics.error_count() > c.loaded.misnamed; };
     auto stops_after = [&](Stage stage) { return has_errors() || options.stops_after(stage); };
 

@@ -13,8 +13,8 @@
 
 namespace gliftc {
 
-/// Everything one compilation owns. Kept apart from compile() so that its caller can read diagnostics against the
-/// sources, and may let the process end without taking it down.
+/// Everything one compilation owns. Separate from compile() so that its caller can render diagnostics with the sources,
+/// and may end the process without destroying it.
 struct Compilation {
     Sources sources;
     Names names;

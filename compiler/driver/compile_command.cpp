@@ -19,12 +19,12 @@ void print_times(const Result& result) {
     std::fprintf(stderr, "%-10s %9.3f ms\n", "all", all);
 }
 
-/// One message, whatever cannot be written: what is wrong with the folder is wrong with each file.
+/// Stops at the first failed write: others would fail for the same reason.
 void check_written(const std::string& path, const std::optional<std::string>& error) {
     if (error) throw EnvironmentError("cannot write '" + path + "': " + *error);
 }
 
-/// Where everything is written, a depfile is too: <name>.glift.d of the first module.
+/// The depfile's path: as given, else <name>.glift.d of the first module beside the outputs.
 std::string depfile_of(const Options& options, const Result& result) {
     if (!options.depfile.empty() || result.outputs.empty()) return options.depfile;
     if (!options.targets.empty() && !options.writes_depfile) return {};
@@ -33,7 +33,7 @@ std::string depfile_of(const Options& options, const Result& result) {
 }
 
 void write_outputs(const Options& options, const Result& result, const Compilation& compilation) {
-    constexpr std::size_t share = 64;  // a thread for fewer would take longer
+    constexpr std::size_t share = 64;  // starting a thread for fewer does not pay off
     const auto path_of = [&](const Output& output) { return options.output_folder + "/" + output.name; };
     std::vector<std::optional<std::string>> errors(result.outputs.size());
     for_each_parallel(result.outputs.size(), share, [&](std::size_t i) {
@@ -47,7 +47,7 @@ void write_outputs(const Options& options, const Result& result, const Compilati
 }  // namespace
 
 int run_compile(const Options& options) {
-    // Never taken down: the process ends after this, and freeing a large tree takes longer than parsing it.
+    // Never destroyed: the process ends after this, and freeing a large tree takes longer than parsing it.
     auto& compilation = *new Compilation;
     configure(compilation.diagnostics, options);
     Result result = compile(options, disk(), compilation);

@@ -12,7 +12,7 @@ namespace {
 
 bool is_word(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_'; }
 
-/// Whether a line is `pub WORD name` and goes on with something that is no part of the name.
+/// Whether a line begins with `pub WORD name`.
 bool declares(std::string_view line, std::string_view name) {
     if (!line.starts_with("pub ")) return false;
     const std::size_t space = line.find(' ', 4);
@@ -21,7 +21,7 @@ bool declares(std::string_view line, std::string_view name) {
     return rest.starts_with(name) && (rest.size() == name.size() || !is_word(rest[name.size()]));
 }
 
-/// Read line by line: files that do not parse are looked at, too.
+/// Searches line by line, so that files which do not parse are covered, too.
 bool has_declaration(const std::string& text, std::string_view name) {
     for (std::size_t begin = 0; begin < text.size();) {
         const std::size_t end = std::min(text.find('\n', begin), text.size());

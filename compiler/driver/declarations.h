@@ -1,4 +1,4 @@
-// Where a name is declared among the modules that could be imported: for messages only.
+// Finds which importable module declares a name, for "did you mean" notes.
 #pragma once
 
 #include "driver/file_system.h"

@@ -3,6 +3,7 @@
 #include "base/parallel.h"
 #include "driver/shaders.h"
 #include "emit/cpp/emit.h"
+#include "emit/cpp/source_lines.h"
 #include "emit/glsl/emit.h"
 #include "emit/glsl/library.h"
 #include "emit/host/emit.h"
@@ -20,16 +21,7 @@ namespace gliftc {
 
 namespace {
 
-/// What the module's outputs are called: its file without the extension; from standard input, the last part of its
-/// name.
-std::string base_name(const Compilation& c, const ir::Module& module) {
-    const std::string& path = c.sources[module.file].path;
-    if (path != "<stdin>") return std::filesystem::path(path).stem().string();
-    const std::string& name = c.names[module.name];
-    return name.substr(name.rfind('.') + 1);
-}
-
-/// `scale` or, of a generic kernel, `scale_2_float`; each once a module.
+/// `scale` or, for a generic kernel, `scale_2_float`; unique in the module.
 std::string shader_name(const std::string& display, std::set<std::string>& taken) {
     std::string name;
     for (char c : display) {
@@ -51,7 +43,7 @@ std::string bytes_of(const std::vector<std::uint32_t>& words) {
     return bytes;
 }
 
-/// C++ in the user's own style, where one is asked for.
+/// C++ formatted in the style of --style, if given.
 std::string styled(const Options& options, std::string text) {
     if (options.style.empty()) return text;
     FormatResult formatted = format_code(text, options.style);
@@ -59,9 +51,16 @@ std::string styled(const Options& options, std::string text) {
     return std::move(formatted.text);
 }
 
+/// Where the file lies that a comment in generated code names; of several, the first that was read.
+std::string path_of(const Compilation& c, std::string_view name) {
+    for (std::uint32_t file = 0; file < c.sources.size(); ++file)
+        if (const std::string& path = c.sources[file].path; std::filesystem::path(path).filename() == name) return path;
+    return std::string(name);
+}
+
 /// Of each kernel the form that is easiest to read.
 std::vector<std::string> readable_shaders(const Compilation& c, const std::vector<std::uint32_t>& kernels) {
-    constexpr std::size_t share = 64;  // a thread for fewer would take longer
+    constexpr std::size_t share = 64;  // starting a thread for fewer does not pay off
     std::vector<std::string> texts(kernels.size());
     for_each_parallel(kernels.size(), share, [&](std::size_t i) {
         const auto& forms = c.lowered.passes[kernels[i]];
@@ -97,10 +96,14 @@ void emit_cpp(const Options& options, const Compilation& c, std::uint32_t module
     for (std::size_t k = 0; k < shaders.size(); ++k) code[k] = {shaders[k].direct, shaders[k].general, shaders[k].wide};
     if (options.host_only || !options.wants(Target::cpp)) code.clear();
     cpp::Module written = cpp::module_of(c.program, c.lowered, c.sources, module, code, cpp, defined);
-    outputs.push_back({base + ".glift.hpp", styled(options, std::move(written.header))});
-    outputs.push_back({base + ".glift.cpp", styled(options, std::move(written.source)), std::move(written.tests)});
-    outputs.push_back({base + ".glift.internal.hpp", styled(options, std::move(written.internal)), {}});
-    outputs.push_back({base + ".glift.library.cpp", styled(options, std::move(written.library)), {}});
+    for (cpp::File& file : written.files) {
+        std::string text = file.is_code ? styled(options, std::move(file.text)) : std::move(file.text);
+        if (options.source_lines && file.name.ends_with(".cpp"))
+            text =
+                cpp::with_source_lines(text, base + file.name, [&](std::string_view name) { return path_of(c, name); });
+        outputs.push_back({base + file.name, std::move(text)});
+        if (file.name == ".glift.cpp") outputs.back().tests = std::move(written.tests);
+    }
 }
 
 /// Functions of the public structures, to include in shaders of one's own: `laplacian.Field.glsl`.
@@ -132,19 +135,21 @@ void check_style(const Options& options, Diagnostics& diagnostics) {
 
 std::vector<Output> emit(const Options& options, const Compilation& c) {
     std::vector<Output> outputs;
-    cpp::Options cpp{.tests = options.command == Command::test,
+    cpp::Options cpp{.shards = options.shards,
+                     .spirv_files = options.spirv_files,
+                     .tests = options.command == Command::test,
                      .host_kernel = options.wants(Target::host) ? &host::kernel_of : nullptr};
     cpp::Defined defined;
     std::set<std::string> bases;
     for (std::uint32_t m = 0; m < c.program.modules.size(); ++m) {
         const ir::Module& module = c.program.modules[m];
         if (!module.is_root) continue;
-        std::string base = base_name(c, module);
+        std::string base = cpp::file_stem(c.program, c.sources, m);
         if (!bases.insert(base).second)
             throw std::runtime_error("two files on the command line are called '" + base + "'");
         std::vector<ShaderSet> shaders =
             compile_shaders(c, kernels_with_code(options, c, m, cpp, defined), options.optimize);
-        // C++ takes as long as all else together.
+        // In parallel: printing C++ takes as long as everything else together.
         auto others = std::async(std::launch::async, [&] {
             std::vector<Output> made;
             emit_shaders(options, c, m, base, shaders, made);

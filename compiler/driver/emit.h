@@ -1,12 +1,11 @@
-// What is written for the modules on the command line: runs the targets and names the files.
+// Generates the outputs of the modules on the command line: runs the targets and names the files.
 #pragma once
 
 #include "driver/compile.h"
 
 namespace gliftc {
 
-/// The outputs of every root module for the targets asked for. Throws std::runtime_error where generated GLSL is no
-/// valid GLSL.
+/// The outputs of every root module for the selected targets. Throws std::runtime_error if generated GLSL is invalid.
 std::vector<Output> emit(const Options& options, const Compilation& compilation);
 
 /// Reports a --style that clang does not know.

@@ -1,11 +1,11 @@
-// What is wrong with the machine rather than with the program or with gliftc.
+// Errors of the environment, rather than of the program or of gliftc.
 #pragma once
 
 #include <stdexcept>
 
 namespace gliftc {
 
-/// A file or a program that a command needs is not there, or cannot be written. The text says what to do.
+/// A file or program that a command needs is missing, or a file cannot be written. The text gives a remedy.
 struct EnvironmentError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };

@@ -1,4 +1,4 @@
-// `gliftc explain FILE`: what is known of translators and structures, and how it is known.
+// `gliftc explain FILE`: properties of translators and structures, and how each is known.
 #include "driver/command_line.h"
 #include "driver/commands.h"
 #include "driver/compile.h"
@@ -14,7 +14,7 @@ namespace gliftc {
 
 namespace {
 
-/// The six properties of the thesis (section 3.2.3) in words, and whether the mapping is affine.
+/// The six properties of the thesis (section 3.2.3) as text, and whether the mapping is affine.
 struct Explained {
     std::string name, from, to, place;
     std::string memory, access, consistency, location, totality, mapping, invertible;
@@ -44,17 +44,17 @@ std::string checked_to(const Trial& trial) { return "checked to " + std::to_stri
 
 std::string mapping_of(const ir::Properties& properties, const Trial& trial) {
     if (properties.mapping == ir::Mapping::one_to_one) return "one to one";
-    if (properties.mapping == ir::Mapping::many_to_one) return "many to one, it says";
-    if (!trial.meeting.empty()) return "many to one: " + trial.meeting;
+    if (properties.mapping == ir::Mapping::many_to_one) return "many to one (declared)";
+    if (!trial.collision.empty()) return "many to one: " + trial.collision;
     if (trial.addresses > 0) return "one to one (" + checked_to(trial) + ")";
-    if (properties.mapping == ir::Mapping::claimed_one_to_one) return "one to one, it says (not checked here)";
+    if (properties.mapping == ir::Mapping::claimed_one_to_one) return "one to one (declared, not checked here)";
     return "one to one or many to one: not known";
 }
 
 std::string inverse_of(const ir::Properties& properties, const Trial& trial) {
     if (!properties.invertible) return "no";
     if (!trial.wrong_inverse.empty()) return "no: " + trial.wrong_inverse;
-    return trial.addresses > 0 ? "yes (" + checked_to(trial) + ")" : "yes, it says (not checked here)";
+    return trial.addresses > 0 ? "yes (" + checked_to(trial) + ")" : "yes (declared, not checked here)";
 }
 
 /// The translators and structures that the modules on the command line declare or use: what sema instantiated.

@@ -11,7 +11,7 @@ namespace gliftc {
 
 namespace {
 
-/// As it stands behind a message, with the brackets or without, or as others write it: E-unknown-name.
+/// Accepts an id as messages show it, [unknown-name], without the brackets, or with a prefix: E-unknown-name.
 std::string id_in(std::string word) {
     if (word.size() > 2 && word.front() == '[' && word.back() == ']') word = word.substr(1, word.size() - 2);
     return word.starts_with("E-") || word.starts_with("W-") ? word.substr(2) : word;
@@ -22,7 +22,7 @@ std::string example_of(std::string id) {
     return disk().read(diagnostics_beside_executable() + "/" + id + ".glift").text;
 }
 
-/// `{0}` stands for the words of a program.
+/// Replaces placeholders such as `{0}` by "…".
 std::string readable(std::string_view text) {
     std::string shown;
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -80,7 +80,7 @@ int explain_diagnostic(const Options& options) {
     }
     std::printf("%s: %s [%s]\n", severity, readable(text_of(*diag)).c_str(), id.c_str());
     if (!example.empty())
-        std::printf("\nFor example; behind //~ is what gliftc says of the line above:\n\n%s",
+        std::printf("\nFor example; //~ is followed by the diagnostic of the line above:\n\n%s",
                     indented(example).c_str());
     return 0;
 }

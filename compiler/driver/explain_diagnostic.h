@@ -5,10 +5,10 @@
 
 namespace gliftc {
 
-/// Whether what is to be explained is the id of a diagnostic rather than a file.
+/// Whether the argument is the id of a diagnostic rather than a file.
 bool names_diagnostic(const Options& options);
 
-/// Prints the diagnostic's text and its example, which is the test that the compiler has of it. Returns the exit code.
+/// Prints the diagnostic's text and its example, which is its test in tests/errors. Returns the exit code.
 int explain_diagnostic(const Options& options);
 
 }  // namespace gliftc

@@ -47,7 +47,7 @@ ReadResult read_from_disk(const std::string& path) {
     return {std::move(text), {}};
 }
 
-/// Whether the file holds these bytes; read piece by piece, so that a large one needs no memory.
+/// Whether the file's contents are these bytes; compared piece by piece, so that large files need no memory.
 bool holds(const std::string& path, std::string_view bytes) {
     struct stat info {};
     if (stat(path.c_str(), &info) != 0 || static_cast<std::size_t>(info.st_size) != bytes.size()) return false;

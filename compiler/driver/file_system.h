@@ -1,4 +1,4 @@
-// How the compiler reaches files; tests and fuzzers give it others than the disk's.
+// The compiler's access to files; tests and fuzzers substitute their own.
 #pragma once
 
 #include <functional>
@@ -15,7 +15,7 @@ struct ReadResult {
 
 struct FileSystem {
     std::function<ReadResult(const std::string& path)> read;  ///< "-" is standard input
-    std::function<bool(const std::string& path)> exists;      ///< as a file
+    std::function<bool(const std::string& path)> exists;      ///< and is a file
     std::function<std::vector<std::string>(const std::string& folder)>
         list;                                                      ///< names of the files in a folder, sorted
     std::function<std::string(const std::string& path)> identity;  ///< the same for two paths to one file
@@ -27,7 +27,7 @@ FileSystem disk();
 /// One file, "input.glift", and nothing else.
 FileSystem only_text(std::string text);
 
-/// Writes the file if its bytes are others than `bytes`; makes its folder. Returns what went wrong, or nothing.
+/// Writes the file unless its contents are `bytes` already; creates its folder. Returns an error, or nothing.
 std::optional<std::string> write_if_changed(const std::string& path, const std::string& bytes);
 
 /// The folder of the standard library beside this executable: ../share/glift/stdlib.

@@ -10,7 +10,7 @@ namespace gliftc {
 
 namespace {
 
-/// Puts the formatted text where it belongs; true where the file was not formatted already.
+/// Writes the formatted text back, or to standard output; true if the file was not formatted already.
 bool put(const Options& options, const std::string& path, const std::string& before, const std::string& after,
          int& code) {
     if (path == "-" && !options.check_only) std::fwrite(after.data(), 1, after.size(), stdout);

@@ -37,7 +37,7 @@ public:
         : options_(options), files_(files), c_(c) {}
 
     void complete(ast::Module& module) {
-        // Imports add declarations to the module; those need no completing.
+        // Imports append declarations to the module, which are complete already.
         std::size_t written = module.decls.size();
         for (std::size_t i = 0; i < written; ++i) {
             const auto* record = std::get_if<ast::Struct>(&c_.tree.decls[module.decls[i]].body);

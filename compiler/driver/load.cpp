@@ -29,7 +29,7 @@ std::string if_there(const FileSystem& files, const fs::path& path) {
     return files.exists(name) ? name : std::string();
 }
 
-/// The file's name as that of a module: my-file.glift holds the module my_file.
+/// The module name for a file: my_file for my-file.glift.
 std::string module_of_stem(std::string stem) {
     for (char& c : stem) {
         const bool fits = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.';
@@ -62,7 +62,7 @@ private:
         std::uint32_t index = not_found;
     };
 
-    /// The module's index, loading it if it is new. `use` is where it was asked for; `name` what it must be called, or
+    /// The module's index, loading it if it is new. `use` is the import; `name` the name that the module must have, or
     /// empty.
     std::uint32_t load(const std::string& path, Span use, const std::string& name) {
         std::string shown = path == "-" ? path : fs::path(path).lexically_normal().generic_string();
@@ -121,8 +121,8 @@ private:
         return {};
     }
 
-    /// The module's name is the one it was asked for by; a file named by path holds a module that ends in the file's
-    /// name.
+    /// A module must have the name by which it is imported; the name of a module imported by path must end in that of
+    /// the file.
     void check_name(const ast::Module& module, const std::string& path, const std::string& asked) {
         const std::string& name = names_[module.name.name];
         if (name.empty()) return;
@@ -168,7 +168,7 @@ private:
         }
     }
 
-    /// What could have been meant: modules in the folders that were searched, named as `use` names them.
+    /// Candidates for "did you mean": modules in the folders that were searched, as `use` names them.
     std::vector<std::string> modules_near(const ast::Use& use, const std::string& from) const {
         std::vector<std::string> names;
         auto add_folder = [&](const fs::path& folder, const std::string& prefix) {

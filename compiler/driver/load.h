@@ -13,7 +13,7 @@
 
 namespace gliftc {
 
-/// Where the module is in the folder of a standard library; empty: it is not there.
+/// The module's path in the folder of a standard library; empty if there is none.
 std::string find_in_library(const FileSystem& files, const std::string& library, std::string_view module);
 
 /// The folders of the standard library that have modules.
@@ -22,7 +22,7 @@ std::vector<std::string> library_folders_of(const Options& options);
 struct LoadedModules {
     std::deque<ast::Module> trees;
     std::vector<sema::LoadedModule> modules;  ///< imports before importers, each once
-    std::size_t misnamed = 0;                 ///< errors that leave nothing else in doubt: modules by a wrong name
+    std::size_t misnamed = 0;                 ///< errors about wrong module names, which do not stop the compilation
 };
 
 LoadedModules load_modules(const Options& options, const FileSystem& files, Sources& sources, Names& names,

@@ -1,4 +1,4 @@
-// What the command line asks for.
+// The options of the command line.
 #pragma once
 
 #include "diag/diagnostics.h"
@@ -35,6 +35,9 @@ struct Options {
     bool checked = false;                     ///< --checked: generated code reports accesses out of range
     bool optimize = false;                    ///< -O: SPIR-V through spirv-opt
     bool host_only = false;                   ///< --host-only: C++ without SPIR-V inside
+    std::uint32_t shards = 1;                 ///< --shards: sources that the kernels of a module are spread over
+    bool spirv_files = false;                 ///< --spirv-files: C++ that takes SPIR-V in from files beside it
+    bool source_lines = false;                ///< -g: C++ of which debuggers show the .glift file
     bool list_outputs = false;
     bool time_report = false;
     std::string depfile;          ///< empty: none is asked for by name

@@ -1,4 +1,4 @@
-// `@file` on the command line: the words that the file holds.
+// Response files: `@file` on the command line.
 #pragma once
 
 #include "driver/file_system.h"
@@ -8,8 +8,8 @@
 
 namespace gliftc {
 
-/// Replaces each `@file` by its words, which white space separates; quotes hold words together and a backslash takes
-/// the next character as it is. Files may name further files. Returns what went wrong; empty: nothing.
+/// Replaces each `@file` by its words, separated by white space, with quotes and backslashes as in a shell. Files may
+/// name further files. Returns an error; empty: none.
 std::string expand_response_files(std::vector<std::string>& words, const FileSystem& files);
 
 }  // namespace gliftc

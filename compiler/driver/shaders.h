@@ -1,4 +1,4 @@
-// SPIR-V of kernels, compiled on all cores: the longest part of a compilation by far.
+// Compiles kernels to SPIR-V on all cores: by far the longest part of a compilation.
 #pragma once
 
 #include "driver/compile.h"
@@ -7,13 +7,13 @@
 
 namespace gliftc {
 
-/// The words of each form of a kernel; empty where the form does not exist or was not asked for.
+/// The words of each form of a kernel; empty if the form does not exist or is not wanted.
 struct ShaderSet {
     std::vector<std::uint32_t> direct, general, wide;
 };
 
-/// Indexed as Program::kernels; filled for `kernels`. Throws std::runtime_error, with the .glift line, where glslang
-/// refuses what we wrote.
+/// Indexed as Program::kernels; filled for `kernels`. Throws std::runtime_error, with the .glift line, if glslang
+/// rejects the generated GLSL.
 std::vector<ShaderSet> compile_shaders(const Compilation& compilation, const std::set<std::uint32_t>& kernels,
                                        bool optimize);
 

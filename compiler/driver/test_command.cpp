@@ -1,8 +1,9 @@
-// `gliftc test`: a file with its test blocks becomes a C++ program, which the system's compiler builds and which runs
-// every test on the host device and on another.
+// `gliftc test`: translates a file's test blocks to a C++ program, builds it with the system's compiler, and runs it:
+// every test on the host device and on another one.
 #include "driver/command_line.h"
 #include "driver/commands.h"
 #include "driver/compile.h"
+#include "driver/remembered_runs.h"
 #include "driver/test_program.h"
 
 #include <algorithm>
@@ -11,8 +12,10 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <string>
 #include <unistd.h>
+#include <variant>
 #include <vector>
 
 namespace gliftc {
@@ -26,7 +29,7 @@ std::string text_of(const fs::path& file) {
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// Runs a program of tests. True if none failed; a test that ends the program has.
+/// Runs a test program. True if no test failed; a crash is a failure of the test that ran.
 bool run_program(const Options& options, const std::string& program) {
     const fs::path now = fs::temp_directory_path() / ("gliftc-test-now." + std::to_string(getpid()));
     setenv("GLIFT_TEST_NOW", now.c_str(), 1);
@@ -47,14 +50,9 @@ bool is_wanted(const Options& options, const cpp::TestName& test) {
     return test.title.find(options.test_filter) != std::string::npos;
 }
 
-/// The programs that have a test which the filter lets through.
-std::vector<const Output*> programs_of(const Options& options, const Result& result) {
-    std::vector<const Output*> programs;
-    for (const Output& output : result.outputs)
-        if (std::any_of(output.tests.begin(), output.tests.end(),
-                        [&](const cpp::TestName& test) { return is_wanted(options, test); }))
-            programs.push_back(&output);
-    return programs;
+/// Whether the program has a test which the filter lets through.
+bool is_wanted(const Options& options, const std::vector<cpp::TestName>& tests) {
+    return std::ranges::any_of(tests, [&](const cpp::TestName& test) { return is_wanted(options, test); });
 }
 
 void list(const Options& options, const Result& result) {
@@ -63,7 +61,7 @@ void list(const Options& options, const Result& result) {
             if (is_wanted(options, test)) std::printf("%s (%s)\n", test.title.c_str(), test.place.c_str());
 }
 
-/// Where there is nothing to run: an error if that is not what was asked for.
+/// No test to run: an error if the filter is to blame.
 int nothing_to_run(const Options& options) {
     if (options.test_filter.empty()) {
         std::printf("no tests\n");
@@ -74,7 +72,7 @@ int nothing_to_run(const Options& options) {
     return static_cast<int>(ExitCode::wrong_usage);
 }
 
-/// All outputs of the file that one of them is of.
+/// All outputs of the same source file.
 std::vector<Output> sources_of(const Output& output, const Result& result) {
     const std::string stem = output.name.substr(0, output.name.rfind(".glift.") + 7);
     std::vector<Output> sources;
@@ -83,12 +81,54 @@ std::vector<Output> sources_of(const Output& output, const Result& result) {
     return sources;
 }
 
-/// Where headers of `extern struct` lie.
+/// Folders of the headers of `extern struct`.
 std::vector<std::string> include_folders(const Options& options) {
     std::vector<std::string> folders;
     for (const std::string& file : options.files) folders.push_back(fs::absolute(file).parent_path().string());
     for (const std::string& folder : options.import_folders) folders.push_back(fs::absolute(folder).string());
     return folders;
+}
+
+/// Compiles the modules and builds the programs whose tests are wanted: their names, or what to exit with.
+std::variant<std::vector<TestProgram>, int> build_programs(const Options& options, TestPrograms& built) {
+    auto& compilation = *new Compilation;  // never taken down: see run_compile
+    configure(compilation.diagnostics, options);
+    Questions questions;
+    const Result result = compile(options, questions.noting(disk()), compilation);
+    if (const int code = report(compilation, options); code != 0) return code;
+    std::vector<TestProgram> programs;
+    const std::vector<std::string> folders = include_folders(options);
+    for (const Output& output : result.outputs) {
+        if (output.tests.empty()) continue;
+        const std::vector<Output> sources = sources_of(output, result);
+        programs.push_back({built.name_of(sources, folders, compilation.read_files), output.tests});
+        const std::string& name = programs.back().name;
+        if (is_wanted(options, output.tests) && !built.has(name)) built.build(name, sources, folders);
+    }
+    for (const std::string& file : compilation.read_files) questions.note_read(file);
+    if (compilation.diagnostics.all().empty()) remember_run(built.record_of(options), questions, programs);
+    return programs;
+}
+
+/// The programs of an earlier run, if nothing has changed since and those that are wanted are there.
+std::optional<std::vector<TestProgram>> programs_of_earlier_run(const Options& options, const TestPrograms& built) {
+    if (std::ranges::find(options.files, "-") != options.files.end()) return std::nullopt;  // can be read only once
+    std::optional<std::vector<TestProgram>> programs = recall_run(built.record_of(options), disk());
+    if (!programs) return std::nullopt;
+    for (const TestProgram& program : *programs)
+        if (is_wanted(options, program.tests) && !built.has(program.name)) return std::nullopt;
+    return programs;
+}
+
+int list_tests(const Options& options) {
+    auto& compilation = *new Compilation;
+    configure(compilation.diagnostics, options);
+    const Result result = compile(options, disk(), compilation);
+    if (const int code = report(compilation, options); code != 0) return code;
+    if (std::ranges::none_of(result.outputs, [&](const Output& output) { return is_wanted(options, output.tests); }))
+        return nothing_to_run(options);
+    list(options, result);
+    return static_cast<int>(ExitCode::done);
 }
 
 }  // namespace
@@ -98,23 +138,21 @@ int run_tests(const Options& given) {
     options.command = Command::test;
     options.targets = {Target::cpp, Target::host};
     options.host_only = options.device == "host";
-    auto& compilation = *new Compilation;  // never taken down: see run_compile
-    configure(compilation.diagnostics, options);
-    const Result result = compile(options, disk(), compilation);
-    if (const int code = report(compilation, options); code != 0) return code;
-    const std::vector<const Output*> programs = programs_of(options, result);
-    if (programs.empty()) return nothing_to_run(options);
-    if (options.list_tests) {
-        list(options, result);
-        return static_cast<int>(ExitCode::done);
-    }
+    options.spirv_files = true;
+    if (options.list_tests) return list_tests(options);
     TestPrograms built;
+    std::optional<std::vector<TestProgram>> programs = programs_of_earlier_run(options, built);
+    if (!programs) {
+        auto made = build_programs(options, built);
+        if (const int* code = std::get_if<int>(&made)) return *code;
+        programs = std::get<std::vector<TestProgram>>(std::move(made));
+    }
+    std::erase_if(*programs, [&](const TestProgram& program) { return !is_wanted(options, program.tests); });
+    if (programs->empty()) return nothing_to_run(options);
     if (options.validate) setenv("GLIFT_VALIDATE", "1", 0);
     setenv("GLIFT_POISON", "1", 0);
     bool passed = true;
-    for (const Output* output : programs)
-        passed &= run_program(
-            options, built.program(sources_of(*output, result), include_folders(options), compilation.read_files));
+    for (const TestProgram& program : *programs) passed &= run_program(options, built.use(program.name));
     return static_cast<int>(passed ? ExitCode::done : ExitCode::source_errors);
 }
 

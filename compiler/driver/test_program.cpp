@@ -1,11 +1,13 @@
 #include "driver/test_program.h"
 
+#include "driver/digest.h"
 #include "driver/environment.h"
 
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <iterator>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -18,36 +20,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t programs_kept = 64;
+constexpr std::size_t entries_kept = 128;  ///< programs, records of runs, compiled headers
 constexpr int cannot_run = 127;
 
-/// What all test programs include.
-constexpr const char* common_headers = "#include <glift/host/image.h>\n#include <glift/host/math.h>\n"
-                                       "#include <glift/host/parallel.h>\n#include <glift/structure.h>\n"
-                                       "#include <glift/testing.h>\n";
-
-/// FNV-1a of two beginnings: what differs gives other digits.
-class Digest {
-public:
-    void add(std::string_view text) {
-        for (unsigned char c : text) {
-            a_ = (a_ ^ c) * prime;
-            b_ = (b_ ^ c) * prime;
-        }
-        a_ = (a_ ^ 0x100) * prime;  // where a text ends
-        b_ = (b_ ^ 0x100) * prime;
-    }
-    std::string digits() const {
-        char text[33];
-        std::snprintf(text, sizeof text, "%016llx%016llx", static_cast<unsigned long long>(a_),
-                      static_cast<unsigned long long>(b_));
-        return text;
-    }
-
-private:
-    static constexpr std::uint64_t prime = 0x100000001b3u;
-    std::uint64_t a_ = 0xcbf29ce484222325u, b_ = 0x84222325cbf29ce4u;
-};
+/// What all sources of test programs include but those of kernels.
+constexpr const char* common_headers = "#include <glift/host/math.h>\n#include <glift/structure.h>\n"
+                                       "#include <glift/translation_checks.h>\n";
 
 std::string text_of(const fs::path& path) {
     std::ifstream file(path, std::ios::binary);
@@ -56,7 +34,7 @@ std::string text_of(const fs::path& path) {
     return text.str();
 }
 
-/// Which file it is: its path, size and time.
+/// Identifies a file's version: its path, size and time.
 std::string identity_of(const fs::path& path) {
     std::error_code error;
     const auto size = fs::file_size(path, error);
@@ -108,10 +86,14 @@ Ended wait_for(pid_t child) {
     return {1, WTERMSIG(status)};
 }
 
-/// All commands of the compiler at once; true if all went well.
-bool run_all(const std::vector<std::vector<std::string>>& commands) {
+std::vector<pid_t> start_all(const std::vector<std::vector<std::string>>& commands) {
     std::vector<pid_t> children;
     for (const std::vector<std::string>& words : commands) children.push_back(start(words));
+    return children;
+}
+
+/// Waits for commands of the compiler; true if all went well.
+bool wait_for_all(const std::vector<pid_t>& children) {
     bool well = true, found = true;
     for (pid_t child : children) {
         const Ended ended = wait_for(child);
@@ -119,10 +101,12 @@ bool run_all(const std::vector<std::vector<std::string>>& commands) {
         found &= ended.code != cannot_run;
     }
     if (!found)
-        throw EnvironmentError("'gliftc test' builds tests with a C++ compiler, and there is no '" + commands[0][0] +
-                               "' here: install one (Debian: g++), or name one in CXX");
+        throw EnvironmentError("'gliftc test' builds tests with a C++ compiler, and there is no '" +
+                               compiler_words()[0] + "' here: install one (Debian: g++), or name one in CXX");
     return well;
 }
+
+bool run_and_wait_for(const std::vector<std::string>& command) { return wait_for_all(start_all({command})); }
 
 /// The runtime beside this executable: ../include and ../lib, in a build tree as in an installed one.
 fs::path library_folder(const fs::path& root) {
@@ -131,14 +115,14 @@ fs::path library_folder(const fs::path& root) {
     throw EnvironmentError("no libglift in " + (root / "lib").string());
 }
 
-/// A folder that no other process has. Beside `folder`, so that it can take its name.
+/// A new unique folder beside `folder`, so that it can be renamed to it.
 fs::path new_folder(const fs::path& folder) {
     std::string pattern = folder.string() + ".XXXXXX";
     if (!mkdtemp(pattern.data())) throw EnvironmentError("cannot make a folder in " + folder.parent_path().string());
     return pattern;
 }
 
-/// Gives the made folder its name, unless another process was sooner.
+/// Renames the finished folder to its final name, unless another process was faster.
 void publish(const fs::path& made, const fs::path& name) {
     std::error_code error;
     fs::rename(made, name, error);
@@ -184,21 +168,22 @@ TestPrograms::~TestPrograms() {
 
 std::vector<std::string> TestPrograms::compile_command() const {
     std::vector<std::string> words = compiler_words();
-    // -Og: less to wait for than with -O1, and good to step through. One copy of a kernel, not one a width of vectors.
+    // -Og compiles faster than -O1 and is good for debugging. Kernels are not cloned for several vector widths.
     words.insert(words.end(), {"-std=c++20", "-Og", "-DGLIFT_HOST_KERNEL=", "-ffp-contract=off", "-fwrapv",
                                "-fno-math-errno", "-fno-trapping-math", "-I" + include_.string()});
     return words;
 }
 
-/// The headers that all test programs include, compiled once: reading them is most of a small program's time. The file
-/// to include first; empty where the compiler can't.
+/// Precompiles the headers that all test programs include: parsing them takes most of a small program's build. Returns
+/// the file to include first; empty if the compiler does not support it.
 fs::path TestPrograms::compiled_headers() {
     if (is_temporary_) return {};
     const fs::path folder = folder_ / ("headers-" + tools_);
     const fs::path header = folder / "common.hpp";
     if (fs::exists(header)) {
         std::error_code ignored;
-        fs::last_write_time(folder, fs::file_time_type::clock::now(), ignored);  // in use: not among the oldest
+        fs::last_write_time(folder, fs::file_time_type::clock::now(),
+                            ignored);  // in use: not to be removed as one of the oldest
         return header;
     }
     const fs::path made = new_folder(folder);
@@ -206,41 +191,48 @@ fs::path TestPrograms::compiled_headers() {
     std::vector<std::string> words = compile_command();
     words.insert(words.end(),
                  {"-x", "c++-header", (made / "common.hpp").string(), "-o", (made / "common.hpp.gch").string()});
-    if (!run_all({words})) return {};
+    if (!run_and_wait_for(words)) return {};
     publish(made, folder);
     return header;
 }
 
-fs::path TestPrograms::build(const fs::path& folder, const std::vector<Output>& outputs,
-                             const std::vector<std::string>& include_folders) {
+void TestPrograms::compile(const fs::path& folder, const std::vector<Output>& outputs,
+                           const std::vector<std::string>& include_folders) {
     for (const Output& output : outputs)
         if (auto error = write_if_changed((folder / output.name).string(), output.bytes))
             throw EnvironmentError("cannot write " + output.name + ": " + *error);
-    const fs::path headers = compiled_headers();
-    std::vector<std::vector<std::string>> commands;
+    const auto command_of = [&](const Output& output) {
+        std::vector<std::string> words = compile_command();
+        for (const std::string& include : include_folders) words.push_back("-I" + include);
+        words.push_back("-DGLIFT_SPIRV_FOLDER=\"" + folder.string() + "\"");
+        const std::string source = (folder / output.name).string();
+        words.insert(words.end(), {"-c", source, "-o", source + ".o"});
+        return words;
+    };
+    std::vector<std::vector<std::string>> of_kernels, others;
     std::vector<std::string> link = compiler_words();
     std::string stem;
     for (const Output& output : outputs) {
         if (!output.name.ends_with(".cpp")) continue;
         if (stem.empty()) stem = output.name.substr(0, output.name.find(".glift."));
-        std::vector<std::string> words = compile_command();
-        if (!headers.empty()) words.insert(words.end(), {"-include", headers.string()});
-        for (const std::string& include : include_folders) words.push_back("-I" + include);
-        const std::string object = (folder / output.name).string() + ".o";
-        words.insert(words.end(), {"-c", (folder / output.name).string(), "-o", object});
-        commands.push_back(std::move(words));
-        link.push_back(object);
+        const bool is_of_kernels = output.name.find(".kernels.") != std::string::npos;
+        (is_of_kernels ? of_kernels : others).push_back(command_of(output));
+        link.push_back((folder / output.name).string() + ".o");
     }
-    const fs::path program = folder / "program";
+    // Those of kernels include little, and need not wait for the headers.
+    std::vector<pid_t> children = start_all(of_kernels);
+    if (const fs::path headers = compiled_headers(); !headers.empty())
+        for (std::vector<std::string>& words : others) words.insert(words.end(), {"-include", headers.string()});
+    std::ranges::copy(start_all(others), std::back_inserter(children));
     const std::string library = library_.string();
-    link.insert(link.end(), {"-L" + library, "-Wl,-rpath," + library, "-lglift", "-ltbb", "-o", program.string()});
-    if (!run_all(commands) || !run_all({link}))
+    link.insert(link.end(),
+                {"-L" + library, "-Wl,-rpath," + library, "-lglift", "-ltbb", "-o", (folder / "program").string()});
+    if (!wait_for_all(children) || !run_and_wait_for(link))
         throw std::runtime_error("the C++ compiler refused what gliftc wrote for " + stem);
-    return program;
 }
 
-std::string TestPrograms::program(const std::vector<Output>& outputs, const std::vector<std::string>& include_folders,
-                                  const std::vector<std::string>& read_files) {
+std::string TestPrograms::name_of(const std::vector<Output>& outputs, const std::vector<std::string>& include_folders,
+                                  const std::vector<std::string>& read_files) const {
     Digest digest;
     digest.add(tools_);
     for (const std::string& folder : include_folders) digest.add(folder);
@@ -249,21 +241,50 @@ std::string TestPrograms::program(const std::vector<Output>& outputs, const std:
         digest.add(output.name);
         digest.add(output.bytes);
     }
-    const fs::path folder = folder_ / digest.digits();
-    std::error_code error;
-    if (!fs::exists(folder / "program")) {
-        const fs::path made = new_folder(folder);
-        try {
-            build(made, outputs, include_folders);
-        } catch (...) {
-            fs::remove_all(made, error);
-            throw;
-        }
-        publish(made, folder);
-        remove_oldest();
+    return digest.digits();
+}
+
+bool TestPrograms::has(const std::string& name) const { return fs::exists(folder_ / name / "program"); }
+
+void TestPrograms::build(const std::string& name, const std::vector<Output>& outputs,
+                         const std::vector<std::string>& include_folders) {
+    const fs::path made = new_folder(folder_ / name);
+    try {
+        compile(made, outputs, include_folders);
+    } catch (...) {
+        std::error_code ignored;
+        fs::remove_all(made, ignored);
+        throw;
     }
-    fs::last_write_time(folder, fs::file_time_type::clock::now(), error);
-    return (folder / "program").string();
+    publish(made, folder_ / name);
+    remove_oldest();
+}
+
+std::string TestPrograms::use(const std::string& name) const {
+    std::error_code ignored;
+    fs::last_write_time(folder_ / name, fs::file_time_type::clock::now(), ignored);
+    return (folder_ / name / "program").string();
+}
+
+std::string TestPrograms::record_of(const Options& options) const {
+    Digest digest;
+    digest.add(tools_);
+    digest.add(identity_of(fs::canonical("/proc/self/exe")));
+    const auto add_paths = [&](const std::vector<std::string>& paths) {
+        for (const std::string& path : paths) digest.add(fs::absolute(path).string());
+        digest.add("");
+    };
+    add_paths(options.files);
+    add_paths(options.import_folders);
+    if (!options.library_folder.empty()) add_paths({options.library_folder});
+    for (const auto& [name, value] : options.defines) digest.add(name + "=" + value);
+    for (const std::vector<Diag>* list : {&options.silenced, &options.promoted}) {
+        for (Diag diag : *list) digest.add(std::to_string(static_cast<int>(diag)));
+        digest.add("");
+    }
+    for (bool flag : {options.checked, options.host_only, options.warnings_are_errors}) digest.add(flag ? "1" : "0");
+    digest.add(options.style);
+    return (folder_ / ("run-" + digest.digits())).string();
 }
 
 void TestPrograms::remove_oldest() const {
@@ -271,9 +292,9 @@ void TestPrograms::remove_oldest() const {
     std::error_code error;
     for (const auto& entry : fs::directory_iterator(folder_, error))
         folders.emplace_back(entry.last_write_time(error), entry);
-    if (folders.size() <= programs_kept) return;
+    if (folders.size() <= entries_kept) return;
     std::ranges::sort(folders);
-    for (std::size_t i = 0; i + programs_kept < folders.size(); ++i) fs::remove_all(folders[i].second, error);
+    for (std::size_t i = 0; i + entries_kept < folders.size(); ++i) fs::remove_all(folders[i].second, error);
 }
 
 }  // namespace gliftc

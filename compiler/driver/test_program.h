@@ -1,4 +1,4 @@
-// The program that a file's tests become: built by the system's C++ compiler, once for what it is made of.
+// Builds test programs with the system's C++ compiler, and caches them by a hash of their inputs.
 #pragma once
 
 #include "driver/compile.h"
@@ -12,14 +12,14 @@ namespace gliftc {
 /// How a program ended.
 struct Ended {
     int code = 0;
-    int signal = 0;  ///< that ended it; 0: it ended by itself
+    int signal = 0;  ///< that ended it; 0: it exited
 };
 
 /// Runs a program with this one's input and outputs.
 Ended run_and_wait(const std::vector<std::string>& words);
 
-/// Test programs, in the user's cache folder: GLIFT_CACHE_DIR, else XDG_CACHE_HOME/glift, else ~/.cache/glift. The
-/// oldest are removed. Where there is no such folder, in one that goes with this object.
+/// The cache of test programs: GLIFT_CACHE_DIR, else XDG_CACHE_HOME/glift, else ~/.cache/glift. The oldest are removed.
+/// If there is no such folder, a temporary one that this object removes.
 class TestPrograms {
 public:
     TestPrograms();
@@ -27,15 +27,24 @@ public:
     TestPrograms(const TestPrograms&) = delete;
     TestPrograms& operator=(const TestPrograms&) = delete;
 
-    /// The program made of `outputs`, in which the C++ compiler looks for headers in `include_folders`. It is built
-    /// where it is not there from an earlier run with the same outputs, headers, runtime and compiler. Throws
-    /// std::runtime_error where the compiler refuses it.
-    std::string program(const std::vector<Output>& outputs, const std::vector<std::string>& include_folders,
-                        const std::vector<std::string>& read_files);
+    /// The name of the program made of `outputs`, in which the C++ compiler looks for headers in `include_folders`: the
+    /// same for the same outputs, headers, runtime and compiler.
+    std::string name_of(const std::vector<Output>& outputs, const std::vector<std::string>& include_folders,
+                        const std::vector<std::string>& read_files) const;
+    /// Whether it is there from an earlier run.
+    bool has(const std::string& name) const;
+    /// Builds it. Throws std::runtime_error where the compiler refuses it.
+    void build(const std::string& name, const std::vector<Output>& outputs,
+               const std::vector<std::string>& include_folders);
+    /// The path of one that is there.
+    std::string use(const std::string& name) const;
+
+    /// The file in which a run with these options is remembered.
+    std::string record_of(const Options& options) const;
 
 private:
-    std::filesystem::path build(const std::filesystem::path& folder, const std::vector<Output>& outputs,
-                                const std::vector<std::string>& include_folders);
+    void compile(const std::filesystem::path& folder, const std::vector<Output>& outputs,
+                 const std::vector<std::string>& include_folders);
     std::vector<std::string> compile_command() const;
     std::filesystem::path compiled_headers();
     void remove_oldest() const;
@@ -43,7 +52,7 @@ private:
     std::filesystem::path include_, library_;  ///< the runtime beside this executable
     std::filesystem::path folder_;
     bool is_temporary_ = false;
-    std::string tools_;  ///< what the compiler and the runtime are
+    std::string tools_;  ///< identifies the versions of the compiler and the runtime
 };
 
 }  // namespace gliftc

@@ -38,7 +38,7 @@ std::string text_of(const Words& words) {
     return text + "}";
 }
 
-/// A structure made with certain arguments: what expressions over it are worth.
+/// A structure with given constructor arguments: evaluates expressions over it.
 class Made {
 public:
     Made(const ir::Program& program, const ir::Structure& structure, std::vector<Value> arguments)
@@ -48,7 +48,7 @@ public:
         return ir::evaluate(program_, expr, [this](const ir::Expr& asked) { return property(asked, asked.place); });
     }
 
-    /// A member, a memory's extent or the domain of what lies at `place` in this structure.
+    /// A member, a memory's extent or the domain of the structure at `place` in this one.
     std::optional<Value> property(const ir::Expr& asked, const ir::Place& place, std::size_t depth = 0) const {
         if (depth < place.members.size()) {
             const ir::MemberStructure& member = structure_.members[place.members[depth]];
@@ -81,7 +81,7 @@ public:
         for (ir::ExprId scalar : stage.scalars) state_.push_back(made.value_of(scalar));
     }
 
-    /// All addresses of the domain; false where something is not known.
+    /// Tries all addresses of the domain; false if something cannot be evaluated.
     bool run(const Words& domain, Trial& trial) const {
         std::map<Words, Words> seen;  // virtual addresses by physical ones
         Words address(domain.size(), 0);
@@ -99,8 +99,8 @@ public:
                 physical.erase(physical.begin());
             }
             auto [earlier, is_new] = seen.emplace(physical, address);
-            if (!is_new && trial.meeting.empty())
-                trial.meeting =
+            if (!is_new && trial.collision.empty())
+                trial.collision =
                     text_of(earlier->second) + " and " + text_of(address) + " both map to " + text_of(physical);
             if (!translator_.invert || !trial.wrong_inverse.empty()) continue;
             auto back = call(translator_.invert, value_of(translator_.physical_type, physical));

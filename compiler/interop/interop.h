@@ -1,7 +1,7 @@
 // Clang tooling for gliftc: import of C++ structs and formatting of generated code to the user's own style.
 //
-// The work is done in libglift_clang.so (interop/clang/), opened at the first call of one of these functions: a process
-// that links libLLVM pays 15 ms at every start, and most runs need neither.
+// Implemented in libglift_clang.so (interop/clang/), which is opened at the first call: linking libLLVM adds 15 ms to
+// every start, and most runs need neither function.
 #pragma once
 
 #include <cstdint>
@@ -41,7 +41,7 @@ struct ImportRequest {
     std::string name;                       ///< "Particle" or "sim::Particle"
 };
 
-/// Either structs, or an error with the place in C++ where it lies.
+/// Either structs, or an error with its location in the C++ header.
 struct ImportResult {
     std::vector<ImportedStruct> structs;  ///< each after those it contains: the one asked for is the last
     std::vector<std::string> read_files;  ///< the headers read that are not the system's: for the depfile

@@ -17,7 +17,7 @@ struct Plugin {
     std::string error;
 };
 
-/// GLIFT_CLANG, else beside the executable, where the build tree and an installed tree both have it.
+/// GLIFT_CLANG, else the path relative to the executable, the same in build and install trees.
 std::string plugin_path() {
     if (const char* path = std::getenv("GLIFT_CLANG")) return path;
     std::error_code error;

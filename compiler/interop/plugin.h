@@ -1,5 +1,4 @@
-// What libglift_clang.so exports. Both sides are built together; the version stops a library left over from another
-// build.
+// The exports of libglift_clang.so. Both sides are built together; the version detects a library of another build.
 #pragma once
 
 #include "interop/interop.h"

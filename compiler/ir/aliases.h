@@ -1,4 +1,4 @@
-// What modules call the instances of structures. Several may name one, and a module may give it several names.
+// Names that modules give to instances of structures: several modules may name one, and a module may name it twice.
 #pragma once
 
 #include "ir/ir.h"
@@ -7,13 +7,13 @@
 
 namespace gliftc::ir {
 
-/// The names under which a module makes the structure public, in their order.
+/// The public names that a module gives to the structure, in order.
 std::vector<Name> public_names(const Structure& structure, std::uint32_t module);
 
 bool is_public(const Structure& structure, std::uint32_t module);
 
-/// What code of a module calls the structure: by the module's first public name, else by another of its own, else by
-/// one that comes with what it imports. Empty: by none.
+/// The name of the structure in a module: the module's first public name for it, else another of its own, else an
+/// imported one. Empty if it has none.
 Name name_in(const Program& program, const Structure& structure, std::uint32_t module);
 
 }  // namespace gliftc::ir

@@ -1,12 +1,12 @@
-// Types that hold nothing: structs without fields (operators, mostly) and what is made of them only. They have no
-// memory and no place in a parameter block, and shaders know nothing of them.
+// Empty types: structs without fields (mostly operators) and aggregates of them only. They have no memory and no entry
+// in a parameter block, and are removed from shaders.
 #pragma once
 
 #include "ir/ir.h"
 
 namespace gliftc::ir {
 
-/// Whether it is made of other types, of which any may be empty; asked of every expression.
+/// Whether it is an aggregate, which may be empty: a cheap test for every expression.
 inline bool may_be_empty(const Program& program, TypeId id) {
     const TypeKind kind = program.types.kind(id);
     return kind == TypeKind::struct_ || kind == TypeKind::array || kind == TypeKind::optional;

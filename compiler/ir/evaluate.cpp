@@ -1,3 +1,4 @@
+// long: one interpreter: expressions, statements and calls run each other
 #include "ir/evaluate.h"
 
 #include "base/half.h"
@@ -86,7 +87,7 @@ Lane apply_integer(const Types& types, BinaryOp op, TypeId type, Lane a, Lane b)
     return normalize(types, type, {.bits = result});
 }
 
-/// Runs pure code over locals; gives up (stuck) at anything that is not known at compile time.
+/// Runs pure code over locals; stops (stuck) at anything that is not known at compile time.
 class Interpreter {
 public:
     Interpreter(const Program& program, const Definitions& definitions)
@@ -98,7 +99,7 @@ public:
 
 private:
     enum class Flow { next, break_, continue_, return_, stuck };
-    /// The locals of one call: so few that looking through them is quickest.
+    /// The locals of one call: so few that a linear search is fastest.
     class Frame {
     public:
         Value* find(LocalId local) {
@@ -141,6 +142,7 @@ private:
     unsigned depth_ = 0;
 };
 
+// long: a case for each operation
 std::optional<Value> Interpreter::value_of(ExprId id) {
     if (!id || ++steps_ > step_limit) return std::nullopt;
     const Expr& expr = program_.exprs[id];
@@ -262,7 +264,7 @@ std::optional<Lane> apply_intrinsic(const Types& types, Intrinsic intrinsic, Typ
     const Lane &a = lanes[0], &b = lanes[1], &c = lanes[2];
     auto less = [&](const Lane& x, const Lane& y) { return compare(types, BinaryOp::less, type, x, y).bits != 0; };
     auto number = [&](double value) { return Lane{.number = round_to(types, type, value)}; };
-    // Where one is not a number, the other.
+    // If one is NaN, the other.
     auto least = [&](const Lane& x, const Lane& y) { return less(y, x) || std::isnan(x.number) ? y : x; };
     auto greatest = [&](const Lane& x, const Lane& y) { return less(x, y) || std::isnan(x.number) ? y : x; };
     bool floating = types.is_floating(type), is_signed = types.is_signed(type);
@@ -502,7 +504,7 @@ Lane convert(const Types& types, TypeId from, TypeId to, Lane lane) {
                          {.number = types.is_signed(from) ? static_cast<double>(static_cast<std::int64_t>(lane.bits))
                                                           : static_cast<double>(lane.bits)});
     if (!floating_from) return normalize(types, to, lane);
-    // Out of range saturates, not-a-number is zero: docs/language.md, "Conversions".
+    // Saturates; NaN gives zero: docs/language.md, "What is defined".
     double low = types.is_signed(to) ? (types.kind(to) == TypeKind::int64 ? -0x1p63 : -0x1p31) : 0;
     double high = types.kind(to) == TypeKind::int_    ? 0x1p31
                   : types.kind(to) == TypeKind::uint  ? 0x1p32

@@ -1,4 +1,4 @@
-// Values known at compile time, and the interpreter that finds them: expressions and functions without structures.
+// Compile-time values, and the interpreter that computes them from expressions and functions without structures.
 #pragma once
 
 #include "ir/ir.h"
@@ -31,26 +31,26 @@ struct Value {
 /// How many scalars a value of the type has.
 std::size_t lane_count(const Program& program, TypeId type);
 
-/// The value of `expr`, or nothing where it needs what is not known at compile time, or takes over a million steps.
+/// The value of `expr`, or nothing if it is not a compile-time constant, or takes over a million steps.
 std::optional<Value> evaluate(const Program& program, ExprId expr);
 
-/// What locals that never change are declared with.
+/// Initialisers of immutable locals.
 using Definitions = std::unordered_map<LocalId, ExprId>;
 
-/// The same where locals may be known by their definitions.
+/// The same; locals are evaluated by their definitions.
 std::optional<Value> evaluate(const Program& program, ExprId expr, const Definitions& definitions);
 
-/// What an expression asks of its surroundings (state, member, memory_extent, domain); nothing: not known.
+/// Values of operations that depend on the context (state, member, memory_extent, domain); nothing: not known.
 using Surroundings = std::function<std::optional<Value>(const Expr&)>;
 
-/// The same where the surroundings are known.
+/// The same with these values.
 std::optional<Value> evaluate(const Program& program, ExprId expr, const Surroundings& surroundings);
 
-/// What a function gives for these arguments.
+/// The result of a function for these arguments.
 std::optional<Value> call(const Program& program, FunctionId function, std::vector<Value> arguments,
                           const Surroundings& surroundings);
 
-/// Makes the expression that gives `value`.
+/// Makes an expression of constants with this value.
 ExprId materialize(Program& program, const Value& value, Span span);
 
 /// As written in the language: 4, 1.5, uint2(8, 8).

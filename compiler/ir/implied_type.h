@@ -1,13 +1,12 @@
-// The type that an operation on memory or values has by its operands alone. The text of the IR says a type only where
-// it is another one, or where none is implied.
+// The type of an operation as implied by its operands. The text of the IR gives a type only where it differs, or where
+// none is implied.
 #pragma once
 
 #include "ir/pass.h"
 
 namespace gliftc::ir {
 
-/// Gives Types::error where the operands do not tell. `intern` makes a TypeId of a Type: one of those that there are,
-/// or a new one.
+/// Types::error if the operands imply none. `intern` returns the TypeId of a Type, existing or new.
 template <class Intern>
 TypeId implied_type(const Program& program, const Pass* pass, const Expr& node, Intern&& intern) {
     const Types& types = program.types;
@@ -34,7 +33,9 @@ TypeId implied_type(const Program& program, const Pass* pass, const Expr& node, 
     case Op::some: return intern(Type{.kind = TypeKind::optional, .element = type(0)});
     case Op::has_value: return types.bool_;
     case Op::value: return types[type(0)].element;
+    case Op::guarded_load:
     case Op::load:
+    case Op::row_load:
     case Op::image_load:
     case Op::image_sample: return pass->bindings[node.slot].element;
     case Op::intrinsic: {

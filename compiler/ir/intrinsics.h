@@ -12,7 +12,7 @@ enum class Intrinsic : std::uint8_t {
 #undef INTRINSIC
 };
 
-/// How far the devices may differ (docs/language.md, "Accuracy").
+/// Whether results may differ between devices (docs/language.md, "Accuracy").
 enum class Exactness : std::uint8_t { exact, inexact };
 
 std::string_view name_of(Intrinsic intrinsic);

@@ -85,7 +85,7 @@ enum class Invocation : std::uint8_t {
     subgroup_count
 };
 
-/// What a pipeline can ask of its device, to choose between variants of an algorithm.
+/// Properties of the device that a pipeline can query, to choose between variants of an algorithm.
 enum class DeviceProperty : std::uint8_t {
     is_host,
     is_gpu,
@@ -95,7 +95,7 @@ enum class DeviceProperty : std::uint8_t {
     shared_memory_bytes
 };
 
-/// What a shader is given; only made by lower/dispatch.
+/// Built-in inputs of shaders; only made by lower/dispatch.
 enum class Builtin : std::uint8_t {
     global_id,
     local_id,
@@ -108,8 +108,7 @@ enum class Builtin : std::uint8_t {
     subgroup_count
 };
 
-/// A program has hundreds of them a line: what is small stands together, and what few have takes no more than a
-/// pointer.
+/// There are hundreds of them for a line of source: small members are packed, and rare ones take only a pointer.
 struct Expr {
     Op op = Op::constant;
     UnaryOp unary = {};
@@ -137,20 +136,20 @@ enum class StmtOp : std::uint8_t {
 #include "ir/statements.def"
 };
 
-/// StmtOp::report: the structure has no memory.
+/// Slot of StmtOp::report for structures without memory (views).
 inline constexpr std::uint32_t no_binding = 0xffffffffu;
 
-/// Elements in a row that move as one vector.
+/// Consecutive elements that are loaded or stored as one vector.
 inline constexpr std::uint32_t row_width = 4;
 
-/// How scatter combines what is written to one address.
+/// How scatter combines writes to one address.
 enum class Combine : std::uint8_t { replace, min, max, add, bit_and, bit_or, bit_xor };
 
 struct Stmt {
     StmtOp op = StmtOp::block;
     Combine combine = Combine::replace;
-    bool unrolled = false;       ///< for_: shaders ask for it to be unrolled
-    bool uninitialized = false;  ///< temp: its memory holds anything; let: without a value, and not zero either
+    bool unrolled = false;       ///< for_: shaders have an unroll hint
+    bool uninitialized = false;  ///< temp: its memory is not zeroed; let: has no value, and is not zeroed either
     Span span;
     LocalId local;
     ExprId target;
@@ -167,12 +166,12 @@ struct Stmt {
 enum class Storage : std::uint8_t { value, shared };
 
 struct Local {
-    Name name;  ///< as written; printers make it unique where needed
+    Name name;  ///< as in the source; printers make it unique where needed
     TypeId type;
     Span span;
     bool is_mutable = false;
     Storage storage = Storage::value;
-    bool is_temporary = false;  ///< a pass made it for a value that is used more than once
+    bool is_temporary = false;  ///< introduced by a pass for a value that is used more than once
 };
 
 // ------------------------------------------------------------------------------------------------------ functions
@@ -180,14 +179,16 @@ struct Local {
 struct Function {
     Name name;            ///< as written
     std::string display;  ///< with generic arguments, for comments and messages: linearize<3>
+    std::string key;      ///< display with the modules of all it names: the same in every compilation
     Span span;
     std::vector<LocalId> params;
     std::vector<std::uint32_t> structures;           ///< structure instances that calls pass at `places`
     std::array<std::uint32_t, 3> group = {0, 0, 0};  ///< of the kernels that call it; all 0: any
     std::vector<LocalId> shared;                     ///< workgroup memory, the same at every call
     TypeId result;
-    std::vector<StmtId> body;  ///< of a function with a group: a return is its last statement
+    std::vector<StmtId> body;  ///< a function with a group returns only by its last statement
     bool is_pub = false;
+    bool reads_memory = false;  ///< elements of structures, itself or by what it calls
     std::uint32_t module = 0;
     std::string extern_name;  ///< a C++ function (host only), else empty
     std::string doc;
@@ -205,7 +206,7 @@ struct StructField {
 struct Struct {
     Name name;
     std::string display;
-    std::string key;  ///< display with the modules of all it names: the same in every compilation, as are those below
+    std::string key;  ///< display with qualified names: the same in every compilation, as are all keys below
     std::uint32_t module = 0;
     bool is_pub = false;
     std::vector<StructField> fields;
@@ -231,8 +232,8 @@ struct Enum {
 enum class Mapping : std::uint8_t {
     unknown,
     one_to_one,          ///< proved
-    claimed_one_to_one,  ///< said by `invert` or @one_to_one; `gliftc test` tries it
-    many_to_one,         ///< said by @many_to_one
+    claimed_one_to_one,  ///< declared by `invert` or @one_to_one; `gliftc test` checks it
+    many_to_one,         ///< declared by @many_to_one
 };
 
 /// What is inferred of a translator, or declared by @attributes and checked (thesis section 3.3).
@@ -241,7 +242,7 @@ struct Properties {
     bool invertible = false;  ///< has invert
     Mapping mapping = Mapping::unknown;
     bool affine = false;            ///< physical address is an affine function of the virtual one
-    bool uniform = true;            ///< the same work for every address, but that some leave with `none`
+    bool uniform = true;            ///< the same work for every address, but for early exits with `none`
     std::string memory_complexity;  ///< "O(1)", or as declared: "O(n)", …; "not known"
     std::string access_complexity;  ///< likewise
     std::string location = "GPU and CPU";
@@ -260,8 +261,8 @@ struct Translator {
     std::vector<std::uint32_t> structures;  ///< state that is structures: instances; Place root i in its functions
     std::vector<Name> structure_names;
     FunctionId translate;     ///< (va) -> physical or physical?
-    FunctionId wide;          ///< the same in 64 bits, where the physical address is a number; set by lower/widen
-    FunctionId wide_of_wide;  ///< and of a virtual address of 64 bits
+    FunctionId wide;          ///< the same with a 64-bit result, if that is a scalar; set by lower/widen
+    FunctionId wide_of_wide;  ///< the same with 64-bit arguments, too
     FunctionId invert;        ///< (pa) -> va; absent if not invertible
     FunctionId ranges;        ///< absent: derived
     FunctionId domain;        ///< () -> extent of the virtual domain
@@ -308,7 +309,7 @@ struct Memory {
     MemoryShape shape = MemoryShape::buffer;
     TypeId element;  ///< the value type that loads give (float for r8, float4 for rgba8)
     Format format = Format::none;
-    ExprId extent;        ///< uint, uint2, uint3, over the structure (root 0); exact, in 64 bits, after lower/widen
+    ExprId extent;        ///< uint, uint2, uint3, over the structure (root 0); in 64 bits after lower/widen
     ExprId mips;          ///< or absent
     bool linear = false;  ///< filter linear
     Name compare;         ///< or empty
@@ -320,11 +321,18 @@ struct MemberStructure {
     std::uint32_t structure = 0;  ///< instance
     std::vector<ExprId>
         arguments;  ///< of its constructor, over the owner (root 0); empty where passed by reference (views)
-    bool by_reference = false;  ///< the member is a constructor argument that is itself a structure
+    std::vector<Place> structures;  ///< those that its constructor is given, over the owner (root 0)
+    bool by_reference = false;      ///< the member is a constructor argument that is itself a structure
     Span span;
 };
 
 enum class StructureKind : std::uint8_t { stored, view, adaptor };
+
+/// A function of an adaptor that programs call: on the host, or by a pipeline that gives the result on the device.
+struct Method {
+    FunctionId function;
+    std::optional<std::uint32_t> pipeline;  ///< Program::pipelines: the function reads memory
+};
 
 /// Host state of an adaptor.
 struct HostField {
@@ -363,6 +371,7 @@ struct Structure {
     std::vector<HostField> host;           ///< adaptors
     std::vector<std::uint32_t> pipelines;  ///< adaptors: Program::pipelines
     bool is_contained = false;             ///< no address leads beyond the memory: set by lower/contained.cpp
+    std::vector<Method> methods;           ///< adaptors: public functions
     bool copyable = true;                  ///< elements can be read and written from the host (not views)
     std::string doc;
 };
@@ -384,10 +393,10 @@ struct KernelParam {
     Combine combine = Combine::replace;  ///< scatter
     LocalId local;                       ///< value
     std::uint32_t alike =
-        0;  ///< the first parameter that is taken to be made alike: in the direct form one state stands for both
+        0;  ///< the first parameter assumed to have the same state: the direct form passes that state once
 };
 
-/// As written and checked. Kernel bodies use Place{root = index in params}.
+/// A kernel before lowering. Its body uses Place{root = index in params}.
 struct Kernel {
     Name name;
     std::string display;
@@ -405,8 +414,8 @@ struct Kernel {
     bool grouped() const { return group[0] != 0; }
 };
 
-/// The parameter whose range an `at` parameter takes where it is left out: of its structure the first each, else any,
-/// else scatter.
+/// The parameter whose range an `at` parameter takes if its argument is left out: the first `each` of its structure,
+/// else the first `any`, else the first `scatter`.
 std::optional<std::size_t> range_giver(const std::vector<KernelParam>& params, std::size_t at);
 
 enum class HostPattern : std::uint8_t { value, structure, range };
@@ -453,12 +462,12 @@ struct Constant {
 struct Module {
     Name name;  ///< "std.array"
     std::uint32_t file = 0;
-    bool is_root = false;                ///< named on the command line: outputs are made for it
-    std::vector<std::uint32_t> imports;  ///< Program::modules that it uses, and that these use: sorted
+    bool is_root = false;                ///< named on the command line: outputs are generated for it
+    std::vector<std::uint32_t> imports;  ///< Program::modules that it uses, transitively; sorted
     std::string doc;
 };
 
-/// Everything.
+/// The whole program.
 struct Program {
     Names* names = nullptr;
     Types types;

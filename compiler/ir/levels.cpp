@@ -39,7 +39,9 @@ std::string_view name_of(Level level) {
     case Level::shape: return "shape";
     case Level::structure: return "structure";
     case Level::host: return "host";
+    case Level::guarded: return "guarded";
     case Level::memory: return "memory";
+    case Level::cpu: return "cpu";
     }
     return "?";
 }

@@ -1,7 +1,7 @@
-// Which operations may stand where: each operation and each kind of statement belongs to one level.
+// Levels of the IR: each operation and each kind of statement belongs to one.
 //
 // Kernels as sema makes them hold values and structures, pipelines and tests values and host operations, lowered passes
-// values and memory.
+// values and memory; their variants for the host device also what the passes for it make.
 #pragma once
 
 #include "ir/ir.h"
@@ -15,7 +15,9 @@ enum class Level : std::uint8_t {
     shape,      ///< what a structure was made with, its extents: kernels before lowering, pipelines, uniform parameters
     structure,  ///< elements, addresses, windows: kernels before lowering
     host,       ///< passes, read-back, slices: pipelines and tests
+    guarded,    ///< accesses with the condition that they need: lowered bodies before the pass "guard"
     memory,     ///< loads, stores, parameters: passes after lowering
+    cpu,        ///< rows of memory, workgroups as loops: variants for the host device
 };
 
 Level level_of(Op op);
@@ -24,7 +26,7 @@ std::string_view name_of(Op op);
 std::string_view name_of(StmtOp op);
 std::string_view name_of(Level level);
 
-/// An operation has come to a place that its level cannot reach: a bug of gliftc, reported as such.
+/// Reports an internal error: an operation of the wrong level.
 [[noreturn]] void misplaced(Op op, std::string_view where);
 [[noreturn]] void misplaced(StmtOp op, std::string_view where);
 

@@ -1,8 +1,9 @@
-// A kernel lowered for one form: memory operations on numbered bindings, uniform values as numbered parameters.
-// lower/ makes it, layout/ fills in offsets, every target prints it.
+// A kernel lowered to one form: memory operations on numbered bindings, uniform values as numbered parameters. lower/
+// makes it, layout/ fills in offsets, every target prints it.
 #pragma once
 
 #include "ir/ir.h"
+#include "ir/variants.h"
 
 #include <string>
 #include <vector>
@@ -13,11 +14,10 @@ namespace gliftc::ir {
 enum class Form : std::uint8_t { direct, general, wide };
 
 inline constexpr std::uint32_t no_kernel = 0xffffffffu;
-inline constexpr std::uint32_t no_parameter = 0xffffffffu;
 
 enum class Access : std::uint8_t { read, write, read_write };
 
-/// One memory that the kernel touches.
+/// One memory that the kernel accesses.
 struct PassBinding {
     std::string name;          ///< unique in the pass and readable: f_data, f_table_data
     Place place;               ///< root: kernel parameter
@@ -30,14 +30,14 @@ struct PassBinding {
     bool linear = false;
     bool atomic = false;  ///< some access is atomic
     bool coherent =
-        false;  ///< workgroups see what others write within the pass: every access stays where it is written
-    std::uint32_t one_place = 0;  ///< the first binding that a call may pass as the same place: itself if there is
-                                  ///< none, and in the direct form, which no such call takes
-    bool in_rows = false;  ///< some load or store is of a vector of row_width numbers, whose index counts vectors
+        false;  ///< workgroups see each other's writes within the pass: accesses are neither moved nor merged
+    std::uint32_t one_place = 0;  ///< the first binding that may alias this one in a call: itself if there is none,
+                                  ///< and in the direct form, which aliasing calls do not take
+    bool in_rows = false;  ///< some load or store is of a vector of row_width scalars, whose index counts vectors
     std::uint32_t address_parameter = no_parameter;  ///< wide form, buffers: the parameter that holds the address
 };
 
-/// Whether a load or store of this type moves a vector of four numbers of the binding, whatever an element has of them.
+/// Whether a load or store of this type accesses a vector of four scalars, whatever the element type is.
 inline bool is_row(const Types& types, const PassBinding& binding, TypeId type) {
     return binding.in_rows && types.is_vector(type) && types.components(type) == row_width && type != binding.element;
 }
@@ -50,7 +50,7 @@ enum class ParameterSource : std::uint8_t {
     size,     // the iteration size (uint or vector of uint)
     range_size,  // size of the range of kernel parameter `param`
     address,     // uint64: device address of binding `param`
-    base,        // uint3: what is added to the invocation's number, wide form
+    base,        // uint3: added to the invocation's id, wide form: the origin of a part of the dispatch
 };
 
 struct PassParameter {
@@ -65,12 +65,10 @@ struct PassParameter {
 struct Pass {
     std::uint32_t kernel = 0;  ///< Program::kernels; no_kernel: a function of a library
     Form form = Form::direct;
-    bool exists =
-        true;  ///< false: nothing in this form differs from what cannot be had (a structure without memory, say)
+    bool exists = true;  ///< false: the form is not available (a structure has no memory, say)
     std::array<std::uint32_t, 3> group = {64, 1, 1};
     std::uint32_t rank = 1;
-    std::uint32_t items = 1;  ///< consecutive elements that one invocation takes; `address` is the first of them
-    std::array<std::uint32_t, 3> taken = {1, 1, 1};  ///< elements that an invocation of a shader takes along each axis
+    std::uint32_t items = 1;  ///< consecutive elements that the kernel visits at once; `address` is the first of them
     std::vector<PassBinding> bindings;
     std::vector<PassParameter> parameters;
     std::uint32_t parameter_bytes = 0;  ///< set by layout/
@@ -81,40 +79,36 @@ struct Pass {
     LocalId address;
     std::vector<StmtId> prologue;  ///< shaders only: declares `address` from builtins, and `in_range`
     LocalId in_range;  ///< bool. Kernels without a group return where it is false; grouped ones guard with it
-    std::vector<StmtId> body;
-    std::vector<StmtId> pair_body;  ///< shaders only: the same for two elements; empty: they run `body`
-    /// Host only: the same body where every `near` access is known to stay inside the domain; empty if there is no
-    /// difference. Valid where interior_low <= virtual address of the centre < domain - interior_high, each axis.
-    /// Parameters give the domain.
-    std::vector<StmtId> interior_body;
-    std::uint32_t interior_radius = 0;
-    std::uint32_t interior_domain = no_parameter;  ///< parameter that holds the domain's extent
-    std::uint32_t interior_origin =
-        no_parameter;                   ///< parameter that holds the origin of the centre's range; none: zero
-    std::vector<FunctionId> functions;  ///< called by the body, callees first, all low level
+    /// The kernel's bodies, ordered from the fewest assumptions to the most. The first one is valid on every device and
+    /// at every address.
+    std::vector<Variant> variants = std::vector<Variant>(1);
+    std::vector<FunctionId> functions;  ///< called by the bodies, callees first, all low level
     std::vector<LocalId> shared;
     std::vector<std::vector<LocalId>>
         shared_places;               ///< set by layout/: which of them share memory, one after the other
     std::uint32_t shared_bytes = 0;  ///< set by layout/
-    std::vector<LocalId> params;     ///< of a library\'s function
-    std::uint64_t loop_rounds = 0;   ///< bound on the rounds of one invocation's loops, with the tests that end them;
+    std::vector<LocalId> params;     ///< of a library's function
+    std::uint64_t loop_rounds = 0;   ///< bound on the iterations of one invocation's loops, their last tests included;
                                      ///< UINT64_MAX: not known at compile time. The same in all forms
     Span longest_loop;
     bool has_reports = false;          ///< some statement is a `report`. The same in all forms
     std::vector<std::uint32_t> files;  ///< that reports name: the kernel's, then others. The same in all forms
     bool exact = true;                 ///< calls no inexact intrinsic: devices agree bit for bit
 
-    /// Whether an iteration beyond what a device dispatches at once is split: shaders add where their part begins.
-    bool has_base() const { return form == Form::wide && rank > 1 && splits; }
-    bool splits = false;  ///< no invocation sees the group that it belongs to
+    Variant& plain() { return variants.front(); }
+    const Variant& plain() const { return variants.front(); }
 
-    /// Whether shaders count the rounds of every loop, for devices that cut loops off.
+    /// Whether an iteration larger than one dispatch may be is split into parts, whose origin shaders add to their ids.
+    bool has_base() const { return form == Form::wide && rank > 1 && splits; }
+    bool splits = false;  ///< the body does not depend on the workgroup, so that the dispatch can be split
+
+    /// Whether shaders count the iterations of every loop, for devices that limit them.
     bool counts_rounds() const { return loop_rounds == UINT64_MAX; }
-    /// Whether a status record stands after the bindings.
+    /// Whether there is a binding for the status record, after the others.
     bool has_status() const { return has_reports || counts_rounds(); }
 };
 
-/// A function for shaders that are not Glift's. Its body ends in `evaluate result`, or the function gives nothing.
+/// A function for the user's own shaders. Its body ends in `evaluate result`, or it returns nothing.
 struct LibraryFunction {
     std::string name;
     TypeId result;

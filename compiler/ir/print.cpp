@@ -5,7 +5,7 @@
 
 namespace gliftc::ir {
 
-/// What the text calls places and memories is no name of a local.
+/// Reserves the names of places and memories, so that no local gets them.
 Printer::Printer(const Program& program, const Pass* pass, const Kernel* kernel)
     : p(program), pass_(pass), kernel_(kernel) {
     if (pass == nullptr) return;

@@ -11,7 +11,7 @@ namespace gliftc::ir {
 
 std::string print(const Program& program);
 std::string print(const Program& program, const Lowered& lowered);
-/// `facts` are conditions that hold on the whole body.
+/// `facts` are conditions that hold throughout the body.
 std::string print(const Program& program, const Pass& pass, const std::vector<ExprId>& facts = {});
 
 /// One function, expression or list of statements; a pass gives the names of its bindings and parameters.

@@ -14,7 +14,7 @@ std::string Printer::list(const Operands& operands, std::size_t from) {
     return text;
 }
 
-/// Names of one spelling are told apart: sum, sum.2, sum.3.
+/// Makes equal names unique: sum, sum.2, sum.3.
 std::string Printer::unique(std::string text) {
     if (text.empty()) text = "unnamed";
     if (unsigned count = ++taken_[text]; count > 1) text += "." + std::to_string(count);
@@ -74,7 +74,7 @@ std::string Printer::operand(ExprId id) {
     return is_compound && !needs_type(node) ? "(" + expr(id) + ")" : expr(id);
 }
 
-/// Whether a reader could not tell the type from the operands.
+/// Whether the operands do not imply the type.
 bool Printer::needs_type(const Expr& node) {
     if (pass_ == nullptr) return false;
     switch (node.op) {
@@ -153,6 +153,7 @@ std::string Printer::bare(ExprId id) {
     case Op::value: return "value(" + expr(o[0]) + ")";
     case Op::member: return place(node.place) + ".member" + std::to_string(node.slot);
     case Op::memory_extent: return place(node.place) + ".memory" + std::to_string(node.slot);
+    case Op::host_state: return place(node.place) + ".host" + std::to_string(node.slot);
     case Op::domain: return place(node.place) + ".domain";
     case Op::element: return place(node.place);
     case Op::address: return place(node.place) + ".address";
@@ -166,9 +167,11 @@ std::string Printer::bare(ExprId id) {
 #define HOST_OPERATION(name) case Op::name:
 #include "ir/operations.def"
         return host(node);
+    case Op::guarded_load: return "guarded_load(" + binding(node.slot) + ", " + list(o) + ")";
 #define MEMORY_OPERATION(name) case Op::name:
 #include "ir/operations.def"
         return memory(node);
+    case Op::row_load: return binding(node.slot) + ".row[" + list(node.operands) + "]";
     }
     return "?";
 }
@@ -189,7 +192,6 @@ std::string Printer::host(const Expr& node) {
     case Op::host_read: return "host_read " + place(node.place) + "[" + list(o) + "]";
     case Op::device_read: return "device_read " + place(node.place) + "[" + list(o) + "]";
     case Op::await_value: return "await " + list(o);
-    case Op::host_state: return place(node.place) + ".host" + std::to_string(node.slot);
     case Op::slice: return place(node.place) + "[slice " + list(o) + "]";
     case Op::structure_value: return node.local ? local(node.local) : place(node.place);
     case Op::pipeline_call: return name(p.pipelines[node.slot].name) + "(" + list(o) + ")";

@@ -1,4 +1,4 @@
-// A pass as text that read.h reads back: what it is given, then its bodies. read.h has the grammar.
+// A pass as text that read.h reads back: its inputs, then its bodies. read.h has the grammar.
 #include "ir/printer.h"
 #include "ir/spelling.h"
 #include "ir/walk.h"
@@ -30,7 +30,7 @@ void Printer::declare_enum(std::uint32_t index) {
     line(text + " }");
 }
 
-/// The structs and enums that a type is made of, each once.
+/// Declares the structs and enums that a type consists of, each once.
 void Printer::declare_types(TypeId id) {
     if (!id || !declared_.insert(id.index).second) return;
     const Type type = p.types[id];
@@ -61,14 +61,13 @@ void Printer::declare_used_types() {
         declare_types(p.functions[of].result);
         of_body(p.functions[of].body);
     }
-    for (const auto* body : {&pass.prologue, &pass.body, &pass.pair_body, &pass.interior_body}) of_body(*body);
+    for (const auto* body : bodies_of(pass)) of_body(*body);
 }
 
 void Printer::dispatch_lines() {
     const Pass& pass = *pass_;
     std::string text = "group " + three(pass.group) + ", rank " + std::to_string(pass.rank);
     if (pass.items != 1) text += ", items " + std::to_string(pass.items);
-    if (pass.taken != std::array<std::uint32_t, 3>{1, 1, 1}) text += ", takes " + three(pass.taken);
     line(text + (kernel_ && kernel_->grouped() ? ", declared" : ""));
     if (pass.loop_rounds)
         line("loops " + (pass.loop_rounds == ~0ull ? std::string("unbounded") : std::to_string(pass.loop_rounds)));
@@ -120,8 +119,20 @@ void Printer::parameters() {
         line("parameter " + of.name + ": " + type(of.type) + " = " + given(of));
 }
 
-void Printer::section(const std::string& title, const std::vector<StmtId>& statements) {
-    if (!statements.empty()) nested(title, statements);
+std::string Printer::title(const Variant& variant) {
+    std::string text = "body";
+    if (variant.devices == Devices::shaders) text += ", on shaders";
+    if (variant.devices == Devices::host) text += ", on host";
+    const auto& [elements, interior, bounds] = variant.assumes;
+    if (elements != std::array{pass_->items, 1u, 1u}) text += ", takes " + three(elements);
+    const auto parameter = [&](std::uint32_t slot) { return "$" + pass_->parameters.at(slot).name; };
+    if (interior) text += ", inside " + std::to_string(interior->radius) + " of " + parameter(interior->domain);
+    if (interior && interior->origin != no_parameter) text += " from " + parameter(interior->origin);
+    const auto limit = [&](ExprId id) { return id ? expr(id) : std::string("any"); };
+    for (const Bounds& of : bounds)
+        text += ", bounds(" + expr(of.value) + ", " + limit(of.low) + ", " + limit(of.high) + ")";
+    if (variant.order == RowOrder::any) text += ", any order";
+    return variant.order == RowOrder::in_blocks ? text + ", in blocks" : text;
 }
 
 void Printer::pass(const std::vector<ExprId>& facts) {
@@ -138,17 +149,9 @@ void Printer::pass(const std::vector<ExprId>& facts) {
     if (pass.in_range) line("in_range " + local(pass.in_range));
     for (FunctionId of : pass.functions) function(of);
     for (ExprId fact : facts) line("fact " + expr(fact));
-    section("prologue", pass.prologue);
-    section("body", pass.body);
-    section("two elements", pass.pair_body);
-    if (!pass.interior_body.empty()) {
-        const auto parameter = [&](std::uint32_t slot) {
-            return slot < pass.parameters.size() ? " $" + pass.parameters[slot].name : std::string(" none");
-        };
-        section("interior " + std::to_string(pass.interior_radius) + parameter(pass.interior_domain) +
-                    parameter(pass.interior_origin),
-                pass.interior_body);
-    }
+    if (!pass.prologue.empty()) nested("prologue", pass.prologue);
+    for (const Variant& variant : pass.variants)
+        if (pass.variants.size() > 1 || !variant.body.empty()) nested(title(variant), variant.body);
     --indent_;
     line("}");
 }

@@ -16,10 +16,13 @@ void Printer::nested(const std::string& head, const std::vector<StmtId>& stateme
 }
 
 /// let: named by the source; var: changes; tmp: made by a pass for a value that is used more than once.
+std::string Printer::declaration(LocalId id) {
+    const Local& of = p.locals[id];
+    return (of.is_mutable ? "var " : of.is_temporary ? "tmp " : "let ") + local(id) + ": " + type(of.type);
+}
+
 void Printer::let(const Stmt& stmt) {
-    const Local& of = p.locals[stmt.local];
-    std::string text = of.is_mutable ? "var " : of.is_temporary ? "tmp " : "let ";
-    text += local(stmt.local) + ": " + type(of.type);
+    std::string text = declaration(stmt.local);
     if (stmt.value) text += " = " + expr(stmt.value);
     else if (stmt.uninitialized) text += " = uninitialized";
     line(text + ";");
@@ -75,6 +78,26 @@ void Printer::stmt(const Stmt& stmt) {
 #include "ir/statements.def"
         host_stmt(stmt);
         break;
+#define CPU_STATEMENT(name) case StmtOp::name:
+#include "ir/statements.def"
+        cpu_stmt(stmt);
+        break;
+    }
+}
+
+void Printer::cpu_stmt(const Stmt& stmt) {
+    switch (stmt.op) {
+    case StmtOp::row_store:
+        line(binding(stmt.slot) + ".row[" + expr(stmt.target) + "] = " + expr(stmt.value) + ";");
+        break;
+    case StmtOp::load_rows:
+        line("load_rows(" + binding(stmt.slot) + ", " + expr(stmt.value) + ", " + expr(stmt.target) + ");");
+        break;
+    case StmtOp::store_rows:
+        line("store_rows(" + binding(stmt.slot) + ", " + expr(stmt.target) + ", " + expr(stmt.value) + ");");
+        break;
+    case StmtOp::keep: line("keep " + declaration(stmt.local) + ";"); break;
+    default: nested("invocations {", stmt.body); line("}");
     }
 }
 

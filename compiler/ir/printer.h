@@ -48,6 +48,8 @@ private:
     void nested(const std::string& head, const std::vector<StmtId>& body);
     void let(const Stmt& stmt);
     void host_stmt(const Stmt& stmt);
+    void cpu_stmt(const Stmt& stmt);
+    std::string declaration(LocalId local);
 
     void declare_types(TypeId type);
     void declare_struct(std::uint32_t index);
@@ -57,7 +59,7 @@ private:
     void kernel_parameters();
     void bindings();
     void parameters();
-    void section(const std::string& title, const std::vector<StmtId>& body);
+    std::string title(const Variant& variant);
 
     const Program& p;
     const Pass* pass_;

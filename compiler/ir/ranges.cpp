@@ -1,4 +1,4 @@
-// Where a parameter that was left out takes its range from.
+// The default range of an `at` parameter.
 #include "ir/ir.h"
 
 namespace gliftc::ir {

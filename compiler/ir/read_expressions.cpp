@@ -1,4 +1,5 @@
 #include "ir/implied_type.h"
+#include "ir/levels.h"
 #include "ir/reader.h"
 #include "ir/spelling.h"
 
@@ -39,7 +40,7 @@ ExprId Reader::expr() {
         return implied({.op = Op::select, .operands = {left, yes, operand()}});
     }
     for (std::string_view sign : binary_signs) {
-        // An assignment's '=' and a range's '..' are none of them.
+        // Neither '=' of an assignment nor '..' of a range is among them.
         if (!accept(sign)) continue;
         const BinaryOp op = *spelled(sign, BinaryOp::logical_or);
         return implied({.op = Op::binary, .binary = op, .operands = {left, operand()}});
@@ -103,7 +104,7 @@ ExprId Reader::literal() {
         return add(std::move(node));
     }
     const char* const begin = text_.data() + at_;
-    // A range's dots do not belong to the number before them.
+    // Dots of a range are not part of the number before them.
     const std::size_t dots = text_.find("..", at_);
     const char* const end = text_.data() + std::min(dots, text_.size());
     double number = 0;
@@ -131,7 +132,7 @@ ExprId Reader::parenthesized() {
     return inside;
 }
 
-/// A constant of an enum, a conversion, or a value of parts. One part of the same shape is converted.
+/// A constant of an enum, a conversion, or a construction. A single operand of the same shape is a conversion.
 ExprId Reader::made_of_type() {
     const TypeId made = type();
     if (p.types.kind(made) == TypeKind::enum_) {
@@ -163,7 +164,7 @@ ExprId Reader::intrinsic(const std::string& called) {
     fail("expected a function of ir/intrinsics.def before this");
 }
 
-/// A function that the text does not have is one that the host calls, for a uniform value: its type stands behind it.
+/// A function that the text does not declare is called by the host for a uniform value: its type follows it.
 ExprId Reader::call() {
     const std::string called = name();
     auto [found, is_new] = functions_.try_emplace(called);
@@ -194,7 +195,7 @@ ExprId Reader::parameter() {
     return add({.op = Op::parameter, .type = current().parameters[slot].type, .slot = slot});
 }
 
-/// The member of that name; made where the text names it first.
+/// The member of that name; created at its first use.
 std::uint32_t Reader::member_of(std::uint32_t structure, const std::string& called) {
     const auto& members = p.structures[structure].members;
     for (std::uint32_t i = 0; i < members.size(); ++i)
@@ -206,7 +207,7 @@ std::uint32_t Reader::member_of(std::uint32_t structure, const std::string& call
     return static_cast<std::uint32_t>(p.structures[structure].members.size() - 1);
 }
 
-/// f.table: ends before what is no member.
+/// f.table: ends before a name that is not a member.
 Place Reader::place() {
     Place place;
     place.root = kernel_parameter_index();
@@ -215,7 +216,8 @@ Place Reader::place() {
         const std::size_t before = at_;
         expect(".");
         const std::string called = word();
-        if (called == "domain" || called.starts_with("member") || called.starts_with("memory")) {
+        if (called == "domain" || called.starts_with("member") || called.starts_with("memory") ||
+            called.starts_with("host")) {
             at_ = before;
             break;
         }
@@ -226,13 +228,15 @@ Place Reader::place() {
     return place;
 }
 
-/// A structure has as many constructor arguments and memories as the text names.
+/// Gives the structure as many constructor arguments and memories as the text uses.
 void Reader::grow(std::uint32_t structure, const Expr& property) {
     Structure& of = p.structures[structure];
     while (property.op == Op::member && of.constructor.size() <= property.slot) {
         const std::string called = "member" + std::to_string(of.constructor.size());
         of.constructor.push_back(p.locals.add({.name = p.names->intern(called), .type = p.types.error}));
     }
+    while (property.op == Op::host_state && of.host.size() <= property.slot)
+        of.host.push_back({p.names->intern("host" + std::to_string(of.host.size())), p.types.error, {}});
     while (property.op == Op::memory_extent && of.memories.size() <= property.slot) {
         Memory made;
         made.name = p.names->intern("memory" + std::to_string(of.memories.size()));
@@ -244,9 +248,12 @@ ExprId Reader::of_place() {
     Expr node{.type = p.types.error, .place = place()};
     expect(".");
     const std::string called = word();
-    node.op = called == "domain" ? Op::domain : called.starts_with("member") ? Op::member : Op::memory_extent;
+    node.op = called == "domain"             ? Op::domain
+              : called.starts_with("member") ? Op::member
+              : called.starts_with("host")   ? Op::host_state
+                                             : Op::memory_extent;
     if (node.op != Op::domain)
-        node.slot = static_cast<std::uint32_t>(std::stoul(called.substr(std::string_view("member").size())));
+        node.slot = static_cast<std::uint32_t>(std::stoul(called.substr(called.find_first_of("0123456789"))));
     std::uint32_t structure = kernel().params[node.place.root].structure;
     for (std::uint32_t member : node.place.members) structure = p.structures[structure].members[member].structure;
     grow(structure, node);
@@ -259,7 +266,8 @@ ExprId Reader::of_local(const std::string& called) {
     return add({.op = Op::local, .type = p.locals[found->second].type, .local = found->second});
 }
 
-ExprId Reader::image(Op op) {
+/// name(binding, operand…)
+ExprId Reader::of_binding(Op op) {
     expect("(");
     const auto found = bindings_.find(name());
     if (found == bindings_.end()) fail("no such binding before this");
@@ -283,18 +291,19 @@ ExprId Reader::primary() {
     if (accept("true")) return add({.type = p.types.bool_, .bits = 1});
     if (accept("false")) return add({.type = p.types.bool_});
     if (accept("none")) return add({.op = Op::none, .type = p.types.error});
-    if (accept("image_load")) return image(Op::image_load);
-    if (accept("image_sample")) return image(Op::image_sample);
+    for (Op op : {Op::guarded_load, Op::image_load, Op::image_sample})
+        if (accept(name_of(op))) return of_binding(op);
     if (at("inf") || at("nan") || !at_name()) return literal();
     const std::size_t before = at_;
     const std::string called = name();
     const bool is_called = at("(");  // a local may have the name of a function
     if (locals_.contains(called) && !is_called) return of_local(called);
     if (auto found = bindings_.find(called); found != bindings_.end()) {
+        const bool is_in_row = accept(".row");
         expect("[");
         const ExprId index = expr();
         expect("]");
-        return implied({.op = Op::load, .slot = found->second, .operands = {index}});
+        return implied({.op = is_in_row ? Op::row_load : Op::load, .slot = found->second, .operands = {index}});
     }
     if (roots_.contains(called)) {
         at_ = before;

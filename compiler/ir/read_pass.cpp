@@ -18,8 +18,6 @@ void Reader::dispatch() {
     while (accept(",")) {
         if (accept("items")) {
             pass.items = static_cast<std::uint32_t>(number());
-        } else if (accept("takes")) {
-            pass.taken = three();
         } else {
             expect("declared");
             kernel().group = pass.group;
@@ -176,27 +174,64 @@ bool Reader::header() {
 }
 
 bool Reader::section() {
-    Pass& pass = current();
-    const auto parameter = [&]() -> std::uint32_t {
-        if (accept("none")) return no_parameter;
+    if (accept("prologue")) current().prologue = statements();
+    else if (accept("body")) current().variants.push_back(variant());
+    else return false;
+    return true;
+}
+
+Variant Reader::variant() {
+    Variant made;
+    made.assumes.elements = {current().items, 1, 1};
+    while (accept(",")) {
+        if (accept("on shaders")) {
+            made.devices = Devices::shaders;
+        } else if (accept("on host")) {
+            made.devices = Devices::host;
+        } else if (accept("takes")) {
+            made.assumes.elements = three();
+        } else if (accept("any order")) {
+            made.order = RowOrder::any;
+        } else if (accept("in blocks")) {
+            made.order = RowOrder::in_blocks;
+        } else if (accept("bounds")) {
+            made.assumes.bounds.push_back(bounds());
+        } else {
+            made.assumes.interior = interior();
+        }
+    }
+    made.body = statements();
+    return made;
+}
+
+/// (value, low, high)
+Bounds Reader::bounds() {
+    const auto limit = [&] {
+        expect(",");
+        return accept("any") ? ExprId{} : expr();
+    };
+    Bounds made;
+    expect("(");
+    made.value = expr();
+    made.low = limit();
+    made.high = limit();
+    expect(")");
+    return made;
+}
+
+/// inside radius of $domain from $origin
+Interior Reader::interior() {
+    const auto parameter = [&] {
         expect("$");
         return parameter_slot();
     };
-    if (accept("prologue")) {
-        pass.prologue = statements();
-    } else if (accept("body")) {
-        pass.body = statements();
-    } else if (accept("two elements")) {
-        pass.pair_body = statements();
-    } else if (accept("interior")) {
-        pass.interior_radius = static_cast<std::uint32_t>(number());
-        pass.interior_domain = parameter();
-        pass.interior_origin = parameter();
-        pass.interior_body = statements();
-    } else {
-        return false;
-    }
-    return true;
+    Interior made;
+    expect("inside");
+    made.radius = static_cast<std::uint32_t>(number());
+    expect("of");
+    made.domain = parameter();
+    if (accept("from")) made.origin = parameter();
+    return made;
 }
 
 ReadPass Reader::pass() {
@@ -217,8 +252,10 @@ ReadPass Reader::pass() {
     p.kernels.push_back(std::move(made));
     expect("{");
     while (header()) {}
+    current().variants.clear();
     while (section()) {}
     expect("}");
+    if (current().variants.empty()) current().variants.resize(1);
     return std::move(read_);
 }
 

@@ -3,7 +3,7 @@
 
 namespace gliftc::ir {
 
-/// A name stands for one local through a whole text, also where two bodies declare it.
+/// A name is the same local throughout a text, even if two bodies declare it.
 LocalId Reader::declared(const std::string& called, Local local) {
     auto [found, is_new] = locals_.try_emplace(called);
     if (is_new) {
@@ -23,8 +23,7 @@ std::vector<StmtId> Reader::block() {
 /// Up to a brace, or to the next section of the pass.
 std::vector<StmtId> Reader::statements() {
     std::vector<StmtId> body;
-    while (!at("}") && !at("body") && !at("two elements") && !at("interior") && !at("prologue"))
-        body.push_back(p.stmts.add(statement()));
+    while (!at("}") && !at("body") && !at("prologue")) body.push_back(p.stmts.add(statement()));
     return body;
 }
 
@@ -66,6 +65,22 @@ Stmt Reader::counted_loop() {
     return stmt;
 }
 
+/// load_rows(binding, first, array); store_rows(binding, first, array);
+Stmt Reader::move_of_rows(StmtOp op) {
+    Stmt stmt = memory_statement(op, Combine::replace);
+    if (op == StmtOp::load_rows) std::swap(stmt.target, stmt.value);
+    return stmt;
+}
+
+/// keep var name: type;
+Stmt Reader::keep() {
+    const bool is_mutable = accept("var"), is_temporary = !is_mutable && accept("tmp");
+    if (!is_mutable && !is_temporary) expect("let");
+    Stmt stmt = let(is_mutable, is_temporary);
+    stmt.op = StmtOp::keep;
+    return stmt;
+}
+
 /// image_store(binding, at, value); atomic_add(binding[at], value); report(binding, address)
 Stmt Reader::memory_statement(StmtOp op, Combine combine) {
     Stmt stmt;
@@ -91,14 +106,14 @@ Stmt Reader::memory_statement(StmtOp op, Combine combine) {
     return stmt;
 }
 
-/// What is loaded on the left of '=' is stored to.
+/// A load on the left of '=' becomes a store.
 Stmt Reader::assignment() {
     Stmt stmt;
     const ExprId first = expr();
     if (accept("=")) {
         const Expr& target = p.exprs[first];
-        const bool is_store = target.op == Op::load;
-        stmt.op = is_store ? StmtOp::store : StmtOp::assign;
+        const bool is_store = target.op == Op::load || target.op == Op::row_load;
+        stmt.op = target.op == Op::row_load ? StmtOp::row_store : is_store ? StmtOp::store : StmtOp::assign;
         stmt.slot = is_store ? target.slot : 0;
         stmt.target = is_store ? target.operands[0] : first;
         stmt.value = expr();
@@ -110,7 +125,7 @@ Stmt Reader::assignment() {
     return stmt;
 }
 
-/// A statement of a word alone.
+/// A statement that is a single keyword.
 Stmt Reader::simple(StmtOp op) {
     Stmt stmt;
     stmt.op = op;
@@ -154,6 +169,15 @@ Stmt Reader::statement() {
     if (accept("continue")) return simple(StmtOp::continue_);
     if (accept("barrier()")) return simple(StmtOp::barrier);
     if (accept("subgroupBarrier()")) return simple(StmtOp::subgroup_barrier);
+    if (accept("keep")) return keep();
+    if (accept("invocations")) {
+        Stmt stmt;
+        stmt.op = StmtOp::invocations;
+        stmt.body = block();
+        return stmt;
+    }
+    if (accept("load_rows")) return move_of_rows(StmtOp::load_rows);
+    if (accept("store_rows")) return move_of_rows(StmtOp::store_rows);
     if (accept("image_store")) return memory_statement(StmtOp::image_store, Combine::replace);
     if (accept("report")) return memory_statement(StmtOp::report, Combine::replace);
     for (std::uint8_t i = 0; i <= static_cast<std::uint8_t>(Combine::bit_xor); ++i) {

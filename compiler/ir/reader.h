@@ -20,11 +20,11 @@ public:
 private:
     // read_tokens.cpp
     void skip_space();
-    bool at(std::string_view token);  ///< a sign, or a whole word
+    bool at(std::string_view token);  ///< punctuation, or a whole word
     bool accept(std::string_view token);
     void expect(std::string_view token);
     bool at_name();
-    std::string name();  ///< with its number: sum.2
+    std::string name();  ///< with its suffix: sum.2
     std::string word();  ///< without: a field, a keyword
     std::uint64_t number();
     [[noreturn]] void fail(std::string_view what);
@@ -51,7 +51,7 @@ private:
     ExprId parameter();
     ExprId of_place();
     ExprId of_local(const std::string& called);
-    ExprId image(Op op);
+    ExprId of_binding(Op op);
     Operands list();
     Place place();
     void grow(std::uint32_t structure, const Expr& property);
@@ -68,6 +68,8 @@ private:
     Stmt let(bool is_mutable, bool is_temporary);
     Stmt conditional();
     Stmt counted_loop();
+    Stmt move_of_rows(StmtOp op);
+    Stmt keep();
     Stmt memory_statement(StmtOp op, Combine combine);
     Stmt assignment();
     Stmt simple(StmtOp op);
@@ -80,6 +82,9 @@ private:
     void pass_parameter();
     void function();
     bool section();
+    Variant variant();
+    Interior interior();
+    Bounds bounds();
     std::uint32_t new_structure(const std::string& called);
     std::uint32_t parameter_slot();
     std::uint32_t kernel_parameter_index();
@@ -96,7 +101,7 @@ private:
     std::unordered_map<std::string, FunctionId> functions_;
     std::unordered_map<std::string, std::uint32_t> bindings_, parameters_, roots_;
     std::map<std::string, TypeId, std::greater<>>
-        types_;  ///< structs and enums; longer names before those they begin with
+        types_;  ///< structs and enums; longer names come before their prefixes
 };
 
 }  // namespace gliftc::ir

@@ -1,5 +1,5 @@
-// How the text of the IR spells operators, ids of invocations, builtins and the like. print.h writes it, read.h reads
-// it.
+// Spellings of operators, invocation ids, builtins and other enumerations in the text of the IR, for print.h and
+// read.h.
 #pragma once
 
 #include "ir/pass.h"

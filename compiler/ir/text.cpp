@@ -1,4 +1,4 @@
-// Values and types as the language writes them, and values turned back into expressions.
+// Values and types in the language's syntax, and values as expressions.
 #include "ir/evaluate.h"
 
 #include <charconv>

@@ -1,4 +1,4 @@
-// Types, interned: two types are the same exactly when their ids are.
+// Interned types: two types are equal if and only if their ids are.
 #pragma once
 
 #include "base/arena.h"
@@ -13,7 +13,7 @@
 namespace gliftc::ir {
 
 enum class TypeKind : std::uint8_t {
-    error,  // reported already; agrees with everything
+    error,  // reported already; compatible with every type
     void_,
     bool_,
     int_,
@@ -67,7 +67,7 @@ public:
     TypeId of_enum(std::uint32_t index);
     TypeId of_structure(std::uint32_t index);
 
-    /// The type that `id` is in the types of another program with the same structs, enums and structures.
+    /// The type `id` of `other`, the types of a program with the same structs, enums and structures, as one of these.
     TypeId same_as(const Types& other, TypeId id);
 
     TypeId intern(Type type);

@@ -1,7 +1,9 @@
 #include "ir/validate.h"
 
 #include "ir/evaluate.h"
+#include "ir/levels.h"
 #include "ir/print.h"
+#include "ir/walk.h"
 
 #include <unordered_set>
 
@@ -26,12 +28,17 @@ public:
 
     void declare(LocalId local) { known_.insert(local); }
     void body(const std::vector<StmtId>& body);
+    void variant(const Variant& variant) {
+        body(variant.body);
+        if (variant.devices != Devices::host) no_cpu_level(variant.body);
+    }
     std::vector<std::string> problems;
 
 private:
     void fail(const std::string& what, ExprId id = {}) {
         problems.push_back(what + (id ? ": " + print(p, id, &pass_) : ""));
     }
+    void no_cpu_level(const std::vector<StmtId>& body);
     void stmt(const Stmt& stmt);
     void expr(ExprId id);
     void expect_type(ExprId id, TypeId type, const char* where) {
@@ -51,15 +58,20 @@ private:
 void Validator::low_level(ExprId id) {
     const Expr& node = p.exprs[id];
     switch (node.op) {
+    case Op::guarded_load:
+        if (uniforms_ == Uniforms::moved) return fail("a load that is not guarded yet", id);
+        if (node.slot >= pass_.bindings.size()) return fail("no such binding");
+        return expect_type(id, pass_.bindings[node.slot].element, "a load");
     case Op::parameter:
         if (node.slot >= pass_.parameters.size()) return fail("no such parameter");
         return expect_type(id, pass_.parameters[node.slot].type, "a parameter");
     case Op::load:
+    case Op::row_load:
     case Op::image_load:
     case Op::image_sample: {
         if (node.slot >= pass_.bindings.size()) return fail("no such binding");
         const PassBinding& binding = pass_.bindings[node.slot];
-        if ((binding.shape == MemoryShape::buffer) != (node.op == Op::load))
+        if ((binding.shape == MemoryShape::buffer) != (node.op == Op::load || node.op == Op::row_load))
             fail("load from another kind of memory", id);
         if (!is_row(p.types, binding, node.type)) expect_type(id, binding.element, "a load");
         return;
@@ -93,6 +105,10 @@ void Validator::operand_types(ExprId id) {
         if (p.types.scalar_of(type(0)) != p.types.bool_) fail("the condition is not a bool", id);
         if (type(1) != type(2) || type(1) != node.type) fail("a select of two types", id);
         return;
+    case Op::guarded_load:
+        expect_type(node.operands[0], p.types.bool_, "a condition");
+        if (type(1) != type(2)) fail("two types of addresses", id);
+        return expect_type(node.operands[3], node.type, "what is given outside");
     case Op::swizzle:
         for (std::uint32_t i = 0; i < p.types.components(node.type); ++i)
             if (node.lanes[i] >= p.types.components(type(0))) fail("no such component", id);
@@ -105,7 +121,7 @@ void Validator::operand_types(ExprId id) {
         if (!node.places.empty()) fail("a structure is passed in a lowered kernel", id);
         return;
     }
-    default: return;  // told by the target's compiler
+    default: return;  // checked by the target's compiler
     }
 }
 
@@ -135,7 +151,17 @@ void Validator::stmt(const Stmt& stmt) {
     case StmtOp::if_:
     case StmtOp::while_: expect_type(stmt.value, p.types.bool_, "a condition"); break;
     case StmtOp::for_: known_.insert(stmt.local); break;
+    case StmtOp::keep: known_.insert(stmt.local); return;
+    case StmtOp::load_rows:
+        if (stmt.slot >= pass_.bindings.size()) return fail("no such binding");
+        if (p.exprs[stmt.target].op != Op::local) fail("rows are loaded into what is no local array", stmt.target);
+        return;
+    case StmtOp::store_rows:
+        if (stmt.slot >= pass_.bindings.size()) return fail("no such binding");
+        if (pass_.bindings[stmt.slot].access == Access::read) fail("a store to memory that is only read");
+        return;
     case StmtOp::store:
+    case StmtOp::row_store:
     case StmtOp::image_store:
     case StmtOp::atomic:
         if (stmt.slot >= pass_.bindings.size()) return fail("no such binding");
@@ -156,11 +182,20 @@ void Validator::stmt(const Stmt& stmt) {
     body(stmt.otherwise);
 }
 
+void Validator::no_cpu_level(const std::vector<StmtId>& body) {
+    for_each_statement(p, body, [&](const Stmt& stmt) {
+        if (level_of(stmt.op) == Level::cpu) fail("a statement of the host device in a body of shaders");
+    });
+    for_each_expression(p, body, [&](ExprId id) {
+        if (level_of(p.exprs[id].op) == Level::cpu) fail("an operation of the host device in a body of shaders", id);
+    });
+}
+
 /// What a body declares is not known after it.
 void Validator::body(const std::vector<StmtId>& body) {
     auto outer = known_;
     for (StmtId id : body) stmt(p.stmts[id]);
-    // A node seen inside may name what is not known outside.
+    // A node visited inside may use a local that is not in scope outside: check it anew there.
     if (outer.size() != known_.size()) seen_.clear();
     known_ = std::move(outer);
 }
@@ -178,9 +213,7 @@ std::vector<std::string> validate(const Program& program, const Pass& pass, cons
 std::vector<std::string> validate(const Program& program, const Pass& pass) {
     Validator validator(program, pass, Uniforms::moved);
     validator.body(pass.prologue);
-    validator.body(pass.body);
-    validator.body(pass.pair_body);
-    validator.body(pass.interior_body);
+    for (const Variant& variant : pass.variants) validator.variant(variant);
     for (FunctionId id : pass.functions) {
         for (LocalId param : program.functions[id].params) validator.declare(param);
         validator.body(program.functions[id].body);

@@ -1,5 +1,4 @@
-// Checks that a program or pass is well formed: what a stage guarantees the next. A violation is a fault of the
-// compiler.
+// Checks that a program or pass is well formed: the invariants between stages. A violation is a bug of the compiler.
 #pragma once
 
 #include "ir/pass.h"
@@ -9,11 +8,11 @@
 
 namespace gliftc::ir {
 
-/// What is wrong with the lowered pass, a line each; empty: nothing.
+/// Errors in the lowered pass, one a line; empty if it is valid.
 std::vector<std::string> validate(const Program& program, const Pass& pass);
 
-/// The same of statements in the middle of lowering, where uniform leaves are allowed; `declared` are a function's
-/// parameters.
+/// The same for statements during lowering, when uniform expressions may not be parameters yet; `declared` are a
+/// function's parameters.
 std::vector<std::string> validate(const Program& program, const Pass& pass, const std::vector<StmtId>& body,
                                   const std::vector<LocalId>& declared);
 

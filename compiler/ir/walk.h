@@ -39,7 +39,7 @@ template <class Visit> void for_each_node(const Program& program, ExprId id, Vis
     detail::walk_nodes(program, id, seen, visit);
 }
 
-/// The same for those that are not in `seen`, which are then.
+/// The same for nodes that are not in `seen`, and adds them to it.
 template <class Visit> void for_each_node(const Program& program, ExprId id, IdSet<Expr>& seen, Visit&& visit) {
     detail::walk_nodes(program, id, seen, visit);
 }
@@ -68,8 +68,8 @@ template <class Visit> void walk_tree(const Program& program, ExprId id, Visit& 
 }
 }  // namespace detail
 
-/// The same where expressions are trees, as they are once they are lowered: nodes that stand in two places are visited
-/// twice, and none has to be remembered.
+/// The same without a set of visited nodes: a node with two parents is visited twice. For lowered code, where
+/// expressions are trees.
 template <class Visit>
 void for_each_expression_of_trees(const Program& program, const std::vector<StmtId>& body, Visit&& visit) {
     for_each_statement(program, body, [&](const Stmt& stmt) {

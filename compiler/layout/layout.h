@@ -1,5 +1,5 @@
-// layout: sizes, alignments and offsets, decided once and read by every target. Scalar layout: everything is aligned to
-// its largest scalar, as GL_EXT_scalar_block_layout has it and as C++ lays structs out.
+// Sizes, alignments and offsets for all targets. Scalar layout: a type is aligned as its largest scalar, as in
+// GL_EXT_scalar_block_layout and in C++.
 #pragma once
 
 #include "ir/pass.h"
@@ -9,7 +9,7 @@
 
 namespace gliftc::layout {
 
-/// Of a value in memory. bool takes 4 bytes.
+/// Size and alignment of a value in memory. bool takes 4 bytes.
 struct Size {
     std::uint32_t size = 0;
     std::uint32_t align = 1;
@@ -20,7 +20,7 @@ Size size_of(const ir::Program& program, ir::TypeId type);
 /// The byte offset of each field; imported structs keep the offsets that C++ gave them.
 std::vector<std::uint32_t> offsets_of(const ir::Program& program, const ir::Struct& type);
 
-/// Push constants that every device has, in bytes.
+/// Bytes of push constants that every device supports.
 inline constexpr std::uint32_t push_constant_limit = 128;
 
 /// Gives every pass's parameters their offsets and decides where they are passed.

@@ -12,7 +12,7 @@ using namespace ir;
 
 namespace {
 
-/// Places in the body, counted by the statements that are under no condition and in no loop.
+/// Positions in the body, counted in top-level statements: those under no condition and in no loop.
 struct Lifetime {
     std::size_t first = 0, last = 0;
 };
@@ -49,18 +49,18 @@ bool has_barrier_between(const Lifetimes& lifetimes, std::size_t after, std::siz
     return barrier != lifetimes.barriers.end() && *barrier < before;
 }
 
-/// What takes one place, one after the other.
-struct Place {
+/// Arrays that share one allocation, in the order of their lifetimes.
+struct Slot {
     std::vector<LocalId> arrays;
     std::size_t last = 0;
     std::uint32_t bytes = 0;
 };
 
-bool fits(const Program& program, const Lifetimes& lifetimes, const Place& place, LocalId array) {
+bool fits(const Program& program, const Lifetimes& lifetimes, const Slot& slot, LocalId array) {
     const Type &type = program.types[program.locals[array].type],
-               &other = program.types[program.locals[place.arrays.front()].type];
+               &other = program.types[program.locals[slot.arrays.front()].type];
     return type.kind == TypeKind::array && other.kind == TypeKind::array && type.element == other.element &&
-           has_barrier_between(lifetimes, place.last, lifetimes.of.at(array).first);
+           has_barrier_between(lifetimes, slot.last, lifetimes.of.at(array).first);
 }
 
 }  // namespace
@@ -69,23 +69,23 @@ void place_shared(const Program& program, Pass& pass) {
     if (pass.shared.empty()) return;
     Lifetimes lifetimes;
     std::size_t place = 0;
-    find(program, pass.body, place, lifetimes);
+    find(program, pass.plain().body, place, lifetimes);
     std::vector<LocalId> arrays;
     for (LocalId array : pass.shared)
         if (lifetimes.of.contains(array)) arrays.push_back(array);
     std::ranges::stable_sort(arrays, {}, [&](LocalId array) { return lifetimes.of.at(array).first; });
-    std::vector<Place> places;
+    std::vector<Slot> slots;
     for (LocalId array : arrays) {
         auto found = std::ranges::find_if(
-            places, [&](const Place& candidate) { return fits(program, lifetimes, candidate, array); });
-        if (found == places.end()) found = places.emplace(places.end());
+            slots, [&](const Slot& candidate) { return fits(program, lifetimes, candidate, array); });
+        if (found == slots.end()) found = slots.emplace(slots.end());
         found->arrays.push_back(array);
         found->last = lifetimes.of.at(array).last;
         found->bytes = std::max(found->bytes, size_of(program, program.locals[array].type).size);
     }
     pass.shared_places.clear();
     pass.shared_bytes = 0;
-    for (Place& one : places) {
+    for (Slot& one : slots) {
         pass.shared_bytes += one.bytes;
         pass.shared_places.push_back(std::move(one.arrays));
     }

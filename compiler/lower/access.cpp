@@ -1,5 +1,6 @@
 // Reads and writes of elements: the address, the guard, the load or store.
 #include "lower/expand.h"
+#include "lower/memory.h"
 #include "lower/one_place.h"
 
 #include <cstdlib>
@@ -51,7 +52,7 @@ Pair Expander::atomic(const Expr& node) {
     element.op = Op::load;
     element.type = structure.element;
     element.slot = binding(place, structure.via_memory, Access::read_write);
-    element.operands = {index_of(physical.value)};
+    element.operands = {index_of(cx, element.slot, physical.value)};
     cx.pass.bindings[element.slot].atomic = true;
     made.operands[0] = p.exprs.add(std::move(element));
     if (node.type == p.types.void_) {
@@ -67,23 +68,8 @@ Pair Expander::atomic(const Expr& node) {
     return {make.local(before), {}};
 }
 
-/// Texels are addressed by signed numbers.
-ExprId Expander::texel(ExprId physical) {
-    return make.convert(p.types.with_scalar(make.type(physical), p.types.int_), physical);
-}
-
-/// What a buffer is indexed by.
-ExprId Expander::index_of(ExprId physical) { return cx.is_wide() ? make.convert(p.types.uint64, physical) : physical; }
-
 ExprId Expander::load(const Place& place, ExprId physical) {
-    const Structure& structure = cx.structure_at(place);
-    const Memory& memory = structure.memories[structure.via_memory];
-    Expr node;
-    node.op = memory.shape == MemoryShape::buffer ? Op::load : Op::image_load;
-    node.type = memory.element;
-    node.slot = binding(place, structure.via_memory, Access::read);
-    node.operands = {memory.shape == MemoryShape::buffer ? index_of(physical) : texel(physical)};
-    return p.exprs.add(std::move(node));
+    return load_from(cx, binding(place, cx.structure_at(place).via_memory, Access::read), physical);
 }
 
 ExprId Expander::otherwise_of(const Place& place) {
@@ -101,26 +87,23 @@ ExprId Expander::otherwise_around(const Place& place) {
     return make.select(make.local(cx.pass.in_range), otherwise, make.zero(make.type(otherwise)));
 }
 
-/// The element where `guard` and the translation's own condition hold, else `otherwise`. Numbers and vectors are loaded
-/// without a branch, from `other_address` where the guard fails; it must lie in the memory.
-ExprId Expander::guarded_load(const Place& place, const Pair& physical, ExprId guard, ExprId other_address,
+/// The element where `guard` and the translation's own condition hold, else `otherwise`. `safe_address` must lie in the
+/// memory; without one it is zero.
+ExprId Expander::guarded_load(const Place& place, const Pair& physical, ExprId guard, ExprId safe_address,
                               ExprId otherwise, const std::string& name) {
     ExprId condition = make.both(guard, physical.has);
     if (!condition || make.is_true(condition)) return load(place, physical.value);
     if (make.is_false(condition)) return otherwise;
-    TypeId element = cx.structure_at(place).element;
-    if (p.types.is_scalar(element) || p.types.is_vector(element)) {
-        condition = named(name + "_inside", condition);
-        ExprId other = other_address ? other_address : make.zero(make.type(physical.value));
-        // Locals on both sides, so that no branch is made of the choice.
-        ExprId at =
-            is_trivial(cx, physical.value) ? physical.value : make.local(let(name + "_at", physical.value, span_));
-        ExprId value = make.local(let(name, load(place, make.select(condition, at, other)), span_));
-        return make.select(condition, value, otherwise);
-    }
-    LocalId value = variable(name, element, otherwise);
-    append_if(condition, collect([&] { assign(value, load(place, physical.value)); }), {});
-    return make.local(value);
+    condition = named(name + "_inside", condition);
+    const ExprId at =
+        is_trivial(cx, physical.value) ? physical.value : make.local(let(name + "_at", physical.value, span_));
+    const Structure& structure = cx.structure_at(place);
+    Expr node;
+    node.op = Op::guarded_load;
+    node.type = structure.element;
+    node.slot = binding(place, structure.via_memory, Access::read);
+    node.operands = {condition, at, safe_address ? safe_address : make.zero(make.type(at)), otherwise};
+    return make.local(let(name, p.exprs.add(std::move(node)), span_));
 }
 
 ExprId Expander::view(const Place& place, ExprId address) {
@@ -130,7 +113,7 @@ ExprId Expander::view(const Place& place, ExprId address) {
     frame.prefix = cx.name_of(place);
     std::vector<Pair> arguments{{address, {}}};
     return within([&] {
-        if (is_inlinable(structure.at)) return inlined(structure.at, std::move(arguments), std::move(frame)).value;
+        if (inline_sizes_.of(structure.at)) return inlined(structure.at, std::move(arguments), std::move(frame)).value;
         return call_instance(structure.at, std::move(arguments), std::move(frame)).value;
     });
 }
@@ -273,12 +256,12 @@ ExprId Expander::neighbour(const Place& place, const std::vector<std::int64_t>& 
 
 void Expander::store(const Place& place, const Pair& physical, ExprId guard, const Stmt& stmt, ExprId value) {
     const Structure& structure = cx.structure_at(place);
-    const Memory& memory = structure.memories[structure.via_memory];
-    bool is_buffer = memory.shape == MemoryShape::buffer, is_atomic = stmt.combine != Combine::replace;
+    const bool is_buffer = structure.memories[structure.via_memory].shape == MemoryShape::buffer;
+    const bool is_atomic = stmt.combine != Combine::replace;
     Stmt made = statement(is_atomic ? StmtOp::atomic : is_buffer ? StmtOp::store : StmtOp::image_store, stmt.span);
     made.slot = binding(place, structure.via_memory, is_atomic ? Access::read_write : Access::write);
     if (is_atomic) cx.pass.bindings[made.slot].atomic = true;
-    made.target = is_buffer ? index_of(physical.value) : texel(physical.value);
+    made.target = index_of(cx, made.slot, physical.value);
     made.value = value;
     made.combine = stmt.combine;
     ExprId condition = make.both(guard, physical.has);

@@ -126,6 +126,7 @@ std::optional<std::uint64_t> Degrees::index_of(const Expr& node) {
     return at[0].value;
 }
 
+// long: a case for each operation
 Parts Degrees::of(ExprId id) {
     const Expr& node = p.exprs[id];
     switch (node.op) {
@@ -175,6 +176,7 @@ Parts Degrees::of(ExprId id) {
     case Op::state:
     case Op::member:
     case Op::memory_extent:
+    case Op::host_state:
     case Op::domain:
     case Op::none: return all(node.type, Degree::uniform);
     case Op::unary:

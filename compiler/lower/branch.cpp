@@ -76,7 +76,10 @@ private:
         }
         settle(pass.address);
         settle(pass.in_range);
-        for (auto* body : {&pass.prologue, &pass.body, &pass.pair_body, &pass.interior_body}) settle_all(*body);
+        for (auto* body : bodies_of(pass)) settle_all(*body);
+        for (Variant& variant : pass.variants)
+            for (Bounds& bounds : variant.assumes.bounds)
+                for (ExprId* part : {&bounds.value, &bounds.low, &bounds.high}) settle(*part);
         settle_all(pass.functions);
         settle_all(pass.shared);
         settle_all(pass.params);

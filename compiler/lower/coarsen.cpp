@@ -1,5 +1,6 @@
 #include "lower/coarsen.h"
 
+#include "ir/effects.h"
 #include "ir/walk.h"
 #include "lower/dispatch.h"
 #include "lower/number.h"
@@ -20,10 +21,6 @@ bool is_store(const Stmt& stmt) { return stmt.op == StmtOp::store || stmt.op == 
 bool has_store(const Program& program, const Stmt& stmt) {
     const auto has = [&](StmtId id) { return has_store(program, program.stmts[id]); };
     return is_store(stmt) || std::ranges::any_of(stmt.body, has) || std::ranges::any_of(stmt.otherwise, has);
-}
-
-bool is_load(const Expr& node) {
-    return node.op == Op::load || node.op == Op::image_load || node.op == Op::image_sample;
 }
 
 /// A loop is work enough, and devices bound the rounds of an invocation.
@@ -101,7 +98,7 @@ private:
 
     void visit(const Expr& node) {
         ++nodes_;
-        loads_ += is_load(node);
+        loads_ += is_load(node.op);
         fits_ = fits_ && node.op != Op::builtin;
         if (node.op == Op::call) fits_ = fits_ && !writes_what_it_reads() && !has_loop(cx.p, node.function);
     }
@@ -189,7 +186,7 @@ public:
         result_.insert(result_.end(), stores.begin(), stores.end());
         if (shares) next_stores = {where_there_is_one(next_stores)};
         result_.insert(result_.end(), next_stores.begin(), next_stores.end());
-        return {std::move(result_), second.of(in_range_condition(cx))};
+        return {std::move(result_), second.of(in_range_condition(cx)), elements_};
     }
 
     Coarsened run_in_turn(const std::vector<StmtId>& body) {
@@ -198,7 +195,7 @@ public:
         std::vector<StmtId> again;
         for (StmtId id : body) again.push_back(second.of(id));
         result_.push_back(where_there_is_one(again));
-        return {std::move(result_), second.of(in_range_condition(cx))};
+        return {std::move(result_), second.of(in_range_condition(cx)), elements_};
     }
 
 private:
@@ -216,10 +213,10 @@ private:
     ExprId next_address() {
         const ExprId address = cx.make.local(cx.pass.address);
         if (cx.pass.rank == 1) {
-            cx.pass.taken = {2, 1, 1};
+            elements_ = {2, 1, 1};
             return next_of("next", address, cx.pass.group[0], cx.size);
         }
-        cx.pass.taken = {1, 2, 1};
+        elements_ = {1, 2, 1};
         Operands parts;
         for (std::uint32_t axis = 0; axis < cx.pass.rank; ++axis) parts.push_back(cx.make.component(address, axis));
         parts[1] = next_of("next_y", parts[1], 1, cx.make.component(cx.size, 1));
@@ -291,6 +288,7 @@ private:
     Context& cx;
     std::vector<StmtId> result_;
     ExprId has_next_;
+    std::array<std::uint32_t, 3> elements_{};
     bool ends_in_stores_ = true;  ///< no other statement follows a store
 };
 
@@ -302,5 +300,9 @@ Coarsened coarsened(Context& cx, const std::vector<StmtId>& body, const Expander
 }
 
 Coarsened coarsened_in_turn(Context& cx, const std::vector<StmtId>& body) { return Coarsening(cx).run_in_turn(body); }
+
+bool is_coarsened(const Pass& pass) {
+    return variant_for(pass, Devices::shaders).assumes.elements != pass.plain().assumes.elements;
+}
 
 }  // namespace gliftc::lower

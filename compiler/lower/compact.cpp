@@ -63,10 +63,10 @@ private:
     void for_each_root(std::span<Pass* const> passes, VisitExpr&& expr, VisitBody&& body) {
         for (Pass* pass : passes) {
             for (PassParameter& parameter : pass->parameters) expr(parameter.value);
-            body(pass->prologue);
-            body(pass->body);
-            body(pass->pair_body);
-            body(pass->interior_body);
+            for (auto* each : bodies_of(*pass)) body(*each);
+            for (Variant& variant : pass->variants)
+                for (Bounds& bounds : variant.assumes.bounds)
+                    for (ExprId* part : {&bounds.value, &bounds.low, &bounds.high}) expr(*part);
         }
         for (std::uint32_t i = mark_.functions; i < p.functions.size(); ++i) body(p.functions[{i}].body);
     }

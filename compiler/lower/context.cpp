@@ -97,8 +97,10 @@ bool is_uniform_node(Context& cx, const Expr& node) {
             if (!is_uniform(cx, operand)) return false;
         return true;
 #define STRUCTURE_OPERATION(name) case Op::name:
+#define GUARDED_OPERATION(name) case Op::name:
 #define HOST_OPERATION(name) case Op::name:
 #define MEMORY_OPERATION(name) case Op::name:
+#define CPU_OPERATION(name) case Op::name:
 #include "ir/operations.def"
         return false;
     }
@@ -121,6 +123,7 @@ bool is_trivial(const Context& cx, ExprId id) {
     case Op::parameter:
     case Op::member:
     case Op::memory_extent:
+    case Op::host_state:
     case Op::domain:
     case Op::builtin: return true;
     case Op::local: return !cx.p.locals[node.local].is_mutable;

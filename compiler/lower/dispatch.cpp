@@ -8,7 +8,7 @@ void choose_dispatch(Context& cx) {
     const Kernel& kernel = cx.kernel;
     cx.pass.rank = cx.p.types.components(kernel.domain_type);
     cx.pass.items = kernel.items;
-    cx.pass.taken = {kernel.items, 1, 1};
+    cx.pass.plain().assumes.elements = {kernel.items, 1, 1};
     if (kernel.grouped()) {
         cx.pass.group = kernel.group;
         for (std::uint32_t& width : cx.pass.group) width = std::max(width, 1u);
@@ -36,25 +36,25 @@ ExprId in_range_condition(Context& cx) {
 
 namespace {
 
-/// More groups than a device allows along x are folded into rows of groups.
-ExprId line_address(Context& cx) {
+/// Elements that are not consecutive lie a workgroup apart. More groups than a device allows along x are folded into
+/// rows of groups.
+ExprId line_address(Context& cx, std::uint32_t elements) {
     Make& make = cx.make;
     const TypeId uint3 = cx.p.types.vector(cx.p.types.uint, 3);
     auto part = [&](Builtin of, std::uint32_t axis) { return make.component(make.builtin(of, uint3), axis); };
     const ExprId groups = part(Builtin::group_count, 0), width = make.uint(cx.pass.group[0]);
-    if (cx.pass.pair_body.empty()) {
+    if (elements == cx.pass.items) {
         const ExprId row = make.multiply(groups, width);
         const ExprId invocation =
             make.add(make.multiply(part(Builtin::global_id, 1), row), part(Builtin::global_id, 0));
         return make.multiply(invocation, make.uint(cx.pass.items));
     }
     const ExprId group = make.add(make.multiply(part(Builtin::group_id, 1), groups), part(Builtin::group_id, 0));
-    return make.add(make.multiply(group, make.multiply(width, make.uint(cx.pass.taken[0]))),
-                    part(Builtin::local_id, 0));
+    return make.add(make.multiply(group, make.multiply(width, make.uint(elements))), part(Builtin::local_id, 0));
 }
 
 /// The first of the elements that an invocation takes, along as many axes as the vector has.
-ExprId invocation_address(Context& cx, TypeId type) {
+ExprId invocation_address(Context& cx, TypeId type, const std::array<std::uint32_t, 3>& elements) {
     Make& make = cx.make;
     const std::uint32_t axes = cx.p.types.components(type);
     const TypeId uint3 = cx.p.types.vector(cx.p.types.uint, 3);
@@ -68,10 +68,10 @@ ExprId invocation_address(Context& cx, TypeId type) {
         both.operands = {id};
         id = cx.p.exprs.add(std::move(both));
     }
-    if (cx.pass.taken == std::array{1u, 1u, 1u}) return id;
-    Operands taken;
-    for (std::uint32_t axis = 0; axis < axes; ++axis) taken.push_back(make.uint(cx.pass.taken[axis]));
-    return make.multiply(id, make.construct(type, std::move(taken)));
+    if (elements == std::array{1u, 1u, 1u}) return id;
+    Operands counts;
+    for (std::uint32_t axis = 0; axis < axes; ++axis) counts.push_back(make.uint(elements[axis]));
+    return make.multiply(id, make.construct(type, std::move(counts)));
 }
 
 }  // namespace
@@ -79,6 +79,7 @@ ExprId invocation_address(Context& cx, TypeId type) {
 std::vector<StmtId> dispatch_prologue(Context& cx) {
     Make& make = cx.make;
     const TypeId uint3 = cx.p.types.vector(cx.p.types.uint, 3), type = cx.kernel.domain_type;
+    const std::array<std::uint32_t, 3>& elements = variant_for(cx.pass, Devices::shaders).assumes.elements;
     std::vector<StmtId> result;
     auto let = [&](LocalId local, ExprId value) {
         Stmt stmt = statement(StmtOp::let, cx.kernel.span);
@@ -88,12 +89,12 @@ std::vector<StmtId> dispatch_prologue(Context& cx) {
     };
     ExprId address;
     if (cx.pass.rank == 1) {
-        address = line_address(cx);
+        address = line_address(cx, elements[0]);
     } else if (cx.pass.rank < 4) {
-        address = invocation_address(cx, type);
+        address = invocation_address(cx, type, elements);
     } else {
         const LocalId id = cx.new_local("id", uint3, cx.kernel.span);
-        let(id, invocation_address(cx, uint3));
+        let(id, invocation_address(cx, uint3, elements));
         const auto part = [&](std::uint32_t axis) { return make.component(make.local(id), axis); };
         ExprId depth = make.component(cx.size, 2);
         address = make.construct(type, {part(0), part(1), make.binary(BinaryOp::remainder, part(2), depth),

@@ -1,14 +1,16 @@
 // From structures to memory: makes the body of a kernel that speaks of loads and stores only.
 //
-// Needs: a checked kernel. Guarantees: no high-level operation is left; near offsets are constants inside the radius;
-// every access that could leave a structure is guarded; optionals are pairs (has, value) wherever they need no storage;
-// functions are inlined where that is straight-line code. Values are shared by node, so a body is a graph until share.h
-// has named what is used twice.
+// Needs: a checked kernel. Guarantees: no operation of structures is left; near offsets are constants inside the
+// radius; every load that could leave a structure is a guarded_load, every such store under a branch; optionals are
+// pairs (has, value) wherever they need no storage; functions are inlined where that is straight-line code. Values are
+// shared by node, so a body is a graph until share.h has named what is used twice.
 #pragma once
 
 #include "ir/empty.h"
 #include "lower/context.h"
+#include "lower/inline_size.h"
 #include "lower/number.h"
+#include "lower/tree_size.h"
 
 #include <optional>
 
@@ -18,6 +20,14 @@ namespace gliftc::lower {
 struct Pair {
     ExprId value;
     ExprId has;
+};
+
+/// Nodes that a kernel may become: ten times what the library's largest has.
+constexpr std::uint32_t most_nodes = 1u << 19;
+
+/// Expanding a kernel has made more.
+struct KernelTooLarge {
+    Span span;  ///< the statement that it was at
 };
 
 /// Whether near accesses check that they stay in the domain: interior bodies know it.
@@ -103,12 +113,12 @@ private:
     Pair expand_group_call(const ir::Expr& node);
     ExprId known_call(const ir::Expr& node, const std::vector<Pair>& arguments);
     Pair inlined(ir::FunctionId function, std::vector<Pair> arguments, Frame frame);
+    Pair bounded(const std::string& name, Pair pair);
     Pair run(const std::vector<StmtId>& body);
     Pair run_returning_if(const ir::Stmt& stmt, const std::vector<StmtId>& rest);
     void run_if(const ir::Stmt& stmt);
     void run_assign(const ir::Stmt& stmt);
     ExprId replaced(ExprId target, ExprId value);
-    bool is_inlinable(ir::FunctionId function);
     Pair merged(ExprId condition, Block yes, Pair a, Block no, Pair b, TypeId type);
     bool is_speculatable(const Block& block);
 
@@ -116,6 +126,7 @@ private:
     Pair call_instance(ir::FunctionId function, std::vector<Pair> arguments, Frame frame);
     ir::FunctionId instance(ir::FunctionId function, Frame frame);
     bool sees_window(ir::FunctionId function);
+    bool has_long_zero(ir::FunctionId function);
     /// Where the current element is, and what has been worked out about it.
     struct Current {
         LocalId address, in_range;
@@ -156,7 +167,7 @@ private:
     ExprId read(const ir::Place& place, ExprId address, const std::string& name);
     ExprId view(const ir::Place& place, ExprId address);
     ExprId view_around(const ir::Place& place, ExprId address);
-    ExprId guarded_load(const ir::Place& place, const Pair& physical, ExprId guard, ExprId other_address,
+    ExprId guarded_load(const ir::Place& place, const Pair& physical, ExprId guard, ExprId safe_address,
                         ExprId otherwise, const std::string& name);
     ExprId load(const ir::Place& place, ExprId physical);
     ExprId otherwise_of(const ir::Place& place);
@@ -167,8 +178,6 @@ private:
     Pair atomic(const ir::Expr& node);
     bool is_coherent(const ir::Place& place) const;
     std::uint32_t binding(const ir::Place& place, std::uint32_t memory, ir::Access access);
-    ExprId texel(ExprId physical);
-    ExprId index_of(ExprId physical);
     std::optional<std::vector<std::int64_t>> offset_of(const ir::Expr& node);
     ExprId near_guard(std::uint32_t root, const std::vector<std::int64_t>& offset);
     void note_near_guard(std::uint32_t root);
@@ -226,6 +235,7 @@ private:
     std::uint32_t canonical_root(std::uint32_t root) const;
     ExprId named(const std::string& name, ExprId value);  ///< a let, unless trivial
     void note_name(ExprId value, Name name);              ///< which the source gives it
+    ExprId guarded_load_of(ExprId value) const;
     LocalId let(const std::string& name, ExprId value, Span span);
     LocalId variable(const std::string& name, TypeId type, ExprId value);
     void assign(LocalId local, ExprId value);
@@ -260,8 +270,9 @@ private:
     Span span_;                   ///< of the statement being expanded
     std::unordered_map<std::uint32_t, Pair> centres_;
     std::unordered_map<std::uint32_t, ExprId> addresses_;
-    std::unordered_map<ir::FunctionId, bool> inlinable_;
-    std::unordered_map<ir::FunctionId, bool> windows_;
+    InlineSizes inline_sizes_{cx.p};
+    TreeSizes tree_sizes_{cx};
+    std::unordered_map<ir::FunctionId, bool> windows_, long_zeros_;
     std::unordered_map<StmtId, bool> returning_;
     std::vector<AddressForm::Naming>* namings_ = nullptr;  ///< of the form that is being found
     std::vector<ExprId> made_again_;                       ///< for each node of a form

@@ -42,8 +42,16 @@ ExprId Expander::named(const std::string& name, ExprId value) {
 }
 
 void Expander::note_name(ExprId value, Name name) {
+    if (const ExprId load = guarded_load_of(value)) value = load;
     if (namings_ != nullptr) namings_->push_back({value, name, !frame_->prefix.empty()});
     else cx.name(value, prefixed((*p.names)[name]));
+}
+
+/// The guarded_load that a local holds, if it does.
+ExprId Expander::guarded_load_of(ExprId value) const {
+    const Expr& node = p.exprs[value];
+    const ExprId* definition = node.op == Op::local ? cx.definitions.find(node.local) : nullptr;
+    return definition != nullptr && p.exprs[*definition].op == Op::guarded_load ? *definition : ExprId{};
 }
 
 LocalId Expander::variable(const std::string& name, TypeId type, ExprId value) {
@@ -98,7 +106,9 @@ ExprId Expander::stored(const Pair& pair, TypeId type) {
     return make.select(pair.has, p.exprs.add(std::move(some)), make.zero(type));
 }
 
+// long: a case for each operation
 Pair Expander::expand(ExprId id) {
+    if (p.exprs.size() - cx.first_expr.index > most_nodes) throw KernelTooLarge{span_};
     const Expr& node = p.exprs[id];
     const bool has_effect = node.op == Op::call && p.functions[node.function].grouped();
     if (is_empty(p, node.type) && !has_effect) return {make.zero(node.type), {}};
@@ -132,6 +142,7 @@ Pair Expander::expand(ExprId id) {
         return expand_again(id, node);
     case Op::sample: return {sample(node), {}};
     case Op::member: return {expand_member(node), {}};
+    case Op::host_state:
     case Op::memory_extent: {
         Expr extent = node;
         extent.place = canonical(resolved(node.place));
@@ -165,6 +176,8 @@ Pair Expander::expand(ExprId id) {
 #include "ir/operations.def"
         return {id, {}};
 #define HOST_OPERATION(name) case Op::name:
+#define GUARDED_OPERATION(name) case Op::name:
+#define CPU_OPERATION(name) case Op::name:
 #include "ir/operations.def"
         misplaced(node.op, "lower");
     }

@@ -77,20 +77,12 @@ void Expander::expand_statement(StmtId id) {
     case StmtOp::set_element: set_element(stmt); break;
     case StmtOp::write: write(stmt); break;
 #define HOST_STATEMENT(name) case StmtOp::name:
+#define CPU_STATEMENT(name) case StmtOp::name:
 #include "ir/statements.def"
         misplaced(stmt.op, "lower");
     }
     span_ = outer;
 }
-
-namespace {
-
-bool has_array_beyond_unrolling(const Program& p, TypeId type) {
-    if (p.types.kind(type) != TypeKind::array) return false;
-    return p.types[type].count > unroll_limit || has_array_beyond_unrolling(p, p.types[type].element);
-}
-
-}  // namespace
 
 void Expander::zero_by_loops(const std::string& name, ExprId target) {
     const TypeId type = make.type(target);
@@ -131,6 +123,11 @@ void Expander::expand_let(const Stmt& stmt) {
         frame_->locals[stmt.local] = {value, {}};
         return;
     }
+    if (!local.is_mutable && value && guarded_load_of(value)) {
+        note_name(value, local.name);
+        frame_->locals[stmt.local] = {value, {}};
+        return;
+    }
     if (!local.is_mutable && value) {
         frame_->locals[stmt.local] = {make.local(let(name, value, local.span)), {}};
         return;
@@ -138,7 +135,7 @@ void Expander::expand_let(const Stmt& stmt) {
     const ExprId made = make.local(variable(name, local.type, value));
     frame_->locals[stmt.local] = {made, {}};
     // As one value it would be a store of each element: drivers take long over so many, Mesa's llvmpipe 2 s over 256.
-    if (!value && has_array_beyond_unrolling(p, local.type)) {
+    if (!value && is_long_array(p, local.type)) {
         p.stmts[out_->back()].uninitialized = true;
         zero_by_loops(name + "_at", made);
     }

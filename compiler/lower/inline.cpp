@@ -1,3 +1,4 @@
+#include "ir/effects.h"
 #include "ir/walk.h"
 #include "lower/expand.h"
 #include "lower/unroll.h"
@@ -10,71 +11,9 @@ using namespace ir;
 
 namespace {
 
-constexpr std::size_t inline_limit = 4000;  ///< nodes that inlining one call may make, loops unrolled
-constexpr std::uint64_t inline_rounds = 64;
 constexpr std::size_t plain_call_limit = 40;  ///< nodes of a user's function that is not worth a call
 constexpr unsigned depth_limit = 64;
-
-/// Whether an index of an assignment's target is known when the function is inlined: constants and loop variables.
-bool is_known_index(const Program& p, ExprId id, const std::vector<LocalId>& loops) {
-    bool known = true;
-    for_each_node(p, id, [&](ExprId part) {
-        const Expr& node = p.exprs[part];
-        if (node.op == Op::local) {
-            bool is_loop = false;
-            for (LocalId loop : loops) is_loop = is_loop || loop == node.local;
-            known = known && is_loop;
-        } else if (node.op != Op::constant && node.op != Op::binary && node.op != Op::convert && node.op != Op::unary) {
-            known = false;
-        }
-    });
-    return known;
-}
-
-bool has_known_target(const Program& p, ExprId target, const std::vector<LocalId>& loops) {
-    const Expr& node = p.exprs[target];
-    if (node.op == Op::local) return true;
-    if (node.op == Op::index && !is_known_index(p, node.operands[1], loops)) return false;
-    return has_known_target(p, node.operands[0], loops);
-}
-
-/// The nodes that running `body` symbolically makes; nothing if it cannot be run so.
-std::optional<std::size_t> straight_size(const Program& p, const std::vector<StmtId>& body,
-                                         std::vector<LocalId>& loops) {
-    std::size_t size = 0;
-    for (StmtId id : body) {
-        const Stmt& stmt = p.stmts[id];
-        for_each_root(stmt, [&](ExprId root) { for_each_node(p, root, [&](ExprId) { ++size; }); });
-        switch (stmt.op) {
-        case StmtOp::let:
-        case StmtOp::return_: break;
-        case StmtOp::assign:
-            if (!has_known_target(p, stmt.target, loops)) return std::nullopt;
-            break;
-        case StmtOp::if_:
-        case StmtOp::block: {
-            auto yes = straight_size(p, stmt.body, loops), no = straight_size(p, stmt.otherwise, loops);
-            if (!yes || !no) return std::nullopt;
-            size += *yes + *no;
-            break;
-        }
-        case StmtOp::for_: {
-            auto rounds = rounds_of(p, stmt.value, stmt.limit);
-            if (!rounds || rounds->count > inline_rounds || leaves_loop(p, stmt.body) || returns(p, stmt.body))
-                return std::nullopt;
-            loops.push_back(stmt.local);
-            auto inner = straight_size(p, stmt.body, loops);
-            loops.pop_back();
-            if (!inner) return std::nullopt;
-            size += *inner * static_cast<std::size_t>(rounds->count);
-            break;
-        }
-        default: return std::nullopt;
-        }
-        if (size > inline_limit) return std::nullopt;
-    }
-    return size;
-}
+constexpr std::uint32_t largest_tree = 1024;  ///< nodes of a value that stays without a local, each use counted
 
 bool is_short(const Program& p, const Function& function) {
     std::size_t size = 0;
@@ -87,15 +26,6 @@ bool is_short(const Program& p, const Function& function) {
 }
 
 }  // namespace
-
-bool Expander::is_inlinable(FunctionId id) {
-    if (auto found = inlinable_.find(id); found != inlinable_.end()) return found->second;
-    std::vector<LocalId> loops;
-    const Function& function = p.functions[id];
-    bool result = function.extern_name.empty() && straight_size(p, function.body, loops).has_value();
-    inlinable_.emplace(id, result);
-    return result;
-}
 
 /// A function with a workgroup becomes statements here: barriers and workgroup memory are the kernel's.
 Pair Expander::expand_group_call(const Expr& node) {
@@ -180,9 +110,16 @@ Pair Expander::expand_call(const Expr& node) {
     if (!function.structures.empty() || frame_->stage != nullptr) frame.prefix = frame_->prefix;
     bool wanted = is_optional || !function.structures.empty() || frame_->stage != nullptr || !frame_->prefix.empty() ||
                   is_short(p, function);
-    if (wanted && depth_ < depth_limit && is_inlinable(node.function))
+    if (wanted && depth_ < depth_limit && inline_sizes_.of(node.function))
         return inlined(node.function, std::move(arguments), std::move(frame));
     return call_instance(node.function, std::move(arguments), std::move(frame));
+}
+
+/// A value that is used again and again may double each time: beyond a size it gets a local.
+Pair Expander::bounded(const std::string& name, Pair pair) {
+    if (pair.value && tree_sizes_.of(pair.value) > largest_tree) pair.value = named(name, pair.value);
+    if (pair.has && tree_sizes_.of(pair.has) > largest_tree) pair.has = named(name + "_found", pair.has);
+    return pair;
 }
 
 Pair Expander::inlined(FunctionId id, std::vector<Pair> arguments, Frame frame) {
@@ -193,12 +130,12 @@ Pair Expander::inlined(FunctionId id, std::vector<Pair> arguments, Frame frame) 
         const std::string name = prefixed((*p.names)[p.locals[function.params[i]].name]);
         if (!numbers_.is_pure(argument.value)) argument.value = named(name, argument.value);
         if (argument.has && !numbers_.is_pure(argument.has)) argument.has = named(name + "_found", argument.has);
-        frame.locals[function.params[i]] = argument;
+        frame.locals[function.params[i]] = bounded(name, argument);
     }
     ++depth_;
     Pair result = inside(std::move(frame), [&] { return run(function.body); });
     --depth_;
-    return result;
+    return bounded(prefixed((*p.names)[function.name]), result);
 }
 
 /// Runs statements on values instead of locals; the value of the return that is reached, or an absent one.
@@ -213,7 +150,7 @@ Pair Expander::run(const std::vector<StmtId>& body) {
                          : is_optional ? of_optional(make.zero(type))
                                        : Pair{make.zero(type), {}};
             note_name(value.value, p.locals[stmt.local].name);
-            frame_->locals[stmt.local] = value;
+            frame_->locals[stmt.local] = bounded(prefixed((*p.names)[p.locals[stmt.local].name]), value);
             break;
         }
         case StmtOp::assign: run_assign(stmt); break;
@@ -237,7 +174,7 @@ Pair Expander::run(const std::vector<StmtId>& body) {
             }
             break;
         }
-        default: break;  // is_inlinable has seen to it
+        default: break;  // InlineSizes has seen to it
         }
     }
     return {};
@@ -286,7 +223,9 @@ void Expander::run_if(const Stmt& stmt) {
         Pair a = *after_yes.find(local), b = *after_no.find(local);
         // The statements go with the first local; what they declare is used by all only if they are not conditional.
         if (is_speculatable(yes) && is_speculatable(no)) {
-            frame_->locals[local] = merged(condition, std::move(yes), a, std::move(no), b, p.locals[local].type);
+            frame_->locals[local] =
+                bounded(prefixed((*p.names)[p.locals[local].name]),
+                        merged(condition, std::move(yes), a, std::move(no), b, p.locals[local].type));
             yes.clear();
             no.clear();
             continue;
@@ -321,11 +260,11 @@ void Expander::run_assign(const Stmt& stmt) {
     Pair value = expand(stmt.value);
     if (root == stmt.target) {
         note_name(value.value, p.locals[local].name);
-        frame_->locals[local] = value;
+        frame_->locals[local] = bounded(prefixed((*p.names)[p.locals[local].name]), value);
         return;
     }
     ExprId whole = replaced(stmt.target, stored(value, make.type(stmt.target)));
-    frame_->locals[local] = {whole, {}};
+    frame_->locals[local] = bounded(prefixed((*p.names)[p.locals[local].name]), {whole, {}});
 }
 
 /// The value of the target's local after the part that `target` names has become `value`.
@@ -362,7 +301,7 @@ bool Expander::is_speculatable(const Block& block) {
         bool pure = true;
         for_each_node(p, stmt.value, [&](ExprId part) {
             Op op = p.exprs[part].op;
-            pure = pure && op != Op::load && op != Op::image_load && op != Op::image_sample && op != Op::call;
+            pure = pure && !is_load(op) && op != Op::call;
         });
         pure = pure && numbers_.is_pure(stmt.value);
         if (!pure) return false;

@@ -2,6 +2,7 @@
 #include "lower/expand.h"
 
 #include "ir/walk.h"
+#include "lower/unroll.h"
 
 namespace gliftc::lower {
 
@@ -17,6 +18,21 @@ bool Expander::sees_window(FunctionId function) {
     });
     windows_.emplace(function, sees);
     return sees;
+}
+
+/// Whether the function declares a long array that begins as zero, itself or by what it calls: a loop makes it so.
+bool Expander::has_long_zero(FunctionId function) {
+    if (auto found = long_zeros_.find(function); found != long_zeros_.end()) return found->second;
+    bool has = false;
+    for_each_statement(p, p.functions[function].body, [&](const Stmt& stmt) {
+        has = has || (stmt.op == StmtOp::let && !stmt.value && is_long_array(p, p.locals[stmt.local].type));
+    });
+    for_each_expression(p, p.functions[function].body, [&](ExprId id) {
+        const Expr& node = p.exprs[id];
+        has = has || (node.op == Op::call && has_long_zero(node.function));
+    });
+    long_zeros_.emplace(function, has);
+    return has;
 }
 
 Pair Expander::call_instance(FunctionId function, std::vector<Pair> arguments, Frame frame) {
@@ -61,7 +77,7 @@ void Expander::leave_window(Function& made, Current outer) {
 FunctionId Expander::instance(FunctionId id, Frame frame) {
     const Function original = p.functions[id];
     // Without structures or state there is nothing to put in: all passes share the function as it is.
-    if (frame.places.empty() && frame.stage == nullptr) return id;
+    if (frame.places.empty() && frame.stage == nullptr && !has_long_zero(id)) return id;
     FunctionKey key{id, {}, {}};
     auto path = [](const Place& place) {
         std::vector<std::uint32_t> numbers{place.root};
@@ -78,9 +94,11 @@ FunctionId Expander::instance(FunctionId id, Frame frame) {
     if (auto found = cx.instances.find(key); found != cx.instances.end()) return found->second;
 
     Function made = original;
-    const Place& owner = frame.stage != nullptr ? frame.structure : frame.places[0];
     frame.prefix.clear();
-    made.name = p.names->intern(cx.name_of(owner) + "_" + (*p.names)[original.name]);
+    if (frame.stage != nullptr || !frame.places.empty()) {
+        const Place& owner = frame.stage != nullptr ? frame.structure : frame.places[0];
+        made.name = p.names->intern(cx.name_of(owner) + "_" + (*p.names)[original.name]);
+    }
     made.structures.clear();
     made.params.clear();
     frame.result = original.result;

@@ -157,7 +157,7 @@ void add_files(const Program& program, const Pass& pass, std::vector<std::uint32
             if (std::find(files.begin(), files.end(), stmt.span.file) == files.end()) files.push_back(stmt.span.file);
         });
     };
-    add(pass.body);
+    add(pass.plain().body);
     for (FunctionId function : pass.functions) add(program.functions[function].body);
 }
 
@@ -188,12 +188,9 @@ bool has_reports(const Program& program, const std::vector<StmtId>& body) {
 }  // namespace
 
 void summarize(Context& cx) {
-    cx.pass.loop_rounds = Loops(cx).rounds(cx.pass.pair_body.empty() ? cx.pass.body : cx.pass.pair_body);
-    add_functions(cx, cx.pass.prologue);
-    add_functions(cx, cx.pass.body);
-    add_functions(cx, cx.pass.pair_body);
-    add_functions(cx, cx.pass.interior_body);
-    cx.pass.has_reports = has_reports(cx.p, cx.pass.body);
+    cx.pass.loop_rounds = Loops(cx).rounds(variant_for(cx.pass, Devices::shaders).body);
+    for (const auto* body : bodies_of(cx.pass)) add_functions(cx, *body);
+    cx.pass.has_reports = has_reports(cx.p, cx.pass.plain().body);
     for (FunctionId function : cx.pass.functions)
         cx.pass.has_reports = cx.pass.has_reports || has_reports(cx.p, cx.p.functions[function].body);
     for (const PassBinding& binding : cx.pass.bindings) cx.pass.exact = cx.pass.exact && !rounds_freely(binding.format);

@@ -307,6 +307,7 @@ std::optional<ExprId> Make::constant_binary(const Expr& node, ExprId left, ExprI
     return make(std::move(made));
 }
 
+// long: a case for each operation
 ExprId Make::again(const Expr& node, Operands operands) {
     switch (node.op) {
     case Op::binary:

@@ -1,5 +1,6 @@
 #include "lower/number.h"
 
+#include "ir/effects.h"
 #include "ir/walk.h"
 
 #include <algorithm>
@@ -12,7 +13,8 @@ using namespace ir;
 namespace {
 
 bool has_effect(const Pass& pass, const Expr& node) {
-    if (node.op == Op::load) return pass.bindings[node.slot].coherent;  // each one may see something else
+    if (node.op == Op::load || node.op == Op::guarded_load)
+        return pass.bindings[node.slot].coherent;  // each one may see something else
     if (node.op != Op::intrinsic) return false;
     std::string_view signature = signature_of(node.intrinsic);
     return signature[0] == '@' || signature.back() == '*';
@@ -35,7 +37,7 @@ std::uint8_t Numbers::find_traits(ExprId id) {
         const Local& local = cx.p.locals[node.local];
         if (local.is_mutable || local.storage == Storage::shared) trait |= changes;
     }
-    if (node.op == Op::load || node.op == Op::image_load || node.op == Op::image_sample) {
+    if (is_load(node.op)) {
         trait |= loads;
         if (is_written(node.slot)) trait |= changes;
     }
@@ -65,11 +67,13 @@ ShapeKey Numbers::shape_of(const Expr& node) const {
     case Op::intrinsic: key.mix(static_cast<std::uint64_t>(node.intrinsic)); break;
     case Op::member:
     case Op::memory_extent:
+    case Op::host_state:
     case Op::domain:
         key.mix(node.slot);
         key.mix(node.place.root);
         for (std::uint32_t member : node.place.members) key.mix(member);
         break;
+    case Op::guarded_load:
     case Op::load:
     case Op::image_load:
     case Op::image_sample:

@@ -67,7 +67,7 @@ private:
 }  // namespace
 
 bool loads_after_store(const Program& program, const Pass& pass, std::uint32_t place) {
-    return Order(program, pass, place).loads_after_store(pass.body);
+    return Order(program, pass, place).loads_after_store(pass.plain().body);
 }
 
 }  // namespace gliftc::lower

@@ -1,8 +1,11 @@
 #include "lower/passes.h"
 
-#include "lower/predicate.h"
+#include "lower/guard.h"
+#include "lower/move_rows.h"
 #include "lower/share.h"
+#include "lower/split_at_barriers.h"
 #include "lower/strength.h"
+#include "lower/version_loops.h"
 
 #include <algorithm>
 
@@ -18,45 +21,58 @@ template <Body (*run)(Context&, const Body&)> Body without_facts(Context& cx, co
     return run(cx, body);
 }
 
-bool always(const Context&) { return true; }
 bool has_group(const Context& cx) { return cx.kernel.grouped(); }
+bool takes_many(const Context& cx) { return !cx.kernel.grouped() && cx.pass.items != 1; }
 
 constexpr BodyPass share_pass{
     "share", "statements of memory, whose expressions may share nodes",
-    "what is equal is computed once; expressions are trees; nothing is moved past a write that it depends on", share,
-    always};
-constexpr BodyPass drop_dead_pass{"drop_dead", "trees", "no let that nothing uses", without_facts<drop_dead>, always};
+    "what is equal is computed once; expressions are trees; nothing is moved past a write that it depends on", share};
+constexpr BodyPass drop_dead_pass{"drop_dead", "trees", "no let that nothing uses", without_facts<drop_dead>};
 
 constexpr BodyPass bodies[] = {
     share_pass,
+    drop_dead_pass,
+    {"guard", "shared bodies without dead lets", "no guarded_load: loads from safe addresses, or under branches",
+     without_facts<guard>},
     {"strengthen", "shared bodies", "integers that differ by a uniform amount are computed one from the other",
-     without_facts<strengthen>, always},
+     without_facts<strengthen>},
     share_pass,
     drop_dead_pass,
-    {"predicate_loads", "shared bodies without dead lets",
-     "what is loaded where a condition holds and counts only there is loaded under a branch",
-     without_facts<predicate_loads>, has_group},
-    drop_dead_pass,
     {"merge_single_uses", "trees", "temporaries that are used once, in no deeper loop, stand where they are used",
-     without_facts<merge_single_uses>, always},
+     without_facts<merge_single_uses>},
+};
+
+constexpr BodyPass host_bodies[] = {
+    {"version_loops", "uniform values are parameters",
+     "where one test holds for all that an invocation's loops reach, their guards are gone",
+     without_facts<version_loops>, takes_many},
+    {"move_rows", "trees", "loops that move rows of numbers to or from an array are one statement",
+     without_facts<move_rows>},
+    {"split_at_barriers", "a kernel with a group, and its prologue",
+     "what lies between barriers is a loop over the invocations; what crosses them is kept for each",
+     without_facts<split_at_barriers>, has_group},
 };
 
 constexpr KernelPass kernels[] = {
     {"expand", "a checked kernel",
-     "no operation of structures; functions inlined; every access guarded that may leave memory"},
+     "no operation of structures; functions inlined; loads that may leave memory are guarded_load"},
     {"coarsen", "the expanded body of a kernel without a group", "a second body, for two elements an invocation"},
-    {"simplify", "expanded bodies", "the body passes have run over each of them and over the functions they call"},
     {"move_uniforms", "all bodies of the pass", "uniform values are parameters that the host computes"},
+    {"find_rows", "variants for the host device of a kernel without a group",
+     "accesses that move along memory with the elements of a row are those of a row; in the middle of a row none of "
+     "them is clamped; the order in which elements may be done"},
 };
 
 }  // namespace
 
 std::span<const BodyPass> body_passes() { return bodies; }
+std::span<const BodyPass> host_passes() { return host_bodies; }
 std::span<const KernelPass> kernel_passes() { return kernels; }
 
 bool is_pass(std::string_view name) {
-    return std::ranges::any_of(bodies, [&](const BodyPass& pass) { return pass.name == name; }) ||
-           std::ranges::any_of(kernels, [&](const KernelPass& pass) { return pass.name == name; });
+    const auto is_called_so = [&](const auto& pass) { return pass.name == name; };
+    return std::ranges::any_of(bodies, is_called_so) || std::ranges::any_of(host_bodies, is_called_so) ||
+           std::ranges::any_of(kernels, is_called_so);
 }
 
 }  // namespace gliftc::lower

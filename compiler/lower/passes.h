@@ -17,12 +17,15 @@ struct BodyPass {
     std::string_view guarantees;
     /// `facts` are conditions that hold on the whole body.
     std::vector<StmtId> (*run)(Context& cx, const std::vector<StmtId>& body, const std::vector<ExprId>& facts);
-    /// Whether the kernel is one that the pass is for.
-    bool (*applies)(const Context& cx);
+    /// Whether the kernel is one that the pass is for; null: all are.
+    bool (*applies)(const Context& cx) = nullptr;
 };
 
 /// In the order in which they run over every body: that of one element, of two, of the interior, and functions'.
 std::span<const BodyPass> body_passes();
+
+/// In the order in which they run over what the host device runs, after all of the above: they make a variant of it.
+std::span<const BodyPass> host_passes();
 
 /// A step that makes a body, or that sees all bodies of a pass.
 struct KernelPass {
@@ -31,7 +34,8 @@ struct KernelPass {
     std::string_view guarantees;
 };
 
-/// In order. What stands before "simplify" makes the bodies that the body passes then take.
+/// In order. Those up to "coarsen" make the bodies that the body passes then take; the others take what these leave,
+/// "find_rows" what the passes for the host device leave.
 std::span<const KernelPass> kernel_passes();
 
 /// Whether --dump-after and --stop-after know the name.

@@ -9,6 +9,7 @@
 #include "lower/contained.h"
 #include "lower/dispatch.h"
 #include "lower/expand.h"
+#include "lower/find_rows.h"
 #include "lower/loops.h"
 #include "lower/lower.h"
 #include "lower/one_place.h"
@@ -22,6 +23,7 @@
 #include <cassert>
 #include <cstdio>
 #include <deque>
+#include <iterator>
 
 namespace gliftc::lower {
 
@@ -45,19 +47,24 @@ void check([[maybe_unused]] const Context& cx, [[maybe_unused]] const std::vecto
 }
 
 /// After each pass: development builds look for what it broke, a trace writes down what it left.
+void finished(Context& cx, std::string_view pass, const std::vector<Variant>& variants,
+              const std::vector<ExprId>& facts, std::string_view what) {
+    for (const Variant& variant : variants) check(cx, variant.body, pass);
+    if (cx.trace == nullptr) return;
+    cx.trace->note(pass, cx.p, cx.pass, variants, facts, what);
+    cx.is_stopped |= pass == cx.trace->stop_after;
+}
+
 void finished(Context& cx, std::string_view pass, const std::vector<StmtId>& body, const std::vector<ExprId>& facts,
               std::string_view what) {
-    check(cx, body, pass);
-    if (cx.trace == nullptr) return;
-    cx.trace->note(pass, cx.p, cx.pass, body, facts, what);
-    cx.is_stopped |= pass == cx.trace->stop_after;
+    finished(cx, pass, std::vector<Variant>{{.assumes = cx.pass.plain().assumes, .body = body}}, facts, what);
 }
 
 /// What the body passes make of a body; `what` names it.
 std::vector<StmtId> simplified(Context& cx, std::string_view what, std::vector<StmtId> body,
                                const std::vector<ExprId>& facts = {}) {
     for (const BodyPass& pass : body_passes()) {
-        if (cx.is_stopped || !pass.applies(cx)) continue;
+        if (cx.is_stopped) break;
         body = pass.run(cx, body, facts);
         finished(cx, pass.name, body, facts, what);
     }
@@ -95,17 +102,54 @@ void reach_by_address(Context& cx) {
     }
 }
 
-/// The host's body for centres whose neighbours all lie inside; `domain` becomes the parameter it is valid for.
-std::vector<StmtId> interior(Context& cx, Expander& checked, const std::vector<ExprId>& facts,
-                             std::vector<StmtId>& holders) {
-    if (!checked.has_near_guards || !checked.near_domains_agree || cx.is_wide()) return {};
+/// The host's body for centres whose neighbours all lie inside. Its domain is held in `holders` until it is a
+/// parameter.
+void add_interior(Context& cx, Expander& checked, const std::vector<ExprId>& facts, std::vector<StmtId>& holders) {
+    if (!checked.has_near_guards || !checked.near_domains_agree || cx.is_wide()) return;
     Expander expander(cx, Guards::interior);
     std::vector<StmtId> body = expander.kernel_body();
     cx.traits.clear();
     holders.push_back(holder(cx, checked.near_domain));
+    Interior interior;
     for (const KernelParam& param : cx.kernel.params)
-        if (param.pattern == Pattern::near) cx.pass.interior_radius = std::max(cx.pass.interior_radius, param.radius);
-    return simplified(cx, "interior", std::move(body), facts);
+        if (param.pattern == Pattern::near) interior.radius = std::max(interior.radius, param.radius);
+    body = simplified(cx, "interior", std::move(body), facts);
+    cx.pass.variants.push_back({Devices::host, {cx.pass.plain().assumes.elements, interior}, std::move(body)});
+}
+
+/// Says which parameters hold what the interior is the interior of.
+void settle_interior(Context& cx, const Expander& checked, const std::vector<StmtId>& holders) {
+    if (holders.empty()) return;
+    Interior& interior = *cx.pass.variants.back().assumes.interior;
+    interior.domain = parameter_of(cx, cx.p.stmts[holders[0]].value);
+    if (interior.domain == no_parameter) return cx.pass.variants.pop_back();
+    if (!cx.is_direct())
+        interior.origin = cx.parameter(ParameterSource::origin, {}, cx.kernel.domain_type, *checked.near_root);
+}
+
+/// What the passes for the host device make of a body.
+std::vector<Variant> for_host(Context& cx, const Variant& variant) {
+    Variant made{Devices::host, variant.assumes, variant.body};
+    for (const BodyPass& pass : host_passes()) {
+        if (cx.is_stopped || (pass.applies && !pass.applies(cx))) continue;
+        made.body = pass.run(cx, made.body, {});
+        finished(cx, pass.name, std::vector{made}, {}, "host");
+    }
+    if (cx.is_stopped || cx.kernel.grouped() || cx.pass.items != 1) return {std::move(made)};
+    std::vector<Variant> found = find_rows(cx, made);
+    finished(cx, "find_rows", found, {}, "host");
+    return found;
+}
+
+/// The host device runs variants of its own where its passes have something to say.
+void add_host_variants(Context& cx) {
+    std::vector<Variant> others, made;
+    for (Variant& variant : cx.pass.variants) {
+        if (variant.devices != Devices::shaders) std::ranges::move(for_host(cx, variant), std::back_inserter(made));
+        if (variant.devices != Devices::host) others.push_back(std::move(variant));
+    }
+    cx.pass.variants = std::move(others);
+    std::ranges::move(made, std::back_inserter(cx.pass.variants));
 }
 
 /// The functions made for the pass; their bodies are added to `bodies`.
@@ -149,27 +193,26 @@ Pass lowered(Program& program, Diagnostics& diagnostics, std::uint32_t kernel, F
     if (elements == Elements::two_where_it_helps) pair = coarsened(cx, body, expander);
     if (elements == Elements::two_in_turn) pair = coarsened_in_turn(cx, body);
     if (!pair.body.empty()) finished(cx, "coarsen", pair.body, facts, "two elements");
-    pass.body = simplified(cx, "body", std::move(body), facts);
-    if (!pair.body.empty())
-        pass.pair_body = simplified(cx, "two elements", std::move(pair.body), {facts[0], pair.in_range});
+    pass.plain().body = simplified(cx, "body", std::move(body), facts);
+    if (!pair.body.empty()) {
+        pair.body = simplified(cx, "two elements", std::move(pair.body), {facts[0], pair.in_range});
+        pass.variants.push_back({Devices::shaders, {pair.elements, std::nullopt}, std::move(pair.body)});
+    }
     std::vector<StmtId> holders;
-    pass.interior_body = interior(cx, expander, facts, holders);
+    add_interior(cx, expander, facts, holders);
     pass.prologue = std::move(expander.size_statements);
     for (StmtId id : dispatch_prologue(cx)) pass.prologue.push_back(id);
 
-    std::vector<std::vector<StmtId>*> bodies{&pass.prologue, &pass.body, &pass.pair_body, &pass.interior_body};
+    std::vector<std::vector<StmtId>*> bodies = bodies_of(pass);
     simplify_functions(cx, bodies);
     if (cx.is_stopped) return pass;
     bodies.push_back(&holders);
     move_uniforms(cx, bodies);
-    finished(cx, "move_uniforms", pass.body, {}, "body");
-    if (!holders.empty()) {
-        pass.interior_domain = parameter_of(cx, program.stmts[holders[0]].value);
-        if (pass.interior_domain == no_parameter) pass.interior_body.clear();
-        if (form != Form::direct)
-            pass.interior_origin =
-                cx.parameter(ParameterSource::origin, {}, cx.kernel.domain_type, *expander.near_root);
-    }
+    finished(cx, "move_uniforms", pass.plain().body, {}, "body");
+    if (cx.is_stopped) return pass;
+    settle_interior(cx, expander, holders);
+    add_host_variants(cx);
+    if (cx.is_stopped) return pass;
     finish_images(program, pass);
     if (form == Form::wide) reach_by_address(cx);
     summarize(cx);
@@ -177,7 +220,7 @@ Pass lowered(Program& program, Diagnostics& diagnostics, std::uint32_t kernel, F
     return pass;
 }
 
-Lowered::Forms lowered_forms(Program& program, Diagnostics& diagnostics, std::uint32_t kernel, Settings settings) {
+Lowered::Forms all_forms(Program& program, Diagnostics& diagnostics, std::uint32_t kernel, Settings settings) {
     Lowered::Forms forms;
     const Mark before(program);
     const auto lower = [&](Form form, Elements elements) {
@@ -187,11 +230,11 @@ Lowered::Forms lowered_forms(Program& program, Diagnostics& diagnostics, std::ui
     forms.general = lower(Form::general, Elements::two_where_it_helps);
     forms.wide = lower(Form::wide, Elements::two_where_it_helps);
     for (Pass* pass : {&forms.general, &forms.wide})
-        if (!forms.direct.pair_body.empty() && pass->pair_body.empty() && has_one_place(*pass))
+        if (is_coarsened(forms.direct) && !is_coarsened(*pass) && has_one_place(*pass))
             *pass = lower(pass->form, Elements::two_in_turn);
     // A workgroup covers as much in all forms. Those that have more to compute may take one element.
     const std::array all{&forms.direct, &forms.general, &forms.wide};
-    const auto takes_one = [](const Pass* pass) { return pass->pair_body.empty(); };
+    const auto takes_one = [](const Pass* pass) { return !is_coarsened(*pass); };
     if (std::ranges::any_of(all, takes_one))
         for (Pass* pass : all)
             if (!takes_one(pass)) *pass = lower(pass->form, Elements::one);
@@ -199,6 +242,21 @@ Lowered::Forms lowered_forms(Program& program, Diagnostics& diagnostics, std::ui
     agree(program, all);
     compact(program, before, all);
     return forms;
+}
+
+Lowered::Forms lowered_forms(Program& program, Diagnostics& diagnostics, std::uint32_t kernel, Settings settings) {
+    try {
+        return all_forms(program, diagnostics, kernel, settings);
+    } catch (const KernelTooLarge& at) {
+        const Kernel& large = program.kernels[kernel];
+        Diagnostic& report =
+            diagnostics.report(Diag::kernel_too_large, large.span, {large.display, std::to_string(most_nodes)});
+        report.notes.push_back(
+            {at.span, "it had become so large here: loops over windows and over arrays of the invocation's own are "
+                      "unrolled, and "
+                      "short functions inlined; make the window or the number of rounds smaller, or split the kernel"});
+        return {};
+    }
 }
 
 /// What a thread made of one kernel.
@@ -251,8 +309,8 @@ Pass lower_function(Program& program, Diagnostics& diagnostics, const Kernel& ke
     Expander expander(cx, Guards::checked);
     std::vector<StmtId> body = expander.kernel_body();
     cx.traits.clear();
-    pass.body = simplified(cx, "body", std::move(body));
-    std::vector<std::vector<StmtId>*> bodies{&pass.body};
+    pass.plain().body = simplified(cx, "body", std::move(body));
+    std::vector<std::vector<StmtId>*> bodies{&pass.plain().body};
     simplify_functions(cx, bodies);
     name_state(cx, bodies);
     summarize(cx);

@@ -162,7 +162,7 @@ void Counting::visit_operands(const Expr& node, Where where) {
     const bool is_logical =
         node.op == Op::binary && (node.binary == BinaryOp::logical_and || node.binary == BinaryOp::logical_or);
     for (std::size_t i = 0; i < node.operands.size(); ++i) {
-        const bool may_skip = i > 0 && (node.op == Op::select || is_logical);
+        const bool may_skip = i > 0 && (node.op == Op::select || node.op == Op::guarded_load || is_logical);
         if (i == 0 && names_place(node)) visit_target(node.operands[0]);
         else visit(node.operands[i], may_skip ? then : where);
     }

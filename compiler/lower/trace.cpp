@@ -21,14 +21,13 @@ bool is_of_address(const ir::Program& program, const ir::Pass& pass, ir::ExprId 
 }  // namespace
 
 void Trace::note(std::string_view pass_name, const ir::Program& program, const ir::Pass& pass,
-                 const std::vector<ir::StmtId>& body, const std::vector<ir::ExprId>& facts, std::string_view what) {
+                 const std::vector<ir::Variant>& variants, const std::vector<ir::ExprId>& facts,
+                 std::string_view what) {
     if (pass_name != dump_after || pass.kernel == ir::no_kernel) return;
     if (!program.modules[program.kernels[pass.kernel].module].is_root) return;
     ir::Pass shown = pass;
     shown.prologue.clear();
-    shown.pair_body.clear();
-    shown.interior_body.clear();
-    shown.body = body;
+    shown.variants = variants;
     std::vector<ir::ExprId> shown_facts;
     for (ir::ExprId fact : facts)
         if (is_of_address(program, pass, fact)) shown_facts.push_back(fact);

@@ -15,9 +15,9 @@ struct Trace {
     std::string text;  ///< what each body of the root modules' kernels was after dump_after; read.h reads it
 
     bool is_on() const { return !dump_after.empty() || !stop_after.empty(); }
-    /// Writes the body down if it is asked for. `what` names the body: "body", "two elements", "interior", a function.
+    /// Writes variants down if they are asked for. `what` names them: "body", "two elements", "interior", a function.
     void note(std::string_view pass_name, const ir::Program& program, const ir::Pass& pass,
-              const std::vector<ir::StmtId>& body, const std::vector<ir::ExprId>& facts, std::string_view what);
+              const std::vector<ir::Variant>& variants, const std::vector<ir::ExprId>& facts, std::string_view what);
 };
 
 }  // namespace gliftc::lower

@@ -56,8 +56,8 @@ Pair Expander::expanded(const Place& place, const Stage& stage, ExprId address, 
     }
     std::vector<Pair> arguments{{address, {}}};
     return within([&] {
-        return is_inlinable(translate) ? inlined(translate, std::move(arguments), std::move(frame))
-                                       : call_instance(translate, std::move(arguments), std::move(frame));
+        return inline_sizes_.of(translate) ? inlined(translate, std::move(arguments), std::move(frame))
+                                           : call_instance(translate, std::move(arguments), std::move(frame));
     });
 }
 

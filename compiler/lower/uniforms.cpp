@@ -75,7 +75,8 @@ bool Uniforms::is_leaf(ExprId id) const {
     const Expr& node = cx.p.exprs[id];
     // What has empty parts is no parameter, but its other parts are.
     if (node.op == Op::field) return holds_empty(cx.p, cx.make.type(node.operands[0])) && !holds_empty(cx.p, node.type);
-    return node.op == Op::member || node.op == Op::memory_extent || node.op == Op::domain || node.op == Op::local;
+    return node.op == Op::member || node.op == Op::memory_extent || node.op == Op::host_state ||
+           node.op == Op::domain || node.op == Op::local;
 }
 
 /// What a chain of swizzles and fields takes a part of.
@@ -192,6 +193,7 @@ std::string Uniforms::name_of(ExprId id) {
                text(cx.p.locals[cx.structure_at(node.place).constructor[node.slot]].name);
     case Op::memory_extent:
         return cx.name_of(node.place) + "_" + text(cx.structure_at(node.place).memories[node.slot].name) + "_extent";
+    case Op::host_state: return cx.name_of(node.place) + "_" + text(cx.structure_at(node.place).host[node.slot].name);
     case Op::domain: return cx.name_of(node.place) + "_domain";
     case Op::local: return text(cx.p.locals[node.local].name);
     case Op::field:
@@ -341,6 +343,8 @@ std::vector<StmtId> Uniforms::moved(const std::vector<StmtId>& body, std::size_t
 }
 
 void rewrite(Context& cx, const std::vector<std::vector<StmtId>*>& bodies, Lifted lifted) {
+    cx.uniform
+        .clear();  // earlier passes have made simpler values of lets: what depended on the invocation may not any more
     Uniforms uniforms(cx, lifted);
     for (const auto* body : bodies) uniforms.collect(*body);
     for (std::size_t i = 0; i < bodies.size(); ++i) *bodies[i] = uniforms.moved(*bodies[i], i);

@@ -7,6 +7,11 @@ namespace gliftc::lower {
 
 using namespace ir;
 
+bool is_long_array(const Program& program, TypeId type) {
+    if (program.types.kind(type) != TypeKind::array) return false;
+    return program.types[type].count > unroll_limit || is_long_array(program, program.types[type].element);
+}
+
 std::optional<Rounds> rounds_of(const Program& program, ExprId first, ExprId limit) {
     auto low = evaluate(program, first), high = evaluate(program, limit);
     if (!low || !high) return std::nullopt;

@@ -11,6 +11,9 @@ namespace gliftc::lower {
 
 inline constexpr std::uint64_t unroll_limit = 64;
 
+/// Whether the type is an array that is too long to unroll, or holds one.
+bool is_long_array(const ir::Program& program, ir::TypeId type);
+
 /// The rounds of `for i in first..limit` with constant bounds.
 struct Rounds {
     std::uint64_t first = 0;

@@ -1,4 +1,4 @@
-// Checking what stands in bodies: the state of one body, and what an expression turned out to be.
+// Checking of bodies: the state of one body, and the result of checking an expression.
 #pragma once
 
 #include "sema/build.h"
@@ -21,7 +21,7 @@ enum class BodyKind : std::uint8_t {
 
 enum class SymbolKind : std::uint8_t { local, structure, state, member, memory, iterator, host_state };
 
-/// What a name in scope stands for.
+/// The meaning of a name in scope.
 struct Symbol {
     SymbolKind kind = SymbolKind::local;
     Span span;
@@ -30,7 +30,7 @@ struct Symbol {
     ir::Place place;
     std::uint32_t structure = 0;
     std::uint32_t slot = 0;
-    std::uint32_t window = 0;  ///< structure: the radius that a function sees around the current address; 0: all of it
+    std::uint32_t window = 0;  ///< structure: the radius of a `near` parameter of a function; 0: not a window
     bool is_coherent = false;  ///< structure: a coherent parameter
     bool used = false;
     bool warn_unused = false;
@@ -38,7 +38,7 @@ struct Symbol {
 
 enum class OperandKind : std::uint8_t { error, value, meta, structure, memory, iterator };
 
-/// What an expression turned out to be.
+/// A checked expression.
 struct Operand {
     OperandKind kind = OperandKind::error;
     Span span;
@@ -59,19 +59,21 @@ struct Body {
     const Env& env;
     BodyKind kind = BodyKind::function;
     std::vector<std::unordered_map<Name, Symbol>> scopes = {{}};
-    ir::Definitions lets;                      ///< of the locals that never change
+    ir::Definitions lets;                      ///< initialisers of immutable locals
     std::vector<ir::StmtId>* block = nullptr;  ///< where statements go; null: expressions only
     ir::TypeId result;                         ///< of return
     unsigned loops = 0;
     unsigned depth = 0;
     ir::Kernel* kernel = nullptr;
+    std::optional<std::uint32_t>
+        container;  ///< whose function or pipeline this is: its members are in scope, at root 0
     std::array<std::uint32_t, 3> group = {0, 0, 0};  ///< the workgroup of the kernel or function; all 0: none
     std::vector<ir::LocalId>* shared = nullptr;      ///< its workgroup memory
     Span last;                                       ///< functions with a workgroup: the statement that may return
     std::vector<std::uint32_t> structures;           ///< functions: structure parameters so far (Place roots)
     std::vector<std::uint32_t> coherent;             ///< Place roots of the coherent parameters
     enum class Returns : std::uint8_t { nothing, host, device } returns = Returns::nothing;  ///< of a pipeline, so far
-    std::optional<ir::TypeId> range_result;  ///< pipelines that return a range: of what, once a return has said it
+    std::optional<ir::TypeId> range_result;  ///< pipelines that return a range: its type, known from the first return
     bool in_test = false;
     bool allow_await = false;
 
@@ -85,30 +87,30 @@ struct Body {
 
 // scopes
 void open_scope(Body&);
-void close_scope(Body&);                       ///< warns of what was never used
+void close_scope(Body&);                       ///< warns of unused variables
 void declare(Body&, ast::Identifier, Symbol);  ///< reports duplicates in the same scope
 Symbol* find_symbol(Body&, Name);
 ir::LocalId declare_local(Body&, ast::Identifier, ir::TypeId, bool is_mutable, bool warn_unused = true);
-/// A local that the user did not write, holding `value`.
+/// A compiler-made local with this value.
 ir::LocalId emit_temporary(Body&, std::string_view name, ir::ExprId value, Span);
 void emit(Body&, ir::StmtId);
-/// The value of an expression, where it and the locals that it names are known at compile time.
+/// The value of an expression if it is known at compile time, by the definitions of locals, too.
 std::optional<ir::Value> known_value(Body&, ir::ExprId);
-/// The environment of the body for something written in it: with what its scopes say of the names that stand there.
+/// The environment for a compile-time expression in the body, with bindings for the names in scope that it uses.
 const Env& env_for(Body&, ast::ExprId);
 const Env& env_for(Body&, const std::vector<ast::ExprId>&);
 
 // expressions
-/// `hint` is the type that the context would like: what literals, `none`, tuples and generic calls take where nothing
-/// else says it. It demands nothing; who needs that type says so with check_value or coerce.
+/// `hint` is the type that the context prefers (bidirectional typing): literals, `none`, tuples and generic calls take
+/// it where nothing else determines theirs. It is not enforced: use check_value or coerce for that.
 Operand check(Body&, ast::ExprId, ir::TypeId hint = {});
 ir::ExprId check_hinted(Body&, ast::ExprId, ir::TypeId hint);  ///< the same, as a value
-/// The expression as a value, of exactly the wanted type where one is given; reports and gives an error node otherwise.
+/// The expression as a value, of exactly the wanted type if given; else reports and returns an error node.
 ir::ExprId check_value(Body&, ast::ExprId, ir::TypeId wanted = {});
 ir::ExprId to_value(Body&, const Operand&);
-/// `expr` as the wanted type: itself, or wrapped into an optional; reports a mismatch.
+/// Coerces `expr` to the wanted type: itself, or wrapped into an optional; reports a mismatch.
 ir::ExprId coerce(Body&, ir::ExprId expr, ir::TypeId wanted, Span);
-/// Where a value is needed and an optional was found: how to take the value.
+/// Notes how to unwrap an optional that was found where a value is needed.
 void note_optional(Body&, Diagnostic&, Span, ir::TypeId found);
 Operand value_operand(Body&, ir::ExprId, Span);
 Operand error_operand(Span);
@@ -127,16 +129,16 @@ Operand check_conditional(Body&, const ast::Expr&, ir::TypeId wanted);
 Operand check_otherwise(Body&, const ast::Expr&, ir::TypeId wanted);  ///< `a ?? b`
 bool has_equality(const ir::Program&, ir::TypeId);                    ///< `==` and `!=` apply to two of the type
 ir::ExprId make_struct_equality(Body&, bool negated, ir::ExprId left, ir::ExprId right, Span);
-/// The value that `target op= value` assigns, where the target held `before`.
+/// The value that `target op= value` assigns; `before` is the target's old value.
 ir::ExprId check_compound(Body&, const ast::Stmt&, ir::ExprId before);
-/// The type with its vector shape that components `x`, `yz` … give, or an error.
+/// A swizzle such as `.x` or `.yz` of a value, or an error.
 Operand make_swizzle_of(Body&, ir::ExprId, ast::Identifier);
 
 // calls
 Operand call_function(Body&, const std::vector<ast::DeclId>& overloads, const Env* owner,
                       const std::vector<ast::ExprId>& explicit_generics, const std::vector<ast::ExprId>& arguments,
                       const ast::Expr& call, ir::TypeId wanted, const Operand* self = nullptr);
-/// A call by plain name of one of the `visible` functions, or of one that comes with an argument's type. Absent if
+/// A call by plain name of one of the `visible` functions, or of one found by argument-dependent lookup. Absent if
 /// there is none of that name.
 std::optional<Operand> call_by_name(Body&, ast::Identifier name, std::vector<ast::DeclId> visible,
                                     const std::vector<ast::ExprId>& explicit_generics, const ast::Expr& call,
@@ -148,7 +150,7 @@ Operand construct_value(Body&, ir::TypeId, const ast::Expr& call);
 Operand call_method(Body&, const Operand& self, ast::Identifier method, const ast::Expr& call, ir::TypeId wanted);
 std::optional<ir::Intrinsic> find_intrinsic(std::string_view name);
 
-// structures as seen by code
+// structures in code
 Operand structure_member(Body&, const Operand& structure, ast::Identifier member);
 ir::ExprId make_read(Body&, const Operand& structure, ir::ExprId address, Span);
 ir::ExprId structure_operation(Body&, ir::Op, ir::TypeId, const Operand& structure, Span, ir::Operands operands = {});
@@ -157,7 +159,7 @@ ir::TypeId signed_address(ir::Types&, ir::TypeId domain);  ///< int, int2 … fo
 // statements
 void check_block(Body&, const std::vector<ast::StmtId>&);
 void check_statement(Body&, ast::StmtId);
-/// Checks `statements` into a fresh list, in a scope of their own.
+/// Checks `statements` in a scope of their own; returns them.
 std::vector<ir::StmtId> check_nested(Body&, const std::vector<ast::StmtId>&);
 /// Does every path through the list end in return?
 bool always_returns(const ir::Program&, const std::vector<ir::StmtId>&);
@@ -173,7 +175,7 @@ std::optional<Operand> check_pipeline_call(Body&, const std::vector<ast::DeclId>
                                            const std::vector<ast::ExprId>& generics, const ast::Expr& call,
                                            const Operand* owner = nullptr);
 std::optional<Operand> check_pipeline_builtin(Body&, std::string_view name, const ast::Expr& call);
-/// A slice, or a structure that is made where it is used, as something that `place`-based operations can start at.
+/// A slice or a temporary structure as an operand of kind `structure`, from which places can start.
 std::optional<Operand> as_structure(Body&, const Operand&);
 Operand check_pipeline_index(Body&, const Operand& structure, const ast::Expr& index);
 Operand construct_structure(Body&, ir::TypeId, const ast::Expr& call);

@@ -1,4 +1,4 @@
-// Makes IR nodes: one function a shape.
+// Builders of IR nodes.
 #pragma once
 
 #include "ir/ir.h"

@@ -1,4 +1,4 @@
-// Calls: what is called, a function, a type, a method, or something that the language has.
+// Calls: of functions, types (construction), methods and built-ins.
 #include "sema/body.h"
 #include "sema/lookup.h"
 #include "sema/typing.h"
@@ -31,12 +31,13 @@ std::vector<ast::ExprId> arguments_of(const ast::Expr& call) {
     return {call.operands.begin() + 1, call.operands.end()};
 }
 
-/// Functions that the language has and no module declares.
+/// Functions of the language itself, which no module declares.
 std::optional<Operand> call_builtin(Body& body, const std::string& name, const ast::Expr& call, ir::TypeId wanted) {
     if (name == "select") return call_select(body, call, wanted);
     if (name == "position" && body.kernel) {
         if (!arguments_of(call).empty())
             body.context.error(Diag::argument_count, call.span, {name, "0", std::to_string(call.operands.size() - 1)});
+        if (!body.kernel->domain_type) return error_operand(call.span);  // no iteration: already reported
         return value_operand(body, add(body.program(), ir::Op::position, body.kernel->domain_type, call.span),
                              call.span);
     }
@@ -76,6 +77,7 @@ Operand call_declarations(Body& body, const Meta& meta, const std::vector<ast::E
 
 }  // namespace
 
+// long: a case for each kind of type
 Operand construct_value(Body& body, ir::TypeId id, const ast::Expr& call) {
     Context& c = body.context;
     ir::Types& types = body.types();
@@ -117,7 +119,7 @@ Operand construct_value(Body& body, ir::TypeId id, const ast::Expr& call) {
     std::size_t wanted = ir::lane_count(body.program(), id), have = 0;
     for (ast::ExprId argument : written) {
         bool flexible = is_flexible(c, argument);
-        // A float literal is converted like any other value: uint(1.5) is 1.
+        // A float literal is converted as any value is: uint(1.5) is 1.
         ir::TypeId hint = flexible ? scalar : ir::TypeId{};
         ir::ExprId value = check_hinted(body, argument, hint == types.bool_ ? ir::TypeId{} : hint);
         if (is_error(body, value)) return error_operand(call.span);
@@ -149,8 +151,8 @@ Operand construct_value(Body& body, ir::TypeId id, const ast::Expr& call) {
     return value_operand(body, add(body.program(), ir::Op::construct, id, call.span, std::move(operands)), call.span);
 }
 
-/// `let x: T[4] = s.load(a)` and `s.store(a, x)`: elements with addresses a, a + 1, … along x; of `s.load(a, step)` and
-/// `s.store(a, step, x)` every fourth begins a row, `step` addresses after the row before.
+/// `let x: T[4] = s.load(a)` and `s.store(a, x)`: consecutive elements along x; `s.load(a, step)` and
+/// `s.store(a, step, x)`: rows of four, `step` addresses apart.
 static Operand several_elements(Body& body, const Operand& self, ast::Identifier method, const ast::Expr& call,
                                 ir::TypeId wanted) {
     Context& c = body.context;
@@ -204,7 +206,7 @@ static Operand several_elements(Body& body, const Operand& self, ast::Identifier
     return value_operand(body, add(body.program(), ir::Op::constant, body.types().void_, call.span), call.span);
 }
 
-/// A view has its elements within its domain.
+/// Whether an address is in a view's domain: all elements there exist.
 static ir::ExprId is_in_view(Body& body, const Operand& view, ir::ExprId address, Span span) {
     ir::Program& p = body.program();
     const ir::TypeId type = p.exprs[address].type;
@@ -217,7 +219,7 @@ static ir::ExprId is_in_view(Body& body, const Operand& view, ir::ExprId address
     return all;
 }
 
-/// The element at an address of a structure where there `is` one.
+/// An optional: the element at the address if `is`, else none.
 static Operand found_where(Body& body, const Operand& structure, ir::ExprId is, ir::ExprId address, Span span) {
     const ir::TypeId optional = body.types().optional(body.program().structures[structure.structure].element);
     const ir::ExprId some =
@@ -226,6 +228,13 @@ static Operand found_where(Body& body, const Operand& structure, ir::ExprId is, 
     return value_operand(body, add(body.program(), ir::Op::select, optional, span, {is, some, none}), span);
 }
 
+static const std::vector<ast::Item>& items_of(const Context& c, std::uint32_t structure) {
+    const auto& decl = c[c.structure_decl.at(structure)].body;
+    if (auto* view = std::get_if<ast::View>(&decl)) return view->items;
+    if (auto* adaptor = std::get_if<ast::Adaptor>(&decl)) return adaptor->items;
+    return std::get<ast::Structure>(decl).items;
+}
+// long: a case for each method of structures
 Operand call_method(Body& body, const Operand& self, ast::Identifier method, const ast::Expr& call, ir::TypeId wanted) {
     Context& c = body.context;
     std::vector<ast::ExprId> arguments = arguments_of(call);
@@ -238,13 +247,9 @@ Operand call_method(Body& body, const Operand& self, ast::Identifier method, con
         return error_value(body, call.span);
     };
     // What the declaration itself offers comes first: a structure may define its own `find`.
-    ast::DeclId owner = c.structure_decl.at(self.structure);
+    const std::vector<ast::Item>& items = items_of(c, self.structure);
     std::vector<ast::DeclId> overloads, pipelines;
-    const std::vector<ast::Item>* items = nullptr;
-    if (auto* structure = std::get_if<ast::Structure>(&c[owner].body)) items = &structure->items;
-    if (auto* view = std::get_if<ast::View>(&c[owner].body)) items = &view->items;
-    if (auto* adaptor = std::get_if<ast::Adaptor>(&c[owner].body)) items = &adaptor->items;
-    for (const ast::Item& item : *items) {
+    for (const ast::Item& item : items) {
         if (!item.decl || c[item.decl].name.name != method.name) continue;
         (item.kind == ast::ItemKind::pipeline ? pipelines : overloads).push_back(item.decl);
     }
@@ -252,10 +257,10 @@ Operand call_method(Body& body, const Operand& self, ast::Identifier method, con
         if (auto result = check_pipeline_call(body, pipelines, {}, call, &self)) return *result;
         return error_operand(call.span);
     }
-    bool is_override = name == "domain" || name == "at";
+    const bool addressed = body.program().structures[self.structure].kind != ir::StructureKind::adaptor;
+    const bool is_override = addressed && (name == "domain" || name == "at");
     if (!overloads.empty() && !is_override)
         return call_function(body, overloads, c.structure_env.at(self.structure), {}, arguments, call, wanted, &self);
-    bool addressed = body.program().structures[self.structure].kind != ir::StructureKind::adaptor;
     if (name == "domain" && addressed && arguments.empty())
         return value_operand(body, structure_operation(body, ir::Op::domain, domain, self, call.span), call.span);
     if (name == "sample" && addressed) {
@@ -291,7 +296,7 @@ Operand call_method(Body& body, const Operand& self, ast::Identifier method, con
         return found_where(body, self, has, at, call.span);
     }
     std::vector<std::string_view> known = {"domain", "sample", "find", "translate", "contains", "load", "store"};
-    for (const ast::Item& item : *items)
+    for (const ast::Item& item : items)
         if (item.decl) known.push_back(c.text(c[item.decl].name.name));
     Diagnostic& diagnostic =
         c.error(Diag::unknown_member, method.span, {body.program().structures[self.structure].display, name});
@@ -300,7 +305,7 @@ Operand call_method(Body& body, const Operand& self, ast::Identifier method, con
     return error_operand(call.span);
 }
 
-/// What of a module can be called, where the module was.
+/// Notes a module's functions, where the module itself was called.
 static void note_functions(const Context& c, Diagnostic& diagnostic, const Meta& meta, Span span) {
     if (meta.kind != MetaKind::module) return;
     std::vector<std::string> names;
@@ -319,10 +324,27 @@ static void note_functions(const Context& c, Diagnostic& diagnostic, const Meta&
     note(diagnostic, span, "this is a module; it has " + all + (names.size() > most ? ", …" : ""));
 }
 
+/// Whether the container has a function or pipeline of its own of that name, with so many parameters.
+static bool has_method(const Context& c, std::uint32_t container, Name name, std::size_t arguments) {
+    return std::ranges::any_of(items_of(c, container), [&](const ast::Item& item) {
+        if (!item.decl || c[item.decl].name.name != name) return false;
+        const auto* function = std::get_if<ast::Function>(&c[item.decl].body);
+        const auto* pipeline = std::get_if<ast::Pipeline>(&c[item.decl].body);
+        return (function && function->params.size() == arguments) || (pipeline && pipeline->params.size() == arguments);
+    });
+}
+
 /// A call by plain name.
 static Operand call_named(Body& body, ast::Identifier name, const std::vector<ast::ExprId>& generics,
                           const ast::Expr& call, ir::TypeId wanted) {
     Context& c = body.context;
+    if (body.container && has_method(c, *body.container, name.name, call.operands.size() - 1)) {
+        Operand self;
+        self.kind = OperandKind::structure;
+        self.structure = *body.container;
+        self.span = name.span;
+        return call_method(body, self, name, call, wanted);
+    }
     Visible visible;
     if (!body.env.find(name.name)) visible = look_up(c, body.env.module, name);
     if (is_function(c, visible.found)) return *call_by_name(body, name, visible.found, generics, call, wanted);

@@ -7,6 +7,7 @@
 #include "sema/generics.h"
 #include "sema/instances.h"
 #include "sema/modules.h"
+#include "sema/warnings.h"
 
 #include <algorithm>
 
@@ -29,7 +30,7 @@ void check_constant(Context& c, ast::DeclId id) {
         {decl.name.name, c.program.exprs[value].type, value, c.module_of.at(id), decl.is_pub, decl.doc});
 }
 
-/// The modules with outputs that make a structure public.
+/// The root modules that make a structure public.
 std::vector<std::uint32_t> makers_of(const Context& c, std::uint32_t structure) {
     std::vector<std::uint32_t> makers;
     for (std::uint32_t i = 0; i < c.modules.size(); ++i)
@@ -37,7 +38,7 @@ std::vector<std::uint32_t> makers_of(const Context& c, std::uint32_t structure) 
     return makers;
 }
 
-/// A pipeline over ranges is made for every public structure of the modules that fits each of its ranges.
+/// A public pipeline over ranges is instantiated for every public structure of the modules that matches its ranges.
 void check_pipeline(Context& c, ast::DeclId id, const Env& env, std::optional<std::uint32_t> owner,
                     const std::vector<std::uint32_t>& modules) {
     const ast::Decl& decl = c[id];
@@ -108,7 +109,7 @@ void check_code(Context& c, std::uint32_t module, const std::vector<ast::DeclId>
     }
 }
 
-/// Programs make and fill what they pass to public kernels and pipelines, whoever declares it.
+/// Programs create and fill the arguments of public kernels and pipelines, whichever module declares their types.
 void require_transfers_of_arguments(Context& c) {
     std::vector<std::pair<std::uint32_t, Span>> passed;
     const auto is_seen = [&](const auto& declared) { return declared.is_pub && c.modules[declared.module].is_root; };
@@ -123,7 +124,7 @@ void require_transfers_of_arguments(Context& c) {
     for (const auto& [structure, span] : passed) require_transfers(c, structure, span);
 }
 
-/// `gliftc test` looks into the tables that translators read.
+/// `gliftc test` reads the tables of translators on the host.
 void require_transfers_of_tables(Context& c) {
     for (std::size_t i = 0; i < c.program.structures.size(); ++i) {
         std::vector<std::uint32_t> tables;
@@ -173,10 +174,16 @@ ir::Program check(const std::vector<LoadedModule>& modules, const ast::Tree& tre
         if (modules[i].is_root) check_code(c, i, modules[i].tree->decls);
     for (std::uint32_t i = 0; i < program.structures.size(); ++i) {
         if (makers_of(c, i).empty()) continue;
-        if (program.structures[i].kind == ir::StructureKind::adaptor) check_adaptor_pipelines(c, i);
+        if (program.structures[i].kind == ir::StructureKind::adaptor) {
+            check_adaptor_pipelines(c, i);
+            check_methods(c, i);
+        }
         if (!diagnostics.has_errors()) require_transfers(c, i, program.structures[i].span);
     }
     if (!diagnostics.has_errors()) require_transfers_of_arguments(c);
+    // Beside an error: what it kept from being checked may have been what was meant.
+    for (std::uint32_t i = 0; i < modules.size() && !diagnostics.has_errors(); ++i)
+        if (modules[i].is_root) warn(c, modules[i].tree->decls);
     if (!diagnostics.has_errors() && settings.looks_into_tables) require_transfers_of_tables(c);
     return program;
 }

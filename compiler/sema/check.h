@@ -1,4 +1,4 @@
-// sema: from the trees as written to the resolved, instantiated program.
+// Semantic analysis: from syntax trees to the resolved, instantiated program.
 #pragma once
 
 #include "base/name.h"
@@ -18,9 +18,9 @@ namespace gliftc::sema {
 struct Settings {
     /// `-D name=value`: constants of the root modules whose value is replaced.
     std::vector<std::pair<std::string, std::string>> defines;
-    /// What translators read is read by the host, too: `gliftc test` checks them with it.
+    /// The tables of translators are readable on the host: `gliftc test` checks the translators with them.
     bool looks_into_tables = false;
-    /// A module, not loaded, that has a public declaration of this name; empty: none is known. For messages.
+    /// A module that is not loaded and declares this public name; empty if none is known. For messages.
     std::function<std::string(std::string_view name)> module_with;
 };
 
@@ -35,7 +35,7 @@ struct LoadedModule {
 inline constexpr std::string_view transfer_module = "std.transfer";
 
 /// Checks all modules (imports before importers). Kernels, pipelines, tests and public structures of root modules are
-/// instantiated, everything else as they need it. Errors go to `diagnostics`; the program is whole only if there are
+/// instantiated, everything else as they need it. Errors go to `diagnostics`; the program is complete only if there are
 /// none.
 ir::Program check(const std::vector<LoadedModule>& modules, const ast::Tree& tree, Names& names,
                   Diagnostics& diagnostics, const Settings& settings = {});

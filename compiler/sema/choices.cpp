@@ -8,7 +8,7 @@ namespace gliftc::sema {
 
 namespace {
 
-/// What tells the type of the second side, once the first is known.
+/// The type hint for the second operand, once the first is checked.
 ir::TypeId hint_for_second(Body& body, ast::ExprId second, ir::TypeId first, ir::TypeId wanted) {
     ir::Types& types = body.types();
     if (typing_of(body.context, second) != Typing::none) return first;
@@ -17,8 +17,8 @@ ir::TypeId hint_for_second(Body& body, ast::ExprId second, ir::TypeId first, ir:
     return first == types.error || types.kind(first) == ir::TypeKind::optional ? first : types.optional(first);
 }
 
-/// Both sides, of one type: what has a type of its own tells literals and `none` theirs, and a value beside an
-/// optional becomes one. `wanted` chooses only where neither side does.
+/// Checks both operands and unifies their types: literals and `none` take the other operand's, and a value beside an
+/// optional is wrapped. `wanted` matters only if neither operand has a type of its own.
 std::pair<ir::ExprId, ir::ExprId> check_sides(Body& body, ast::ExprId yes, ast::ExprId no, ir::TypeId wanted) {
     const Context& c = body.context;
     const bool is_swapped = typing_of(c, no) < typing_of(c, yes);

@@ -9,14 +9,14 @@ ir::TypeId make_structure(Context&, ast::DeclId, const Env&);
 ir::TypeId make_view(Context&, ast::DeclId, const Env&);
 ir::TypeId make_adaptor(Context&, ast::DeclId, const Env&);
 
-/// The names that a structure's own functions see: constructor arguments, members, memories, host state, at Place root
-/// 0.
+/// Declares the names in scope in a structure's own functions: constructor arguments, members, memories, host state,
+/// with Place root 0.
 void bring_members_into_scope(Body&, std::uint32_t structure);
 
 /// Declares scalar constructor parameters as locals of the structure, and structure parameters as members by reference.
 void add_constructor(Context&, const Env&, const std::vector<ast::Param>&, ir::Structure&, bool by_reference);
 
-/// Walks items, following `if` by its constant condition.
+/// Visits items; of an `if` those that its constant condition selects.
 template <class Visit>
 void for_each_item(Context& c, const Env& env, const std::vector<ast::Item>& items, const Visit& visit) {
     for (const ast::Item& item : items) {
@@ -29,11 +29,24 @@ void for_each_item(Context& c, const Env& env, const std::vector<ast::Item>& ite
     }
 }
 
-/// Copies an expression of a translator's function into a structure: state becomes the stage's arguments.
+/// Copies an expression of a translator's function into a structure: the stage's arguments replace the state.
 ir::ExprId substitute_state(Context&, ir::ExprId, const ir::Stage&);
 
-/// The value of a function that is one `return`: absent if it is anything else.
+/// The value returned by a function that is a single `return`; else absent.
 ir::ExprId single_return(const ir::Program&, ir::FunctionId);
+
+/// The linear buffer of std.transfer with that many dimensions.
+std::optional<std::uint32_t> box_of(Context&, std::uint32_t dimensions, ir::TypeId element, Span use);
+
+/// Whether statements of a function read elements of a structure, themselves or by what they call.
+bool reads_memory(const ir::Program&, const std::vector<ir::StmtId>&);
+
+/// The pipeline that gives the function's result on the device. Its parameters are the function's structures, then its
+/// values.
+std::optional<std::uint32_t> pipeline_of_function(Context&, ir::FunctionId, Span use);
+
+/// Finds what the adaptor's public functions are in C++: methods.
+void check_methods(Context&, std::uint32_t structure);
 
 bool is_address(const ir::Types&, ir::TypeId);  ///< uint, uint2, uint3, uint4
 

@@ -1,4 +1,4 @@
-// What all of sema shares: the trees it reads, the program it makes, and the tables of what is known so far.
+// The state that all of sema shares: syntax trees, the program being made, and tables of instances.
 #pragma once
 
 #include "ir/evaluate.h"
@@ -19,17 +19,17 @@ enum class MetaKind : std::uint8_t {
     type,          // a concrete type; structures too
     value,         // a value known at compile time
     translator,    // one or more translator instances, composed in order
-    declarations,  // something declared: a function's overloads, or one generic declaration still without arguments
+    declarations,  // a function's overloads, or a generic declaration without arguments yet
     module,        // a module's name
     format,        // a texel format
     memory_shape,  // buffer, image2d, …
     constraint,    // a built-in constraint
-    running,       // what has a value only when the code runs: a local, a parameter, a member
+    running,       // a run-time value: a local, a parameter, a member
 };
 
 enum class Constraint : std::uint8_t { type, texel, number, integer, floating, structure, translator };
 
-/// What a name or a type expression means at compile time.
+/// The compile-time meaning of a name or a type expression.
 struct Meta {
     MetaKind kind = MetaKind::none;
     ir::TypeId type;
@@ -46,7 +46,7 @@ struct Meta {
 struct Env {
     std::uint32_t module = 0;
     std::vector<std::pair<Name, Meta>> bindings;
-    ir::TypeId self;  ///< inside interfaces and their checks: what `Self` means
+    ir::TypeId self;  ///< in interfaces: the type `Self`
 
     const Meta* find(Name name) const {
         for (const auto& [bound, meta] : bindings)
@@ -60,7 +60,7 @@ struct ModuleScope {
     std::vector<std::uint32_t> imports;
 };
 
-/// An instance under way or made: index in the Program's table of its kind.
+/// An instance, complete or in progress: index in the Program's table of its kind.
 struct Instance {
     enum class State : std::uint8_t { in_progress, done, failed } state = State::in_progress;
     std::uint32_t index = 0;
@@ -68,7 +68,7 @@ struct Instance {
     ir::TypeId type;
 };
 
-/// Where an instantiation was asked for, for notes.
+/// The use that requires an instantiation, for notes.
 struct Request {
     std::string display;
     Span span;
@@ -86,11 +86,12 @@ struct Context {
     std::unordered_map<ast::DeclId, std::uint32_t> module_of;  ///< of every declaration, members too
     std::unordered_map<std::string, Instance> instances;
     std::unordered_map<ast::DeclId, ir::ExprId> constants;  ///< checked `const`s
-    std::vector<ast::DeclId> constants_under_way;
-    std::vector<std::string> interfaces_under_way;  ///< questions whether a type satisfies one
-    std::vector<Request> requests;                  ///< the instantiations under way, outermost first
+    std::vector<ast::DeclId> constants_under_way;           ///< being checked, to detect cycles
+    std::vector<std::string> interfaces_under_way;  ///< types being checked against an interface, to detect cycles
+    std::vector<Request> requests;                  ///< the stack of instantiations, outermost first
     std::vector<std::unique_ptr<Env>> environments;
-    std::unordered_map<std::uint32_t, const Env*> structure_env;  ///< of structure instances
+    std::unordered_map<ir::FunctionId, std::uint32_t> pipelines_of_functions;  ///< see pipeline_of_function
+    std::unordered_map<std::uint32_t, const Env*> structure_env;               ///< of structure instances
     std::unordered_map<std::uint32_t, ast::DeclId> structure_decl;
     std::unordered_map<std::uint32_t, const Env*> translator_env;
     std::unordered_map<std::uint32_t, ast::DeclId> translator_decl;
@@ -107,7 +108,7 @@ struct Context {
     const ast::Stmt& operator[](ast::StmtId id) const { return tree.stmts[id]; }
     const ast::Decl& operator[](ast::DeclId id) const { return tree.decls[id]; }
 
-    /// Reports an error, with a note for each instantiation under way.
+    /// Reports an error, with a note for each instantiation in progress.
     Diagnostic& error(Diag id, Span span, std::initializer_list<std::string_view> arguments = {});
     /// Adds an instance's environment.
     Env& new_env(std::uint32_t module);

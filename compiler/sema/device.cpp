@@ -1,4 +1,4 @@
-// `device.subgroup_size` and the like: what a pipeline asks of the device that it runs on.
+// `device.subgroup_size` and the like: properties of the device that a pipeline runs on.
 #include "sema/body.h"
 
 #include <array>

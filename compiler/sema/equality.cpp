@@ -1,11 +1,11 @@
-// `==` of structs: member by member, down to what has an equality of its own.
+// `==` of structs: expanded member by member to comparisons of scalars and vectors.
 #include "sema/body.h"
 
 namespace gliftc::sema {
 
 namespace {
 
-/// How many comparisons one of the type takes.
+/// The number of comparisons for a value of the type.
 std::uint64_t comparisons(const ir::Program& p, ir::TypeId id) {
     const ir::Type& type = p.types[id];
     switch (type.kind) {
@@ -63,7 +63,7 @@ ir::ExprId make_equal(ir::Program& p, ir::ExprId left, ir::ExprId right, Span sp
     }
 }
 
-/// Something that may be named many times.
+/// A value that can be used several times: a local, or a temporary for it.
 ir::ExprId named(Body& body, ir::ExprId value, Span span) {
     ir::Op op = body.program().exprs[value].op;
     if (!body.block || op == ir::Op::local || op == ir::Op::constant) return value;

@@ -9,7 +9,7 @@ namespace gliftc::sema {
 
 namespace {
 
-/// The type that an unsuffixed literal takes where `wanted` is wanted.
+/// The type of an unsuffixed literal in a context that expects `wanted`.
 ir::TypeId literal_type(Body& body, const ast::Expr& literal, ir::TypeId wanted) {
     ir::Types& types = body.types();
     bool floating = literal.kind == ast::ExprKind::float_literal;
@@ -304,7 +304,7 @@ ir::ExprId coerce(Body& body, ir::ExprId expr, ir::TypeId wanted, Span span) {
         note(diagnostic, span, "a number is no condition: write 'x != 0'");
     else if (types.is_number(types.scalar_of(have)) && types.is_number(types.scalar_of(wanted)) &&
              types.components(have) == types.components(wanted))
-        note(diagnostic, span, "values are never converted silently: write " + body.context.text(wanted) + "(…)");
+        note(diagnostic, span, "there are no implicit conversions: write " + body.context.text(wanted) + "(…)");
     note_optional(body, diagnostic, span, have);
     return error_value(body, span);
 }
@@ -338,9 +338,11 @@ Operand check_unary(Body& body, ast::ExprId id, ir::TypeId wanted) {
         }
         return value_operand(body, value, expr.span);
     }
-    ir::ExprId value = expr.unary == ast::UnaryOp::logical_not
-                           ? check_value(body, expr.operands[0], body.types().bool_)
-                           : check_hinted(body, expr.operands[0], operand_hint(body.types(), wanted));
+    ir::TypeId hint = operand_hint(body.types(), wanted);
+    if (expr.unary == ast::UnaryOp::bit_not && hint && body.types().is_floating(body.types().scalar_of(hint)))
+        hint = {};
+    ir::ExprId value = expr.unary == ast::UnaryOp::logical_not ? check_value(body, expr.operands[0], body.types().bool_)
+                                                               : check_hinted(body, expr.operands[0], hint);
     if (is_error(body, value)) return error_operand(expr.span);
     ir::TypeId type = body.program().exprs[value].type, scalar = body.types().scalar_of(type);
     bool right = expr.unary == ast::UnaryOp::logical_not ? type == body.types().bool_

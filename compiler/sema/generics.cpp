@@ -145,7 +145,7 @@ bool Arguments::give(const Env& user, const std::vector<ast::ExprId>& written, s
         const ast::GenericParam& param = decl.generics[i];
         if (!param.constraint) return false;
         spans[i] = c[argument].span;
-        // Constraints may name earlier parameters: bind what is there so far.
+        // Constraints may name earlier parameters: bind those that are known.
         Env partial = env;
         partial.module = env.module;
         for (std::size_t k = 0; k < i; ++k)
@@ -158,7 +158,7 @@ bool Arguments::give(const Env& user, const std::vector<ast::ExprId>& written, s
         }
         ir::TypeId type = type_of(c, partial, param.constraint);
         if (type == c.types().error) return false;
-        // `border` for `Boundary.border`: where an enum is wanted its enumerators may stand alone.
+        // `border` for `Boundary.border`: where an enum is expected, enumerators need no prefix.
         const ast::Expr& expr = c[argument];
         if (c.types().kind(type) == ir::TypeKind::enum_ &&
             (expr.kind == ast::ExprKind::name || expr.kind == ast::ExprKind::none_literal)) {
@@ -208,7 +208,7 @@ void Arguments::infer_value(ast::ExprId pattern, const ir::Value& actual) {
 
 void Arguments::infer_structure(ast::ExprId pattern, std::uint32_t structure) {
     infer(pattern, context.types().of_structure(structure));
-    // A parameter constrained as Structure<D, T> also tells D and T.
+    // The constraint Structure<D, T> of a parameter also determines D and T.
     const ast::Expr& expr = context[pattern];
     if (expr.kind != ast::ExprKind::name) return;
     for (const ast::GenericParam& param : decl.generics) {
@@ -279,7 +279,7 @@ bool Arguments::finish(bool quiet) {
         if (!found[i] && param.default_value) {
             Arguments defaults(c, decl, env, use);
             defaults.found = found;
-            // A default is written where the declaration is, and may name earlier parameters.
+            // A default is evaluated in the declaration's scope, and may name earlier parameters.
             ast::Decl alone = decl;
             alone.generics = {param};
             Arguments single(c, alone, env, c[param.default_value].span);

@@ -1,11 +1,11 @@
-// Generic arguments: given, inferred, defaulted, and checked against their constraints before anything is instantiated.
+// Generic arguments: explicit, inferred or defaulted, and checked against their constraints before instantiation.
 #pragma once
 
 #include "sema/meta.h"
 
 namespace gliftc::sema {
 
-/// Binds what is given explicitly and what is inferred, then defaults; checks each against its constraint.
+/// Binds explicit and inferred arguments, then defaults; checks each against its constraint.
 struct Arguments {
     Context& context;
     const ast::Decl& decl;
@@ -16,32 +16,32 @@ struct Arguments {
 
     Arguments(Context&, const ast::Decl&, Env&, Span use);
 
-    /// Takes written arguments in order. `user` is the environment they are written in. False after an error.
+    /// Takes explicit arguments in order. `user` is the environment in which they are evaluated. False after an error.
     bool give(const Env& user, const std::vector<ast::ExprId>& written, std::size_t first = 0);
     bool give(std::vector<Meta> metas);
 
-    /// Matches a parameter's type as written against a concrete type, binding generic parameters that it names.
-    /// Never reports: what stays unbound or contradicts is seen later.
+    /// Unifies a parameter's declared type with a concrete type, binding generic parameters that it names. Never
+    /// reports: unbound parameters and contradictions are found later.
     void infer(ast::ExprId pattern, ir::TypeId actual);
     void infer_value(ast::ExprId pattern, const ir::Value& actual);
     void infer_structure(ast::ExprId pattern, std::uint32_t structure);
 
-    /// Fills in defaults, checks constraints, adds bindings to env. `quiet`: gives false instead of reporting.
+    /// Fills in defaults, checks constraints, adds bindings to env. `quiet`: returns false without reporting.
     bool finish(bool quiet = false);
 };
 
-/// What only a literal can tell: the type that the literal has on its own. After all other inference.
+/// Binds a parameter by the default type of a literal argument. After all other inference.
 void infer_from_literal(Arguments&, ast::ExprId pattern, ast::ExprId literal);
 
 /// "Array<4, float>" for a declaration and its environment.
 std::string display_of(const Context&, const ast::Decl&, const Env&);
-/// The same with the modules of all that it names: unique, and the same in every compilation.
+/// The same with qualified names: unique, and the same in every compilation.
 std::string qualified_display_of(const Context&, ast::DeclId, const Env&);
 
 /// The key of an instance in Context::instances.
 std::string key_of(const Context&, ast::DeclId, const Env&);
 
-/// Does the type satisfy the constraint as written? `why` says what is missing.
+/// Whether the argument satisfies the constraint; `why` is the reason if not.
 bool satisfies(Context&, const Env&, ast::ExprId constraint, const Meta&, std::string& why);
 
 }  // namespace gliftc::sema

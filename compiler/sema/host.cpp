@@ -1,3 +1,4 @@
+// long: what stands in pipelines alone, whose checks call each other
 // Statements and expressions that only pipelines and tests have: temporaries, passes, slices, device values, checks.
 #include "sema/body.h"
 #include "sema/components.h"
@@ -43,7 +44,7 @@ void emit_temp(Body& body, ir::LocalId local, ir::Operands arguments, Span span)
     require_transfers(body.context, body.types()[body.program().locals[local].type].index, span);
 }
 
-/// A structure that is made within an expression (a view, mostly) as if it had been declared before.
+/// A structure (mostly a view) that is constructed within an expression: declares a temporary for it.
 Operand declared(Body& body, const Operand& operand) {
     if (operand.kind != OperandKind::value || body.types().kind(operand.type) != ir::TypeKind::structure)
         return operand;
@@ -57,7 +58,7 @@ Operand declared(Body& body, const Operand& operand) {
 struct Argument {
     ast::ExprId written;
     Operand operand;
-    bool waits = false;  // a literal: checked once its type is known
+    bool waits = false;  // a literal: checked once the parameter's type is known
     std::optional<std::uint32_t> structure;
 };
 
@@ -98,14 +99,13 @@ void infer_arguments(Arguments& generics, const std::vector<ast::Param>& params,
         if (arguments[i].waits) infer_from_literal(generics, params[i].type, arguments[i].written);
 }
 
-/// A value for a kernel or pipeline parameter. The host packs it: what lives on the device has to be awaited, in
-/// writing.
+/// A value for a kernel or pipeline parameter. The host packs it, so a value on the device needs an explicit await.
 ir::ExprId value_argument(Body& body, const Argument& argument, ir::TypeId wanted) {
     if (argument.waits) return check_value(body, argument.written, wanted);
     return coerce(body, to_value(body, argument.operand), wanted, body.context[argument.written].span);
 }
 
-/// What a pass or a check gives: nothing that could be used.
+/// The operand of a call without a result, such as a pass.
 Operand no_value(Body& body, Span span) {
     return value_operand(body, add(body.program(), ir::Op::constant, body.types().void_, span), span);
 }
@@ -134,15 +134,14 @@ std::optional<ir::Operands> kernel_arguments(Body& body, std::uint32_t kernel_in
     return values;
 }
 
-/// The kernel's `at` parameter if it has exactly one: it may be left out where another parameter gives the range.
+/// The kernel's `at` parameter if it has exactly one: its argument may be omitted if another parameter gives the range.
 std::optional<std::size_t> only_address(const std::vector<ast::Param>& params) {
     const auto is_address = [](const ast::Param& param) { return param.pattern == ast::Pattern::at; };
     if (std::ranges::count_if(params, is_address) != 1) return std::nullopt;
     return static_cast<std::size_t>(std::ranges::find_if(params, is_address) - params.begin());
 }
 
-/// Gives the left-out `at` parameter the argument of the first each-parameter over the same structure, or
-/// any-parameter.
+/// Inserts the omitted argument of the `at` parameter: that of the parameter which gives the range.
 void insert_address(const std::vector<ir::KernelParam>& params, std::size_t at, std::vector<Argument>& arguments) {
     auto giver = ir::range_giver(params, at);
     if (giver)
@@ -489,7 +488,7 @@ bool check_pipeline_statement(Body& body, const ast::Stmt& stmt) {
     switch (stmt.kind) {
     case ast::StmtKind::temp: return check_structure_declaration(body, stmt);
     case ast::StmtKind::let:
-        // Views and slices have no type that a user could write; values go the ordinary way.
+        // Views and slices have no type in the source language; values are checked as in functions.
         if (stmt.type || !stmt.value || stmt.binding == ast::Binding::const_ || !is_structure_value(body, stmt.value))
             return false;
         return check_structure_declaration(body, stmt);
@@ -500,7 +499,7 @@ bool check_pipeline_statement(Body& body, const ast::Stmt& stmt) {
         if (operand.kind == OperandKind::value) {
             const ir::Expr& node = body.program().exprs[operand.expr];
             if (node.op == ir::Op::constant && node.type == body.types().void_)
-                return true;  // a pass or a check: emitted already
+                return true;  // a pass or an expect: emitted already
             if (node.op != ir::Op::call && node.op != ir::Op::pipeline_call) c.error(Diag::no_effect, call.span);
             ir::StmtId id = add(body.program(), ir::StmtOp::evaluate, stmt.span);
             body.program().stmts[id].value = operand.expr;

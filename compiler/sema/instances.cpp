@@ -1,4 +1,4 @@
-// Instances of structs, enums and functions, and what all instantiation shares.
+// Instances of structs, enums and functions, and the depth limit of instantiation.
 #include "sema/instances.h"
 
 #include "sema/body.h"
@@ -33,7 +33,7 @@ ir::TypeId make_struct(Context& c, ast::DeclId id, const Env& env, const std::st
     c.struct_decl[index] = id;
     for (const auto& [name, meta] : env.bindings) c.struct_arguments[index].push_back(meta);
     std::vector<ir::StructField> fields;
-    std::uint64_t numbers = 0;
+    std::uint64_t scalars = 0;
     for (const ast::Field& field : written.fields) {
         ir::TypeId type = type_of(c, env, field.type);
         bool storable = c.types().kind(type) != ir::TypeKind::structure && c.types().kind(type) != ir::TypeKind::void_;
@@ -41,12 +41,12 @@ ir::TypeId make_struct(Context& c, ast::DeclId id, const Env& env, const std::st
             c.error(Diag::field_type, c[field.type].span, {c.text(type)});
             type = c.types().error;
         }
-        numbers += numbers_in(c.program, type);
-        if (numbers > most_numbers) {
+        scalars += scalars_in(c.program, type);
+        if (scalars > most_scalars) {
             const Name name = decl.name.name;
             c.error(Diag::field_type, c[field.type].span,
-                    {c.text(type) + ": with it " + too_many_numbers(c.text(name), numbers)});
-            numbers -= numbers_in(c.program, type);
+                    {c.text(type) + ": with it " + too_many_scalars(c.text(name), scalars)});
+            scalars -= scalars_in(c.program, type);
             type = c.types().error;
         }
         for (const ir::StructField& other : fields)
@@ -87,7 +87,7 @@ ir::TypeId make_enum(Context& c, ast::DeclId id) {
 InstantiationScope::InstantiationScope(Context& context, std::string display, Span use) : context_(context) {
     if (context.requests.size() >= instantiation_limit) {
         too_deep_ = true;
-        context.error(Diag::endless_instantiation, use, {display});
+        context.error(Diag::infinite_instantiation, use, {display});
     }
     context_.requests.push_back({std::move(display), use});
 }
@@ -133,7 +133,7 @@ static void declare_params(Body& body, const std::vector<ast::Param>& params, ir
             note(c.error(Diag::function_pattern, param.pattern_span), param.pattern_span,
                  "a function gives its value by 'return'; elements are written by the kernel");
         else if (is_out) c.error(Diag::function_out, param.direction_span);
-        if (!seen || is_out) {  // what is done with it is no further mistake
+        if (!seen || is_out) {  // avoids errors that follow from this one
             const ir::LocalId local = declare_local(body, param.name, c.types().error, true, false);
             if (c.types().kind(type) == ir::TypeKind::structure) ++first_structure;
             else function.params.push_back(local);
@@ -154,7 +154,7 @@ static void declare_params(Body& body, const std::vector<ast::Param>& params, ir
     }
 }
 
-/// What follows a return that a constant `if` led to is never reached.
+/// Removes unreachable statements after a return that a constant `if` selected.
 static void cut_after_return(const ir::Program& program, std::vector<ir::StmtId>& body) {
     auto is_return = [&](ir::StmtId id) { return program.stmts[id].op == ir::StmtOp::return_; };
     auto found = std::ranges::find_if(body, is_return);
@@ -183,6 +183,7 @@ std::optional<ir::FunctionId> instantiate_function(Context& c, ast::DeclId id, c
     ir::Function function;
     function.name = decl.name.name;
     function.display = display_of(c, decl, env);
+    function.key = qualified_display_of(c, id, env);
     function.span = decl.name.span;
     function.module = c.module_of.at(id);
     function.is_pub = decl.is_pub;
@@ -215,6 +216,7 @@ std::optional<ir::FunctionId> instantiate_function(Context& c, ast::DeclId id, c
     Instance& instance = c.instances[key];
     instance.state = c.diagnostics.error_count() == errors ? Instance::State::done : Instance::State::failed;
     if (instance.state == Instance::State::failed) return std::nullopt;
+    function.reads_memory = reads_memory(c.program, function.body);
     ir::FunctionId made = c.program.functions.add(std::move(function));
     c.instances[key].index = made.index;
     return made;

@@ -9,7 +9,7 @@ namespace gliftc::sema {
 
 namespace {
 
-/// One function that an interface asks for, its types known.
+/// A function that an interface requires, with concrete types.
 struct Wanted {
     ast::Identifier name;
     std::vector<ast::Identifier> params;
@@ -28,7 +28,7 @@ Wanted wanted_of(Context& c, const Env& inside, ast::DeclId member) {
     return wanted;
 }
 
-/// Takes and gives the function exactly what is wanted, whatever its own generic arguments have to be for it?
+/// Whether the function, with some generic arguments, has exactly the required parameter and result types.
 bool fits(Context& c, ast::DeclId candidate, const Wanted& wanted) {
     const ast::Decl& decl = c[candidate];
     const auto& function = std::get<ast::Function>(decl.body);
@@ -76,10 +76,10 @@ bool satisfies_interface(Context& c, const Env& env, ast::DeclId id, const ast::
     bool given = constraint.kind != ast::ExprKind::generic || arguments.give(env, constraint.operands, 1);
     if (!given || !arguments.finish()) return true;  // reported
 
-    // Whether a type fits cannot depend on itself: a function that is there only for types that fit does not help.
+    // A cycle: whether the type satisfies the interface depends on itself, by a function constrained by that interface.
     std::string key = key_of(c, id, inside) + "@" + std::to_string(type.index) + "@" + std::to_string(env.module);
     if (std::find(c.interfaces_under_way.begin(), c.interfaces_under_way.end(), key) != c.interfaces_under_way.end()) {
-        why = "it is not known without itself";
+        why = "this depends on itself";
         return false;
     }
     c.interfaces_under_way.push_back(key);

@@ -1,4 +1,4 @@
-// Calls of the functions that every target has: their signatures are one string each, read here.
+// Calls of intrinsics: matches arguments against the signature strings of ir/intrinsics.def.
 #include "sema/body.h"
 #include "sema/typing.h"
 
@@ -11,7 +11,7 @@ namespace {
 /// One parameter of a signature.
 struct Shape {
     char letter;
-    bool or_scalar;  // "Nn": a scalar of the element type is taken too
+    bool or_scalar;  // "Nn": a scalar of the element type is accepted, too
 };
 
 struct Signature {
@@ -98,6 +98,7 @@ ir::TypeId result_of(ir::Types& types, char letter, ir::TypeId argument) {
     case '2': return types.vector(types.float_, 2);
     case '4': return types.vector(types.float_, 4);
     case 'w': return types.vector(types.uint, 4);
+    case 't': return types.matrix(types.scalar_of(argument), types[argument].rows, types[argument].count);
     case '=': return types.scalar_of(argument);
     case 'B': return types.with_scalar(argument, types.bool_);
     case 'S': return types.with_scalar(argument, types.int_);
@@ -108,7 +109,7 @@ ir::TypeId result_of(ir::Types& types, char letter, ir::TypeId argument) {
     }
 }
 
-/// Where the result is the bits of another type, its letter differs from the first parameter's.
+/// Bit casts have a result letter other than the first parameter's.
 ir::TypeId result_type(ir::Types& types, const Signature& signature, ir::TypeId argument) {
     if (signature.result == 'F' && !signature.params.empty() &&
         (signature.params[0].letter == 'U' || signature.params[0].letter == 'S'))
@@ -132,12 +133,12 @@ ir::TypeId fixed_type(ir::Types& types, char letter) {
     }
 }
 
-/// What is wanted of the result says what an argument should be only where the signature gives both one type.
+/// Whether the expected result type is a hint for this parameter: the signature gives both the same type.
 bool has_type_of_result(const Signature& signature, const Shape& shape) {
     return signature.result == shape.letter || signature.result == '=';
 }
 
-/// The literals' type: that of the other arguments, else what is wanted, else float where floats are needed.
+/// The type hint for literals: the type of the other arguments, else the expected one, else float where required.
 ir::TypeId literal_hint(ir::Types& types, char letter, ir::TypeId common, ir::TypeId wanted) {
     if (common) return types.scalar_of(common);
     if (wanted && accepts(types, letter, wanted)) return types.scalar_of(wanted);
@@ -153,14 +154,13 @@ Operand wrong_argument(Body& body, ir::Intrinsic intrinsic, char letter, Span sp
     note_optional(body, diagnostic, span, type);
     const ir::TypeId scalar = body.types().scalar_of(type);
     if (letter == 'G' && scalar == body.types().double_)
-        note(diagnostic, span, "devices have this function of float and half alone: convert what it is given");
+        note(diagnostic, span, "devices have this function for float and half only: convert the argument");
     if (letter == 'J' && body.types().is_integer(scalar))
-        note(diagnostic, span, "devices have this function of 32 bits alone: uint(x) and uint(x >> 32) are the halves");
+        note(diagnostic, span, "devices have this function for 32 bits only: uint(x) and uint(x >> 32) are the halves");
     return error_operand(span);
 }
 
-/// GLSL's abs and sign take signed numbers; of unsigned ones the value itself is the first, the lesser of it and one
-/// the second.
+/// GLSL's abs and sign take signed numbers; for unsigned x, abs is x and sign is min(x, 1).
 std::optional<ir::ExprId> of_unsigned(Body& body, ir::Intrinsic intrinsic, const ir::Operands& operands, Span span) {
     if (intrinsic != ir::Intrinsic::abs && intrinsic != ir::Intrinsic::sign) return std::nullopt;
     ir::Types& types = body.types();
@@ -189,6 +189,7 @@ std::optional<ir::Intrinsic> find_intrinsic(std::string_view name) {
     return found == table.end() ? std::nullopt : std::optional(found->second);
 }
 
+// long: a case for each kind of built-in function
 Operand call_intrinsic(Body& body, ir::Intrinsic intrinsic, const std::vector<ast::ExprId>& arguments,
                        const ast::Expr& call, ir::TypeId wanted) {
     Context& c = body.context;
@@ -196,8 +197,15 @@ Operand call_intrinsic(Body& body, ir::Intrinsic intrinsic, const std::vector<as
     Signature signature = read(ir::signature_of(intrinsic));
     std::string name(ir::name_of(intrinsic));
     if (signature.params.size() != arguments.size()) {
-        c.error(Diag::argument_count, call.span,
-                {name, std::to_string(signature.params.size()), std::to_string(arguments.size())});
+        Diagnostic& diagnostic =
+            c.error(Diag::argument_count, call.span,
+                    {name, std::to_string(signature.params.size()), std::to_string(arguments.size())});
+        const bool is_of_all = intrinsic == ir::Intrinsic::min || intrinsic == ir::Intrinsic::max;
+        if (is_of_all && arguments.size() == 1)
+            note(diagnostic, call.span,
+                 "it compares two values; the pipelines 'minimum' and 'maximum' of std.reduce go through all elements "
+                 "of "
+                 "a structure");
         return error_operand(call.span);
     }
     if (signature.subgroup && !body.grouped()) {
@@ -236,7 +244,7 @@ Operand call_intrinsic(Body& body, ir::Intrinsic intrinsic, const std::vector<as
         ir::TypeId type = body.program().exprs[operands[i]].type;
         if (type == common) continue;
         bool scalar = types.is_scalar(type) && type == types.scalar_of(common);
-        // A literal among vectors stands for all components; so does a scalar where GLSL takes one.
+        // A literal beside vectors is broadcast; so is a scalar where GLSL accepts one.
         if (!scalar || !(shape.or_scalar || is_flexible(c, arguments[i])))
             return wrong_argument(body, intrinsic, shape.letter, c[arguments[i]].span, type);
         operands[i] = add(body.program(), ir::Op::construct, common, call.span, {operands[i]});

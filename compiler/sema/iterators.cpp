@@ -1,4 +1,4 @@
-// Iterator parameters in kernel bodies: what reading and assigning them means.
+// Reads and assignments of iterator parameters in kernel bodies.
 #include "sema/body.h"
 
 namespace gliftc::sema {
@@ -35,7 +35,7 @@ void assign_element(Body& body, const ast::Stmt& stmt, const Symbol& symbol) {
     if (!is_error(body, value)) emit_set_element(body, symbol.slot, value, stmt.span);
 }
 
-/// `g.x = v` and `g[i] = v` on the current element: a copy is changed and set back.
+/// `g.x = v` and `g[i] = v` on the current element: read, modify, write back.
 void assign_part(Body& body, const ast::Stmt& stmt, Symbol& symbol, ast::ExprId root) {
     const ir::KernelParam& param = body.kernel->params[symbol.slot];
     if (param.direction != ir::Direction::inout) {
@@ -120,7 +120,7 @@ void write_coherent(Body& body, const ast::Stmt& stmt, const Symbol& symbol) {
     }
     if (stmt.op) {
         note(c.error(Diag::coherent_compound, stmt.span, {name}), stmt.span,
-             "atomicAdd(" + name + "[address], x) and its kin do both at once");
+             "atomicAdd(" + name + "[address], x) and the other atomics do both at once");
         return;
     }
     ir::ExprId address = check_value(body, target.operands[1], structure.domain_type);

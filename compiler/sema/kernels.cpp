@@ -36,7 +36,7 @@ std::optional<ir::Combine> combine_of(std::string_view name) {
     return std::nullopt;
 }
 
-/// Is the direction one that the pattern allows?
+/// Checks that the pattern allows the direction.
 void check_direction(Context& c, const ast::Param& param, ir::KernelParam& made) {
     const ir::Directions allowed = ir::traits_of(made.pattern).directions;
     const bool reads_only = allowed == ir::Directions::in;
@@ -44,7 +44,7 @@ void check_direction(Context& c, const ast::Param& param, ir::KernelParam& made)
     const bool does_both = allowed == ir::Directions::inout;
     switch (param.direction) {
     case ast::Direction::none:
-        // inout, so that the body's own use of it is no second mistake.
+        // inout, so that uses in the body give no further errors.
         made.direction = writes_only ? ir::Direction::out : reads_only ? ir::Direction::in : ir::Direction::inout;
         if (!reads_only)
             note(c.error(Diag::direction_missing, param.name.span, {c.text(param.name.name)}), param.name.span,
@@ -87,7 +87,7 @@ void check_extra(Context& c, const Env& env, const ast::Param& param, ir::Kernel
         made.radius = window_radius(c, env, param);
         return;
     }
-    if (made.pattern == ir::Pattern::at) return;  // its argument is of the whole iteration: read_items
+    if (made.pattern == ir::Pattern::at) return;  // its argument concerns the whole iteration: read_items
     if (made.pattern != ir::Pattern::scatter) {
         if (!param.extra.empty()) c.error(Diag::pattern_arguments, c[param.extra[0]].span);
         return;
@@ -97,7 +97,7 @@ void check_extra(Context& c, const Env& env, const ast::Param& param, ir::Kernel
     auto combine = op.kind == ast::ExprKind::name ? combine_of(c.text(op.name)) : std::nullopt;
     if (!combine) {
         note(c.error(Diag::scatter_operation, op.span), op.span,
-             "one of min, max, add, and, or, xor; none: the writes must not meet");
+             "one of min, max, add, and, or, xor; without one, invocations must not write the same element");
         return;
     }
     made.combine = *combine;
@@ -107,7 +107,7 @@ void check_extra(Context& c, const Env& env, const ast::Param& param, ir::Kernel
     if (!fits) c.error(Diag::scatter_element, op.span, {c.text(op.name), c.text(element)});
 }
 
-/// Elements that workgroups share lie in a buffer.
+/// Elements that workgroups share must be in a buffer.
 void check_coherent(Body& body, const ast::Param& param, std::uint32_t index) {
     Context& c = body.context;
     const ir::Structure& structure = c.program.structures[index];
@@ -116,7 +116,7 @@ void check_coherent(Body& body, const ast::Param& param, std::uint32_t index) {
         c.error(Diag::coherent_memory, param.name.span, {structure.display});
 }
 
-/// The invocations of a pass run in no order, so no two of them may write one place.
+/// The invocations of a pass run in no order, so no two of them may write the same element.
 void check_exclusive(Context& c, const ast::Param& param, const ir::KernelParam& made) {
     if (made.pattern != ir::Pattern::each || made.direction == ir::Direction::in) return;
     const ir::Translator* translator = ir::many_to_one_stage(c.program, made.structure);
@@ -124,10 +124,35 @@ void check_exclusive(Context& c, const ast::Param& param, const ir::KernelParam&
     const std::string& structure = c.program.structures[made.structure].display;
     Diagnostic& diagnostic = c.error(Diag::each_many_to_one, param.name.span, {c.text(param.name.name), structure});
     note(diagnostic, translator->span, "declared @many_to_one here");
-    note(diagnostic, param.pattern_span,
-         "scatter<S, op> says how writes that meet combine: min, max, add, and, or, xor");
+    note(diagnostic, param.pattern_span, "scatter<S, op> combines writes to one element: min, max, add, and, or, xor");
 }
 
+/// Whether a kernel can touch what is of the type so. An adaptor has no elements: kernels read its members, and call
+/// its functions.
+bool is_touched(Context& c, const ast::Param& param, ir::Pattern pattern, ir::TypeId type) {
+    if (c.types().kind(type) != ir::TypeKind::structure) {
+        if (type != c.types().error) c.error(Diag::pattern_needs_structure, c[param.type].span, {c.text(type)});
+        return false;
+    }
+    const ir::Structure& structure = c.program.structures[c.types()[type].index];
+    if (structure.kind != ir::StructureKind::adaptor || pattern == ir::Pattern::any) return true;
+    c.error(Diag::adaptor_in_kernel, c[param.type].span, {structure.display});
+    return false;
+}
+
+/// A parameter without a structure to look at: uses of its name say nothing more.
+void add_broken(Body& body, const ast::Param& param, ir::KernelParam made, ir::Kernel& kernel) {
+    const ir::TypeId error = body.types().error;
+    Symbol broken;
+    broken.kind = SymbolKind::local;
+    broken.type = error;
+    broken.local = add_local(body.context.program, param.name.name, error, param.name.span);
+    declare(body, param.name, broken);
+    made.pattern = ir::Pattern::value;
+    made.local = broken.local;
+    kernel.params.push_back(std::move(made));
+}
+// long: the checks of one declaration, in the order of its words
 void add_param(Body& body, const ast::Param& param, ir::Kernel& kernel) {
     Context& c = body.context;
     ir::KernelParam made;
@@ -142,7 +167,8 @@ void add_param(Body& body, const ast::Param& param, ir::Kernel& kernel) {
         bool is_structure = c.types().kind(type) == ir::TypeKind::structure;
         if (is_structure)
             note(c.error(Diag::structure_needs_pattern, c[param.type].span, {c.text(param.name.name)}),
-                 c[param.type].span, "say how the kernel touches it: each<…>, near<…, r>, any<…>, at<…> or scatter<…>");
+                 c[param.type].span,
+                 "say how the kernel accesses it: each<…>, near<…, r>, any<…>, at<…> or scatter<…>");
         if (type && !is_structure && holds_optional(c.program, type)) {
             note(c.error(Diag::optional_parameter, c[param.type].span, {c.text(param.name.name), c.text(type)}),
                  c[param.type].span, "pass the value and a bool that says whether there is one");
@@ -152,29 +178,15 @@ void add_param(Body& body, const ast::Param& param, ir::Kernel& kernel) {
         kernel.params.push_back(std::move(made));
         return;
     }
-    if (c.types().kind(type) != ir::TypeKind::structure) {
-        if (type != c.types().error) c.error(Diag::pattern_needs_structure, c[param.type].span, {c.text(type)});
-        Symbol broken;
-        broken.kind = SymbolKind::local;
-        broken.type = c.types().error;
-        broken.local = add_local(c.program, param.name.name, c.types().error, param.name.span);
-        declare(body, param.name, broken);
-        made.pattern = ir::Pattern::value;  // there is no structure to look at
-        made.local = broken.local;
-        kernel.params.push_back(std::move(made));
-        return;
-    }
+    if (!is_touched(c, param, made.pattern, type)) return add_broken(body, param, std::move(made), kernel);
     made.structure = c.types()[type].index;
     const ir::Structure structure = c.program.structures[made.structure];
-    if (structure.kind == ir::StructureKind::adaptor)
-        c.error(Diag::adaptor_in_kernel, c[param.type].span, {structure.display});
     check_direction(c, param, made);
     check_extra(c, body.env, param, made);
     check_exclusive(c, param, made);
     if (structure.kind == ir::StructureKind::view && made.direction != ir::Direction::in)
         c.error(Diag::view_written, param.name.span, {structure.display});
-    if (ir::visits(made.pattern) && !structure.domain && structure.kind != ir::StructureKind::adaptor)
-        c.error(Diag::no_domain, param.name.span, {structure.display});
+    if (ir::visits(made.pattern) && !structure.domain) c.error(Diag::no_domain, param.name.span, {structure.display});
     Symbol symbol;
     const bool is_coherent = made.pattern == ir::Pattern::coherent;
     if (is_coherent) {
@@ -203,7 +215,7 @@ void find_domain(Context& c, const ast::Kernel& written, ir::Kernel& kernel, boo
                  first->span, "the iteration follows this one");
         }
     }
-    // A parameter may be broken where its structure was reported.
+    // No further error if a parameter's structure has one.
     const bool is_asked = std::ranges::any_of(written.params, [](const ast::Param& param) {
         return param.pattern == ast::Pattern::each || param.pattern == ast::Pattern::at;
     });
@@ -222,12 +234,13 @@ void find_domain(Context& c, const ast::Kernel& written, ir::Kernel& kernel, boo
     }
 }
 
-/// Whether a caller will mostly pass two parameters of one structure that were made alike, of one size: what is visited
-/// together is, and what is written with the same type (`S` and `S`, not `S` and `D`).
+/// Whether two parameters of one structure are likely to be passed with the same state (size): they are visited
+/// together, or declared with the same type name (`S` and `S`, not `S` and `D`).
 bool are_alike(const Context& c, const ast::Kernel& written, const ir::Kernel& kernel, std::size_t i, std::size_t k) {
     const ir::KernelParam &one = kernel.params[i], &other = kernel.params[k];
     if (one.pattern == ir::Pattern::value || other.pattern == ir::Pattern::value) return false;
     if (one.structure != other.structure) return false;
+    if (c.program.structures[one.structure].kind == ir::StructureKind::adaptor) return false;
     if (ir::follows_iteration(one.pattern) && ir::follows_iteration(other.pattern)) return true;
     return print(written.params[i].type, c.tree, c.names) == print(written.params[k].type, c.tree, c.names);
 }
@@ -240,7 +253,7 @@ void find_alike(const Context& c, const ast::Kernel& written, ir::Kernel& kernel
     }
 }
 
-/// `at<S, 16>`: the kernel runs once for so many consecutive elements.
+/// `at<S, 16>`: the kernel runs once for 16 consecutive elements.
 void read_items(Context& c, const Env& env, const ast::Kernel& written, ir::Kernel& kernel) {
     const ast::Param* first = nullptr;
     for (const ast::Param& param : written.params) {

@@ -1,12 +1,12 @@
-// Which functions a plain name means: those visible in a module, and those that come with the types of the arguments.
+// Name lookup: functions visible in a module, and those found by argument-dependent lookup.
 #pragma once
 
 #include "sema/context.h"
 
 namespace gliftc::sema {
 
-/// What a name means in a module: its own declarations, else the public ones of its imports. `hidden` are those that
-/// the imports keep to themselves, where there is nothing else.
+/// The declarations of a name in a module: its own, else the public ones of its imports. If there are none, `hidden`
+/// are private ones of the imports.
 struct Visible {
     std::vector<ast::DeclId> found, hidden;
 };
@@ -17,8 +17,8 @@ Visible look_up(Context&, std::uint32_t module, ast::Identifier name);
 bool is_function(const Context&, const std::vector<ast::DeclId>&);
 bool some_module_has_function(const Context&, Name);
 
-/// Adds the functions of this name, public or not, that stand in the modules of the structs and enums among `types`:
-/// who passes a type passes its functions.
+/// Argument-dependent lookup: adds the functions of this name, public or not, in the modules of the structs and enums
+/// among `types`.
 void add_functions_of_types(Context&, Name, const std::vector<ir::TypeId>& types, std::vector<ast::DeclId>& functions);
 
 }  // namespace gliftc::sema

@@ -163,7 +163,7 @@ Operand index_part(Body& body, ir::ExprId value, const ast::Expr& expr) {
     return value_operand(body, add(body.program(), ir::Op::index, part, expr.span, {value, index}), expr.span);
 }
 
-/// `window[offset]`: the element at the current address and a constant offset.
+/// `window[offset]`: the element at the current address plus a constant offset.
 Operand index_window(Body& body, const Operand& window, std::uint32_t structure, const ast::Expr& expr) {
     Context& c = body.context;
     ir::TypeId element = body.program().structures[structure].element;

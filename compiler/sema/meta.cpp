@@ -99,7 +99,7 @@ Meta builtin(Context& c, std::string_view text) {
     return meta;
 }
 
-/// Tells a structure a name that a module gives it.
+/// Records a name that a module gives to a structure.
 void note_alias(Context& c, ast::DeclId id, ir::TypeId structure) {
     const ast::Decl& decl = c[id];
     if (!decl.generics.empty()) return;
@@ -110,7 +110,7 @@ void note_alias(Context& c, ast::DeclId id, ir::TypeId structure) {
     if (!is_known) aliases.push_back({decl.name.name, module, decl.is_pub});
 }
 
-/// What a declaration means once its generic arguments are bound in `env`.
+/// The meaning of a declaration with its generic arguments bound in `env`.
 Meta meta_of_declaration(Context& c, ast::DeclId id, const Env& env, Span use) {
     const ast::Decl& decl = c[id];
     Meta meta;
@@ -225,9 +225,9 @@ Meta meta_of_array(Context& c, const Env& env, const ast::Expr& expr) {
         return {};
     }
     const ir::TypeId type = c.types().array(element, *count);
-    if (const std::uint64_t numbers = numbers_in(c.program, type); numbers > most_numbers) {
+    if (const std::uint64_t scalars = scalars_in(c.program, type); scalars > most_scalars) {
         Diagnostic& error = c.error(Diag::array_size, expr.span);
-        note(error, {}, too_many_numbers(c.text(type), numbers) + ": keep it in a structure, as Array<1, …>");
+        note(error, {}, too_many_scalars(c.text(type), scalars) + ": keep it in a structure, as Array<1, …>");
         return {};
     }
     return of_type(type);
@@ -238,7 +238,7 @@ Meta meta_of_array(Context& c, const Env& env, const ast::Expr& expr) {
 std::vector<ast::DeclId> find_declarations(Context& c, std::uint32_t module, ast::Identifier name) {
     Visible visible = look_up(c, module, name);
     if (!visible.found.empty() || visible.hidden.empty()) return visible.found;
-    // What others keep to themselves hides nothing of the language's.
+    // Private names of imports do not hide names of the language.
     if (builtin(c, c.text(name.name)).kind != MetaKind::none) return {};
     std::string_view owner = c.text(c.modules[c.module_of.at(visible.hidden[0])].tree->name.name);
     note(c.error(Diag::not_public, name.span, {c.text(name.name), owner}), c[visible.hidden[0]].name.span,
@@ -391,7 +391,7 @@ std::string suggestion_for(Context& c, const Env& env, std::string_view name,
     return std::string(did_you_mean(name, candidates));
 }
 
-/// A module that declares the name as public: one that is loaded, else one that is there to be imported.
+/// A module that declares the name as public: a loaded one, else one that could be imported.
 static std::string module_with(const Context& c, Name name) {
     for (std::uint32_t i = 0; i < c.scopes.size(); ++i) {
         auto found = c.scopes[i].names.find(name);
@@ -440,7 +440,7 @@ std::string to_text(const Context& c, const Meta& meta) {
 
 std::string to_qualified_text(const Context& c, const Meta& meta) {
     if (meta.kind == MetaKind::type) return ir::to_qualified_text(c.program, meta.type);
-    if (meta.kind == MetaKind::value && meta.value.lanes.size() != 1)  // a struct's type may be of any module
+    if (meta.kind == MetaKind::value && meta.value.lanes.size() != 1)  // a struct's type needs its module
         return ir::to_qualified_text(c.program, meta.value.type) + ir::to_text(c.program, meta.value);
     if (meta.kind != MetaKind::translator) return to_text(c, meta);
     std::string text;

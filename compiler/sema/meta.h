@@ -1,24 +1,23 @@
-// Compile-time meanings: names in scope, types as written, generic arguments, constraints.
+// Compile-time meanings of names, type expressions, generic arguments and constraints.
 #pragma once
 
 #include "sema/context.h"
 
 namespace gliftc::sema {
 
-/// The declarations that `name` means in a module, its own before those it imports. Reports ambiguity; empty if
-/// unknown.
+/// The declarations of `name` in a module: its own, else those that it imports. Reports ambiguity; empty if unknown.
 std::vector<ast::DeclId> find_declarations(Context&, std::uint32_t module, ast::Identifier name);
 
-/// What a name means in an instance of a module: generic argument, declaration, built-in type. kind none if unknown.
+/// The meaning of a name in an instance: generic argument, declaration, built-in type. kind none if unknown.
 Meta find_meta(Context&, const Env&, ast::Identifier name);
 
-/// What `structure Field = …` means, with its generic arguments bound. A structure learns that it is called so.
+/// The meaning of `structure Field = …`, with its generic arguments bound. Records the name with the structure.
 Meta meta_of_alias(Context&, ast::DeclId, const Env&, Span use);
 
-/// What a type expression means; reports and gives none if it means nothing.
+/// The meaning of a type expression; reports an invalid one and returns none.
 Meta meta_of(Context&, const Env&, ast::ExprId);
 
-/// The concrete type that an expression names; reports otherwise and gives the error type.
+/// The concrete type that an expression denotes; else reports and returns the error type.
 ir::TypeId type_of(Context&, const Env&, ast::ExprId);
 
 /// The value of a compile-time expression of the wanted type (or its own, if wanted is absent); reports otherwise.
@@ -27,16 +26,16 @@ std::optional<ir::Value> constant_of(Context&, const Env&, ast::ExprId, ir::Type
 /// The checked value of a `const` declaration.
 ir::ExprId constant_declaration(Context&, ast::DeclId);
 
-/// A whole number written or computed at compile time: array sizes, group sizes, radii.
+/// The value of a compile-time expression of integer type: array sizes, group sizes, radii.
 std::optional<std::uint32_t> count_of(Context&, const Env&, ast::ExprId);
 
-/// Names near to `name` that are visible in a module, for did-you-mean.
+/// The visible name most similar to `name`, for "did you mean".
 std::string suggestion_for(Context&, const Env&, std::string_view name, const std::vector<std::string_view>& more = {});
 void report_unknown(Context&, const Env&, ast::Identifier name, const std::vector<std::string_view>& more = {});
 
 /// Text of a generic argument: 4, float, uint2(8, 8).
 std::string to_text(const Context&, const Meta&);
-/// The same with the modules of all that it names.
+/// The same with qualified names.
 std::string to_qualified_text(const Context&, const Meta&);
 bool same(const Meta&, const Meta&);
 

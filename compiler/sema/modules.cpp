@@ -1,4 +1,4 @@
-// What each module declares and imports.
+// The declarations and imports of each module.
 #include "sema/modules.h"
 
 #include <set>
@@ -17,7 +17,7 @@ void own_items(Context& c, const std::vector<ast::Item>& items, std::uint32_t mo
     }
 }
 
-/// Reports names given twice in a list of names with their places.
+/// Reports duplicate names in a list.
 template <class Things> void report_duplicates(Context& c, const Things& things) {
     for (std::size_t i = 0; i < things.size(); ++i)
         for (std::size_t k = 0; k < i; ++k)
@@ -61,7 +61,7 @@ void declare(Context& c, ModuleScope& scope, ast::DeclId id) {
     same.push_back(id);
 }
 
-/// The modules that one uses, and that these use, sorted.
+/// The modules that a module uses, transitively; sorted.
 std::vector<std::uint32_t> reached_from(const std::vector<LoadedModule>& modules, std::uint32_t from) {
     std::set<std::uint32_t> reached;
     std::vector<std::uint32_t> next = {from};

@@ -5,8 +5,8 @@
 
 namespace gliftc::sema {
 
-/// Reports what is wrong whatever the sizes are: parameters that are all of one structure and meet. Calls with boxes
-/// are looked at when they run.
+/// Reports races that do not depend on sizes: parameters that are given the same whole structure. Calls with boxes are
+/// checked at run time.
 void check_one_memory(Context&, const ir::Kernel&, const ir::Operands& arguments);
 
 }  // namespace gliftc::sema

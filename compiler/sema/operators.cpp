@@ -71,8 +71,8 @@ struct Pair {
     ir::ExprId left, right;
 };
 
-/// Checks both sides so that each gives the other the type that its literals and inferred calls take. What is wanted of
-/// the result is a wish: `scale * normal` where a vector is wanted.
+/// Checks both operands; the type of one is the hint for literals and inferred calls in the other. The expected result
+/// type is only a hint: in `scale * normal`, of vector type, an operand is a scalar.
 Pair check_sides(Body& body, const ast::Expr& expr, ir::TypeId wanted) {
     ast::ExprId l = expr.operands[0], r = expr.operands[1];
     const Typing left = typing_of(body.context, l), right = typing_of(body.context, r);
@@ -94,6 +94,15 @@ Pair check_sides(Body& body, const ast::Expr& expr, ir::TypeId wanted) {
     return pair;
 }
 
+/// The expected type of the operands, where `wanted` is that of the result. None where the operator does not take it.
+ir::TypeId wanted_of_sides(const ir::Types& types, ast::BinaryOp op, ir::TypeId wanted) {
+    const Family family = family_of(op);
+    const bool compares = family == Family::ordering || family == Family::equality;
+    const bool takes_integers = family == Family::bits || family == Family::shift || op == ast::BinaryOp::remainder;
+    if (!wanted || compares || (takes_integers && types.is_floating(types.scalar_of(wanted)))) return {};
+    return wanted;
+}
+
 Operand mismatch(Body& body, const ast::Expr& expr, Pair sides) {
     Context& c = body.context;
     ir::TypeId left = body.program().exprs[sides.left].type, right = body.program().exprs[sides.right].type;
@@ -110,7 +119,7 @@ Operand mismatch(Body& body, const ast::Expr& expr, Pair sides) {
         note(diagnostic, expr.span, "of floats 'mod(x, y)' is x - y * floor(x / y)");
     else if (body.types().scalar_of(left) != body.types().scalar_of(right))
         note(diagnostic, expr.span,
-             "values are never converted silently: convert one side, as in " + c.text(body.types().scalar_of(left)) +
+             "there are no implicit conversions: convert one side, as in " + c.text(body.types().scalar_of(left)) +
                  "(…)");
     else if (family_of(expr.binary) == Family::equality && left == right &&
              body.types().kind(left) == ir::TypeKind::struct_)
@@ -120,7 +129,7 @@ Operand mismatch(Body& body, const ast::Expr& expr, Pair sides) {
     return error_operand(expr.span);
 }
 
-/// The type of matrix products; none if these do not multiply.
+/// The type of a matrix product; none if the shapes do not match.
 ir::TypeId matrix_product(ir::Types& types, ir::TypeId left, ir::TypeId right) {
     const ir::Type l = types[left], r = types[right];
     bool lm = l.kind == ir::TypeKind::matrix, rm = r.kind == ir::TypeKind::matrix;
@@ -132,7 +141,7 @@ ir::TypeId matrix_product(ir::Types& types, ir::TypeId left, ir::TypeId right) {
     return {};
 }
 
-/// The type of an arithmetic or bitwise operation; none if the operands do not go together.
+/// The type of an arithmetic or bitwise operation; none if the operand types do not match.
 ir::TypeId result_type(ir::Types& types, ast::BinaryOp op, ir::TypeId left, ir::TypeId right) {
     if (types.is_matrix(left) || types.is_matrix(right)) {
         if (op == ast::BinaryOp::multiply) {
@@ -154,7 +163,7 @@ ir::TypeId result_type(ir::Types& types, ast::BinaryOp op, ir::TypeId left, ir::
     return types.components(left) == 1 ? right : ir::TypeId{};
 }
 
-/// Defined, but hardly meant.
+/// Warns of a constant zero divisor: defined, but probably a mistake.
 void warn_of_zero(Body& body, ast::BinaryOp op, ir::ExprId divisor, Span span) {
     const auto known = ir::evaluate(body.program(), divisor);
     if (!known || std::ranges::none_of(known->lanes, [](const ir::Lane& lane) { return lane.bits == 0; })) return;
@@ -179,8 +188,7 @@ Operand check_binary(Body& body, ast::ExprId id, ir::TypeId wanted) {
         return value_operand(
             body, make_binary(body.program(), lowered(expr.binary), types.bool_, left, right, expr.span), expr.span);
     }
-    bool compares = family == Family::ordering || family == Family::equality;
-    Pair sides = check_sides(body, expr, compares ? ir::TypeId{} : operand_hint(types, wanted));
+    Pair sides = check_sides(body, expr, wanted_of_sides(types, expr.binary, operand_hint(types, wanted)));
     if (is_error(body, sides.left) || is_error(body, sides.right)) return error_operand(expr.span);
     ir::TypeId left = body.program().exprs[sides.left].type, right = body.program().exprs[sides.right].type;
     ir::TypeId result;
@@ -217,7 +225,7 @@ ir::ExprId check_compound(Body& body, const ast::Stmt& stmt, ir::ExprId before) 
                                          {std::string(text_of(*stmt.op)) + "=", c.text(left), c.text(right)});
         if (types.scalar_of(left) != types.scalar_of(right))
             note(diagnostic, c[stmt.value].span,
-                 "values are never converted silently: write " + c.text(types.scalar_of(left)) + "(…)");
+                 "there are no implicit conversions: write " + c.text(types.scalar_of(left)) + "(…)");
         return error_value(body, stmt.span);
     }
     bool divides = *stmt.op == ast::BinaryOp::divide || *stmt.op == ast::BinaryOp::remainder;

@@ -1,5 +1,5 @@
 // Which function a call means, and the call itself: overloads, their generic arguments, their arguments.
-#include "sema/body.h"
+#include "sema/components.h"
 #include "sema/generics.h"
 #include "sema/instances.h"
 #include "sema/lookup.h"
@@ -10,19 +10,20 @@ namespace gliftc::sema {
 
 namespace {
 
-/// One overload that fits, and how well.
+/// A viable overload, and its rank.
 struct Candidate {
     ast::DeclId decl;
     std::unique_ptr<Env> env;
     ir::TypeId result;
     bool gives_wanted = true;
     bool is_generic = false;
-    bool takes_as_they_are = true;  ///< no value becomes an optional
-    bool takes_literals = true;     ///< as the types that they have on their own
+    bool takes_as_they_are = true;  ///< no argument is wrapped into an optional
+    bool takes_literals = true;     ///< at their default types
 };
 
 struct CheckedArguments {
-    std::vector<Operand> operands;  ///< kind error and no span for those that wait for their parameter's type
+    std::vector<Operand>
+        operands;  ///< kind error and no span for those that are checked once a parameter's type is known
     std::vector<bool> waits;
     bool failed = false;
 };
@@ -56,7 +57,15 @@ CheckedArguments check_arguments(Body& body, const std::vector<ast::ExprId>& arg
     return result;
 }
 
-/// Binds the generics of an overload; null if it does not fit. With `report`, says why.
+/// Whether an argument made of untyped literals can take a parameter's type.
+bool takes_literal(Context& c, ast::ExprId argument, ir::TypeId parameter) {
+    if (!is_flexible(c, argument) || parameter == c.types().error) return true;
+    const ir::TypeId taken = operand_hint(c.types(), parameter), own = operand_hint(c.types(), own_type(c, argument));
+    if (own == c.types().float_) return c.types().is_scalar(taken) && c.types().is_floating(taken);
+    return c.types().is_scalar(taken) && c.types().is_number(taken);
+}
+
+/// Binds the generics of an overload; null if it is not viable. With `report`, reports why.
 std::unique_ptr<Env> match(Body& body, ast::DeclId id, const Env* owner,
                            const std::vector<ast::ExprId>& explicit_generics, const CheckedArguments& arguments,
                            const ast::Expr& call, ir::TypeId wanted, bool report) {
@@ -92,12 +101,16 @@ std::unique_ptr<Env> match(Body& body, ast::DeclId id, const Env* owner,
         if (arguments.waits[i]) infer_from_literal(generics, function.params[i].type, call.operands[i + 1]);
     if (!generics.finish(!report)) return nullptr;
     for (std::size_t i = 0; i < function.params.size(); ++i) {
-        if (arguments.waits[i] || arguments.operands[i].kind == OperandKind::error) continue;
+        if (!arguments.waits[i] && arguments.operands[i].kind == OperandKind::error) continue;
         ir::TypeId parameter = type_of(c, *env, function.params[i].type);
+        if (arguments.waits[i]) {
+            if (!report && !takes_literal(c, call.operands[i + 1], parameter)) return nullptr;
+            continue;
+        }
         ir::TypeId actual = operand_type(body, arguments.operands[i]);
         if (parameter == body.types().error || (actual && becomes(body.types(), actual, parameter))) continue;
         if (!report) return nullptr;
-        if (!actual) to_value(body, arguments.operands[i]);  // reports that it is no value
+        if (!actual) to_value(body, arguments.operands[i]);  // reports that it is not a value
         else {
             Diagnostic& diagnostic =
                 c.error(Diag::type_mismatch, arguments.operands[i].span, {c.text(parameter), c.text(actual)});
@@ -109,7 +122,7 @@ std::unique_ptr<Env> match(Body& body, ast::DeclId id, const Env* owner,
     return env;
 }
 
-/// A function's window must lie within that of the kernel.
+/// A function's window must not be larger than that of the kernel's parameter.
 bool fits_window(Body& body, const Env& env, const ast::Param& param, const Operand& argument) {
     if (param.pattern != ast::Pattern::near) return true;
     std::uint32_t radius = window_radius(body.context, env, param);
@@ -120,7 +133,7 @@ bool fits_window(Body& body, const Env& env, const ast::Param& param, const Oper
     return false;
 }
 
-/// What a function shares between workgroups must be shared by the kernel.
+/// A coherent parameter of a function needs a coherent parameter of the kernel.
 bool fits_coherent(Body& body, const ast::Param& param, const Operand& argument) {
     if (param.pattern != ast::Pattern::coherent || argument.is_coherent) return true;
     Context& c = body.context;
@@ -149,6 +162,25 @@ bool fits_group(Body& body, ast::DeclId id, const Env& env, const ast::Expr& cal
     return false;
 }
 
+/// A call that the host cannot evaluate by itself: it names one whole structure, and reads none.
+bool is_pass(Body& body, ir::FunctionId function, const std::vector<Operand>& structures) {
+    if (body.kind != BodyKind::pipeline || structures.empty()) return false;
+    return structures.size() > 1 || structures[0].is_slice || body.program().functions[function].reads_memory;
+}
+
+Operand call_as_pass(Body& body, ir::FunctionId function, const std::vector<Operand>& structures,
+                     const ir::Operands& values, Span span) {
+    auto pipeline = pipeline_of_function(body.context, function, span);
+    if (!pipeline) return error_operand(span);
+    ir::Operands arguments;
+    for (const Operand& structure : structures) arguments.push_back(to_value(body, structure));
+    for (ir::ExprId value : values) arguments.push_back(value);
+    ir::ExprId result = add(body.program(), ir::Op::pipeline_call, body.program().pipelines[*pipeline].result, span,
+                            std::move(arguments));
+    body.program().exprs[result].slot = *pipeline;
+    return value_operand(body, result, span);
+}
+
 /// Finishes a call of a matched function: the waiting arguments, then the call node.
 Operand finish_call(Body& body, ast::DeclId id, const Env& env, CheckedArguments& arguments,
                     const std::vector<ast::ExprId>& written, const ast::Expr& call, const Operand* self) {
@@ -156,10 +188,10 @@ Operand finish_call(Body& body, ast::DeclId id, const Env& env, CheckedArguments
     const auto& function = std::get<ast::Function>(c[id].body);
     ir::Operands values;
     std::vector<std::uint32_t> structures;
-    std::vector<ir::Place> places;
+    std::vector<Operand> given;
     if (self) {
         structures.push_back(self->structure);
-        places.push_back(self->place);
+        given.push_back(*self);
     }
     for (std::size_t i = 0; i < written.size(); ++i) {
         Operand& operand = arguments.operands[i];
@@ -167,7 +199,7 @@ Operand finish_call(Body& body, ast::DeclId id, const Env& env, CheckedArguments
             if (!fits_window(body, env, function.params[i], operand)) return error_operand(call.span);
             if (!fits_coherent(body, function.params[i], operand)) return error_operand(call.span);
             structures.push_back(operand.structure);
-            places.push_back(operand.place);
+            given.push_back(operand);
             continue;
         }
         ir::TypeId parameter = type_of(c, env, function.params[i].type);
@@ -178,14 +210,16 @@ Operand finish_call(Body& body, ast::DeclId id, const Env& env, CheckedArguments
     if (!fits_group(body, id, env, call)) return error_operand(call.span);
     auto instance = instantiate_function(c, id, env, structures, call.span);
     if (!instance) return error_operand(call.span);
+    if (is_pass(body, *instance, given)) return call_as_pass(body, *instance, given, values, call.span);
     ir::ExprId result =
         add(body.program(), ir::Op::call, body.program().functions[*instance].result, call.span, std::move(values));
     body.program().exprs[result].function = *instance;
-    body.program().exprs[result].places = std::move(places);
+    for (const Operand& operand : given) body.program().exprs[result].places.push_back(operand.place);
+    if (!given.empty()) body.program().exprs[result].local = given[0].local;
     return value_operand(body, result, call.span);
 }
 
-/// Does a function's result serve where `wanted` is? Everything serves where nothing is wanted.
+/// Whether a function's result has the expected type; true if none is expected.
 bool gives(Body& body, ir::TypeId result, ir::TypeId wanted) {
     return !wanted || becomes(body.types(), result, wanted);
 }
@@ -207,9 +241,7 @@ std::optional<Candidate> try_overload(Body& body, ast::DeclId id, const Env* own
         ast::ExprId literal = call.operands[i + 1];
         if (!is_flexible(c, literal)) continue;
         const ir::TypeId own = operand_hint(c.types(), own_type(c, literal));
-        const ir::TypeId taken = operand_hint(c.types(), type_of(c, *env, function.params[i].type));
-        if (own == c.types().float_ && !c.types().is_floating(c.types().scalar_of(taken))) return std::nullopt;
-        candidate.takes_literals &= own == taken;
+        candidate.takes_literals &= own == operand_hint(c.types(), type_of(c, *env, function.params[i].type));
     }
     ast::ExprId result = function.result;
     ir::TypeId type = result ? type_of(c, *env, result) : c.types().void_;
@@ -220,8 +252,8 @@ std::optional<Candidate> try_overload(Body& body, ast::DeclId id, const Env* own
     return candidate;
 }
 
-/// What is wanted decides first; then the one that makes no optionals of the arguments; then the one written more
-/// closely for these types; then the types that literals have on their own.
+/// The order of docs/language.md, "Overload resolution": expected result, no optionals made of arguments, more
+/// specialised parameters, not generic, default types of literals.
 bool is_better(const Context& c, const Candidate& a, const Candidate& b) {
     if (a.gives_wanted != b.gives_wanted) return a.gives_wanted;
     if (a.takes_as_they_are != b.takes_as_they_are) return a.takes_as_they_are;
@@ -231,7 +263,7 @@ bool is_better(const Context& c, const Candidate& a, const Candidate& b) {
     return a.takes_literals && !b.takes_literals;
 }
 
-/// Nothing tells one from the other: they are as good, and take the same.
+/// Whether two candidates rank equally and take the same types.
 bool is_ambiguous(Body& body, const Candidate& a, const Candidate& b) {
     if (is_better(body.context, a, b) || is_better(body.context, b, a)) return false;
     Context& c = body.context;
@@ -242,7 +274,7 @@ bool is_ambiguous(Body& body, const Candidate& a, const Candidate& b) {
     return true;
 }
 
-/// The best of several overloads, the first where some are as good; reports where there is none, or no best.
+/// The best candidate, the first of equally good ones; reports if there is none, or the call is ambiguous.
 std::optional<Candidate> choose(Body& body, const std::vector<ast::DeclId>& overloads, const Env* owner,
                                 const std::vector<ast::ExprId>& generics, const CheckedArguments& arguments,
                                 const ast::Expr& call, ir::TypeId wanted) {
@@ -253,7 +285,7 @@ std::optional<Candidate> choose(Body& body, const std::vector<ast::DeclId>& over
             fitting.push_back(std::move(*candidate));
     if (fitting.empty()) {
         Diagnostic& diagnostic = c.error(Diag::no_overload, call.span, {c.text(c[overloads[0]].name.name)});
-        for (ast::DeclId overload : overloads) note(diagnostic, c[overload].name.span, "does not fit");
+        for (ast::DeclId overload : overloads) note(diagnostic, c[overload].name.span, "does not take these arguments");
         return std::nullopt;
     }
     std::size_t best = 0;
@@ -271,7 +303,7 @@ std::optional<Candidate> choose(Body& body, const std::vector<ast::DeclId>& over
     return std::move(fitting[best]);
 }
 
-/// Chooses among the overloads and finishes the call.
+/// Selects an overload and finishes the call.
 Operand resolve(Body& body, const std::vector<ast::DeclId>& overloads, const Env* owner,
                 const std::vector<ast::ExprId>& generics, CheckedArguments& checked,
                 const std::vector<ast::ExprId>& arguments, const ast::Expr& call, ir::TypeId wanted,

@@ -1,4 +1,4 @@
-// Pipelines: what runs on the host and strings passes together.
+// Pipelines: host code that runs passes in sequence.
 #include "sema/components.h"
 #include "sema/generics.h"
 #include "sema/instances.h"
@@ -7,7 +7,7 @@ namespace gliftc::sema {
 
 namespace {
 
-/// `-> range<1, T>` and `range<N, T>` parameters stand for a slice of any structure with that domain and element.
+/// The domain type of `-> range<1, T>` and `range<N, T>` parameters, which are slices of any structure with it.
 ir::TypeId range_domain(Context& c, const Env& env, ast::ExprId dimensions) {
     auto n = count_of(c, env, dimensions);
     if (!n || *n < 1 || *n > 4) {
@@ -63,7 +63,7 @@ ir::TypeId result_type(Context& c, const Env& env, const ast::Pipeline& written,
 
 }  // namespace
 
-// A range result is a slice of whatever structure the returned slices are of.
+// The type of a range result is that of the returned slices.
 void check_range_return(Body& body, const ast::Stmt& stmt) {
     Context& c = body.context;
     ir::StmtId id = add(body.program(), ir::StmtOp::return_, stmt.span);
@@ -84,7 +84,7 @@ void check_range_return(Body& body, const ast::Stmt& stmt) {
     emit(body, id);
 }
 
-// A value of type T may be returned where the pipeline's result is T on the device or T: the caller sees what it is.
+// If the declared result is T, the instance's result is T or T on the device, depending on the returned values.
 std::optional<std::uint32_t> instantiate_pipeline(Context& c, ast::DeclId id, const Env& env,
                                                   const std::vector<std::uint32_t>& structures,
                                                   std::optional<std::uint32_t> owner, Span use) {

@@ -6,13 +6,13 @@ namespace {
 
 constexpr const char *constant = "O(1)", *not_known = "not known";
 
-/// What the control flow of a translation shows.
+/// Properties of the control flow of `translate`.
 struct Flow {
-    bool has_branch = false;     ///< other than one that leaves with `none`
-    bool has_open_loop = false;  ///< how often it runs is not a constant
+    bool has_branch = false;     ///< other than an early exit with `none`
+    bool has_open_loop = false;  ///< a loop without a constant trip count
 };
 
-/// `return none;` and nothing else: no work that other addresses would not have.
+/// Whether the body is only `return none;`: an early exit.
 bool only_gives_up(const ir::Program& program, const std::vector<ir::StmtId>& body) {
     if (body.empty()) return true;
     const ir::Stmt& stmt = program.stmts[body[0]];
@@ -49,7 +49,7 @@ void look(const ir::Program& program, ir::FunctionId id, Flow& flow) {
     look(program, program.functions[id].body, flow);
 }
 
-/// What reading the tables adds: their own translations.
+/// Adds the cost of table reads: their own translations.
 void add_tables(const ir::Program& program, ir::Translator& translator) {
     ir::Properties& properties = translator.properties;
     for (std::uint32_t structure : translator.structures) {

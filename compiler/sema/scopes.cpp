@@ -5,7 +5,7 @@ namespace gliftc::sema {
 void open_scope(Body& body) { body.scopes.emplace_back(); }
 
 void close_scope(Body& body) {
-    // Beside an error: what it kept from being checked may have used the name.
+    // Not after errors: code that was not checked may have used the name.
     const bool is_sure = !body.context.diagnostics.has_errors();
     for (const auto& [name, symbol] : body.scopes.back())
         if (is_sure && symbol.warn_unused && !symbol.used && !body.context.text(name).starts_with('_'))
@@ -43,7 +43,7 @@ std::optional<ir::Value> known_value(Body& body, ir::ExprId expr) {
     return ir::evaluate(body.program(), expr, body.lets);
 }
 
-/// What a name in scope means where types and constants stand.
+/// The meaning of a name in scope in a type or constant expression.
 static Meta meta_of_symbol(Body& body, const Symbol& symbol) {
     Meta meta;
     meta.kind = MetaKind::running;
@@ -57,7 +57,7 @@ static Meta meta_of_symbol(Body& body, const Symbol& symbol) {
     return meta;
 }
 
-/// Binds the names in scope that an expression uses: they hide what is outside.
+/// Binds the names in scope that an expression uses: they hide outer declarations.
 static void bind_symbols(Body& body, ast::ExprId id, std::vector<std::pair<Name, Meta>>& bindings) {
     if (!id) return;
     const ast::Expr& expr = body.context[id];
@@ -75,7 +75,7 @@ const Env& env_for(Body& body, const std::vector<ast::ExprId>& written) {
     std::vector<std::pair<Name, Meta>> bindings;
     for (ast::ExprId id : written) bind_symbols(body, id, bindings);
     if (bindings.empty()) return body.env;
-    // Before those of the declaration: a local hides what is outside of it.
+    // Before those of the declaration: locals hide outer names.
     Env& env = body.context.new_env(body.env.module);
     env.self = body.env.self;
     env.bindings = std::move(bindings);

@@ -13,7 +13,7 @@ bool is_generic_of(const ast::Decl& decl, Name name) {
                                [&](const ast::GenericParam& generic) { return generic.name.name == name; });
 }
 
-/// Whether the written type depends on what the declaration's generics are.
+/// Whether the type expression depends on the declaration's generic parameters.
 bool names_generic(const Context& c, const ast::Decl& decl, ast::ExprId type) {
     if (!type) return false;
     const ast::Expr& expr = c[type];
@@ -21,7 +21,7 @@ bool names_generic(const Context& c, const ast::Decl& decl, ast::ExprId type) {
     return std::ranges::any_of(expr.operands, [&](ast::ExprId part) { return names_generic(c, decl, part); });
 }
 
-/// The same but for their operands.
+/// Whether two nodes are the same, apart from their operands.
 bool is_same_node(const ast::Expr& a, const ast::Expr& b) {
     if (a.kind != b.kind || a.operands.size() != b.operands.size()) return false;
     switch (a.kind) {
@@ -43,8 +43,8 @@ bool is_same(const Context& c, ast::ExprId a, ast::ExprId b) {
     return true;
 }
 
-/// Matches parameters of one declaration, whose generics stand for anything, against those of another, whose generics
-/// stand for themselves.
+/// One-sided unification: matches the parameter types of one declaration, whose generics are variables, against those
+/// of another, whose generics are constants.
 struct Matcher {
     const Context& c;
     const ast::Decl& taking;
@@ -71,7 +71,7 @@ struct Matcher {
         const auto& patterns = std::get<ast::Function>(taking.body).params;
         const auto& types = std::get<ast::Function>(taken.body).params;
         for (std::size_t i = 0; i < patterns.size() && i < types.size(); ++i) {
-            // Both take the arguments: one without generics is one of the types that the other stands for.
+            // Both accept the arguments, so a type without generics is an instance of the other.
             if (!names_generic(c, taken, types[i].type)) continue;
             if (!names_generic(c, taking, patterns[i].type) || !takes(patterns[i].type, types[i].type)) return false;
         }

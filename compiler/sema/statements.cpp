@@ -42,7 +42,7 @@ void check_shared(Body& body, const ast::Stmt& stmt) {
     body.program().locals[local].storage = ir::Storage::shared;
     if (ir::holds_empty(body.program(), type)) {
         note(c.error(Diag::memory_element, c[stmt.type].span), c[stmt.type].span,
-             "memory has no place for a struct without fields");
+             "memory cannot hold a struct without fields");
         return;
     }
     if (!body.grouped()) {
@@ -53,7 +53,7 @@ void check_shared(Body& body, const ast::Stmt& stmt) {
     body.shared->push_back(local);
 }
 
-/// The local that an assignment changes, if the target is one or a part of one.
+/// The local that an assignment changes, if the target is one or a component of one.
 const ir::Expr* root_of(const Body& body, ir::ExprId target) {
     const ir::Expr* expr = &body.context.program.exprs[target];
     while (expr->op == ir::Op::index || expr->op == ir::Op::field || expr->op == ir::Op::swizzle)
@@ -77,7 +77,8 @@ void check_assign(Body& body, const ast::Stmt& stmt) {
         return;
     }
     const ir::Expr* root = root_of(body, target);
-    if (root->op == ir::Op::host_state && root->place.members.empty() && !root->local) {
+    if (body.kind == BodyKind::pipeline && root->op == ir::Op::host_state && root->place.members.empty() &&
+        !root->local) {
         ir::ExprId value = stmt.op ? check_compound(body, stmt, target)
                                    : check_value(body, stmt.value, body.program().exprs[target].type);
         ir::StmtId assign = add(body.program(), ir::StmtOp::host_assign, stmt.span);
@@ -172,7 +173,7 @@ void check_if(Body& body, const ast::Stmt& stmt) {
     emit(body, id);
 }
 
-/// Both ends of `a..b`; literals take the other end's type, uint if both are literals and neither is negative.
+/// Both bounds of `a..b`; a literal takes the other's type; uint if both are literals and neither is negative.
 std::pair<ir::ExprId, ir::ExprId> check_range(Body& body, const ast::Expr& range) {
     Context& c = body.context;
     bool low_flexible = is_flexible(c, range.operands[0]), high_flexible = is_flexible(c, range.operands[1]);
@@ -223,7 +224,7 @@ void check_for(Body& body, const ast::Stmt& stmt) {
     emit(body, id);
 }
 
-/// The condition of a while is evaluated again each round: what it emits must be inside the loop.
+/// The condition of a while is evaluated in each iteration: statements that it emits must be inside the loop.
 void check_while(Body& body, const ast::Stmt& stmt) {
     std::vector<ir::StmtId> inner;
     auto* outer = std::exchange(body.block, &inner);
@@ -250,7 +251,7 @@ void check_while(Body& body, const ast::Stmt& stmt) {
     emit(body, id);
 }
 
-/// The value of a return. A pipeline may leave its result on the device: then all its returns do.
+/// The value of a return. If a pipeline returns a value on the device, all its returns must.
 ir::ExprId returned(Body& body, const ast::Stmt& stmt) {
     if (body.kind != BodyKind::pipeline) return check_value(body, stmt.value, body.result);
     ir::ExprId value = to_value(body, check(body, stmt.value, body.result));
@@ -292,7 +293,7 @@ void check_return(Body& body, const ast::Stmt& stmt) {
 
 const char* barrier_name(ir::StmtOp barrier) { return barrier == ir::StmtOp::barrier ? "barrier" : "subgroupBarrier"; }
 
-/// Where the expression is a call of a barrier, which.
+/// The barrier that the expression calls, if it does.
 std::optional<ir::StmtOp> barrier_of(Body& body, const ast::Expr& expr) {
     const Context& c = body.context;
     if (expr.kind != ast::ExprKind::call) return std::nullopt;

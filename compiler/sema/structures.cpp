@@ -1,3 +1,4 @@
+// long: structures, views and adaptors are made of the same items
 // Structures, views and adaptors: constructor, memories, nested structures, `via`, domain.
 #include "ir/empty.h"
 #include "sema/components.h"
@@ -61,7 +62,7 @@ ir::TypeId address_type(ir::Types& types, ir::MemoryShape shape) {
     return types.uint;
 }
 
-/// `buffer<T>[n]` or `image2d<F>(extent)`: which shape, of what, how large.
+/// The parts of `buffer<T>[n]` or `image2d<F>(extent)`: shape, element, extent.
 struct MemoryText {
     Name shape;
     Span shape_span;
@@ -83,12 +84,13 @@ std::optional<MemoryText> read_memory(Context& c, ast::ExprId id) {
     return std::nullopt;
 }
 
-/// A generic parameter: what it stands for is written elsewhere.
+/// Whether the type is a generic parameter, whose argument is given elsewhere.
 bool is_generic_name(const Body& body, ast::ExprId type) {
     const ast::Expr& expr = body.context[type];
     return expr.kind == ast::ExprKind::name && body.env.find(expr.name) != nullptr;
 }
 
+// long: the checks of one declaration, in the order of its words
 void add_memory(Body& body, std::uint32_t index, const ast::Item& item) {
     Context& c = body.context;
     auto text = read_memory(c, item.value);
@@ -117,14 +119,14 @@ void add_memory(Body& body, std::uint32_t index, const ast::Item& item) {
         }
         if (ir::holds_empty(c.program, element.type)) {
             note(c.error(Diag::memory_element, c[text->element].span), c[text->element].span,
-                 "memory has no place for a struct without fields");
+                 "memory cannot hold a struct without fields");
             return;
         }
         if (holds_optional(c.program, element.type)) {
             const Span span = is_generic_name(body, text->element) && !c.requests.empty() ? c.requests.back().span
                                                                                           : c[text->element].span;
             note(c.error(Diag::memory_optional, span, {c.text(element.type)}), span,
-                 "a struct says the same: 'present: bool;' and the value beside it");
+                 "use a struct of 'present: bool;' and the value");
             return;
         }
         memory.element = element.type;
@@ -159,6 +161,26 @@ void declare_member(Body& body, std::uint32_t index, std::uint32_t member, ast::
     declare(body, name, symbol);
 }
 
+const std::vector<ast::Param>& constructor_of(Context& c, std::uint32_t structure) {
+    const auto& decl = c[c.structure_decl.at(structure)].body;
+    if (auto* view = std::get_if<ast::View>(&decl)) return view->constructor;
+    if (auto* adaptor = std::get_if<ast::Adaptor>(&decl)) return adaptor->constructor;
+    return std::get<ast::Structure>(decl).constructor;
+}
+
+/// The values and the structures that the member's constructor is given.
+void give_arguments(Body& body, const ast::Expr& call, ir::MemberStructure& member) {
+    Context& c = body.context;
+    const std::vector<ast::Param>& params = constructor_of(c, member.structure);
+    const Env& env = *c.structure_env.at(member.structure);
+    for (std::size_t i = 0; i < params.size(); ++i) {
+        const ir::TypeId wanted = type_of(c, env, params[i].type);
+        const ir::ExprId value = check_value(body, call.operands[i + 1], wanted);
+        if (c.types().kind(wanted) != ir::TypeKind::structure) member.arguments.push_back(value);
+        else member.structures.push_back(c.program.exprs[value].place);
+    }
+}
+
 void add_member(Body& body, std::uint32_t index, const ast::Item& item) {
     Context& c = body.context;
     const ast::Expr& call = c[item.value];
@@ -171,7 +193,7 @@ void add_member(Body& body, std::uint32_t index, const ast::Item& item) {
         c.error(Diag::member_form, call.span);
         type = c.types().error;
     }
-    if (type == c.types().error) {  // the name stands for nothing, which no use of it says again
+    if (type == c.types().error) {  // declared all the same, so that its uses give no further errors
         declare_local(body, item.name, type, false, false);
         return;
     }
@@ -179,24 +201,19 @@ void add_member(Body& body, std::uint32_t index, const ast::Item& item) {
     member.name = item.name.name;
     member.span = item.name.span;
     member.structure = c.types()[type].index;
-    std::vector<ir::TypeId> wanted;
-    for (ir::LocalId local : c.program.structures[member.structure].constructor)
-        wanted.push_back(c.program.locals[local].type);
-    if (wanted.size() != call.operands.size() - 1) {
+    if (constructor_of(c, member.structure).size() != call.operands.size() - 1)
         c.error(Diag::argument_count, call.span,
-                {c.text(type), std::to_string(wanted.size()), std::to_string(call.operands.size() - 1)});
-        wanted.clear();
-    }
-    for (std::size_t i = 0; i < wanted.size(); ++i)
-        member.arguments.push_back(check_value(body, call.operands[i + 1], wanted[i]));
+                {c.text(type), std::to_string(constructor_of(c, member.structure).size()),
+                 std::to_string(call.operands.size() - 1)});
+    else give_arguments(body, call, member);
     c.program.structures[index].members.push_back(std::move(member));
     declare_member(body, index, static_cast<std::uint32_t>(c.program.structures[index].members.size() - 1), item.name);
 }
 
 // ------------------------------------------------------------------------------------------------------------- via
 
-/// `Name<…>(arguments)`: the translators meant, with generic arguments inferred from the arguments and the incoming
-/// address.
+/// The translators of `Name<…>(arguments)`; generic arguments are inferred from the arguments and the type of the
+/// incoming address.
 std::vector<std::uint32_t> stage_translators(Body& body, const ast::Expr& call, const std::vector<Operand>& arguments,
                                              ir::TypeId incoming) {
     Context& c = body.context;
@@ -230,7 +247,7 @@ std::vector<std::uint32_t> stage_translators(Body& body, const ast::Expr& call, 
     return made ? *made : std::vector<std::uint32_t>{};
 }
 
-/// Gives the fields of the translators their arguments, in the order declared.
+/// Assigns the arguments to the fields of the translators, in the order of declaration.
 bool fill_stages(Body& body, const ast::Expr& call, const std::vector<Operand>& arguments,
                  const std::vector<std::uint32_t>& translators, std::vector<ir::Stage>& stages) {
     Context& c = body.context;
@@ -337,7 +354,7 @@ ir::ExprId domain_from_item(Body& body, const ast::Item& item, ir::TypeId wanted
     return check_value(body, c[function.body[0]].value, wanted);
 }
 
-/// The domain that the first translator gives, in terms of the structure.
+/// The domain of the first translator, as an expression over the structure.
 ir::ExprId domain_from_translator(Context& c, const ir::Structure& structure) {
     const ir::Translator& translator = c.program.translators[structure.via[0].translator];
     if (!translator.domain) return {};
@@ -454,6 +471,7 @@ void add_constructor(Context& c, const Env& env, const std::vector<ast::Param>& 
 
 void bring_members_into_scope(Body& body, std::uint32_t index) {
     Context& c = body.context;
+    body.container = index;
     const ir::Structure structure = c.program.structures[index];
     for (std::uint32_t i = 0; i < structure.constructor.size(); ++i) {
         const ir::Local& local = c.program.locals[structure.constructor[i]];
@@ -511,7 +529,7 @@ ir::TypeId make_structure(Context& c, ast::DeclId id, const Env& env) {
         case ast::ItemKind::condition: break;
         }
     });
-    // What is wrong with the translator that it names was said where the translator stands.
+    // The translator has an error, which was reported there.
     if (has_via && c.program.structures[index].via.empty()) return c.types().error;
     if (c.diagnostics.error_count() == errors) finish_structure(body, index, domain, otherwise);
     return c.diagnostics.error_count() == errors ? c.types().of_structure(index) : c.types().error;

@@ -1,4 +1,4 @@
-// How elements of a structure reach the host: kernels of std.transfer, instantiated for it.
+// Transfers of a structure's elements between host and device: instantiates the kernels of std.transfer.
 #include "ir/effects.h"
 #include "sema/components.h"
 #include "sema/generics.h"
@@ -34,24 +34,24 @@ std::optional<std::uint32_t> transfer_kernel(Context& c, std::string_view name, 
     return instantiate_kernel(c, *decl, env, use);
 }
 
-std::optional<std::uint32_t> box_of(Context& c, const ir::Structure& structure, Span use) {
+}  // namespace
+
+std::optional<std::uint32_t> box_of(Context& c, std::uint32_t axes, ir::TypeId of, Span use) {
     auto decl = find_transfer(c, "Box");
     if (!decl) return std::nullopt;
     Env& env = c.new_env(c.module_of.at(*decl));
     Arguments arguments(c, c[*decl], env, use);
     Meta dimensions, element;
     dimensions.kind = MetaKind::value;
-    dimensions.value = {c.types().uint, {ir::Lane{.bits = c.types().components(structure.domain_type)}}};
+    dimensions.value = {c.types().uint, {ir::Lane{.bits = axes}}};
     element.kind = MetaKind::type;
-    element.type = structure.element;
+    element.type = of;
     arguments.give({dimensions, element});
     if (!arguments.finish()) return std::nullopt;
     ir::TypeId type = instantiate_type(c, *decl, env, use);
     if (type == c.types().error) return std::nullopt;
     return c.types()[type].index;
 }
-
-}  // namespace
 
 void require_transfers(Context& c, std::uint32_t index, Span use) {
     for (const auto& transfer : c.program.transfers)
@@ -68,14 +68,14 @@ void require_transfers(Context& c, std::uint32_t index, Span use) {
         c.error(Diag::unknown_module, use, {transfer_module});
         return;
     }
-    auto box = box_of(c, structure, use);
+    auto box = box_of(c, c.types().components(structure.domain_type), structure.element, use);
     if (!box) return;
     Meta self = of_structure(c, index), linear = of_structure(c, *box);
     auto read = transfer_kernel(c, "read_box", {self, linear}, use);
     if (!read) return;
     constexpr std::uint32_t none = 0xffffffffu;
     std::uint32_t write = none, fill = none;
-    // Where elements share a place, a box of values has no one meaning: kernels that combine write there.
+    // With a many-to-one translator, writing a box is ambiguous: only kernels write there, by combining.
     if (structure.kind == ir::StructureKind::stored && !ir::many_to_one_stage(c.program, index)) {
         Meta element;
         element.kind = MetaKind::type;

@@ -14,7 +14,7 @@ struct Method {
     ast::DeclId decl;
 };
 
-/// Scalars and structures of a translator's state, by name, for its functions.
+/// Declares the scalars and structures of a translator's state in the scope of its functions.
 void bring_state_into_scope(Body& body, const ir::Translator& translator) {
     for (std::uint32_t i = 0; i < translator.scalars.size(); ++i) {
         Symbol symbol;
@@ -72,7 +72,7 @@ ir::FunctionId make_method(Context& c, ast::DeclId id, const Env& env, const ir:
 void add_fields(Context& c, const Env& env, const ast::Translator& written, ir::Translator& translator) {
     std::set<Name> seen;
     for (const ast::Field& field : written.fields) {
-        if (!seen.insert(field.name.name).second) continue;  // reported with the module
+        if (!seen.insert(field.name.name).second) continue;  // reported by collect_modules
         ir::TypeId type = type_of(c, env, field.type);
         if (c.types().kind(type) == ir::TypeKind::structure) {
             translator.structures.push_back(c.types()[type].index);

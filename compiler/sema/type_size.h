@@ -1,16 +1,16 @@
-// How large a type may be: its values are made, copied and compared number by number.
+// The limit on the size of types: their values are constructed, copied and compared scalar by scalar.
 #pragma once
 
 #include "sema/context.h"
 
 namespace gliftc::sema {
 
-inline constexpr std::uint64_t most_numbers = 65536;
+inline constexpr std::uint64_t most_scalars = 65536;
 
-/// The numbers that a value of the type consists of; the types that it is made of have no more than most_numbers.
-std::uint64_t numbers_in(const ir::Program& program, ir::TypeId type);
+/// The number of scalars in a value of the type, whose components have at most most_scalars each.
+std::uint64_t scalars_in(const ir::Program& program, ir::TypeId type);
 
-/// "uint[65536][2] holds 131072 numbers, a type 65536 at most".
-std::string too_many_numbers(const std::string& type, std::uint64_t numbers);
+/// "uint[65536][2] has 131072 scalars, the limit is 65536".
+std::string too_many_scalars(const std::string& type, std::uint64_t scalars);
 
 }  // namespace gliftc::sema

@@ -33,7 +33,7 @@ Typing typing_of_binary(const Context& c, const ast::Expr& expr) {
     return Typing::own;
 }
 
-/// Of two sides of an operator or a choice; either may be absent.
+/// The common type of two operands; either may be absent.
 ir::TypeId joined(ir::Types& types, ir::TypeId a, ir::TypeId b) {
     if (!a || !b) {
         const ir::TypeId type = a ? a : b;

@@ -1,5 +1,5 @@
-// A walk over the kernel and, where they are called, the functions with its workgroup; levels only rise, and the walk
-// is repeated until none does.
+// A data-flow analysis of the kernel and, at their calls, of the functions with its workgroup: levels only rise, and
+// the walk is repeated to a fixed point.
 #include "sema/uniformity.h"
 
 #include "ir/effects.h"
@@ -13,22 +13,22 @@ namespace gliftc::sema {
 
 namespace {
 
-/// Among which invocations a value is the same.
+/// The scope within which a value is uniform; `invocation`: it is divergent.
 enum class Level : std::uint8_t { workgroup, subgroup, invocation };
 
-/// How a value, or the way to a statement, may differ.
+/// The uniformity of a value or of the control flow to a statement.
 struct Flow {
     Level level = Level::workgroup;
-    Span why;        ///< what differs
-    Span condition;  ///< of the way: the condition or loop that it goes through
+    Span why;        ///< the divergent expression
+    Span condition;  ///< of control flow: the divergent condition or loop
 };
 
 Flow worse(const Flow& one, const Flow& other) { return other.level > one.level ? other : one; }
 
-/// A function with a workgroup has locals of its own wherever it is called; the kernel is call 0.
+/// A call of a function with a workgroup, analysed separately with its own locals; the kernel is call 0.
 using Call = std::uint32_t;
 
-/// What happened to workgroup memory since the last barrier.
+/// Accesses to workgroup memory since the last barrier.
 struct Interval {
     std::set<ir::LocalId> written;
     std::set<std::pair<ir::LocalId, ir::ExprId>> read;
@@ -89,16 +89,15 @@ private:
     const ir::Program& p;
     const ir::Kernel& kernel_;
     std::map<std::pair<Call, ir::LocalId>, Flow> locals_;
-    std::map<std::pair<Call, ir::StmtId>, Flow> exits_;          ///< of loops: the ways to their breaks and continues
+    std::map<std::pair<Call, ir::StmtId>, Flow> exits_;          ///< of loops: control flow to breaks and continues
     std::map<std::pair<Call, ir::StmtId>, Interval> intervals_;  ///< at the end of a loop's body
     std::map<std::pair<Call, ir::ExprId>, Call> calls_;
-    std::set<std::pair<ir::LocalId, ir::ExprId>>
-        races_;  ///< reads of workgroup memory that another may write meanwhile
-    std::set<std::pair<std::uint32_t, std::uint32_t>> reported_;  ///< file and place of barriers
+    std::set<std::pair<ir::LocalId, ir::ExprId>> races_;          ///< reads of workgroup memory that race with a write
+    std::set<std::pair<std::uint32_t, std::uint32_t>> reported_;  ///< file and offset of barriers
 
     Call call_ = 0;
     std::vector<std::uint32_t> roots_;  ///< the kernel's parameter behind each Place root
-    Flow way_;
+    Flow control_flow_;
     Flow result_;
     Flow* exit_ = nullptr;  ///< of the innermost loop
     Interval interval_;
@@ -116,7 +115,7 @@ void Uniformity::visit(ir::StmtId id) {
     case ir::StmtOp::for_:
     case ir::StmtOp::while_: return loop_(id);
     case ir::StmtOp::break_:
-    case ir::StmtOp::continue_: return raise(*exit_, way_);
+    case ir::StmtOp::continue_: return raise(*exit_, control_flow_);
     case ir::StmtOp::return_:
         if (stmt.value) result_ = value(stmt.value);
         return;
@@ -129,21 +128,20 @@ void Uniformity::visit(ir::StmtId id) {
 }
 
 void Uniformity::if_(const ir::Stmt& stmt) {
-    const Flow condition = value(stmt.value), before = way_;
-    way_ = worse(way_, {condition.level, condition.why, p.exprs[stmt.value].span});
+    const Flow condition = value(stmt.value), before = control_flow_;
+    control_flow_ = worse(control_flow_, {condition.level, condition.why, p.exprs[stmt.value].span});
     Interval otherwise = interval_;
     walk(stmt.body);
     std::swap(interval_, otherwise);
     walk(stmt.otherwise);
     interval_.add(otherwise);
-    way_ = before;
+    control_flow_ = before;
 }
 
-/// The invocations that are in a loop's body: those that its bounds or condition let in and that no break or continue
-/// has taken out.
+/// Control flow in a loop's body depends on its bounds or condition, and on its breaks and continues.
 void Uniformity::loop_(ir::StmtId id) {
     const ir::Stmt& stmt = p.stmts[id];
-    const Flow before = way_;
+    const Flow before = control_flow_;
     Flow* const outer = exit_;
     Flow& exit = exits_[{call_, id}];
     Interval& last = intervals_[{call_, id}];
@@ -152,20 +150,20 @@ void Uniformity::loop_(ir::StmtId id) {
     for (ir::ExprId bound : {stmt.value, stmt.limit}) {
         if (!bound) continue;
         const Flow flow = value(bound);
-        way_ = worse(way_, {flow.level, flow.why, p.exprs[bound].span});
+        control_flow_ = worse(control_flow_, {flow.level, flow.why, p.exprs[bound].span});
         if (stmt.op == ir::StmtOp::for_ && bound == stmt.value) raise(locals_[{call_, stmt.local}], flow);
     }
-    way_ = worse(way_, exit);
+    control_flow_ = worse(control_flow_, exit);
     const Interval entry = interval_;
     walk(stmt.body);
     if (last.add(interval_)) changed_ = true;
     interval_.add(entry);
     exit_ = outer;
-    way_ = before;
+    control_flow_ = before;
 }
 
 void Uniformity::assign(const ir::Stmt& stmt) {
-    Flow flow = worse(value(stmt.value), way_);
+    Flow flow = worse(value(stmt.value), control_flow_);
     ir::ExprId root = stmt.target;
     for (; p.exprs[root].op != ir::Op::local; root = p.exprs[root].operands[0])
         if (p.exprs[root].op == ir::Op::index) flow = worse(flow, value(p.exprs[root].operands[1]));
@@ -182,15 +180,15 @@ void Uniformity::write_shared(ir::LocalId local) {
 
 void Uniformity::barrier(const ir::Stmt& stmt, Level allowed) {
     if (allowed == Level::workgroup) interval_ = {};
-    if (!reports_ || way_.level <= allowed || !reported_.insert({stmt.span.file, stmt.span.begin}).second) return;
+    if (!reports_ || control_flow_.level <= allowed || !reported_.insert({stmt.span.file, stmt.span.begin}).second)
+        return;
     const bool of_workgroup = allowed == Level::workgroup;
     const char* const barrier = of_workgroup ? "barrier" : "subgroupBarrier";
     Diagnostic& diagnostic =
         c.error(Diag::divergent_barrier, stmt.span, {barrier, of_workgroup ? "workgroup" : "subgroup"});
-    note(diagnostic, way_.condition, "this may differ between them");
-    if (way_.why != way_.condition) note(diagnostic, way_.why, "because this does");
-    note(diagnostic, stmt.span,
-         "put the barrier where all come by, and the condition around what stands before and after it");
+    note(diagnostic, control_flow_.condition, "this may differ between them");
+    if (control_flow_.why != control_flow_.condition) note(diagnostic, control_flow_.why, "because this does");
+    note(diagnostic, stmt.span, "put the barrier outside, and the condition around the code before and after it");
 }
 
 Flow Uniformity::value(ir::ExprId id) {
@@ -217,7 +215,7 @@ Flow Uniformity::operands(const ir::Expr& node) {
     return flow;
 }
 
-/// Workgroup memory is the same for all after a barrier, until someone writes.
+/// Workgroup memory is uniform after a barrier, until an invocation writes it.
 Flow Uniformity::local(ir::ExprId id, const ir::Expr& node) {
     if (p.locals[node.local].storage != ir::Storage::shared) return locals_[{call_, node.local}];
     interval_.read.insert({node.local, id});
@@ -239,7 +237,7 @@ Flow Uniformity::invocation(const ir::Expr& node) const {
     return {};
 }
 
-/// What a pass only reads is the same for all who ask for one address.
+/// A read of memory that the pass does not write is uniform if its address is.
 Flow Uniformity::of_memory(const ir::Expr& node, const ir::Place& place, const Flow& address) const {
     const ir::KernelParam& param = kernel_.params[roots_[place.root]];
     const bool is_fixed =
@@ -267,7 +265,7 @@ Flow Uniformity::intrinsic(const ir::Expr& node) {
     case ir::Intrinsic::subgroupBroadcast:
     case ir::Intrinsic::subgroupBroadcastFirst:
         return flow.level == Level::workgroup ? flow : differs(node, Level::subgroup);
-    case ir::Intrinsic::subgroupAdd:  // of equal values, too: subgroups may have fewer lanes than others
+    case ir::Intrinsic::subgroupAdd:  // even of uniform values: subgroups may have different numbers of lanes
     case ir::Intrinsic::subgroupMul:
     case ir::Intrinsic::subgroupXor:
     case ir::Intrinsic::subgroupBallot:
@@ -276,7 +274,7 @@ Flow Uniformity::intrinsic(const ir::Expr& node) {
     }
 }
 
-/// A function without a workgroup gives the same for the same arguments, as far as what it reads is the same.
+/// The result of a function without a workgroup is uniform if its arguments and all that it reads are.
 Flow Uniformity::call(ir::ExprId id, const ir::Expr& node) {
     if (p.functions[node.function].grouped()) return grouped_call(id, node);
     Flow flow = operands(node);

@@ -1,4 +1,4 @@
-// Source files and places in them.
+// Source files and locations in them.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ struct Span {
     bool operator==(const Span&) const = default;
 };
 
-/// The smallest span that holds both; they are of one file.
+/// The smallest span that contains both; they are of one file.
 inline Span join(Span a, Span b) {
     if (!a) return b;
     if (!b) return a;

@@ -1,7 +1,7 @@
-// The tree as written: what the parser makes and sema reads. Nothing here is resolved.
+// The syntax tree: made by the parser, read by sema. No names are resolved.
 //
 // Types are expressions: `Array<4, float>`, `float4`, `T[8]`, `vec<N, uint>?` use the same nodes as values, and sema
-// reads an expression as a type or as a value by where it stands.
+// interprets an expression as a type or as a value by its context.
 #pragma once
 
 #include "base/arena.h"
@@ -22,7 +22,7 @@ using ExprId = Id<Expr>;
 using StmtId = Id<Stmt>;
 using DeclId = Id<Decl>;
 
-/// An identifier where it stands.
+/// An identifier and its location.
 struct Identifier {
     Name name;
     Span span;
@@ -31,7 +31,7 @@ struct Identifier {
 // ---------------------------------------------------------------------------------------------------- expressions
 
 enum class ExprKind : std::uint8_t {
-    error,           // what the parser could not read; reported already
+    error,           // a syntax error; reported already
     int_literal,     // value; suffix: u, l (int64), ul (uint64)
     float_literal,   // number; suffix: f, h, d
     bool_literal,    // value 0 or 1
@@ -224,7 +224,7 @@ enum class ItemKind : std::uint8_t {
     memory,     // memory name = buffer<T>[n] | image2d<F>(extent) [mips(n)] [filter linear] [compare less];
     member,     // structure name = Type(arguments…);
     via,        // via A<…>(…) then B<…>(…);
-    otherwise,  // otherwise value;         the value of an address that maps nowhere
+    otherwise,  // otherwise value;         the value of reads at unmapped addresses
     host,       // host name: type = value;   adaptors
     condition,  // if constant { items } [else { items }]
     function,   // a fn, or a method without fn (domain, at): `decl`

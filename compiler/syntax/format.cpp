@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::size_t widest = 120, level = 4, widest_alignment = 60;
 
-/// Lays pieces out in lines. A statement is what ends with `;` or with a block; a statement whose blocks all stood on
-/// one line, and that fits, is one line.
+/// Breaks pieces into lines. A statement ends with `;` or with a block; it stays on one line if its blocks were on one
+/// line and it fits.
 class Formatter {
 public:
     explicit Formatter(const std::vector<Piece>& pieces) : pieces_(pieces) {}
@@ -26,9 +26,9 @@ public:
     }
 
 private:
-    // ---- where things end
+    // ---- ends of constructs
 
-    /// Behind the statement that begins at `from`; its trailing comments are not part of it.
+    /// The piece after the statement that begins at `from`, without its trailing comments.
     std::uint32_t end_of_statement(std::uint32_t from, std::uint32_t limit) const {
         for (std::uint32_t i = from; i < limit; ++i) {
             const Piece& piece = pieces_[i];
@@ -43,7 +43,7 @@ private:
         return limit;
     }
 
-    /// Behind `@name(arguments) @name…` where a new line follows, else `from`.
+    /// The piece after `@name(arguments) @name…` if a new line follows, else `from`.
     std::uint32_t end_of_attribute(std::uint32_t from, std::uint32_t limit) const {
         std::uint32_t end = from;
         while (end < limit && pieces_[end].is(TokenKind::at_sign) && (end == from || !pieces_[end].first_on_line)) {
@@ -55,7 +55,7 @@ private:
 
     // ---- one line
 
-    /// Whether nothing from `from` to `to` forces a line to end.
+    /// Whether nothing in [from, to) forces a line break.
     bool is_flat(std::uint32_t from, std::uint32_t to) const {
         for (std::uint32_t i = from; i < to; ++i) {
             const Piece& piece = pieces_[i];
@@ -91,7 +91,7 @@ private:
         if (pieces_[i].blank_before && !first) out_ += '\n';
     }
 
-    /// The statements and comments from the position to `limit`.
+    /// Formats the statements and comments from the current piece to `limit`.
     void statements(std::uint32_t limit, std::size_t indent) {
         bool first = true;
         while (at_ < limit) {
@@ -114,7 +114,7 @@ private:
         return pieces_[i].kind == PieceKind::line_comment || i + 1 >= limit || pieces_[i + 1].first_on_line;
     }
 
-    /// Comments behind code on its line.
+    /// Comments after code on the same line.
     void trailing_comments(std::uint32_t limit) {
         while (at_ < limit && pieces_[at_].is_comment() && !pieces_[at_].first_on_line) {
             trailing_.push_back({line_start_, out_.size()});
@@ -123,7 +123,7 @@ private:
         }
     }
 
-    /// Comments behind the code of neighbouring lines of one level begin in one column.
+    /// Aligns the trailing comments of consecutive lines of one indentation.
     void align_trailing_comments() {
         auto indent = [&](const Trailing& t) { return out_.find_first_not_of(' ', t.line) - t.line; };
         auto follows = [&](const Trailing& a, const Trailing& b) {
@@ -167,7 +167,7 @@ private:
         }
     }
 
-    /// `{`, what is in it one level further in, `}`.
+    /// `{`, the contents indented by one level, `}`.
     void block(std::size_t indent, bool is_enum) {
         std::uint32_t close = pieces_[at_].partner;
         if (column() > indent) out_ += ' ';
@@ -206,7 +206,7 @@ private:
         }
     }
 
-    /// The pieces up to `end`, in as many lines as they need; `room` columns are kept free behind the last.
+    /// Formats the pieces up to `end`, with line breaks where needed; `room` columns stay free after the last one.
     void wrap(std::uint32_t end, std::size_t indent, std::size_t room) {
         std::uint32_t first = at_;
         std::vector<std::size_t> alignment;
@@ -228,8 +228,8 @@ private:
         }
     }
 
-    /// Whether the line must end before piece `i`: what follows up to the next place to break, at this depth or further
-    /// out, is too long.
+    /// Whether a line break is needed before piece `i`: the text up to the next possible break, at this nesting depth
+    /// or an outer one, does not fit.
     bool breaks_before(std::uint32_t i, std::uint32_t end, std::size_t room) const {
         if (!may_break_between(pieces_[i - 1], pieces_[i])) return false;
         std::size_t length = column() + (space_between(pieces_[i - 1], pieces_[i]) ? 1 : 0);

@@ -10,9 +10,9 @@
 
 namespace gliftc {
 
-/// The file in the one format: 4 spaces a level, 120 columns, one statement a line, comments kept, at most one empty
-/// line together. A block that stands on one line stays there while it fits. Formatting what is formatted changes
-/// nothing. Nothing, with errors reported, where the file does not parse.
+/// The file in canonical format: indentation of 4, 120 columns, one statement a line, comments kept, no two empty lines
+/// in a row. A block on one line stays there if it fits. Formatting is idempotent. Nothing, with errors reported, if
+/// the file does not parse.
 std::optional<std::string> format(std::uint32_t file, const Sources& sources, Names& names, Diagnostics& diagnostics);
 
 }  // namespace gliftc

@@ -1,4 +1,4 @@
-// What the formatter puts in a row: tokens with the roles that the parser found, and comments among them.
+// The formatter's input: tokens, with the roles that the parser gave them, and comments.
 #pragma once
 
 #include "syntax/token.h"
@@ -16,7 +16,7 @@ struct Piece {
     Role role = Role::none;
     std::string_view text;
     bool first_on_line = false;  ///< in the source
-    bool blank_before = false;   ///< an empty line stands before it in the source
+    bool blank_before = false;   ///< an empty line precedes it in the source
     bool space_before = false;   ///< space, or the end of a line
     std::uint32_t partner = 0;   ///< of an opening bracket: the piece that closes it
 
@@ -37,10 +37,10 @@ struct Piece {
 /// parsing.
 std::vector<Piece> make_pieces(std::string_view text, const TokenList& written, const TokenList& read);
 
-/// Whether a space stands between two neighbours on one line.
+/// Whether there is a space between two neighbours on one line.
 bool space_between(const Piece& before, const Piece& after);
 
-/// Whether a line that is too long may end before `after`.
+/// Whether a line that is too long may break before `after`.
 bool may_break_between(const Piece& before, const Piece& after);
 
 }  // namespace gliftc

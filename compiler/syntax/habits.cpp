@@ -42,7 +42,7 @@ constexpr Habit names[] = {
     {"nullptr", no_pointers},
     {"null", no_pointers},
     {"static_cast", conversion},
-    {"reinterpret_cast", "bits are kept by 'floatBitsToUint' and the like"},
+    {"reinterpret_cast", "bits are reinterpreted by 'floatBitsToUint' and the like"},
     {"texture", elements},
     {"texelFetch", elements},
     {"imageLoad", elements},
@@ -53,7 +53,7 @@ constexpr Habit names[] = {
     {"blockIdx", own_address},
     {"SV_DispatchThreadID", own_address},
     {"__syncthreads", "it is called 'barrier()'"},
-    {"sizeof", "sizes are the compiler's affair; 'count(s)' is the number of elements"},
+    {"sizeof", "there is none; 'count(s)' is the number of elements"},
     {"size_t", "whole numbers are int, uint, int64 and uint64"},
     {"unsigned", "it is called 'uint'"},
     {"char", "whole numbers are int, uint, int64 and uint64"},
@@ -103,7 +103,7 @@ constexpr Habit declarations[] = {
     {"func", function},
     {"function", function},
     {"let", "constants are written 'const n = 3;'"},
-    {"var", "constants are written 'const n = 3;'; what changes lives in structures"},
+    {"var", "constants are written 'const n = 3;'; there are no global variables"},
     {"layout", memory},
     {"uniform", memory},
     {"buffer", memory},
@@ -112,7 +112,7 @@ constexpr Habit declarations[] = {
     {"StructuredBuffer", memory},
     {"class", "there are 'struct' and 'structure'"},
     {"typedef", "types are named by 'type real = float;'"},
-    {"template", "generics stand behind the name: 'fn f<T: type>(x: T) -> T { … }'"},
+    {"template", "generic parameters follow the name: 'fn f<T: type>(x: T) -> T { … }'"},
     {"namespace", "a file is one module: 'module name;'"},
 };
 
@@ -147,9 +147,8 @@ std::string hint_for_declaration(std::string_view word) {
 std::string hint_for_directive(std::string_view word) {
     if (word == "include" || word == "import") return std::string(import);
     if (word == "define") return "constants are written 'const n = 3;', functions 'fn f(x: float) -> float { … }'";
-    if (word == "if" || word == "ifdef" || word == "ifndef")
-        return "an 'if' over constants leaves out what does not hold";
-    if (word == "version" || word == "extension" || word == "pragma") return "nothing of the kind is needed";
+    if (word == "if" || word == "ifdef" || word == "ifndef") return "use an 'if' with a constant condition";
+    if (word == "version" || word == "extension" || word == "pragma") return "there is none, and none is needed";
     return {};
 }
 
@@ -168,7 +167,7 @@ const Token& Parser::head() const {
     return tokens_[at];
 }
 
-/// Where the mistake is a habit from another language: how Glift has it. Looks at what stands around the place.
+/// A hint for syntax of another language: how Glift writes it. Found from the surrounding tokens.
 std::string Parser::habit(std::string_view wanted) const {
     using enum TokenKind;
     const auto before = [&](std::uint32_t back) { return cursor_ >= back ? tokens_[cursor_ - back] : Token{}; };
@@ -196,7 +195,7 @@ std::string Parser::habit(std::string_view wanted) const {
         return "conversions are written '" + std::string(text_of(before(2))) + "(x)'";
     if (!is_name || last != identifier) return {};
     if (before(2).kind == kw_const || before(2).kind == kw_let || before(2).kind == kw_var)
-        return "the type stands behind the name: '" + std::string(text_of(before(2))) + " " + std::string(word) + ": " +
+        return "the type follows the name: '" + std::string(text_of(before(2))) + " " + std::string(word) + ": " +
                std::string(text_of(before(1))) + " = …;'";
     if (head().kind == kw_fn || head().kind == kw_pub)
         return "parameters are written '" + std::string(word) + ": " + std::string(text_of(before(1))) + "'";

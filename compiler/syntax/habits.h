@@ -1,4 +1,4 @@
-// What programmers bring along from C, C++, GLSL, HLSL, Rust and Python, and how Glift says it.
+// Hints for names and syntax of C, C++, GLSL, HLSL, Rust and Python: what Glift uses instead.
 #pragma once
 
 #include <string>
@@ -6,13 +6,13 @@
 
 namespace gliftc {
 
-/// The remedy where a name is one of another language; empty: it is none that we know.
+/// The hint for a name of another language; empty if there is none.
 std::string hint_for_name(std::string_view name);
 
-/// The same for a word where a declaration should begin.
+/// The same for a word in place of a declaration.
 std::string hint_for_declaration(std::string_view word);
 
-/// The same for what stands behind a '#'.
+/// The same for a preprocessor directive.
 std::string hint_for_directive(std::string_view word);
 
 }  // namespace gliftc

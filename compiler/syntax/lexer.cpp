@@ -28,7 +28,7 @@ CharClass class_of(char c) { return classes[static_cast<unsigned char>(c)]; }
 bool is_beyond_ascii(char c) { return (c & 0x80) != 0; }
 bool continues_word(char c) { return class_of(c) >= letter; }
 
-/// Which names are keywords or words, by the name's number: these are interned first, so the table is short.
+/// Keywords and words, indexed by the name's number: they are interned first, so that the table is short.
 class WordTable {
 public:
     explicit WordTable(Names& names) {
@@ -54,7 +54,7 @@ private:
     std::vector<Entry> entries_;
 };
 
-/// Goes over the text once. Reads past the end see '\0'.
+/// Scans the text once. Reads past the end give '\0'.
 class Lexer {
 public:
     Lexer(std::uint32_t file, const Sources& sources, Names& names, Diagnostics& diagnostics)
@@ -110,7 +110,7 @@ private:
         push(kind, begin, name, meaning);
     }
 
-    /// A word with letters beyond ASCII is one mistake, and still a name. Such characters alone are none.
+    /// A word with letters beyond ASCII is one error, and still a name; a run of only such characters is not a name.
     void foreign_word(std::size_t begin) {
         std::size_t first = begin;
         while (first < text_.size() && !is_beyond_ascii(text_[first])) ++first;
@@ -130,7 +130,7 @@ private:
         push(TokenKind::bad_character, begin);
     }
 
-    /// `x.0` is a mistake in the member, `= .5` one in the number.
+    /// Distinguishes `x.0`, an error in the member, from `= .5`, one in the number.
     bool after_value() const {
         if (list_.tokens.empty() || list_.tokens.back().end != at_) return false;
         TokenKind before = list_.tokens.back().kind;
@@ -311,7 +311,7 @@ private:
     Diagnostics& diagnostics_;
     std::size_t at_ = 0;
     bool first_on_line_ = true;
-    bool valid_ = true;  // UTF-8; else bytes beyond ASCII are not reported one by one
+    bool valid_ = true;  // is valid UTF-8; else bytes beyond ASCII are not reported individually
     TokenList list_;
 };
 

@@ -1,4 +1,4 @@
-// Text to tokens.
+// The lexer: text to tokens.
 #pragma once
 
 #include "diag/diagnostics.h"
@@ -6,11 +6,10 @@
 
 namespace gliftc {
 
-/// Never fails: what is no token is reported and stands in the list as a bad character. The list ends with
-/// TokenKind::end.
+/// Never fails: invalid text is reported and becomes a bad_character token. The list ends with TokenKind::end.
 TokenList lex(std::uint32_t file, const Sources& sources, Names& names, Diagnostics& diagnostics);
 
-/// The offset of the first byte that is not valid UTF-8; the text's size where all is.
+/// The offset of the first byte that is not valid UTF-8; the text's size if all are.
 std::size_t find_invalid_utf8(std::string_view text);
 
 }  // namespace gliftc

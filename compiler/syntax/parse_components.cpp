@@ -14,7 +14,7 @@ void Parser::parse_translator(ast::Decl& decl) {
     }
     ast::Translator translator;
     if (!at(TokenKind::colon))
-        fail_expected("':'", "a translator says what it maps: 'translator Name : uint3 -> uint'");
+        fail_expected("':'", "a translator declares its address types: 'translator Name : uint3 -> uint'");
     set_role(Role::spaced);
     accept(TokenKind::colon);
     translator.virtual_type = parse_type();

@@ -1,4 +1,4 @@
-// Declarations that are no components: functions, structs, enums, interfaces, constants, kernels, pipelines.
+// Declarations other than components: functions, structs, enums, interfaces, constants, kernels, pipelines.
 #include "syntax/parser_state.h"
 
 namespace gliftc {

@@ -60,7 +60,7 @@ std::optional<UnaryOp> prefix_of(TokenKind kind) {
     return std::nullopt;
 }
 
-/// Later stages recurse over the tree: a chain `a + a + …` must not be higher than they can go.
+/// Bounds the height of the tree, since later stages recurse over it: a chain `a + a + …` is as high as it is long.
 constexpr std::uint16_t highest = 1000;
 
 }  // namespace
@@ -170,7 +170,7 @@ ast::ExprId Parser::parse_unary() {
     return add(std::move(expr));
 }
 
-/// generic-argument = additive { "?" } ;      comparisons and shifts stand in parentheses there
+/// generic-argument = additive { "?" } ;      comparisons and shifts need parentheses there
 ast::ExprId Parser::parse_generic_argument() {
     Nesting nesting(*this);
     if (!nesting.ok) return error_expr();

@@ -1,5 +1,5 @@
-// What stands in the bodies of structures, views and adaptors. All three are read alike; sema says which item belongs
-// where.
+// Items in the bodies of structures, views and adaptors. All three are parsed alike; sema checks which item may be in
+// which.
 #include "syntax/parser_state.h"
 
 namespace gliftc {

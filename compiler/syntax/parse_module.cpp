@@ -158,7 +158,7 @@ void Parser::parse_declaration_body(Decl& decl) {
     parse_body_after_name(decl, Token(tokens_[keyword]));
 }
 
-/// What follows the name, by the keyword before it.
+/// Parses what follows the name, depending on the keyword before it.
 void Parser::parse_body_after_name(Decl& decl, const Token& keyword) {
     using enum TokenKind;
     if (keyword.kind == kw_fn) decl.body = parse_function();

@@ -14,7 +14,7 @@ namespace {
 
 using enum TokenKind;
 constexpr TokenSet literal_tokens{integer, floating, bad_number, string, kw_true, kw_false, kw_none};
-/// What stands in generic arguments outside of parentheses, besides `<`, `>`, `>>`, `?` and `??`.
+/// Tokens that may occur in generic arguments outside of parentheses, besides `<`, `>`, `>>`, `?` and `??`.
 constexpr TokenSet in_generic_arguments{identifier, integer, floating, kw_true, kw_false, kw_none, comma, dot,
                                         plus,       minus,   star,     slash,   percent,  exclaim, tilde};
 constexpr TokenSet never_in_brackets{semicolon, open_brace, close_brace, end};
@@ -119,7 +119,7 @@ ast::ExprId Parser::parse_literal() {
     return add(std::move(expr));
 }
 
-/// Goes on as if a number stood there: nothing else is wrong.
+/// Continues as after a valid number, to report one error only.
 ast::ExprId Parser::parse_bad_number() {
     std::string_view text = text_of(peek());
     std::string note = text.starts_with('.') ? "write 0" + std::string(text)
@@ -264,7 +264,7 @@ ast::ExprId Parser::parse_index(ExprId base, std::uint32_t first) {
     return add(std::move(expr));
 }
 
-/// member = "." name ;      any word is a name here, `Boundary.none` too
+/// member = "." name ;      keywords are names here, as in `Boundary.none`
 ast::ExprId Parser::parse_member(ExprId base, std::uint32_t first) {
     advance();
     Expr expr;
@@ -299,13 +299,13 @@ ast::ExprId Parser::parse_generic_arguments(ExprId base, std::uint32_t first) {
     return add(std::move(expr));
 }
 
-/// More than one `>` at once, which closes generic arguments around those that end here.
+/// Whether the token has several `>` and so also closes enclosing generic arguments.
 bool Parser::closes_outer(TokenKind kind) const {
     return open_angles_ > 0 && (kind == greater_greater || kind == greater_greater_equal || kind == greater_equal);
 }
 
-/// Whether the `<` here opens generic arguments: up to its `>` stands only what can be an argument, and behind it what
-/// can follow one. As in C#, `f(a < b, c > (d))` is read as a call with one generic name.
+/// Whether the `<` here opens generic arguments: all tokens up to its `>` can be part of one, and the token after it
+/// can follow them. As in C#, `f(a < b, c > (d))` is parsed as a call of the generic `a<b, c>`.
 bool Parser::generic_arguments_follow() const {
     constexpr std::uint32_t farthest = 512;
     int angles = 0, brackets = 0;

@@ -97,7 +97,7 @@ ast::StmtId Parser::parse_let() {
     if (at(TokenKind::equal)) {
         advance();
     } else {
-        fail_expected("'='", "every variable begins with a value; 'var name: type;' with zeros");
+        fail_expected("'='", "every variable is initialised; 'var name: type;' with zeros");
     }
     let.value = lost_ ? error_expr() : parse_expression();
     end_statement();
@@ -123,7 +123,7 @@ ast::StmtId Parser::parse_temp() {
     Stmt temp;
     temp.kind = StmtKind::temp;
     temp.is_uninitialized = accept_word(Word::uninitialized);
-    if (!accept_word(Word::temp)) fail_expected("'temp'", "'uninitialized' says how a temporary begins");
+    if (!accept_word(Word::temp)) fail_expected("'temp'", "'uninitialized' applies to temporaries");
     temp.name = parse_name("a name");
     if (accept(TokenKind::colon)) temp.type = parse_type();
     expect(TokenKind::equal);

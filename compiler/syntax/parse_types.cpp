@@ -36,7 +36,7 @@ ast::ExprId Parser::parse_type() {
 
 bool Parser::at_optional_mark() const { return at(TokenKind::question) || at(TokenKind::question_question); }
 
-/// Takes one `?`, also off the front of `??`: an optional of an optional.
+/// Consumes one `?`, also the first of `??`: an optional of an optional.
 ast::ExprId Parser::parse_optional(ExprId type, std::uint32_t first) {
     set_role(Role::optional);
     Expr expr;
@@ -71,7 +71,7 @@ std::vector<ast::GenericParam> Parser::parse_generic_params() {
             advance();
             param.constraint = parse_type();
         } else {
-            fail_expected("':'", "a generic parameter says what it stands for: 'T: type', 'N: uint'");
+            fail_expected("':'", "a generic parameter has a constraint: 'T: type', 'N: uint'");
         }
         if (accept(TokenKind::equal)) param.default_value = parse_generic_argument();
         if (param.name.name) params.push_back(param);

@@ -1,4 +1,4 @@
-// Tokens to the tree. The grammar is docs/grammar.ebnf; each parsing function carries its rule.
+// The parser: tokens to the syntax tree. The grammar is docs/grammar.ebnf; each parsing function has its rule above it.
 #pragma once
 
 #include "diag/diagnostics.h"
@@ -7,10 +7,10 @@
 
 namespace gliftc {
 
-/// Never fails: what cannot be read is reported and stands in the tree as an error node, or is left out.
+/// Never fails: a syntax error is reported and becomes an error node, or is left out.
 ast::Module parse(std::uint32_t file, const Sources& sources, Names& names, ast::Tree& tree, Diagnostics& diagnostics);
 
-/// The same from tokens that are there already; writes the roles of the tokens.
+/// The same from tokens; sets the roles of the tokens.
 ast::Module parse(TokenList& tokens, std::uint32_t file, const Sources& sources, Names& names, ast::Tree& tree,
                   Diagnostics& diagnostics);
 

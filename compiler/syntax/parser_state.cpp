@@ -47,7 +47,7 @@ bool Parser::accept_word(Word word) {
     return true;
 }
 
-/// What should stand here may be within the string.
+/// Whether the previous token is an unterminated string, which may have swallowed the expected token.
 bool Parser::follows_open_string() const {
     if (!has_open_string_ || cursor_ == 0 || tokens_[cursor_ - 1].kind != TokenKind::string) return false;
     const std::string_view text = text_of(tokens_[cursor_ - 1]);
@@ -57,7 +57,7 @@ bool Parser::follows_open_string() const {
 bool Parser::expect(TokenKind kind) {
     if (accept(kind)) return true;
     if (kind == TokenKind::semicolon && follows_open_string()) return true;
-    // A token left out at the end of a line is taken as written: what stands on the next line is likely right.
+    // A missing token at the end of a line is treated as present: the next line is probably right.
     if (kind == TokenKind::semicolon && cursor_ > 0 && (peek().first_on_line || at(TokenKind::close_brace)) && !lost_) {
         diagnostics_.report(Diag::expected, after_previous(), {describe(kind), shown(peek())});
         return true;
@@ -83,7 +83,7 @@ bool Parser::at_close_angle() const {
     return at(greater) || at(greater_greater) || at(greater_equal) || at(greater_greater_equal);
 }
 
-/// Takes one `>`, also off the front of `>>`, `>=` and `>>=`.
+/// Consumes one `>`, also the first character of `>>`, `>=` and `>>=`.
 bool Parser::expect_close_angle(std::uint32_t open_token) {
     using enum TokenKind;
     if (!at_close_angle()) return expect_close(greater, open_token);

@@ -1,7 +1,7 @@
-// The recursive-descent parser: where it stands, how it reports, how it goes on after a mistake.
+// The recursive-descent parser: its position, error reporting and recovery.
 //
-// After a mistake the parser is `lost_`: nothing more is reported and every loop ends, up to the nearest list of
-// statements, items or declarations, which skips to a place where it knows its way again.
+// After an error the parser is `lost_` (panic mode): nothing more is reported and every loop ends, up to the nearest
+// list of statements, items or declarations, which skips to a synchronisation point.
 #pragma once
 
 #include "diag/diagnostics.h"
@@ -52,7 +52,7 @@ private:
     ast::Identifier identifier_of(const Token& token) const { return {token.name, span_of(token)}; }
     std::string doc_before(std::uint32_t token) const;
 
-    // ---- mistakes (recovery.cpp)
+    // ---- errors (recovery.cpp)
     std::string shown(const Token& token) const;
     void fail(Diag id, Span span, std::initializer_list<std::string_view> arguments = {}, std::string note = {});
     void fail_expected(std::string_view what, std::string note = {});
@@ -70,7 +70,7 @@ private:
     bool close_list(std::uint32_t open_token);
     bool list_ends() const;
 
-    /// Counts nesting; `ok` is false, with an error reported, beyond the deepest allowed.
+    /// Counts the nesting depth; `ok` is false, with an error reported, beyond the limit.
     struct Nesting {
         explicit Nesting(Parser& outer);
         ~Nesting() { --parser.depth_; }
@@ -191,16 +191,16 @@ private:
     Diagnostics& diagnostics_;
 
     std::uint32_t cursor_ = 0;
-    std::uint32_t previous_end_ = 0;  // of the token, or the front of a split `>>`, that was taken last
+    std::uint32_t previous_end_ = 0;  // of the last consumed token, or part of a split `>>`
     bool lost_ = false;
     bool has_open_string_;
     int depth_ = 0;
-    int open_angles_ = 0;                 // generic arguments around this place
+    int open_angles_ = 0;                 // enclosing generic arguments
     std::uint32_t first_expr_;            // of this file, in the tree
     std::vector<std::uint16_t> heights_;  // of its expressions
     std::uint32_t unclosed_at_ =
-        0xffffffffu;  // the token where a missing `}` was reported: the outer braces lack theirs too
-    std::uint32_t badly_indented_ = 0xffffffffu;  // the first `{` whose `}` stands in another column: a likely culprit
+        0xffffffffu;  // the token where a missing `}` was reported: not reported again for the outer braces
+    std::uint32_t badly_indented_ = 0xffffffffu;  // the first `{` whose `}` is in another column: the likely cause
 };
 
 }  // namespace gliftc

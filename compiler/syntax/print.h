@@ -7,7 +7,7 @@
 
 namespace gliftc {
 
-/// `(+ a (* b 2))`: parentheses show how it was read, types and values alike.
+/// `(+ a (* b 2))`: fully parenthesised, for types and values.
 std::string print(ast::ExprId expr, const ast::Tree& tree, const Names& names);
 
 /// One declaration or statement a line, indented by its depth.

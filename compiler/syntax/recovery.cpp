@@ -1,4 +1,4 @@
-// Reporting mistakes and going on after them.
+// Error reporting and recovery of the parser.
 #include "syntax/parser_state.h"
 #include "syntax/token_set.h"
 
@@ -23,7 +23,7 @@ constexpr TokenSet close_brackets{close_brace, close_paren, close_bracket};
 Parser::Nesting::Nesting(Parser& outer) : parser(outer), ok(++outer.depth_ <= deepest) {
     if (ok) return;
     parser.fail(Diag::too_deep, parser.here());
-    // The rest of the file is not read: nothing that closes so many brackets is worth a second error.
+    // Skip the rest of the file: unclosed brackets at this depth would only give errors that follow from this one.
     parser.cursor_ = static_cast<std::uint32_t>(parser.tokens_.size() - 1);
     parser.unclosed_at_ = parser.cursor_;
 }
@@ -69,7 +69,7 @@ void Parser::report_unclosed(std::uint32_t open_token) {
             {span_of(tokens_[badly_indented_]), "by its indentation, this is the one that lacks its '}'"});
 }
 
-/// Called at a `}`: remembers the first one that begins a line in another column than the line of its `{`.
+/// Called at a `}`: records the first `{` whose line is indented differently than its `}`.
 void Parser::check_indentation(std::uint32_t open_token) {
     if (badly_indented_ != 0xffffffffu || !peek().first_on_line) return;
     std::string_view text = sources_[file_].text;
@@ -82,8 +82,7 @@ void Parser::check_indentation(std::uint32_t open_token) {
     if (indentation(tokens_[open_token].begin) != indentation(peek().begin)) badly_indented_ = open_token;
 }
 
-/// From an opening bracket to behind the one that closes it; stops early where a declaration begins in the first
-/// column.
+/// Skips from an opening bracket past its closing one; stops early at a declaration in the first column.
 void Parser::skip_balanced() {
     int open = 0;
     do {
@@ -93,7 +92,7 @@ void Parser::skip_balanced() {
     } while (open > 0 && !at_end() && !at_declaration_in_first_column());
 }
 
-/// To behind the next `;` or `{ … }`, or to a `}`, or to what begins a statement or an item on its own line.
+/// Skips past the next `;` or `{ … }`, or to a `}`, or to a line that begins a statement or item.
 void Parser::recover_in_list() {
     lost_ = false;
     while (!at_end() && !at(close_brace) && !at_declaration_in_first_column()) {
@@ -113,7 +112,7 @@ void Parser::recover_in_list() {
     }
 }
 
-/// To what begins a declaration on its own line.
+/// Skips to a line that begins a declaration.
 void Parser::recover_in_module() {
     lost_ = false;
     while (!at_end()) {
@@ -130,7 +129,7 @@ bool Parser::at_statement_keyword() const {
     return statement_keywords.has(peek().kind) || (item_words.has(peek().word) && peek(1).kind == identifier);
 }
 
-/// A word that begins a declaration where only declarations stand.
+/// A contextual keyword that begins a declaration.
 bool Parser::at_declaration_word() const { return declaration_words.has(peek().word); }
 
 bool Parser::at_declaration() const {
@@ -139,7 +138,7 @@ bool Parser::at_declaration() const {
     return declaration_words.has(peek().word) && peek(1).kind == identifier;
 }
 
-/// In the first column a declaration begins even where a brace is open: the brace was forgotten.
+/// A declaration in the first column ends open braces: a `}` is missing.
 bool Parser::at_declaration_in_first_column() const {
     if (!peek().first_on_line || !at_declaration() || at(kw_const)) return false;
     std::uint32_t begin = peek().begin;

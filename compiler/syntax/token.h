@@ -1,4 +1,4 @@
-// Tokens: what the lexer makes of a file, with its comments beside them.
+// Tokens and comments, the lexer's output.
 #pragma once
 
 #include "base/name.h"
@@ -15,7 +15,7 @@ enum class TokenKind : std::uint8_t {
     identifier,
     integer,
     floating,
-    bad_number,  // looks like a number and is none
+    bad_number,  // malformed
     string,
     bad_character,  // or several; reported already
 #define PUNCTUATION(name, text) name,
@@ -27,7 +27,7 @@ enum class TokenKind : std::uint8_t {
 #undef WORD
 };
 
-/// An identifier with a meaning in some places; `no_word` for all others.
+/// Contextual keywords; `no_word` for other identifiers.
 enum class Word : std::uint8_t {
     no_word,
 #define PUNCTUATION(name, text)
@@ -39,7 +39,7 @@ enum class Word : std::uint8_t {
 #undef WORD
 };
 
-/// What a token with several meanings turned out to be. The parser writes it, the formatter reads it.
+/// Disambiguates tokens with several meanings, for the formatter. Set by the parser.
 enum class Role : std::uint8_t {
     none,
     open_generic,
@@ -70,7 +70,7 @@ struct Comment {
 struct TokenList {
     std::vector<Token> tokens;
     std::vector<Comment> comments;
-    bool has_open_string = false;  ///< one that is not closed: what it took of its line may have closed braces
+    bool has_open_string = false;  ///< an unterminated string, which may have swallowed closing braces of its line
 };
 
 /// "'{'", "'kernel'", "an identifier": for messages.

@@ -1,11 +1,11 @@
-// The program's own shader: draws into a Glift structure through the functions that gliftc wrote for it.
+// The program's own shader: draws into a Glift structure through functions that gliftc generated.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-// The state of the structure, where this program likes to have it.
+// The state of the structure, in this program's push constants.
 layout(push_constant, scalar) uniform Parameters {
     uvec2 Picture_extent;
     uint square;

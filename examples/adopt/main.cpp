@@ -20,7 +20,7 @@ namespace {
 constexpr glift::uint2 extent = {203, 117};
 constexpr std::uint32_t square = 20, rounds = 4;
 
-/// The same picture, made here: what the device must give. Outside it is black.
+/// The expected picture, computed here. Outside it is black.
 std::vector<float> expected() {
     std::vector<float> picture(extent.x * extent.y), other(picture.size());
     const auto at = [&](std::uint32_t x, std::uint32_t y) {
@@ -57,7 +57,7 @@ std::vector<float> draw(const PlainVulkan& vulkan) {
     const ComputeShader shader(vulkan, checkerboard, sizeof(glift::uint2) + sizeof square);
     shader.bind({drawn.buffer, drawn.offset, drawn.bytes});
     const ReadbackBuffer result(vulkan, bytes);
-    // The structures start as zeros: that comes before the program's own commands.
+    // Submit the initialisation of the structures before the program's own commands.
     device.commands().flush();
 
     const VkCommandBuffer commands = vulkan.begin();

@@ -51,7 +51,7 @@ void PlainVulkan::choose_device() {
 }
 
 void PlainVulkan::make_device() {
-    // What Glift needs; a program adds what it needs itself.
+    // The features that Glift needs; a program adds its own.
     glift::vulkan::DeviceFeatures features(instance, physical);
     extensions.assign(features.extensions().begin(), features.extensions().end());
     const float priority = 1;

@@ -1,5 +1,5 @@
-// A program's own Vulkan: instance, device, queue, one compute shader and one buffer to read. Nothing here is Glift's,
-// but the list of features that Glift needs on the device.
+// A program's own Vulkan: instance, device, queue, one compute shader and one buffer to read. The only thing from Glift
+// is the list of device features that it needs.
 #pragma once
 
 #include <vulkan/vulkan.h>
@@ -12,7 +12,7 @@
 /// Throws std::runtime_error, which names the call, where a Vulkan call fails.
 void check(VkResult result, const char* call);
 
-/// The device that compute runs on: a GPU where there is one, else what there is.
+/// The device that compute runs on: a GPU if there is one, else any.
 class PlainVulkan {
 public:
     PlainVulkan();

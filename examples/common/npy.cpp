@@ -185,7 +185,7 @@ const ElementType& element_type(const std::string& path, const std::string& type
     fail(path, "its elements are '" + type + "'; this program reads float16, float32, float64, bool and integers");
 }
 
-/// The row-major (last axis fastest) numbers of the elements in the order in which a Fortran file holds them.
+/// Iterates over the elements in the order of a Fortran file, and gives their row-major (last axis fastest) indices.
 class FortranOrder {
 public:
     explicit FortranOrder(const std::vector<std::uint64_t>& shape) : shape_(shape), index_(shape.size(), 0) {

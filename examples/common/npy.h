@@ -7,7 +7,7 @@
 
 namespace npy {
 
-/// An N-D array in Glift's order: the first axis runs fastest, so the extent is NumPy's shape backwards, whatever the
+/// An N-D array in Glift's order: the first axis is contiguous, so the extent is NumPy's shape reversed, whatever the
 /// order of the file. Element [k, j, i] of a NumPy array of shape (nz, ny, nx) has the address (i, j, k).
 struct Array {
     std::vector<std::uint32_t> extent;

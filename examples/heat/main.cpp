@@ -27,7 +27,7 @@ constexpr const char* usage = "usage: heat [volume.npy] [--steps N] [--out DIR] 
                               "\n"
                               "GLIFT_DEVICE=gpu|lavapipe|NAME chooses the Vulkan device.\n";
 
-/// Of the difference to each neighbour, what flows in one step; 1/6 is where the explicit scheme stops being stable.
+/// The fraction of the difference to each neighbour that flows in one step; the explicit scheme is stable up to 1/6.
 constexpr float rate = 0.125f;
 
 struct Arguments {
@@ -98,7 +98,7 @@ npy::Array load(const std::string& file) {
     return volume;
 }
 
-/// What one device made of the volume.
+/// The result of one device.
 struct Outcome {
     std::vector<float> values;
     double seconds = 0;  ///< of all steps, the quickest of a few runs
@@ -125,7 +125,7 @@ Outcome diffuse_on(const glift::Device& device, const npy::Array& volume, std::u
     return outcome;
 }
 
-/// Nothing, with a message that says what to do, where there is no Vulkan device or another one was asked for.
+/// The Vulkan device; nothing, with a message, if there is none or only the host was asked for.
 std::optional<glift::Device> vulkan_device() {
     try {
         glift::Device device = glift::Device::open();
@@ -173,7 +173,7 @@ void write_pictures(const Arguments& arguments, const npy::Array& volume, const 
     std::printf("pictures: %s, %s (the middle slices across z, y and x)\n", first.c_str(), second.c_str());
 }
 
-/// Says how the two outcomes compare; false where they differ.
+/// Prints how the two results compare; false if they differ.
 bool agree(const Outcome& vulkan, const Outcome& host) {
     const std::size_t bytes = host.values.size() * sizeof(float);
     if (std::memcmp(vulkan.values.data(), host.values.data(), bytes) == 0) {

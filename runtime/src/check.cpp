@@ -1,5 +1,6 @@
 #include "check.h"
 
+#include "check_draw.h"
 #include "image_layout.h"
 #include "objects.h"
 #include "text.h"
@@ -17,7 +18,7 @@ namespace {
 void check_owner(const DeviceObject* device, const Memory& memory, const char* call) {
     if (!memory) {
         wrong("an empty memory handle was passed", call,
-              "it, or the structure that it is of, was default-made or moved from",
+              "it, or the structure that it is of, was default-constructed or moved from",
               "pass what Device::allocate returned, or a structure that was made with a device");
     }
     if (!device->reaches(*memory.object())) {
@@ -26,7 +27,7 @@ void check_owner(const DeviceObject* device, const Memory& memory, const char* c
     }
 }
 
-// Outlined: the callers on the dispatch path stay small.
+// Not inlined, so that the dispatch path stays small.
 [[noreturn]] void wrong_memory(const DeviceObject* device, const Kernel& kernel, const Binding& binding,
                                const Memory& memory) {
     const std::string where = kernel_text(kernel) + ", binding " + binding.name;
@@ -109,8 +110,9 @@ void check_call(const DeviceObject* device, const Kernel& kernel, const Call& ca
         }
     }
     if (call.sharing == Sharing::one_place && call.form == FormName::direct)
-        wrong("one place was passed under two names to the direct form", kernel_text(kernel));
+        wrong("aliased elements were passed to the direct form (Sharing::one_place)", kernel_text(kernel));
     if (!call.patches.empty()) check_patches(device, kernel, call);
+    check_draw(device, kernel, call);
 }
 
 MemoryDescription whole_description(const MemoryDescription& description) {

@@ -7,9 +7,9 @@ namespace glift::detail {
 
 void check_call(const DeviceObject* device, const Kernel& kernel, const Call& call);
 void check_memories(const DeviceObject* device, const Kernel& kernel, std::span<const Memory> memories);
-/// Checked, and with the bytes of images.
+/// Checks the description, and fills in the bytes of images.
 MemoryDescription whole_description(const MemoryDescription& description);
-/// Whether the memory can stand where one so described would be allocated.
+/// Checks that the memory can be used in place of one allocated by the description.
 void check_part(const DeviceObject* device, const Memory& memory, const MemoryDescription& wanted);
 void check_range(const DeviceObject* device, const Memory& buffer, std::uint64_t offset, std::uint64_t bytes,
                  const char* call);

@@ -26,10 +26,10 @@ const MemoryDescription& Memory::description() const { return object_.in("Memory
 
 namespace {
 
-/// Nobody asked for a CPU, and there is a faster way to run on one.
-void tell_of_cpu(const DeviceProperties& properties) {
-    static std::atomic<bool> told{false};
-    if (told.exchange(true)) return;
+/// Vulkan on the CPU was chosen by default; the host device would be faster.
+void log_cpu_default(const DeviceProperties& properties) {
+    static std::atomic<bool> logged{false};
+    if (logged.exchange(true)) return;
     detail::log("no GPU was found; Vulkan runs on the CPU: " + properties.name +
                 ". The host device is faster there: GLIFT_DEVICE=host, or Device::open(\"host\")");
 }
@@ -42,7 +42,7 @@ Device Device::open(std::string_view which) {
     }
     if (which == "host") return Device(detail::open_host_device());
     const Device device(detail::open_vulkan_device(which));
-    if (which.empty() && device.properties().kind == DeviceKind::cpu) tell_of_cpu(device.properties());
+    if (which.empty() && device.properties().kind == DeviceKind::cpu) log_cpu_default(device.properties());
     return device;
 }
 

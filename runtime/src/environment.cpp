@@ -13,7 +13,7 @@ namespace glift::detail {
 namespace {
 
 [[noreturn]] void throw_value(const char* name, std::string_view text, const char* remedy) {
-    throw Error(ErrorCode::wrong_argument, std::string("the environment variable ") + name + " has no meaning",
+    throw Error(ErrorCode::wrong_argument, std::string("the environment variable ") + name + " has an invalid value",
                 std::string(name) + "=" + std::string(text), {}, remedy);
 }
 

@@ -1,4 +1,4 @@
-// Environment variables. A value that is none of those allowed is an error, not a guess.
+// Environment variables. An invalid value is an error, never ignored.
 #pragma once
 
 #include <cstdint>
@@ -6,11 +6,11 @@
 
 namespace glift::detail {
 
-/// Set and neither empty nor 0. Throws wrong_argument unless it is 0 or 1.
+/// True if the variable is 1; throws wrong_argument for a value other than 0, 1 or nothing.
 bool environment_flag(const char* name);
 
-/// The bytes that the text says: digits, then nothing or K, M, G or T for powers of 1024 (`2G`, also `2GiB`, `2GB`).
-/// Throws wrong_argument in the name of the variable.
+/// Parses a number of bytes: digits, then nothing or K, M, G or T for powers of 1024 (`2G`, also `2GiB`, `2GB`).
+/// Throws wrong_argument that names the variable.
 std::uint64_t bytes_of_text(const char* name, std::string_view text);
 
 /// GLIFT_MEMORY_LIMIT, or no limit.

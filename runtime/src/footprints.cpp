@@ -1,5 +1,5 @@
-// One memory for several parameters of a call: where they are apart, where they are one place, and where invocations
-// meet.
+// Alias analysis of a call's arguments: for parameters that share a memory, whether what they access is disjoint, the
+// same element in each invocation, or a race.
 #include "text.h"
 
 #include <glift/error.h>
@@ -19,7 +19,7 @@ constexpr std::uint64_t most_rows = 1 << 16;
 
 bool writes(const Binding& binding) { return binding.access != Access::read; }
 
-/// The box of virtual addresses that a binding's parameter touches.
+/// The box of virtual addresses that a binding's parameter accesses.
 Box touched(const Binding& binding, const Footprint& footprint, const Box& visited) {
     Box box = footprint.box;
     if (binding.reach != Reach::window) return box;
@@ -33,7 +33,7 @@ Box touched(const Binding& binding, const Footprint& footprint, const Box& visit
     return box;
 }
 
-/// Where the elements of a box lie: an affine function of the address, in bytes.
+/// Byte offsets of a box's elements: an affine function of the address.
 struct Places {
     std::uint64_t first = 0;
     std::int64_t stride[4] = {};
@@ -54,7 +54,7 @@ struct Places {
 
     bool is_empty() const { return std::ranges::find(count, 0u) != std::end(count); }
     std::uint64_t rows() const { return count[0] * count[1] * count[2] * count[3]; }
-    /// First byte and end of the whole.
+    /// First byte and end of all elements.
     std::pair<std::uint64_t, std::uint64_t> hull() const {
         std::uint64_t low = first, high = first;
         for (unsigned axis = 0; axis < 4; ++axis) {
@@ -73,7 +73,7 @@ struct Places {
                               w * static_cast<std::uint64_t>(stride[3]));
     }
 
-    /// Whether no two elements meet: each axis steps over all that those with smaller strides reach.
+    /// Whether no two elements overlap: each stride is at least the span of all axes with smaller strides.
     bool is_one_to_one() const {
         unsigned axes[] = {0, 1, 2, 3};
         std::ranges::sort(axes, {}, [&](unsigned axis) { return std::abs(stride[axis]); });
@@ -86,7 +86,7 @@ struct Places {
         }
         return true;
     }
-    /// Neighbours along an axis that lie side by side are one wider element.
+    /// Merges axes whose elements are contiguous into one wider element.
     void merge_axes() {
         for (unsigned round = 0; round < 4; ++round) {
             for (unsigned axis = 0; axis < 4; ++axis) {
@@ -112,7 +112,7 @@ bool are_apart(Places one, Places other) {
     std::ranges::sort(rows);
     bool apart = true;
     other.for_each_row([&](std::uint64_t first) {
-        // The last row of `one` that begins before this one ends must have ended before it begins.
+        // The last row of `one` that begins before this row's end must end before this row begins.
         const auto next = std::ranges::lower_bound(rows, first + other.width);
         apart = apart && (next == rows.begin() || *(next - 1) + one.width <= first);
     });
@@ -149,7 +149,7 @@ std::string touches_text(const Binding& binding, const Box& box) {
     return name + "any of " + where;
 }
 
-/// One pair of bindings with one memory.
+/// Two bindings of the same memory.
 struct Pair {
     const Binding &one, &other;
     const Footprint &first, &second;
@@ -166,7 +166,7 @@ struct Pair {
         if (!has_places()) return false;
         const Box box = touched(one, first, visited), second_box = touched(other, second, visited);
         if (is_one_structure(first, second) && Places(first, whole_of(first)).is_one_to_one())
-            return !box.meets(second_box);
+            return !box.overlaps(second_box);
         return are_apart(Places(first, box), Places(second, second_box));
     }
     [[noreturn]] void refuse(const Kernel& kernel, const Memory& memory) const {
@@ -177,10 +177,10 @@ struct Pair {
                     touches_text(one, touched(one, first, visited)) + ", " +
                         touches_text(other, touched(other, second, visited)) +
                         (has_places() ? ""
-                                      : "; whether these meet cannot be told, for they are not compared element "
-                                        "by element"),
-                    "write into another structure, then copy or swap; boxes of an array in a buffer that do not meet "
-                    "may be passed, and one box for several 'each' parameters");
+                                      : "; whether these overlap is not known, since their translators are not "
+                                        "affine maps into a buffer"),
+                    "write into another structure, then copy or swap; boxes of an array in a buffer that do not "
+                    "overlap may be passed, and one box for several 'each' parameters");
     }
 };
 

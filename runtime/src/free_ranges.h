@@ -1,4 +1,4 @@
-// Which bytes of a block of storage are free.
+// First-fit sub-allocation of a block of storage.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ class FreeRanges {
 public:
     explicit FreeRanges(std::uint64_t bytes) : free_{{0, bytes}} {}
 
-    /// The first place that is large enough, if there is one.
+    /// The offset of the first free range that is large enough, if there is one.
     std::optional<std::uint64_t> take(std::uint64_t bytes, std::uint64_t alignment) {
         for (auto it = free_.begin(); it != free_.end(); ++it) {
             const auto [begin, size] = *it;
@@ -26,7 +26,7 @@ public:
         return std::nullopt;
     }
 
-    /// What was taken; it joins what is free on either side.
+    /// Frees what was taken, and merges it with free neighbours.
     void give_back(std::uint64_t offset, std::uint64_t bytes) {
         const auto it = free_.emplace(offset, bytes).first;
         const auto next = std::next(it);

@@ -1,4 +1,4 @@
-// Handles that hold nothing.
+// Errors for empty handles.
 #include <glift/handle.h>
 
 #include <glift/error.h>
@@ -32,10 +32,10 @@ void throw_empty_handle(const char* call) {
     for (const HandleKind& kind : kinds) {
         if (kind.name != name) continue;
         throw Error(ErrorCode::wrong_argument, "an empty " + std::string(name) + " handle was used", call,
-                    "it was default-made, or moved from", kind.remedy);
+                    "it was default-constructed, or moved from", kind.remedy);
     }
-    throw Error(ErrorCode::wrong_argument, "an empty handle was used", call, "it was default-made, or moved from",
-                "use the handle that it was moved to");
+    throw Error(ErrorCode::wrong_argument, "an empty handle was used", call,
+                "it was default-constructed, or moved from", "use the handle that it was moved to");
 }
 
 }  // namespace glift::detail

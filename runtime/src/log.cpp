@@ -12,7 +12,8 @@ namespace glift {
 namespace {
 
 void write_to_stderr(std::string_view message) {
-    const std::string line = "glift: " + std::string(message) + "\n";  // one write: lines of threads stay whole
+    const std::string line =
+        "glift: " + std::string(message) + "\n";  // one write, so that lines of threads do not interleave
     std::fwrite(line.data(), 1, line.size(), stderr);
 }
 

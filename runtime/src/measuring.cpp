@@ -12,7 +12,7 @@ namespace {
                 "ask for the parts before and after it, or record them: Recording::workspace_bytes");
 }
 
-/// Forgets what it is asked to do.
+/// Ignores all commands.
 class MeasuringStream final : public Stream {
 public:
     explicit MeasuringStream(MeasuringDevice& device) : device_(device) {}
@@ -46,7 +46,7 @@ private:
     MeasuringDevice& device_;
 };
 
-/// A memory without storage.
+/// A memory that has a place in the plan but no storage.
 class PlannedMemory final : public MemoryObject {
 public:
     using MemoryObject::MemoryObject;

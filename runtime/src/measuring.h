@@ -1,12 +1,12 @@
-// A device on which nothing happens, to learn what a recording would take.
+// A device that runs nothing: it computes the workspace that a recording would need.
 #pragma once
 
 #include "objects.h"
 
 namespace glift::detail {
 
-/// Has the properties of the device that it stands for. Memories made on it are planned as a recording there would
-/// place them, and have no storage; what is put into its stream is forgotten.
+/// Has the properties of the real device. Memories allocated on it get places as in a recording, but no storage;
+/// commands are ignored.
 class MeasuringDevice final : public DeviceObject {
 public:
     explicit MeasuringDevice(std::shared_ptr<DeviceObject> real);

@@ -1,4 +1,4 @@
-// What stands behind the public handles. Two families implement it: vulkan/ and host/.
+// Interfaces of the objects behind the public handles, implemented in vulkan/ and host/.
 #pragma once
 
 #include "workspace.h"
@@ -54,13 +54,13 @@ class Stream {
 public:
     virtual ~Stream() = default;
     virtual std::shared_ptr<DeviceObject> device() = 0;
-    /// For what is put here; the description is checked and whole.
+    /// For commands of this stream; the description is checked and complete.
     virtual Memory allocate(const MemoryDescription& description);
     virtual bool needs_wide(const Kernel& kernel, std::span<const Memory> memories,
                             const std::array<std::uint32_t, 4>& size, Sharing sharing) = 0;
-    /// Zeros, in buffers and images of any kind.
+    /// Fills with zeros: buffers, and images of any kind.
     virtual void clear(const Memory& memory) = 0;
-    /// Whether what is put here may run more than once, or at another time than the device's own stream.
+    /// Whether commands put here may run more than once, or out of order with the device's own stream.
     virtual bool is_recording() const { return false; }
     virtual void dispatch(const Kernel& kernel, const Call& call) = 0;
     virtual void fill(const Memory& memory, std::uint64_t offset, std::uint64_t bytes, std::uint32_t value) = 0;
@@ -79,7 +79,7 @@ public:
     virtual void flush() = 0;
     virtual void wait() = 0;
 
-    /// Takes nothing more from now on. May be asked from other threads than those that put things here.
+    /// Refuses commands from now on. Safe to call from any thread.
     void close() { closed_ = true; }
     bool is_closed() const { return closed_; }
 
@@ -94,7 +94,7 @@ public:
     /// Whether commands put here may use the memory.
     virtual bool reaches(const MemoryObject& memory) const { return memory.device().get() == this; }
     virtual std::shared_ptr<MemoryObject> allocate(const MemoryDescription& description) = 0;
-    /// What a memory so described would take; allocates nothing.
+    /// What a memory of this description would need; allocates nothing.
     virtual StorageNeeds storage_needs(const MemoryDescription& description) = 0;
     virtual Stream& stream() = 0;
     virtual std::shared_ptr<Stream> begin_recording() = 0;
@@ -103,7 +103,7 @@ public:
     virtual std::vector<std::string> validation_messages() = 0;
 };
 
-/// What stands behind the handle; throws where that is nothing.
+/// The object behind the handle; throws for an empty one.
 const std::shared_ptr<DeviceObject>& shared_device(const Device& device, const char* call);
 
 }  // namespace glift::detail

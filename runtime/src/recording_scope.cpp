@@ -1,4 +1,4 @@
-// What "the device's stream" means within the body of a recording.
+// Redirects the device's own stream into the recording, within the body of Device::record.
 #include "recording_scope.h"
 
 #include "report.h"
@@ -17,7 +17,7 @@ struct Redirection {
     std::shared_ptr<Stream> stream;
 };
 
-/// Of bodies that run on this thread, the innermost last.
+/// Of the bodies that run on this thread, innermost last.
 thread_local std::vector<Redirection> redirections;
 
 }  // namespace

@@ -1,12 +1,11 @@
-// What "the device's stream" means within the body of a recording.
+// Redirects the device's own stream into the recording, within the body of Device::record.
 #pragma once
 
 #include "objects.h"
 
 namespace glift::detail {
 
-/// The device's own stream or, within a body of Device::record or Device::workspace_bytes on this thread, the one that
-/// the body's commands go to.
+/// The device's own stream or, within a body of Device::record or Device::workspace_bytes on this thread, the body's.
 std::shared_ptr<Stream> stream_of(const std::shared_ptr<DeviceObject>& device);
 
 /// Throws wrong_argument within such a body.

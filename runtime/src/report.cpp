@@ -20,7 +20,7 @@ void throw_report(const Reporter& reporter, const StatusRecord& record) {
     const std::string where = file + ":" + std::to_string(record.line) + ", " + reporter.kernel;
     if (record.code == StatusRecord::loop_limit) {
         throw Error(ErrorCode::loop_limit, "a loop ran longer than this device allows; the results are not complete",
-                    where, "the device cuts an invocation off after a number of rounds, over all its loops together",
+                    where, "the device ends an invocation after a number of iterations, summed over all its loops",
                     loop_remedy);
     }
     std::string address = "(";

@@ -1,4 +1,4 @@
-// Errors that a kernel reported through its StatusRecord, and those about where a call may stand.
+// Errors that a kernel reported through its StatusRecord, and errors about calls in the wrong place.
 #pragma once
 
 #include <glift/commands.h>
@@ -9,13 +9,12 @@
 
 namespace glift::detail {
 
-/// What to do about loops that a device cuts off.
+/// The remedy for loops that exceed a device's limit.
 inline constexpr const char* loop_remedy =
     "split the work over more invocations or dispatches, or run on another device "
     "(GLIFT_DEVICE=gpu or GLIFT_DEVICE=host)";
 
-/// What reports say of a kernel; in words of its own, since the kernel's library may be unloaded before the report is
-/// read.
+/// What reports name of a kernel. Copied, since the kernel's library may be unloaded before the report is read.
 struct Reporter {
     explicit Reporter(const Kernel& kernel);
 
@@ -27,7 +26,7 @@ struct Reporter {
 /// Throws loop_limit or out_of_range if the record says so.
 void throw_report(const Reporter& reporter, const StatusRecord& record);
 
-/// For commands that came after what they belong to was finished.
+/// For commands given after their recording was finished.
 [[noreturn]] void throw_closed(std::string where);
 [[noreturn]] void throw_missing_form(const Kernel& kernel, const char* form, const char* device);
 

@@ -1,4 +1,4 @@
-// Words for errors: what a kernel, a memory and a size are called.
+// Names of kernels, memories and sizes in error messages.
 #pragma once
 
 #include <glift/pass.h>

@@ -9,7 +9,7 @@ namespace glift::detail {
 
 namespace {
 
-constexpr std::uint64_t granularity = 256;  // no two temporaries in one cache line, and gaps that fit the next
+constexpr std::uint64_t granularity = 256;  // no two temporaries share a cache line, and gaps are more often reusable
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// Where the temporaries of a recording lie: those whose lives do not meet share storage.
+// Sub-allocates the temporaries of a recording: those with disjoint lifetimes share storage.
 #pragma once
 
 #include "free_ranges.h"
@@ -14,32 +14,32 @@ namespace glift::detail {
 
 class MemoryObject;
 
-/// What a memory takes of a device.
+/// What storage a memory needs on a device.
 struct StorageNeeds {
     std::uint64_t bytes = 0, alignment = 1;
     bool shares = true;  ///< false: it has storage of its own
 };
 
-/// A plan, without the storage itself. Storage comes in blocks, since what was placed does not move: a temporary takes
-/// the first gap that is large enough, else a new block of its size. Safe for several threads: handles go where they
-/// want.
+/// Places only; the storage itself is allocated elsewhere, in blocks, since placed temporaries cannot move: a temporary
+/// takes the first gap that is large enough, else a new block of its size. Thread-safe, since handles may be released
+/// on any thread.
 class Workspace {
 public:
     struct Place {
         std::size_t block = 0;
         std::uint64_t offset = 0, bytes = 0;
-        bool is_new_block = false;  ///< else others had this storage before
-        bool is_just_free = false;  ///< storage was given back since the last place was taken: work may still be on it
+        bool is_new_block = false;  ///< else the storage is reused
+        bool is_just_free = false;  ///< storage was freed since the last take: commands may still use it
     };
 
-    /// Of what shares storage.
+    /// For memories that share storage.
     Place take(const StorageNeeds& needs);
     void give_back(const Place& place);
 
-    /// Counts what has storage of its own.
+    /// Counts memories with storage of their own.
     void add(std::uint64_t bytes);
 
-    std::uint64_t bytes() const;  ///< all in all
+    std::uint64_t bytes() const;  ///< in total
 
 private:
     mutable std::mutex mutex_;
@@ -48,12 +48,12 @@ private:
     bool was_given_back_ = false;
 };
 
-/// A handle to a temporary; its place is free again when the last one is gone, though commands that were recorded may
+/// A handle to a temporary; its place is freed when the last copy of the handle is gone, though recorded commands may
 /// hold the object itself (`kept`) for longer.
 Memory temporary(std::shared_ptr<MemoryObject> object, std::shared_ptr<Workspace> workspace,
                  const Workspace::Place& place);
 
-/// The memory as recorded commands hold it: its storage stays, which is no use of a temporary.
+/// A handle for recorded commands: keeps the object alive, but does not keep a temporary's place taken.
 Memory kept(const Memory& memory);
 
 }  // namespace glift::detail

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Builds tests/cmake/consumer outside the tree and checks that it rebuilds exactly what it must.
+"""Builds tests/cmake/consumer outside the tree and checks that exactly the outdated files are rebuilt.
 
     consumer_test.py subdirectory SOURCE_TREE          Glift by add_subdirectory
     consumer_test.py prebuilt SOURCE_TREE GLIFTC       the same, with a gliftc that is built already
@@ -36,7 +36,7 @@ class Consumer:
         run("cmake", "-G", "Ninja", "-S", self.source, "-B", self.build_dir, "-DCMAKE_BUILD_TYPE=Release", *settings)
 
     def build(self):
-        # Time stamps have a granularity; a change within it would go unseen.
+        # Longer than the granularity of time stamps, so that every change is seen.
         time.sleep(0.05)
         return run("cmake", "--build", self.build_dir, "--target", "consumer")
 
@@ -50,8 +50,8 @@ class Consumer:
         return next(self.build_dir.rglob(f"{name}.cpp.o")).stat().st_mtime_ns
 
     def times(self):
-        """Of the one run of gliftc, and of the objects of what it made."""
-        objects = [f"{name}.glift{part}" for name in ("scale", "shift") for part in ("", ".library")]
+        """Time stamps of gliftc's run and of the objects of its outputs."""
+        objects = [f"{name}.glift{part}" for name in ("scale", "shift") for part in ("", ".library", ".kernels", ".library.kernels")]
         return {"gliftc run": self.stamp("scale.stamp")} | {name: self.object(name) for name in objects}
 
     def changed_by(self, action):
@@ -74,13 +74,37 @@ def check(consumer):
     expect("no work to do" in consumer.build(), "a build after a touch does nothing")
 
     changed = consumer.changed_by(lambda: imported.write_text(imported.read_text().replace("2.0", "3.0")))
-    expect(changed == {"gliftc run", "scale.glift"},
+    expect(changed == {"gliftc run", "scale.glift.kernels"},
            f"changing an import rebuilds what depends on it, and only that ({sorted(changed)})")
     expect(consumer.output()[:4] == "0 3 6 9".split(), "the program computes with the new import")
     expect("no work to do" in consumer.build(), "a build after a change does nothing")
 
+    run("cmake", "-DGLIFT_SPIRV_FILES=OFF", consumer.build_dir)
+    consumer.build()
+    expect(consumer.output()[:4] == "0 3 6 9".split(), "SPIR-V within the sources gives the same program")
+    expect("no work to do" in consumer.build(), "a build after that does nothing")
+
     for output in sorted((consumer.build_dir / "glift" / "consumer").glob("*.glift.*")):
         expect(str(consumer.source) not in output.read_text(errors="replace"), f"{output.name} holds no absolute path")
+
+
+def check_pkg_config(folder, prefix):
+    """The same program without CMake: what pkg-config says is all that is known."""
+    made, program = folder / "made", folder / "program"
+    source = pathlib.Path(__file__).parent / "consumer"
+    libraries = [str(p.parent) for p in prefix.rglob("glift.pc")]
+    environment = {**os.environ, "PKG_CONFIG_PATH": ":".join(libraries)}
+
+    def pkg_config(*words):
+        return run("pkg-config", *words, "glift", env=environment).split()
+
+    run(*pkg_config("--variable=gliftc"), "-o", made, "--target=cpp", "--target=host", "-I", source / "imports",
+        source / "scale.glift", source / "shift.glift")
+    run("c++", "-std=c++20", "-I", made, source / "main.cpp", *made.glob("*.cpp"), *pkg_config("--cflags", "--libs"),
+        "-o", program)
+    libdir = pkg_config("--variable=libdir")[0]
+    expect(run(program, env={**environment, "LD_LIBRARY_PATH": libdir}).split() == "0 2 4 6 8 10 12 14 1 1 1 1".split(),
+           "a program built by pkg-config alone computes")
 
 
 def main():
@@ -88,16 +112,20 @@ def main():
     with tempfile.TemporaryDirectory(prefix="glift-consumer-") as name:
         folder = pathlib.Path(name)
         if mode == "subdirectory":
-            # This builds the compiler once more. How fast it is does not matter here: without optimisation, in half the time.
+            # This builds the compiler again, without optimisation: its speed does not matter here.
             settings = [f"-DGLIFT_SOURCE={source}", "-DCMAKE_CXX_FLAGS_RELEASE=-O0"]
         elif mode == "prebuilt":
             settings = [f"-DGLIFT_SOURCE={source}", f"-DGLIFT_GLIFTC={sys.argv[3]}", "-DCMAKE_CXX_FLAGS_RELEASE=-O0"]
+            # As on a machine that has none of the compiler's dependencies.
+            settings += [f"-DCMAKE_DISABLE_FIND_PACKAGE_{package}=ON" for package in (
+                "SPIRV-Tools-opt", "SPIRV-Tools-link", "glslang", "fmt", "CLI11", "nlohmann_json", "LLVM", "Clang", "GTest")]
         else:
             prefix = folder / "installed"
             run("cmake", "--install", sys.argv[3], "--prefix", prefix)
             settings = [f"-DCMAKE_PREFIX_PATH={prefix}"]
+            check_pkg_config(folder, prefix)
         check(Consumer(folder, settings))
 
 
-os.environ.pop("GLIFT_STDLIB", None)  # what an installed gliftc finds by itself is what is tested
+os.environ.pop("GLIFT_STDLIB", None)  # an installed gliftc must find its library by itself
 main()

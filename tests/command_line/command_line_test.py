@@ -48,7 +48,7 @@ for code in ("0 done", "1 errors", "2 wrong usage", "3 a bug", "4 a file"):
 
 
 def on_terminal(**environment):
-    """What gliftc writes to a terminal."""
+    """The output of gliftc on a terminal."""
     mine, its = pty.openpty()
     subprocess.run([compiler, "--check", "bad.glift"], cwd=here.path, stderr=its, env={**os.environ, **environment})
     os.close(its)

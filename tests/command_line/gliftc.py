@@ -1,4 +1,4 @@
-"""Runs gliftc in a folder of its own and compares what it says."""
+"""Runs gliftc in a temporary folder and checks its output."""
 import os
 import pathlib
 import subprocess
@@ -11,7 +11,7 @@ failures = 0
 
 
 class Folder:
-    """A folder with some files, gone at the end."""
+    """A temporary folder with some files."""
 
     def __init__(self, **files):
         self.held = tempfile.TemporaryDirectory()
@@ -20,6 +20,7 @@ class Folder:
             self.write(name + ".glift", text)
 
     def write(self, name, text):
+        (self.path / name).parent.mkdir(parents=True, exist_ok=True)
         (self.path / name).write_text(text)
 
     def names(self, folder="."):

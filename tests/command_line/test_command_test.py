@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""`gliftc test`: what it finds, what it says it could not check, how it ends. test_command_test.py GLIFTC"""
+"""`gliftc test`: failures, unchecked translations, crashes. test_command_test.py GLIFTC"""
 from gliftc import Folder, expect, finish, says, sources
 
 wrong = sources / "wrong_translations.glift"
@@ -18,6 +18,24 @@ expect("pass" not in ran.said, "--list runs nothing", ran.said)
 says(here.run("test", "--filter", "typo", wrong), 2, "no test has 'typo' in its title")
 says(here.run("test", "--filter", "a square", wrong, CXX="no-such-compiler"), 4,
      "there is no 'no-such-compiler' here", "CXX")
+
+# What is remembered of a run holds while what it read is the same, and nothing stands before it.
+here.write("user.glift", "module user;\nuse base;\ntest \"the base\" { expect(base_value() == 1u); }\n")
+base = "module base;\npub fn base_value() -> uint {{ return {}u; }}\n"
+here.write("late/base.glift", base.format(1))
+run_user = ("test", "--device", "host", "-I", here.path / "early", "-I", here.path / "late", here.path / "user.glift")
+first = here.run(*run_user)
+says(first, 0, "pass  the base")
+expect(here.run(*run_user).said == first.said, "a second run says the same", first.said)
+here.write("late/base.glift", base.format(2))
+says(here.run(*run_user), 1, "FAIL  the base")
+here.write("late/base.glift", base.format(1))
+says(here.run(*run_user), 0, "pass  the base")
+here.write("early/base.glift", base.format(3))
+says(here.run(*run_user), 1, "FAIL  the base")
+here.write("user.glift", "module user;\nuse base;\ntest \"the base\" { let unused = 1; expect(base_value() == 3u); }\n")
+for again in "", " again":
+    says(here.run(*run_user), 0, "warning", "pass  the base")
 
 # A test that ends its program is named. The signal stands in for a driver that crashes.
 here.write("crash.hpp", "inline void crash() {}\n")

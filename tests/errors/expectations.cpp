@@ -27,7 +27,7 @@ void read_message(const std::string& message, Report& report) {
     report.id = match[3];
 }
 
-/// One `//~` comment; `code_line` is the line it speaks of.
+/// One `//~` comment; `code_line` is the line it refers to.
 Report read_expectation(const std::string& file, const std::string& line, int code_line) {
     static const std::regex carets(R"(\s*//~\s*(\^+)\s*(.*))");
     static const std::regex numbers(R"(\s*//~\s*@(?:([\w./-]+):)?(\d+):(\d+)(?:-(\d+))?\s+(.*))");

@@ -1,4 +1,4 @@
-// Any text through the whole compiler, with the library at hand to import: no crash, no hang, no sanitizer report.
+// Arbitrary text through the whole compiler, with the standard library to import: no crash, hang or sanitizer report.
 
 #include "diag/render.h"
 #include "driver/compile.h"
@@ -31,7 +31,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     files.read = [&text](const std::string& path) {
         return path == "input.glift" ? gliftc::ReadResult{text, {}} : library.read(path);
     };
-    // A fuzzer that could name any file would read the disk: only the library is there.
+    // Only the library is visible, so that imports in the input cannot read other files.
     files.exists = [](const std::string& path) {
         return path == "input.glift" || (path.starts_with(GLIFT_SOURCE_DIR "/stdlib/") && library.exists(path));
     };

@@ -1,4 +1,4 @@
-// Any bytes through the lexer and the parser: no crash, no hang, no sanitizer report.
+// Arbitrary bytes through the lexer and the parser: no crash, hang or sanitizer report.
 
 #include "diag/render.h"
 #include "syntax/parser.h"

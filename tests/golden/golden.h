@@ -1,4 +1,4 @@
-// A golden case: a .glift file and, beside it, what the compiler must make of it.
+// A golden case: a .glift file and, beside it, the expected outputs of the compiler.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +11,7 @@ namespace glift::test {
 /// Every tests/golden/**/<name>.glift outside the folders named "support" (what cases import).
 std::vector<std::filesystem::path> golden_cases();
 
-/// What gliftc makes of a case.
+/// The outputs of gliftc for a case.
 struct GoldenOutputs {
     /// Name of the golden file (fold.expected.hpp, fold.expected.ir …) → contents.
     std::map<std::string, std::string> files;

@@ -13,7 +13,7 @@ namespace {
 class Golden : public testing::TestWithParam<std::filesystem::path> {};
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(Golden);
 
-/// The first line in which two texts differ, for a report that fits a screen.
+/// The first line in which two texts differ, for a short report.
 std::string first_difference(const std::string& expected, const std::string& actual) {
     std::size_t line = 1, start = 0;
     for (std::size_t i = 0; i < expected.size() && i < actual.size() && expected[i] == actual[i]; ++i) {

@@ -113,7 +113,9 @@ POSITIONS = {
         f"pub adaptor Z{i}({w}: uint) {{ structure zs = ZLine({w}); pub pipeline zp() {{ zone(zs); }} }}\n"
         f"pub adaptor Y{i}(zn: uint) {{ structure {w} = ZLine(zn); pub pipeline zp() {{ zone({w}); }} }}\n"
         f"pub adaptor X{i}(zn: uint) {{ structure zs = ZLine(zn); host {w}: uint = 0; pub pipeline zp() {{ {w} += 1; zone(zs); }} }}\n"
-        f"pub adaptor W{i}(zn: uint) {{ structure zs = ZLine(zn); pub pipeline {w}() {{ zone(zs); }} }}\n"))),
+        f"pub adaptor W{i}(zn: uint) {{ structure zs = ZLine(zn); pub pipeline {w}() {{ zone(zs); }} pub pipeline zp() {{ {w}(); }} }}\n"
+        f"pub adaptor V{i}(zn: uint) {{ structure zs = ZLine({w}()); pub fn {w}() -> uint {{ return zn; }} pub pipeline zp() {{ zone(zs[0..{w}()]); }} }}\n"
+        f"pub adaptor U{i}(zn: uint) {{ structure zs = ZLine(zn); pub fn {w}({w}_: uint) -> float {{ return zs[{w}_]; }} }}\n"))),
     "interfaces": (CPP, 1, declared(lambda i, w: f"interface {w} {{ fn {w}(za: uint) -> uint; }}\n")),
     "types": (ALL, 1, in_body(lambda i, w: (
         f"type {w} = float2;\n", f"    {{ let zv = {w}(zs, 2.0); zs = zv.y; }}\n"))),
@@ -129,7 +131,7 @@ def run(command, **options):
 
 
 def module_of(position, chunk, folder, gliftc):
-    """Writes the C++ of a module; returns its source."""
+    """Writes the C++ of a module; returns its sources."""
     targets, _, make = POSITIONS[position]
     name = "z" + re.sub(r"\W", "_", position) + f"_{chunk[0][0]}"
     path = folder / f"{name}.glift"
@@ -140,7 +142,7 @@ def module_of(position, chunk, folder, gliftc):
         if kept:
             pathlib.Path(kept, path.name).write_text(path.read_text())
         raise Failure(f"{position}: gliftc ends with {done.returncode}: {done.stderr[:2000]}")
-    return folder / f"{name}.glift.cpp"
+    return [folder / f"{name}.glift.{part}" for part in ("cpp", "kernels.cpp")]
 
 
 def compiled(source, folder, cxx, include):
@@ -151,7 +153,8 @@ def compiled(source, folder, cxx, include):
 
 
 def check(position, chunk, folder, gliftc, cxx, include):
-    compiled(module_of(position, chunk, folder, gliftc), folder, cxx, include)
+    for source in module_of(position, chunk, folder, gliftc):
+        compiled(source, folder, cxx, include)
     return len(chunk)
 
 

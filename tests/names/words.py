@@ -2,7 +2,7 @@
 import random
 import re
 
-# A user cannot call anything so: Glift's keywords, types and literals.
+# Words that cannot be identifiers: Glift's keywords, types and literals.
 LANGUAGE = set("""module use pub extern fn struct enum interface let var const if else for in while break continue return
 true false none await then""".split())
 
@@ -46,7 +46,7 @@ def identifiers(paths):
 
 
 def words_for(root, position, limit, needed):
-    """Words in an order that depends on the position alone, without those that the position needs: all, or so many."""
+    """Words in an order that depends only on the position, without those that the position needs: all, or a sample."""
     always = [w for w in dict.fromkeys(CPP + GLSL + C)]
     members = identifiers(root.glob("runtime/include/glift/*structure*.h"))
     generated = identifiers(root.glob("tests/golden/kernels/*.expected.cpp")) | identifiers(

@@ -1,9 +1,8 @@
-// Writes what the passes make of their cases; called by tools/bless.
+// Writes the expected output of the passes' tests; called by tools/bless.
 #include "passes.h"
 
 #include <cstdio>
 #include <exception>
-#include <fstream>
 
 int main() {
     using namespace gliftc::test;
@@ -12,7 +11,7 @@ int main() {
         try {
             PassCase pass_case = read_pass_case(path);
             pass_case.after = run_pass(path, pass_case.before);
-            std::ofstream(path, std::ios::binary) << text_of(pass_case);
+            write_pass_case(path, pass_case);
         } catch (const std::exception& error) {
             std::fprintf(stderr, "%s: %s\n", path.c_str(), error.what());
             failed = 1;

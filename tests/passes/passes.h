@@ -1,4 +1,6 @@
-// A case of a pass over the IR: tests/passes/<pass>/<case>.ir holds the text before and, below a line "---", after it.
+// A case of a pass, in tests/passes/<pass>. For a pass over the IR, <case>.ir has the text before and, below a line
+// "---", after it. For a pass over checked kernels, <case>.glift has their source, and <case>.after the output of
+// --dump-after.
 #pragma once
 
 #include <filesystem>
@@ -13,10 +15,11 @@ struct PassCase {
 
 std::vector<std::filesystem::path> pass_cases();
 PassCase read_pass_case(const std::filesystem::path& path);
-std::string text_of(const PassCase& pass_case);
 
-/// What the pass that the folder is named after makes of the text. Throws where the text is not that of a pass, or what
-/// is made of it is not valid.
+void write_pass_case(const std::filesystem::path& path, const PassCase& pass_case);
+
+/// Runs the pass that the folder is named after on the case. Throws if the text cannot be parsed, or the result is
+/// invalid.
 std::string run_pass(const std::filesystem::path& path, const std::string& before);
 
 }  // namespace gliftc::test

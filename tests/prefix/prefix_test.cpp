@@ -1,5 +1,5 @@
-// Every file of the library, the examples and the golden tests, cut off in the middle: the compiler reports an error
-// where something was left open, and never crashes.
+// Compiles truncated files of the library, the examples and the golden tests: the compiler reports an error where
+// something is unclosed, and never crashes.
 
 #include "driver/compile.h"
 #include "support/process.h"
@@ -16,7 +16,7 @@ namespace {
 /// Cuts fall on every byte of a short file and on every few bytes of a long one.
 constexpr std::size_t most_cuts = 150;
 
-/// What is being compiled, for the line that a crash prints.
+/// The file being compiled, printed after a crash.
 char now_compiling[512];
 
 void print_cut(int signal) {

@@ -1,4 +1,4 @@
-// Runs a program the way a user does and keeps what it said.
+// Runs a program and captures its output.
 #pragma once
 
 #include <filesystem>
@@ -16,7 +16,7 @@ struct ProcessResult {
 /// Runs arguments[0] (looked up in PATH) and waits. `input` becomes its standard input.
 ProcessResult run_process(const std::vector<std::string>& arguments, const std::string& input = {});
 
-/// A folder of its own that goes with the object.
+/// A temporary folder, removed with the object.
 class TemporaryFolder {
 public:
     TemporaryFolder();
@@ -33,7 +33,7 @@ private:
 std::string read_file(const std::filesystem::path& path);
 void write_file(const std::filesystem::path& path, const std::string& text);
 
-/// Every file under `folder` whose name ends so, sorted; none when there is no folder. Skips folders named "support".
+/// Every file under `folder` with this suffix, sorted; none if there is no folder. Skips folders named "support".
 std::vector<std::filesystem::path> files_under(const std::filesystem::path& folder, const std::string& ending);
 
 }  // namespace glift::test

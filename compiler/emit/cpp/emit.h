@@ -18,7 +18,10 @@ struct KernelCode {
 struct Globals;
 
 struct Options {
-    bool tests = false;  ///< also a function for each test of the module, and a table of them
+    /// Sources that the kernels of a module are spread over, and those that it uses of the library.
+    std::uint32_t shards = 1;
+    bool spirv_files = false;  ///< SPIR-V in files beside the sources, else within
+    bool tests = false;        ///< also a function for each test of the module, and a table of them
     /// Prints `static void <name>(const glift::HostCall& call)` for a pass (emit/host); null: no code for the host
     /// device.
     std::string (*host_kernel)(Globals& globals, const ir::Pass& pass, const std::string& name) = nullptr;
@@ -28,22 +31,31 @@ struct TestName {
     std::string title, place;
 };
 
+struct File {
+    std::string name;  ///< behind the module's: `.glift.hpp`
+    std::string text;
+    bool is_code = true;  ///< C++, else bytes
+};
+
+/// C++ for one module (module.cpp lists the files).
 struct Module {
-    std::string header;    ///< <name>.glift.hpp
-    std::string source;    ///< <name>.glift.cpp
-    std::string internal;  ///< <name>.glift.internal.hpp: what the sources share
-    std::string library;   ///< <name>.glift.library.cpp: what it uses of modules that have no source of their own
+    std::vector<File> files;
     std::vector<TestName> tests;  ///< in a test program: all that it runs
 };
 
 /// What earlier modules of one run define: it is not defined again.
 struct Defined {
     std::set<std::uint32_t> kernels, pipelines, structures;
+    std::set<std::uint32_t> moved;  ///< structures, with what moves their boxes
 };
 
 /// The kernels, as indices, whose code the module's C++ contains: the others need no SPIR-V.
 std::vector<std::uint32_t> vulkan_kernels_of(const ir::Program& program, std::uint32_t module, const Options& options,
                                              const Defined& defined);
+
+/// What the module's outputs are called: its file without the extension; from standard input, the last part of its
+/// name.
+std::string file_stem(const ir::Program& program, const Sources& sources, std::uint32_t module);
 
 /// `code` is indexed as Program::kernels; it may be empty where no Vulkan code is wanted.
 Module module_of(const ir::Program& program, const ir::Lowered& lowered, const Sources& sources, std::uint32_t module,

@@ -201,7 +201,8 @@ std::string as_value(Printer& p, const Expr& part, std::string text) {
 /// One side of a choice: a bool in memory and a bool beside it would each become the other.
 std::string print_side(Printer& p, ExprId id, Level least) {
     const Expr& expr = p.program.exprs[id];
-    const bool lies_in_memory = expr.op == Op::field || expr.op == Op::index || expr.op == Op::load;
+    const bool lies_in_memory =
+        expr.op == Op::field || expr.op == Op::index || expr.op == Op::load || expr.op == Op::row_load;
     if (!lies_in_memory || expr.type != p.program.types.bool_) return print(p, id, least);
     return concat("bool(", print_any(p, id), ")");
 }
@@ -220,7 +221,8 @@ Text print_intrinsic(Printer& p, const Expr& expr) {
     const std::string name(ir::name_of(expr.intrinsic));
     if (!name.starts_with("atomic")) return function_call(p, "glift::" + name, expr.operands);
     const Expr& place = p.program.exprs[expr.operands[0]];
-    if (place.op != Op::load) return function_call(p, "glift::host::" + name, expr.operands);
+    if (place.op != Op::load && place.op != Op::row_load)
+        return function_call(p, "glift::host::" + name, expr.operands);
     std::string text = "glift::host::memory::" + name + "(" + p.outer_place(place);
     for (std::size_t i = 1; i < expr.operands.size(); ++i) text += ", " + print_any(p, expr.operands[i]);
     return {text + ")"};
@@ -240,6 +242,7 @@ Text print_call(Printer& p, const Expr& expr) {
         Expr whole;
         whole.op = Op::structure_value;
         whole.place = place;
+        whole.local = expr.local;
         arguments += (arguments.empty() ? "" : ", ") + p.outer_expression(whole).text;
     }
     const std::string values = join_arguments(p, expr.operands);
@@ -276,7 +279,6 @@ std::string join_arguments(Printer& p, const ir::Operands& arguments) {
 
 Text print(Printer& p, ExprId id) {
     const Expr& expr = p.program.exprs[id];
-    if (p.truths.contains(id)) return {"true"};
     switch (expr.op) {
     case Op::constant: {
         std::string text = literal(p.program, expr.type, expr.bits, expr.number);
@@ -294,7 +296,6 @@ Text print(Printer& p, ExprId id) {
     }
     case Op::binary: return print_binary(p, expr);
     case Op::select: {
-        if (p.truths.contains(expr.operands[0])) return print(p, expr.operands[1]);
         const std::string condition = print(p, expr.operands[0], Level::logical_or);
         const std::string yes = print_side(p, expr.operands[1], Level::logical_or);
         return {concat(condition, " ? ", yes, " : ", print_side(p, expr.operands[2], Level::ternary)), Level::ternary};
@@ -308,18 +309,17 @@ Text print(Printer& p, ExprId id) {
         return {as_value(p, expr, std::move(text))};
     }
     case Op::call: return print_call(p, expr);
-    case Op::intrinsic: {
-        if (p.identities.contains(id)) return print(p, expr.operands[0]);
-        return print_intrinsic(p, expr);
-    }
+    case Op::intrinsic: return print_intrinsic(p, expr);
     case Op::none: return {type_text(p.globals, expr.type, p.use_namespaces) + "()"};
     case Op::some: return function_call(p, type_text(p.globals, expr.type, p.use_namespaces), expr.operands);
     case Op::has_value: return {print(p, expr.operands[0], Level::postfix) + ".has_value()"};
     case Op::value: return {"*" + print(p, expr.operands[0], Level::unary), Level::unary};
 #define SHAPE_OPERATION(name) case Op::name:
 #define STRUCTURE_OPERATION(name) case Op::name:
+#define GUARDED_OPERATION(name) case Op::name:
 #define HOST_OPERATION(name) case Op::name:
 #define MEMORY_OPERATION(name) case Op::name:
+#define CPU_OPERATION(name) case Op::name:
 #include "ir/operations.def"
         return p.outer_expression(expr);
     }

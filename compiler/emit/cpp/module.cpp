@@ -1,31 +1,24 @@
 // A module's headers and sources, put together from their parts.
 //
-//   <name>.glift.hpp           what a program sees: the module's own, and classes that it shows of others
-//   <name>.glift.cpp           the module's own kernels, pipelines and members of classes
-//   <name>.glift.internal.hpp  what both sources see: hidden classes and functions
-//   <name>.glift.library.cpp   the same of other modules, where no other source has it
+//   <name>.glift.hpp                  what a program sees: the module's own, and classes that it shows of others
+//   <name>.glift.types.hpp            the structs and enums of all that
+//   <name>.glift.internal.hpp         what both sources see: hidden classes and functions
+//   <name>.glift.cpp                  the module's own pipelines, members of classes, and functions that call kernels
+//   <name>.glift.library.cpp          the same of other modules, where no other source has it
+//   <name>.glift.kernels.cpp          the code of the module's own kernels (kernel_sources.cpp)
+//   <name>.glift.library.kernels.cpp  that of other modules
 //
 // A class is defined where it is not defined yet: by the #ifndef of its name. A function of a module that has a source
 // of its own is defined there; other functions are weak, so that it does not matter how many sources define them.
-#include "base/parallel.h"
 #include "emit/cpp/unit.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 
 namespace gliftc::cpp {
 
 namespace {
-
-constexpr std::size_t kernels_of_a_thread = 16;  ///< to print fewer takes less time than a thread
-
-/// The file's name without its folder and `.glift`.
-std::string stem_of(const std::string& path) {
-    const std::size_t slash = path.rfind('/');
-    std::string name = path.substr(slash == std::string::npos ? 0 : slash + 1);
-    if (name.ends_with(".glift")) name.resize(name.size() - 6);
-    return name;
-}
 
 /// Blocks of namespaces: one after the other, each as long as it goes on.
 class Spaces {
@@ -51,58 +44,6 @@ private:
     std::string open_;
 };
 
-/// With an empty line after each.
-void append_parts(Writer& out, const std::vector<std::string_view>& parts) {
-    std::size_t bytes = 0;
-    for (std::string_view part : parts) bytes += part.size() + 1;
-    out.reserve(bytes);
-    for (std::string_view part : parts) {
-        out.raw(part);
-        out.gap();
-    }
-}
-
-/// What `print` makes of each kernel. Those that add functions to the file come first and in order, which is that of
-/// the functions; the others change nothing that they share.
-std::vector<std::string> printed_kernels(Unit& unit, const std::vector<std::uint32_t>& kernels,
-                                         bool (&adds_functions)(const Unit&, std::uint32_t),
-                                         std::string (&print)(Unit&, std::uint32_t)) {
-    std::vector<std::string> texts(kernels.size());
-    std::vector<std::size_t> others;
-    for (std::size_t i = 0; i < kernels.size(); ++i) {
-        if (adds_functions(unit, kernels[i])) texts[i] = print(unit, kernels[i]);
-        else others.push_back(i);
-    }
-    for_each_parallel(others.size(), kernels_of_a_thread,
-                      [&](std::size_t i) { texts[others[i]] = print(unit, kernels[others[i]]); });
-    return texts;
-}
-
-/// What the generated function of a kernel names besides its parameters.
-void name_parameters(Unit& unit, const ir::Kernel& kernel) {
-    Scopes names;
-    names.avoid(unit.globals.type_names);
-    names.avoid(unit.globals.kernel_symbols);
-    names.reserve({"commands", "iteration", "memories", "parameters"});
-    for (const ir::KernelParam& param : kernel.params)
-        unit.globals.param_names[&param] = names.declare(unit.name(param.name));
-}
-
-/// Beside each kernel's function: its code, and the data that describes it.
-void name_symbols(Unit& unit) {
-    static constexpr auto suffixes = std::to_array<const char*>(
-        {"_bindings", "_direct", "_direct_group", "_direct_parameters", "_direct_rows", "_direct_spirv", "_general",
-         "_general_group", "_general_parameters", "_general_rows", "_general_spirv", "_kernel", "_other_files",
-         "_parameters", "_wide", "_wide_group", "_wide_parameters", "_wide_rows", "_wide_spirv"});
-    Globals& globals = unit.globals;
-    for (std::uint32_t kernel : unit.reach.kernels) {
-        if (unit.program.kernels[kernel].module != unit.home) continue;
-        const std::string stem = globals.names.declare_stem(unit.own.kernels[kernel], suffixes);
-        for (const char* suffix : suffixes) globals.kernel_symbols.insert(stem + suffix);
-        globals.kernel_stems[kernel] = stem;
-    }
-}
-
 /// All that is made for one module.
 class ModulePrinter {
 public:
@@ -117,6 +58,7 @@ private:
     bool is_shown(std::uint32_t pipeline) const;
     bool is_declared_elsewhere(bool is_pub, const std::string& key, std::uint32_t module) const;
     void find_shown_elsewhere();
+    void name_by_devices();
 
     template <class Print>
     void print_once(Writer& out, Spaces& spaces, std::uint32_t home, const std::string& name, const Print& print);
@@ -125,20 +67,20 @@ private:
     void print_aliases(Writer& out, Spaces& spaces, std::uint32_t structure);
     bool is_in_header(std::uint32_t structure) const { return reach_.in_header.contains(structure); }
     bool is_hidden(std::uint32_t structure) const { return !is_in_header(structure); }
+    std::string stem_of(std::uint32_t module) const { return file_stem(program_, sources_, module); }
+    void print_headers(Writer& out, const std::string& ending) const;
     void print_functions_shown(Writer& out);
     void print_functions_hidden(Writer& out, Spaces& spaces);
     void print_definitions(Unit& unit, Writer& out);
     void note_definitions();
 
-    std::string begin_of_file() const {
-        return "// Made by gliftc from " + stem_ + ".glift. Changes are lost when it is made again.";
-    }
     std::string header();
+    std::string types_header();
     std::string internal_header();
     std::string source();
     std::string library_source();
     void print_includes(Writer& out) const;
-    bool has_reports() const;
+    std::vector<std::uint32_t> kernels_to_define(bool own) const;
 
     const ir::Program& program_;
     const ir::Lowered& lowered_;
@@ -147,21 +89,45 @@ private:
     const std::vector<KernelCode>& code_;
     const Options& options_;
     Defined& defined_;
-    const ProgramNames names_;
     Reach reach_;
     Reach elsewhere_;  ///< what headers show that this module's header includes
+    ProgramNames names_;
+    const ModuleParts parts_;
     std::map<std::uint32_t, Unit> units_;
-    std::string stem_;
+    const std::string stem_;
 };
 
 ModulePrinter::ModulePrinter(const ir::Program& program, const ir::Lowered& lowered, const Sources& sources,
                              std::uint32_t module, const std::vector<KernelCode>& code, const Options& options,
                              Defined& defined)
     : program_(program), lowered_(lowered), sources_(sources), module_(module), code_(code), options_(options),
-      defined_(defined), names_(program_names(program)), reach_(reach_of(program, module, options)),
-      stem_(stem_of(sources[program.modules[module].file].path)) {
+      defined_(defined), reach_(reach_of(program, module, options)),
+      names_(program_names(program)), parts_{program, lowered, sources, module, code, options, reach_, names_},
+      stem_(file_stem(program, sources, module)) {
     add_inner_structs(reach_, program, lowered);
     find_shown_elsewhere();
+    name_by_devices();
+}
+
+/// Functions that other runs of gliftc may define, too, have code for those devices alone that come to them in this
+/// run: the linker must not take one for the other.
+void ModulePrinter::name_by_devices() {
+    const auto is_shared = [&](const std::string& key, std::uint32_t home) {
+        return key.find('<') != std::string::npos || !has_source(home);
+    };
+    const auto rename = [&](std::string& name, std::uint32_t home, bool host, bool vulkan) {
+        if (host && vulkan) return;
+        name = names_.taken[home].declare(name + (host ? "_on_host" : vulkan ? "_on_vulkan" : "_on_none"));
+    };
+    for (std::uint32_t index : reach_.kernels)
+        if (const ir::Kernel& kernel = program_.kernels[index]; is_shared(kernel.key, kernel.module))
+            rename(names_.kernels[index], kernel.module, reach_.host_kernels.contains(index),
+                   reach_.vulkan_kernels.contains(index));
+    for (std::uint32_t index : reach_.pipelines)
+        if (const ir::Pipeline& pipeline = program_.pipelines[index];
+            !pipeline.owner && is_shared(pipeline.key, pipeline.module))
+            rename(names_.pipelines[index], pipeline.module, reach_.host_pipelines.contains(index),
+                   reach_.vulkan_pipelines.contains(index));
 }
 
 /// A source of its own is made for the module in this run. A test program is one source.
@@ -181,13 +147,7 @@ void ModulePrinter::find_shown_elsewhere() {
 
 Unit& ModulePrinter::unit_of(std::uint32_t home) {
     if (const auto found = units_.find(home); found != units_.end()) return found->second;
-    Unit unit{program_, lowered_, sources_, module_, home,
-              code_,    options_, reach_,   names_,  make_globals(program_, sources_, names_, {module_, home}),
-              {}};
-    name_symbols(unit);
-    for (std::uint32_t kernel : reach_.kernels)
-        if (program_.kernels[kernel].module == home) name_parameters(unit, program_.kernels[kernel]);
-    return units_.emplace(home, std::move(unit)).first->second;
+    return units_.emplace(home, make_unit(parts_, home)).first->second;
 }
 
 bool ModulePrinter::is_shown(std::uint32_t pipeline) const {
@@ -291,27 +251,27 @@ void ModulePrinter::print_functions_hidden(Writer& out, Spaces& spaces) {
     }
 }
 
-std::string ModulePrinter::header() {
-    Writer out;
-    out.line(begin_of_file());
-    out.line("#pragma once");
-    out.gap();
+/// Of the modules that this one uses, where the same run makes them.
+void ModulePrinter::print_headers(Writer& out, const std::string& ending) const {
     std::set<std::string> headers;
     for (std::uint32_t import : program_.modules[module_].imports)
-        if (import != module_ && has_source(import))
-            headers.insert(stem_of(sources_[program_.modules[import].file].path) + ".glift.hpp");
-    for (std::uint32_t index : reach_.structs)
-        if (const std::string& header = program_.structs[index].extern_header; !header.empty()) headers.insert(header);
+        if (import != module_ && has_source(import)) headers.insert(stem_of(import) + ending);
     for (const std::string& header : headers) out.line("#include \"" + header + "\"");
+}
+
+std::string ModulePrinter::header() {
+    Writer out;
+    out.line(begin_of_file(stem_));
+    out.line("#pragma once");
+    out.gap();
+    out.line("#include \"" + stem_ + ".glift.types.hpp\"");
+    print_headers(out, ".glift.hpp");
     out.gap();
     out.line("#include <glift/glift.h>");
     out.line("#include <glift/structure.h>");
     out.gap();
-    out.line("#include <cstddef>");
-    out.gap();
     write_doc(out, program_.modules[module_].doc);
     Spaces spaces(out);
-    print_types(out, spaces);
     print_classes(out, spaces, &ModulePrinter::is_in_header);
     Writer functions;
     print_functions_shown(functions);
@@ -323,9 +283,30 @@ std::string ModulePrinter::header() {
     return out.take();
 }
 
+std::string ModulePrinter::types_header() {
+    Writer out;
+    out.line(begin_of_file(stem_));
+    out.line("#pragma once");
+    out.gap();
+    print_headers(out, ".glift.types.hpp");
+    std::set<std::string> headers;
+    for (std::uint32_t index : reach_.structs)
+        if (const std::string& header = program_.structs[index].extern_header; !header.empty()) headers.insert(header);
+    for (const std::string& header : headers) out.line("#include \"" + header + "\"");
+    out.gap();
+    out.line("#include <glift/vector.h>");
+    out.gap();
+    out.line("#include <cstddef>");
+    out.gap();
+    Spaces spaces(out);
+    print_types(out, spaces);
+    spaces.leave();
+    return out.take();
+}
+
 std::string ModulePrinter::internal_header() {
     Writer out;
-    out.line(begin_of_file());
+    out.line(begin_of_file(stem_));
     out.line("#pragma once");
     out.gap();
     out.line("#include \"" + stem_ + ".glift.hpp\"");
@@ -341,65 +322,59 @@ std::string ModulePrinter::internal_header() {
     return out.take();
 }
 
-bool ModulePrinter::has_reports() const {
-    return std::ranges::any_of(reach_.kernels,
-                               [&](std::uint32_t kernel) { return lowered_.passes[kernel].general.has_reports; });
-}
-
 void ModulePrinter::print_includes(Writer& out) const {
-    out.line(begin_of_file());
+    out.line(begin_of_file(stem_));
     out.line("#include \"" + stem_ + ".glift.internal.hpp\"");
     out.gap();
-    out.line("#include <glift/host/image.h>");
     out.line("#include <glift/host/math.h>");
-    out.line("#include <glift/host/parallel.h>");
-    if (has_reports()) out.line("#include <glift/host/report.h>");
     out.gap();
+    out.line("#include <cstddef>");
     out.line("#include <optional>");
     out.gap();
 }
 
-/// What of the namespace is defined here.
-void ModulePrinter::print_definitions(Unit& unit, Writer& out) {
+std::vector<std::uint32_t> ModulePrinter::kernels_to_define(bool own) const {
     std::vector<std::uint32_t> kernels;
     for (std::uint32_t kernel : reach_.kernels)
-        if (program_.kernels[kernel].module == unit.home && !defined_.kernels.contains(kernel))
+        if ((program_.kernels[kernel].module == module_) == own && !defined_.kernels.contains(kernel))
             kernels.push_back(kernel);
-    const std::vector<std::string> codes = printed_kernels(unit, kernels, code_adds_functions, kernel_code);
+    return kernels;
+}
+
+/// What of the namespace is defined here.
+void ModulePrinter::print_definitions(Unit& unit, Writer& out) {
+    std::vector<std::uint32_t> kernels = kernels_to_define(unit.home == module_);
+    std::erase_if(kernels, [&](std::uint32_t kernel) { return program_.kernels[kernel].module != unit.home; });
     const std::vector<std::string> callers = printed_kernels(unit, kernels, function_adds_functions, kernel_function);
-    Writer checks, members, pipelines;
+    Writer checks, members, pipelines, tests;
     if (options_.tests && unit.home == module_) unit.translation_checks = print_translation_checks(unit, checks);
-    for (std::uint32_t structure : reach_.structures)
-        if (program_.structures[structure].module == unit.home && !defined_.structures.contains(structure))
-            print_class_members(unit, members, structure);
+    for (std::uint32_t structure : reach_.structures) {
+        if (program_.structures[structure].module != unit.home) continue;
+        if (!defined_.structures.contains(structure)) print_class_members(unit, members, structure);
+        if (reach_.moved.contains(structure) && !defined_.moved.contains(structure))
+            print_transfers(unit, members, structure);
+    }
     for (std::uint32_t pipeline : reach_.pipelines)
         if (program_.pipelines[pipeline].module == unit.home && !defined_.pipelines.contains(pipeline))
             print_pipeline(unit, pipelines, pipeline);
-    Writer tests;
     if (options_.tests && unit.home == module_) print_tests(unit, tests);
 
-    // Nearly all of the text: without room for it, the last parts would move the others.
-    std::size_t bytes = members.text().size() + pipelines.text().size();
-    for (const std::string& code : codes) bytes += code.size() + 1;
-    out.reserve(bytes + bytes / 16);
     out.line("namespace " + unit.globals.space + " {");
     out.raw("\n");
     out.line("using namespace glift::types;");
     out.gap();
-    if (!unit.globals.functions.empty() || !codes.empty() || !checks.text().empty()) {
+    if (!unit.globals.functions.empty() || !checks.text().empty()) {
         out.line("namespace {");
         out.raw("\n");
-        append_parts(out, {unit.globals.functions});
-        append_parts(out, {codes.begin(), codes.end()});
-        append_parts(out, {checks.text()});
+        out.parts({unit.globals.functions, checks.text()});
         out.line("}  // namespace");
         out.gap();
     }
     for (std::size_t i = 0; i < kernels.size(); ++i) {
-        append_parts(out, {callers[i]});
-        if (reach_.pub_kernels.contains(kernels[i])) append_parts(out, {short_kernel_function(unit, kernels[i])});
+        out.parts({callers[i]});
+        if (reach_.pub_kernels.contains(kernels[i])) out.parts({short_kernel_function(unit, kernels[i])});
     }
-    append_parts(out, {members.text(), pipelines.text(), tests.text()});
+    out.parts({members.text(), pipelines.text(), tests.text()});
     out.line("}  // namespace " + unit.globals.space);
 }
 
@@ -423,7 +398,9 @@ std::string ModulePrinter::library_source() {
     for (std::uint32_t kernel : reach_.kernels)
         if (!defined_.kernels.contains(kernel)) homes.insert(program_.kernels[kernel].module);
     for (std::uint32_t structure : reach_.structures)
-        if (!defined_.structures.contains(structure)) homes.insert(program_.structures[structure].module);
+        if (!defined_.structures.contains(structure) ||
+            (reach_.moved.contains(structure) && !defined_.moved.contains(structure)))
+            homes.insert(program_.structures[structure].module);
     for (std::uint32_t pipeline : reach_.pipelines)
         if (!defined_.pipelines.contains(pipeline)) homes.insert(program_.pipelines[pipeline].module);
     Writer out;
@@ -442,29 +419,27 @@ void ModulePrinter::note_definitions() {
     defined_.kernels.insert(reach_.kernels.begin(), reach_.kernels.end());
     defined_.pipelines.insert(reach_.pipelines.begin(), reach_.pipelines.end());
     defined_.structures.insert(reach_.structures.begin(), reach_.structures.end());
+    defined_.moved.insert(reach_.moved.begin(), reach_.moved.end());
 }
 
 Module ModulePrinter::print() {
     Module result;
-    result.source = source();
-    result.library = library_source();
-    result.header = header();
-    result.internal = internal_header();
+    std::string own = source(), library = library_source();  // the headers name what these come to
+    result.files.push_back({".glift.hpp", header()});
+    result.files.push_back({".glift.types.hpp", types_header()});
+    result.files.push_back({".glift.internal.hpp", internal_header()});
+    result.files.push_back({".glift.cpp", std::move(own)});
+    result.files.push_back({".glift.library.cpp", std::move(library)});
+    for (bool is_own : {true, false})
+        std::ranges::move(
+            kernel_sources(parts_, stem_, kernels_to_define(is_own), is_own ? "kernels" : "library.kernels"),
+            std::back_inserter(result.files));
     result.tests = std::move(unit_of(module_).test_names);
     note_definitions();
     return result;
 }
 
 }  // namespace
-
-const char* Unit::linkage(const std::string& key) const {
-    return home == module && key.find('<') == std::string::npos ? "" : "GLIFT_SHARED ";
-}
-
-std::uint32_t structure_at(const ir::Program& program, std::uint32_t structure, const ir::Place& place) {
-    for (std::uint32_t member : place.members) structure = program.structures[structure].members[member].structure;
-    return structure;
-}
 
 Module module_of(const ir::Program& program, const ir::Lowered& lowered, const Sources& sources, std::uint32_t module,
                  const std::vector<KernelCode>& code, const Options& options, Defined& defined) {

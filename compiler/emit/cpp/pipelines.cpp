@@ -136,7 +136,9 @@ Text PipelinePrinter::expression(const Expr& expr) {
     case Op::pipeline_call: return call(expr);
 #define VALUE_OPERATION(name) case Op::name:
 #define STRUCTURE_OPERATION(name) case Op::name:
+#define GUARDED_OPERATION(name) case Op::name:
 #define MEMORY_OPERATION(name) case Op::name:
+#define CPU_OPERATION(name) case Op::name:
 #include "ir/operations.def"
         break;
     }
@@ -253,6 +255,7 @@ void PipelinePrinter::statement(const Stmt& stmt) {
 #define VALUE_STATEMENT(name) case StmtOp::name:
 #define STRUCTURE_STATEMENT(name) case StmtOp::name:
 #define MEMORY_STATEMENT(name) case StmtOp::name:
+#define CPU_STATEMENT(name) case StmtOp::name:
 #include "ir/statements.def"
         break;
     }
@@ -308,7 +311,8 @@ void print_pipeline(Unit& unit, Writer& out, std::uint32_t index) {
     print_statements(printer.p, pipeline.body);
     if (printer.tracks) printer.keep_all();
     out.gap();
-    out.line("// " + place_text(unit.sources, pipeline.span) + ": " + pipeline.display);
+    out.line("// " + place_text(unit.sources, pipeline.span) + ": " +
+             (is_test(unit, index) ? quoted(pipeline.display) : pipeline.display));
     const std::string owner = pipeline.owner ? unit.own_name(*pipeline.owner) + "::" : "";
     out.open(unit.linkage(pipeline.key) + signature(unit, index, printer.p, owner, false));
     out.raw(printer.p.out.take());

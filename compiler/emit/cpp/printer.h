@@ -38,7 +38,7 @@ struct Text {
 /// The names of a generated class's members; the same wherever they are used.
 struct ClassNames {
     std::vector<std::string> arguments, memories, members, host, pipelines;  ///< functions: the class's interface
-    std::vector<std::string> extents;                                        ///< functions: of its memories
+    std::vector<std::string> methods, extents;  ///< likewise: functions of an adaptor; extents of memories
     /// What the class keeps.
     std::vector<std::string> argument_fields, memory_fields, member_fields, host_fields, extent_fields;
     NameSet own;  ///< what the class's functions name: fields, pipelines, what every such class has
@@ -111,18 +111,10 @@ struct Printer {
     std::function<Text(const ir::Expr&)> outer_expression;
     std::function<std::string(const ir::Expr&)> outer_place;  ///< of a load: where atomic operations work
     std::function<void(const ir::Stmt&)> outer_statement;
-    /// Prints a loop in another way, if there is one here: may be empty.
-    std::function<bool(const ir::Stmt&)> outer_loop;
     /// What `return value;` is here; empty: as in C++.
     std::function<void(ir::ExprId)> print_return;
     /// How a local that is not simply a name is spelled (an array over the workgroup): may be empty.
     std::function<std::string(ir::LocalId)> outer_local;
-    /// Intrinsics that are printed as their first operand.
-    std::set<ir::ExprId> identities;
-    /// Conditions that hold: what they guard is printed alone.
-    std::set<ir::ExprId> truths;
-    /// Lets that are then of no use.
-    std::set<ir::LocalId> unread;
     bool use_namespaces = false;  ///< headers: glift::uint4, else uint4
     std::uint32_t marked_file = 0xffffffffu, marked_line = 0;
 

@@ -72,6 +72,12 @@ ClassNames class_names(const ir::Program& program, const NameSet& types, const i
         if (name.empty()) name = text(program.pipelines[pipeline].name);
         names.pipelines.push_back(name);
     }
+    for (const ir::Method& method : structure.methods) {
+        const Name written = program.functions[method.function].name;
+        std::string& name = overloads[written.index];
+        if (name.empty()) name = text(written);
+        names.methods.push_back(name);
+    }
     const auto also = [&](const std::vector<std::string>& of, const char* ending, std::vector<std::string>& made) {
         for (const std::string& name : of) made.push_back(scopes.declare(name + ending));
     };
@@ -83,7 +89,7 @@ ClassNames class_names(const ir::Program& program, const NameSet& types, const i
     also(names.host, "_", names.host_fields);
     names.own = fixed;
     for (const auto* list : {&names.argument_fields, &names.member_fields, &names.memory_fields, &names.extent_fields,
-                             &names.host_fields, &names.pipelines})
+                             &names.host_fields, &names.pipelines, &names.methods})
         names.own.insert(list->begin(), list->end());
     names.all = names.own;
     for (const auto* list : {&names.arguments, &names.members, &names.memories, &names.host, &names.extents})

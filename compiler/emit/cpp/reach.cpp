@@ -1,5 +1,6 @@
 // What a module's C++ must contain: its public components, its pipelines, and all that these need.
 #include "base/parallel.h"
+#include "emit/cpp/translators.h"
 #include "emit/cpp/unit.h"
 #include "ir/aliases.h"
 #include "ir/evaluate.h"
@@ -24,10 +25,11 @@ struct Devices {
 struct Collector {
     const ir::Program& program;
     Reach reach;
-    std::set<std::uint32_t> seen;
-    std::set<ir::FunctionId> functions;
-    std::set<std::uint32_t> host_pipelines, vulkan_pipelines;
-    Devices devices;  ///< those that come to what is looked at
+    std::set<std::uint32_t> seen{};
+    std::set<ir::FunctionId> functions{};
+    Devices devices{};        ///< those that come to what is looked at
+    bool moves_all = false;   ///< boxes of all structures, as test programs do
+    std::uint32_t owner = 0;  ///< of the pipeline that is looked at: where its places begin that have no local
 
     void type(ir::TypeId id, bool visible);
     void structure_type(std::uint32_t index);
@@ -42,6 +44,7 @@ struct Collector {
     void step(const ir::Stmt& stmt);
     Devices steps(const std::vector<ir::StmtId>& body, Devices come);
     void transfers(std::uint32_t structure);
+    void element_read(const ir::Expr& read);
 };
 
 /// What the host device has, wherever it runs; of other devices, that they are not the host.
@@ -148,14 +151,18 @@ void Collector::function(ir::FunctionId id) {
 
 void Collector::passes(const ir::Lowered::Forms& forms) {
     for (const ir::Pass* pass : {&forms.direct, &forms.general, &forms.wide}) {
-        for (const auto* body : {&pass->body, &pass->interior_body}) code(*body);
+        for (const ir::Variant& variant : pass->variants)
+            if (variant.devices != ir::Devices::shaders) code(variant.body);
         for (ir::LocalId local : pass->shared) type(program.locals[local].type, false);
         for (ir::FunctionId id : pass->functions) function(id);
         for (const ir::PassParameter& parameter : pass->parameters) value(parameter.value);
     }
 }
 
+/// What moves boxes of the structure between host and device: programs call it, and few pipelines.
 void Collector::transfers(std::uint32_t structure) {
+    if (!reach.moved.insert(structure).second) return;
+    const Devices before = std::exchange(devices, {});
     for (const ir::Program::Transfer& transfer : program.transfers) {
         if (transfer.structure != structure) continue;
         this->structure(transfer.box_structure, false);
@@ -163,6 +170,19 @@ void Collector::transfers(std::uint32_t structure) {
         kernel(transfer.write_kernel, false);
         kernel(transfer.fill_kernel, false);
     }
+    devices = before;
+}
+
+/// An element is read where it lies, else as a box.
+void Collector::element_read(const ir::Expr& read) {
+    std::uint32_t root = owner;
+    if (read.local) {
+        const ir::Type& type = program.types[program.locals[read.local].type];
+        root = type.kind == ir::TypeKind::slice ? program.types[type.element].index : type.index;
+    }
+    const std::uint32_t structure = structure_at(program, root, read.place);
+    const bool is_in_place = read.op == ir::Op::host_read || read.slot != 0;
+    if (!is_in_place || !has_rows(program, program.structures[structure])) transfers(structure);
 }
 
 void Collector::structure(std::uint32_t index, bool visible) {
@@ -182,8 +202,15 @@ void Collector::structure(std::uint32_t index, bool visible) {
     value(structure.domain);
     const Devices before = std::exchange(devices, {});
     for (std::uint32_t pipeline : structure.pipelines) this->pipeline(pipeline, visible);
-    transfers(index);
+    for (const ir::Method& method : structure.methods) {
+        const ir::Function& called = program.functions[method.function];
+        type(called.result, visible);
+        for (ir::LocalId local : called.params) type(program.locals[local].type, visible);
+        if (method.pipeline) this->pipeline(*method.pipeline, false);
+        else function(method.function);
+    }
     devices = before;
+    if (visible || moves_all) transfers(index);
 }
 
 void Collector::kernel(std::uint32_t index, bool visible) {
@@ -201,15 +228,18 @@ void Collector::kernel(std::uint32_t index, bool visible) {
 
 void Collector::pipeline(std::uint32_t index, bool visible) {
     const bool is_new = reach.pipelines.insert(index).second;
-    const bool is_new_on_host = devices.host && host_pipelines.insert(index).second;
-    const bool is_new_on_vulkan = devices.vulkan && vulkan_pipelines.insert(index).second;
+    const bool is_new_on_host = devices.host && reach.host_pipelines.insert(index).second;
+    const bool is_new_on_vulkan = devices.vulkan && reach.vulkan_pipelines.insert(index).second;
     const ir::Pipeline& pipeline = program.pipelines[index];
     if (visible || is_new) {
         if (pipeline.owner) structure(*pipeline.owner, visible);
         for (const ir::PipelineParam& param : pipeline.params) type(program.locals[param.local].type, visible);
         type(pipeline.result, visible);
     }
-    if (is_new || is_new_on_host || is_new_on_vulkan) steps(pipeline.body, devices);
+    if (!is_new && !is_new_on_host && !is_new_on_vulkan) return;
+    const std::uint32_t before = std::exchange(owner, pipeline.owner.value_or(0));
+    steps(pipeline.body, devices);
+    owner = before;
 }
 
 /// The devices that come to the end of the statements, of those that come to their begin.
@@ -226,6 +256,7 @@ void Collector::step(const ir::Stmt& stmt) {
         ir::for_each_node(program, root, [&](ir::ExprId node) {
             const ir::Expr& expr = program.exprs[node];
             if (expr.op == ir::Op::pipeline_call) this->pipeline(expr.slot, false);
+            if (expr.op == ir::Op::device_read || expr.op == ir::Op::host_read) element_read(expr);
             expression(expr);
         });
     });
@@ -249,7 +280,7 @@ void Collector::step(const ir::Stmt& stmt) {
 namespace {
 
 Reach reach_of_alone(const ir::Program& program, std::uint32_t module, const Options& options) {
-    Collector collector{program, {}, {}, {}, {}, {}, {}};
+    Collector collector{.program = program, .reach = {}, .moves_all = options.tests};
     for (std::uint32_t i = 0; i < program.structs.size(); ++i) {
         if (program.structs[i].module == module && program.structs[i].is_pub) collector.structure_type(i);
     }
@@ -277,18 +308,24 @@ Reach reach_of_alone(const ir::Program& program, std::uint32_t module, const Opt
 
 }  // namespace
 
-/// Kernels that several modules of the run come to are defined once, by one of them: with code for the devices that
-/// any of them comes from.
+/// Adds those of `theirs` that are among `known`.
+static void add_known(std::set<std::uint32_t>& to, const std::set<std::uint32_t>& known,
+                      const std::set<std::uint32_t>& theirs) {
+    std::ranges::set_intersection(known, theirs, std::inserter(to, to.end()));
+}
+
+/// What several modules of the run come to is defined once, by one of them: with code for the devices that any of them
+/// comes from.
 Reach reach_of(const ir::Program& program, std::uint32_t module, const Options& options) {
     Reach reach = reach_of_alone(program, module, options);
     if (options.tests) return reach;
     for (std::uint32_t other = 0; other < program.modules.size(); ++other) {
         if (other == module || !program.modules[other].is_root) continue;
         const Reach theirs = reach_of_alone(program, other, options);
-        std::ranges::set_intersection(reach.kernels, theirs.host_kernels,
-                                      std::inserter(reach.host_kernels, reach.host_kernels.end()));
-        std::ranges::set_intersection(reach.kernels, theirs.vulkan_kernels,
-                                      std::inserter(reach.vulkan_kernels, reach.vulkan_kernels.end()));
+        add_known(reach.host_kernels, reach.kernels, theirs.host_kernels);
+        add_known(reach.vulkan_kernels, reach.kernels, theirs.vulkan_kernels);
+        add_known(reach.host_pipelines, reach.pipelines, theirs.host_pipelines);
+        add_known(reach.vulkan_pipelines, reach.pipelines, theirs.vulkan_pipelines);
     }
     return reach;
 }
@@ -298,11 +335,11 @@ void add_inner_structs(Reach& reach, const ir::Program& program, const ir::Lower
     const std::vector<std::uint32_t> kernels(reach.kernels.begin(), reach.kernels.end());
     std::vector<Reach> found(kernels.size());
     for_each_parallel(kernels.size(), share, [&](std::size_t i) {
-        Collector inner{program, {}, {}, {}, {}, {}, {}};
+        Collector inner{.program = program, .reach = {}};
         inner.passes(lowered.passes[kernels[i]]);
         found[i] = std::move(inner.reach);
     });
-    Collector collector{program, std::move(reach), {}, {}, {}, {}, {}};
+    Collector collector{.program = program, .reach = std::move(reach)};
     for (const Reach& inner : found) {
         for (std::uint32_t index : inner.structs) collector.structure_type(index);
         for (std::uint32_t index : inner.structures) collector.structure(index, false);

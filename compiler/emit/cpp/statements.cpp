@@ -79,7 +79,6 @@ void print_assign(Printer& p, const Stmt& stmt) {
 
 void print_let(Printer& p, const Stmt& stmt) {
     const ir::Local& local = p.program.locals[stmt.local];
-    if (p.unread.contains(stmt.local)) return;
     const bool outer = p.outer_local && !p.outer_local(stmt.local).empty();
     // The name stands before the value, and hides others in it.
     const std::string name = outer ? "" : declare_local(p, stmt.local);
@@ -140,11 +139,6 @@ void print_nested(Printer& p, const std::vector<ir::StmtId>& body) {
 }
 
 void print_if(Printer& p, const Stmt& stmt) {
-    if (p.truths.contains(stmt.value)) {
-        p.out.open("");
-        print_nested(p, stmt.body);
-        return p.out.close();
-    }
     p.out.open("if (" + print_any(p, stmt.value) + ")");
     print_nested(p, stmt.body);
     const Stmt* rest = &stmt;
@@ -173,7 +167,6 @@ bool is_steady(const Printer& p, ExprId id) {
 }
 
 void print_for(Printer& p, const Stmt& stmt) {
-    if (p.outer_loop && p.outer_loop(stmt)) return;
     p.names.enter();
     const std::string type = type_text(p.globals, p.program.locals[stmt.local].type, p.use_namespaces);
     const std::string name = declare_local(p, stmt.local);
@@ -258,6 +251,7 @@ void print_statement(Printer& p, ir::StmtId id) {
 #define STRUCTURE_STATEMENT(name) case StmtOp::name:
 #define HOST_STATEMENT(name) case StmtOp::name:
 #define MEMORY_STATEMENT(name) case StmtOp::name:
+#define CPU_STATEMENT(name) case StmtOp::name:
 #include "ir/statements.def"
         break;
     }

@@ -169,16 +169,36 @@ Printer own_printer(Unit& unit, std::uint32_t index) {
     return p;
 }
 
+/// An argument that a structure gives to one of its parts: where its value is exact in 64 bits, cut where it fits.
+std::string argument_of_part(Unit& unit, Printer& p, const ir::MemberStructure& member, std::size_t i,
+                             const std::string& part) {
+    const ir::ExprId argument = member.arguments[i];
+    const Structure& made = unit.program.structures[member.structure];
+    if (unit.program.exprs[argument].type == unit.program.locals[made.constructor[i]].type)
+        return print(p, argument, Level::relation);
+    return fitted(p, argument, part);
+}
+
+/// The same for functions of the class whose parameters are a user's.
+Printer method_printer(Unit& unit, std::uint32_t index) {
+    Printer p = own_printer(unit, index);
+    p.names.reserve({"commands"});
+    p.names.avoid(unit.globals.class_names[index].own);
+    return p;
+}
+
 std::string member_value(Unit& unit, Printer& p, const std::string& owner, const ir::MemberStructure& member) {
     const Structure& made = unit.program.structures[member.structure];
     std::string arguments = made.kind == StructureKind::view ? "" : "commands";
+    for (const ir::Place& place : member.structures) {
+        ir::Expr whole;
+        whole.op = ir::Op::structure_value;
+        whole.place = place;
+        arguments += (arguments.empty() ? "" : ", ") + p.outer_expression(whole).text;
+    }
     for (std::size_t i = 0; i < member.arguments.size(); ++i) {
-        const ir::ExprId argument = member.arguments[i];
-        const ir::TypeId wanted = unit.program.locals[made.constructor[i]].type;
-        arguments +=
-            (arguments.empty() ? "" : ", ") + (unit.program.exprs[argument].type == wanted
-                                                   ? print_any(p, argument)
-                                                   : fitted(p, argument, owner + "." + unit.name(member.name)));
+        arguments += (arguments.empty() ? "" : ", ") +
+                     argument_of_part(unit, p, member, i, owner + "." + unit.name(member.name));
     }
     return unit.class_name(member.structure) + "(" + arguments + ")";
 }
@@ -189,11 +209,11 @@ std::string adopted_part(Unit& unit, Printer& p, std::uint32_t index, std::size_
     const ClassNames& made = unit.globals.class_names[member.structure];
     std::string alike;
     std::size_t value = 0;
-    for (ir::ExprId argument : member.arguments) {
-        const ir::TypeId type = unit.program.exprs[argument].type;
+    for (std::size_t k = 0; k < member.arguments.size(); ++k) {
+        const ir::TypeId type = unit.program.exprs[member.arguments[k]].type;
         if (unit.program.types.kind(type) == ir::TypeKind::structure) continue;
-        alike += (alike.empty() ? "" : " && ") + names.members[i] + "." + made.arguments[value++] +
-                 "() == " + print(p, argument, Level::relation);
+        alike += (alike.empty() ? "" : " && ") + names.members[i] + "." + made.arguments[value++] + "() == " +
+                 argument_of_part(unit, p, member, k, unit.program.structures[index].display + "." + names.members[i]);
     }
     return "glift::detail::part(std::move(" + names.members[i] + "), " + (alike.empty() ? "true" : alike) + ", " +
            quoted(unit.program.structures[index].display + "." + names.members[i]) + ")";
@@ -253,6 +273,8 @@ void print_same_state(Unit& unit, Writer& out, std::uint32_t index, const ClassN
     out.gap();
 }
 
+}  // namespace
+
 void print_transfers(Unit& unit, Writer& out, std::uint32_t index) {
     const ir::Program::Transfer* transfer = transfer_of(unit.program, index);
     if (!transfer) return;
@@ -286,8 +308,36 @@ void print_transfers(Unit& unit, Writer& out, std::uint32_t index) {
     }
 }
 
-}  // namespace
+/// The parameters of a method as they are declared; those that read memory run a pass.
+static std::string method_parameters(Unit& unit, Printer& p, const ir::Method& method, bool qualified) {
+    std::string text = method.pipeline ? "const glift::Commands& commands" : "";
+    for (ir::LocalId local : unit.program.functions[method.function].params)
+        text += (text.empty() ? "" : ", ") + unit.type(unit.program.locals[local].type, qualified) + " " +
+                declare_local(p, local);
+    return text;
+}
 
+static void print_methods(Unit& unit, Writer& out, std::uint32_t index) {
+    const Structure& structure = unit.program.structures[index];
+    for (std::size_t i = 0; i < structure.methods.size(); ++i) {
+        const ir::Method& method = structure.methods[i];
+        const ir::Function& function = unit.program.functions[method.function];
+        Printer p = method_printer(unit, index);
+        out.open(unit.linkage(structure.key) + unit.type(function.result) + " " + unit.own_name(index) +
+                 "::" + unit.globals.class_names[index].methods[i] + "(" + method_parameters(unit, p, method, false) +
+                 ") const");
+        std::string arguments = method.pipeline ? "commands, *this" : "*this";
+        for (ir::LocalId local : function.params) arguments += ", " + p.local_names.at(local);
+        if (!method.pipeline) require_function(unit.globals, method.function);
+        const std::string& called = method.pipeline ? unit.globals.pipeline_names.at(*method.pipeline)
+                                                    : unit.globals.function_names.at(method.function);
+        out.line("return " + visible(p, called) + "(" + arguments + ")" +
+                 (method.pipeline ? ".await(commands);" : ";"));
+        out.close();
+        out.gap();
+    }
+}
+// long: the members of a generated class, in their order
 void print_class(Unit& unit, Writer& out, std::uint32_t index) {
     const Structure& structure = unit.program.structures[index];
     const ClassNames& names = unit.globals.class_names[index];
@@ -350,6 +400,14 @@ void print_class(Unit& unit, Writer& out, std::uint32_t index) {
         write_doc(out, unit.program.pipelines[pipeline].doc);
         out.line(pipeline_signature(unit, pipeline, true) + ";");
     }
+    for (std::size_t i = 0; i < structure.methods.size(); ++i) {
+        const ir::Function& function = unit.program.functions[structure.methods[i].function];
+        Printer p = method_printer(unit, index);
+        out.gap();
+        write_doc(out, function.doc);
+        out.line(unit.type(function.result, true) + " " + names.methods[i] + "(" +
+                 method_parameters(unit, p, structure.methods[i], true) + ") const;");
+    }
     out.gap();
     out.dedent();
     out.line("private:");
@@ -373,7 +431,7 @@ void print_class_members(Unit& unit, Writer& out, std::uint32_t index) {
     }
     print_same_state(unit, out, index, names);
     if (has_rows(unit.program, structure)) print_place(unit, out, index);
-    print_transfers(unit, out, index);
+    print_methods(unit, out, index);
 }
 
 void print_enum(const Unit& unit, Writer& out, std::uint32_t index) {

@@ -9,6 +9,7 @@ std::string visible(const Printer& p, const std::string& name) {
     return hidden ? concat("::", p.globals.space, "::", name) : name;
 }
 
+// long: a case for each operation
 Text structure_property(const Globals& globals, const ir::Expr& expr, std::uint32_t root_structure,
                         const std::string& object) {
     std::uint32_t structure = root_structure;
@@ -69,7 +70,9 @@ Text structure_property(const Globals& globals, const ir::Expr& expr, std::uint3
     case ir::Op::device_property:
     case ir::Op::element_count:
     case ir::Op::parameter:
+    case ir::Op::guarded_load:
     case ir::Op::load:
+    case ir::Op::row_load:
     case ir::Op::image_load:
     case ir::Op::image_sample:
     case ir::Op::builtin: break;

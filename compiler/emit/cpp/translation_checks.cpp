@@ -245,7 +245,7 @@ std::vector<TranslationCheck> print_translation_checks(Unit& unit, Writer& out) 
         if (reads_tables(unit.program, structure)) {
             check.why_not_alone = "it reads tables, and no test that ran makes and fills one";
         } else if (!is_made_of_extents(unit.program, structure)) {
-            check.why_not_alone = "it is made with other than an extent, and no test that ran makes one";
+            check.why_not_alone = "it takes other arguments than an extent, and no test that ran makes one";
         } else {
             check.of_extents = unit.globals.names.declare(check.of_one + "_of_extents");
             print_check_of_extents(unit, out, index, check.of_extents, check.of_one);

@@ -82,7 +82,8 @@ std::string Spelling::of(ir::TypeId id) const {
     case TypeKind::optional: return "std::optional<" + of(type.element) + ">";
     case TypeKind::structure: return globals.structure_names[type.index];
     case TypeKind::slice: return "glift::Range<" + of(type.element) + ">";
-    case TypeKind::device: return "glift::DeviceScalar<" + of(type.element) + ">";
+    case TypeKind::device:  // memory holds it
+        return "glift::DeviceScalar<" + Spelling{globals, prefix, true}.of(type.element) + ">";
     }
     return "void";
 }

@@ -14,10 +14,11 @@ namespace gliftc::cpp {
 struct Reach {
     std::set<std::uint32_t> kernels, pipelines, enums;
     /// Those that the host device may come to, and Vulkan devices: the others have no code for them.
-    std::set<std::uint32_t> host_kernels, vulkan_kernels;
+    std::set<std::uint32_t> host_kernels, vulkan_kernels, host_pipelines, vulkan_pipelines;
     std::vector<std::uint32_t> structs;     ///< those within others come first
     std::vector<std::uint32_t> structures;  ///< members and what `temp`s make come first
     std::set<std::uint32_t> in_header;      ///< structures that the header shows
+    std::set<std::uint32_t> moved;          ///< structures of which boxes go to the host and back
     std::set<std::uint32_t> pub_kernels;
 };
 
@@ -32,6 +33,20 @@ struct TranslationCheck {
     std::string of_one;         ///< the function that checks a structure already made; empty: none can
     std::string of_extents;     ///< the function that makes some; empty: as the tests make them
     std::string why_not_alone;  ///< where `of_extents` is empty
+};
+
+class SpirvFile;
+
+/// What all code for one module is made of.
+struct ModuleParts {
+    const ir::Program& program;
+    const ir::Lowered& lowered;
+    const Sources& sources;
+    std::uint32_t module;
+    const std::vector<KernelCode>& code;
+    const Options& options;
+    const Reach& reach;
+    const ProgramNames& names;
 };
 
 /// One namespace of the code that is made for a module: its own, or that of another module, of which it uses what no
@@ -50,6 +65,7 @@ struct Unit {
     std::string tests;                                   ///< the table of tests
     std::vector<TranslationCheck> translation_checks{};  ///< in a test program
     std::vector<TestName> test_names{};                  ///< in a test program
+    const SpirvFile* spirv_file = nullptr;               ///< of the source that is printed; null: SPIR-V within
 
     std::string name(Name n) const { return (*program.names)[n]; }
     std::string type(ir::TypeId id, bool qualified = false) const { return type_text(globals, id, qualified); }
@@ -60,21 +76,38 @@ struct Unit {
     const char* linkage(const std::string& key) const;
 };
 
+Unit make_unit(const ModuleParts& parts, std::uint32_t home);
+
+/// What `print` makes of each kernel. Those that add functions to the file come first and in order, which is that of
+/// the functions; the others change nothing that they share.
+std::vector<std::string> printed_kernels(Unit& unit, const std::vector<std::uint32_t>& kernels,
+                                         bool (&adds_functions)(const Unit&, std::uint32_t),
+                                         std::string (&print)(Unit&, std::uint32_t));
+
+std::string begin_of_file(const std::string& stem);
+
 /// The structure instance at a place below a root.
 std::uint32_t structure_at(const ir::Program& program, std::uint32_t root_structure, const ir::Place& place);
 
 // structures.cpp
 void print_class(Unit& unit, Writer& out, std::uint32_t structure);
 void print_class_members(Unit& unit, Writer& out, std::uint32_t structure);
+/// What moves boxes of the structure between host and device.
+void print_transfers(Unit& unit, Writer& out, std::uint32_t structure);
 void print_struct(const Unit& unit, Writer& out, std::uint32_t index);
 void print_enum(const Unit& unit, Writer& out, std::uint32_t index);
 
-// kernels.cpp
-/// The struct that mirrors the parameter block: `struct <name>_parameters { … };`. Empty without parameters.
-std::string parameters_of(const Globals& globals, const ir::Pass& pass, const std::string& name);
+// kernel_code.cpp
 std::string kernel_code(Unit& unit, std::uint32_t kernel);
 /// Whether the kernel's code will add functions to those that the file shares.
 bool code_adds_functions(const Unit& unit, std::uint32_t kernel);
+
+// kernel_sources.cpp
+/// Sources of the kernels' code, `<stem>.glift.<part>.cpp` and so on, and files of SPIR-V beside them.
+std::vector<File> kernel_sources(const ModuleParts& parts, const std::string& stem,
+                                 const std::vector<std::uint32_t>& kernels, const std::string& part);
+
+// kernel_calls.cpp
 /// With the parameters from the `first` on.
 std::string kernel_signature(Unit& unit, std::uint32_t kernel, bool qualified, std::size_t first = 0);
 std::string kernel_function(Unit& unit, std::uint32_t kernel);

@@ -76,6 +76,16 @@ void Writer::gap() {
     out_ += '\n';
 }
 
+void Writer::parts(const std::vector<std::string_view>& parts) {
+    std::size_t bytes = 0;
+    for (std::string_view part : parts) bytes += part.size() + 1;
+    reserve(bytes);
+    for (std::string_view part : parts) {
+        raw(part);
+        gap();
+    }
+}
+
 void Writer::open(std::string_view text) {
     line(text.empty() ? "{" : concat(text, " {"));
     ++depth_;

@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace gliftc::cpp {
 
@@ -24,6 +25,8 @@ public:
     int depth() const { return depth_; }
     /// As it is: preprocessor lines, finished pieces.
     void raw(std::string_view text) { out_ += text; }
+    /// Finished pieces, with an empty line after each.
+    void parts(const std::vector<std::string_view>& parts);
     /// Makes room for so many more bytes.
     void reserve(std::size_t bytes) { out_.reserve(out_.size() + bytes); }
 

@@ -109,12 +109,10 @@ std::string main_text(Printer& p) {
     print_round_start(p);
     print_parameter_copies(p);
     print_prologue(p, grouped);
-    if (p.pass.pair_body.empty()) {
-        print_body(p, p.pass.body);
-    } else {
-        if (p.options.lines == LineMarks::comments) line(p, "// Two elements at once.");
-        print_body(p, p.pass.pair_body);
-    }
+    const ir::Variant& variant = variant_for(p.pass, ir::Devices::shaders);
+    const bool is_coarsened = variant.assumes.elements != p.pass.plain().assumes.elements;
+    if (is_coarsened && p.options.lines == LineMarks::comments) line(p, "// Two elements at once.");
+    print_body(p, variant.body);
     p.indent = 0;
     p.names.leave();
     line(p, "}");

@@ -293,7 +293,9 @@ Text print_node(Printer& p, ExprId id) {
     case Op::builtin: return print_builtin(p, expr);
 #define SHAPE_OPERATION(name) case Op::name:
 #define STRUCTURE_OPERATION(name) case Op::name:
+#define GUARDED_OPERATION(name) case Op::name:
 #define HOST_OPERATION(name) case Op::name:
+#define CPU_OPERATION(name) case Op::name:
 #include "ir/operations.def"
         break;
     }

@@ -85,6 +85,7 @@ Text atomic(Printer& p, const char* name, const Expr& expr) {
 
 }  // namespace
 
+// long: a case for each built-in function
 Text print_intrinsic(Printer& p, const Expr& expr) {
     switch (expr.intrinsic) {
     case Intrinsic::abs: return call(p, "abs", expr);

@@ -19,7 +19,7 @@ std::vector<bool> used_parameters(const Program& program, const Pass& pass) {
     auto visit = [&](ExprId id) {
         if (program.exprs[id].op == Op::parameter) used.at(program.exprs[id].slot) = true;
     };
-    for_each_expression(program, pass.body, visit);
+    for_each_expression(program, pass.plain().body, visit);
     for (FunctionId id : pass.functions) for_each_expression(program, program.functions[id].body, visit);
     return used;
 }
@@ -82,7 +82,7 @@ std::string print_function(Printer& p, const LibraryFunction& wanted, const std:
     }
     line(p, type_text(p, wanted.result) + " " + name + "(" + parameters + ") {");
     p.indent = 1;
-    for (StmtId id : p.pass.body) {
+    for (StmtId id : p.pass.plain().body) {
         const Stmt& stmt = p.program.stmts[id];
         if (stmt.op == StmtOp::evaluate) line(p, "return " + print_any(p, stmt.value) + ";");
         else print_statement(p, id);

@@ -67,7 +67,8 @@ std::string image_prefix(const Printer& p, TypeId element) {
 /// What one invocation writes and another reads after a barrier must not stay in a cache.
 bool is_coherent(const Printer& p, const PassBinding& binding) {
     if (binding.coherent) return true;
-    return binding.access == ir::Access::read_write && ir::has_any_barrier(p.program, p.pass.body);
+    return binding.access == ir::Access::read_write &&
+           ir::has_any_barrier(p.program, variant_for(p.pass, ir::Devices::shaders).body);
 }
 
 const char* access_text(ir::Access access) {

@@ -250,6 +250,7 @@ void print_statement(Printer& p, StmtId id) {
     case StmtOp::report: return line(p, report_text(p, stmt));
 #define STRUCTURE_STATEMENT(name) case StmtOp::name:
 #define HOST_STATEMENT(name) case StmtOp::name:
+#define CPU_STATEMENT(name) case StmtOp::name:
 #include "ir/statements.def"
         break;
     }

@@ -150,8 +150,8 @@ std::string report_text(Printer& p, const ir::Stmt& stmt) {
 
 void print_round_start(Printer& p) {
     if (p.pass.counts_rounds())
-        line(p, "if (" + p.status.limit + " != 0u) " + p.status.rounds +
-                    "[gl_SubgroupID] = " + std::to_string(idle_rounds(p, p.pass.body, false)) + "u;");
+        line(p, "if (" + p.status.limit + " != 0u) " + p.status.rounds + "[gl_SubgroupID] = " +
+                    std::to_string(idle_rounds(p, variant_for(p.pass, ir::Devices::shaders).body, false)) + "u;");
 }
 
 }  // namespace gliftc::glsl

@@ -2,7 +2,6 @@
 
 #include "base/concat.h"
 #include "emit/cpp/mentions.h"
-#include "emit/host/row_moves.h"
 #include "ir/levels.h"
 
 #include <algorithm>
@@ -36,6 +35,7 @@ Text print_outer(Body& body, const Expr& expr) {
     cpp::Printer& p = body.p;
     switch (expr.op) {
     case Op::parameter: body.used_parameters.insert(expr.slot); return {body.parameter_names[expr.slot]};
+    case Op::row_load:
     case Op::load: {
         if (is_row(p.program.types, body.pass.bindings[expr.slot], expr.type))
             return {"glift::host::load_row(" + row_arguments(body, expr.slot, expr.operands[0]) + ")"};
@@ -67,6 +67,7 @@ Text print_outer(Body& body, const Expr& expr) {
 #define VALUE_OPERATION(name) case Op::name:
 #define SHAPE_OPERATION(name) case Op::name:
 #define STRUCTURE_OPERATION(name) case Op::name:
+#define GUARDED_OPERATION(name) case Op::name:
 #define HOST_OPERATION(name) case Op::name:
 #include "ir/operations.def"
         break;
@@ -101,6 +102,7 @@ std::string report_text(Body& body, const Stmt& stmt) {
 void print_outer(Body& body, const Stmt& stmt) {
     cpp::Printer& p = body.p;
     switch (stmt.op) {
+    case StmtOp::row_store:
     case StmtOp::store: {
         const ir::TypeId element = body.pass.bindings[stmt.slot].element;
         std::string value = cpp::print_any(p, stmt.value);
@@ -132,6 +134,14 @@ void print_outer(Body& body, const Stmt& stmt) {
         return;
     }
     case StmtOp::report: return p.out.line(report_text(body, stmt));
+    case StmtOp::load_rows:
+        return p.out.line(concat("glift::host::load_rows(", row_arguments(body, stmt.slot, stmt.value), ", ",
+                                 cpp::print_any(p, stmt.target), ");"));
+    case StmtOp::store_rows:
+        return p.out.line(concat("glift::host::store_rows(", row_arguments(body, stmt.slot, stmt.target), ", ",
+                                 cpp::print_any(p, stmt.value), ");"));
+    case StmtOp::keep:
+    case StmtOp::invocations:
 #define VALUE_STATEMENT(name) case StmtOp::name:
 #define STRUCTURE_STATEMENT(name) case StmtOp::name:
 #define HOST_STATEMENT(name) case StmtOp::name:
@@ -139,15 +149,6 @@ void print_outer(Body& body, const Stmt& stmt) {
         break;
     }
     ir::misplaced(stmt.op, "emit/host: a lowered pass");
-}
-
-bool print_row_move(Body& body, const Stmt& loop) {
-    const std::optional<RowMove> move = row_move_of(body.p.program, body.pass, loop);
-    if (!move) return false;
-    body.p.out.line(concat("glift::host::", move->is_load ? "load_rows(" : "store_rows(",
-                           row_arguments(body, move->binding, move->first), ", ", cpp::print_any(body.p, move->array),
-                           ");"));
-    return true;
 }
 
 void print_local_function(Body& body, ir::FunctionId id) {
@@ -179,7 +180,6 @@ Body::Body(cpp::Globals& globals, const ir::Pass& pass) : pass(pass), p(globals)
         parameter_names.push_back(p.names.declare(parameter.name));
     p.outer_expression = [this](const Expr& expr) { return print_outer(*this, expr); };
     p.outer_place = [this](const Expr& load) { return element_text(*this, load.slot, load.operands[0]); };
-    p.outer_loop = [this](const Stmt& loop) { return print_row_move(*this, loop); };
     p.outer_statement = [this](const Stmt& stmt) { print_outer(*this, stmt); };
 }
 

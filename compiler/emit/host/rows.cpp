@@ -1,8 +1,8 @@
-// Kernels without a group: a loop along x for each row of elements.
+// Kernels without a group: a loop along x for each row of elements. Accesses of rows go through pointers to their first
+// element.
 #include "base/concat.h"
-#include "emit/host/affine.h"
+#include "emit/cpp/mentions.h"
 #include "emit/host/body.h"
-#include "emit/host/guards.h"
 #include "ir/walk.h"
 
 #include <map>
@@ -17,82 +17,31 @@ using ir::Stmt;
 using ir::StmtId;
 using ir::StmtOp;
 
-bool is_unconditional(ir::BinaryOp op) { return op != ir::BinaryOp::logical_and && op != ir::BinaryOp::logical_or; }
-
 struct RowAccess {
     std::uint32_t binding;
     ExprId index;
 };
 
-/// Loads that every element of the row executes.
-void collect_loads(const ir::Program& program, const ir::Pass& pass, ExprId id, Affine& affine,
-                   std::vector<RowAccess>& found) {
-    if (!id) return;
-    const ir::Expr& expr = program.exprs[id];
-    if (expr.op == Op::load && !is_row(program.types, pass.bindings[expr.slot], expr.type) &&
-        affine.is_row(expr.operands[0])) {
-        found.push_back({expr.slot, expr.operands[0]});
-        return;
-    }
-    const bool whole = expr.op != Op::select && (expr.op != Op::binary || is_unconditional(expr.binary));
-    for (std::size_t i = 0; i < expr.operands.size() && (whole || i == 0); ++i)
-        collect_loads(program, pass, expr.operands[i], affine, found);
-}
-
-/// All accesses of a straight-line body that go through their memory in order. Ends at the first early return: what
-/// follows is not executed by every element.
-std::vector<RowAccess> row_accesses(const ir::Program& program, const ir::Pass& pass, const std::vector<StmtId>& body,
-                                    const std::set<ExprId>& unclamped) {
-    Affine affine(program, pass.address, unclamped);
+std::vector<RowAccess> row_accesses(const ir::Program& program, const std::vector<StmtId>& body) {
     std::vector<RowAccess> found;
-    const auto scan = [&](const auto& self, const std::vector<StmtId>& statements) -> bool {
-        for (StmtId id : statements) {
-            const Stmt& stmt = program.stmts[id];
-            if (stmt.op == StmtOp::return_) return false;
-            if (stmt.op == StmtOp::block) {
-                if (!self(self, stmt.body)) return false;
-                continue;
-            }
-            collect_loads(program, pass, stmt.value, affine, found);
-            if (stmt.op == StmtOp::store && affine.is_row(stmt.target) &&
-                !is_row(program.types, pass.bindings[stmt.slot], program.exprs[stmt.value].type))
-                found.push_back({stmt.slot, stmt.target});
-            if ((stmt.op == StmtOp::if_ || stmt.op == StmtOp::for_ || stmt.op == StmtOp::while_) &&
-                (returns_early(program, stmt.body) || returns_early(program, stmt.otherwise)))
-                return false;
-            affine.learn(stmt);
-        }
-        return true;
-    };
-    scan(scan, body);
-    return found;
-}
-
-/// Calls of clamp, min and max on a signed integer that advances by one along the row: in the middle of the row they
-/// change nothing, whatever translator they come from.
-std::set<ExprId> row_clamps(const ir::Program& program, const ir::Pass& pass, const std::vector<StmtId>& body) {
-    std::set<ExprId> clamps;
-    ir::for_each_expression_of_trees(program, body, [&](ExprId id) {
+    const auto add_load = [&](ExprId id) {
         const ir::Expr& expr = program.exprs[id];
-        if (expr.op == Op::intrinsic && expr.type == program.types.int_ &&
-            (expr.intrinsic == ir::Intrinsic::clamp || expr.intrinsic == ir::Intrinsic::min ||
-             expr.intrinsic == ir::Intrinsic::max))
-            clamps.insert(id);
+        if (expr.op == Op::row_load) found.push_back({expr.slot, expr.operands[0]});
+    };
+    ir::for_each_statement(program, body, [&](const Stmt& stmt) {
+        ir::for_each_root(stmt, [&](ExprId root) { ir::for_each_node(program, root, add_load); });
+        if (stmt.op == StmtOp::row_store) found.push_back({stmt.slot, stmt.target});
     });
-    if (clamps.empty()) return clamps;
-    Affine affine(program, pass.address);
-    for (StmtId id : body) affine.learn(program.stmts[id]);
-    std::erase_if(clamps, [&](ExprId id) {
-        const ir::Operands& operands = program.exprs[id].operands;
-        bool steady = affine.is_row(operands[0]);
-        for (std::size_t i = 1; i < operands.size(); ++i) steady = steady && affine.is_steady(operands[i]);
-        return !steady;
-    });
-    return clamps;
+    return found;
 }
 
 /// True of a `let` whose value nobody misses if nobody reads it.
 bool is_let(const Stmt& stmt) { return stmt.op == StmtOp::let && stmt.value; }
+
+/// A part of a row, in the form that the variant wants: none or at least a block.
+std::string in_blocks_text(const ir::Variant& variant, const std::string& part, const std::string& end) {
+    return variant.order == ir::RowOrder::in_blocks ? "glift::host::in_blocks(" + part + ", " + end + ")" : part;
+}
 
 struct Rows {
     Body body;
@@ -110,18 +59,16 @@ struct Rows {
     void print_element(const std::vector<StmtId>& statements);
     void print_values_at(const std::vector<StmtId>& statements, const std::vector<ExprId>& wanted,
                          const std::string& begin);
-    void print_inside(const std::vector<StmtId>& statements, const std::set<ExprId>& clamps, const std::string& begin,
+    void print_inside(const ir::Variant& variant, const ir::Variant& bounded, const std::string& begin,
                       const std::string& end);
     void print_strides(const std::vector<StmtId>& statements, const std::string& begin, const std::string& end);
-    void print_plain_loop(const std::vector<StmtId>& statements, const std::string& begin, const std::string& end);
-    void print_blocks(const std::vector<StmtId>& statements, const std::string& begin, const std::string& end);
-    void print_middle(const std::vector<StmtId>& statements, const std::string& begin, const std::string& end);
+    void print_plain_loop(const ir::Variant& variant, const std::string& begin, const std::string& end);
+    void print_blocks(const ir::Variant& variant, const std::string& begin, const std::string& end);
+    void print_part(const ir::Variant& variant, const std::string& begin, const std::string& end);
     void open_sections(const std::string& name, const std::string& begin, const std::string& middle,
                        const std::string& end);
     void close_sections();
-    void print_loop(const std::vector<StmtId>& statements, const std::string& begin, const std::string& end);
-    bool is_independent(const std::vector<StmtId>& statements) const;
-    bool fills_blocks(const std::vector<StmtId>& statements) const;
+    void print_loop(const ir::Variant& variant, const std::string& begin, const std::string& end);
 };
 
 void Rows::print_address(const std::string& x) {
@@ -188,7 +135,7 @@ std::vector<StmtId> Rows::without_unused(const std::vector<StmtId>& statements, 
         if (!id) return;
         const ir::Expr& expr = program.exprs[id];
         if (expr.op == Op::local) read.insert(expr.local);
-        if (expr.op == Op::load && body.row_pointers.contains({expr.slot, expr.operands[0]})) return;
+        if (expr.op == Op::row_load) return;
         for (ExprId operand : expr.operands) self(self, operand);
     };
     std::vector<StmtId> kept;
@@ -198,8 +145,7 @@ std::vector<StmtId> Rows::without_unused(const std::vector<StmtId>& statements, 
         if (is_let(last) && !read.contains(last.local)) continue;
         kept.push_back(statements[i]);
         const auto note_statement = [&](const Stmt& stmt) {
-            if (stmt.op != StmtOp::store || !body.row_pointers.contains({stmt.slot, stmt.target}))
-                note(note, stmt.target);
+            if (stmt.op != StmtOp::row_store) note(note, stmt.target);
             note(note, stmt.value);
             note(note, stmt.limit);
         };
@@ -208,15 +154,6 @@ std::vector<StmtId> Rows::without_unused(const std::vector<StmtId>& statements, 
         ir::for_each_statement(program, last.otherwise, note_statement);
     }
     return {kept.rbegin(), kept.rend()};
-}
-
-bool Rows::is_independent(const std::vector<StmtId>& statements) const {
-    bool independent = true;
-    ir::for_each_statement(program, statements,
-                           [&](const Stmt& stmt) { independent = independent && stmt.op != StmtOp::atomic; });
-    for (const ir::PassBinding& binding : pass.bindings)
-        independent = independent && !binding.atomic && !binding.coherent;
-    return independent;
 }
 
 /// What one element does; `return` goes on with the next.
@@ -240,8 +177,9 @@ void Rows::print_element(const std::vector<StmtId>& statements) {
 }
 
 /// One loop over the elements with x in [begin, end).
-void Rows::print_plain_loop(const std::vector<StmtId>& statements, const std::string& begin, const std::string& end) {
-    const std::vector<RowAccess> accesses = row_accesses(program, pass, statements, p.identities);
+void Rows::print_plain_loop(const ir::Variant& variant, const std::string& begin, const std::string& end) {
+    const std::vector<StmtId>& statements = variant.body;
+    const std::vector<RowAccess> accesses = row_accesses(program, statements);
     body.row_pointers.clear();
     p.marked_line = 0;
     p.names.enter();
@@ -251,7 +189,7 @@ void Rows::print_plain_loop(const std::vector<StmtId>& statements, const std::st
     }
     IdSet<ir::Local> read;
     const std::vector<StmtId> kept = without_unused(statements, read);
-    if (is_independent(kept)) p.out.line("GLIFT_INDEPENDENT");
+    if (variant.order != ir::RowOrder::ascending) p.out.line("GLIFT_INDEPENDENT");
     if (accesses.empty()) {
         p.out.open("for (uint x = " + begin + "; x < " + end + "; ++x)");
         if (read.contains(pass.address)) print_address("x");
@@ -266,24 +204,10 @@ void Rows::print_plain_loop(const std::vector<StmtId>& statements, const std::st
     p.names.leave();
 }
 
-/// True if some elements may be worked on twice: no memory is read that is written, and nothing but memory is changed.
-/// And if all elements do the same, so that it pays.
-bool Rows::fills_blocks(const std::vector<StmtId>& statements) const {
-    if (!is_independent(statements)) return false;
-    for (std::uint32_t i = 0; i < pass.bindings.size(); ++i) {
-        if (pass.bindings[i].access == ir::Access::read_write || pass.bindings[i].one_place != i) return false;
-    }
-    bool straight = true;
-    ir::for_each_statement(program, statements, [&](const Stmt& stmt) {
-        straight = straight && (stmt.op == StmtOp::let || stmt.op == StmtOp::assign || stmt.op == StmtOp::store ||
-                                stmt.op == StmtOp::block);
-    });
-    return straight;
-}
-
 /// A loop over the elements with x in [begin, end), which are none or fill a block, in blocks that may overlap.
-void Rows::print_blocks(const std::vector<StmtId>& statements, const std::string& begin, const std::string& end) {
-    const std::vector<RowAccess> accesses = row_accesses(program, pass, statements, p.identities);
+void Rows::print_blocks(const ir::Variant& variant, const std::string& begin, const std::string& end) {
+    const std::vector<StmtId>& statements = variant.body;
+    const std::vector<RowAccess> accesses = row_accesses(program, statements);
     body.row_pointers.clear();
     p.marked_line = 0;
     p.names.enter();
@@ -293,7 +217,7 @@ void Rows::print_blocks(const std::vector<StmtId>& statements, const std::string
     const std::vector<StmtId> kept = without_unused(statements, read);
     p.out.line("const std::size_t count = " + end + " - " + begin + ";");
     p.out.open("for (std::size_t block = 0; block < count; block += glift::host::block_elements)");
-    p.out.line("const std::size_t first = std::min(block, count - glift::host::block_elements);");
+    p.out.line("const std::size_t first = glift::host::begin_of_block(block, count);");
     p.out.line("GLIFT_BLOCK");
     p.out.open("for (std::size_t lane = 0; lane < glift::host::block_elements; ++lane)");
     p.out.line("const std::size_t i = first + lane;");
@@ -306,38 +230,33 @@ void Rows::print_blocks(const std::vector<StmtId>& statements, const std::string
     p.names.leave();
 }
 
-/// The loop over the middle of a row; the elements are none or fill a block where that can be.
-void Rows::print_middle(const std::vector<StmtId>& statements, const std::string& begin, const std::string& end) {
-    if (fills_blocks(statements)) print_blocks(statements, begin, end);
-    else print_plain_loop(statements, begin, end);
+void Rows::print_part(const ir::Variant& variant, const std::string& begin, const std::string& end) {
+    if (variant.order == ir::RowOrder::in_blocks) print_blocks(variant, begin, end);
+    else print_plain_loop(variant, begin, end);
 }
 
-/// Declares `inside`: where none of the clamps changes anything.
-void Rows::print_inside(const std::vector<StmtId>& statements, const std::set<ExprId>& clamps, const std::string& begin,
+/// Declares `inside`: where the bounds hold.
+void Rows::print_inside(const ir::Variant& variant, const ir::Variant& bounded, const std::string& begin,
                         const std::string& end) {
     p.out.line("glift::host::Unclamped unclamped;");
     p.out.open("");
     p.names.enter();
     std::vector<ExprId> wanted;
-    for (ExprId clamp : clamps) {
-        for (ExprId operand : program.exprs[clamp].operands) wanted.push_back(operand);
-    }
-    print_values_at(statements, wanted, begin);
+    for (const ir::Bounds& bounds : bounded.assumes.bounds)
+        for (ExprId part : {bounds.value, bounds.low, bounds.high})
+            if (part) wanted.push_back(part);
+    print_values_at(variant.body, wanted, begin);
     std::set<std::string> printed;
-    for (ExprId clamp : clamps) {
-        const ir::Expr& expr = program.exprs[clamp];
-        const auto operand = [&](std::size_t i) { return cpp::print_any(p, expr.operands[i]); };
-        std::string low = "INT32_MIN", high = "INT32_MAX";
-        if (expr.intrinsic == ir::Intrinsic::clamp) low = operand(1), high = operand(2);
-        else (expr.intrinsic == ir::Intrinsic::min ? high : low) = operand(1);
-        const std::string line = "unclamped.keep(" + operand(0) + ", " + low + ", " + high + ");";
+    for (const ir::Bounds& bounds : bounded.assumes.bounds) {
+        const auto limit = [&](ExprId id, const char* none) { return id ? cpp::print_any(p, id) : std::string(none); };
+        const std::string line = "unclamped.keep(" + cpp::print_any(p, bounds.value) + ", " +
+                                 limit(bounds.low, "INT32_MIN") + ", " + limit(bounds.high, "INT32_MAX") + ");";
         if (printed.insert(line).second) p.out.line(line);
     }
     p.names.leave();
     p.out.close();
     const std::string inside = "unclamped.of(" + begin + ", " + end + ")";
-    p.out.line("const glift::host::Part inside = " +
-               (fills_blocks(statements) ? "glift::host::in_blocks(" + inside + ", " + end + ")" : inside) + ";");
+    p.out.line("const glift::host::Part inside = " + in_blocks_text(bounded, inside, end) + ";");
 }
 
 /// A loop over what lies before the middle, the middle, and what lies behind it; the middle comes first in the text.
@@ -358,81 +277,54 @@ void Rows::close_sections() {
 void Rows::print_strides(const std::vector<StmtId>& statements, const std::string& begin, const std::string& end) {
     p.marked_line = 0;
     p.names.enter();
-    IdSet<ir::Local> read;
-    const std::vector<StmtId> kept = without_unused(statements, read);
     p.out.open("for (uint x = " + begin + "; x < " + end + "; ++x)");
-    if (read.contains(pass.address)) p.out.line("const uint address = x * " + std::to_string(pass.items) + ";");
-    Guards guards = find_guards(p, pass, kept);
-    if (guards.tests.empty()) {
-        print_element(kept);
-    } else {
-        std::string all = guards.tests[0];
-        for (std::size_t i = 1; i < guards.tests.size(); ++i) all += " && " + guards.tests[i];
-        p.out.open("if (" + all + ")");
-        p.truths = std::move(guards.conditions);
-        p.unread = std::move(guards.unread);
-        print_element(kept);
-        p.truths.clear();
-        p.unread.clear();
-        p.out.dedent();
-        p.out.open("} else");
-        p.marked_line = 0;
-        print_element(kept);
-        p.out.close();
-    }
+    if (cpp::mentions(program, statements, pass.address))
+        p.out.line("const uint address = x * " + std::to_string(pass.items) + ";");
+    print_element(statements);
     p.out.close();
     p.names.leave();
 }
 
-/// Loops over the elements with x in [begin, end): one, or the ends apart from the middle where clamps change nothing.
-void Rows::print_loop(const std::vector<StmtId>& statements, const std::string& begin, const std::string& end) {
+/// Loops over the elements with x in [begin, end): one, or the ends apart from the middle where bounds hold.
+void Rows::print_loop(const ir::Variant& variant, const std::string& begin, const std::string& end) {
     p.local_names[pass.address] = "address";
-    if (pass.items != 1) return print_strides(statements, begin, end);
-    const std::set<ExprId> clamps = row_clamps(program, pass, statements);
-    if (clamps.empty() || row_accesses(program, pass, statements, clamps).empty())
-        return print_plain_loop(statements, begin, end);
-    print_inside(statements, clamps, begin, end);
+    if (pass.items != 1) return print_strides(variant.body, begin, end);
+    const ir::Variant* bounded = bounded_variant_of(pass, variant);
+    if (bounded == nullptr) return print_part(variant, begin, end);
+    print_inside(variant, *bounded, begin, end);
     open_sections("stretch", begin, "inside", end);
-    p.identities = clamps;
-    print_middle(statements, "stretch.begin", "stretch.end");
-    p.identities.clear();
+    print_part(*bounded, "stretch.begin", "stretch.end");
     p.out.dedent();
     p.out.open("} else");
-    print_plain_loop(statements, "stretch.begin", "stretch.end");
+    print_part(variant, "stretch.begin", "stretch.end");
     close_sections();
 }
 
 void print_parts(Rows& rows) {
     const ir::Pass& pass = rows.pass;
     cpp::Writer& out = rows.p.out;
-    if (pass.interior_body.empty() || pass.interior_domain >= pass.parameters.size()) {
-        rows.print_loop(pass.body, "row.begin", "row.end");
-        return;
-    }
+    const ir::Variant& variant = variant_for(pass, ir::Devices::host);
+    const ir::Variant* inside = interior_variant_for(pass, ir::Devices::host);
+    if (inside == nullptr) return rows.print_loop(variant, "row.begin", "row.end");
+    const ir::Interior& assumed = *inside->assumes.interior;
     const auto parameter = [&](std::uint32_t index) {
         rows.body.used_parameters.insert(index);
         return rows.body.parameter_names[index];
     };
-    const std::string domain = parameter(pass.interior_domain);
-    const std::string origin = pass.interior_origin < pass.parameters.size() ? parameter(pass.interior_origin)
-                               : pass.rank == 1                              ? "0u"
-                                                : "uint" + std::to_string(pass.rank) + "()";
+    const std::string domain = parameter(assumed.domain);
+    const std::string origin = assumed.origin != ir::no_parameter ? parameter(assumed.origin)
+                               : pass.rank == 1                   ? "0u"
+                                                                  : "uint" + std::to_string(pass.rank) + "()";
     const std::string interior =
-        "glift::host::interior_of(row, " + origin + ", " + domain + ", " + std::to_string(pass.interior_radius) + ")";
-    rows.p.local_names[pass.address] = "address";
-    const bool in_blocks = rows.fills_blocks(pass.interior_body) &&
-                           row_clamps(rows.program, pass, pass.interior_body).empty() &&
-                           !row_accesses(rows.program, pass, pass.interior_body, {}).empty();
-    out.line("const glift::host::Part interior = " +
-             (in_blocks ? "glift::host::in_blocks(" + interior + ", row.end)" : interior) + ";");
+        "glift::host::interior_of(row, " + origin + ", " + domain + ", " + std::to_string(assumed.radius) + ")";
+    out.line("const glift::host::Part interior = " + in_blocks_text(*inside, interior, "row.end") + ";");
     rows.open_sections("part", "row.begin", "interior", "row.end");
     out.line("// All neighbours exist.");
-    if (in_blocks) rows.print_blocks(pass.interior_body, "part.begin", "part.end");
-    else rows.print_loop(pass.interior_body, "part.begin", "part.end");
+    rows.print_loop(*inside, "part.begin", "part.end");
     out.dedent();
     out.open("} else");
     out.line("// Near the sides of the domain.");
-    rows.print_loop(pass.body, "part.begin", "part.end");
+    rows.print_loop(variant, "part.begin", "part.end");
     rows.close_sections();
 }
 

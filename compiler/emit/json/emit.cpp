@@ -228,7 +228,8 @@ void Writer::form(const ir::Pass& pass, const std::vector<Root>& roots) {
     if (!pass.exists) return out.null();
     out.object([&] {
         list("group", pass.group, [&](std::uint32_t extent) { out.value(extent); });
-        list("items", pass.taken, [&](std::uint32_t count) { out.value(count); });
+        list("items", variant_for(pass, ir::Devices::shaders).assumes.elements,
+             [&](std::uint32_t count) { out.value(count); });
         out.key("parameters");
         parameters(pass, roots);
         out.key("bindings");

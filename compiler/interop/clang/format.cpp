@@ -42,7 +42,7 @@ extern "C" void glift_clang_format(std::string_view text, std::string_view wante
         result.error = llvm::toString(style.takeError());
         return;
     }
-    // The order of includes in generated code has its reasons.
+    // The order of includes in generated code matters.
     style->SortIncludes = FormatStyle::SI_Never;
     const llvm::StringRef code(text.data(), text.size());
     const clang::tooling::Range all(0, static_cast<unsigned>(text.size()));

@@ -1,4 +1,4 @@
-// import_struct: parses a C++ header with clang and reads a struct's layout off its tree.
+// import_struct: parses a C++ header with clang and reads a struct's layout from the AST.
 
 #include "interop/plugin.h"
 
@@ -21,7 +21,7 @@ namespace {
 
 using namespace clang;
 
-/// Keeps the first error of the parse, with its place.
+/// Keeps the first error of the parse, with its location.
 class FirstError final : public DiagnosticConsumer {
 public:
     explicit FirstError(ImportResult& result) : result_(result) {}
@@ -117,7 +117,7 @@ private:
         return context_.getSourceManager().getPresumedLoc(location).getLine();
     }
 
-    /// A struct whose bytes can be copied to the device, and whose fields are all there is in it.
+    /// Whether the struct can be copied bytewise to the device and consists of its named fields only.
     bool check(const CXXRecordDecl& record) {
         const std::string name = "'" + record.getQualifiedNameAsString() + "'";
         if (!record.isStruct() && !record.isClass()) {

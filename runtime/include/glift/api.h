@@ -1,5 +1,5 @@
-// What the runtime library exports. Everything else in it stays hidden, so that its own Vulkan function pointers never
-// meet those of the program that uses it.
+// What the runtime library exports. All other symbols are hidden, so that its Vulkan function pointers cannot clash
+// with those of the program.
 #pragma once
 
 #if defined(_MSVC_LANG) ? _MSVC_LANG < 202002L : __cplusplus < 202002L
@@ -12,5 +12,5 @@
 #define GLIFT_API __attribute__((visibility("default")))
 #endif
 
-// Before functions that several generated sources may define, all alike: the linker takes one.
+// Marks functions that several generated sources define identically; the linker keeps one.
 #define GLIFT_SHARED __attribute__((weak))

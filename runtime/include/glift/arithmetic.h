@@ -1,4 +1,4 @@
-// Integer and conversion rules of the language where C++ leaves them open: nothing here is undefined.
+// Integer arithmetic and conversions of the language, defined for operands where C++ leaves them undefined.
 #pragma once
 
 #include <glift/half.h>
@@ -13,19 +13,19 @@ template <class T> inline constexpr bool is_integer = std::is_integral_v<T> && !
 
 template <class T> inline constexpr bool is_floating = std::is_floating_point_v<T> || std::is_same_v<T, half>;
 
-/// What an integer is divided by: one in place of zero, and of -1 under the smallest value.
+/// The divisor that is used for a / b: 1 in place of 0, and in place of -1 where the quotient would overflow.
 template <class T> constexpr T divisor(T a, T b) {
     if constexpr (std::is_signed_v<T>) return b == 0 || (b == -1 && a == std::numeric_limits<T>::min()) ? T{1} : b;
     else return b > 0 ? b : T{1};
 }
 
-/// a / b. An integer by zero is a itself.
+/// a / b; for integers a where b is 0.
 template <class T> constexpr T divide(T a, T b) {
     if constexpr (std::is_integral_v<T>) return static_cast<T>(a / divisor(a, b));
     else return a / b;
 }
 
-/// a % b, with the sign of a; by zero zero.
+/// a % b, with the sign of a; 0 where b is 0.
 template <class T> constexpr T remainder(T a, T b) { return static_cast<T>(a % divisor(a, b)); }
 
 /// Shifts take their amount modulo the width of a.

@@ -1,12 +1,15 @@
-// Virtual addresses and sizes as four numbers, and boxes of them.
+// Virtual addresses and sizes padded to four numbers, and boxes of them.
 #pragma once
 
+#include <glift/api.h>
 #include <glift/error.h>
 #include <glift/extent.h>
 #include <glift/vector.h>
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <string>
 
 namespace glift {
@@ -24,14 +27,14 @@ template <unsigned N> struct Axes<vec<uint, N>> {
     static constexpr std::uint32_t at(const vec<uint, N>& a, unsigned i) { return a[i]; }
 };
 
-/// A virtual address or size as four numbers; axes that it does not have are `rest`.
+/// A virtual address or size padded to four numbers with `rest`.
 template <class A> constexpr Extent extent_of(const A& a, std::uint32_t rest = 1) {
     Extent extent;
     for (unsigned i = 0; i < 4; ++i) extent[i] = i < Axes<A>::count ? Axes<A>::at(a, i) : rest;
     return extent;
 }
 
-/// Elements of a box; 2^64 - 1 where there are more.
+/// Elements of a box; saturates at 2^64 - 1.
 constexpr std::uint64_t volume_of(const Extent& extent) {
     if (std::ranges::find(extent, 0u) != extent.end()) return 0;
     std::uint64_t volume = 1;
@@ -39,20 +42,16 @@ constexpr std::uint64_t volume_of(const Extent& extent) {
     return volume;
 }
 
-inline std::string text_of(const Extent& extent, unsigned rank) {
-    std::string text = "{";
-    for (unsigned i = 0; i < rank; ++i) text += (i ? ", " : "") + std::to_string(extent[i]);
-    return text + "}";
-}
+GLIFT_API std::string text_of(const Extent& extent, unsigned rank);
 
-/// A box as the checks see it.
+/// A box of the structure `name`, for checks of bounds and overlap.
 struct Box {
     const char* name;
     unsigned rank;
     Extent origin, size, domain;
 
-    /// Of boxes of one domain.
-    bool meets(const Box& other) const {
+    /// Whether two boxes of one domain share an element.
+    bool overlaps(const Box& other) const {
         for (unsigned i = 0; i < rank; ++i) {
             if (std::uint64_t{origin[i]} + size[i] <= other.origin[i]) return false;
             if (std::uint64_t{other.origin[i]} + other.size[i] <= origin[i]) return false;
@@ -67,39 +66,19 @@ struct Box {
     }
 };
 
-[[noreturn]] inline void throw_outside(const std::string& where, const Box& box) {
-    throw Error(ErrorCode::wrong_argument, std::string("a box of ") + box.name + " lies outside its domain", where,
-                box.name + (" starts at " + text_of(box.origin, box.rank)) + " and is " + text_of(box.size, box.rank) +
-                    " large, the domain is " + text_of(box.domain, box.rank),
-                "pass a box inside the domain");
-}
+// Not inline, since programs have many calls of them.
 
-[[noreturn]] inline void throw_outside_range(const char* name, const Box& box) {
-    throw Error(ErrorCode::wrong_argument,
-                std::string("a box lies outside the range of ") + name + " that it is taken from",
-                std::string(name) + "::range",
-                "it starts at " + text_of(box.origin, box.rank) + " and is " + text_of(box.size, box.rank) +
-                    " large, the range is " + text_of(box.domain, box.rank),
-                "pass a box inside the range; its addresses count from the range's origin");
-}
-
-[[noreturn]] inline void throw_slice(const char* place, unsigned rank, const Extent& first, const Extent& last,
-                                     const Extent& whole) {
-    bool ends_first = false;
-    for (unsigned axis = 0; axis < rank; ++axis) ends_first = ends_first || last[axis] < first[axis];
-    throw Error(ErrorCode::wrong_argument,
-                ends_first ? "a slice ends before it begins" : "a slice lies outside what it is taken from", place,
-                "it goes from " + text_of(first, rank) + " to before " + text_of(last, rank) +
-                    ", and there are elements from 0 to before " + text_of(whole, rank),
-                "slice as a[first .. last], with first <= last and last no larger than the extent");
-}
-
-/// For structures that were default-made or moved from.
-[[noreturn]] inline void throw_empty_structure(const char* type, const char* operation) {
-    throw Error(ErrorCode::wrong_argument, std::string("an empty ") + type + " was used",
-                std::string(type) + "::" + operation, "it was default-made, or moved from",
-                std::string("make it with a device first: ") + type + "(device, ...)");
-}
+[[noreturn]] GLIFT_API void throw_outside(const std::string& where, const Box& box);
+/// The error's place is `type::operation`.
+[[noreturn]] GLIFT_API void throw_outside(const char* type, const char* operation, const Box& box);
+[[noreturn]] GLIFT_API void throw_outside_range(const char* name, const Box& box);
+[[noreturn]] GLIFT_API void throw_outside_mapped(const Box& box);
+[[noreturn]] GLIFT_API void throw_slice(const char* place, unsigned rank, const Extent& first, const Extent& last,
+                                        const Extent& whole);
+/// For a count of values other than the number of elements of a box of `type`.
+[[noreturn]] GLIFT_API void throw_count(const char* type, std::size_t given, const Extent& size, unsigned rank);
+/// For structures that were default-constructed or moved from.
+[[noreturn]] GLIFT_API void throw_empty_structure(const char* type, const char* operation);
 
 }  // namespace detail
 

@@ -29,7 +29,7 @@ class TimestampObject;
 [[noreturn]] GLIFT_API void throw_not_in_recording(const char* call);
 }  // namespace detail
 
-/// Bytes `from` .. `from + bytes` of the source go to `to` .. of the target.
+/// Bytes [from, from + bytes) of the source go to the target from `to` on.
 struct CopyRegion {
     std::uint64_t from = 0, to = 0, bytes = 0;
 };
@@ -95,8 +95,8 @@ public:
     /// Whether what is put here runs later, perhaps many times: in a recording, or in the user's command buffer.
     bool is_recording() const;
 
-    /// True if these memories or this iteration size are too large for the direct and the general form, or if memories
-    /// that are one place under two names need pointers on this device: pack the wide parameters then (pass.h).
+    /// True if these memories or this iteration size are too large for the direct and the general form, or if bindings
+    /// that alias (Sharing::one_place) need pointers on this device: pack the wide parameters then (pass.h).
     bool needs_wide(const Kernel& kernel, std::span<const Memory> memories, const std::array<std::uint32_t, 4>& size,
                     Sharing sharing = Sharing::unknown) const;
 
@@ -108,17 +108,17 @@ public:
     /// take the direct form, and the host device, use the values as they are.
     Commands specialised(std::vector<std::string> parameters = {}) const;
 
-    /// The same stream, which leaves what it allocates as it is: whatever was in that storage before, until it is
-    /// written. Where GLIFT_POISON=1 is set, as `gliftc test` does, buffers hold a pattern instead, another one on the
-    /// host device than on Vulkan devices, so that results that depend on it differ.
+    /// The same stream, but what it allocates is not zeroed: it holds whatever that storage held before. With
+    /// GLIFT_POISON=1, which `gliftc test` sets, buffers begin with a pattern instead, another one on the host device
+    /// than on Vulkan devices, so that results which depend on it differ.
     Commands uninitialized() const;
 
-    /// Like Device::allocate. In a recording the memory is zeros again whenever a replay comes here, lies in the
-    /// recording's workspace, and belongs to whatever comes later once its last handle is gone.
+    /// Like Device::allocate. In a recording the memory lies in the recording's workspace and is zeroed here by each
+    /// replay; once its last handle is gone, later allocations of the recording reuse its storage.
     Memory allocate(const MemoryDescription& description) const;
 
-    /// The memory, which is to stand where `allocate(description)` would. Throws wrong_argument unless it is of this
-    /// device, of the kind, format and extent described, and as large at least.
+    /// Returns `memory`, to be used in place of `allocate(description)`. Throws wrong_argument unless it is of this
+    /// device, of the kind, format and extent described, and at least as large.
     Memory adopt(Memory memory, const MemoryDescription& description) const;
 
     void fill(const Memory& memory, std::uint64_t offset, std::uint64_t bytes,
@@ -152,7 +152,7 @@ public:
     const std::shared_ptr<detail::Stream>& share() const { return stream_.share(); }
 
 private:
-    /// Throws where there is none, or where it takes no more commands.
+    /// Throws for an empty handle, and where recording has ended.
     detail::Stream& stream(const char* call) const;
     detail::Stream& stream(const Kernel& kernel) const;
 

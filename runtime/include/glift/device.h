@@ -37,8 +37,8 @@ struct DeviceProperties {
     std::array<std::uint32_t, 3> max_workgroups = {UINT32_MAX, UINT32_MAX, UINT32_MAX};
     std::array<std::uint32_t, 3> max_workgroup_size = {1024, 1024, 64};
     std::uint32_t max_workgroup_invocations = 1024;
-    std::uint64_t loop_round_limit = unlimited;  ///< loop rounds of one invocation before the device cuts it off
-    bool fences_are_barriers = false;            ///< a fence that not all subgroups come by cuts some of them off
+    std::uint64_t loop_round_limit = unlimited;  ///< loop iterations after which the device ends an invocation
+    bool fences_are_barriers = false;            ///< a fence that not all subgroups of a workgroup reach ends some
     double timestamp_seconds = 1e-9;             ///< one tick
     bool int8 = false, int16 = false, int64 = false, float16 = false, float64 = false;
     bool int64_atomics = false;
@@ -52,7 +52,7 @@ struct DeviceProperties {
     bool push_descriptors = false;
 };
 
-/// Counted since the device was opened; the bytes are those of the moment.
+/// Counted since the device was opened; memories and bytes are current values.
 struct Statistics {
     std::uint64_t submissions = 0;
     std::uint64_t passes = 0;          ///< dispatches of kernels (a replayed pass counts at each replay)
@@ -68,8 +68,8 @@ struct Statistics {
 class GLIFT_API Device {
 public:
     /// `gpu`, `lavapipe`, `host`, or part of a device's name. Without an argument the environment variable GLIFT_DEVICE
-    /// decides in the same words; without that, the best GPU, else a CPU that runs Vulkan, which the log (log.h) tells
-    /// once. Never the host unless asked.
+    /// decides, with the same values; without that, the best GPU, else a CPU that runs Vulkan, which is logged once
+    /// (log.h). Never the host unless asked.
     ///
     /// Other environment variables: GLIFT_VALIDATE=1 turns on the validation layer; GLIFT_CACHE_DIR says where
     /// compiled pipelines are kept (default: $XDG_CACHE_HOME/glift or ~/.cache/glift; empty: nowhere);
@@ -88,8 +88,7 @@ public:
     Memory allocate(const MemoryDescription& description) const;
 
     /// The device's own stream: everything put there happens in order. Within a body of `record` or
-    /// `workspace_bytes`, on the thread that runs it, what is asked of the device goes where the body's commands go.
-    /// See commands.h.
+    /// `workspace_bytes`, on the thread that runs it, this is the body's stream. See commands.h.
     Commands commands() const;
 
     /// Captures what body(Commands&) does, to be submitted any number of times. See recording.h.

@@ -1,13 +1,10 @@
-// Sizes of memories, which generated code computes exactly: in 64 bits, and a number that passes 2^64 - 1 stays there,
-// more than any device has.
+// Sizes of memories are computed in 64 bits, saturating at 2^64 - 1, which is more than any device has.
 #pragma once
 
-#include <glift/error.h>
+#include <glift/api.h>
 #include <glift/vector.h>
 
-#include <algorithm>
 #include <cstdint>
-#include <string>
 
 namespace glift {
 
@@ -42,11 +39,14 @@ template <class I, unsigned N> constexpr exact_vec<N> saturated_shift(const exac
                        amount);
 }
 
-/// A number that a uint has to hold; `what` has it.
+namespace detail {
+[[noreturn]] GLIFT_API void throw_unfitted(std::uint64_t value, const char* what);
+}
+
+/// Narrows to uint; throws where the value does not fit, naming `what`.
 inline uint fitted(std::uint64_t value, const char* what = "") {
     if (value <= UINT32_MAX) return static_cast<uint>(value);
-    throw Error(ErrorCode::too_large, "a number that a uint holds passes 2^32 - 1", what,
-                "it is " + std::to_string(value), "make the structure smaller");
+    detail::throw_unfitted(value, what);
 }
 template <unsigned N> vec<uint, N> fitted(const exact_vec<N>& value, const char* what = "") {
     return detail::map([&](std::uint64_t part) { return fitted(part, what); }, value);

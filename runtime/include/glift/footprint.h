@@ -1,5 +1,5 @@
-// The elements that a call may touch of one structure, without the structure's type: what is compared where one memory
-// is passed for several parameters.
+// The elements that a call may touch of one structure, with the structure's type erased. They are compared where one
+// memory is passed for several parameters.
 #pragma once
 
 #include <glift/api.h>
@@ -12,13 +12,13 @@
 
 namespace glift::detail {
 
-/// Structures whose translator is affine and leads into a buffer: they say where an element lies.
+/// Structures whose translator is an affine map into a buffer: `place` is the index of an element there.
 template <class S>
 concept HasPlaces = requires(const S& s, typename S::Address a) {
     { s.place(a) } -> std::same_as<std::uint64_t>;
 };
 
-/// What is asked of a structure of one type; the address of the table tells the types apart.
+/// Type-erased functions of a structure type. Each type has one table, so that its address identifies the type.
 struct StructureTable {
     bool (*same_state)(const void* one, const void* other);
     std::uint64_t (*place)(const void* structure, const Extent& address);  ///< in elements; null: not HasPlaces
@@ -44,25 +44,32 @@ template <class S> inline constexpr StructureTable structure_table = [] {
     return table;
 }();
 
+/// The range as a box in the structure's domain. A function of its own for each type: calls of kernels are many.
+template <class S> [[gnu::noinline]] Box box_of(const char* name, const Range<S>& range) {
+    return {name, Axes<typename S::Address>::count, extent_of(range.origin(), 0), extent_of(range.size()),
+            extent_of(range->domain())};
+}
+
 /// The range that a call gives to one parameter.
 struct Footprint {
-    template <class S> Footprint(const Range<S>& range)
-        : structure(&range.structure()), table(&structure_table<S>),
-          is_whole(range.is_whole()), box{S::type_name, Axes<typename S::Address>::count, extent_of(range.origin(), 0),
-                                          extent_of(range.size()), extent_of(range->domain())} {}
+    /// Of an adaptor: bindings reach the whole of its members' memories.
+    Footprint() = default;
+    template <class S> [[gnu::noinline]] Footprint(const Range<S>& range)
+        : structure(&range.structure()), table(&structure_table<S>), is_whole(range.is_whole()),
+          box(box_of(S::type_name, range)) {}
 
-    const void* structure;
-    const StructureTable* table;
-    bool is_whole;
-    Box box;
+    const void* structure = nullptr;
+    const StructureTable* table = nullptr;
+    bool is_whole = true;
+    Box box{};
 };
 
-/// Whether some memory stands for two bindings and is written. Cheap: every call of a kernel asks.
+/// Whether one memory is bound twice and written through at least one of the bindings. Cheap: every call asks.
 GLIFT_API bool is_shared(const Kernel& kernel, std::span<const Memory> memories);
 
-/// What the parameters touch of the memories that they share. `footprints` are those of the structures that the kernel
+/// How the parameters overlap in the memories that they share. `footprints` are those of the structures that the kernel
 /// takes, in its order; `visited` is the box of the first one that it visits. Throws aliased_memory where invocations
-/// could meet.
+/// could race.
 GLIFT_API Sharing compare_footprints(const Kernel& kernel, std::span<const Memory> memories, const Box& visited,
                                      std::span<const Footprint> footprints);
 

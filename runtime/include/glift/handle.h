@@ -11,7 +11,7 @@ namespace glift::detail {
 /// Throws wrong_argument. `call` names the handle and what was asked of it: `Recording::submit`.
 [[noreturn]] GLIFT_API void throw_empty_handle(const char* call);
 
-/// A shared object that can only be reached through the check that it is there.
+/// A shared pointer that checks for null at each access.
 template <class Object> class Held {
 public:
     Held() = default;
@@ -21,7 +21,7 @@ public:
         if (!object_) throw_empty_handle(call);
         return *object_;
     }
-    /// Null where there is none.
+    /// Null for an empty handle.
     const std::shared_ptr<Object>& share() const { return object_; }
     explicit operator bool() const { return object_ != nullptr; }
     bool operator==(const Held&) const = default;

@@ -1,4 +1,4 @@
-// What the runtime says where no call can answer: a choice that it made, an error in a destructor.
+// Messages that no call can return: a default that the runtime chose, an error in a destructor.
 #pragma once
 
 #include <glift/api.h>

@@ -1,12 +1,12 @@
 // Boxes of a structure on the host.
 #pragma once
 
-#include <glift/log.h>
+#include <glift/api.h>
 #include <glift/range.h>
 
+#include <cstddef>
 #include <exception>
 #include <span>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -14,25 +14,8 @@ namespace glift {
 
 namespace detail {
 
-[[noreturn]] inline void throw_outside_mapped(const Box& box) {
-    throw Error(ErrorCode::wrong_argument, std::string("an address outside a mapped box of ") + box.name,
-                std::string(box.name) + "::map, Mapped::operator[]",
-                "address " + text_of(box.origin, box.rank) + ", the box is " + text_of(box.domain, box.rank),
-                "addresses count from the box's origin: stay below Mapped::size()");
-}
-
-[[noreturn]] inline void throw_unmapped(const char* type, const char* operation) {
-    throw Error(ErrorCode::wrong_argument, std::string("a box of ") + type + " is no longer mapped",
-                std::string("Mapped::") + operation, "it was unmapped, or moved from", "map it again");
-}
-
-inline void log_unwritten(const char* type, const std::exception& error) noexcept {
-    try {
-        log(std::string("the values of a mapped ") + type + " were not written: " + error.what());
-    } catch (...) {
-        // The log itself failed, and a destructor has no one else to tell.
-    }
-}
+[[noreturn]] GLIFT_API void throw_unmapped(const char* type, const char* operation);
+GLIFT_API void log_unwritten(const char* type, const std::exception& error) noexcept;
 
 }  // namespace detail
 

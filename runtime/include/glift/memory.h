@@ -2,6 +2,7 @@
 #pragma once
 
 #include <glift/handle.h>
+#include <glift/host/memory.h>
 
 #include <array>
 #include <cstddef>
@@ -9,32 +10,6 @@
 #include <memory>
 
 namespace glift {
-
-enum class MemoryKind : std::uint8_t { buffer, image1d, image2d, image3d, imagecube };
-
-/// How a texel is stored. Names are those of the language.
-enum class Format : std::uint8_t {
-    none,  // buffers
-    r8,
-    rg8,
-    rgba8,
-    r16f,
-    rg16f,
-    rgba16f,
-    r32f,
-    rg32f,
-    rgba32f,
-    r8ui,
-    r16ui,
-    r32ui,
-    rg32ui,
-    rgba32ui,
-    r32i,
-    rg32i,
-    rgba32i,
-    rgba8ui,
-    d32,
-};
 
 /// Bytes of one texel; 0 for Format::none.
 GLIFT_API std::uint32_t texel_bytes(Format format);
@@ -71,15 +46,6 @@ public:
 
 private:
     detail::Held<detail::MemoryObject> object_;
-};
-
-/// A memory as host kernels see it.
-struct HostMemory {
-    std::byte* data;  ///< buffers: elements in scalar layout; images: texels, row-major, no padding
-    std::uint64_t bytes;
-    std::array<std::uint32_t, 3> extent;  ///< images
-    Format format;
-    std::uint32_t mips;  ///< one level after the other, level 0 first; cubes: six faces in each level
 };
 
 }  // namespace glift

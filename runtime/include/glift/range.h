@@ -27,7 +27,8 @@ template <class T> struct DeviceScalar {
 
 namespace detail {
 
-/// A size that lives on the device, of a box that begins `before` elements after what it is the size of.
+/// A box's size that is computed on the device: `value` minus `before`, since the box begins `before` elements into the
+/// range that `value` is the size of.
 struct DeviceCount {
     DeviceValue value;
     Extent before{};
@@ -59,7 +60,7 @@ public:
     Address origin() const { return origin_; }
     Address size() const { return size_; }
     bool is_whole() const { return whole_; }
-    /// Where the number of elements along each axis comes from, the least of these; none where the host knows it.
+    /// The device values whose minimum is the number of elements along each axis; none where the host knows it.
     const std::vector<detail::DeviceCount>& device_counts() const { return counts_; }
 
     /// A box of this box.
@@ -111,7 +112,7 @@ template <class S> typename S::Address size_of(const Range<S>& range) { return r
 
 }  // namespace detail
 
-/// The box from one address to before another, as pipelines write it: a[first .. last]. `place`: where.
+/// The box [first, last), which pipelines write a[first .. last]. `place` is the source location, for errors.
 template <class S> auto slice(const S& from, typename S::Address first, typename S::Address last, const char* place) {
     const Extent begin = detail::extent_of(first, 0), end = detail::extent_of(last, 0);
     const Extent whole = detail::extent_of(detail::size_of(from));
@@ -121,7 +122,7 @@ template <class S> auto slice(const S& from, typename S::Address first, typename
     return from.range(first, last - first);
 }
 
-/// How many elements a structure or a box has; an error where a uint can't say it.
+/// How many elements a structure or a box has; throws where the number does not fit a uint.
 template <class S> uint element_count(const S& structure) {
     return fitted(detail::volume_of(detail::extent_of(detail::size_of(structure))), "count of a structure's elements");
 }

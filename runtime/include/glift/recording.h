@@ -13,10 +13,10 @@ namespace detail {
 class RecordingObject;
 }
 
-/// Holds the memories that its passes use. Memories that were made by its Commands, which is what temporaries of
-/// pipelines are, lie in a workspace of its own: where the last handle of one is gone before another is made, the two
-/// may have the same storage (buffers only: images have storage of their own on Vulkan devices). Parameters are those
-/// of the moment of recording; device values (patches, indirect sizes) are read anew by each replay.
+/// Keeps the memories alive that its passes use. Memories that were made by its Commands, such as temporaries of
+/// pipelines, lie in a workspace of its own: where the last handle of one is gone before another is made, the two may
+/// share storage (buffers only: images have storage of their own on Vulkan devices). Parameters are captured when
+/// recorded; device values (patches, indirect sizes) are read anew by each replay.
 class GLIFT_API Recording {
 public:
     Recording() = default;
@@ -39,8 +39,8 @@ GLIFT_API Recording end_recording(const Commands& commands);
 GLIFT_API Device begin_measuring(const Device& device);
 GLIFT_API std::uint64_t measured_bytes(const Device& measuring);
 
-/// The time of a body of Device::record or Device::workspace_bytes. While it lasts, what this thread asks of the device
-/// goes into the commands; afterwards the commands take nothing more.
+/// The scope of a body of Device::record or Device::workspace_bytes: this thread's commands to the device go into
+/// `commands`, which take none after it.
 class GLIFT_API RecordingScope {
 public:
     RecordingScope(const Device& device, const Commands& commands);

@@ -20,7 +20,7 @@ namespace glift {
 
 namespace detail {
 
-/// Structures whose translator is affine and leads into a buffer: they say where an element lies.
+/// Structures whose translator is an affine map into a buffer: `place` is the index of an element there.
 template <class S>
 concept HasRows = requires(const S& s, typename S::Address a) {
     { s.place(a) } -> std::same_as<std::uint64_t>;
@@ -29,8 +29,8 @@ concept HasRows = requires(const S& s, typename S::Address a) {
 
 inline constexpr std::size_t most_rows = 1 << 16, most_regions = 1024;
 
-/// The box as copies from host bytes, where elements stand in row-major order: each element once, rows that follow each
-/// other as one. Nothing where rows are not contiguous or too many: such boxes go through a kernel.
+/// The box as copy regions from row-major host bytes; adjacent rows are merged. Empty where rows are not contiguous or
+/// too many: a kernel moves such boxes.
 template <class S> std::optional<std::vector<CopyRegion>> rows_of(const S& structure, typename S::Address origin,
                                                                   typename S::Address size) {
     using Address = typename S::Address;
@@ -64,7 +64,8 @@ template <class S> std::optional<std::vector<CopyRegion>> rows_of(const S& struc
     return regions;
 }
 
-/// A structure that is to be a part of another, which would have made it with the same arguments.
+/// Checks a structure passed in as a member of another one; `alike`: it was made with the arguments that the
+/// declaration gives that member.
 template <class S> S&& part(S&& made, bool alike, const char* name) {
     if constexpr (requires { made.device(); }) (void)made.device();
     if (alike) return std::move(made);
@@ -74,12 +75,12 @@ template <class S> S&& part(S&& made, bool alike, const char* name) {
 
 }  // namespace detail
 
-/// The bytes of a buffer with this many elements; never none, so that an empty structure has a memory too.
+/// The bytes of a buffer with this many elements; at least one, so that an empty structure has a memory too.
 template <class T> constexpr std::uint64_t buffer_bytes(std::uint64_t count) {
     return saturated_sum(saturated_product(std::max<std::uint64_t>(1, count), sizeof(T)), 3) / 4 * 4;
 }
 
-/// The texels of an image; never none.
+/// The extent of an image, at least one texel.
 template <class A> constexpr std::array<std::uint32_t, 3> image_extent(const A& extent) {
     const Extent e = detail::extent_of(extent);
     return {std::max(e[0], 1u), std::max(e[1], 1u), std::max(e[2], 1u)};
@@ -95,7 +96,7 @@ public:
         const Self& self = static_cast<const Self&>(*this);
         const detail::Box box{Self::type_name, detail::Axes<A>::count, detail::extent_of(origin, 0),
                               detail::extent_of(size), detail::extent_of(self.domain())};
-        if (!box.is_inside()) detail::throw_outside(std::string(Self::type_name) + "::range", box);
+        if (!box.is_inside()) detail::throw_outside(Self::type_name, "range", box);
         return Range<Self>(self, origin, size);
     }
     /// As many elements from the first on, along each axis, as a value on the device says.
@@ -123,7 +124,8 @@ public:
     /// From the host to the device; the values are copied before the call returns.
     void write(A origin, A size, std::span<const T> values) {
         check("write", origin, size);
-        if (values.size() != count(size)) throw_count(values.size(), size);
+        if (values.size() != count(size))
+            detail::throw_count(Self::type_name, values.size(), detail::extent_of(size), detail::Axes<A>::count);
         each_part(origin, size,
                   [&](A first, A extent, std::size_t at) { put(first, extent, values.subspan(at, count(extent))); });
     }
@@ -142,7 +144,7 @@ public:
     }
     std::vector<T> read() const { return read({}, self().domain()); }
 
-    /// One element where it lies, left on the device: what it is when it is used, which may be later.
+    /// A reference to one element on the device, not a copy: its value is read when it is used.
     DeviceScalar<T> element_in_place(const Commands& commands, A address) const {
         if constexpr (detail::HasRows<Self>) {
             check("element", address, A(1));
@@ -151,7 +153,7 @@ public:
             return element(commands, address);
         }
     }
-    /// One element as it is now, left on the device.
+    /// A copy of one element, on the device.
     DeviceScalar<T> element(const Commands& commands, A address) const {
         check("element", address, A(1));
         const Memory box = commands.allocate(box_description(sizeof(T)));
@@ -191,7 +193,7 @@ private:
         return static_cast<std::size_t>(detail::volume_of(detail::extent_of(size)));
     }
 
-    /// Boxes are moved in parts that staging has room for: calls f(origin, size, elements before it) for each, cut
+    /// Boxes are moved in parts that fit the staging buffer: calls f(origin, size, elements before it) for each, split
     /// along the last axis that is longer than one.
     template <class F> static void each_part(A origin, A size, F f, std::size_t before = 0) {
         constexpr std::uint64_t most = (std::uint64_t{1} << 30) / sizeof(T) + 1;
@@ -253,16 +255,8 @@ private:
         device_of(operation);
         const detail::Box box{Self::type_name, detail::Axes<A>::count, detail::extent_of(origin, 0),
                               detail::extent_of(size), detail::extent_of(self().domain())};
-        if (!box.is_inside()) detail::throw_outside(std::string(Self::type_name) + "::" + operation, box);
+        if (!box.is_inside()) detail::throw_outside(Self::type_name, operation, box);
     }
-    [[noreturn]] void throw_count(std::size_t given, const A& size) const {
-        throw Error(ErrorCode::wrong_argument, "the values do not fill the box",
-                    std::string(Self::type_name) + "::write",
-                    std::to_string(given) + " values for a box of " +
-                        detail::text_of(detail::extent_of(size), detail::Axes<A>::count),
-                    "pass one value an element");
-    }
-
     Device device_;
 };
 

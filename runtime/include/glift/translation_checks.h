@@ -1,4 +1,4 @@
-// Checks of translators, which `gliftc test` makes without being asked.
+// Checks of translators, which `gliftc test` runs for every structure in use.
 #pragma once
 
 #include <glift/testing.h>
@@ -8,11 +8,11 @@
 
 namespace glift {
 
-/// Addresses that a translator is tried with: all of a small domain, else a spread.
+/// Addresses that a translator is tested with: all of a small domain, else samples at a regular step.
 template <class A> struct Tried {
     std::vector<A> addresses;
-    std::string domain;    ///< of the structure, in words
-    bool complete = true;  ///< these are all there are, each is mapped so far, and no two have met
+    std::string domain;    ///< of the structure, as text
+    bool complete = true;  ///< all of the domain, each mapped so far, no two to the same address
 };
 
 template <class A> Tried<A> tried(const A& domain) {
@@ -26,10 +26,10 @@ template <class A> Tried<A> tried(const A& domain) {
     return result;
 }
 
-/// Thrown where a translator reads beyond a table: what it finds there is the table's affair.
+/// Thrown where a translator reads a table out of bounds: the result depends on the table, and is not checked.
 struct OutsideTable {};
 
-/// What a table holds, on the host: translators that read it are checked with it.
+/// A copy of a table's elements on the host, for translators that read it.
 template <class S> class Mirror {
 public:
     using Address = typename S::Address;
@@ -57,31 +57,21 @@ private:
 
 namespace detail {
 
-/// A virtual address and the physical one that it has.
+/// A virtual address and the physical one that it maps to.
 struct Translated {
     Extent physical, address;
 };
 
 /// Reports those that meet. True if none do.
-inline bool are_apart(Test* test, const std::string& name, std::vector<Translated>& all, unsigned rank,
-                      unsigned physical_rank, const std::string& domain) {
-    std::ranges::sort(all, {}, [](const Translated& one) { return std::pair(one.physical, one.address); });
-    bool apart = true;
-    for (std::size_t i = 1; i < all.size(); ++i) {
-        if (all[i].physical != all[i - 1].physical) continue;
-        apart = false;
-        if (!test || test->failures.size() > 3) break;
-        test->failures.push_back(name + ": not one-to-one: " + text_of(all[i - 1].address, rank) + " and " +
-                                 text_of(all[i].address, rank) + " both map to " +
-                                 text_of(all[i].physical, physical_rank) + " (domain " + domain + ")");
-    }
-    return apart;
-}
+GLIFT_API bool is_one_to_one(Test* test, const std::string& name, std::vector<Translated>& all, unsigned rank,
+                             unsigned physical_rank, const std::string& domain);
+GLIFT_API void fail_inverse(Test& test, const std::string& name, unsigned rank, const Extent& address,
+                            const Extent& back, const std::string& domain);
 
 }  // namespace detail
 
-/// Checks one translator with the state that a structure gives it: what it maps an address to maps back, and, where it
-/// is said to be one-to-one, no two addresses map to one. Returns where the addresses lead.
+/// Checks one translator with the state that a structure gives it: `invert` undoes `translate`, and, where it is
+/// declared one-to-one, no two addresses map to the same one. Returns the physical addresses.
 template <class A, class Translate, class Invert>
 auto check_translator(Test& test, const std::string& name, const Tried<A>& from, const Translate& translate,
                       const Invert& invert, bool is_claimed_one_to_one) {
@@ -102,13 +92,12 @@ auto check_translator(Test& test, const std::string& name, const Tried<A>& from,
         if constexpr (!std::is_same_v<Invert, std::nullptr_t>) {
             const Extent back = detail::extent_of(A(invert(*physical)), 0);
             if (back != all.back().address && test.failures.size() <= 3)
-                test.failures.push_back(name + ": invert(translate(" + detail::text_of(all.back().address, rank) +
-                                        ")) is " + detail::text_of(back, rank) + " (domain " + from.domain + ")");
+                detail::fail_inverse(test, name, rank, all.back().address, back, from.domain);
         }
     }
-    const bool apart =
-        detail::are_apart(is_claimed_one_to_one ? &test : nullptr, name, all, rank, physical_rank, from.domain);
-    result.complete = result.complete && apart;
+    const bool one_to_one =
+        detail::is_one_to_one(is_claimed_one_to_one ? &test : nullptr, name, all, rank, physical_rank, from.domain);
+    result.complete = result.complete && one_to_one;
     for (const detail::Translated& one : all) {
         if (result.addresses.empty() || detail::extent_of(result.addresses.back(), 0) != one.physical)
             result.addresses.push_back(detail::address_from<Physical>(one.physical));
@@ -116,8 +105,8 @@ auto check_translator(Test& test, const std::string& name, const Tried<A>& from,
     return result;
 }
 
-/// True if the addresses are all of a domain, each by itself, in a memory that has them all. Addresses that are tried
-/// have 32 bits: of more elements than these reach, a buffer has enough.
+/// True if the whole domain was tested, one-to-one, and all physical addresses lie inside the memory. Addresses tested
+/// have 32 bits, so a larger buffer's extent is clamped.
 template <class P, class E> bool fill_memory(const Tried<P>& reached, const E& extent) {
     Extent limit{};
     if constexpr (std::is_same_v<E, std::uint64_t>)

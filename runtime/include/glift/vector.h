@@ -1,5 +1,5 @@
-// Vectors, matrices and arrays of the language as C++ value types. They are laid out as the GPU's scalar layout has
-// them: components one after the other, aligned as one component.
+// Vectors, matrices and arrays of the language as C++ value types, in GLSL's scalar layout: components packed, aligned
+// as one component.
 #pragma once
 
 #include <glift/arithmetic.h>
@@ -18,7 +18,7 @@ template <class T, unsigned N> struct vec;
 
 namespace detail {
 
-/// As values and as memory has them: one becomes the other where it is assigned.
+/// bool and its form in memory, Bool: vectors of them convert implicitly.
 template <class T, class U> inline constexpr bool both_bools = (std::is_same_v<T, bool> && std::is_same_v<U, Bool>) ||
                                                                (std::is_same_v<T, Bool> && std::is_same_v<U, bool>);
 
@@ -138,7 +138,7 @@ template <class T> using same = typename Same<T>::type;  // not deduced, so that
 
 }  // namespace detail
 
-// Componentwise operators; a scalar on either side stands for all components.
+// Componentwise operators; a scalar on either side is broadcast.
 #define GLIFT_VECTOR_OPERATOR(op, function)                                                                            \
     template <class T, unsigned N> constexpr vec<T, N> operator op(const vec<T, N>& a, const vec<T, N>& b) {           \
         return detail::map([](T l, T r) -> T { return function; }, a, b);                                              \
@@ -225,7 +225,7 @@ using double3 = vec<double, 3>;
 using double4 = vec<double, 4>;
 
 namespace detail {
-/// An index beyond either end means the nearest element.
+/// Out-of-range indices are clamped.
 template <unsigned N, class I> constexpr unsigned within(I i) {
     if constexpr (std::is_signed_v<I>) return i < 0 ? 0 : i < static_cast<I>(N) ? static_cast<unsigned>(i) : N - 1;
     else return i < N ? static_cast<unsigned>(i) : N - 1;
@@ -246,7 +246,8 @@ template <class T, unsigned N> struct array {
     constexpr const T* end() const { return values + N; }
 };
 
-/// Gives it zeros. (g++ 12 takes neither `a = {}` nor `a = array<T, N>{}` where T has default values.)
+/// Sets all elements to zero. (g++ 12 rejects `a = {}` and `a = array<T, N>{}` where T has default member
+/// initialisers.)
 template <class T> constexpr void reset(T& value) {
     const T zeros{};
     value = zeros;
@@ -271,7 +272,7 @@ using float3x4 = mat<float, 3, 4>;
 using float4x2 = mat<float, 4, 2>;
 using float4x3 = mat<float, 4, 3>;
 
-/// Sums run from the first column on, so that the result is the same on every device.
+/// Summed in the order of the columns, so that the result is the same on every device.
 template <class T, unsigned C, unsigned R> constexpr vec<T, R> operator*(const mat<T, C, R>& m, const vec<T, C>& v) {
     vec<T, R> sum = m.columns[0] * v.x;
     for (unsigned c = 1; c < C; ++c) sum += m.columns[c] * v[c];

@@ -46,14 +46,14 @@ struct Objects {
 };
 
 /// A device over the user's own. Throws unsupported_version, missing_feature, no_loader, wrong_argument. Vulkan does
-/// not tell which features a VkDevice was made with: those of the physical device are asked for, and that they were
-/// enabled (DeviceFeatures) is taken on trust.
+/// not tell which features a VkDevice was made with: the physical device's are queried, and assumed to have been
+/// enabled (DeviceFeatures).
 GLIFT_API Device adopt(const Objects& objects);
 
-/// Records into the user's command buffer, which is in the recording state. Before its first command everything
-/// earlier on the queue is waited for by a barrier; `finish` ends with a barrier that makes the results visible to
-/// whatever follows. What Glift was asked before is submitted first. The returned Commands holds memories and
-/// parameters: keep it until the command buffer has run. No download, timestamp, flush or wait there.
+/// Records into the user's command buffer, which is in the recording state. A barrier against everything earlier on the
+/// queue comes first; `finish` records a barrier that makes the results visible to everything later. Glift's own
+/// pending commands are submitted first. The returned Commands holds memories and parameters: keep it until the command
+/// buffer has run. No download, timestamp, flush or wait there.
 GLIFT_API Commands record_into(const Device& device, VkCommandBuffer commands);
 GLIFT_API void finish(const Commands& commands);
 
@@ -70,7 +70,7 @@ struct ImageHandle {
     VkImageLayout layout;  ///< always VK_IMAGE_LAYOUT_GENERAL
 };
 
-/// What is behind a memory, for descriptors of the user's own. Before the user's own commands touch it, flush().
+/// The Vulkan objects of a memory, for descriptors of the user's own. Call flush() before the user's commands use it.
 GLIFT_API BufferHandle buffer(const Memory& memory);
 GLIFT_API ImageHandle image(const Memory& memory);
 

@@ -1,4 +1,4 @@
-// The host device: kernels as compiled C++, memory as plain bytes, everything done when it is asked for.
+// The host device: kernels are compiled C++, memory is plain bytes, commands run synchronously.
 #pragma once
 
 #include "../objects.h"

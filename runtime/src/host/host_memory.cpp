@@ -16,8 +16,8 @@ namespace {
 
 constexpr std::uint64_t alignment = 64;
 
-/// Bytes that the machine can give at this moment. Untouched pages count for nothing in it, so that it is asked beside
-/// the bytes that Glift holds.
+/// Bytes that the machine can commit at this moment. Pages that were allocated but never touched are not subtracted, so
+/// the bytes that Glift holds are checked as well.
 std::uint64_t available_bytes() {
     std::ifstream info("/proc/meminfo");
     std::string word;
@@ -27,9 +27,9 @@ std::uint64_t available_bytes() {
     return unlimited;
 }
 
-/// Beyond it pages that are not there would be promised, and the process ended when they are touched.
+/// More than that the kernel would overcommit, and kill the process when the pages are touched.
 bool fits_machine(std::uint64_t bytes, std::uint64_t held) {
-    constexpr std::uint64_t small = std::uint64_t(64) << 20;  // not worth a look at the file
+    constexpr std::uint64_t small = std::uint64_t(64) << 20;  // not worth reading the file
     const std::uint64_t machine = host_memory_bytes();
     return bytes <= machine && held <= machine - bytes && (bytes <= small || bytes <= available_bytes());
 }
@@ -42,7 +42,7 @@ std::uint64_t host_memory_bytes() {
 
 HostStorage::HostStorage(std::uint64_t bytes, const MemoryDescription& description, HostCounters& counters)
     : bytes_(bytes), counters_(counters) {
-    // calloc gives large blocks as untouched zero pages, which aligned allocation followed by memset would touch.
+    // calloc returns large blocks as untouched zero pages; an aligned allocation and memset would touch them all.
     const std::uint64_t used = counters_.bytes, most = std::min(counters_.limit, UINT64_MAX - 2 * alignment);
     const bool fits = used <= most && bytes <= most - used && fits_machine(bytes, used);
     if (fits) allocated_ = std::calloc(1, bytes + 2 * alignment);

@@ -8,7 +8,7 @@
 
 namespace glift::detail {
 
-/// Of the machine.
+/// The machine's physical memory.
 std::uint64_t host_memory_bytes();
 
 struct HostCounters {
@@ -16,10 +16,10 @@ struct HostCounters {
     const std::uint64_t limit = memory_limit();  ///< of bytes
 };
 
-/// The bytes behind one memory, or behind the temporaries that share them.
+/// The storage of one memory, or of the temporaries that share it.
 class HostStorage {
 public:
-    /// Throws out_of_memory, in the name of what is described.
+    /// Throws out_of_memory, naming the memory described.
     HostStorage(std::uint64_t bytes, const MemoryDescription& description, HostCounters& counters);
     ~HostStorage();
     HostStorage(const HostStorage&) = delete;

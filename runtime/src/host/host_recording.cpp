@@ -1,6 +1,7 @@
 #include "../check.h"
 #include "../report.h"
 #include "host_stream.h"
+#include "host_targets.h"
 
 namespace glift::detail {
 
@@ -38,7 +39,7 @@ public:
 private:
     std::shared_ptr<DeviceObject> device_;
     std::vector<std::function<void(HostStream&)>> steps_;
-    std::vector<std::shared_ptr<HostStorage>> workspace_;  ///< all of it, as was said, also what no step uses
+    std::vector<std::shared_ptr<HostStorage>> workspace_;  ///< all of workspace_bytes, used by steps or not
     std::uint64_t workspace_bytes_;
 };
 
@@ -61,8 +62,15 @@ Memory HostRecordingStream::allocate(const MemoryDescription& description) {
 void HostRecordingStream::dispatch(const Kernel& kernel, const Call& call) {
     check_call(&device_, kernel, call);
     note([&kernel, form = call.form, memories = kept_all(call.memories), parameters = copied(call.parameters),
-          size = call.size, patches = kept_all(call.patches)](HostStream& stream) {
-        stream.dispatch(kernel, {form, memories, parameters, size, patches});
+          size = call.size, patches = kept_all(call.patches), sharing = call.sharing,
+          kept_targets = call.targets ? std::make_shared<KeptTargets>(*call.targets) : nullptr](HostStream& stream) {
+        Call again = {form, memories, parameters, size, patches, {}, sharing};
+        DrawTargets targets;
+        if (kept_targets) {
+            targets = kept_targets->targets();
+            again.targets = &targets;
+        }
+        stream.dispatch(kernel, again);
     });
 }
 

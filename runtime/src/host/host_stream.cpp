@@ -5,17 +5,19 @@
 #include "../report.h"
 #include "../text.h"
 #include "../wide.h"
+#include "host_targets.h"
 
 #include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstring>
+#include <optional>
 
 namespace glift::detail {
 
 namespace {
 
-/// No bytes may come from nowhere, which memcpy does not allow.
+/// Zero bytes may come with a null pointer, which memcpy does not allow.
 void copy_bytes(std::byte* to, const std::byte* from, std::uint64_t bytes) {
     if (bytes) std::memcpy(to, from, bytes);
 }
@@ -111,6 +113,8 @@ void HostStream::dispatch(const Kernel& kernel, const Call& call) {
     }
     StatusRecord record;
     host.status = &record;
+    std::optional<HostTargetViews> targets;
+    if (call.targets) host.targets = &targets.emplace(kernel, *call.targets).targets();
     ++counters_.passes;
     if (host.size[0] && host.size[1] && host.size[2] && host.size[3]) form.host(host);
     if (kernel.reports && record.code != StatusRecord::fine) throw_report(Reporter(kernel), record);

@@ -1,4 +1,4 @@
-// Streams of the host device: one that does everything at once, one that notes it for later.
+// Streams of the host device: one that runs commands at once, one that records them.
 #pragma once
 
 #include "host_memory.h"
@@ -9,7 +9,7 @@
 
 namespace glift::detail {
 
-/// Threads come one after the other: what is put here happens as if in one order.
+/// Runs each command before it returns. A lock serialises the threads.
 class HostStream : public Stream {
 public:
     HostStream(DeviceObject& device, HostCounters& counters) : device_(device), counters_(counters) {}
@@ -35,7 +35,7 @@ public:
     void flush() override {}
     void wait() override {}
 
-    /// Held for as long as what is to happen without anything between.
+    /// Held around commands that no other thread's may interleave.
     std::unique_lock<std::recursive_mutex> lock() { return std::unique_lock(mutex_); }
 
 protected:
@@ -46,7 +46,7 @@ private:
     std::recursive_mutex mutex_;  ///< a recording holds it around all of its steps
 };
 
-/// Notes what it is asked to do, with copies of the arguments.
+/// Records commands with copies of their arguments.
 class HostRecordingStream final : public HostStream {
 public:
     HostRecordingStream(DeviceObject& device, HostCounters& counters)

@@ -25,7 +25,7 @@ layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer Arg
     uint rank;
     uint size_word;    // index in the block
     uint patch_count;
-    uint unused;
+    uint draws;        // the command is a draw of size[0] corners and size[1] instances
     PatchSource patches[];
 };
 
@@ -48,6 +48,13 @@ void main() {
         }
         arguments.block.word[word] = value;
         last = value;
+    }
+    if (arguments.draws != 0u) {
+        arguments.command.word[0] = size[0];
+        arguments.command.word[1] = size[1];
+        arguments.command.word[2] = 0u;
+        arguments.command.word[3] = 0u;
+        return;
     }
     uint x = div_ceil(size[0], arguments.per_group[0]);
     uint y = div_ceil(size[1], arguments.per_group[1]);

@@ -17,7 +17,7 @@ struct Block {
 
 namespace {
 
-/// Takes from what is free in the block.
+/// Sub-allocates from the block.
 bool take(Block& block, VkDeviceSize bytes, VkDeviceSize alignment, VkDeviceSize& offset) {
     const auto found = block.free.take(bytes, alignment);
     if (!found) return false;
@@ -117,7 +117,8 @@ void Allocator::release_block(Pool& pool, std::size_t index) {
     pool.blocks.erase(pool.blocks.begin() + static_cast<std::ptrdiff_t>(index));
 }
 
-// Blocks kept for the next memory give way to one that does not fit in them. False if there were none.
+// Frees the empty blocks that are kept for reuse, to make room for a memory that does not fit in them. False if there
+// were none.
 bool Allocator::release_empty_blocks() {
     const std::uint64_t before = reserved_;
     for (auto& pool : pools_) {
@@ -160,7 +161,7 @@ void Allocator::free(const Allocation& allocation) {
     allocation.block->used -= allocation.bytes;
     used_ -= allocation.bytes;
     if (allocation.block->used) return;
-    // One empty block of ordinary size stays for the next memory.
+    // One empty block of ordinary size is kept for the next memory.
     Pool& pool = *pools_[allocation.block->pool];
     const auto spare = [&](const auto& block) {
         return block.get() != allocation.block && !block->used && block->bytes <= largest_block;

@@ -1,4 +1,4 @@
-// Device memory from few large blocks.
+// Sub-allocates device memory from few large blocks.
 #pragma once
 
 #include "context.h"
@@ -9,7 +9,7 @@
 
 namespace glift::detail {
 
-/// What the memory is for: the device alone, bytes on their way to it, or bytes on their way back.
+/// What the memory is for: the device alone, staging for uploads, or readback.
 enum class MemoryUse : std::uint8_t { device, upload, readback };
 
 struct Block;
@@ -21,7 +21,7 @@ struct Allocation {
     Block* block = nullptr;
 };
 
-/// Not safe for several threads: the device's lock is held around it.
+/// Not thread-safe: the device's lock is held around it.
 class Allocator {
 public:
     explicit Allocator(Context& context);

@@ -41,8 +41,7 @@ void ChunkPool::make_buffer(Chunk& chunk) {
     VkMemoryRequirements needs;
     context_.vk.vkGetBufferMemoryRequirements(context_.device, chunk.buffer, &needs);
     if (!allocator_.allocate(needs, chunk.use, true, chunk.allocation)) {
-        throw Error(ErrorCode::out_of_memory, "no memory is left for bytes on their way to or from the device",
-                    context_.properties.name,
+        throw Error(ErrorCode::out_of_memory, "no memory is left for staging buffers", context_.properties.name,
                     size_text(chunk.bytes) + " asked for, " + size_text(allocator_.reserved()) + " in use by Glift",
                     "free structures that are no longer used, or move fewer bytes at a time");
     }

@@ -1,4 +1,4 @@
-// Buffers that both host and device see: parameters, staging, bytes read back. Cut from chunks, which return to a pool.
+// Host-visible buffers for parameters, staging and readback: slices of chunks, which are pooled.
 #pragma once
 
 #include "allocator.h"
@@ -11,7 +11,7 @@ namespace glift::detail {
 
 class ChunkPool;
 
-/// Goes back to its pool when the last holder lets go, which must be after the device is done with it.
+/// Returns to its pool when the last reference is gone, which must be after the device is done with it.
 struct Chunk {
     ChunkPool* pool = nullptr;
     MemoryUse use = MemoryUse::upload;
@@ -39,7 +39,7 @@ public:
     /// The device's lock is held. Throws out_of_memory.
     std::shared_ptr<Chunk> take(MemoryUse use, VkDeviceSize bytes);
 
-    /// The device's lock is held: destroys what came back and is not worth keeping, or all of it.
+    /// The device's lock is held. trim: destroys idle chunks that are not worth keeping; clear: all of them.
     void trim();
     void clear();
 
@@ -52,11 +52,11 @@ private:
 
     Context& context_;
     Allocator& allocator_;
-    std::mutex mutex_;  // chunks come back from any thread
+    std::mutex mutex_;  // chunks are returned from any thread
     std::vector<std::unique_ptr<Chunk>> idle_;
 };
 
-/// Cuts slices from chunks, one after the other, and holds the chunks.
+/// A bump allocator of slices; holds the chunks that they lie in.
 class Arena {
 public:
     explicit Arena(ChunkPool& pool, MemoryUse use) : pool_(&pool), use_(use) {}

@@ -39,7 +39,7 @@ VkDescriptorSet DescriptorSets::take(const Pipeline& pipeline) {
 }
 
 bool DescriptorSets::reset() {
-    // One pool stays; a batch that needed several is rare.
+    // One pool is kept; a batch that needed several is rare.
     while (pools_.size() > 1) {
         context_.vk.vkDestroyDescriptorPool(context_.device, pools_.back(), nullptr);
         pools_.pop_back();

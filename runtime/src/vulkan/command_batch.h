@@ -1,4 +1,4 @@
-// A command buffer with everything that must live as long as it: parameters, staging, descriptor sets.
+// A command buffer and what must live as long: parameters, staging, descriptor sets.
 #pragma once
 
 #include "chunks.h"
@@ -6,13 +6,13 @@
 
 namespace glift::detail {
 
-/// Descriptor sets where push descriptors are absent or too few.
+/// Descriptor sets, for devices whose push descriptors are absent or too few.
 class DescriptorSets {
 public:
     explicit DescriptorSets(Context& context) : context_(context) {}
     ~DescriptorSets();
     VkDescriptorSet take(const Pipeline& pipeline);
-    [[nodiscard]] bool reset();  ///< false: it failed, and the sets are good for nothing
+    [[nodiscard]] bool reset();  ///< false: it failed, and the sets are unusable
 
 private:
     void add_pool(const Pipeline& pipeline);
@@ -27,14 +27,14 @@ struct CommandBatch {
     CommandBatch(const CommandBatch&) = delete;
 
     void begin(VkCommandBufferUsageFlags usage);
-    [[nodiscard]] bool reset();  ///< false: it failed, and the batch is good for nothing
+    [[nodiscard]] bool reset();  ///< false: it failed, and the batch is unusable
 
     Context& context;
     VkCommandPool pool = VK_NULL_HANDLE;
     VkCommandBuffer commands = VK_NULL_HANDLE;
     Arena upload, readback;
     DescriptorSets sets;
-    std::uint64_t value = 0;       ///< of the timeline, when the device is done with it
+    std::uint64_t value = 0;       ///< the timeline's value once the device is done with it
     std::uint64_t operations = 0;  ///< recorded
     std::uint64_t passes = 0;
 };

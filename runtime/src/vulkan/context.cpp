@@ -43,7 +43,7 @@ void check_queue_family(const Instance& instance, const Context::Adopted& object
     }
 }
 
-/// Of a buffer that is bound from several allocations.
+/// The largest buffer that can be bound from several allocations.
 std::uint64_t max_sparse_bytes(const Instance& instance, VkPhysicalDevice physical) {
     VkPhysicalDeviceMaintenance4Properties maintenance4 = {
         .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_4_PROPERTIES};
@@ -113,7 +113,7 @@ void Context::read_limits(const FeatureChain& features) {
     const VkQueueFamilyProperties family = queue_families(*instance, physical)[queue_family];
     timestamp_bits = family.timestampValidBits;
     max_piece_bytes = properties.max_allocation_bytes;
-    // Whether a program enabled it on a device of its own is not known.
+    // On an adopted device it is not known whether the feature was enabled.
     const bool is_sparse =
         owned && features.core.features.sparseBinding && (family.queueFlags & VK_QUEUE_SPARSE_BINDING_BIT) != 0;
     if (is_sparse) properties.max_allocation_bytes = max_sparse_bytes(*instance, physical);
@@ -157,7 +157,7 @@ void Context::set_name(VkObjectType type, std::uint64_t handle, const char* name
                                                 .objectType = type,
                                                 .objectHandle = handle,
                                                 .pObjectName = name};
-    std::ignore = instance->vk().vkSetDebugUtilsObjectNameEXT(device, &info);  // a name more or less
+    std::ignore = instance->vk().vkSetDebugUtilsObjectNameEXT(device, &info);  // a missing debug name is harmless
 }
 
 }  // namespace glift::detail

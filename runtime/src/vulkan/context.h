@@ -1,4 +1,4 @@
-// A logical device, made here or adopted: functions, queue, limits, and what a failed call means.
+// A logical device, created or adopted: functions, queue, limits, and errors of failed calls.
 #pragma once
 
 #include "features.h"
@@ -51,7 +51,7 @@ public:
     VkPhysicalDeviceProperties core = {};
     VkPhysicalDeviceMemoryProperties memory = {};
     std::uint32_t max_push_descriptors = 0;
-    std::uint64_t max_piece_bytes = 0;  ///< of one allocation; larger buffers are bound from several
+    std::uint64_t max_piece_bytes = 0;  ///< largest allocation of a buffer; larger buffers are bound from several
     FloatControls float_controls;
     std::vector<const char*> extensions;
     std::atomic<bool> lost{false};

@@ -16,13 +16,13 @@ struct DescriptorCounts {
     std::uint32_t all() const { return storage_buffers() + storage_images + sampled_images; }
 };
 
-/// Of a form with a descriptor for each memory; the wide form has none for buffers.
+/// For a form that has a descriptor for each memory; the wide form has none for buffers.
 DescriptorCounts count_descriptors(const Kernel& kernel, const Form& form);
 
-/// Whether the device has as many descriptors as forms with one for each buffer take.
+/// Whether the device has enough descriptors for forms that take one for each buffer.
 bool buffers_fit(const Context& context, const Kernel& kernel);
 
-/// Throws too_large: the kernel, the number and the limit.
+/// Throws too_large, naming the kernel, the number and the limit.
 void check_descriptors(const Context& context, const Kernel& kernel, const DescriptorCounts& counts);
 
 }  // namespace glift::detail

@@ -42,14 +42,14 @@ std::string file_name(const VkPhysicalDeviceProperties& core) {
     return std::string(text) + ".pipelines";
 }
 
-// Empty unless the file is whole and from this device and driver. Drivers check too, but not all of them well.
+// The file's contents; empty unless it is complete and from this device and driver. Not all drivers check that well.
 std::vector<char> read_valid(const fs::path& file, const VkPhysicalDeviceProperties& core) {
     std::error_code error;
     const std::uintmax_t bytes = fs::is_regular_file(file, error) ? fs::file_size(file, error) : 0;
     std::ifstream in(file, std::ios::binary);
     FileHeader header;
     if (error || !in.read(reinterpret_cast<char*>(&header), sizeof header)) return {};
-    // What the header says is believed only where the file is as long.
+    // The header's length must match the file's.
     if (std::memcmp(header.magic, magic, sizeof magic) != 0 || bytes > largest_file) return {};
     if (header.bytes != bytes - sizeof header) return {};
     std::vector<char> data(header.bytes);
@@ -77,7 +77,7 @@ DiskCache::DiskCache(Context& context) : context_(context) {
     const VkResult result = context.vk.vkCreatePipelineCache(context.device, &info, nullptr, &handle_);
     if (result >= 0) return;
     if (data.empty()) context.fail(result, "vkCreatePipelineCache");
-    info.initialDataSize = 0;  // data that the driver does not take is as good as none
+    info.initialDataSize = 0;  // the driver refused the data: start with an empty cache
     context.check(context.vk.vkCreatePipelineCache(context.device, &info, nullptr, &handle_), "vkCreatePipelineCache");
 }
 
@@ -95,7 +95,7 @@ void DiskCache::save() {
 
     std::error_code error;
     fs::create_directories(file_.parent_path(), error);
-    // A name of its own and a rename: a reader sees the old file or the new one, never half of one.
+    // Written under a temporary name and renamed: readers see the old file or the new one, never a partial one.
     const fs::path partial = file_.string() + "." + std::to_string(getpid()) + ".part";
     {
         std::ofstream out(partial, std::ios::binary);

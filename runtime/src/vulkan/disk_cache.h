@@ -1,4 +1,4 @@
-// Compiled pipelines kept between runs, one file a device and driver.
+// The pipeline cache on disk, one file for each device and driver.
 #pragma once
 
 #include "context.h"
@@ -9,7 +9,7 @@ namespace glift::detail {
 
 class DiskCache {
 public:
-    /// Reads what is there; a file that is damaged or from another driver is as good as none.
+    /// Reads the file; one that is damaged or from another driver is ignored.
     explicit DiskCache(Context& context);
     ~DiskCache();
     DiskCache(const DiskCache&) = delete;

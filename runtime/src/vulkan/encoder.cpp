@@ -15,26 +15,39 @@ namespace glift::detail {
 
 namespace {
 
+// The accesses of passes and copies, listed: on an H200 a barrier for all accesses (MEMORY_READ, MEMORY_WRITE) takes
+// 2.7 us longer.
 constexpr VkPipelineStageFlags2 work_stages =
     VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT;
-
-// What passes and copies do, named one by one: on an H200 a barrier for all accesses (MEMORY_READ, MEMORY_WRITE) takes
-// 2.7 us longer.
 constexpr VkAccessFlags2 work_writes = VK_ACCESS_2_SHADER_WRITE_BIT | VK_ACCESS_2_TRANSFER_WRITE_BIT;
-constexpr VkAccessFlags2 work_accesses = work_writes | VK_ACCESS_2_SHADER_READ_BIT | VK_ACCESS_2_TRANSFER_READ_BIT;
+constexpr VkAccessFlags2 work_reads = VK_ACCESS_2_SHADER_READ_BIT | VK_ACCESS_2_TRANSFER_READ_BIT;
 
-constexpr VkMemoryBarrier2 between_work = {.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,
-                                           .srcStageMask = work_stages,
-                                           .srcAccessMask = work_writes,
-                                           .dstStageMask = work_stages,
-                                           .dstAccessMask = work_accesses};
+// The further accesses of draws.
+constexpr VkPipelineStageFlags2 draw_stages =
+    VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT |
+    VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT |
+    VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT;
+constexpr VkAccessFlags2 draw_writes =
+    VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT | VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT;
+constexpr VkAccessFlags2 draw_reads =
+    VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT | VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT;
 
-constexpr VkMemoryBarrier2 before_indirect_work = {.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,
-                                                   .srcStageMask = work_stages,
-                                                   .srcAccessMask = work_writes,
-                                                   .dstStageMask = work_stages | VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT,
-                                                   .dstAccessMask =
-                                                       work_accesses | VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT};
+VkMemoryBarrier2 between_work(bool draws) {
+    const VkPipelineStageFlags2 stages = work_stages | (draws ? draw_stages : 0);
+    const VkAccessFlags2 writes = work_writes | (draws ? draw_writes : 0);
+    return {.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,
+            .srcStageMask = stages,
+            .srcAccessMask = writes,
+            .dstStageMask = stages,
+            .dstAccessMask = writes | work_reads | (draws ? draw_reads : 0)};
+}
+
+VkMemoryBarrier2 before_indirect_work(bool draws) {
+    VkMemoryBarrier2 barrier = between_work(draws);
+    barrier.dstStageMask |= VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT;
+    barrier.dstAccessMask |= VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT;
+    return barrier;
+}
 
 constexpr VkMemoryBarrier2 between_everything = {
     .sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,
@@ -43,12 +56,12 @@ constexpr VkMemoryBarrier2 between_everything = {
     .dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT | VK_PIPELINE_STAGE_2_HOST_BIT,
     .dstAccessMask = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT};
 
-// As prepare_indirect.comp reads it.
+// The layout that prepare_indirect.comp reads.
 struct PrepareArguments {
     VkDeviceAddress block, command;
     std::array<std::uint32_t, 4> size;
     std::array<std::uint32_t, 3> per_group;
-    std::uint32_t limit_x, rank, size_word, patch_count, unused;
+    std::uint32_t limit_x, rank, size_word, patch_count, draws;
 };
 struct PatchSource {
     VkDeviceAddress value;
@@ -68,7 +81,7 @@ static_assert(sizeof(PrepareArguments) == 64 && sizeof(PatchSource) == 24);
 
 Encoder::Encoder(VulkanDevice& device) : device_(device), context_(device.context()) {}
 
-void Encoder::barrier() { barrier(between_work); }
+void Encoder::barrier() { barrier(between_work(draws_)); }
 
 void Encoder::barrier(const VkMemoryBarrier2& what) {
     const VkDependencyInfo info = {
@@ -96,9 +109,9 @@ bool Encoder::needs_addresses(const Kernel& kernel, std::span<const Memory> memo
     return is_wide(kernel, memories) || !buffers_fit(context_, kernel);
 }
 
-// Several names of one place are pointers that may be equal, which two buffer descriptors of a shader must not be. A
-// kernel of images alone has no wide form: lower/one_place.h says how the general one reads what was written by another
-// name.
+// Aliased elements need pointers that may be equal: buffer descriptors of a shader are declared not to alias. A kernel
+// of images alone has no wide form: lower/one_place.h says how the general one reads what was written through another
+// parameter.
 bool Encoder::needs_wide(const Kernel& kernel, std::span<const Memory> memories,
                          const std::array<std::uint32_t, 4>& size, Sharing sharing) const {
     check_memories(&device_, kernel, memories);
@@ -122,7 +135,7 @@ void Encoder::check_form(const Kernel& kernel, const Call& call) const {
                 "ask Commands::needs_wide before packing the parameters");
 }
 
-// The barrier before a pass, if one of its memories needs it.
+// Records a barrier before a pass if one of its memories needs it.
 void Encoder::order(const Kernel& kernel, const Call& call) {
     const std::size_t count = call.memories.size();
     for (std::size_t k = 0; k < count; ++k) {
@@ -180,17 +193,16 @@ void Encoder::push_descriptors(const Pipeline& pipeline, const Call& call, const
     }
     const VkDescriptorSet set = batch_->sets.take(pipeline);
     context_.vk.vkUpdateDescriptorSetWithTemplate(context_.device, set, pipeline.update, infos);
-    context_.vk.vkCmdBindDescriptorSets(commands_, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.layout, 0, 1, &set, 0,
-                                        nullptr);
+    context_.vk.vkCmdBindDescriptorSets(commands_, pipeline.bind_point(), pipeline.layout, 0, 1, &set, 0, nullptr);
 }
 
 void Encoder::bind(const Pipeline& pipeline, const Call& call, const Slice& block) {
     if (bound_ != pipeline.handle) {
-        context_.vk.vkCmdBindPipeline(commands_, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.handle);
+        context_.vk.vkCmdBindPipeline(commands_, pipeline.bind_point(), pipeline.handle);
         bound_ = pipeline.handle;
     }
     if (pipeline.form->push_constants && pipeline.form->parameter_bytes) {
-        context_.vk.vkCmdPushConstants(commands_, pipeline.layout, VK_SHADER_STAGE_COMPUTE_BIT, 0,
+        context_.vk.vkCmdPushConstants(commands_, pipeline.layout, pipeline.stages(), 0,
                                        static_cast<std::uint32_t>(call.parameters.size()), call.parameters.data());
     }
     push_descriptors(pipeline, call, block);
@@ -203,11 +215,11 @@ bool Encoder::patches_size(const Pipeline& pipeline, const Call& call) const {
     });
 }
 
-// Copies the device values into the block, and writes the indirect command, which comes back.
+// Copies the device values into the block and writes the indirect command, which is returned.
 Slice Encoder::prepare(const Pipeline& pipeline, const Call& call, const Slice& block) {
     const Kernel& kernel = *pipeline.kernel;
     const std::size_t bytes = sizeof(PrepareArguments) + call.patches.size() * sizeof(PatchSource);
-    const Slice command = batch_->upload.take(sizeof(VkDispatchIndirectCommand));
+    const Slice command = batch_->upload.take(sizeof(VkDrawIndirectCommand));  // the larger one
     const Slice list = batch_->upload.take(bytes);
     const PrepareArguments arguments = {block.address(),
                                         command.address(),
@@ -217,7 +229,7 @@ Slice Encoder::prepare(const Pipeline& pipeline, const Call& call, const Slice& 
                                         kernel.rank,
                                         pipeline.form->size_offset / 4,
                                         static_cast<std::uint32_t>(call.patches.size()),
-                                        0};
+                                        kernel.drawing != nullptr};
     std::memcpy(list.data, &arguments, sizeof arguments);
     bool conflict = false;
     for (std::size_t k = 0; k < call.patches.size(); ++k) {
@@ -234,7 +246,7 @@ Slice Encoder::prepare(const Pipeline& pipeline, const Call& call, const Slice& 
     device_.prepare_pass().bind(commands_, &address);
     bound_ = VK_NULL_HANDLE;
     context_.vk.vkCmdDispatch(commands_, 1, 1, 1);
-    barrier(before_indirect_work);
+    barrier(before_indirect_work(draws_));
     return command;
 }
 
@@ -242,6 +254,7 @@ void Encoder::dispatch(const Kernel& kernel, const Call& call) {
     check_call(&device_, kernel, call);
     check_form(kernel, call);
     const Pipeline& pipeline = device_.pipelines().get(kernel, call.form, call.fixed);
+    if (kernel.drawing) return draw(pipeline, call);
     Groups groups = count_groups(kernel, call.size);
     if (groups.none()) return;
     ++batch_->operations;
@@ -269,8 +282,8 @@ void Encoder::dispatch(const Kernel& kernel, const Call& call) {
                               static_cast<std::uint32_t>(groups.count[1]), static_cast<std::uint32_t>(groups.count[2]));
 }
 
-// Pieces within the device's limits, each with parameters of its own that say where it starts. They write different
-// elements, so no barriers stand between them.
+// Dispatches parts within the device's limits, each with its own parameters that hold its base. They write different
+// elements, so they need no barriers between them.
 void Encoder::dispatch_split(const Pipeline& pipeline, const Call& call, const Groups& groups) {
     const auto& limit = context_.properties.max_workgroups;
     std::array<std::uint64_t, 3> base = {};

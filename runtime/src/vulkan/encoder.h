@@ -13,7 +13,7 @@ class Encoder {
 public:
     explicit Encoder(VulkanDevice& device);
 
-    /// Where commands go from now on. Nothing is bound there yet.
+    /// Records into this command buffer from now on. Nothing is bound there yet.
     void target(VkCommandBuffer commands, CommandBatch& batch) {
         commands_ = commands;
         batch_ = &batch;
@@ -38,8 +38,8 @@ public:
     Slice download_image(const VulkanMemory& image, std::span<const ImageRegion> regions, std::uint64_t bytes);
     void timestamp(VkQueryPool pool, std::uint32_t query);
 
-    /// A memory got storage that other memories of this stream had.
-    void pass_storage_on() { hazards_.pass_storage_on(); }
+    /// A memory got storage that other memories of this stream used.
+    void note_storage_reuse() { hazards_.note_storage_reuse(); }
 
     /// Orders everything before, on the whole queue and the host, against everything after.
     void full_barrier();
@@ -62,12 +62,19 @@ private:
     void push_descriptors(const Pipeline& pipeline, const Call& call, const Slice& block);
     void dispatch_split(const Pipeline& pipeline, const Call& call, const Groups& groups);
 
+    // encoder_draws.cpp
+    void draw(const Pipeline& pipeline, const Call& call);
+    void begin_rendering(const Drawing& drawing, const DrawTargets& targets);
+    void set_viewport(const DrawTargets& targets);
+    void order_targets(const Kernel& kernel, const Call& call);
+
     VulkanDevice& device_;
     Context& context_;
     VkCommandBuffer commands_ = VK_NULL_HANDLE;
     CommandBatch* batch_ = nullptr;
     VkPipeline bound_ = VK_NULL_HANDLE;
     Hazards hazards_;
+    bool draws_ = false;  ///< barriers order graphics stages, too: from the first draw on
 };
 
 }  // namespace glift::detail

@@ -29,7 +29,7 @@ std::vector<VkBufferImageCopy> image_copies(const MemoryDescription& d, std::spa
     return result;
 }
 
-/// Larger copies and fills are made in parts: not every driver counts their bytes in 64 bits.
+/// Larger copies and fills are split: not every driver counts their bytes in 64 bits.
 constexpr std::uint64_t most_at_once = std::uint64_t(1) << 30;
 
 std::vector<VkBufferCopy> buffer_copies(std::span<const CopyRegion> regions, VkDeviceSize from, VkDeviceSize to) {
@@ -42,7 +42,7 @@ std::vector<VkBufferCopy> buffer_copies(std::span<const CopyRegion> regions, VkD
     return result;
 }
 
-/// Beyond, the driver's own fill is as fast as memory.
+/// Larger fills use vkCmdFillBuffer, which then reaches the memory's bandwidth.
 constexpr std::uint64_t most_filled_by_pass = 1u << 20;
 
 std::uint32_t count(const auto& list) { return static_cast<std::uint32_t>(list.size()); }
@@ -91,7 +91,7 @@ void Encoder::clear_new(const VulkanMemory& memory) {
     }
     ++batch_->operations;
     const VkImageSubresourceRange all = {vulkan_aspect(d.format), 0, d.mips, 0, face_count(d)};
-    // The image's place may have belonged to a memory that is gone: its last accesses come first.
+    // The storage may have belonged to a freed memory: wait for its last accesses.
     const VkImageMemoryBarrier2 first = {.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2,
                                          .srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
                                          .srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT,
@@ -171,7 +171,7 @@ void Encoder::copy_images(const VulkanMemory& from, const VulkanMemory& to, std:
                                VK_IMAGE_LAYOUT_GENERAL, count(copies), copies.data());
 }
 
-// Region by region into one slice of staging, packed.
+// Packs the regions into one slice of staging.
 void Encoder::upload(const VulkanMemory& to, std::span<const CopyRegion> regions, const std::byte* bytes) {
     std::uint64_t total = 0;
     for (const CopyRegion& region : regions) total += region.bytes;

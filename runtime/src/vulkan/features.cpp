@@ -29,7 +29,7 @@ std::vector<const char*> usable_extensions(const Instance& instance, VkPhysicalD
     return result;
 }
 
-// What costs speed or serves capture tools only stays off.
+// Turns off features that cost speed or only serve capture tools.
 void drop_unwanted(FeatureChain& chain) {
     chain.core.features.robustBufferAccess = VK_FALSE;
     chain.v11.protectedMemory = VK_FALSE;
@@ -81,7 +81,7 @@ std::string FeatureChain::missing() const {
 void FeatureChain::require() const {
     if (old()) {
         throw Error(ErrorCode::unsupported_version, "the device's Vulkan is too old", properties.deviceName,
-                    "it speaks Vulkan " + std::to_string(VK_API_VERSION_MAJOR(properties.apiVersion)) + "." +
+                    "it supports Vulkan " + std::to_string(VK_API_VERSION_MAJOR(properties.apiVersion)) + "." +
                         std::to_string(VK_API_VERSION_MINOR(properties.apiVersion)) + ", Glift needs 1.3",
                     "update its driver, or choose another device with GLIFT_DEVICE=lavapipe or GLIFT_DEVICE=host");
     }
@@ -93,6 +93,7 @@ void FeatureChain::require() const {
     }
 }
 
+// long: a line for each property
 DeviceProperties read_properties(const Instance& instance, VkPhysicalDevice physical, const FeatureChain& features,
                                  const std::vector<const char*>& extensions) {
     VkPhysicalDeviceMaintenance4Properties maintenance4 = {

@@ -37,7 +37,7 @@ template <class Visit> void for_each_instruction(Words spirv, Visit&& visit) {
         visit(spirv[at] & 0xffffu, spirv.subspan(at, spirv[at] >> 16));
 }
 
-/// What of a module says where its parameters are loaded.
+/// The parts of a module that are needed to find the loads of its parameters.
 struct Module {
     struct Vector {
         std::uint32_t component, count;
@@ -92,7 +92,7 @@ private:
         block_type = pointees[w[1]];
     }
 
-    /// A member, or a component of one; anything else stays as it is.
+    /// An access chain to a member or to a component of one; others are left alone.
     void read_chain(Words w) {
         if (w.size() < 5 || w.size() > 6 || !constants.contains(w[4])) return;
         const std::uint32_t member = constants[w[4]];
@@ -130,7 +130,7 @@ public:
     }
 
 private:
-    /// A constant that is what the load gives, if all of it is fixed.
+    /// A constant to replace the load with, if all of its words are fixed.
     std::optional<std::uint32_t> constant_for(Words load) {
         const auto chain = module_.chains.find(load[3]);
         const auto type = module_.vectors.find(load[1]);

@@ -23,7 +23,7 @@ std::uint32_t first_word(std::uint32_t op, std::uint32_t words) { return words <
 }  // namespace
 
 FloatControls FloatControls::of(const VkPhysicalDeviceVulkan12Properties& properties) {
-    // Where the widths depend on each other, 64-bit floats would have to be asked for as well.
+    // Where the device ties the widths together, the modes would have to be set for 64-bit floats as well.
     const bool subnormals = properties.denormBehaviorIndependence != VK_SHADER_FLOAT_CONTROLS_INDEPENDENCE_NONE;
     const bool rounding = properties.roundingModeIndependence != VK_SHADER_FLOAT_CONTROLS_INDEPENDENCE_NONE;
     return {.keep_subnormals = subnormals && properties.shaderDenormPreserveFloat32,
@@ -39,7 +39,7 @@ std::vector<std::uint32_t> with_float_controls(std::span<const std::uint32_t> sp
     bool capabilities_done = false, modes_done = false;
     for (std::size_t at = header_words; at < spirv.size();) {
         const std::uint32_t op = spirv[at] & 0xffffu, words = spirv[at] >> 16;
-        // The layout of a module: capabilities first, execution modes behind the entry points.
+        // A module's layout: capabilities first, execution modes after the entry points.
         if (op != op_capability && !capabilities_done) {
             for (std::uint32_t capability : capabilities)
                 module.insert(module.end(), {first_word(op_capability, 2), capability});

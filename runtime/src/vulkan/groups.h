@@ -1,4 +1,4 @@
-// How an iteration size becomes workgroups (pass.h says it in words; prepare_indirect.comp does the same).
+// Maps an iteration size to workgroups, as pass.h specifies; prepare_indirect.comp does the same on the device.
 #pragma once
 
 #include <glift/pass.h>
@@ -31,8 +31,8 @@ inline Groups count_groups(const Kernel& kernel, const std::array<std::uint32_t,
              div_ceil(std::uint64_t(size[2]) * size[3], covered[2])}};
 }
 
-/// One-dimensional iterations: what is too much along x goes along y. Rows are a power of two, so that the groups that
-/// fill up the last one begin below 2^32 where a group covers a power of two.
+/// Folds a one-dimensional iteration with too many groups along x into two dimensions. The number of rows is a power of
+/// two, so that also the surplus groups of the last row begin below 2^32 where a group covers a power of two.
 inline void fold(Groups& groups, std::uint32_t limit) {
     if (groups.count[0] <= limit) return;
     groups.count[1] = std::bit_ceil(div_ceil(groups.count[0], limit));

@@ -1,4 +1,4 @@
-// Which memories were touched since the last barrier, and whether one more touch needs a barrier.
+// Which memories were accessed since the last barrier, and whether another access needs a barrier.
 //
 // A barrier here is a global one: it orders everything before it against everything after it. So the question is only
 // whether any memory of the next pass was written since the last barrier, or read and is now written. Write after write
@@ -12,7 +12,7 @@
 
 namespace glift::detail {
 
-/// A memory as hazards know it: a small number, used again after the memory is gone, and one that is never used again.
+/// Identifies a memory: a small index, reused after the memory is gone, and a serial number that is never reused.
 struct MemoryId {
     std::uint32_t slot = 0;
     std::uint64_t serial = 0;
@@ -21,7 +21,7 @@ struct MemoryId {
 class Hazards {
 public:
     bool conflicts(MemoryId id, Access access) const {
-        if (storage_changes_hands_) return true;
+        if (storage_was_reused_) return true;
         if (id.slot >= states_.size()) return false;
         const State& state = states_[id.slot];
         if (state.epoch != epoch_ || state.serial != id.serial) return false;
@@ -35,13 +35,13 @@ public:
         if (access != Access::read) state.written = true;
     }
 
-    /// Storage that others had goes to a new memory: what follows comes after what they did.
-    void pass_storage_on() { storage_changes_hands_ = true; }
+    /// A new memory has storage that others used: the next access needs a barrier after theirs.
+    void note_storage_reuse() { storage_was_reused_ = true; }
 
     /// After a barrier nothing is pending.
     void barrier() {
         ++epoch_;
-        storage_changes_hands_ = false;
+        storage_was_reused_ = false;
     }
 
 private:
@@ -52,7 +52,7 @@ private:
     };
     std::vector<State> states_;
     std::uint64_t epoch_ = 1;
-    bool storage_changes_hands_ = false;
+    bool storage_was_reused_ = false;
 };
 
 }  // namespace glift::detail

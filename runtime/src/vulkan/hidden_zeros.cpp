@@ -35,6 +35,7 @@ enum Op : std::uint32_t {
     transpose = 84,
     convert_s_to_f = 111,
     convert_u_to_f = 112,
+    s_convert = 114,
     bitcast = 124,
     negate = 127,
     add = 129,
@@ -48,14 +49,19 @@ enum Op : std::uint32_t {
     select = 169,
     shift_right = 194,
     bit_or = 197,
+    atomic_exchange = 229,
+    atomic_add = 234,
+    atomic_xor = 242,
     phi = 245,
     label = 248,
     return_value = 254,
     no_line = 317,
 };
 
-/// Numbers of three words that a shader may be given: of its workgroup, of the invocation in it, of the invocation.
+/// The range of three-component built-in inputs: WorkgroupId, LocalInvocationId, GlobalInvocationId.
 constexpr std::uint32_t decoration_built_in = 11, workgroup_id = 26, global_invocation_id = 28;
+
+constexpr std::size_t value_of_atomic = 6;  ///< index of an atomic operation's value operand
 
 using Words = std::span<const std::uint32_t>;
 using Module = std::vector<std::uint32_t>;
@@ -65,14 +71,14 @@ void append(Module& module, std::uint32_t op, std::initializer_list<std::uint32_
     module.insert(module.end(), operands);
 }
 
-/// What an instruction does with a constant.
+/// How an instruction uses a constant.
 enum class Use : std::uint8_t {
     none,
-    computes,   // simplified where it is zero
-    passes_on,  // to where it may meet another constant, and both become a zero
+    computes,   // arithmetic, which the driver simplifies for a zero
+    passes_on,  // forwards it, perhaps to arithmetic with another constant that folds to zero
 };
 
-/// The words of an instruction that may be values; the others are types, results and numbers.
+/// The operands of an instruction that are values; the other words are types, results and literals.
 struct Operands {
     std::size_t first = 0, last = 0;
     Use use = Use::none;
@@ -129,13 +135,14 @@ private:
     std::uint32_t hide(Module& module, std::uint32_t id);
     std::uint32_t hide_scalar(Module& module, Words w);
     std::uint32_t with_bit(Module& module, Words conversion);
+    std::uint32_t as_integer(Module& module, Words atomic);
     void write_constants(Module& module);
     void write_function(Module& module);
     void write(Module& module, Words w);
     void begin(Module& module, const std::vector<std::uint32_t>& used);
     std::uint32_t fresh() { return next_id_++; }
 
-    /// A type of integers of 32 bits: how many.
+    /// The components of a type of 32-bit integers.
     std::uint32_t words_in(std::uint32_t type) const {
         const auto found = words_.find(type);
         return found == words_.end() ? 0 : found->second;
@@ -143,19 +150,21 @@ private:
 
     struct Constant {
         Words words;
-        bool has_zero = false;   ///< is or holds one, of either sign
-        std::uint32_t bits = 0;  ///< the constant of these bits, where they are 32 and not zero
+        bool has_zero = false;   ///< is or contains a zero of either sign
+        std::uint32_t bits = 0;  ///< the id of an integer constant of the same bits, for 32-bit values other than zero
     };
 
     Words spirv_;
     std::uint32_t next_id_, uint_ = 0, uint3_ = 0, invocation_ = 0, shift_ = 0;
-    std::unordered_map<std::uint32_t, std::uint32_t> floats_;    ///< types: their width
-    std::unordered_map<std::uint32_t, std::uint32_t> words_;     ///< types of integers of 32 bits: how many
-    std::unordered_map<std::uint32_t, std::uint32_t> types_;     ///< of integers of 32 bits
-    std::map<std::uint32_t, Constant> constants_;                ///< in order: the module made is the same each time
-    std::vector<Words> function_;                                ///< the one that is being read
-    std::unordered_map<std::uint32_t, std::uint32_t> replaced_;  ///< in it
-    std::uint32_t bit_ = 0;                                      ///< in it: zero, as an unsigned number
+    std::unordered_map<std::uint32_t, std::uint32_t> floats_;      ///< types: their width
+    std::unordered_map<std::uint32_t, std::uint32_t> integers_;    ///< types: their width
+    std::unordered_map<std::uint32_t, std::uint32_t> words_;       ///< types of 32-bit integers: components
+    std::unordered_map<std::uint32_t, std::uint32_t> components_;  ///< vector types of these: the component's type
+    std::unordered_map<std::uint32_t, std::uint32_t> types_;       ///< types of 32-bit integers, by components
+    std::map<std::uint32_t, Constant> constants_;                  ///< ordered, so that the output is deterministic
+    std::vector<Words> function_;                                  ///< the function being read
+    std::unordered_map<std::uint32_t, std::uint32_t> replaced_;    ///< in it: constants, by the id of their replacement
+    std::uint32_t bit_ = 0;                                        ///< in it: the hidden zero, a uint
 };
 
 void Hiding::read_constant(Words w) {
@@ -188,11 +197,12 @@ void Hiding::read(Words w) {
         break;
     case type_float: floats_.emplace(w[1], w[2]); break;
     case type_int:
+        integers_.emplace(w[1], w[2]);
         if (w[2] == 32) words_.emplace(w[1], 1);
         if (w[2] == 32 && w[3] == 0) uint_ = w[1];
         break;
     case type_vector:
-        if (words_in(w[2]) == 1) words_.emplace(w[1], w[3]);
+        if (words_in(w[2]) == 1) words_.emplace(w[1], w[3]), components_.emplace(w[1], w[2]);
         if (w[2] == uint_ && w[3] == 3) uint3_ = w[1];
         break;
     case constant: read_constant(w); break;
@@ -222,7 +232,7 @@ std::uint32_t Hiding::hide_scalar(Module& module, Words w) {
     return fresh();
 }
 
-/// Computes a constant, its parts first; gives the id that stands for it in this function.
+/// Emits the computation of a constant, its parts first; returns the id that replaces it in this function.
 std::uint32_t Hiding::hide(Module& module, std::uint32_t id) {
     const auto found = constants_.find(id);
     if (found == constants_.end()) return id;
@@ -243,24 +253,44 @@ std::uint32_t Hiding::hide(Module& module, std::uint32_t id) {
     return result;
 }
 
-/// The operand of a conversion from integers, which may be a constant once loops are unrolled, with the hidden zero.
+/// Combines the operand of a conversion from integers, which may become constant by unrolling, with the hidden zero.
 std::uint32_t Hiding::with_bit(Module& module, Words conversion) {
     const std::uint32_t operand = conversion[3];
     const auto type = types_.find(operand);
     if (type == types_.end()) return operand;
     std::uint32_t bits = bit_;
     if (const std::uint32_t count = words_in(type->second); count > 1) {
+        if (const std::uint32_t component = components_.at(type->second); component != uint_) {
+            bits = fresh();
+            append(module, bitcast, {component, bits, bit_});
+        }
+        const std::uint32_t part = bits;
         bits = fresh();
         module.push_back((count + 3) << 16 | composite_construct);
         module.insert(module.end(), {type->second, bits});
-        module.insert(module.end(), count, bit_);
+        module.insert(module.end(), count, part);
     }
     const std::uint32_t result = fresh();
     append(module, bit_or, {type->second, result, operand, bits});
     return result;
 }
 
-/// The zeros that the function uses: the top bit of the invocation's first number, which is never set.
+/// The value operand of an atomic operation, or-ed with the hidden zero. Needed through physical addresses only: there
+/// lavapipe (Mesa 22.3) treats an integer that was bitcast from a float as a float: it compares such values as floats,
+/// and crashes on add, and, or, xor.
+std::uint32_t Hiding::as_integer(Module& module, Words atomic) {
+    const std::uint32_t type = atomic[1];
+    std::uint32_t bits = bit_;
+    if (integers_.at(type) != 32) {
+        bits = fresh();
+        append(module, s_convert, {type, bits, bit_});
+    }
+    const std::uint32_t result = fresh();
+    append(module, bit_or, {type, result, atomic[value_of_atomic], bits});
+    return result;
+}
+
+/// Emits the hidden zero at the beginning of a function: the top bit of the invocation's x, which is never set.
 void Hiding::begin(Module& module, const std::vector<std::uint32_t>& used) {
     const std::uint32_t all = fresh(), first = fresh();
     bit_ = fresh();
@@ -270,15 +300,19 @@ void Hiding::begin(Module& module, const std::vector<std::uint32_t>& used) {
     for (std::uint32_t id : used) hide(module, id);
 }
 
+bool is_atomic(std::uint32_t op) { return op == atomic_exchange || (op >= atomic_add && op <= atomic_xor); }
+
 bool is_from_integers(std::uint32_t op) { return op == convert_s_to_f || op == convert_u_to_f || op == bitcast; }
 
 void Hiding::write(Module& module, Words w) {
     const Operands values = values_of(w);
     const bool converts = is_from_integers(w[0] & 0xffffu) && types_.contains(w[3]) && !types_.contains(w[2]);
-    const std::uint32_t operand = converts ? with_bit(module, w) : 0;
+    const bool combines = is_atomic(w[0] & 0xffffu) && integers_.contains(w[1]);
+    const std::uint32_t operand = converts ? with_bit(module, w) : combines ? as_integer(module, w) : 0;
     const std::size_t at = module.size();
     module.insert(module.end(), w.begin(), w.end());
     if (converts) module[at + 3] = operand;
+    if (combines) module[at + value_of_atomic] = operand;
     for (std::size_t i = values.first; i < values.last; ++i)
         if (is_hidden(w[i], values.use)) module[at + i] = replaced_.at(w[i]);
 }
@@ -290,12 +324,13 @@ void Hiding::write_function(Module& module) {
         const Operands values = values_of(w);
         for (std::size_t i = values.first; i < values.last; ++i)
             if (is_hidden(w[i], values.use)) used.push_back(w[i]);
-        if (!used.empty() || is_from_integers(w[0] & 0xffffu)) has_begun = false;
+        const std::uint32_t op = w[0] & 0xffffu;
+        if (!used.empty() || is_from_integers(op) || is_atomic(op)) has_begun = false;
     }
     replaced_.clear();
     for (Words w : function_) {
         const std::uint32_t op = w[0] & 0xffffu;
-        // Variables stand first in a function's first block.
+        // Variables come first in a function's first block.
         if (is_in_block && !has_begun && op != variable && op != line && op != no_line) {
             begin(module, used);
             has_begun = true;
@@ -305,7 +340,7 @@ void Hiding::write_function(Module& module) {
     }
 }
 
-/// The numbers that the functions compute with.
+/// Declares the constants that the hidden zeros are computed with.
 void Hiding::write_constants(Module& module) {
     shift_ = fresh();
     append(module, constant, {uint_, shift_, 31});

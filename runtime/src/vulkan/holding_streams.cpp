@@ -77,13 +77,13 @@ void HoldingStream::wait() { throw_not_in_recording("Commands::wait"); }
 
 RecordingStream::RecordingStream(std::shared_ptr<VulkanDevice> device) : HoldingStream(std::move(device)) {
     const std::lock_guard lock(device_.mutex());
-    // A replay may start before the one before it is done; the barriers at both ends keep them apart.
+    // A replay may start before the previous one is done; barriers at both ends order them.
     batch_->begin(VK_COMMAND_BUFFER_USAGE_SIMULTANEOUS_USE_BIT);
     encoder_.target(batch_->commands, *batch_);
     encoder_.full_barrier();
 }
 
-// What was recorded and never finished was never submitted either.
+// A recording that was not finished was never submitted.
 RecordingStream::~RecordingStream() {
     const std::lock_guard lock(device_.mutex());
     batch_.reset();
@@ -113,8 +113,8 @@ Memory RecordingStream::allocate(const MemoryDescription& description) {
     if (place.is_new_block) {
         blocks_.push_back(device_.new_memory({.name = description.name, .bytes = place.bytes, .zeroed = false}));
     } else if (place.is_just_free) {
-        // Once for all that is free by now: the barrier that follows has everything before it done.
-        encoder_.pass_storage_on();
+        // Once for all storage that is free by now: the next barrier waits for everything before it.
+        encoder_.note_storage_reuse();
     }
     buffer->place(blocks_[place.block], place.offset);
     return temporary(buffer, workspace_, place);
@@ -148,7 +148,7 @@ void ExternalStream::finish() {
     open();
     close();
     encoder_.full_barrier();
-    // Memories made while this was recorded have their first contents in the device's own stream.
+    // Memories allocated while this was recorded are initialised in the device's own stream.
     device_.stream_of_device().submit();
 }
 

@@ -1,4 +1,4 @@
-// A device's own stream: batches of commands, submitted when they are needed or large.
+// A device's own stream: batches of commands, submitted when a result is needed or the batch is large.
 #pragma once
 
 #include "vulkan_stream.h"
@@ -26,7 +26,7 @@ public:
     void clear_new(const VulkanMemory& memory);
     bool is_open() const { return batch_ != nullptr; }
     void collect(std::uint64_t completed);  ///< takes back batches that the device is done with
-    std::uint64_t open_value() const;       ///< what the open batch will be on the timeline
+    std::uint64_t open_value() const;       ///< the timeline's value for the open batch
 
 private:
     void open() override;
@@ -37,7 +37,7 @@ private:
 
     std::unique_ptr<CommandBatch> batch_;
     std::deque<std::unique_ptr<CommandBatch>> in_flight_;
-    bool ends_in_download_ = false;   ///< the next other command goes into a batch of its own
+    bool ends_in_download_ = false;   ///< the next command other than a download opens a new batch
     std::uint64_t staged_bytes_ = 0;  ///< by large uploads, in the open batch
 };
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* validation_layer = "VK_LAYER_KHRONOS_validation";
 
-// Hazards between submissions are checked only if this is in the environment: the layer of 1.3.239 has no other way.
+// Checks hazards between submissions: the layer of 1.3.239 enables that only by the environment.
 constexpr const char* queue_submit_checks = "VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT:"
                                             "VALIDATION_CHECK_ENABLE_SYNCHRONIZATION_VALIDATION_QUEUE_SUBMIT";
 
@@ -30,7 +30,7 @@ void require_version(PFN_vkGetInstanceProcAddr entry) {
     if (enumerate) check_result(enumerate(&version), "vkEnumerateInstanceVersion");
     if (version >= VK_API_VERSION_1_3) return;
     throw Error(ErrorCode::unsupported_version, "the Vulkan loader is too old", "Device::open",
-                "it speaks Vulkan " + std::to_string(VK_API_VERSION_MAJOR(version)) + "." +
+                "it supports Vulkan " + std::to_string(VK_API_VERSION_MAJOR(version)) + "." +
                     std::to_string(VK_API_VERSION_MINOR(version)) + ", Glift needs 1.3",
                 "update the loader (Debian 12: apt install libvulkan1)");
 }
@@ -64,7 +64,7 @@ VKAPI_ATTR VkBool32 VKAPI_CALL on_message(VkDebugUtilsMessageSeverityFlagBitsEXT
     return VK_FALSE;
 }
 
-// By type, not by severity: that images stay in layout GENERAL is a performance warning, which is no news.
+// Filtered by type, not severity: images in layout GENERAL raise a performance warning, which is intended.
 VkDebugUtilsMessengerCreateInfoEXT messenger_info(Instance* instance) {
     return {.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT,
             .messageSeverity =

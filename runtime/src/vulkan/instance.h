@@ -1,4 +1,4 @@
-// A Vulkan instance, made here or adopted, and what the validation layer says about its use.
+// A Vulkan instance, created or adopted, and the messages of its validation layer.
 #pragma once
 
 #include "loader.h"

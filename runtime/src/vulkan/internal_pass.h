@@ -1,4 +1,4 @@
-// A pass of the runtime's own: one compute shader that takes everything by push constants.
+// A compute shader of the runtime itself, whose only inputs are push constants.
 #pragma once
 
 #include "context.h"
@@ -8,7 +8,7 @@
 
 namespace glift::detail {
 
-/// As fill_words.comp reads it.
+/// The layout that fill_words.comp reads.
 struct FillArguments {
     VkDeviceAddress to;
     std::uint32_t words, value;
@@ -16,7 +16,7 @@ struct FillArguments {
 
 class InternalPass {
 public:
-    /// `spirv` stays where it is. The pipeline is made when it is first bound.
+    /// `spirv` must outlive it. The pipeline is made when it is first bound.
     InternalPass(Context& context, const char* name, std::span<const std::uint32_t> spirv, std::uint32_t push_bytes);
     ~InternalPass();
     InternalPass(const InternalPass&) = delete;

@@ -1,5 +1,7 @@
 #include "kernel_digest.h"
 
+#include "spirv_words.h"
+
 namespace glift::detail {
 
 namespace {
@@ -19,8 +21,16 @@ public:
             static_cast<std::uint64_t>(binding.sampler.address));
         add(binding.address_offset);
     }
+    void add(const Drawing& drawing) {
+        add(static_cast<std::uint64_t>(drawing.topology) << 24 | static_cast<std::uint64_t>(drawing.cull) << 16 |
+            static_cast<std::uint64_t>(drawing.depth_test) << 8 | static_cast<std::uint64_t>(drawing.writes_depth));
+        for (const ColourTarget& target : drawing.colours)
+            add(static_cast<std::uint64_t>(target.format) << 8 | static_cast<std::uint64_t>(target.blend));
+        add(drawing.depth != nullptr);
+    }
     void add(const Form& form) {
-        for (const std::uint32_t word : form.spirv.words()) add(word);
+        for (const Spirv& part : {form.spirv, form.fragment})
+            for (const std::uint32_t word : words_of(part)) add(word);
         add(form.parameter_bytes);
         add(form.push_constants);
         add(form.size_offset);
@@ -43,6 +53,7 @@ std::uint64_t digest_of_contents(const Kernel& kernel) {
     digest.add(kernel.loop_rounds);
     for (const Binding& binding : kernel.bindings) digest.add(binding);
     for (const Form* form : {&kernel.direct, &kernel.general, &kernel.wide}) digest.add(*form);
+    if (kernel.drawing) digest.add(*kernel.drawing);
     digest.add(kernel.reports);
     digest.add(kernel.shared_bytes);
     for (const char* file : kernel.other_files) digest.add(std::string_view(file));

@@ -1,4 +1,4 @@
-// Vulkan's functions, found at run time: the loader, those of an instance, those of a device.
+// Vulkan's functions, loaded at run time: the loader's, those of an instance, those of a device.
 #pragma once
 
 #include <vulkan/vulkan.h>
@@ -7,7 +7,7 @@
 
 namespace glift::detail {
 
-/// A function of Vulkan's. The result of one that can fail has to be used: the build fails where it is dropped.
+/// A Vulkan function. Ignoring a VkResult is a compile error.
 template <class Pointer> class Function;
 
 template <class Result, class... Parameters> class Function<Result(VKAPI_PTR*)(Parameters...)> {
@@ -61,6 +61,7 @@ private:
     X(vkBeginCommandBuffer) \
     X(vkBindBufferMemory) \
     X(vkBindImageMemory) \
+    X(vkCmdBeginRendering) \
     X(vkCmdBindDescriptorSets) \
     X(vkCmdBindPipeline) \
     X(vkCmdClearColorImage) \
@@ -71,10 +72,15 @@ private:
     X(vkCmdCopyImageToBuffer) \
     X(vkCmdDispatch) \
     X(vkCmdDispatchIndirect) \
+    X(vkCmdDraw) \
+    X(vkCmdDrawIndirect) \
+    X(vkCmdEndRendering) \
     X(vkCmdFillBuffer) \
     X(vkCmdPipelineBarrier2) \
     X(vkCmdPushConstants) \
     X(vkCmdPushDescriptorSetWithTemplateKHR) \
+    X(vkCmdSetScissor) \
+    X(vkCmdSetViewport) \
     X(vkCmdWriteTimestamp2) \
     X(vkCreateBuffer) \
     X(vkCreateCommandPool) \
@@ -83,6 +89,7 @@ private:
     X(vkCreateDescriptorSetLayout) \
     X(vkCreateDescriptorUpdateTemplate) \
     X(vkCreateFence) \
+    X(vkCreateGraphicsPipelines) \
     X(vkCreateImage) \
     X(vkCreateImageView) \
     X(vkCreatePipelineCache) \
@@ -150,7 +157,7 @@ const char* result_text(VkResult result);
 /// Throws unless the call succeeded: no_device, out_of_memory or vulkan. For calls that have no device yet.
 void check_result(VkResult result, const char* call);
 
-/// All that `query(count, values)` lists, which may change while it is asked.
+/// All values of an enumeration `query(count, values)`, which may change between the two calls.
 template <class Value, class Query> std::vector<Value> listed(const char* call, Query query) {
     for (;;) {
         std::uint32_t count = 0;

@@ -4,10 +4,10 @@
 #include "../text.h"
 #include "descriptor_limits.h"
 #include "disk_cache.h"
-#include "fixed_parameters.h"
-#include "float_controls.h"
-#include "hidden_zeros.h"
+#include "graphics_pipeline.h"
 #include "requirements.h"
+#include "shader_stage.h"
+#include "spirv_words.h"
 
 #include <glift/error.h>
 
@@ -16,15 +16,6 @@
 namespace glift::detail {
 
 namespace {
-
-/// Of generated shaders: true where the device rounds / and sqrt of floats correctly.
-constexpr std::uint32_t exact_division_constant = 100;
-
-/// Of generated shaders whose loops have no bound: the rounds that the device allows a subgroup, 0 where there is no
-/// limit.
-constexpr std::uint32_t loop_round_constant = 101;
-constexpr std::uint32_t fence_constant = 102;
-constexpr std::uint32_t copy_constant = 103;
 
 void check_limits(const Context& context, const Kernel& kernel, const Form& form) {
     const DeviceProperties& p = context.properties;
@@ -36,8 +27,8 @@ void check_limits(const Context& context, const Kernel& kernel, const Form& form
         const std::string where = loop.line ? std::string(loop.file) + ":" + std::to_string(loop.line) + ", " : "";
         throw Error(ErrorCode::loop_limit, "the kernel's loops run longer than this device allows",
                     where + kernel_text(kernel),
-                    "up to " + std::to_string(kernel.loop_rounds) + " rounds an invocation, over all its loops; " +
-                        p.name + " cuts off at " + std::to_string(p.loop_round_limit),
+                    "up to " + std::to_string(kernel.loop_rounds) + " iterations an invocation, over all its loops; " +
+                        p.name + " ends it after " + std::to_string(p.loop_round_limit),
                     loop_remedy);
     }
     const auto& g = kernel.group;
@@ -61,7 +52,8 @@ void check_limits(const Context& context, const Kernel& kernel, const Form& form
 }
 
 void check_requirements(const Context& context, const Kernel& kernel, const Form& form) {
-    const std::string missing = lacking(form.spirv.words(), context.properties);
+    std::string missing = lacking(words_of(form.spirv), context.properties);
+    if (missing.empty() && !form.fragment.empty()) missing = lacking(words_of(form.fragment), context.properties);
     if (missing.empty()) return;
     throw Error(ErrorCode::missing_feature, "the device lacks what the kernel uses", kernel_text(kernel),
                 context.properties.name + " does not have: " + missing,
@@ -162,6 +154,7 @@ std::unique_ptr<Pipeline> Pipelines::make(std::uint64_t digest, const Kernel& ke
     return pipeline;
 }
 
+// long: the structures that Vulkan wants, each named by the last
 void Pipelines::make_layout(Pipeline& pipeline) {
     const Kernel& kernel = *pipeline.kernel;
     const Form& form = *pipeline.form;
@@ -169,7 +162,7 @@ void Pipelines::make_layout(Pipeline& pipeline) {
     std::vector<VkDescriptorUpdateTemplateEntry> entries;
     const auto add = [&](std::size_t binding, VkDescriptorType type, std::uint32_t& count) {
         const auto number = static_cast<std::uint32_t>(binding);
-        bindings.push_back({number, type, 1, VK_SHADER_STAGE_COMPUTE_BIT, nullptr});
+        bindings.push_back({number, type, 1, pipeline.stages(), nullptr});
         entries.push_back({number, 0, 1, type, entries.size() * sizeof(DescriptorInfo), sizeof(DescriptorInfo)});
         ++count;
     };
@@ -202,7 +195,7 @@ void Pipelines::make_layout(Pipeline& pipeline) {
         .pBindings = bindings.data()};
     context_.check(context_.vk.vkCreateDescriptorSetLayout(context_.device, &set_info, nullptr, &pipeline.set_layout),
                    "vkCreateDescriptorSetLayout");
-    const VkPushConstantRange range = {VK_SHADER_STAGE_COMPUTE_BIT, 0, (form.parameter_bytes + 3) / 4 * 4};
+    const VkPushConstantRange range = {pipeline.stages(), 0, (form.parameter_bytes + 3) / 4 * 4};
     const VkPipelineLayoutCreateInfo layout_info = {.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
                                                     .setLayoutCount = 1,
                                                     .pSetLayouts = &pipeline.set_layout,
@@ -219,7 +212,7 @@ void Pipelines::make_layout(Pipeline& pipeline) {
         .templateType = pipeline.push ? VK_DESCRIPTOR_UPDATE_TEMPLATE_TYPE_PUSH_DESCRIPTORS_KHR
                                       : VK_DESCRIPTOR_UPDATE_TEMPLATE_TYPE_DESCRIPTOR_SET,
         .descriptorSetLayout = pipeline.set_layout,
-        .pipelineBindPoint = VK_PIPELINE_BIND_POINT_COMPUTE,
+        .pipelineBindPoint = pipeline.bind_point(),
         .pipelineLayout = pipeline.layout,
         .set = 0};
     context_.check(
@@ -228,40 +221,20 @@ void Pipelines::make_layout(Pipeline& pipeline) {
 }
 
 VkPipeline Pipelines::make_handle(const Pipeline& pipeline) {
-    std::vector<std::uint32_t> code = with_fixed_parameters(
-        with_float_controls(pipeline.form->spirv.words(), context_.float_controls), pipeline.fixed);
-    if (context_.float_controls.hides_zeros) code = with_hidden_zeros(code);
-    const VkShaderModuleCreateInfo module_info = {.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
-                                                  .codeSize = code.size() * sizeof(std::uint32_t),
-                                                  .pCode = code.data()};
-    VkShaderModule module = VK_NULL_HANDLE;
-    context_.check(context_.vk.vkCreateShaderModule(context_.device, &module_info, nullptr, &module),
-                   "vkCreateShaderModule");
-    // Generated shaders correct / and sqrt of floats unless the device's own are correctly rounded: those of CPUs are.
-    const std::uint64_t rounds = context_.properties.loop_round_limit;
-    const std::uint32_t values[] = {context_.properties.kind == DeviceKind::cpu ? VK_TRUE : VK_FALSE,
-                                    rounds == unlimited ? 0 : static_cast<std::uint32_t>(rounds),
-                                    context_.properties.fences_are_barriers ? VK_TRUE : VK_FALSE,
-                                    context_.properties.kind == DeviceKind::cpu ? VK_TRUE : VK_FALSE};
-    const VkSpecializationMapEntry entries[] = {{exact_division_constant, 0, sizeof values[0]},
-                                                {loop_round_constant, sizeof values[0], sizeof values[1]},
-                                                {fence_constant, 2 * sizeof values[0], sizeof values[2]},
-                                                {copy_constant, 3 * sizeof values[0], sizeof values[3]}};
-    const VkSpecializationInfo special = {std::size(entries), entries, sizeof values, values};
-    const VkComputePipelineCreateInfo info = {.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO,
-                                              .stage = {.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
-                                                        .stage = VK_SHADER_STAGE_COMPUTE_BIT,
-                                                        .module = module,
-                                                        .pName = "main",
-                                                        .pSpecializationInfo = &special},
-                                              .layout = pipeline.layout};
-    VkPipeline handle = VK_NULL_HANDLE;
-    const VkResult result =
-        context_.vk.vkCreateComputePipelines(context_.device, disk_->handle(), 1, &info, nullptr, &handle);
-    context_.vk.vkDestroyShaderModule(context_.device, module, nullptr);
-    context_.check(result, ("vkCreateComputePipelines for " + kernel_text(*pipeline.kernel)).c_str());
+    const VkPipeline handle = pipeline.kernel->drawing ? make_graphics_pipeline(context_, pipeline, disk_->handle())
+                                                       : make_compute_pipeline(pipeline);
     context_.set_name(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<std::uint64_t>(handle), pipeline.kernel->name);
     ++created_;
+    return handle;
+}
+
+VkPipeline Pipelines::make_compute_pipeline(const Pipeline& pipeline) {
+    const ShaderStage stage(context_, pipeline, pipeline.form->spirv, VK_SHADER_STAGE_COMPUTE_BIT);
+    const VkComputePipelineCreateInfo info = {
+        .sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO, .stage = stage.info(), .layout = pipeline.layout};
+    VkPipeline handle = VK_NULL_HANDLE;
+    context_.check(context_.vk.vkCreateComputePipelines(context_.device, disk_->handle(), 1, &info, nullptr, &handle),
+                   ("vkCreateComputePipelines for " + kernel_text(*pipeline.kernel)).c_str());
     return handle;
 }
 

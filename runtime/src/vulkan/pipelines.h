@@ -12,11 +12,11 @@
 
 namespace glift::detail {
 
-/// Pipelines as a pass needs them. Descriptor infos stand in one array in this order: the parameter buffer if there is
-/// one, each memory that has a descriptor, the status record if the kernel reports.
+/// A pipeline with its layouts. Descriptor infos are in one array in this order: the parameter buffer if there is one,
+/// each memory that has a descriptor, the status record if the kernel reports.
 struct Pipeline {
     std::uint64_t digest = 0;
-    /// Of the call in progress: where the kernel was when the pipeline was made, another library may be by now.
+    /// Of the call in progress only: the library that the kernel was in may be unloaded later.
     const Kernel* kernel = nullptr;
     const Form* form = nullptr;
     FormName name = FormName::direct;
@@ -29,6 +29,13 @@ struct Pipeline {
     std::uint32_t status_slot = 0;
     bool push = false;  ///< push descriptors, else sets from a pool
 
+    VkShaderStageFlags stages() const {
+        return kernel->drawing ? VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT
+                               : VkShaderStageFlags(VK_SHADER_STAGE_COMPUTE_BIT);
+    }
+    VkPipelineBindPoint bind_point() const {
+        return kernel->drawing ? VK_PIPELINE_BIND_POINT_GRAPHICS : VK_PIPELINE_BIND_POINT_COMPUTE;
+    }
     std::uint32_t descriptor_count() const { return storage_buffers + storage_images + sampled_images; }
 };
 
@@ -39,7 +46,7 @@ union DescriptorInfo {
 
 class DiskCache;
 
-/// Not safe for several threads: the device's lock is held around it.
+/// Not thread-safe: the device's lock is held around it.
 class Pipelines {
 public:
     explicit Pipelines(Context& context);
@@ -80,6 +87,7 @@ private:
                                    std::span<const FixedWord> fixed);
     void make_layout(Pipeline& pipeline);
     VkPipeline make_handle(const Pipeline& pipeline);
+    VkPipeline make_compute_pipeline(const Pipeline& pipeline);
     void destroy(Pipeline& pipeline);
     void insert(Pipeline* pipeline);
     std::uint32_t status_slot(std::uint64_t digest, const Kernel& kernel);

@@ -16,7 +16,7 @@ Queries::~Queries() {
 
 Query Queries::take() {
     if (!context_.timestamp_bits) {
-        throw Error(ErrorCode::missing_feature, "the device's queue keeps no time", context_.properties.name);
+        throw Error(ErrorCode::missing_feature, "the device's queue has no timestamps", context_.properties.name);
     }
     const std::lock_guard lock(mutex_);
     if (idle_.empty()) {

@@ -36,7 +36,7 @@ bool contains(const std::vector<std::uint32_t>& ids, std::uint32_t id) {
 std::string lacking(std::span<const std::uint32_t> spirv, const DeviceProperties& properties) {
     std::string text;
     const auto add = [&](const char* what) { text += (text.empty() ? "" : ", ") + std::string(what); };
-    std::vector<std::uint32_t> extended;  // types that subgroups exchange only where the device says so
+    std::vector<std::uint32_t> extended;  // types that need shaderSubgroupExtendedTypes
     bool exchanges_extended = false;
     for (std::size_t at = header_words; at < spirv.size();) {
         const std::uint32_t op = spirv[at] & 0xffffu, words = spirv[at] >> 16;

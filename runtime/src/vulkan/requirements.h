@@ -1,4 +1,4 @@
-// What a shader needs of a device beyond what Glift needs of every one.
+// Features that a shader needs beyond those that Glift requires of every device.
 #pragma once
 
 #include <glift/device.h>
@@ -9,8 +9,8 @@
 
 namespace glift::detail {
 
-/// What the shader uses and the device lacks: `subgroup shuffles, 64-bit integers`. Empty if nothing. The module itself
-/// says it, by its capabilities and by the types that subgroups exchange.
+/// Features that the shader uses and the device lacks, as text: `subgroup shuffles, 64-bit integers`. Found from the
+/// module's capabilities and the types of its subgroup operations. Empty if none.
 std::string lacking(std::span<const std::uint32_t> spirv, const DeviceProperties& properties);
 
 }  // namespace glift::detail

@@ -17,7 +17,7 @@ struct Candidate {
     bool usable;
 };
 
-// GPUs before CPUs; among GPUs those with memory of their own.
+// GPUs before CPUs; discrete GPUs first.
 int rank(VkPhysicalDeviceType type) {
     switch (type) {
     case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU: return 4;

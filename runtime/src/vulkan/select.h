@@ -1,4 +1,4 @@
-// Which physical device a word like `gpu`, `lavapipe` or part of a name means.
+// Selects a physical device by `gpu`, `lavapipe` or part of its name.
 #pragma once
 
 #include "instance.h"

@@ -1,4 +1,4 @@
-// The queue and its one timeline: each submission is a number, and the numbers come in order.
+// The queue and its timeline semaphore: each submission has a number, in increasing order.
 #pragma once
 
 #include "context.h"

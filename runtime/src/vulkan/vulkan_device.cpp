@@ -36,12 +36,11 @@ VulkanDevice::VulkanDevice(std::unique_ptr<Context> context)
 }
 
 VulkanDevice::~VulkanDevice() {
-    // No memory, recording or download is left; what is recorded and not submitted has nobody to see it.
+    // No memory, recording or download is left, so commands not yet submitted have no effect that anyone could see.
     try {
         if (!context_->lost) timeline_->wait(timeline_->submitted());
     } catch (const Error&) {
-        // Lost meanwhile, and there is nothing to wait for; or no memory to wait with, which the queue itself needs
-        // not.
+        // Lost meanwhile: nothing to wait for. Or out of host memory, which vkQueueWaitIdle does not need.
         if (!context_->lost) std::ignore = context_->vk.vkQueueWaitIdle(context_->queue);
     }
     stream_.reset();
@@ -111,7 +110,7 @@ void VulkanDevice::throw_too_large(const MemoryDescription& description) const {
 void VulkanDevice::allocate_parts(const VkMemoryRequirements& needs, bool linear, const MemoryDescription& description,
                                   Allocation& result) {
     if (allocator_->allocate(needs, MemoryUse::device, linear, result)) return;
-    // Memories that are gone may only be waiting for the device.
+    // Freed memories may be kept only until the device is done with them.
     stream_->submit();
     timeline_->wait(timeline_->submitted());
     collect();
@@ -143,10 +142,10 @@ std::vector<Allocation> VulkanDevice::allocate_pieces(const VkMemoryRequirements
 }
 
 void VulkanDevice::throw_out_of_memory(std::uint64_t bytes, const MemoryDescription& description) const {
-    // Both sizes are what they are called: some drivers give more than the heap that they name.
+    // Both sizes are given, since some drivers allocate more than the heap that they report.
     std::string why = size_text(bytes) + " asked for; Glift holds " + size_text(allocator_->reserved()) + " (" +
-                      size_text(allocator_->used()) + " in use), on the device and for bytes on their way; " +
-                      context_->properties.name + " names a heap of " + size_text(context_->properties.memory_bytes);
+                      size_text(allocator_->used()) + " in use), on the device and for staging; " +
+                      context_->properties.name + " reports a heap of " + size_text(context_->properties.memory_bytes);
     if (allocator_->limit() != UINT64_MAX) why += "; GLIFT_MEMORY_LIMIT is " + size_text(allocator_->limit());
     throw Error(ErrorCode::out_of_memory, "the device has no memory left for a structure", memory_text(description),
                 why,
@@ -243,6 +242,8 @@ void VulkanDevice::destroy(Retired& retired) {
     if (retired.query.pool) queries_->give_back(retired.query);
     if (!retired.id.serial) return;
     const MemoryParts& parts = retired.parts;
+    for (const MemoryParts::AttachmentView& attachment : parts.attachment_views)
+        vk.vkDestroyImageView(context_->device, attachment.view, nullptr);
     vk.vkDestroyImageView(context_->device, parts.sampled_view, nullptr);
     vk.vkDestroyImageView(context_->device, parts.storage_view, nullptr);
     vk.vkDestroyImage(context_->device, parts.image, nullptr);

@@ -47,15 +47,15 @@ public:
     Pipelines& pipelines() { return *pipelines_; }
     Queries& queries() { return *queries_; }
     VkBuffer status_buffer() const { return status_->buffer; }
-    /// Takes the address of its arguments.
+    /// Its push constant is the address of its arguments.
     InternalPass& prepare_pass() { return prepare_; }
     /// Takes FillArguments; one invocation a word, 256 a workgroup.
     InternalPass& fill_pass() { return fill_; }
     std::uint64_t submit(VkCommandBuffer commands);
-    void collect();  ///< destroys and takes back what the device is done with
+    void collect();  ///< destroys or recycles what the device is done with
     void allocate_parts(const VkMemoryRequirements& needs, bool linear, const MemoryDescription& description,
                         Allocation& result);
-    /// The same in allocations that a buffer is bound from one after the other.
+    /// The same as several allocations, to which a buffer is bound in order.
     std::vector<Allocation> allocate_pieces(const VkMemoryRequirements& needs, const MemoryDescription& description);
     std::uint64_t max_piece_bytes() const { return context_->max_piece_bytes; }
     void set_retire_value(std::uint64_t value) { retire_value_ = value; }
@@ -64,12 +64,12 @@ public:
     /// The lock is not held in these: submits if need be, waits, throws what kernels reported.
     void finish(std::uint64_t value);  ///< UINT64_MAX: everything recorded so far
 
-    /// Command buffers that were used before are cheaper to record: drivers keep their memory.
+    /// Batches are reused: a command buffer that was used before is cheaper to record, since drivers keep its memory.
     std::unique_ptr<CommandBatch> take_batch();
-    /// Kept for the next taker once the device is done with it.
+    /// Reused once the device is done with it.
     void give_back(std::unique_ptr<CommandBatch> batch);
 
-    /// From any thread, with or without the lock: destroyed when what is recorded by now is done.
+    /// From any thread, with or without the lock: destroys it when all commands recorded so far are done.
     void retire(const MemoryParts& parts, MemoryId id);
     void retire(Query query);
 
@@ -98,7 +98,7 @@ private:
     std::shared_ptr<Chunk> status_;
     InternalPass prepare_, fill_;
     std::vector<std::unique_ptr<CommandBatch>> idle_batches_;
-    std::uint64_t completed_ = 0;  ///< of the timeline, when it was last looked at
+    std::uint64_t completed_ = 0;  ///< the timeline's value when last read
     std::unique_ptr<ImmediateStream> stream_;
     VulkanCounters counters_;
     std::vector<std::uint32_t> free_slots_;
@@ -108,7 +108,7 @@ private:
 
     std::mutex retire_mutex_;
     std::vector<Retired> retired_;
-    std::atomic<std::uint64_t> retire_value_{0};  ///< of the timeline, when everything recorded by now is done
+    std::atomic<std::uint64_t> retire_value_{0};  ///< the timeline's value when all recorded so far is done
 };
 
 }  // namespace glift::detail

@@ -40,23 +40,23 @@ VkImageViewType view_type(MemoryKind kind) {
     return VK_IMAGE_VIEW_TYPE_2D;
 }
 
-VkImageView make_view(Context& context, VkImage image, const MemoryDescription& d, std::uint32_t mips,
-                      VkImageUsageFlags usage) {
+VkImageView make_view(Context& context, VkImage image, const MemoryDescription& d, VkImageViewType type,
+                      const VkImageSubresourceRange& range, VkImageUsageFlags usage) {
     const VkImageViewUsageCreateInfo usage_info = {.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_USAGE_CREATE_INFO,
                                                    .usage = usage};
     const VkImageViewCreateInfo info = {.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
                                         .pNext = &usage_info,
                                         .image = image,
-                                        .viewType = view_type(d.kind),
+                                        .viewType = type,
                                         .format = vulkan_format(d.format),
-                                        .subresourceRange = {vulkan_aspect(d.format), 0, mips, 0, face_count(d)}};
+                                        .subresourceRange = range};
     VkImageView view = VK_NULL_HANDLE;
     context.check(context.vk.vkCreateImageView(context.device, &info, nullptr, &view), "vkCreateImageView");
     context.set_name(VK_OBJECT_TYPE_IMAGE_VIEW, reinterpret_cast<std::uint64_t>(view), d.name);
     return view;
 }
 
-// What the format can do on this device, of what memories are used for.
+// The usages of images that the format supports on this device.
 VkImageUsageFlags image_usage(Context& context, const MemoryDescription& d) {
     VkFormatProperties format;
     context.instance->vk().vkGetPhysicalDeviceFormatProperties(context.physical, vulkan_format(d.format), &format);
@@ -77,7 +77,7 @@ VkImageUsageFlags image_usage(Context& context, const MemoryDescription& d) {
 }
 
 VkBufferCreateInfo buffer_info(const VulkanDevice& owner, const MemoryDescription& d) {
-    // Shaders may load vectors of four words: there is always room for one, and for what the last words begin.
+    // Shaders may load vectors of four words: round up, so that the last one and a first one always fit.
     if (d.bytes > owner.properties().max_allocation_bytes - 16) owner.throw_too_large(d);
     const VkDeviceSize size = (std::max<VkDeviceSize>(d.bytes, 1) + 15) / 16 * 16;
     const bool in_pieces = size > owner.max_piece_bytes();
@@ -201,10 +201,31 @@ void VulkanMemory::bind(VkDeviceMemory memory, VkDeviceSize offset) {
         return read_address();
     }
     context.check(context.vk.vkBindImageMemory(context.device, parts.image, memory, offset), "vkBindImageMemory");
-    parts.sampled_view = make_view(context, parts.image, d, d.mips, VK_IMAGE_USAGE_SAMPLED_BIT);
+    const auto levels = [&](std::uint32_t mips) {
+        return VkImageSubresourceRange{vulkan_aspect(d.format), 0, mips, 0, face_count(d)};
+    };
+    parts.sampled_view =
+        make_view(context, parts.image, d, view_type(d.kind), levels(d.mips), VK_IMAGE_USAGE_SAMPLED_BIT);
     if (image_usage(context, d) & VK_IMAGE_USAGE_STORAGE_BIT) {
-        parts.storage_view = make_view(context, parts.image, d, 1, VK_IMAGE_USAGE_STORAGE_BIT);
+        parts.storage_view =
+            make_view(context, parts.image, d, view_type(d.kind), levels(1), VK_IMAGE_USAGE_STORAGE_BIT);
     }
+}
+
+VkImageView VulkanMemory::attachment_view(std::uint32_t mip, std::uint32_t face) {
+    for (const MemoryParts::AttachmentView& known : parts.attachment_views)
+        if (known.mip == mip && known.face == face) return known.view;
+    Context& context = owner().context();
+    const MemoryDescription& d = description();
+    const VkImageUsageFlags usage =
+        image_usage(context, d) & (VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT);
+    if (!usage)
+        throw Error(ErrorCode::missing_feature, "the device cannot draw to images of this kind and format",
+                    memory_text(d), context.properties.name, "use another texel format, and a 2-D image or a cube");
+    const VkImageSubresourceRange range = {vulkan_aspect(d.format), mip, 1, face, 1};
+    const VkImageView view = make_view(context, parts.image, d, VK_IMAGE_VIEW_TYPE_2D, range, usage);
+    parts.attachment_views.push_back({mip, face, view});
+    return view;
 }
 
 void VulkanMemory::read_address() {

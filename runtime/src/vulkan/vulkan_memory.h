@@ -9,12 +9,18 @@ namespace glift::detail {
 
 class VulkanDevice;
 
-/// What a memory leaves behind, destroyed when the device no longer uses it.
+/// The Vulkan objects of a memory, destroyed when the device no longer uses them.
 struct MemoryParts {
     VkBuffer buffer = VK_NULL_HANDLE;
     VkImage image = VK_NULL_HANDLE;
     VkImageView sampled_view = VK_NULL_HANDLE;  ///< all mips
     VkImageView storage_view = VK_NULL_HANDLE;  ///< mip 0; null for formats that cannot be stored to
+    /// What has been drawn to.
+    struct AttachmentView {
+        std::uint32_t mip, face;
+        VkImageView view;
+    };
+    std::vector<AttachmentView> attachment_views;
     Allocation allocation;
     std::vector<Allocation> pieces;  ///< of a buffer larger than one allocation, in place of it
 };
@@ -24,18 +30,21 @@ public:
     VulkanMemory(std::shared_ptr<DeviceObject> device, const MemoryDescription& description);
     ~VulkanMemory() override;
 
-    /// What a memory so described takes; throws too_large, missing_feature.
+    /// The requirements of a memory of this description; throws too_large, missing_feature.
     static VkMemoryRequirements needs_of(VulkanDevice& owner, const MemoryDescription& description);
 
-    /// Makes the buffer or the image, which has no storage yet; throws as needs_of.
+    /// Creates the buffer or the image, without storage; throws as needs_of.
     void make();
-    /// Gives it storage: of its own, or a part of another memory's, which lives as long.
+    /// Binds storage: its own, or a part of another memory's, which is kept alive.
     void place(const Allocation& own);
     void place(std::vector<Allocation> pieces);
     void place(std::shared_ptr<VulkanMemory> block, VkDeviceSize offset);
 
+    /// Of one level and face, to be drawn to; throws missing_feature. The device's lock is held.
+    VkImageView attachment_view(std::uint32_t mip, std::uint32_t face);
+
     VulkanDevice& owner() const;
-    /// Whether it takes several allocations.
+    /// Whether it needs several allocations.
     bool is_in_pieces() const;
     bool is_buffer() const { return parts.buffer != VK_NULL_HANDLE; }
 

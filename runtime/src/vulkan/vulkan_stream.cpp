@@ -8,7 +8,7 @@ namespace glift::detail {
 
 namespace {
 
-// Large uploads go in parts, so that staging stays small.
+// Large uploads are split, so that staging stays small.
 constexpr std::uint64_t part_bytes = std::uint64_t(32) << 20;
 
 }  // namespace
@@ -26,6 +26,10 @@ void VulkanStream::dispatch(const Kernel& kernel, const Call& call) {
     encoder_.dispatch(kernel, call);
     for (const Memory& memory : call.memories) hold(memory);
     for (const Patch& patch : call.patches) hold(patch.value.memory);
+    if (call.targets) {
+        for (const Attachment& target : call.targets->colours) hold(target.memory);
+        if (call.targets->depth.memory) hold(call.targets->depth.memory);
+    }
     ++device_.counters().passes;
     recorded();
 }

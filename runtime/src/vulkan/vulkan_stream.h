@@ -1,5 +1,4 @@
-// What the streams of a Vulkan device share: lock, make sure there is somewhere to record to, record, keep what is
-// used.
+// What the streams of a Vulkan device share: lock, open a command buffer if needed, record, hold what is used.
 #pragma once
 
 #include "encoder.h"
@@ -26,9 +25,9 @@ public:
 protected:
     /// The device's lock is held.
     virtual void open() = 0;               ///< before something is recorded
-    virtual void recorded() {}             ///< after
-    virtual void hold(const Memory&) {}    ///< what was recorded uses this
-    virtual void staged(std::uint64_t) {}  ///< bytes of staging, between two parts of a large upload
+    virtual void recorded() {}             ///< after a command
+    virtual void hold(const Memory&) {}    ///< a recorded command uses this memory
+    virtual void staged(std::uint64_t) {}  ///< after a part of a large upload: its bytes of staging
 
     VulkanDevice& device_;
     Encoder encoder_;

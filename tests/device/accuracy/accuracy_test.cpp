@@ -1,4 +1,4 @@
-// The arithmetic of a device beside the host's, bit for bit, and its functions beside double precision.
+// Compares the arithmetic of a device with the host's, bit for bit, and its functions with double precision.
 #include "functions.h"
 
 #include <gtest/gtest.h>
@@ -38,7 +38,7 @@ std::vector<float> results(const glift::Device& device, accuracy::Kernel kernel,
     return r.read(0, size);
 }
 
-/// Bits at random, of every exponent alike, and every pair of the special values.
+/// Random bits, with uniformly distributed exponents, and all pairs of special values.
 std::pair<std::vector<float>, std::vector<float>> any_numbers() {
     std::mt19937 bits(3);
     std::vector<float> x, y;
@@ -57,7 +57,7 @@ std::pair<std::vector<float>, std::vector<float>> any_numbers() {
         x.push_back(std::bit_cast<float>(static_cast<std::uint32_t>(bits())));
         y.push_back(std::bit_cast<float>(static_cast<std::uint32_t>(bits())));
     }
-    // And of nearly one size, where roundings are close calls.
+    // And numbers of similar magnitude, whose results are often close to a rounding boundary.
     for (std::size_t i = 0; i < count; ++i) {
         x.push_back(std::bit_cast<float>(0x3f800000u | static_cast<std::uint32_t>(bits() & 0xffffffu)));
         y.push_back(std::bit_cast<float>(0x3f800000u | static_cast<std::uint32_t>(bits() & 0xffffffu)));
@@ -65,7 +65,7 @@ std::pair<std::vector<float>, std::vector<float>> any_numbers() {
     return {x, y};
 }
 
-/// One not-a-number is like another.
+/// The bits of a value; all NaNs are equal.
 std::uint32_t word_of(float value, accuracy::Zero zero) {
     if (value != value) return 0x7fc00000u;
     return value == 0 && zero == accuracy::Zero::either ? 0 : std::bit_cast<std::uint32_t>(value);
@@ -88,14 +88,14 @@ TEST_P(Arithmetic, HasTheSameBitsOnBothDevices) {
     for (const std::string& message : vulkan().validation_messages()) ADD_FAILURE() << message;
 }
 
-/// Units in the last place, of what is larger of the value and `least`.
+/// The error in units in the last place of the larger of the value and `least`.
 double error_of(const Near& function, float got, double exact) {
     if (std::isnan(got)) return std::numeric_limits<double>::infinity();
     const double size = std::max(std::abs(exact), std::max(function.least, double(std::numeric_limits<float>::min())));
     return std::abs(got - exact) / std::ldexp(1.0, std::ilogb(size) - 23);
 }
 
-/// Evenly, or where the range spans many powers evenly over these.
+/// Uniformly distributed, or logarithmically where the range spans many powers.
 std::vector<float> arguments(const Near& function, unsigned seed) {
     std::mt19937 engine(seed);
     std::uniform_real_distribution<double> place(0, 1);

@@ -1,4 +1,4 @@
-// What docs/language.md ("Accuracy") promises of each function, and over which arguments.
+// The error bounds of docs/language.md ("Accuracy"), and the ranges of arguments.
 #pragma once
 
 #include "accuracy.glift.hpp"
@@ -11,7 +11,7 @@ namespace accuracy {
 using Kernel = void (*)(const glift::Commands&, const glift::Range<Numbers>& x, const glift::Range<Numbers>& y,
                         const glift::Range<Numbers>& r);
 
-enum class Zero { signed_, either };  ///< either: which zero it is, is up to the device
+enum class Zero { signed_, either };  ///< either: the sign of a zero is unspecified
 
 /// A function whose bits are the same on every device.
 struct Exact {
@@ -20,8 +20,7 @@ struct Exact {
     Zero zero = Zero::signed_;
 };
 
-/// A function that is near the true value: no further than `bound` units in the last place of what is larger, the value
-/// or `least`.
+/// An inexact function: its error is at most `bound` units in the last place of the larger of the value and `least`.
 struct Near {
     const char* name;
     Kernel kernel;

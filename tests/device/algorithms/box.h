@@ -5,12 +5,13 @@
 
 namespace property {
 
-/// Where in two-dimensional structures the systems lie that an algorithm takes; `along` is the axis of a system.
+/// The part of a two-dimensional structure that an algorithm works on; `along` is the axis of a system.
 struct Box {
     Taken taken = Taken::whole;
     unsigned along = 0;
     std::uint32_t length = 0, systems = 0;
-    glift::uint2 extent, origin, size, capacity;  ///< capacity: of the box, where the size along x lives on the device
+    glift::uint2 extent, origin, size,
+        capacity;  ///< capacity: the box's upper bound, where its size along x is on the device
 
     Box(Round& round, unsigned along) : taken(round.taken()), along(along) {
         length = round.size();

@@ -1,4 +1,4 @@
-// Chosen elements beside std::copy_if, std::stable_partition and std::unique_copy.
+// Compares with std::copy_if, std::stable_partition and std::unique_copy.
 #include "chosen.h"
 #include "input.h"
 

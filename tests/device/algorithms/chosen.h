@@ -7,7 +7,7 @@
 
 namespace property {
 
-/// What such an algorithm wrote, with the structure's further elements, which stay; and the number that it gave.
+/// The structure after such an algorithm, with its unchanged further elements; and the returned number.
 template <class T> struct Found {
     std::vector<T> elements;
     std::uint32_t count = 0;
@@ -26,17 +26,17 @@ template <class T> testing::AssertionResult start_with(const Round& round, const
     return equal(round, all, found.elements, which);
 }
 
-/// Room for what is chosen, now and then for too little of it, which is then left out.
+/// The output's size; now and then too small, so that elements are left out.
 inline std::uint32_t room_for(Round& round, std::uint32_t count) {
     return std::max(round.chance(4) ? round.below(count + std::uint64_t{1}) : count + round.below(50), 1u);
 }
 
-/// A limit of arbitrary numbers: of some, of none, of all.
+/// A limit that selects some, none or all of arbitrary numbers.
 inline std::uint32_t limit_of(Round& round) {
     return round.chance(4) ? 0 : round.chance(4) ? UINT32_MAX : static_cast<std::uint32_t>(round.engine()());
 }
 
-/// Runs it twice over the same ground.
+/// Runs it twice over the same initial contents.
 template <class S, class T, class Run>
 Found<T> run_twice(const glift::Device& device, const Round& round, S& to, const std::vector<T>& before, Run run) {
     const auto once = [&] {

@@ -1,4 +1,4 @@
-// Recursive filters beside a serial loop in double precision.
+// Compares recursive filters with a serial loop in double precision.
 //
 // The bound. In each step the five products and four sums round off at most 5 u M, where M is the largest |b0 x| + |b1
 // x| + |b2 x| + |a1 y| + |a2 y| and u = 2^-24. What is wrong in one result goes on as the impulse response h of 1 / (1

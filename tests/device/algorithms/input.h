@@ -1,11 +1,11 @@
-// Input of an algorithm in one of the forms, and its output with what must stay as it is around it.
+// Input of an algorithm in one of the forms, and its output with surrounding elements that must not change.
 #pragma once
 
 #include "property.h"
 
 namespace property {
 
-/// Where in a structure the elements lie that an algorithm takes.
+/// The part of a structure that an algorithm works on.
 struct Placed {
     Taken taken = Taken::whole;
     std::uint32_t extent = 0, first = 0, capacity = 0, count = 0;  ///< capacity: of the part; count: of its elements
@@ -15,7 +15,7 @@ struct Placed {
         first = whole ? 0 : round.below(70);
         capacity = size + (taken == Taken::counted ? round.below(round.chance(2) ? 6000 : 3) : 0);
         extent = first + capacity + (whole ? 0 : round.below(70));
-        // Structures have an element at least; a whole one of none is none.
+        // Structures have at least one element, so an empty range is never a whole structure.
         if (extent == 0) taken = Taken::part, extent = 1;
         round.has_size(size);
         if (taken != Taken::whole)
@@ -23,7 +23,7 @@ struct Placed {
                         std::to_string(capacity));
     }
 
-    /// `values` among others.
+    /// Inserts `values` among other elements.
     template <class T> std::vector<T> among(std::vector<T> others, const std::vector<T>& values) const {
         std::copy(values.begin(), values.end(), others.begin() + first);
         return others;
@@ -65,7 +65,7 @@ template <class T> T mirrored(T x) {
     else return static_cast<T>(~x);
 }
 
-/// `values` as the algorithm sees them.
+/// `values` in the algorithm's form of input.
 template <class Dense, class Folded, class Tiled, class Line> struct Input {
     using T = typename Dense::Element;
 
@@ -117,7 +117,7 @@ template <class S> struct Output {
         for (T& x : before) x = arbitrary<T>(round);
     }
 
-    /// What is there after a run over the same ground.
+    /// The contents after a run over the same initial contents.
     template <class Run> std::vector<T> after(Run run) {
         structure.write(before);
         run(structure);
@@ -135,7 +135,7 @@ template <class T> std::vector<T> arbitrary_values(Round& round, std::uint32_t c
     return values;
 }
 
-/// Of few different values, in runs, so that equal elements meet: or of all values.
+/// Few distinct values in runs, so that neighbours are equal; or arbitrary values.
 template <class T> std::vector<T> values_with_repeats(Round& round, std::uint32_t count) {
     const std::uint32_t kinds = round.chance(3) ? 0 : 1 + round.below(round.chance(2) ? 3 : 300);
     const std::uint32_t run = round.chance(3) ? 1 + round.below(500) : 1;

@@ -1,4 +1,4 @@
-// Algorithms over a user's struct, by functions of the user's, beside the C++ library's.
+// Compares algorithms over a user-defined struct, with user-defined functions, with the C++ library's.
 #include "chosen.h"
 #include "input.h"
 
@@ -31,7 +31,7 @@ Values items_of(Round& round, std::uint32_t count) {
     return values;
 }
 
-/// One that parts the items in two.
+/// A limit that splits the items in two.
 std::uint32_t limit_among(Round& round, const Values& values) {
     return values.empty() || round.chance(8) ? limit_of(round) : values[round.below(values.size())].key;
 }

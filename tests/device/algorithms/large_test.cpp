@@ -1,5 +1,5 @@
-// Ranges of as many elements as GLIFT_PROPERTY_ELEMENTS says (100,003), or as a memory of the device may have where
-// they lie in one. Sorting pairs takes 16 bytes an element.
+// Ranges of GLIFT_PROPERTY_ELEMENTS elements (default 100,003), bounded by the device's largest memory where they are
+// stored. Sorting pairs takes 16 bytes an element.
 #include "property.h"
 
 #include "large.glift.hpp"

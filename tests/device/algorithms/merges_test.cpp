@@ -1,4 +1,4 @@
-// Merges beside std::merge.
+// Compares merges with std::merge.
 #include "chosen.h"
 #include "input.h"
 

@@ -1,4 +1,4 @@
-// Elements moved, made and counted, beside std::transform, std::fill, std::reverse_copy and plain loops.
+// Compares with std::transform, std::fill, std::reverse_copy and plain loops.
 #include "input.h"
 
 #include "moves.glift.hpp"
@@ -60,7 +60,7 @@ TEST_P(Moves, Gather) {
         const Values values = arbitrary_values<std::uint32_t>(round, placed.count);
         const Uints in(device(), round, placed, values);
         Values places(std::max(round.size(), 1u)), expected;
-        // Views are read beyond the part that is given, too: what they have there is not told.
+        // Views may be read beyond the given part, where their values are unspecified.
         const bool view = round.form() == Form::strided || round.form() == Form::mapped;
         if (view && placed.count == 0) return;
         for (std::uint32_t& place : places) {
@@ -136,7 +136,7 @@ TEST_P(Moves, Reverse) {
 TEST_P(Moves, Histogram) {
     for_all("histogram", [&](Round& round) {
         const Placed placed(round, round.size());
-        // Around what a workgroup has in memory of its own.
+        // Around the number of bins that fit workgroup memory.
         const std::uint32_t bins =
             round.chance(3) ? 1023 + round.below(3) : 1 + round.below(round.chance(2) ? 20 : 5000);
         Values values(placed.count);

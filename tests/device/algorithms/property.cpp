@@ -14,7 +14,8 @@ std::uint64_t number(const char* name, std::uint64_t otherwise) {
     return text && *text ? std::strtoull(text, nullptr, 10) : otherwise;
 }
 
-/// Closed when the tests are over: drivers that are loaded later than the first static object go before it.
+/// Closes the devices after the tests: drivers loaded after the first static object are unloaded before it is
+/// destroyed.
 class OpenDevices : public testing::Environment {
 public:
     static std::map<std::string, glift::Device>& all() {
@@ -77,7 +78,7 @@ std::optional<glift::Device> device_of(const std::string& which) {
 
 Round::Round(std::string algorithm, std::uint64_t seed)
     : algorithm_(std::move(algorithm)), seed_(seed), engine_(seed * 0x9e3779b97f4a7c15u + 1),
-      // Fifteen rounds in a row have every form with every kind of part.
+      // Fifteen consecutive rounds cover every form with every kind of part.
       form_(static_cast<Form>(seed % 5)), taken_(static_cast<Taken>(seed / 5 % 3)) {}
 
 std::uint32_t Round::below(std::uint64_t bound) {
@@ -85,7 +86,7 @@ std::uint32_t Round::below(std::uint64_t bound) {
 }
 
 std::uint32_t Round::size(std::uint32_t most) {
-    // Tiles of algorithms on the kinds of devices, and lengths beyond which they do something else.
+    // Tile sizes of the algorithms on different devices, and lengths at which they switch variants.
     static constexpr std::uint32_t tiles[] = {768, 1024, 2048, 3840, 4096, 8192, 16384, 20000, 65536};
     std::uint64_t size = most;
     switch (below(4)) {

@@ -1,8 +1,8 @@
-// Property tests: an algorithm on a device beside the C++ library's, over sizes, forms and values drawn at random.
+// Property tests: compares an algorithm on a device with the C++ library's, over random sizes, forms and values.
 //
-// Environment: GLIFT_PROPERTY_ROUNDS, how many rounds a property has (15); GLIFT_PROPERTY_LIMIT, the most elements
-// (20000); GLIFT_PROPERTY_SEED, the seed of the first round (1), the next one's is one more. A seed and a limit say
-// everything about a round: a failure prints both. GLIFT_DEVICE names the device that is not the host (lavapipe).
+// Environment: GLIFT_PROPERTY_ROUNDS, rounds for each property (15); GLIFT_PROPERTY_LIMIT, the largest number of
+// elements (20000); GLIFT_PROPERTY_SEED, the seed of the first round (1), incremented for each round. Seed and limit
+// determine a round: a failure prints both. GLIFT_DEVICE names the device that is not the host (lavapipe).
 #pragma once
 
 #include <glift/glift.h>
@@ -32,14 +32,14 @@ std::optional<glift::Device> device_of(const std::string& which);
 enum class Form : std::uint32_t { dense, folded, tiled, strided, mapped };
 enum class Taken : std::uint32_t { whole, part, counted };
 
-/// One draw of everything that a test varies, and the first thing that was found wrong.
+/// The random parameters of one round of a test.
 class Round {
 public:
     Round(std::string algorithm, std::uint64_t seed);
 
     std::uint32_t below(std::uint64_t bound);  ///< 0 where the bound is
     bool chance(std::uint32_t one_in) { return below(one_in) == 0; }
-    /// 0 to `most`: evenly over powers, or about what an algorithm does in one piece.
+    /// A size up to `most`: logarithmically distributed, or close to a tile size.
     std::uint32_t size(std::uint32_t most = limit());
     double real();  ///< -1 to 1
     std::mt19937_64& engine() { return engine_; }
@@ -52,7 +52,7 @@ public:
     void about(const std::string& what) { about_ += ", " + what; }  ///< for the message
     void has_size(std::uint64_t size) { about("size " + std::to_string(size)); }
 
-    /// The failure, with everything that makes the round again.
+    /// A failure, with everything needed to reproduce the round.
     testing::AssertionResult wrong(const std::string& what) const;
 
 private:
@@ -126,7 +126,7 @@ template <class T> testing::AssertionResult near(const Round& round, const std::
     return testing::AssertionSuccess();
 }
 
-/// What `run` gives, if it gives the same bits twice.
+/// The result of `run`, if two runs give the same bits.
 template <class Run> auto twice(const Round& round, Run run) {
     auto first = run();
     const testing::AssertionResult again = equal(round, first, run(), "run to run:");

@@ -1,4 +1,4 @@
-// Reductions beside std::accumulate, std::inner_product, std::find, std::equal and their kin.
+// Compares reductions with std::accumulate, std::inner_product, std::find, std::equal and others.
 #include "input.h"
 
 #include "reductions.glift.hpp"

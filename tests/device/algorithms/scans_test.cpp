@@ -1,4 +1,4 @@
-// Scans beside std::inclusive_scan and std::exclusive_scan.
+// Compares scans with std::inclusive_scan and std::exclusive_scan.
 #include "input.h"
 
 #include "scans.glift.hpp"

@@ -1,4 +1,4 @@
-// Radix sorts beside std::stable_sort.
+// Compares radix sorts with std::stable_sort.
 #include "input.h"
 
 #include "sorts.glift.hpp"
@@ -16,8 +16,8 @@ using sorts::Line;
 
 GLIFT_PROPERTY_SUITE(Sorts);
 
-/// As std.radix_sort orders floats: zeros of both signs are equal, not-a-number comes after infinity, and not-a-number
-/// is equal to itself.
+/// The order of floats in std.radix_sort: zeros of both signs are equal, NaN comes after infinity and is equal to
+/// itself.
 struct Precedes {
     bool descending = false;
 
@@ -30,7 +30,7 @@ struct Precedes {
     }
 };
 
-/// Not-a-number has no bits of its own.
+/// Replaces all NaNs by one.
 template <class T> std::vector<T> plain(std::vector<T> keys) {
     if constexpr (std::is_floating_point_v<T>)
         for (T& x : keys)
@@ -49,7 +49,7 @@ template <class T> std::vector<T> keys_of(Round& round, std::uint32_t count) {
         for (T& x : keys) {
             if (kind == 1) {
                 x = std::bit_cast<T>(arbitrary<Bits>(round));
-                // A device may see small numbers as zeros, and one not-a-number may become another.
+                // A device may flush subnormal numbers to zero, and change the bits of a NaN.
                 if (x != x) x = NAN;
             }
             if (kind == 2 && round.chance(2)) x = special[round.below(std::size(special))];
@@ -141,7 +141,7 @@ template <class S> void overlay(const Part& part, const Line& count, const S& fr
     if (n > 0) S(to).write(part.first, n, from.read(part.first, n));
 }
 
-/// Keys with their places as values: these say whether equal keys kept their order.
+/// Keys with their positions as values, which show whether the sort is stable.
 template <class In, class To, class Sort> void pairs(const glift::Device& device, Round& round, Form form, Sort sort) {
     using T = typename To::Element;
     round.only(form);

@@ -1,4 +1,4 @@
-// Tridiagonal systems beside the Thomas algorithm in double precision.
+// Compares tridiagonal solvers with the Thomas algorithm in double precision.
 //
 // The bound. Elimination without pivoting of a tridiagonal matrix A that is diagonally dominant solves (A + E) x = b
 // with |E| <= 12 u |A|, u = 2^-24: f(u) = 4 u of the factors and of the two substitutions, with |L| |U| <= 3 |A|
@@ -82,7 +82,7 @@ TEST_P(Tridiagonals, Rows) {
         }
         Expected expected(box.count(), 5);
         for (std::uint32_t system = 0; system < box.systems && box.length > 0; ++system) {
-            // What is not used may be anything.
+            // Unused coefficients may have any value.
             lower[box.place(system, 0)] = NAN;
             upper[box.place(system, box.length - 1)] = NAN;
             std::vector<Row> rows;

@@ -1,4 +1,4 @@
-// Reductions and scans of other types than 32-bit numbers beside std::accumulate and std::inclusive_scan.
+// Compares reductions and scans of types other than 32-bit scalars with std::accumulate and std::inclusive_scan.
 #include "input.h"
 
 #include "types.glift.hpp"

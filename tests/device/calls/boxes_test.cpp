@@ -1,4 +1,4 @@
-// Boxes of elements between host and device, over every kind of translator: each element once, nothing else touched.
+// Boxes of elements moved between host and device, over every kind of translator: each element once, no others changed.
 #include "calls.glift.hpp"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::array<std::uint32_t, 3> extent = {9, 7, 5};
 
-/// What the structure should hold, row-major.
+/// The expected contents of the structure, row-major.
 struct Model {
     std::vector<std::uint32_t> values = std::vector<std::uint32_t>(extent[0] * extent[1] * extent[2]);
 

@@ -1,4 +1,4 @@
-// A program fills what a pipeline takes, also where only another module declares it.
+// A program fills a pipeline's argument whose type only another module declares.
 #include "imported.glift.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Wrong uses of generated structures: each is a glift::Error that names the structure and says what to do.
+// Wrong uses of generated structures: each throws a glift::Error that names the structure and a remedy.
 #include "misuse.glift.hpp"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ protected:
 INSTANTIATE_TEST_SUITE_P(, Misuse, testing::Values("host", "lavapipe"),
                          [](const testing::TestParamInfo<const char*>& which) { return which.param; });
 
-/// The words of the Error that the action throws: all of them, and never without a remedy.
+/// The text of the Error that the action throws, which must have a remedy.
 std::string error_of(const std::function<void()>& action) {
     try {
         action();
@@ -78,7 +78,7 @@ template <class S> void empty_and_moved_from(const glift::Device& device, typena
     use_empty(moved, other, device);
     target.fill(3);
     EXPECT_EQ(target.read()[0], 3);
-    moved = target;  // what is given something is good again
+    moved = target;  // usable again after assignment
     EXPECT_EQ(moved.read()[0], 3);
 }
 

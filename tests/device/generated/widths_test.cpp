@@ -1,4 +1,4 @@
-// Rows of every width around the blocks that the host device works in, against loops written out here.
+// Rows of every width around the host device's block size, compared with plain loops.
 #include "widths.glift.hpp"
 
 #include <gtest/gtest.h>

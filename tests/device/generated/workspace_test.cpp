@@ -1,4 +1,4 @@
-// The temporaries of a pipeline: how many bytes they take, known before it runs, and that they share storage unharmed.
+// The temporaries of a pipeline: their bytes are known before it runs, and sharing storage does not change results.
 #include "test_device.h"
 #include "workspace.glift.hpp"
 
@@ -20,14 +20,14 @@ protected:
     glift::Recording recorded(Pipeline pipeline) const {
         return device.record([&](const glift::Commands& commands) { pipeline(commands, x, y); });
     }
-    /// What is gone is taken back when the device is done with what was recorded meanwhile.
+    /// Waits until storage of freed memories is reclaimed, once the device is done with them.
     void collect() const {
         for (int time = 0; time < 2; ++time) {
             device.commands().fill(y.data(), 0, 4);
             device.wait();
         }
     }
-    /// What a second recording adds to what is used: the first has made staging, which stays.
+    /// Bytes that a second recording adds: the first one allocates staging, which is kept.
     std::uint64_t taken(Pipeline pipeline) const {
         recorded(pipeline);
         collect();
@@ -97,7 +97,7 @@ TEST_P(Workspaces, ShareStorageUnharmed) {
     EXPECT_EQ(replayed(workspace::scan), scanned);
 }
 
-/// Filled with zeros, written, filled again for the next one, written: one after the other.
+/// Zero, write, zero for the next temporary, write: these must be ordered by barriers.
 TEST_P(Workspaces, ComeToTheNextAfterABarrier) {
     if (device.is_host()) GTEST_SKIP() << "no barriers";
     const std::uint64_t before = device.statistics().barriers;

@@ -1,4 +1,4 @@
-// Structures beyond what a descriptor covers: kernels reach them by 64-bit address, in their wide form.
+// Structures larger than a descriptor covers: kernels access them by 64-bit address, in their wide form.
 #include "on_every_device.h"
 
 #include "large.glift.hpp"
@@ -13,7 +13,8 @@ constexpr std::uint32_t piece = 1000;
 
 float mark(std::uint32_t address) { return static_cast<float>(address % 16777213u); }
 
-/// Where a 32-bit byte count, a descriptor or a grid could go wrong: the ends, and both sides of powers of two.
+/// Addresses where a 32-bit byte count, a descriptor or a grid could overflow: the ends, and both sides of powers of
+/// two.
 std::vector<std::uint32_t> origins() {
     std::vector<std::uint32_t> result{0, count - piece};
     for (const std::uint32_t power : {24u, 25u, 26u, 27u, 28u}) result.push_back((1u << power) - piece / 2);
@@ -33,7 +34,7 @@ TEST_P(Large, AGibibyteIsWrittenComputedOnAndReadBack) {
         for (std::uint32_t i = 0; i < piece; ++i) ASSERT_EQ(values[i], 0.5f * mark(origin + i)) << origin + i;
     }
 
-    // What the host writes lies where the kernels look, and nowhere else.
+    // Elements that the host writes are where kernels read them, and nowhere else.
     for (const std::uint32_t origin : origins()) line.write({origin}, {1}, std::vector<float>{-1.0f});
     large::halve(device, line);
     for (const std::uint32_t origin : origins()) {

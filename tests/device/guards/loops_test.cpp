@@ -1,4 +1,4 @@
-// Loops that a device would cut off: the right result, or an error that names kernel and loop. Never wrong data.
+// Loops longer than a device allows: the right result, or an error that names kernel and loop. Never wrong data.
 #include "on_every_device.h"
 
 #include "loops.glift.hpp"
@@ -64,7 +64,7 @@ TEST_P(Loops, OfWhichEachInvocationRunsFew) {
     }
 }
 
-// A device that runs both sides of every condition has its rounds there, too.
+// A device that runs both sides of every branch executes its iterations as well.
 TEST_P(Loops, ThatNoInvocationEnters) {
     expect("rarely", "loops.glift:93", false, 64, 30000, [&](Line& line) { loops::rarely(device, line, 30000); });
     expect("rarely", "loops.glift:93", true, 64, 40000, [&](Line& line) { loops::rarely(device, line, 40000); });
@@ -79,7 +79,7 @@ TEST_P(Loops, InAFunctionOfAnotherFile) {
     from.write({0}, {3}, std::vector<std::uint32_t>{27, 1, 97});
     loops::collatz(device, from, to);
     EXPECT_THAT(to.read({0}, {3}), testing::ElementsAre(111, 0, 118));
-    // Zero is never one: on a device without a limit this would not end.
+    // Starting from zero the loop never ends on a device without a limit.
     if (!is_cut()) return;
     from.write({0}, {3}, std::vector<std::uint32_t>{27, 1, 0});
     const auto error = thrown_by([&] {

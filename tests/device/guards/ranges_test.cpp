@@ -1,4 +1,4 @@
-// A checked build: accesses by address outside a structure, and those that may be outside.
+// Checked builds: out-of-bounds accesses by address are reported, and those that may be out of bounds are not.
 #include "on_every_device.h"
 
 #include "ranges.glift.hpp"
@@ -21,7 +21,7 @@ protected:
         EXPECT_THAT(error->where(), HasSubstr(std::string("kernel ") + kernel));
         EXPECT_THAT(error->why(), HasSubstr(why));
         EXPECT_FALSE(error->remedy().empty());
-        device.wait();  // told once
+        device.wait();  // reported once
     }
 
     template <class Run> void expect_silence(Run run) {

@@ -1,6 +1,6 @@
-// A dense volume of any size, whose kernels count elements in 64 bits: written, computed on, summed, gathered, read
-// back. GLIFT_TEST_GIB is its size in GiB, a power of two; without it the volume is small, and GLIFT_WIDE_ELEMENTS has
-// the kernels take it for a large one.
+// A dense volume whose kernels compute addresses in 64 bits: written, computed on, summed, gathered, read back.
+// GLIFT_TEST_GIB is its size in GiB, a power of two; without it the volume is small, and GLIFT_WIDE_ELEMENTS makes the
+// runtime treat it as a large one.
 #include "on_every_device.h"
 
 #include "volume.glift.hpp"
@@ -18,7 +18,7 @@ std::uint64_t gibibytes() {
     return text ? std::strtoull(text, nullptr, 10) : 0;
 }
 
-/// 2^28 elements a GiB, as near to a cube as powers of two are.
+/// 2^28 elements for each GiB, with powers of two as close to a cube as possible.
 glift::uint3 extent_of_volume() {
     if (gibibytes() == 0) return {67, 45, 33};
     glift::uint3 extent{1024, 512, 512};
@@ -52,7 +52,7 @@ std::uint32_t expected_sum(const glift::uint3& extent) {
     return total;
 }
 
-/// The corners, and both sides of powers of two in the number of an element.
+/// The corners, and elements on both sides of powers of two in physical order.
 std::vector<glift::uint3> sites_of(const glift::uint3& extent) {
     std::vector<glift::uint3> sites;
     for (const std::uint32_t z : {0u, extent.z - 1})

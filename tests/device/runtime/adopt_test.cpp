@@ -73,7 +73,7 @@ TEST(Adopt, OldAndPoorDevicesAreRefused) {
     EXPECT_NE(poor.why().find("timelineSemaphore"), std::string::npos) << poor.what();
 }
 
-// These would crash in the first call that uses what is not there.
+// Without the check, the first call that uses a missing object would crash.
 TEST(Adopt, ObjectsThatDoNotFitAreRefused) {
     const PlainVulkan mine;
     const auto refused = [](const glift::vulkan::Objects& objects, const char* why) {
@@ -151,7 +151,7 @@ TEST(Validation, ReportsAMistake) {
     const VkDevice handle = glift::vulkan::objects(device).device;
     if (vkCreateBuffer(handle, &empty, nullptr, &buffer) == VK_SUCCESS) vkDestroyBuffer(handle, buffer, nullptr);
     EXPECT_FALSE(device.validation_messages().empty());
-    EXPECT_TRUE(device.validation_messages().empty());  // taken
+    EXPECT_TRUE(device.validation_messages().empty());  // cleared
 }
 
 // Synchronization validation, between submissions too: a copy of the program's own that nothing orders after a pass.

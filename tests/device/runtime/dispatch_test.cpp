@@ -113,7 +113,7 @@ TEST_P(Dispatch, DeviceSizesFoldToo) {
     for (std::uint32_t i = 0; i < n; ++i) ASSERT_EQ(result[i], i < n - 7 ? static_cast<float>(i) : 0.0f) << i;
 }
 
-// The bug that this finds: hazards between passes that write the same memory, which validation does not report.
+// Finds missing barriers between passes that write the same memory, which validation does not report.
 TEST_P(Dispatch, PassesOverOneMemoryHappenInOrder) {
     constexpr std::uint32_t n = 4096;
     const auto g = buffer(device, "g.data", 4 * n);
@@ -168,7 +168,7 @@ TEST_P(Dispatch, ImagesAreSampledAndStored) {
     }
 }
 
-// As after a library with kernels was unloaded and another one loaded in its place.
+// Simulates unloading a library with kernels and loading another one at the same addresses.
 TEST_P(Dispatch, KernelsAreKnownByWhatTheyHoldNotByTheirAddress) {
     const auto g = buffer(device, "g.data", 256);
     glift::Kernel kernel = store_value;

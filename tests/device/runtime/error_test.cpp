@@ -1,4 +1,4 @@
-// Every way to fail says what, where, why and what to do.
+// Every error has a problem, a location, a cause and a remedy.
 #include "test_device.h"
 
 #include <filesystem>
@@ -143,7 +143,7 @@ TEST(Open, PropertiesAreThoseOfTheDevice) {
     EXPECT_EQ(device.properties().kind, glift::DeviceKind::cpu);
 }
 
-// A damaged cache of compiled pipelines is as good as none, and is replaced.
+// A damaged pipeline cache is ignored and replaced.
 TEST(PipelineCache, SurvivesDamage) {
     namespace fs = std::filesystem;
     const fs::path folder = fs::temp_directory_path() / ("glift-cache-" + std::to_string(getpid()));
@@ -165,13 +165,13 @@ TEST(PipelineCache, SurvivesDamage) {
     }
     std::fstream(file, std::ios::in | std::ios::out | std::ios::binary).seekp(30).put('!');
     run();
-    // A header that speaks of more than there is.
+    // A header whose length exceeds the file's.
     std::fstream(file, std::ios::in | std::ios::out | std::ios::binary).seekp(11).put('\x3f');
     run();
     EXPECT_EQ(fs::file_size(file), size);
     fs::remove_all(folder);
     fs::create_directories(folder.parent_path());
-    std::ofstream(folder).put('x');  // a file where the folder should be: nothing is kept, nothing fails
+    std::ofstream(folder).put('x');  // a file in place of the folder: nothing is cached, nothing fails
     run();
     fs::remove(folder);
 }
@@ -216,7 +216,7 @@ TEST_P(CallErrors, CallsThatDoNotFitTheirKernel) {
     EXPECT_EQ(error_of([&] { device.commands().upload(f, 200, std::vector<std::byte>(100)); }).code(),
               ErrorCode::wrong_argument);
     EXPECT_EQ(error_of([&] { device.commands().fill(f, 2, 4); }).code(), ErrorCode::wrong_argument);
-    for (const std::uint32_t offset : {2u, 8u, UINT32_MAX - 3}) {  // offset + 4 is no number
+    for (const std::uint32_t offset : {2u, 8u, UINT32_MAX - 3}) {  // offset + 4 overflows
         const ScaleParameters scaling = {64, 1.0f};
         const glift::Memory memories[] = {f, buffer(device, "g.data", 256)};
         const glift::Patch patch = {{buffer(device, "count", 4), 0}, offset};
@@ -321,7 +321,7 @@ TEST_P(CallErrors, NoMemoryLeft) {
     EXPECT_NE(error.where().find("page.data"), std::string::npos) << error.what();
     EXPECT_GE(memories.size(), 5u);
     memories.clear();
-    buffer(small, "page.data", 50 << 20);  // what was freed is there again
+    buffer(small, "page.data", 50 << 20);  // freed memory is available again
 }
 
 TEST_P(CallErrors, MemoryBeyondTheDevice) {

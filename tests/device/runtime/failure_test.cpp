@@ -1,12 +1,12 @@
-// Every Vulkan call that can fail, made to fail once each: an Error, or results as ever; never a crash, never wrong
-// numbers.
+// Fault injection: each Vulkan call that can fail is made to fail once. The result is an Error or the right data, never
+// a crash or wrong data.
 #include "plain_vulkan.h"
 
 namespace {
 
 using namespace kernels;
 
-/// Something of everything that the runtime asks of Vulkan.
+/// Exercises every Vulkan function that the runtime uses.
 void use_everything(const glift::vulkan::Objects& objects) {
     const auto device = glift::vulkan::adopt(objects);
     constexpr std::uint32_t n = 256;
@@ -32,7 +32,7 @@ void use_everything(const glift::vulkan::Objects& objects) {
     device.wait();
 }
 
-/// Of objects that were left when the device was destroyed; the layer tells.
+/// Counts objects that were leaked when the device was destroyed, as reported by the layer.
 VKAPI_ATTR VkBool32 VKAPI_CALL on_leak(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
                                        const VkDebugUtilsMessengerCallbackDataEXT* data, void*) {
     if (std::string(data->pMessage).find("has not been destroyed") != std::string::npos)
@@ -62,7 +62,7 @@ private:
     VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
 };
 
-/// Fails the first call, then the second, until there are no more. Returns how many there were.
+/// Fails the first call, then the second, until there are no more. Returns the number of calls.
 std::uint64_t fail_each(const PlainVulkan& mine, const glift::vulkan::Objects& objects, VkResult failure) {
     for (std::uint64_t call = 1;; ++call) {
         pretence.calls = 0;

@@ -1,5 +1,5 @@
-// Every method of every handle, where the handle is empty: default-made, or moved from. Each throws and says what to
-// do.
+// Every method of every handle, where the handle is empty: default-constructed or moved from. Each throws and says what
+// to do.
 #include "test_device.h"
 
 #include <functional>
@@ -104,6 +104,7 @@ void use_commands(const glift::Commands& commands, const glift::Memory& f, const
                                {"vulkan::finish", [&] { glift::vulkan::finish(commands); }}});
 }
 
+// long: a line for each call that takes a memory
 /// As the argument of every call that takes a memory.
 void use_memory(const glift::Memory& memory, const glift::Commands& commands, const glift::Memory& other) {
     EXPECT_FALSE(memory);

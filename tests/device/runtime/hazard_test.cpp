@@ -1,5 +1,5 @@
-// Barriers: exactly where they are needed. Counted, because validation does not see a missing one between two writes,
-// and lavapipe would get away without any.
+// Barriers are recorded exactly where they are needed. They are counted, since validation does not detect a missing one
+// between two writes, and lavapipe works without any.
 #include "test_device.h"
 
 namespace {
@@ -17,7 +17,7 @@ protected:
         for (const std::string& message : device.validation_messages()) ADD_FAILURE() << message;
     }
 
-    /// Barriers that the action needs when everything before it is done.
+    /// The number of barriers that the action records, after all earlier work is done.
     template <class Action> std::uint64_t count(Action action) {
         device.wait();
         const std::uint64_t before = device.statistics().barriers;

@@ -1,4 +1,4 @@
-// Kernels as gliftc would emit them, written by hand: GLSL in shaders/, C++ in kernels.cpp.
+// Hand-written kernels in the form that gliftc generates: GLSL in shaders/, C++ in kernels.cpp.
 #pragma once
 
 #include <glift/glift.h>

@@ -1,4 +1,4 @@
-// Memories: contents, copies, images, sizes, and what is left when they are gone.
+// Memories: contents, copies, images, sizes, and release.
 #include "test_device.h"
 
 #include <numeric>
@@ -142,7 +142,7 @@ TEST_P(Memories, AreFreedWhenTheLastHandleIsGone) {
     }
     buffer(device, "h", 16);
     device.wait();
-    buffer(device, "h", 16);  // what is done with is taken back when something is allocated
+    buffer(device, "h", 16);  // an allocation reclaims memory that the device is done with
     const auto after = device.statistics();
     EXPECT_LE(after.memories, before.memories + 2);
     EXPECT_LE(after.bytes_used, before.bytes_used + (9 << 20));
@@ -163,7 +163,7 @@ TEST_P(Memories, HandlesMayGoBeforeTheDeviceIsDone) {
     for (const float value : values_of<float>(download.get())) ASSERT_EQ(value, 6.0f);
 }
 
-// Past maxStorageBufferRange of lavapipe, so through addresses: the wide form.
+// Larger than lavapipe's maxStorageBufferRange, and so accessed by address, in the wide form.
 TEST_P(Memories, LargeOnesGoThroughAddresses) {
     constexpr std::uint32_t n = 40'000'000;
     const auto f = buffer(device, "f", 4ull * n), g = buffer(device, "g", 4ull * n);

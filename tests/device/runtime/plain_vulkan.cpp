@@ -48,7 +48,7 @@ VKAPI_ATTR VkResult VKAPI_CALL allocate(VkDevice device, const VkMemoryAllocateI
     return pretence.no_memory ? VK_ERROR_OUT_OF_DEVICE_MEMORY : vkAllocateMemory(device, info, callbacks, memory);
 }
 
-// The runtime submits in the new way only; a submission in the old one would be missed.
+// The runtime uses vkQueueSubmit2 only; a call of vkQueueSubmit would not be counted.
 VKAPI_ATTR VkResult VKAPI_CALL submit_in_the_old_way(VkQueue queue, std::uint32_t count, const VkSubmitInfo* infos,
                                                      VkFence fence) {
     ADD_FAILURE() << "vkQueueSubmit";
@@ -59,7 +59,7 @@ template <class Function> PFN_vkVoidFunction erased(Function function) {
     return reinterpret_cast<PFN_vkVoidFunction>(function);
 }
 
-/// One Vulkan function of a device that can fail, and the stand-in that makes it.
+/// A Vulkan function that can fail, and a wrapper that makes it fail.
 template <int number, class Pointer> struct Failing;
 template <int number, class... Parameters> struct Failing<number, VkResult(VKAPI_PTR*)(Parameters...)> {
     static inline VkResult(VKAPI_PTR* real)(Parameters...) = nullptr;

@@ -1,5 +1,5 @@
-// A program's own Vulkan objects, made without Glift (but with the features that it asks for), and a loader whose
-// answers a test can change.
+// A program's own Vulkan objects, created without Glift (but with the features that it needs), and a loader whose
+// results a test can change.
 #pragma once
 
 #include "test_device.h"
@@ -9,7 +9,7 @@
 #include <memory>
 #include <vector>
 
-/// What the loader pretends, and what it saw. Reset at the start of each test.
+/// Faults that the loader injects, and calls that it counted. Reset at the start of each test.
 struct Pretence {
     bool vulkan_1_2 = false;
     bool no_timeline = false;

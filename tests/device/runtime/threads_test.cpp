@@ -35,7 +35,7 @@ TEST_P(Threads, HaveMemoriesOfTheirOwn) {
     for (std::uint32_t k = 0; k < threads; ++k) EXPECT_EQ(results[k], 2 * k + 1);
 }
 
-// Passes of several threads over one memory: as if one after the other, in some order.
+// Passes of several threads over one memory are serialised in some order.
 TEST_P(Threads, ShareAMemory) {
     const auto g = buffer(device, "g.data", 4 * n);
     device.commands().fill(g, 0, 4 * n, 1);

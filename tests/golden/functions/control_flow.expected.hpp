@@ -1,27 +1,12 @@
 // Made by gliftc from control_flow.glift. Changes are lost when it is made again.
 #pragma once
 
+#include "control_flow.glift.types.hpp"
+
 #include <glift/glift.h>
 #include <glift/structure.h>
 
-#include <cstddef>
-
 /// Statements and expressions of functions, called from one kernel.
-
-namespace control_flow {
-
-#ifndef GLIFT_control_flow_HAS_Interval
-#define GLIFT_control_flow_HAS_Interval
-struct Interval {
-    float low{};
-    float high{};
-    bool operator==(const Interval&) const = default;
-};
-static_assert(offsetof(Interval, low) == 0);
-static_assert(offsetof(Interval, high) == 4);
-#endif
-
-}  // namespace control_flow
 
 namespace std_array {
 

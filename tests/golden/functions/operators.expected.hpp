@@ -1,32 +1,12 @@
 // Made by gliftc from operators.glift. Changes are lost when it is made again.
 #pragma once
 
+#include "operators.glift.types.hpp"
+
 #include <glift/glift.h>
 #include <glift/structure.h>
 
-#include <cstddef>
-
 /// Operators as values: those without fields are nowhere in a shader, those with fields are parameters.
-
-namespace operators {
-
-#ifndef GLIFT_operators_HAS_Max
-#define GLIFT_operators_HAS_Max
-struct Max {
-    bool operator==(const Max&) const = default;
-};
-#endif
-
-#ifndef GLIFT_operators_HAS_Affine
-#define GLIFT_operators_HAS_Affine
-struct Affine {
-    glift::uint modulus{};
-    Max inner{};
-    bool operator==(const Affine&) const = default;
-};
-#endif
-
-}  // namespace operators
 
 namespace std_array {
 

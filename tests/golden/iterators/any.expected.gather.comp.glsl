@@ -24,11 +24,9 @@ void main() {
     uint values_address = index_data[address];
     bool values_value_inside = values_address < values_extent;
     float values_value = values_data[values_value_inside ? values_address : 0u];
-    float g = values_value_inside ? values_value : 0.0;
     uint values_address_1 = index_data[next];
     bool values_value_inside_1 = values_address_1 < values_extent;
     float values_value_1 = values_data[values_value_inside_1 ? values_address_1 : 0u];
-    float g_1 = values_value_inside_1 ? values_value_1 : 0.0;
-    g_data[address] = g;
-    g_data[next] = g_1;
+    g_data[address] = values_value_inside ? values_value : 0.0;
+    g_data[next] = values_value_inside_1 ? values_value_1 : 0.0;
 }

@@ -1,10 +1,10 @@
 // Made by gliftc from any.glift. Changes are lost when it is made again.
 #pragma once
 
+#include "any.glift.types.hpp"
+
 #include <glift/glift.h>
 #include <glift/structure.h>
-
-#include <cstddef>
 
 /// Random reads: a gather through a structure of addresses.
 

@@ -1,10 +1,10 @@
 // Made by gliftc from at.glift. Changes are lost when it is made again.
 #pragma once
 
+#include "at.glift.types.hpp"
+
 #include <glift/glift.h>
 #include <glift/structure.h>
-
-#include <cstddef>
 
 /// Addresses without data.
 

@@ -1,10 +1,10 @@
 // Made by gliftc from near.glift. Changes are lost when it is made again.
 #pragma once
 
+#include "near.glift.types.hpp"
+
 #include <glift/glift.h>
 #include <glift/structure.h>
-
-#include <cstddef>
 
 /// A window around the current element.
 

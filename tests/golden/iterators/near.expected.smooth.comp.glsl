@@ -32,28 +32,28 @@ void main() {
     sum += (f_xp1_inside ? f_xp1 : 0.0) + (f_xm1_inside ? f_xm1 : 0.0);
     uint f_at_1 = f_at + (has_next ? f_extent.x : 0u);
     float f_yp1 = f_data[f_at_1];
+    float f_yp1_1 = has_next ? f_yp1 : 0.0;
     bool f_ym1_inside = address.y >= 1u;
     float f_ym1 = f_data[f_at - (f_ym1_inside ? f_extent.x : 0u)];
-    float value_2 = has_next ? f_yp1 : 0.0;
-    sum += value_2 + (f_ym1_inside ? f_ym1 : 0.0);
+    sum += f_yp1_1 + (f_ym1_inside ? f_ym1 : 0.0);
     bool f_zp1_inside = address.z + 1u < f_extent.z;
-    uint value_3 = f_zp1_inside ? f_extent_yx : 0u;
-    float f_zp1 = f_data[f_at + value_3];
+    uint value_2 = f_zp1_inside ? f_extent_yx : 0u;
+    float f_zp1 = f_data[f_at + value_2];
     bool f_zm1_inside = address.z >= 1u;
-    uint value_4 = f_zm1_inside ? f_extent_yx : 0u;
-    float f_zm1 = f_data[f_at - value_4];
+    uint value_3 = f_zm1_inside ? f_extent_yx : 0u;
+    float f_zm1 = f_data[f_at - value_3];
     sum += (f_zp1_inside ? f_zp1 : 0.0) + (f_zm1_inside ? f_zm1 : 0.0);
     // near.glift:10
-    float sum_1 = -6.0 * value_2;
+    float sum_1 = -6.0 * f_yp1_1;
     // near.glift:11
     float f_xp1_1 = f_data[f_at_1 + value];
     float f_xm1_1 = f_data[f_at_1 - value_1];
     sum_1 += (f_xp1_inside ? f_xp1_1 : 0.0) + (f_xm1_inside ? f_xm1_1 : 0.0);
     bool f_yp1_inside = address.y + 2u < f_extent.y;
-    float f_yp1_1 = f_data[f_at_1 + (f_yp1_inside ? f_extent.x : 0u)];
-    sum_1 += (f_yp1_inside ? f_yp1_1 : 0.0) + f_data_value;
-    float f_zp1_1 = f_data[f_at_1 + value_3];
-    float f_zm1_1 = f_data[f_at_1 - value_4];
+    float f_yp1_2 = f_data[f_at_1 + (f_yp1_inside ? f_extent.x : 0u)];
+    sum_1 += (f_yp1_inside ? f_yp1_2 : 0.0) + f_data_value;
+    float f_zp1_1 = f_data[f_at_1 + value_2];
+    float f_zm1_1 = f_data[f_at_1 - value_3];
     sum_1 += (f_zp1_inside ? f_zp1_1 : 0.0) + (f_zm1_inside ? f_zm1_1 : 0.0);
     // near.glift:12
     g_data[f_at] = sum;

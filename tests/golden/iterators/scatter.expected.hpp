@@ -1,10 +1,10 @@
 // Made by gliftc from scatter.glift. Changes are lost when it is made again.
 #pragma once
 
+#include "scatter.glift.types.hpp"
+
 #include <glift/glift.h>
 #include <glift/structure.h>
-
-#include <cstddef>
 
 /// Combined writes: a histogram.
 

@@ -1,10 +1,10 @@
 // Made by gliftc from coherent.glift. Changes are lost when it is made again.
 #pragma once
 
+#include "coherent.glift.types.hpp"
+
 #include <glift/glift.h>
 #include <glift/structure.h>
-
-#include <cstddef>
 
 /// Memory that the invocations of a pass share: read and written where it says so, in one piece.
 

@@ -37,6 +37,5 @@ void main() {
         state_before = ordered(atomicAdd, state_data[0u], 1u);
     }
     uint state_value_2 = state_data[state_value_inside];
-    uint state_value_3 = state_value_inside_2 ? state_value_2 : 0u;
-    to_data[address] = state_before + state_value_3 - state_value_1;
+    to_data[address] = state_before + (state_value_inside_2 ? state_value_2 : 0u) - state_value_1;
 }

@@ -1,10 +1,10 @@
 // Made by gliftc from fours.glift. Changes are lost when it is made again.
 #pragma once
 
+#include "fours.glift.types.hpp"
+
 #include <glift/glift.h>
 #include <glift/structure.h>
-
-#include <cstddef>
 
 /// Four elements at once: from a multiple of four without a branch, from anywhere in one.
 

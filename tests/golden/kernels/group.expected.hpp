@@ -1,10 +1,10 @@
 // Made by gliftc from group.glift. Changes are lost when it is made again.
 #pragma once
 
+#include "group.glift.types.hpp"
+
 #include <glift/glift.h>
 #include <glift/structure.h>
-
-#include <cstddef>
 
 /// An explicit workgroup: shared memory, barriers. One sum for each block of 64 elements.
 

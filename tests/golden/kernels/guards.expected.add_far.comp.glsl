@@ -23,14 +23,14 @@ void main() {
         // guards.glift:23
         bool from_value_inside = i < tile_extent;
         uint from_value = from_data[from_value_inside ? i : 0u];
-        uint value = from_value_inside ? from_value : 0u;
-        if (value > 3u) {
+        uint from_value_1 = from_value_inside ? from_value : 0u;
+        if (from_value_1 > 3u) {
             // guards.glift:24
             uint from_address = i * far;
             bool from_value_inside_1 = from_address < tile_extent;
-            uint from_value_1 = from_data[from_value_inside_1 ? from_address : 0u];
+            uint from_value_2 = from_data[from_value_inside_1 ? from_address : 0u];
             if (from_value_inside) {
-                to_data[i] = value + (from_value_inside_1 ? from_value_1 : 0u);
+                to_data[i] = from_value_1 + (from_value_inside_1 ? from_value_2 : 0u);
             }
         }
     }

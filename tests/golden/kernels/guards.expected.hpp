@@ -1,10 +1,10 @@
 // Made by gliftc from guards.glift. Changes are lost when it is made again.
 #pragma once
 
+#include "guards.glift.types.hpp"
+
 #include <glift/glift.h>
 #include <glift/structure.h>
-
-#include <cstddef>
 
 /// Guards in loops: on the host one test before the loops stands for those that a loop's variable and constants
 /// reach.

@@ -1,10 +1,10 @@
 // Made by gliftc from large_arrays.glift. Changes are lost when it is made again.
 #pragma once
 
+#include "large_arrays.glift.types.hpp"
+
 #include <glift/glift.h>
 #include <glift/structure.h>
-
-#include <cstddef>
 
 /// Arrays of an invocation's own that are too long to unroll: made zero by loops, not by one value of 256 parts,
 /// which

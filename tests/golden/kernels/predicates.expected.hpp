@@ -1,10 +1,10 @@
 // Made by gliftc from predicates.glift. Changes are lost when it is made again.
 #pragma once
 
+#include "predicates.glift.types.hpp"
+
 #include <glift/glift.h>
 #include <glift/structure.h>
-
-#include <cstddef>
 
 /// Loads of kernels with a group: under a branch where nothing but a choice needs them.
 

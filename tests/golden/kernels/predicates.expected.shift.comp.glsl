@@ -23,20 +23,18 @@ void main() {
     uint i = address + by;
     // predicates.glift:13
     bool from_value_inside = i < x_extent;
-    uint from_value = 0u;
+    uint next = 0u;
     if (from_value_inside) {
-        from_value = from_data[i];
+        next = from_data[i];
     }
-    uint next = from_value;
     // predicates.glift:14
     bool test = i % 2u == 0u;
     uint from_address = test ? i : by;
     bool from_value_inside_1 = from_address < x_extent;
-    uint from_value_1 = 0u;
+    uint chosen = 0u;
     if (from_value_inside_1) {
-        from_value_1 = from_data[from_address];
+        chosen = from_data[from_address];
     }
-    uint chosen = from_value_1;
     // predicates.glift:15
     uint x_value = 0u;
     if (in_range) {
@@ -46,7 +44,10 @@ void main() {
     // predicates.glift:16
     barrier();
     // predicates.glift:17
-    uint x_value_1 = x_data[in_range ? address : 0u];
+    uint x_value_1 = 0u;
+    if (in_range) {
+        x_value_1 = x_data[address];
+    }
     if (in_range) {
         to_data[address] = part[min(63u - gl_LocalInvocationIndex, 63u)] + chosen + (test ? chosen : 7u)
             + next + x_value_1;

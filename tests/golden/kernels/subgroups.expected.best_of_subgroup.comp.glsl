@@ -98,8 +98,7 @@ void main() {
     if (in_range) {
         from_value = from_data[address];
     }
-    uint value = from_value;
-    Best best = Best(float(value), uvec2(lane, gl_SubgroupID), int[2](1, 2));
+    Best best = Best(float(from_value), uvec2(lane, gl_SubgroupID), int[2](1, 2));
     // subgroups.glift:24
     uint stride = gl_SubgroupSize / 2u;
     // subgroups.glift:25
@@ -115,6 +114,6 @@ void main() {
     uvec4 mask = subgroupBallot(lane == first.x);
     // subgroups.glift:31
     if (in_range) {
-        to_data[address] = first.x + mask.x + gl_NumSubgroups + shuffled(value, lane + 1u);
+        to_data[address] = first.x + mask.x + gl_NumSubgroups + shuffled(from_value, lane + 1u);
     }
 }

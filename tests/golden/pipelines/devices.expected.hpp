@@ -1,10 +1,10 @@
 // Made by gliftc from devices.glift. Changes are lost when it is made again.
 #pragma once
 
+#include "devices.glift.types.hpp"
+
 #include <glift/glift.h>
 #include <glift/structure.h>
-
-#include <cstddef>
 
 /// Which kernels the host device comes to: only these have a form for it.
 

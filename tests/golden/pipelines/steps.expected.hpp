@@ -1,10 +1,10 @@
 // Made by gliftc from steps.glift. Changes are lost when it is made again.
 #pragma once
 
+#include "steps.glift.types.hpp"
+
 #include <glift/glift.h>
 #include <glift/structure.h>
-
-#include <cstddef>
 
 /// Passes in a row with temporaries, a loop on the host and a value waited for.
 

@@ -1,10 +1,10 @@
 // Made by gliftc from composed.glift. Changes are lost when it is made again.
 #pragma once
 
+#include "composed.glift.types.hpp"
+
 #include <glift/glift.h>
 #include <glift/structure.h>
-
-#include <cstddef>
 
 /// Translators in a chain: a transposed address, then a row-major one, in a buffer.
 

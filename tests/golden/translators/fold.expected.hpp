@@ -1,10 +1,10 @@
 // Made by gliftc from fold.glift. Changes are lost when it is made again.
 #pragma once
 
+#include "fold.glift.types.hpp"
+
 #include <glift/glift.h>
 #include <glift/structure.h>
-
-#include <cstddef>
 
 /// A translator of one's own, and a structure over it, in an image.
 

@@ -1,7 +1,7 @@
 // Pool, frames.glift:27.
 // Define before including: POOL_BINDING (the state; memory k follows at + 1 + k). Where wanted: POOL_SET, POOL_STATE, POOL_READONLY.
 #ifndef GLIFT_POOL
-#define GLIFT_POOL 1726624261
+#define GLIFT_POOL 1368256460
 #extension GL_EXT_scalar_block_layout : require
 
 #ifndef POOL_SET
@@ -59,13 +59,13 @@ void Pool_write(uint address, float value) {
     uint Pool_frames_address = address / 4u;
     bool Pool_frames_value_inside = Pool_frames_address < Pool_frames_n;
     uint Pool_frames_value = Pool_frames_data[Pool_frames_value_inside ? Pool_frames_address : 0u];
-    uint Pool_frames_value_1 = Pool_frames_value_inside ? Pool_frames_value : 0u;
-    uint Pool_place = (Pool_frames_value_1 - 1u) * 4u + address % 4u;
-    if (address < Pool_frames_n * 4u && (!(Pool_frames_value_1 == 0u) && Pool_place < Pool_data_extent)) {
+    uint Pool_frame = Pool_frames_value_inside ? Pool_frames_value : 0u;
+    uint Pool_place = (Pool_frame - 1u) * 4u + address % 4u;
+    if (address < Pool_frames_n * 4u && (!(Pool_frame == 0u) && Pool_place < Pool_data_extent)) {
         Pool_data[Pool_place] = value;
     }
 }
 #endif
-#elif GLIFT_POOL != 1726624261
+#elif GLIFT_POOL != 1368256460
 #error the functions of another structure called Pool are included already
 #endif

@@ -25,11 +25,10 @@ void main() {
     uint g_frames_address = address / 4u;
     bool g_frames_value_inside = g_frames_address < s_frames_n;
     uint g_frames_value = g_frames_data[g_frames_value_inside ? g_frames_address : 0u];
-    uint g_frames_value_1 = g_frames_value_inside ? g_frames_value : 0u;
-    uint g_place = (g_frames_value_1 - 1u) * 4u + address % 4u;
-    bool g_found = !(g_frames_value_1 == 0u) && g_place < s_data_extent;
+    uint g_frame = g_frames_value_inside ? g_frames_value : 0u;
+    uint g_place = (g_frame - 1u) * 4u + address % 4u;
+    bool g_found = !(g_frame == 0u) && g_place < s_data_extent;
     float g_value = g_data[g_found ? g_place : 0u];
-    float g_value_1 = g_found ? g_value : -1.0;
     uint s_address = address + 1u;
     uint s_frames_address = s_address / 4u;
     bool s_frames_value_inside = s_frames_address < s_frames_n;
@@ -40,12 +39,11 @@ void main() {
     float s_value = s_data[s_value_inside ? s_place : 0u];
     uint g_frames_address_1 = next / 4u;
     bool g_frames_value_inside_1 = g_frames_address_1 < s_frames_n;
-    uint g_frames_value_2 = g_frames_data[g_frames_value_inside_1 ? g_frames_address_1 : 0u];
-    uint g_frames_value_3 = g_frames_value_inside_1 ? g_frames_value_2 : 0u;
-    uint g_place_1 = (g_frames_value_3 - 1u) * 4u + next % 4u;
-    bool g_found_1 = !(g_frames_value_3 == 0u) && g_place_1 < s_data_extent;
-    float g_value_2 = g_data[g_found_1 ? g_place_1 : 0u];
-    float g_value_3 = g_found_1 ? g_value_2 : -1.0;
+    uint g_frames_value_1 = g_frames_data[g_frames_value_inside_1 ? g_frames_address_1 : 0u];
+    uint g_frame_1 = g_frames_value_inside_1 ? g_frames_value_1 : 0u;
+    uint g_place_1 = (g_frame_1 - 1u) * 4u + next % 4u;
+    bool g_found_1 = !(g_frame_1 == 0u) && g_place_1 < s_data_extent;
+    float g_value_1 = g_data[g_found_1 ? g_place_1 : 0u];
     uint s_address_1 = next + 1u;
     uint s_frames_address_1 = s_address_1 / 4u;
     bool s_frames_value_inside_1 = s_frames_address_1 < s_frames_n;
@@ -55,9 +53,9 @@ void main() {
     bool s_value_inside_1 = !(s_frame_1 == 0u) && s_place_1 < s_data_extent;
     float s_value_1 = s_data[s_value_inside_1 ? s_place_1 : 0u];
     if (g_found) {
-        g_data[g_place] = g_value_1 + (s_value_inside ? s_value : -1.0);
+        g_data[g_place] = g_value + (s_value_inside ? s_value : -1.0);
     }
     if (g_found_1) {
-        g_data[g_place_1] = g_value_3 + (s_value_inside_1 ? s_value_1 : -1.0);
+        g_data[g_place_1] = g_value_1 + (s_value_inside_1 ? s_value_1 : -1.0);
     }
 }

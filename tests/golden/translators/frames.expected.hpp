@@ -1,10 +1,10 @@
 // Made by gliftc from frames.glift. Changes are lost when it is made again.
 #pragma once
 
+#include "frames.glift.types.hpp"
+
 #include <glift/glift.h>
 #include <glift/structure.h>
-
-#include <cstddef>
 
 /// Physical addresses that come from memory are compared with what they lead to; those of the table itself are not.
 

@@ -1,4 +1,4 @@
-// What modules call structures: each its own, whatever is compiled beside it.
+// Names that modules give to structures: a module's names do not depend on other modules of the compilation.
 #include "driver/compile.h"
 
 #include <gmock/gmock.h>
@@ -61,7 +61,7 @@ TEST(Aliases, OfWhatIsImportedAreTakenOver) {
     EXPECT_THAT(outputs["three.glift.hpp"], HasSubstr("const glift::Range<::one::Line>& x);"));
 }
 
-/// What programs see of a module: its header and its functions for their shaders.
+/// The public outputs of a module: its header and its functions for shaders.
 std::map<std::string, std::string> seen_of(std::vector<std::string> files) {
     auto outputs = outputs_of(std::move(files));
     std::erase_if(outputs, [](const auto& output) {
@@ -70,7 +70,7 @@ std::map<std::string, std::string> seen_of(std::vector<std::string> files) {
     return outputs;
 }
 
-/// The header without what the headers have that it includes, and without those lines.
+/// The header without the declarations of the headers that it includes, and without the includes.
 std::string functions_of(const std::string& header) {
     std::string functions;
     std::istringstream lines(header);

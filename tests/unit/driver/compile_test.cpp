@@ -1,4 +1,4 @@
-// The compiler as a function, over files that are only in memory.
+// The compiler as a function, over in-memory files.
 #include "driver/command_line.h"
 #include "driver/compile.h"
 

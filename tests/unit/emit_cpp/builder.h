@@ -1,4 +1,4 @@
-// Programs built by hand, as lowering leaves them: what the printers are tested on without a front end.
+// Builds lowered programs by hand, to test the printers without a front end.
 #pragma once
 
 #include "ir/pass.h"
@@ -57,8 +57,8 @@ struct Builder {
     ir::ExprId parameter(std::uint32_t slot, ir::TypeId type) {
         return add({.op = ir::Op::parameter, .type = type, .slot = slot});
     }
-    ir::ExprId load(std::uint32_t slot, ir::TypeId type, ir::ExprId index) {
-        return add({.op = ir::Op::load, .type = type, .slot = slot, .operands = {index}});
+    ir::ExprId load(std::uint32_t slot, ir::TypeId type, ir::ExprId index, ir::Op op = ir::Op::load) {
+        return add({.op = op, .type = type, .slot = slot, .operands = {index}});
     }
 
     ir::LocalId declare(const char* name, ir::TypeId type, bool is_mutable = false) {
@@ -71,8 +71,8 @@ struct Builder {
     ir::StmtId assign(ir::ExprId target, ir::ExprId value, Span span = {}) {
         return add(ir::Stmt{.op = ir::StmtOp::assign, .span = span, .target = target, .value = value});
     }
-    ir::StmtId store(std::uint32_t slot, ir::ExprId index, ir::ExprId value, Span span = {}) {
-        return add(ir::Stmt{.op = ir::StmtOp::store, .span = span, .target = index, .value = value, .slot = slot});
+    ir::StmtId row_store(std::uint32_t slot, ir::ExprId index, ir::ExprId value, Span span = {}) {
+        return add(ir::Stmt{.op = ir::StmtOp::row_store, .span = span, .target = index, .value = value, .slot = slot});
     }
 };
 
@@ -98,13 +98,13 @@ inline ir::Pass heat_pass(Builder& b) {
                   b.plus(b.times(b.plus(b.times(b.lane(a, 2), b.lane(extent, 1)), b.lane(a, 1)), b.lane(extent, 0)),
                          b.lane(a, 0)),
                   b.line(5)));
-        body.push_back(b.let(sum, b.times(b.number(-6), b.load(0, f32, b.local(index))), b.line(5)));
+        body.push_back(b.let(sum, b.times(b.number(-6), b.load(0, f32, b.local(index), ir::Op::row_load)), b.line(5)));
         for (std::uint8_t axis = 0; axis < 3; ++axis) {
             ir::ExprId stride = axis == 0 ? b.constant(1) : b.lane(extent, 0);
             if (axis == 2) stride = b.times(stride, b.lane(extent, 1));
             for (bool up : {true, false}) {
                 ir::ExprId at = up ? b.plus(b.local(index), stride) : b.minus(b.local(index), stride);
-                ir::ExprId value = b.load(0, f32, at);
+                ir::ExprId value = b.load(0, f32, at, guarded ? ir::Op::load : ir::Op::row_load);
                 ir::ExprId inside =
                     up ? b.compare(BinaryOp::less, b.plus(b.lane(a, axis), b.constant(1)), b.lane(extent, axis))
                        : b.compare(BinaryOp::greater, b.lane(a, axis), b.constant(0));
@@ -112,15 +112,14 @@ inline ir::Pass heat_pass(Builder& b) {
                 body.push_back(b.assign(b.local(sum), b.plus(b.local(sum), value), b.line(5)));
             }
         }
-        body.push_back(b.store(1, b.local(index),
-                               b.plus(b.load(0, f32, b.local(index)), b.times(b.parameter(1, f32), b.local(sum))),
-                               b.line(5)));
+        body.push_back(b.row_store(
+            1, b.local(index),
+            b.plus(b.load(0, f32, b.local(index), ir::Op::row_load), b.times(b.parameter(1, f32), b.local(sum))),
+            b.line(5)));
         return body;
     };
-    pass.body = body(true);
-    pass.interior_body = body(false);
-    pass.interior_radius = 1;
-    pass.interior_domain = 0;
+    pass.variants = {{.devices = ir::Devices::host, .body = body(true)}};
+    pass.variants.push_back({ir::Devices::host, {.interior = ir::Interior{.radius = 1, .domain = 0}}, body(false)});
     return pass;
 }
 

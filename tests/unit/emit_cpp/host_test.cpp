@@ -1,9 +1,8 @@
-// Kernels as rows: what the printer finds out and writes. That the code is right is shown by tests/device and `gliftc
+// Kernels as rows: what the printer writes. That the code is right is shown by tests/device and `gliftc
 // test`.
 #include "builder.h"
 
-#include "emit/cpp/unit.h"
-#include "emit/host/affine.h"
+#include "emit/cpp/kernel_parts.h"
 #include "emit/host/emit.h"
 
 #include <gmock/gmock.h>
@@ -12,18 +11,6 @@
 using namespace gliftc;
 using testing::HasSubstr;
 using testing::Not;
-
-TEST(Affine, FollowsTheIndexOfARow) {
-    test::Builder b;
-    const ir::Pass pass = test::heat_pass(b);
-    host::Affine affine(b.program, pass.address);
-    const ir::ExprId a = b.local(pass.address);
-    EXPECT_TRUE(affine.is_row(b.plus(b.times(b.lane(a, 1), b.constant(7)), b.lane(a, 0))));
-    EXPECT_TRUE(affine.is_row(b.minus(b.times(b.constant(3), b.lane(a, 0)), b.times(b.lane(a, 0), b.constant(2)))));
-    EXPECT_FALSE(affine.is_row(b.times(b.lane(a, 0), b.lane(b.parameter(0, b.uint_vector(3)), 0))));
-    EXPECT_FALSE(affine.is_row(b.binary(ir::BinaryOp::divide, b.lane(a, 0), b.constant(2))));
-    EXPECT_TRUE(affine.is_steady(b.lane(a, 2)));
-}
 
 TEST(HostKernel, RunsInsideThroughPointersToTheRow) {
     test::Builder b;

@@ -1,4 +1,4 @@
-// The functions of a structure in a shader of one's own.
+// The functions of a structure, included in a user's shader.
 #include "driver/compile.h"
 #include "emit/glsl/library.h"
 #include "emit/spirv/emit.h"
@@ -67,7 +67,7 @@ TEST(Library, OfAnArray) {
           "result = Field_read(id);\n");
 }
 
-// Who includes the functions fills in the state: it is what the structure was made with, nothing computed from it.
+// The including shader sets the state: the constructor's arguments, nothing computed from them.
 TEST(Library, StateIsThatOfTheStructure) {
     std::string text = library("module own;\nuse std.tiled;\npub structure Plane = Tiled<2, float, uint2(8, 8)>;\n");
     EXPECT_THAT(text, HasSubstr("buffer Plane_state {\n    uvec2 Plane_extent;\n};"));
@@ -87,7 +87,7 @@ TEST(Library, OfMortonOrder) {
     prove(text, "#define CLOUD_BINDING 0\n", "Cloud_write(id, Cloud_read(id.zyx));\n");
 }
 
-// A translator with a loop is a function of its own: it is named before what calls it is printed.
+// A translator with a loop is a separate function, declared before its callers.
 TEST(Library, OfATranslatorWithALoop) {
     std::string text = library(
         "module own;\ntranslator Halved : uint -> uint {\n    n: uint;\n    domain() { return n; }\n"
@@ -98,7 +98,7 @@ TEST(Library, OfATranslatorWithALoop) {
     prove(text, "#define FEW_BINDING 0\n", "Few_write(id.x, Few_read(id.y));\n");
 }
 
-// They share a struct, each has functions of its own, and what both call lies in both.
+// They share a struct, each has its own functions, and both contain the functions that both call.
 TEST(Library, SeveralInOneShader) {
     const std::vector<std::string> texts =
         libraries("module own;\nuse std.array;\nuse std.tiled;\nstruct Particle { x: float; v: float2; }\n"

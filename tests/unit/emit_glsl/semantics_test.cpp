@@ -1,4 +1,4 @@
-// What the language defines and GLSL does not: guards where they are needed and only there.
+// Operations that the language defines and GLSL leaves undefined: guarded where needed, and only there.
 #include "builder.h"
 
 #include "emit/glsl/emit.h"
@@ -26,7 +26,7 @@ template <class Make> std::string stored(Make make) {
     ExprId address = b.one_axis();
     ExprId value = make(b, address);
     auto out = b.buffer("g_data", b.type_of(value), Access::write);
-    b.pass.body = {b.store(out, address, value)};
+    b.pass.plain().body = {b.store(out, address, value)};
     return proved(b);
 }
 
@@ -73,7 +73,7 @@ template <class Make> std::string corrected(Make make) {
     ExprId address = b.one_axis();
     ExprId value = make(b, address);
     auto out = b.buffer("g_data", b.type_of(value), Access::write);
-    b.pass.body = {b.store(out, address, value)};
+    b.pass.plain().body = {b.store(out, address, value)};
     std::string text = glsl::glsl_of(b.program, b.sources, b.pass,
                                      {.lines = glsl::LineMarks::directives, .rounding = glsl::Rounding::correct});
     auto spirv = spirv::spirv_of(text);
@@ -135,8 +135,8 @@ TEST(Index, IsClampedUnlessKnownToBeInside) {
     auto out = b.buffer("g_data", b.types().float_, Access::write);
     LocalId table = b.local("table", b.types().array(b.types().float_, 4)), n = b.local("n", b.types().uint, false);
     auto at = [&](ExprId where) { return b.make(Op::index, b.types().float_, {b.use(table), where}); };
-    b.pass.body = {b.let(table), b.loop(n, b.u(0), b.u(4), {b.assign(at(b.use(n)), b.f(0.5))}),
-                   b.store(out, address, b.plus(at(address), at(b.u(2))))};
+    b.pass.plain().body = {b.let(table), b.loop(n, b.u(0), b.u(4), {b.assign(at(b.use(n)), b.f(0.5))}),
+                           b.store(out, address, b.plus(at(address), at(b.u(2))))};
     std::string text = proved(b);
     EXPECT_THAT(text, HasSubstr("float table[4] = float[4](0.0, 0.0, 0.0, 0.0);"));
     EXPECT_THAT(text, HasSubstr("for (uint n = 0u; n < 4u; ++n) {\n        table[n] = 0.5;"));
@@ -148,7 +148,7 @@ TEST(Loop, EvaluatesItsLimitOnce) {
     ExprId address = b.one_axis();
     auto out = b.buffer("g_data", b.types().uint, Access::read_write);
     LocalId n = b.local("n", b.types().uint, false);
-    b.pass.body = {b.loop(n, b.u(0), b.load(out, address), {b.store(out, b.use(n), b.u(1))})};
+    b.pass.plain().body = {b.loop(n, b.u(0), b.load(out, address), {b.store(out, b.use(n), b.u(1))})};
     EXPECT_THAT(proved(b), HasSubstr("for (uint n = 0u, n_end = g_data[address]; n < n_end; ++n) {"));
 }
 
@@ -197,7 +197,7 @@ TEST(Atomics, OfFloatsAreLoopsOfCompareAndSwap) {
     stmt.slot = counts;
     stmt.value = b.u(1);
     stmt.combine = Combine::add;
-    b.pass.body = {most, b.add(stmt), b.store(out, b.u(0), b.load(out, b.u(1)))};
+    b.pass.plain().body = {most, b.add(stmt), b.store(out, b.u(0), b.load(out, b.u(1)))};
     std::string text = proved(b);
     EXPECT_THAT(text, HasSubstr("buffer G_data { uint g_data[]; };"));
     EXPECT_THAT(text, HasSubstr("g_data_max(address, 2.0);"));
@@ -303,9 +303,9 @@ TEST(Subgroups, AskForTheirExtensionsOnly) {
     ExprId sum = b.intrinsic(Intrinsic::subgroupExclusiveAdd, b.types().uint, {address});
     ExprId counted = b.intrinsic(Intrinsic::subgroupBallotExclusiveCount, b.types().uint, {b.less(address, b.u(5))});
     ExprId before = b.intrinsic(Intrinsic::atomicAdd, b.types().uint, {element, b.u(1)});
-    b.pass.body = {b.let(total, b.plus(sum, counted)), b.assign(b.use(total), b.plus(b.use(total), before)),
-                   b.add(b.statement(StmtOp::barrier)),
-                   b.branch(b.use(b.pass.in_range), {b.store(out, address, b.use(total))})};
+    b.pass.plain().body = {b.let(total, b.plus(sum, counted)), b.assign(b.use(total), b.plus(b.use(total), before)),
+                           b.add(b.statement(StmtOp::barrier)),
+                           b.branch(b.use(b.pass.in_range), {b.store(out, address, b.use(total))})};
     std::string text = proved(b);
     EXPECT_THAT(text, HasSubstr("shared uint tile[64];"));
     EXPECT_THAT(text, HasSubstr("bool in_range = address < size;"));

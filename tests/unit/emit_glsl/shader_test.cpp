@@ -1,4 +1,4 @@
-// Whole shaders: the text, and that glslang and the validator take it.
+// Whole shaders: the text, and that glslang and the SPIR-V validator accept it.
 #include "builder.h"
 
 #include "emit/glsl/emit.h"
@@ -13,7 +13,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-/// The shader for reading, proved in both ways of marking lines.
+/// The readable shader, validated with both forms of line markers.
 std::string proved(Builder& b) {
     std::string text = glsl::glsl_of(b.program, b.sources, b.pass);
     auto plain = spirv::spirv_of(text);
@@ -31,10 +31,10 @@ TEST(Shader, IsReadable) {
     auto out = b.buffer("g_data", b.types().float_, Access::write);
     b.here = b.line(4);
     LocalId sum = b.local("sum", b.types().float_);
-    b.pass.body = {b.let(sum, b.times(b.f(-8.0), b.load(in, address))),
-                   b.assign(b.use(sum), b.plus(b.use(sum), b.load(in, b.plus(address, b.u(1)))))};
+    b.pass.plain().body = {b.let(sum, b.times(b.f(-8.0), b.load(in, address))),
+                           b.assign(b.use(sum), b.plus(b.use(sum), b.load(in, b.plus(address, b.u(1)))))};
     b.here = b.line(5);
-    b.pass.body.push_back(b.store(out, address, b.use(sum)));
+    b.pass.plain().body.push_back(b.store(out, address, b.use(sum)));
     EXPECT_EQ(proved(b), R"(#version 460
 // sample, sample.glift:3: whole ranges, shared state.
 #extension GL_EXT_scalar_block_layout : require
@@ -67,7 +67,7 @@ TEST(Shader, HasParametersInABufferWhereTheyAreNotPushed) {
     ExprId dt = b.parameter("dt", b.types().float_);
     ExprId flag = b.parameter("flag", b.types().bool_);
     auto out = b.buffer("g_data", b.types().float_, Access::write);
-    b.pass.body = {b.branch(flag, {b.store(out, address, dt)})};
+    b.pass.plain().body = {b.branch(flag, {b.store(out, address, dt)})};
     const std::string text = proved(b);
     EXPECT_THAT(text, HasSubstr("layout(scalar, set = 0, binding = 0) readonly buffer Parameters {\n    uint "
                                 "size;\n    float dt;\n    bool flag;\n} parameters;"));
@@ -87,7 +87,7 @@ TEST(Shader, ReachesBuffersByAddressInTheWideForm) {
         b.pass.parameters.back().param = binding;
         b.pass.bindings[binding].address_parameter = static_cast<std::uint32_t>(b.pass.parameters.size() - 1);
     }
-    b.pass.body = {b.store(out, address, b.load(in, address))};
+    b.pass.plain().body = {b.store(out, address, b.load(in, address))};
     std::string text = proved(b);
     EXPECT_THAT(
         text,
@@ -115,7 +115,7 @@ TEST(Shader, ReadsAndWritesImages) {
     ExprId sample = b.with(Op::image_sample, float2, {b.make(Op::construct, float3, {texel})}, sampled);
     LocalId v = b.local("v", float2);
     ExprId bits = b.intrinsic(Intrinsic::floatBitsToUint, b.types().vector(b.types().uint, 2), {b.use(v)});
-    b.pass.body = {b.let(v, b.plus(sample, fetch)), b.store(out, at, bits, StmtOp::image_store)};
+    b.pass.plain().body = {b.let(v, b.plus(sample, fetch)), b.store(out, at, bits, StmtOp::image_store)};
     std::string text = proved(b);
     EXPECT_THAT(text, HasSubstr("layout(set = 0, binding = 1, r32f) uniform readonly image2D f_data;"));
     EXPECT_THAT(text, HasSubstr("layout(set = 0, binding = 2) uniform sampler3D s_data;"));
@@ -131,7 +131,7 @@ TEST(Shader, MakesNamesUniqueAndNeverWordsOfGlsl) {
     auto out = b.buffer("output", b.types().float_, Access::write);
     LocalId first = b.local("sample", b.types().float_), second = b.local("sample", b.types().float_),
             third = b.local("size", b.types().float_), fourth = b.local("gl_x__y", b.types().float_);
-    b.pass.body = {
+    b.pass.plain().body = {
         b.let(first, b.f(1)), b.let(third, b.f(3)), b.let(fourth, b.f(4)),
         b.branch(b.less(address, b.u(3)), {b.let(second, b.plus(b.use(first), b.plus(b.use(third), b.use(fourth)))),
                                            b.store(out, address, b.use(second))})};
@@ -174,8 +174,8 @@ TEST(Shader, PrintsStructsOptionalsAndFunctions) {
     b.program.exprs[call].function = id;
     ExprId has = b.make(Op::has_value, b.types().bool_, {b.use(found)}),
            value = b.make(Op::value, uint2, {b.use(found)});
-    b.pass.body = {b.let(found, call),
-                   b.branch(has, {b.store(out, address, b.lanes(value, {1}))}, {b.store(out, address, b.u(7))})};
+    b.pass.plain().body = {b.let(found, call), b.branch(has, {b.store(out, address, b.lanes(value, {1}))},
+                                                        {b.store(out, address, b.u(7))})};
     std::string text = proved(b);
     EXPECT_THAT(text, HasSubstr("struct optional_uvec2 {\n    bool has;\n    uvec2 value;\n};"));
     EXPECT_THAT(text, HasSubstr("// find<2>\n"));
@@ -192,7 +192,7 @@ TEST(Shader, BreaksLongLines) {
     auto out = b.buffer("g_data", b.types().float_, Access::write);
     ExprId sum = b.load(in, address);
     for (std::uint64_t n = 1; n < 10; ++n) sum = b.plus(sum, b.load(in, b.plus(address, b.u(n))));
-    b.pass.body = {b.store(out, address, sum)};
+    b.pass.plain().body = {b.store(out, address, sum)};
     std::string text = proved(b);
     std::size_t longest = 0;
     for (std::size_t from = 0; from < text.size();) {

@@ -1,4 +1,4 @@
-// Every reflection has the shape that docs/reflection.schema.json says.
+// Every reflection conforms to docs/reflection.schema.json.
 #include "driver/compile.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// The part of JSON Schema that the schema uses. Gives the first thing wrong, or nothing.
+/// The part of JSON Schema that the schema uses. Returns the first violation, or nothing.
 struct Validator {
     const Json& root;
 

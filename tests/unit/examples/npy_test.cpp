@@ -1,4 +1,4 @@
-// .npy files: every type and order that is read, and what is said about files that cannot be.
+// .npy files: every supported type and order, and errors for other files.
 #include "examples/common/npy.h"
 #include "support/process.h"
 

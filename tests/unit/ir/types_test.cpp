@@ -40,7 +40,7 @@ TEST(Validate, FindsALocalBeforeItsLet) {
     stmt.op = ir::StmtOp::evaluate;
     stmt.value = program.exprs.add(use);
     ir::Pass pass;
-    pass.body = {program.stmts.add(stmt)};
+    pass.plain().body = {program.stmts.add(stmt)};
     std::vector<std::string> problems = ir::validate(program, pass);
     ASSERT_EQ(problems.size(), 1u);
     EXPECT_EQ(problems[0], "a local before its let: x");

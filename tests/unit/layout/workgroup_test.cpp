@@ -1,11 +1,11 @@
-// Which shared arrays take one place.
+// Which shared arrays share memory.
 #include "../lower/lowered.h"
 #include "layout/layout.h"
 
 namespace gliftc {
 namespace {
 
-/// The shared arrays of a kernel `k`, place by place, `a+b c` where a and b take one, and the bytes of all.
+/// The allocations of the shared arrays of a kernel `k`, `a+b c` if a and b share one, and the total bytes.
 std::string places(const std::string& kernel) {
     Lowering module(R"(
 structure Line(extent: uint3) {

@@ -10,19 +10,20 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
+const ir::Variant& shader_variant(const ir::Pass& pass) { return variant_for(pass, ir::Devices::shaders); }
+
 /// Elements that an invocation takes along each axis, the same in all forms.
 std::array<std::uint32_t, 3> taken(const Lowering& lowering) {
     const ir::Lowered::Forms& forms = lowering.forms("k");
     for (const ir::Pass* pass : {&forms.general, &forms.wide}) {
-        EXPECT_EQ(pass->taken, forms.direct.taken);
-        EXPECT_EQ(pass->pair_body.empty(), forms.direct.pair_body.empty());
+        EXPECT_EQ(shader_variant(*pass).assumes.elements, shader_variant(forms.direct).assumes.elements);
     }
-    return forms.direct.taken;
+    return shader_variant(forms.direct).assumes.elements;
 }
 
 std::string pair_of(const Lowering& lowering) {
     const ir::Pass& pass = lowering.forms("k").direct;
-    return ir::print(lowering.program, pass.pair_body, &pass);
+    return ir::print(lowering.program, shader_variant(pass).body, &pass);
 }
 
 constexpr std::array one{1u, 1u, 1u}, a_row_each{1u, 2u, 1u};
@@ -73,10 +74,10 @@ TEST(Coarsen, OneElementWhereThereIsALoop) {
 TEST(Coarsen, TwoNamesOfOnePlaceAreReadInTurn) {
     Lowering lowering(
         "kernel k(f: in each<Field>, g: out each<Field>, h: out each<Field>) { g = f + 1.0; h = 2.0 * f; }");
-    EXPECT_EQ(taken(lowering), a_row_each);  // the direct form knows that the names are apart
+    EXPECT_EQ(taken(lowering), a_row_each);  // the direct form assumes no aliases
     EXPECT_EQ(count(pair_of(lowering), "= f_data["), 2u) << pair_of(lowering);
     const ir::Pass& general = lowering.forms("k").general;
-    const std::string text = ir::print(lowering.program, general.pair_body, &general);
+    const std::string text = ir::print(lowering.program, shader_variant(general).body, &general);
     const std::size_t store = text.find("g_data["), load = text.find("= f_data[", store);
     const std::size_t next = text.find("if has_next");
     EXPECT_LT(store, load) << text;
@@ -106,7 +107,7 @@ TEST(Coarsen, ARowFurtherIsTheSecondElementItself) {
     EXPECT_THAT(text, HasSubstr("(address.y + 2u) < $f_extent.y"));
 }
 
-/// What lies under a condition is not known to the second element, which may not come by it.
+/// A value computed under a condition is not available to the second element, for which the condition may not hold.
 TEST(Coarsen, ARowFurtherUnderAConditionIsNotShared) {
     Lowering lowering("kernel k(f: in near<Field, 1>, g: out each<Field>, s: float) {"
                       "    var sum = f[0]; if sum > s { sum += f[int3(0, 1, 0)]; } g = sum; }");
@@ -135,7 +136,8 @@ TEST(Coarsen, OneElementThatIsWorkEnough) {
     EXPECT_EQ(taken("kernel k(f: in near<Field, 4>, g: out each<Field>) { g = " + sum + "; }"), one);
 }
 
-/// The general form has more to compute: near the limit it alone has too much. One kernel, one number of elements.
+/// The general form has more to compute and may exceed the limit alone; all forms of a kernel must take as many
+/// elements.
 TEST(Coarsen, AllFormsTakeAsMany) {
     const auto kernel_of = [](int steps) {
         std::string text = "kernel k(f: in near<Field, 1>, g: out each<Field>) { var x = f[int3(0, 1, 0)];";

@@ -6,7 +6,7 @@
 namespace gliftc {
 namespace {
 
-/// Low-level nodes of one kind that the passes and their functions name.
+/// The number of nodes of an operation that are reachable from the passes and their functions.
 std::size_t reachable(const Lowering& lowering, ir::Op op) {
     std::set<ir::ExprId> found;
     const auto note = [&](ir::ExprId id) {
@@ -14,8 +14,7 @@ std::size_t reachable(const Lowering& lowering, ir::Op op) {
     };
     for (const ir::Lowered::Forms& forms : lowering.lowered.passes)
         for (const ir::Pass* pass : {&forms.direct, &forms.general, &forms.wide}) {
-            for (const auto* body : {&pass->prologue, &pass->body, &pass->pair_body, &pass->interior_body})
-                ir::for_each_expression(lowering.program, *body, note);
+            for (const auto* body : bodies_of(*pass)) ir::for_each_expression(lowering.program, *body, note);
             for (ir::FunctionId function : pass->functions)
                 ir::for_each_expression(lowering.program, lowering.program.functions[function].body, note);
         }

@@ -1,4 +1,4 @@
-// Which accesses are guarded by the memory's extent: those that are not shown to lie inside.
+// Which accesses are bounds-checked: those that are not proved in bounds.
 #include "lower/symbolic.h"
 #include "lowered.h"
 
@@ -87,7 +87,7 @@ TEST(Contained, ConditionsBound) {
     EXPECT_FALSE(is_guarded("buffer<float>[extent.x]", "return select(va.x + 1u < extent.x, va.x + 1u, 0u);"));
     EXPECT_TRUE(is_guarded(all, "if va.x >= extent.x { return none; } " + rest, "uint?"));
     EXPECT_TRUE(is_guarded(all, "if va.x > extent.x || va.y >= extent.y { return none; } " + rest, "uint?"));
-    // x + 1 wraps around: that it is small says nothing of x.
+    // x + 1 may wrap around, so a bound on it gives none on x.
     EXPECT_TRUE(
         is_guarded("buffer<float>[extent.x]", "if va.x + 1u < extent.x { return va.x; } return none;", "uint?"));
 }
@@ -103,7 +103,7 @@ TEST(Contained, WhatMayLieBeyond) {
     EXPECT_TRUE(is_guarded("buffer<float>[64]", "return (va.x * 31u + va.y) % 65u;"));
     EXPECT_TRUE(is_guarded("buffer<float>[64]", "return va.x | 63u;"));
     EXPECT_TRUE(is_guarded("image2d<float>(extent)", "return va.yx;", "uint2"));
-    // An empty domain, of which this translator makes addresses all the same.
+    // An empty domain, for which this translator still returns addresses.
     EXPECT_TRUE(is_guarded("buffer<float>[extent.x * extent.y]",
                            "let a = min(va, max(extent, 1u) - 1u); return a.y * extent.x + a.x;", "uint?"));
 }
@@ -111,7 +111,7 @@ TEST(Contained, WhatMayLieBeyond) {
 TEST(Contained, AnyAccessAsks) {
     const std::string direct =
         Lowering("kernel k(s: in any<Sparse>, a: at<Field>, g: out each<Field>) { g = s[a]; }").direct("k");
-    EXPECT_THAT(direct, HasSubstr("s_value_inside: bool = s_table_value.resident && (s_place < $s_pages_extent);"));
+    EXPECT_THAT(direct, HasSubstr("s_value_inside: bool = s_entry.resident && (s_place < $s_pages_extent);"));
     EXPECT_THAT(Lowering("kernel k(f: in any<Flat>, a: at<Field>, g: out each<Field>) { g = f[a]; }").direct("k"),
                 Not(HasSubstr("f_place")));
 }

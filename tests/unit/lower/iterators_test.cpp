@@ -26,10 +26,12 @@ TEST(Iterators, NeighboursAreTheCentrePlusAStride) {
     EXPECT_THAT(text, HasSubstr("let f_zm1_inside: bool = address.z >= 1u;"));
     EXPECT_EQ(count(text, "address.x + 1u"), 1u) << text;
     const ir::Pass& pass = lowering.forms("k").direct;
-    EXPECT_FALSE(pass.interior_body.empty());
-    EXPECT_EQ(pass.interior_radius, 1u);
-    EXPECT_LT(pass.interior_domain, pass.parameters.size());
-    std::string interior = ir::print(lowering.program, pass.interior_body, &pass);
+    const ir::Variant* variant = interior_variant_for(pass, ir::Devices::host);
+    ASSERT_NE(variant, nullptr);
+    EXPECT_EQ(interior_variant_for(pass, ir::Devices::shaders), nullptr);
+    EXPECT_EQ(variant->assumes.interior->radius, 1u);
+    EXPECT_LT(variant->assumes.interior->domain, pass.parameters.size());
+    std::string interior = ir::print(lowering.program, variant->body, &pass);
     EXPECT_THAT(interior, Not(HasSubstr("inside")));
 }
 
@@ -133,7 +135,7 @@ kernel k(f: in any<Field>, g: out each<Field>, a: at<Field>) { if let i = first(
     EXPECT_EQ(pass.loop_rounds, 101u);
 }
 
-// A loop over the bits of a word, over what is left of a division, over what a mask lets through.
+// Loops bounded by a bit count, a remainder, a mask.
 TEST(Iterators, RoundsAreKnownOfLimitsThatHaveABound) {
     Lowering lowering(R"(kernel k(g: out each<Field>, a: at<Field>) {
         var sum = 0.0;
@@ -143,7 +145,7 @@ TEST(Iterators, RoundsAreKnownOfLimitsThatHaveABound) {
         for i in 0..a.x >> 28u { sum += 1.0; }
         g = sum;
     })");
-    // The test that ends a loop is a round, too.
+    // The last test of a loop counts as an iteration.
     EXPECT_EQ(lowering.forms("k").direct.loop_rounds, 33u + 10u + 8u + 16u);
 }
 

@@ -1,4 +1,4 @@
-// A text taken through parser and sema and lowered, for tests. No module is imported.
+// Parses, checks and lowers a text, for tests. No module is imported.
 #pragma once
 
 #include "ir/print.h"
@@ -91,7 +91,7 @@ struct Lowering {
     std::string direct(std::string_view kernel) const { return for_one_element(forms(kernel).direct); }
     std::string general(std::string_view kernel) const { return for_one_element(forms(kernel).general); }
     std::string for_one_element(ir::Pass pass) const {
-        pass.pair_body.clear();
+        pass.variants.resize(1);
         return ir::print(program, pass);
     }
 };

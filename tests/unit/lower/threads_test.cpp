@@ -5,7 +5,7 @@ namespace {
 
 constexpr int kernels = 60;
 
-/// No two alike; what they make has types and names that the program has not.
+/// Each is different, and lowering it adds new types and names to the program.
 std::string kernel(int k) {
     const std::string n = std::to_string(k);
     const std::string rest = "fn rest" + n + "(s: Edged, a: uint3) -> float { var x" + n + " = 0.0; while x" + n +

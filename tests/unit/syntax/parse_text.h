@@ -1,4 +1,4 @@
-// Parses a text and prints what came of it.
+// Parses a text and prints the syntax tree.
 #pragma once
 
 #include "diag/render.h"

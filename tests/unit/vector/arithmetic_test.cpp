@@ -1,4 +1,4 @@
-// The rules that the language adds where C++ leaves them open, and the layout of its types.
+// Operations that the language defines where C++ does not, and the layout of its types.
 #include <glift/host/math.h>
 
 #include <gtest/gtest.h>

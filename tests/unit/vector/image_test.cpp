@@ -1,4 +1,4 @@
-// Texels as stored and as computed with.
+// Conversion, bounds checks and filtering of texels.
 #include <glift/host/image.h>
 
 #include <gtest/gtest.h>

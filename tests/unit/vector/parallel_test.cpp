@@ -1,4 +1,5 @@
 // Rows cover an iteration exactly once, whatever its shape.
+#include <glift/host/atomics.h>
 #include <glift/host/parallel.h>
 
 #include <gtest/gtest.h>
@@ -37,15 +38,6 @@ TEST(Strides, CoverEveryInvocationOnce) {
         });
         for (std::uint8_t count : seen) ASSERT_EQ(count, 1);
     }
-}
-
-TEST(Elements, FitWithoutWrapping) {
-    EXPECT_TRUE(host::fits(0, 4, 4));
-    EXPECT_TRUE(host::fits(4, 0, 4));
-    EXPECT_FALSE(host::fits(1, 4, 4));
-    EXPECT_FALSE(host::fits(UINT32_MAX, 2, UINT32_MAX));
-    EXPECT_FALSE(host::fits(UINT32_MAX - 1, 3, 8));
-    EXPECT_TRUE(host::fits(UINT32_MAX - 2, 2, UINT32_MAX));
 }
 
 TEST(Elements, MoveAsRows) {

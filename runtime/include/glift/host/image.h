@@ -1,9 +1,9 @@
-// Texels of host memory as shaders see them: conversion between stored and computed values, loads and stores that are
-// safe anywhere, filtered reads.
+// Images of the host device: conversion between stored and computed values, bounds-checked loads and stores, filtered
+// reads.
 #pragma once
 
 #include <glift/host/math.h>
-#include <glift/memory.h>
+#include <glift/host/memory.h>
 
 #include <array>
 #include <cmath>
@@ -32,7 +32,7 @@ inline void encode(Unorm8& c, float v) {
 }
 inline void encode(half& c, float v) { c = half(v); }
 inline void encode(float& c, float v) { c = v; }
-/// Unsigned integers too large for the format are cut to its largest.
+/// Clamped to the format's largest value.
 inline void encode(std::uint8_t& c, std::uint32_t v) { c = static_cast<std::uint8_t>(v < 255u ? v : 255u); }
 inline void encode(std::uint16_t& c, std::uint32_t v) { c = static_cast<std::uint16_t>(v < 65535u ? v : 65535u); }
 inline void encode(std::uint32_t& c, std::uint32_t v) { c = v; }
@@ -105,7 +105,7 @@ template <class T> void set_component(T& value, unsigned i, auto channel) {
     else value[i] = static_cast<std::remove_cvref_t<decltype(value.x)>>(channel);
 }
 
-/// Channels that the format has not are 0, the fourth is 1.
+/// Channels that the format lacks are 0, a missing fourth one is 1.
 template <Format F, class T> T decode_texel(const std::byte* address) {
     using Texel = decltype(texel_of<F>());
     T value{};
@@ -127,7 +127,7 @@ template <Format F, class T, class At> T load_texel(const HostMemory& memory, co
     return address ? detail::decode_texel<F, T>(address) : T{};
 }
 
-/// Goes nowhere outside of the image.
+/// Does nothing outside of the image.
 template <Format F, class T, class At> void store_texel(const HostMemory& memory, const At& at, const T& value) {
     using Texel = decltype(detail::texel_of<F>());
     std::byte* address = detail::texel_address<F>(memory, detail::coordinates(at));
@@ -143,7 +143,7 @@ template <Format F, class T, class At> void store_texel(const HostMemory& memory
     }
 }
 
-/// A texel of one 32-bit channel, for atomics. Outside of the image: a place of no consequence.
+/// A texel of one 32-bit channel, for atomics. Outside of the image: a dummy.
 template <Format F, class T, class At> T& texel(const HostMemory& memory, const At& at) {
     static thread_local T nowhere;
     std::byte* address = detail::texel_address<F>(memory, detail::coordinates(at));
@@ -161,7 +161,7 @@ inline std::uint32_t nearest_level(const HostMemory& memory, float level) {
     return convert<uint>(clamped);
 }
 
-/// The texel at the edge stands for all beyond it.
+/// Clamp to edge.
 template <Format F, class T>
 T clamped_texel(const HostMemory& memory, std::array<std::int64_t, 3> at, std::uint32_t level) {
     const Level mip = level_of(memory, level);
@@ -172,7 +172,7 @@ T clamped_texel(const HostMemory& memory, std::array<std::int64_t, 3> at, std::u
 
 }  // namespace detail
 
-/// The texel that normalised coordinates fall into.
+/// The texel that contains the normalised coordinates.
 template <Format F, class T, class At> T sample_nearest(const HostMemory& memory, const At& at, float level = 0.0f) {
     const std::array<float, 3> point = detail::as_array(at);
     const std::uint32_t mip = detail::nearest_level(memory, level);
@@ -183,7 +183,7 @@ template <Format F, class T, class At> T sample_nearest(const HostMemory& memory
     return detail::clamped_texel<F, T>(memory, texel, mip);
 }
 
-/// Between texel centres linearly along each axis, x first.
+/// Linear interpolation between texel centres along each axis, x first.
 template <Format F, class T, class At> T sample_linear(const HostMemory& memory, const At& at, float level = 0.0f) {
     const std::array<float, 3> point = detail::as_array(at);
     const std::uint32_t mip = detail::nearest_level(memory, level);

@@ -1,5 +1,5 @@
-// The built-in functions of the language (compiler/ir/intrinsics.def) for scalars and vectors, with the meaning that
-// shaders give them. Those marked exact give the same bits as on a GPU.
+// The built-in functions of the language (compiler/ir/intrinsics.def) for scalars and vectors, with the semantics of
+// GLSL. Those marked exact give the same bits as on a GPU.
 #pragma once
 
 #include <glift/vector.h>
@@ -12,7 +12,7 @@ namespace glift {
 
 namespace detail {
 
-/// What arithmetic on T is done in: half computes as float.
+/// The type that arithmetic on T is done in: float for half.
 template <class T> using wide = std::conditional_t<std::is_same_v<T, half>, float, T>;
 
 template <class T> inline constexpr bool is_scalar = std::is_arithmetic_v<T> || std::is_same_v<T, half>;
@@ -20,7 +20,7 @@ template <class T> inline constexpr bool is_scalar = std::is_arithmetic_v<T> || 
 }  // namespace detail
 
 // A function of one, two or three scalars, and the same for each component of vectors. In those that take more than one
-// parameter, a scalar after the first stands for all components.
+// parameter, a scalar after the first is broadcast.
 #define GLIFT_MATH_1(name)                                                                                             \
     template <class T, unsigned N> constexpr auto name(const vec<T, N>& a) {                                           \
         return detail::map([](T x) { return name(x); }, a);                                                            \
@@ -69,13 +69,13 @@ inline float sqrt(float x) { return __builtin_sqrtf(x); }
 inline double sqrt(double x) { return __builtin_sqrt(x); }
 inline half sqrt(half x) { return sqrt(static_cast<float>(x)); }
 
-/// With the sign of y, each operation rounded by itself: as shaders compute it.
+/// With the sign of y; each operation is rounded, as in shaders.
 template <class T>
 requires is_floating<T> T mod(T x, detail::same<T> y) { return x - y * floor(x / y); }
 template <class T>
 requires is_floating<T> T fract(T x) { return x - floor(x); }
 
-/// Where one value is NaN, the other.
+/// If one value is NaN, the other one.
 template <class T>
 requires detail::is_scalar<T>
 constexpr T min(T a, detail::same<T> b) {
@@ -184,7 +184,7 @@ constexpr std::int32_t bitCount(T x) { return std::popcount(static_cast<std::mak
 template <class T>
 requires is_integer<T>
 constexpr std::int32_t findLSB(T x) { return x == 0 ? -1 : std::countr_zero(static_cast<std::make_unsigned_t<T>>(x)); }
-/// Of a negative value the highest zero bit; -1 where there is none.
+/// Of a negative value the highest zero bit; -1 if there is none.
 template <class T>
 requires is_integer<T>
 constexpr std::int32_t findMSB(T x) {
@@ -200,7 +200,8 @@ constexpr T bitfieldReverse(T x) {
     for (unsigned i = 0; i < sizeof(T) * 8; ++i, from >>= 1) to = static_cast<U>(to << 1) | (from & 1u);
     return static_cast<T>(to);
 }
-/// Bits [offset, offset + bits), sign extended for signed types; cut at the top. Negative arguments count as large.
+/// Bits [offset, offset + bits) as far as the type has them, sign extended for signed types. An offset outside the type
+/// gives 0; negative `bits` are all bits from `offset` on.
 template <class T>
 requires is_integer<T>
 constexpr T bitfieldExtract(T x, std::int32_t offset, std::int32_t bits) {
@@ -265,7 +266,7 @@ constexpr float4 unpackUnorm4x8(std::uint32_t bits) {
 
 // -------------------------------------------------------------------------------------------------------- geometry
 
-/// The sum from the first component on.
+/// Summed in the order of the components.
 template <class T>
 requires detail::is_scalar<T>
 constexpr T dot(T a, detail::same<T> b) { return a * b; }
@@ -332,7 +333,7 @@ template <class T, unsigned N> constexpr mat<T, N, N> inverse(const mat<T, N, N>
     return result;
 }
 
-// --------------------------------------------------------------------------------------------------- within bounds
+// ------------------------------------------------------------------------- not exact: docs/language.md has the bounds
 
 #define GLIFT_INEXACT_1(name, function)                                                                                \
     template <class T>                                                                                                 \
@@ -377,11 +378,11 @@ GLIFT_MATH_3(fma)
 #undef GLIFT_MATH_2
 #undef GLIFT_MATH_3
 
-// --------------------------------------------------- subgroups: the host's have one lane, which is active
+// ------------------------------------------------------- subgroups: on the host they have one lane, which is active
 
 namespace detail {
 
-/// What the minimum or maximum of nothing is.
+/// The identities of the maximum and the minimum.
 template <class T> constexpr T least() {
     if constexpr (std::is_same_v<T, half>) return half(-std::numeric_limits<float>::infinity());
     else if constexpr (is_floating<T>) return -std::numeric_limits<T>::infinity();

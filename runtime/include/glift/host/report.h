@@ -1,15 +1,14 @@
 // What the host kernels of a checked build call (gliftc --checked).
 #pragma once
 
-#include <glift/pass.h>
+#include <glift/kernel.h>
 #include <glift/vector.h>
 
 #include <atomic>
 
 namespace glift::host {
 
-/// An access outside a structure, at the place that `record` names. The first one is told, from whichever thread it
-/// comes.
+/// Reports an access out of bounds, at the source location in `record`. Only the first one of all threads is kept.
 inline void report_outside(const HostCall& call, const StatusRecord& record, const uint* address, uint rank) {
     std::uint32_t fine = StatusRecord::fine;
     if (!std::atomic_ref(call.status->code).compare_exchange_strong(fine, StatusRecord::out_of_range)) return;

@@ -1,0 +1,34 @@
+// What tells texts from each other, for caches.
+#pragma once
+
+#include <cstdint>
+#include <cstdio>
+#include <string>
+#include <string_view>
+
+namespace gliftc {
+
+/// FNV-1a of two beginnings: what differs gives other digits.
+class Digest {
+public:
+    void add(std::string_view text) {
+        for (unsigned char c : text) {
+            a_ = (a_ ^ c) * prime;
+            b_ = (b_ ^ c) * prime;
+        }
+        a_ = (a_ ^ 0x100) * prime;  // where a text ends
+        b_ = (b_ ^ 0x100) * prime;
+    }
+    std::string digits() const {
+        char text[33];
+        std::snprintf(text, sizeof text, "%016llx%016llx", static_cast<unsigned long long>(a_),
+                      static_cast<unsigned long long>(b_));
+        return text;
+    }
+
+private:
+    static constexpr std::uint64_t prime = 0x100000001b3u;
+    std::uint64_t a_ = 0xcbf29ce484222325u, b_ = 0x84222325cbf29ce4u;
+};
+
+}  // namespace gliftc

@@ -1,0 +1,284 @@
+// Kernels as functions: what a program calls packs the parameters of one form and dispatches it.
+#include "emit/cpp/kernel_parts.h"
+#include "emit/cpp/sharing.h"
+#include "ir/effects.h"
+#include "ir/walk.h"
+
+#include <algorithm>
+
+namespace gliftc::cpp {
+
+namespace {
+
+using ir::Kernel;
+using ir::KernelParam;
+using ir::ParameterSource;
+using ir::Pass;
+using ir::PassBinding;
+using ir::PassParameter;
+using ir::Pattern;
+
+/// How the structure passed for a parameter is spelled in the kernel's function.
+const std::string& param_name(const Unit& unit, const KernelParam& param) {
+    return unit.globals.param_names.at(&param);
+}
+
+bool is_adaptor(const Unit& unit, const KernelParam& param) {
+    return param.pattern != Pattern::value &&
+           unit.program.structures[param.structure].kind == ir::StructureKind::adaptor;
+}
+
+/// What of the structures passed is touched, in order; an adaptor has no elements of its own.
+std::string footprints_text(const Unit& unit, const Kernel& kernel) {
+    std::string text;
+    for (const KernelParam& param : kernel.params)
+        if (param.pattern != Pattern::value)
+            text += (text.empty() ? "" : ", ") + (is_adaptor(unit, param) ? "{}" : param_name(unit, param));
+    return text;
+}
+
+/// What members of the structure passed for a parameter follow: ranges point to theirs.
+std::string object_of(const Unit& unit, const KernelParam& param) {
+    return param_name(unit, param) + (is_adaptor(unit, param) ? "." : "->");
+}
+
+std::string memories_text(Unit& unit, const Kernel& kernel, const Pass& pass) {
+    std::string text;
+    for (const PassBinding& binding : pass.bindings) {
+        const KernelParam& param = kernel.params[binding.place.root];
+        std::string object = object_of(unit, param);
+        std::uint32_t structure = param.structure;
+        for (std::uint32_t member : binding.place.members) {
+            object += unit.globals.class_names[structure].members[member] + "().";
+            structure = unit.program.structures[structure].members[member].structure;
+        }
+        text +=
+            (text.empty() ? "" : ", ") + object + unit.globals.class_names[structure].memories[binding.memory] + "()";
+    }
+    return text;
+}
+
+/// The parameter whose range the kernel's size is.
+const KernelParam* first_visited(const Kernel& kernel) {
+    for (const KernelParam& param : kernel.params) {
+        if (ir::visits(param.pattern)) return &param;
+    }
+    return nullptr;
+}
+
+std::string value_of(Unit& unit, const Kernel& kernel, const PassParameter& parameter) {
+    switch (parameter.source) {
+    case ParameterSource::uniform: {
+        Printer p(unit.globals);
+        for (const KernelParam& param : kernel.params) {
+            p.names.declare(param_name(unit, param));
+            if (param.pattern == Pattern::value) p.local_names[param.local] = param_name(unit, param);
+        }
+        p.outer_expression = [&](const ir::Expr& expr) -> Text {
+            const KernelParam& param = kernel.params[expr.place.root];
+            return structure_property(unit.globals, expr, param.structure, object_of(unit, param));
+        };
+        std::string text = print_any(p, parameter.value);
+        if (is_bool_vector(unit.program, parameter.type))
+            text = storage_text(unit.globals, parameter.type) + "(" + text + ")";
+        return text;
+    }
+    case ParameterSource::origin: {
+        const KernelParam& param = kernel.params[parameter.param];
+        if (param.pattern == Pattern::near) return "iteration.centre(" + param_name(unit, param) + ")";
+        return param_name(unit, param) + ".origin()";
+    }
+    case ParameterSource::size: {
+        const KernelParam* first = first_visited(kernel);
+        return first ? param_name(unit, *first) + ".size()" : "{}";
+    }
+    case ParameterSource::range_size: return param_name(unit, kernel.params[parameter.param]) + ".size()";
+    case ParameterSource::address: return "0u";
+    case ParameterSource::base: return "{}";
+    }
+    return "{}";
+}
+
+/// Declares `parameters` and dispatches one form.
+void print_dispatch(Unit& unit, Writer& out, const Kernel& kernel, const Pass& pass, const std::string& name,
+                    const char* form) {
+    const std::vector<NamedParameter> ordered = parameters_in_order(unit.globals, pass);
+    const std::string block = name + "_" + form + "_parameters";
+    if (!ordered.empty()) {
+        out.open("const " + block + " parameters =");
+        for (const auto& [parameter, member] : ordered)
+            out.line("." + member + " = " + value_of(unit, kernel, *parameter) + ",");
+        out.close(";");
+    }
+    std::string call = std::string("{.form = glift::FormName::") + form +
+                       ", .memories = " + (pass.bindings.empty() ? "{}" : "memories") +
+                       ", .parameters = " + (ordered.empty() ? "{}" : "glift::bytes_of(parameters)") +
+                       ", .size = iteration.size()";
+    std::string counted;
+    bool counts_ranges = false;
+    if (pass.form != ir::Form::direct) {
+        for (const auto& [parameter, member] : ordered) {
+            const std::string offset = "offsetof(" + block + ", " + member + ")";
+            if (parameter->source == ParameterSource::range_size &&
+                !ir::visits(kernel.params[parameter->param].pattern)) {
+                out.line("iteration.count(" + param_name(unit, kernel.params[parameter->param]) + ", " + offset + ");");
+                counts_ranges = true;
+            }
+            const bool of_first =
+                parameter->source == ParameterSource::range_size && ir::visits(kernel.params[parameter->param].pattern);
+            if (parameter->source == ParameterSource::size || of_first)
+                counted += (counted.empty() ? "" : ", ") + offset;
+        }
+    }
+    if (!counted.empty() || counts_ranges) call += ", .patches = iteration.patches({" + counted + "})";
+    if (may_share(pass)) call += ", .sharing = iteration.sharing()";
+    out.line("commands.dispatch(" + name + "_kernel, " + call + "});");
+}
+
+/// Parameters that are taken to be made alike must have equal states in the direct form.
+std::string direct_condition(const Unit& unit, const Kernel& kernel) {
+    std::string condition = "iteration.is_whole()";
+    for (std::size_t i = 0; i < kernel.params.size(); ++i) {
+        if (kernel.params[i].pattern == Pattern::value) continue;
+        for (std::size_t k = i + 1; k < kernel.params.size(); ++k) {
+            if (kernel.params[k].pattern == Pattern::value) continue;
+            if (kernel.params[k].alike != kernel.params[i].alike) continue;
+            condition += " && " + param_name(unit, kernel.params[i]) + "->same_state(" +
+                         param_name(unit, kernel.params[k]) + ".structure())";
+            break;
+        }
+    }
+    return condition;
+}
+
+/// The dispatch of the form that the call can take.
+void print_choice(Unit& unit, Writer& out, const Kernel& kernel, const ir::Lowered::Forms& forms,
+                  const std::string& name) {
+    std::vector<std::pair<const Pass*, std::string>> choices;
+    const bool shares = ir::has_one_place(forms.general);
+    if (forms.wide.exists)
+        choices.emplace_back(&forms.wide, "commands.needs_wide(" + name + "_kernel, " +
+                                              (forms.wide.bindings.empty() ? "{}" : "memories") + ", iteration.size()" +
+                                              (shares ? ", iteration.sharing())" : ")"));
+    if (forms.direct.exists)
+        choices.emplace_back(&forms.direct, direct_condition(unit, kernel) +
+                                                (shares ? " && iteration.sharing() != glift::Sharing::one_place" : ""));
+    if (forms.general.exists) choices.emplace_back(&forms.general, "");
+    for (std::size_t i = 0; i < choices.size(); ++i) {
+        const auto& [pass, condition] = choices[i];
+        const bool is_last = i + 1 == choices.size();
+        if (i != 0) out.dedent();
+        const std::string otherwise = i == 0 ? "" : "} else ";
+        if (!is_last) out.open(otherwise + "if (" + condition + ")");
+        else if (i != 0) out.open("} else");
+        print_dispatch(unit, out, kernel, *pass, name, form_name(pass->form));
+        if (is_last && i != 0) out.close();
+    }
+}
+
+}  // namespace
+
+std::optional<std::size_t> range_of_first_at(const Kernel& kernel) {
+    if (kernel.params.empty() || kernel.params[0].pattern != Pattern::at) return std::nullopt;
+    return ir::range_giver(kernel.params, 0);
+}
+
+/// A value that no form of the kernel has a parameter for need not be used where the kernel is defined.
+static std::string value_mark(const Unit& unit, std::uint32_t kernel, ir::LocalId value) {
+    bool used = false;
+    const ir::Lowered::Forms& forms = unit.lowered.passes[kernel];
+    for (const Pass* pass : {&forms.direct, &forms.general, &forms.wide})
+        for (const PassParameter& parameter : pass->parameters)
+            ir::for_each_node(unit.program, parameter.value,
+                              [&](ir::ExprId node) { used |= unit.program.exprs[node].local == value; });
+    return used ? "" : "[[maybe_unused]] ";
+}
+
+std::string kernel_signature(Unit& unit, std::uint32_t index, bool qualified, std::size_t first) {
+    const Kernel& kernel = unit.program.kernels[index];
+    std::string parameters = "const glift::Commands& commands";
+    for (std::size_t i = first; i < kernel.params.size(); ++i) {
+        const KernelParam& param = kernel.params[i];
+        if (param.pattern == Pattern::value)
+            parameters += (qualified || first ? ", " : ", " + value_mark(unit, index, param.local)) +
+                          unit.type(unit.program.locals[param.local].type, qualified) + " ";
+        else if (is_adaptor(unit, param)) parameters += ", const " + unit.class_name(param.structure) + "& ";
+        else parameters += ", const glift::Range<" + unit.class_name(param.structure) + ">& ";
+        parameters += param_name(unit, param);
+    }
+    return "void " + unit.own.kernels[index] + "(" + parameters + ")";
+}
+
+bool function_adds_functions(const Unit& unit, std::uint32_t kernel) {
+    bool adds = false;
+    const ir::Lowered::Forms& forms = unit.lowered.passes[kernel];
+    for (const Pass* pass : {&forms.direct, &forms.general, &forms.wide})
+        for (const PassParameter& parameter : pass->parameters)
+            ir::for_each_node(unit.program, parameter.value, [&](ir::ExprId node) {
+                const ir::Expr& expr = unit.program.exprs[node];
+                adds |= expr.op == ir::Op::call && !unit.globals.function_names.contains(expr.function);
+            });
+    return adds;
+}
+
+/// The structs that the parameters of its forms are packed into.
+static void print_blocks(Writer& out, const Globals& globals, const ir::Lowered::Forms& forms,
+                         const std::string& name) {
+    std::string blocks;
+    for (const Pass* pass : {&forms.direct, &forms.general, &forms.wide})
+        if (pass->exists) blocks += parameters_of(globals, *pass, name + "_" + form_name(pass->form));
+    if (blocks.empty()) return;
+    out.line("namespace {");
+    out.raw(blocks);
+    out.line("}  // namespace");
+    out.gap();
+}
+
+std::string kernel_function(Unit& unit, std::uint32_t index) {
+    const Kernel& kernel = unit.program.kernels[index];
+    const ir::Lowered::Forms& forms = unit.lowered.passes[index];
+    const std::string& name = unit.globals.kernel_stems.at(index);
+    const Pass& any = forms.general.exists ? forms.general : forms.direct;
+    Writer out;
+    print_blocks(out, unit.globals, forms, name);
+    out.line("extern const glift::Kernel " + name + "_kernel;");
+    out.gap();
+    out.open(unit.linkage(kernel.key) + kernel_signature(unit, index, false));
+    out.line("glift::Iteration iteration(" + name + "_kernel);");
+    for (bool near : {false, true}) {
+        for (std::size_t i = 0; i < kernel.params.size(); ++i) {
+            const KernelParam& param = kernel.params[i];
+            const std::string argument = param_name(unit, param);
+            if (!near && ir::visits(param.pattern))
+                out.line("iteration.each(\"" + unit.name(param.name) + "\", " + argument + ");");
+            if (near && param.pattern == Pattern::near)
+                out.line("iteration.near(\"" + unit.name(param.name) + "\", " + argument + ");");
+            if (near && !is_adaptor(unit, param) && ir::has_own_range(param.pattern))
+                out.line("iteration.any(\"" + unit.name(param.name) + "\", " + argument + ");");
+        }
+    }
+    if (!any.bindings.empty()) out.line("const glift::Memory memories[] = {" + memories_text(unit, kernel, any) + "};");
+    if (may_share(any))
+        out.line("if (iteration.is_shared(memories)) iteration.share(memories, {" + footprints_text(unit, kernel) +
+                 "});");
+    print_choice(unit, out, kernel, forms, name);
+    out.close();
+    return out.take();
+}
+
+std::string short_kernel_function(Unit& unit, std::uint32_t index) {
+    const Kernel& kernel = unit.program.kernels[index];
+    const std::optional<std::size_t> range = range_of_first_at(kernel);
+    if (!range) return "";
+    std::string arguments = "commands, " + param_name(unit, kernel.params[*range]);
+    for (std::size_t i = 1; i < kernel.params.size(); ++i) arguments += ", " + param_name(unit, kernel.params[i]);
+    Writer out;
+    out.open(unit.linkage(kernel.key) + kernel_signature(unit, index, false, 1));
+    Printer p(unit.globals);
+    for (const KernelParam& param : kernel.params) p.names.declare(param_name(unit, param));
+    out.line(visible(p, unit.globals.kernel_names.at(index)) + "(" + arguments + ");");
+    out.close();
+    return out.take();
+}
+
+}  // namespace gliftc::cpp

@@ -1,0 +1,255 @@
+// Kernels as data: functions for the host device, SPIR-V, and what describes them.
+#include "emit/cpp/kernel_parts.h"
+#include "emit/cpp/sharing.h"
+#include "emit/cpp/spirv_file.h"
+#include "ir/effects.h"
+
+#include <algorithm>
+#include <charconv>
+#include <map>
+
+namespace gliftc::cpp {
+
+namespace {
+
+using ir::Kernel;
+using ir::ParameterSource;
+using ir::Pass;
+using ir::PassBinding;
+using ir::PassParameter;
+
+std::string memory_kind(ir::MemoryShape shape) {
+    switch (shape) {
+    case ir::MemoryShape::buffer: return "buffer";
+    case ir::MemoryShape::image1d: return "image1d";
+    case ir::MemoryShape::image2d: return "image2d";
+    case ir::MemoryShape::image3d: return "image3d";
+    case ir::MemoryShape::imagecube: return "imagecube";
+    }
+    return "buffer";
+}
+
+std::string access_text(const PassBinding& binding) {
+    if (binding.atomic) return "read_write";
+    switch (binding.access) {
+    case ir::Access::read: return "read";
+    case ir::Access::write: return "write";
+    case ir::Access::read_write: return "read_write";
+    }
+    return "read_write";
+}
+
+/// f.data, f.table.data: as in the source.
+std::string display_of(const Unit& unit, const Kernel& kernel, const PassBinding& binding) {
+    std::string text = unit.name(kernel.params[binding.place.root].name);
+    std::uint32_t structure = kernel.params[binding.place.root].structure;
+    for (std::uint32_t member : binding.place.members) {
+        text += "." + unit.name(unit.program.structures[structure].members[member].name);
+        structure = unit.program.structures[structure].members[member].structure;
+    }
+    return text + "." + unit.name(unit.program.structures[structure].memories[binding.memory].name);
+}
+
+/// As a literal, which C++ compilers read in a fraction of the time that a list of numbers takes them.
+void print_literal(Writer& out, const std::string& name, const std::vector<std::uint32_t>& words) {
+    constexpr std::size_t words_of_a_line = 12;
+    std::string text = "constexpr char32_t " + name + "[] =\n";
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        if (i % words_of_a_line == 0) text += i == 0 ? "    U\"" : "\"\n    U\"";
+        char digits[8];
+        const auto end = std::to_chars(digits, digits + sizeof digits, words[i], 16).ptr;
+        text.append("\\x").append(digits, end);
+    }
+    out.raw(text + "\";\n");
+}
+
+/// Names of the SPIR-V of the three forms; identical code is there once.
+struct Words {
+    std::string direct, general, wide;
+};
+
+Words print_words(Unit& unit, Writer& out, std::uint32_t kernel, const std::string& name) {
+    Words words;
+    if (kernel >= unit.code.size() || !unit.reach.vulkan_kernels.contains(kernel)) return words;
+    const KernelCode& code = unit.code[kernel];
+    const auto print = [&](const std::vector<std::uint32_t>& spirv, ir::Form form) -> std::string {
+        if (spirv.empty()) return "";
+        const std::string constant = name + "_" + form_name(form) + "_spirv";
+        if (!unit.spirv_file) print_literal(out, constant, spirv);
+        else out.line("constexpr glift::Spirv " + constant + "(" + unit.spirv_file->place_of(kernel, form) + ");");
+        return constant;
+    };
+    words.direct = print(code.direct, ir::Form::direct);
+    words.general = code.general == code.direct ? words.direct : print(code.general, ir::Form::general);
+    words.wide = code.wide == code.general ? words.general : print(code.wide, ir::Form::wide);
+    return words;
+}
+
+std::string form_text(const Pass& pass, const std::string& spirv, const std::string& host) {
+    std::string text;
+    const auto also = [&](const std::string& field) { text += (text.empty() ? "" : ", ") + field; };
+    if (!spirv.empty()) also(".spirv = " + spirv);
+    if (!host.empty()) also(".host = &" + host);
+    if (pass.parameter_bytes != 0) also(".parameter_bytes = " + std::to_string(pass.parameter_bytes));
+    if (pass.push_constants) also(".push_constants = true");
+    for (const PassParameter& parameter : pass.parameters) {
+        if (parameter.source == ParameterSource::size && parameter.offset != 0)
+            also(".size_offset = " + std::to_string(parameter.offset));
+        if (parameter.source == ParameterSource::base) also(".base_offset = " + std::to_string(parameter.offset));
+    }
+    return "{" + text + "}";
+}
+
+/// The files, other than the kernel's own, that reports may name.
+void print_other_files(Unit& unit, Writer& out, const Pass& pass, const std::string& name) {
+    if (pass.files.size() < 2) return;
+    std::string list;
+    for (std::size_t i = 1; i < pass.files.size(); ++i)
+        list += (list.empty() ? "\"" : ", \"") + file_name(unit.sources, pass.files[i]) + "\"";
+    out.line("const char* const " + name + "_other_files[] = {" + list + "};");
+}
+
+void print_bindings(Unit& unit, Writer& out, const ir::Lowered::Forms& forms, const Kernel& kernel,
+                    const std::string& name) {
+    if (forms.general.bindings.empty()) return;
+    const bool shares = may_share(forms.general);
+    out.line("const glift::Binding " + name + "_bindings[] = {");
+    out.indent();
+    for (std::size_t i = 0; i < forms.general.bindings.size(); ++i) {
+        const PassBinding& binding = forms.general.bindings[i];
+        std::string text = "{.name = " + quoted(display_of(unit, kernel, binding)) +
+                           ", .kind = glift::MemoryKind::" + memory_kind(binding.shape) +
+                           ", .access = glift::Access::" + access_text(binding);
+        if (binding.sampled) text += ", .sampled = true";
+        if (binding.sampled && binding.linear) text += ", .sampler = {.filter = glift::Filter::linear}";
+        if (i < forms.wide.bindings.size() && forms.wide.bindings[i].address_parameter < forms.wide.parameters.size())
+            text += ", .address_offset = " +
+                    std::to_string(forms.wide.parameters[forms.wide.bindings[i].address_parameter].offset);
+        if (binding.shape == ir::MemoryShape::buffer)
+            text += ", .element_bytes = sizeof(" + storage_text(unit.globals, binding.element) + ")";
+        if (shares) text += sharing_fields(unit.program, kernel, binding);
+        out.line(text + "},");
+    }
+    out.dedent();
+    out.line("};");
+}
+
+/// Tells kernels from each other, FNV-1a of their code and of all that is printed about them. Empty where there is no
+/// code for devices that keep any.
+std::string digest_text(const Unit& unit, std::uint32_t kernel, const std::string& printed) {
+    if (kernel >= unit.code.size() || !unit.reach.vulkan_kernels.contains(kernel)) return "";
+    std::uint64_t hash = 14695981039346656037u;
+    const auto add = [&](std::uint64_t value) { hash = (hash ^ value) * 1099511628211u; };
+    const KernelCode& code = unit.code[kernel];
+    for (const std::vector<std::uint32_t>* form : {&code.direct, &code.general, &code.wide}) {
+        for (std::uint32_t word : *form) add(word);
+        add(form->size());
+    }
+    for (char c : printed) add(static_cast<unsigned char>(c));
+    return std::to_string(hash | 1) + "u";  // 0 would say that there is none
+}
+
+/// What Commands::specialised can name.
+void print_parameters(const Globals& globals, Writer& out, const Pass& direct, const std::string& name) {
+    const std::string block = name + "_direct_parameters";
+    out.open("constexpr glift::Parameter " + name + "_parameters[] =");
+    const std::vector<std::string> members = block_names(globals, direct);
+    for (std::size_t i = 0; i < members.size(); ++i) {
+        const PassParameter& parameter = direct.parameters[i];
+        out.line("{" + quoted(parameter.name) + ", " + std::to_string(parameter.offset) + ", sizeof(" + block +
+                 "::" + members[i] + ")},");
+    }
+    out.close(";");
+}
+
+}  // namespace
+
+bool code_adds_functions(const Unit& unit, std::uint32_t kernel) {
+    const ir::Lowered::Forms& forms = unit.lowered.passes[kernel];
+    const auto is_missing = [&](ir::FunctionId id) {
+        return !unit.globals.function_names.contains(id) && is_pure(unit.program, id);
+    };
+    return std::ranges::any_of(forms.direct.functions, is_missing) ||
+           std::ranges::any_of(forms.general.functions, is_missing) ||
+           std::ranges::any_of(forms.wide.functions, is_missing);
+}
+
+/// The functions for the host device, by form.
+static std::map<const Pass*, std::string> print_host_forms(Unit& unit, Writer& out, const ir::Lowered::Forms& forms,
+                                                           std::uint32_t index) {
+    std::map<const Pass*, std::string> host;
+    for (const Pass* pass : {&forms.direct, &forms.general, &forms.wide}) {
+        if (!pass->exists) continue;
+        const std::string form = unit.globals.kernel_stems.at(index) + "_" + form_name(pass->form);
+        out.raw(parameters_of(unit.globals, *pass, form));
+        if (!pass->parameters.empty()) out.gap();
+        if (!unit.options.host_kernel || !unit.reach.host_kernels.contains(index)) continue;
+        out.raw(unit.options.host_kernel(unit.globals, *pass, form));
+        out.gap();
+        host[pass] = form;
+    }
+    return host;
+}
+
+/// The fields of glift::Kernel that most kernels leave as they are.
+static void print_rare_fields(Unit& unit, Writer& out, const Pass& any, const std::string& name) {
+    const std::array<std::uint32_t, 3>& items = variant_for(any, ir::Devices::shaders).assumes.elements;
+    if (items != std::array{1u, 1u, 1u})
+        out.line(".items = {" + std::to_string(items[0]) + ", " + std::to_string(items[1]) + ", " +
+                 std::to_string(items[2]) + "},");
+    if (any.has_status()) out.line(".reports = true,");
+    if (any.shared_bytes) out.line(".shared_bytes = " + std::to_string(any.shared_bytes) + ",");
+    if (any.loop_rounds != 0 && any.longest_loop)
+        out.line(".longest_loop = {\"" + file_name(unit.sources, any.longest_loop.file) + "\", " +
+                 std::to_string(unit.sources.line_of(any.longest_loop)) + "},");
+    if (any.files.size() > 1) out.line(".other_files = " + name + "_other_files,");
+}
+
+std::string kernel_code(Unit& unit, std::uint32_t index) {
+    const Kernel& kernel = unit.program.kernels[index];
+    const ir::Lowered::Forms& forms = unit.lowered.passes[index];
+    const std::string& name = unit.globals.kernel_stems.at(index);
+    const Pass& any = forms.general.exists ? forms.general : forms.direct;
+    const bool has_parameters = forms.direct.exists && !forms.direct.parameters.empty();
+    Writer code, spirv, out;
+    code.line("// " + std::string(100, '-'));
+    code.line("// " + place_text(unit.sources, kernel.span) + ": " + kernel.display);
+    code.gap();
+    code.line("namespace {");
+    code.gap();
+    std::map<const Pass*, std::string> host = print_host_forms(unit, code, forms, index);
+    print_bindings(unit, code, forms, kernel, name);
+    if (has_parameters) print_parameters(unit.globals, code, forms.direct, name);
+    print_other_files(unit, code, any, name);
+    const Words words = print_words(unit, spirv, index, name);
+
+    const auto form = [&](const Pass& pass, const std::string& spirv_name) {
+        return pass.exists ? form_text(pass, spirv_name, host[&pass]) : "{}";
+    };
+    const std::string place = place_text(unit.sources, kernel.span);
+    const std::size_t colon = place.rfind(':');
+    out.line("}  // namespace");
+    out.gap();
+    out.line(std::string("extern ") + unit.linkage(kernel.key) + "const glift::Kernel " + name + "_kernel;");
+    out.open("const glift::Kernel " + name + "_kernel =");
+    out.line(".name = \"" + unit.name(kernel.name) + "\",");
+    out.line(".file = \"" + (colon == std::string::npos ? "" : place.substr(0, colon)) + "\",");
+    out.line(".line = " + (colon == std::string::npos ? "0" : place.substr(colon + 1)) + ",");
+    out.line(".rank = " + std::to_string(any.rank) + ",");
+    out.line(".group = {" + std::to_string(any.group[0]) + ", " + std::to_string(any.group[1]) + ", " +
+             std::to_string(any.group[2]) + "},");
+    out.line(".loop_rounds = " + (any.loop_rounds == UINT64_MAX ? "UINT64_MAX" : std::to_string(any.loop_rounds)) +
+             ",");
+    out.line(".bindings = " + (any.bindings.empty() ? "{}" : name + "_bindings") + ",");
+    out.line(".direct = " + form(forms.direct, words.direct) + ",");
+    out.line(".general = " + form(forms.general, words.general) + ",");
+    out.line(".wide = " + form(forms.wide, words.wide) + ",");
+    if (has_parameters) out.line(".parameters = " + name + "_parameters,");
+    print_rare_fields(unit, out, any, name);
+    if (const std::string digest = digest_text(unit, index, code.text() + out.text()); !digest.empty())
+        out.line(".digest = " + digest + ",");
+    out.close(";");
+    return code.text() + spirv.text() + out.text();
+}
+
+}  // namespace gliftc::cpp

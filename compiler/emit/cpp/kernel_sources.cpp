@@ -1,0 +1,120 @@
+// The sources of kernels' code. An edit of a kernel's body changes one of them, and they include little: neither the
+// classes nor what calls kernels.
+#include "emit/cpp/spirv_file.h"
+#include "emit/cpp/unit.h"
+
+#include <algorithm>
+
+namespace gliftc::cpp {
+
+namespace {
+
+/// Fewer are not worth the headers that another source reads.
+constexpr std::size_t kernels_of_a_source = 8;
+
+/// By its name alone, so that it stays where it is when others come and go.
+std::uint32_t hash_of_name(const ir::Program& program, std::uint32_t kernel) {
+    std::uint32_t hash = 2166136261u;
+    for (char c : program.kernels[kernel].display) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
+    return hash ^ hash >> 16;
+}
+
+/// The kernels of each source. Where there are few, the last sources have none.
+std::vector<std::vector<std::uint32_t>> spread(const ModuleParts& parts, const std::vector<std::uint32_t>& kernels) {
+    std::vector<std::vector<std::uint32_t>> sources(parts.options.shards);
+    const std::size_t used =
+        std::clamp<std::size_t>((kernels.size() + kernels_of_a_source - 1) / kernels_of_a_source, 1, sources.size());
+    for (std::uint32_t kernel : kernels) sources[hash_of_name(parts.program, kernel) % used].push_back(kernel);
+    return sources;
+}
+
+void print_includes(const ModuleParts& parts, Writer& out, const std::string& stem,
+                    const std::vector<std::uint32_t>& kernels) {
+    bool has_images = false, has_atomics = false, has_reports = false;
+    for (std::uint32_t kernel : kernels) {
+        const ir::Pass& pass = parts.lowered.passes[kernel].general;
+        for (const ir::PassBinding& binding : pass.bindings) {
+            has_images |= binding.shape != ir::MemoryShape::buffer;
+            has_atomics |= binding.atomic || binding.coherent;
+        }
+        has_reports |= pass.has_reports;
+    }
+    out.line("#include \"" + stem + ".glift.types.hpp\"");
+    out.gap();
+    if (has_atomics) out.line("#include <glift/host/atomics.h>");
+    if (has_images) out.line("#include <glift/host/image.h>");
+    out.line("#include <glift/host/math.h>");
+    out.line("#include <glift/host/parallel.h>");
+    if (has_reports) out.line("#include <glift/host/report.h>");
+    out.line("#include <glift/kernel.h>");
+    out.gap();
+}
+
+/// The kernels that are of the namespace `home`.
+void print_namespace(const ModuleParts& parts, Writer& out, std::uint32_t home,
+                     const std::vector<std::uint32_t>& kernels, const SpirvFile* spirv) {
+    Unit unit = make_unit(parts, home);
+    unit.spirv_file = spirv;
+    std::vector<std::uint32_t> own;
+    std::ranges::copy_if(kernels, std::back_inserter(own),
+                         [&](std::uint32_t kernel) { return parts.program.kernels[kernel].module == home; });
+    const std::vector<std::string> codes = printed_kernels(unit, own, code_adds_functions, kernel_code);
+    out.line("namespace " + unit.globals.space + " {");
+    out.raw("\n");
+    out.line("using namespace glift::types;");
+    out.gap();
+    if (!unit.globals.functions.empty()) {
+        out.line("namespace {");
+        out.raw("\n");
+        out.parts({unit.globals.functions});
+        out.line("}  // namespace");
+        out.gap();
+    }
+    out.parts({codes.begin(), codes.end()});
+    out.line("}  // namespace " + unit.globals.space);
+    out.gap();
+}
+
+std::vector<std::uint32_t> on_vulkan(const ModuleParts& parts, const std::vector<std::uint32_t>& kernels) {
+    std::vector<std::uint32_t> found;
+    std::ranges::copy_if(kernels, std::back_inserter(found),
+                         [&](std::uint32_t kernel) { return parts.reach.vulkan_kernels.contains(kernel); });
+    return found;
+}
+
+std::string source_of(const ModuleParts& parts, const std::string& stem, const std::vector<std::uint32_t>& kernels,
+                      const SpirvFile* spirv) {
+    Writer out;
+    out.line(begin_of_file(stem));
+    if (kernels.empty()) return out.take();
+    print_includes(parts, out, stem, kernels);
+    if (spirv && !spirv->empty()) {
+        out.line(spirv->statement());
+        out.gap();
+    }
+    std::set<std::uint32_t> homes;
+    for (std::uint32_t kernel : kernels) homes.insert(parts.program.kernels[kernel].module);
+    for (std::uint32_t home : homes) print_namespace(parts, out, home, kernels, spirv);
+    return out.take();
+}
+
+}  // namespace
+
+std::vector<File> kernel_sources(const ModuleParts& parts, const std::string& stem,
+                                 const std::vector<std::uint32_t>& kernels, const std::string& part) {
+    std::vector<File> files;
+    const std::vector<std::vector<std::uint32_t>> sources = spread(parts, kernels);
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+        const std::string name = ".glift." + part + (i == 0 ? "" : "." + std::to_string(i + 1));
+        if (!parts.options.spirv_files) {
+            files.push_back({name + ".cpp", source_of(parts, stem, sources[i], nullptr)});
+            continue;
+        }
+        const SpirvFile spirv(stem + name + ".spirv", parts.code, on_vulkan(parts, sources[i]));
+        files.push_back({name + ".cpp", source_of(parts, stem, sources[i], &spirv)});
+        files.push_back({name + ".spirv", spirv.bytes(), false});
+    }
+    return files;
+}
+
+}  // namespace gliftc::cpp

@@ -1,0 +1,15 @@
+// `#line` for debuggers: statements of generated C++ stand where they stand in the source.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+
+namespace gliftc::cpp {
+
+/// The text with a `#line` before each line that a comment `// name.glift:7` above it is about. `path_of`: where a
+/// file lies that such a comment names; `name`: the generated file's, to which the other lines belong.
+std::string with_source_lines(std::string_view text, const std::string& name,
+                              const std::function<std::string(std::string_view)>& path_of);
+
+}  // namespace gliftc::cpp

@@ -1,0 +1,36 @@
+// SPIR-V beside C++: all that one source holds, in one file that the assembler takes in.
+#pragma once
+
+#include "emit/cpp/emit.h"
+#include "ir/pass.h"
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace gliftc::cpp {
+
+class SpirvFile {
+public:
+    /// Of those kernels that have any; `name` is the file's, in the folder of the source.
+    SpirvFile(std::string name, const std::vector<KernelCode>& code, const std::vector<std::uint32_t>& kernels);
+
+    bool empty() const { return words_.empty(); }
+    const std::string& name() const { return name_; }
+    std::string bytes() const;
+    /// The statement that takes the file in.
+    std::string statement() const;
+    /// Arguments of a glift::Spirv: `glift_spirv_0f0e… + 120, 567`.
+    std::string place_of(std::uint32_t kernel, ir::Form form) const;
+
+private:
+    std::string name_, symbol_;
+    std::vector<std::uint32_t> words_;
+    struct Part {
+        std::size_t first, count;
+    };
+    std::map<std::pair<std::uint32_t, ir::Form>, Part> parts_;
+};
+
+}  // namespace gliftc::cpp

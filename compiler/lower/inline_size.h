@@ -1,0 +1,34 @@
+// How much inlining a call makes.
+#pragma once
+
+#include "ir/ir.h"
+
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+namespace gliftc::lower {
+
+/// Sizes of functions as straight-line code, those that they call included, so that a chain of calls is inlined only as
+/// far as that stays small.
+class InlineSizes {
+public:
+    explicit InlineSizes(const ir::Program& program) : p(program) {}
+
+    /// The nodes that a call makes, loops unrolled; nothing where it stays a call: what cannot be run symbolically, or
+    /// makes too much.
+    std::optional<std::size_t> of(ir::FunctionId function);
+
+private:
+    using Statements = std::vector<ir::StmtId>;
+    using Loops = std::vector<ir::LocalId>;  ///< their variables
+    std::optional<std::size_t> of(const Statements& body, Loops& loops);
+    std::optional<std::size_t> of_both(const ir::Stmt& stmt, const Statements& rest, Loops& loops);
+    std::optional<std::size_t> of_loop(const ir::Stmt& stmt, Loops& loops);
+    std::size_t of_value(ir::ExprId root);
+
+    const ir::Program& p;
+    std::unordered_map<ir::FunctionId, std::optional<std::size_t>> sizes_;
+};
+
+}  // namespace gliftc::lower

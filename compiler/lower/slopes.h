@@ -1,0 +1,51 @@
+// Which values advance by a constant from one element of a row to the next.
+#pragma once
+
+#include "ir/pass.h"
+
+#include <array>
+#include <optional>
+#include <unordered_map>
+
+namespace gliftc::lower {
+
+/// How one scalar changes along x.
+struct Slope {
+    bool known = false;
+    std::int64_t step = 0;                 ///< known: added for each element, modulo 2^32
+    std::optional<std::int64_t> constant;  ///< known with step 0: its value, where that is a constant
+};
+
+/// Of the parts of a scalar or vector; others are never known.
+using Slopes = std::array<Slope, 4>;
+
+/// The slopes of values within one function or kernel body.
+class RowSlopes {
+public:
+    /// `address` is the local that holds the element's address: its x advances by one.
+    RowSlopes(const ir::Program& program, ir::LocalId address);
+
+    /// Takes note of a statement that every element executes, in order.
+    void learn(const ir::Stmt& stmt);
+    Slopes of(ir::ExprId expr);
+    /// True if the index is a scalar that advances by one.
+    bool is_row(ir::ExprId index);
+    bool is_steady(ir::ExprId expr);
+
+private:
+    explicit RowSlopes(const ir::Program& program, int depth) : program_(program), depth_(depth) {}
+    Slopes of_call(const ir::Expr& expr);
+    Slopes of_construct(const ir::Expr& expr);
+    Slopes of_binary(const ir::Expr& expr);
+    std::optional<Slope> of_component(const ir::Expr& expr);
+    bool is_word(ir::TypeId type) const;
+    /// Runs a function body; false where it does what can't be followed. `result` is set by its return.
+    bool run(const std::vector<ir::StmtId>& body, std::optional<Slopes>& result);
+    bool assign(ir::ExprId target, const Slopes& value);
+
+    const ir::Program& program_;
+    int depth_ = 0;
+    std::unordered_map<ir::LocalId, Slopes> locals_;
+};
+
+}  // namespace gliftc::lower

@@ -1,0 +1,132 @@
+#include "sema/warnings.h"
+
+#include "sema/meta.h"
+
+#include <algorithm>
+#include <unordered_set>
+
+namespace gliftc::sema {
+
+namespace {
+
+/// The names in a body.
+class Mentions {
+public:
+    Mentions(const Context& context, const std::vector<ast::StmtId>& body) : c(context) { statements(body); }
+
+    bool is_named(Name name) const { return named_.contains(name.index); }
+    /// Assigned to, or handed to a call that may write it.
+    bool may_be_written(Name name) const { return written_.contains(name.index); }
+
+private:
+    void statements(const std::vector<ast::StmtId>& body) {
+        for (ast::StmtId id : body) {
+            const ast::Stmt& stmt = c[id];
+            for (ast::ExprId part : {stmt.type, stmt.target, stmt.value})
+                if (part) expression(part, part == stmt.target);
+            statements(stmt.body);
+            statements(stmt.otherwise);
+        }
+    }
+
+    void expression(ast::ExprId id, bool is_written) {
+        const ast::Expr& expr = c[id];
+        if (expr.kind == ast::ExprKind::name) {
+            named_.insert(expr.name.index);
+            if (is_written) written_.insert(expr.name.index);
+        }
+        for (ast::ExprId operand : expr.operands) expression(operand, is_written || expr.kind == ast::ExprKind::call);
+    }
+
+    const Context& c;
+    std::unordered_set<std::uint32_t> named_, written_;
+};
+
+/// Ranges that kernels run over are needed even where no element is.
+bool is_visited(ast::Pattern pattern) { return pattern == ast::Pattern::each || pattern == ast::Pattern::at; }
+
+void check_param(Context& c, const ast::Param& param, const Mentions& mentions) {
+    const std::string& name = c.text(param.name.name);
+    if (name.starts_with('_')) return;
+    if (param.direction == ast::Direction::out && !mentions.may_be_written(param.name.name)) {
+        c.diagnostics.report(Diag::never_written, param.name.span, {name});
+        return;
+    }
+    if (is_visited(param.pattern) || mentions.is_named(param.name.name)) return;
+    note(c.diagnostics.report(Diag::unused_variable, param.name.span, {name}), param.name.span,
+         "a name that begins with '_' may stay unused");
+}
+
+/// The type of a struct tells overloads apart, and finds the functions of an interface.
+bool chooses_function(Context& c, const Env& env, const ast::Param& param) {
+    return param.pattern == ast::Pattern::none && c.types().kind(type_of(c, env, param.type)) == ir::TypeKind::struct_;
+}
+
+bool always_leaves(const Context& c, const std::vector<ast::StmtId>& body);
+
+bool always_leaves(const Context& c, const ast::Stmt& stmt) {
+    switch (stmt.kind) {
+    case ast::StmtKind::return_:
+    case ast::StmtKind::break_:
+    case ast::StmtKind::continue_: return true;
+    case ast::StmtKind::block: return always_leaves(c, stmt.body);
+    case ast::StmtKind::if_: return stmt.has_else && always_leaves(c, stmt.body) && always_leaves(c, stmt.otherwise);
+    case ast::StmtKind::error:
+    case ast::StmtKind::let:
+    case ast::StmtKind::shared:
+    case ast::StmtKind::temp:
+    case ast::StmtKind::assign:
+    case ast::StmtKind::expression:
+    case ast::StmtKind::for_:
+    case ast::StmtKind::while_: return false;
+    }
+    return false;
+}
+
+bool always_leaves(const Context& c, const std::vector<ast::StmtId>& body) {
+    return std::ranges::any_of(body, [&](ast::StmtId id) { return always_leaves(c, c[id]); });
+}
+
+/// The first statement after one that always leaves, in each block.
+void check_reached(Context& c, const std::vector<ast::StmtId>& body) {
+    for (std::size_t i = 0; i < body.size(); ++i) {
+        const ast::Stmt& stmt = c[body[i]];
+        check_reached(c, stmt.body);
+        check_reached(c, stmt.otherwise);
+        if (i + 1 == body.size() || !always_leaves(c, stmt)) continue;
+        note(c.diagnostics.report(Diag::unreachable, c[body[i + 1]].span), stmt.span,
+             "what stands before always leaves");
+        return;
+    }
+}
+
+/// A kernel or a pipeline.
+void check_pass(Context& c, const std::vector<ast::Param>& params, const std::vector<ast::StmtId>& body) {
+    check_reached(c, body);
+    const Mentions mentions(c, body);
+    for (const ast::Param& param : params) check_param(c, param, mentions);
+}
+
+void check_function(Context& c, ast::DeclId id, const ast::Function& function) {
+    if (!function.has_body) return;
+    check_reached(c, function.body);
+    if (!c[id].generics.empty()) return;  // its types are not known
+    const Mentions mentions(c, function.body);
+    const Env& env = c.new_env(c.module_of.at(id));
+    for (const ast::Param& param : function.params)
+        if (!chooses_function(c, env, param)) check_param(c, param, mentions);
+}
+
+}  // namespace
+
+void warn(Context& c, const std::vector<ast::DeclId>& declarations) {
+    for (ast::DeclId id : declarations) {
+        const auto& body = c[id].body;
+        if (const auto* test = std::get_if<ast::Test>(&body)) check_reached(c, test->body);
+        if (const auto* function = std::get_if<ast::Function>(&body)) check_function(c, id, *function);
+        if (const auto* kernel = std::get_if<ast::Kernel>(&body)) check_pass(c, kernel->params, kernel->body);
+        if (const auto* pipeline = std::get_if<ast::Pipeline>(&body)) check_pass(c, pipeline->params, pipeline->body);
+    }
+}
+
+}  // namespace gliftc::sema

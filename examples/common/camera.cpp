@@ -1,0 +1,70 @@
+#include "camera.h"
+
+#include <glift/host/math.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace camera {
+
+namespace {
+
+using glift::cross;
+using glift::dot;
+using glift::float3;
+using glift::float4;
+using glift::float4x4;
+using glift::normalize;
+
+struct Frame {
+    float3 right, up, back;
+};
+
+Frame frame_of(const Camera& camera) {
+    const float3 back = normalize(camera.eye - camera.target), right = normalize(cross(camera.up, back));
+    return {right, cross(back, right), back};
+}
+
+/// Rows of what gives x, y (down), z and w from a point in the world; matrices are columns.
+float4x4 from_rows(const float4& x, const float4& y, const float4& z, const float4& w) {
+    float4x4 m;
+    for (unsigned i = 0; i < 4; ++i) m[i] = float4(x[i], y[i], z[i], w[i]);
+    return m;
+}
+
+float4 row(const float3& direction, float offset) { return float4(direction.x, direction.y, direction.z, offset); }
+
+}  // namespace
+
+float4x4 projection_of(const Camera& camera, float aspect) {
+    const auto [right, up, back] = frame_of(camera);
+    const float scale = 1 / std::tan(camera.height_angle / 2);
+    const float depth = camera.far / (camera.far - camera.near);
+    const float4 along = row(back * -1.0f, dot(back, camera.eye));  // distance before the eye
+    const float4 x = row(right, -dot(right, camera.eye)) * (scale / aspect);
+    const float4 y = row(up, -dot(up, camera.eye)) * -scale;
+    return from_rows(x, y, along * depth - float4(0, 0, 0, depth * camera.near), along);
+}
+
+float4x4 parallel_projection_of(const Camera& camera, float half_size) {
+    const auto [right, up, back] = frame_of(camera);
+    const float depth = 1 / (camera.far - camera.near);
+    const float4 along = row(back * -1.0f, dot(back, camera.eye));
+    return from_rows(row(right, -dot(right, camera.eye)) * (1 / half_size),
+                     row(up, -dot(up, camera.eye)) * (-1 / half_size),
+                     along * depth - float4(0, 0, 0, depth * camera.near), float4(0, 0, 0, 1));
+}
+
+Camera orbited(const Camera& camera, float to_the_right, float upwards, float closer) {
+    const float3 arm = camera.eye - camera.target;
+    const float distance = glift::length(arm);
+    const float longitude = std::atan2(arm.x, arm.z) - to_the_right;
+    const float latitude = std::clamp(std::asin(std::clamp(arm.y / distance, -1.0f, 1.0f)) + upwards, -1.5f, 1.5f);
+    Camera moved = camera;
+    moved.eye = camera.target + float3(std::cos(latitude) * std::sin(longitude), std::sin(latitude),
+                                       std::cos(latitude) * std::cos(longitude)) *
+                                    (distance / closer);
+    return moved;
+}
+
+}  // namespace camera

@@ -1,0 +1,28 @@
+// Colour pictures with depth, in PNG and OpenEXR files.
+#pragma once
+
+#include <glift/vector.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace picture {
+
+/// Rows from top to bottom. Colours are linear, with alpha; values beyond [0, 1] are allowed. `depth` is empty, or
+/// holds a number for every pixel.
+struct Picture {
+    std::uint32_t width = 0, height = 0;
+    std::vector<glift::float4> pixels;
+    std::vector<float> depth;
+};
+
+/// By the name's end: `.png` (8 or 16 bits a channel, sRGB; no depth) or `.exr` (channels R, G, B, A, Z or Y, half or
+/// float; those that are not there are 0, alpha 1). Throws std::runtime_error, which names the file and what is wrong.
+Picture read(const std::string& path);
+
+/// `.png`: 8 bits a channel, sRGB, clamped to [0, 1], without depth; `.exr`: floats R, G, B, A, and Z where there is
+/// depth. Throws std::runtime_error.
+void write(const std::string& path, const Picture& picture);
+
+}  // namespace picture

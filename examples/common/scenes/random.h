@@ -1,0 +1,25 @@
+// Random numbers that are the same on every machine: PCG, M. E. O'Neill, 2014.
+#pragma once
+
+#include <cstdint>
+
+namespace scenes {
+
+class Random {
+public:
+    explicit Random(std::uint64_t seed) : state_(seed * 2862933555777941757ull + 3037000493ull) {}
+
+    std::uint32_t bits() {
+        state_ = state_ * 6364136223846793005ull + 1442695040888963407ull;
+        const auto mixed = static_cast<std::uint32_t>((state_ >> 18 ^ state_) >> 27);
+        const auto turn = static_cast<std::uint32_t>(state_ >> 59);
+        return mixed >> turn | mixed << (-turn & 31);
+    }
+    /// In [low, high).
+    float between(float low, float high) { return low + (high - low) * (static_cast<float>(bits() >> 8) * 0x1p-24f); }
+
+private:
+    std::uint64_t state_;
+};
+
+}  // namespace scenes

@@ -1,0 +1,34 @@
+// Generated scenes: the same on every machine, moving with time. y is up; what stands on the ground stands on y = 0.
+#pragma once
+
+#include "examples/common/camera.h"
+#include "examples/common/mesh.h"
+
+#include <string>
+#include <vector>
+
+namespace scenes {
+
+struct Scene {
+    mesh::Mesh mesh;
+    camera::Camera view;
+    camera::Camera light;          ///< directional: from its eye to its target
+    float light_half_size = 1.0f;  ///< of the box that casts shadows
+    glift::float3 sky{0.6f, 0.75f, 0.9f};
+};
+
+/// hairball, fence, robot, skeletons, city, trees.
+const std::vector<std::string>& names();
+
+/// The scene at a moment, in seconds. Throws std::runtime_error, which lists the names.
+Scene make(const std::string& name, float time = 0.0f);
+
+// One function a file.
+Scene hairball(float time);   ///< 4,000 hairs of 12 segments before a wall; they sway
+Scene fence(float time);      ///< a fence with flags, behind it a meadow and mountains; the flags wave
+Scene robot(float time);      ///< a robot that walks on the spot between crates
+Scene skeletons(float time);  ///< nine that dance
+Scene city(float time);       ///< 400 houses, between them cars that drive
+Scene trees(float time);      ///< trees with leaves on a lawn; they sway
+
+}  // namespace scenes

@@ -1,0 +1,55 @@
+// Kernels that draw: a vertex shader, the rasteriser and a fragment shader.
+//
+// The iteration of a draw has two axes: vertices, three in a row for each triangle, and instances. Form::spirv is the
+// vertex shader, Form::fragment the fragment shader; both have the same bindings and parameters. Output i of the
+// fragment shader is colour target i. Each call gives the targets and the viewport.
+#pragma once
+
+#include <glift/memory.h>
+#include <glift/vector.h>
+
+#include <cstdint>
+#include <span>
+
+namespace glift {
+
+/// Which triangles are culled. Front faces are counter-clockwise as seen in the window, whose y grows downwards.
+enum class Cull : std::uint8_t { none, back, front };
+
+enum class Topology : std::uint8_t { triangles, lines, points };
+
+/// A fragment passes where `its depth <test> stored depth`.
+enum class DepthTest : std::uint8_t { less, less_equal, greater, equal, always };
+
+/// How a fragment's colour is blended with the stored one. `over`: premultiplied alpha.
+enum class Blend : std::uint8_t { replace, over, add, min, max, multiply };
+
+struct ColourTarget {
+    const char* name;  ///< as in the source
+    Format format;
+    Blend blend = Blend::replace;
+};
+
+struct Drawing {
+    Topology topology = Topology::triangles;
+    Cull cull = Cull::none;
+    std::span<const ColourTarget> colours = {};
+    const char* depth = nullptr;  ///< name of the depth target; null: none
+    DepthTest depth_test = DepthTest::less;
+    bool writes_depth = true;
+};
+
+/// One mip level, and for cubes one face, of an image that is drawn to.
+struct Attachment {
+    Memory memory;
+    std::uint32_t mip = 0, face = 0;
+};
+
+/// The targets of one call. All of them have the viewport's pixels.
+struct DrawTargets {
+    std::span<const Attachment> colours = {};  ///< in the order of Drawing::colours
+    Attachment depth = {};                     ///< empty where Drawing::depth is null
+    uint2 origin, extent;                      ///< the viewport, which is also the scissor
+};
+
+}  // namespace glift

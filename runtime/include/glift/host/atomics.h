@@ -1,0 +1,96 @@
+// Memory that several threads of a host kernel write: atomic read-modify-write, and ordered atomics.
+#pragma once
+
+#include <atomic>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <type_traits>
+
+namespace glift::host {
+
+// Scatter: atomic read-modify-write.
+
+template <class T> void atomic_replace(T& target, T value) {
+    std::atomic_ref<T>(target).store(value, std::memory_order_relaxed);
+}
+
+template <class T, class Combine> T atomic_update(T& target, const Combine& combine) {
+    std::atomic_ref<T> shared(target);
+    T old = shared.load(std::memory_order_relaxed);
+    while (!shared.compare_exchange_weak(old, combine(old), std::memory_order_relaxed)) {}
+    return old;
+}
+template <class T> void atomic_min(T& target, T value) {
+    std::atomic_ref<T> shared(target);
+    T old = shared.load(std::memory_order_relaxed);
+    while (value < old && !shared.compare_exchange_weak(old, value, std::memory_order_relaxed)) {}
+}
+template <class T> void atomic_max(T& target, T value) {
+    std::atomic_ref<T> shared(target);
+    T old = shared.load(std::memory_order_relaxed);
+    while (old < value && !shared.compare_exchange_weak(old, value, std::memory_order_relaxed)) {}
+}
+template <class T> void atomic_add(T& target, T value) {
+    std::atomic_ref<T>(target).fetch_add(value, std::memory_order_relaxed);
+}
+template <class T> void atomic_bit_and(T& target, T value) {
+    std::atomic_ref<T>(target).fetch_and(value, std::memory_order_relaxed);
+}
+template <class T> void atomic_bit_or(T& target, T value) {
+    std::atomic_ref<T>(target).fetch_or(value, std::memory_order_relaxed);
+}
+template <class T> void atomic_bit_xor(T& target, T value) {
+    std::atomic_ref<T>(target).fetch_xor(value, std::memory_order_relaxed);
+}
+
+// Memory that workgroups share within a pass.
+namespace memory {
+
+/// The unit of one atomic access to an element: a whole scalar, else as much as the alignment allows.
+template <class T> using Piece =
+    std::conditional_t<std::is_arithmetic_v<T>, T,
+                       std::conditional_t<alignof(T) % sizeof(std::uint32_t) == 0, std::uint32_t, unsigned char>>;
+
+/// Relaxed atomic loads: not torn within a piece, not reordered into a register by the compiler.
+template <class T> T read(T& place) {
+    using P = Piece<T>;
+    alignas(T) P pieces[sizeof(T) / sizeof(P)];
+    for (std::size_t i = 0; i < std::size(pieces); ++i)
+        pieces[i] = std::atomic_ref<P>(reinterpret_cast<P*>(&place)[i]).load(std::memory_order_relaxed);
+    return std::bit_cast<T>(pieces);
+}
+
+template <class T> void write(T& place, const std::type_identity_t<T>& value) {
+    using P = Piece<T>;
+    for (std::size_t i = 0; i < sizeof(T) / sizeof(P); ++i)
+        std::atomic_ref<P>(reinterpret_cast<P*>(&place)[i])
+            .store(reinterpret_cast<const P*>(&value)[i], std::memory_order_relaxed);
+}
+
+// Atomics that order the accesses around them: acquire, release, or both.
+template <class T> T atomicLoad(T& target) { return std::atomic_ref<T>(target).load(std::memory_order_acquire); }
+template <class T> void atomicStore(T& target, T value) {
+    std::atomic_ref<T>(target).store(value, std::memory_order_release);
+}
+template <class T> T atomicAdd(T& target, T value) { return std::atomic_ref<T>(target).fetch_add(value); }
+template <class T> T atomicAnd(T& target, T value) { return std::atomic_ref<T>(target).fetch_and(value); }
+template <class T> T atomicOr(T& target, T value) { return std::atomic_ref<T>(target).fetch_or(value); }
+template <class T> T atomicXor(T& target, T value) { return std::atomic_ref<T>(target).fetch_xor(value); }
+template <class T> T atomicExchange(T& target, T value) { return std::atomic_ref<T>(target).exchange(value); }
+template <class T> T atomicMin(T& target, T value) {
+    std::atomic_ref<T> shared(target);
+    T before = shared.load();
+    while (value < before && !shared.compare_exchange_weak(before, value)) {}
+    return before;
+}
+template <class T> T atomicMax(T& target, T value) {
+    std::atomic_ref<T> shared(target);
+    T before = shared.load();
+    while (before < value && !shared.compare_exchange_weak(before, value)) {}
+    return before;
+}
+}  // namespace memory
+
+}  // namespace glift::host

@@ -1,0 +1,71 @@
+// The software rasteriser of the host device: generated code describes a draw and shades fragments block by block.
+//
+// Coverage is that of Vulkan with 8 bits of subpixel precision: window coordinates are rounded to 1/256 of a pixel, a
+// pixel is covered if its centre lies inside a triangle or on a top or left edge. Vertex and fragment shaders run in
+// parallel; within a tile of the target, triangles keep their order.
+#pragma once
+
+#include <glift/api.h>
+#include <glift/drawing.h>
+#include <glift/vector.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace glift::host {
+
+/// The depth target: 32-bit floats, row by row, beginning with the viewport's first pixel.
+struct DepthTarget {
+    float* texels = nullptr;  ///< null: no depth target
+    std::size_t row = 0;      ///< texels from one row to the next
+    DepthTest test = DepthTest::less;
+    bool is_written = true;
+    bool is_early = true;  ///< tested before the fragment shader; else the fragment shader calls Fragments::test
+};
+
+/// The fragments of one triangle in a block of 8 x 8 pixels. Arrays have an entry for every pixel of the block, covered
+/// or not, so that derivatives can be computed from neighbours: pixel (x, y) of the block is entry 8 * y + x.
+struct Fragments {
+    static constexpr unsigned side = 8;
+
+    int2 first;  ///< the block's first pixel, relative to the viewport's. Even in the framebuffer, so it may be -1
+    std::uint64_t covered;  ///< a bit for each pixel
+    bool is_front;
+    const float* corner[3];  ///< the varyings of the triangle's vertices, in the order of the draw
+    const DepthTarget* depth_target;
+    alignas(64) float depth[side * side];
+    /// Barycentric weights of vertices 1 and 2 in the window, for `linear` varyings; that of vertex 0 is 1 - both.
+    alignas(64) float linear1[side * side], linear2[side * side];
+    /// The same, perspective-correct, for `smooth` varyings.
+    alignas(64) float smooth1[side * side], smooth2[side * side];
+    alignas(64) float w[side * side];  ///< 1 / w, as gl_FragCoord.w
+
+    /// The late depth test: tests and writes depth; returns those of `pixels` that pass.
+    GLIFT_API std::uint64_t test(std::uint64_t pixels) const;
+};
+
+/// One draw. The vertex shader writes for each vertex x, y, z, w in clip coordinates, then clip distances, then
+/// varyings.
+struct Draw {
+    const void* body = nullptr;  ///< passed to both shaders
+    void (*vertex)(const void* body, std::uint64_t first, std::uint32_t count, std::uint32_t instance,
+                   float* corners) = nullptr;
+    /// Null: only depth is written.
+    void (*fragment)(const void* body, const Fragments& fragments) = nullptr;
+
+    std::uint64_t corners =
+        0;  ///< number of vertices, three per triangle; an incomplete triangle at the end is not drawn
+    std::uint32_t instances = 1;
+    std::uint32_t clip_distances = 0, varyings = 0;  ///< floats of a vertex after its position
+    uint2 viewport;                                  ///< size, at most 16384 along each axis
+    uint2 framebuffer;                               ///< the viewport's first pixel in the framebuffer
+    Cull cull = Cull::none;
+    bool has_smooth = false;  ///< whether the fragment shader uses smooth weights or w
+    DepthTarget depth;
+};
+
+/// Runs a draw, on all cores. The vertex shader runs once per vertex; needs memory for one batch of 2^15 triangles.
+GLIFT_API void draw(const Draw& draw);
+
+}  // namespace glift::host

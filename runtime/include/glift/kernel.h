@@ -1,0 +1,189 @@
+// A kernel as data, as generated code defines it. The header is kept small, since each kernel source includes it.
+//
+// A kernel has up to three compiled forms. They compute the same thing and differ in what they may assume:
+//   direct    every range is a whole structure, structures of one type share their state (extents, strides),
+//             all sizes are known to the host; parameters are push constants where they fit;
+//   general   ranges with origins, a state for each structure, sizes that may live on the device;
+//             parameters in a storage buffer at binding 0;
+//   wide      like general, for larger sizes: physical addresses are computed in 64 bits, buffers are accessed by
+//             device address (without descriptors), and iterations may be split into several dispatches.
+//
+// Who chooses. Generated code asks Commands::needs_wide(kernel, memories, size) before it packs the parameters, and
+// packs the wide block where the answer is true. On Vulkan devices it is true for a buffer larger than a descriptor can
+// cover and for an iteration of more workgroups than one dispatch may have, on every device for a memory of 2^32
+// elements or more.
+// At Binding::address_offset (8-byte aligned) the runtime writes the address of each buffer.
+#pragma once
+
+#include <glift/host/memory.h>
+#include <glift/vector.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+// Embeds the SPIR-V file at `path`, a literal, as `const std::uint32_t symbol[count]`. The directive's name is split
+// because ccache does not cache sources that contain it; it need not here, as the symbol's name has the contents' hash.
+// Weak and hidden: several sources may define the same symbol, and other libraries do not see it.
+#define GLIFT_SPIRV_FILE(symbol, count, path)                                                                          \
+    asm(".pushsection .rodata.glift,\"a\"\n.balign 4\n.weak " #symbol "\n.hidden " #symbol "\n" #symbol ":\n.inc"      \
+        "bin \"" path "\"\n.popsection\n");                                                                            \
+    extern "C" __attribute__((visibility("hidden"))) const std::uint32_t symbol[count]
+
+namespace glift {
+
+struct Drawing;
+
+/// How a pass touches a memory. Combined writes (scatter, atomics) are read_write.
+enum class Access : std::uint8_t { read, write, read_write };
+
+/// Which elements of a parameter's range one invocation accesses: its own; a window around it; any. `memory`: any of
+/// the memory, even outside the range.
+enum class Reach : std::uint8_t { memory, range, window, element };
+
+/// How writes of several invocations to one element combine; two bindings that combine alike may alias. `coherent`:
+/// workgroups share the memory within the pass.
+enum class Combine : std::uint8_t { none, min, max, add, bit_and, bit_or, bit_xor, coherent };
+
+/// How a sampled image is filtered between texels and beyond its edge (clamp_to_border: zeros).
+enum class Filter : std::uint8_t { nearest, linear };
+enum class AddressMode : std::uint8_t { clamp_to_edge, repeat, mirrored_repeat, clamp_to_border };
+
+struct Sampler {
+    Filter filter = Filter::nearest;
+    AddressMode address = AddressMode::clamp_to_edge;
+};
+
+/// One memory that a kernel accesses. Memory k is descriptor binding k + 1 of set 0 (wide form: images only, buffers
+/// have no descriptor). Two bindings may alias where the call's Sharing allows it.
+struct Binding {
+    const char* name;  ///< as in the source, `f.data`
+    MemoryKind kind;
+    Access access;
+    bool sampled = false;  ///< a combined image sampler over all mips, else a storage image of mip 0; buffers: false
+    Sampler sampler = {};
+    std::uint32_t address_offset = 0;  ///< wide form, buffers: byte offset of the 64-bit address in the parameters
+    std::uint32_t element_bytes = 4;   ///< buffers
+    std::uint32_t parameter = 0;       ///< index of its structure among the parameters that are structures
+    Reach reach = Reach::memory;
+    std::uint32_t radius = 0;  ///< window
+    Combine combine = Combine::none;
+};
+
+/// A location in the source.
+struct SourceLine {
+    const char* file = "";
+    std::uint32_t line = 0;  ///< 0: none
+};
+
+/// A kernel's report of an error. The first invocation to change code from 0 (atomicCompSwap) fills in the rest. The
+/// runtime supplies the record, and throws an Error that names the kernel, the line and the address when the host next
+/// waits for the device (Commands::wait, Download::get).
+struct StatusRecord {
+    enum Code : std::uint32_t { fine = 0, loop_limit = 1, out_of_range = 2 };
+    std::uint32_t code = fine;
+    std::uint32_t line = 0;                   ///< of the file that `file` says
+    std::uint32_t rank = 0;                   ///< out_of_range: axes of the virtual address
+    std::uint32_t binding = 0;                ///< out_of_range: index of the memory's binding
+    std::uint32_t address[4] = {0, 0, 0, 0};  ///< out_of_range: the virtual address
+    std::uint32_t file = 0;                   ///< 0: Kernel::file, k: Kernel::other_files[k - 1]
+};
+
+/// The targets of a draw on the host device: each target's texels from the viewport's first pixel on.
+struct HostTargets {
+    struct Texels {
+        std::byte* first = nullptr;
+        std::size_t row = 0;  ///< bytes from one row to the next
+    };
+    std::span<const Texels> colours;
+    Texels depth;
+    uint2 origin, extent;
+};
+
+/// The arguments of one call on the host device.
+struct HostCall {
+    const void* parameters;                ///< the parameter block, laid out as the form says, patches applied
+    std::span<const HostMemory> memories;  ///< in binding order
+    std::array<std::uint32_t, 4> size;     ///< elements to iterate over along each axis; unused axes are 1
+    StatusRecord* status = nullptr;        ///< kernels that report: never null
+    const HostTargets* targets = nullptr;  ///< draws: never null
+};
+
+/// A module of SPIR-V in static memory: 32-bit words, or a char32_t literal, which compilers parse faster.
+class Spirv {
+public:
+    constexpr Spirv() = default;
+    constexpr Spirv(const std::uint32_t* words, std::size_t count) : words_(words), count_(count) {}
+    constexpr Spirv(std::span<const std::uint32_t> words) : words_(words.data()), count_(words.size()) {}
+    template <std::size_t N> constexpr Spirv(const std::uint32_t (&words)[N]) : words_(words), count_(N) {}
+    template <std::size_t N> constexpr Spirv(const char32_t (&words)[N]) : words_(words), count_(N - 1) {}
+
+    constexpr bool empty() const { return count_ == 0; }
+    constexpr const void* words() const { return words_; }
+    constexpr std::size_t count() const { return count_; }
+
+private:
+    const void* words_ = nullptr;
+    std::size_t count_ = 0;
+};
+
+/// One compiled form of a kernel.
+struct Form {
+    Spirv spirv = {};                         ///< empty: this form does not exist on Vulkan devices
+    Spirv fragment = {};                      ///< draws; empty: depth alone
+    void (*host)(const HostCall&) = nullptr;  ///< null: this form does not exist on the host device
+    std::uint32_t parameter_bytes = 0;
+    bool push_constants = false;             ///< parameters are push constants, else the storage buffer at binding 0
+    std::uint32_t size_offset = 0;           ///< byte offset in the parameters of the iteration size (`rank` uints)
+    std::uint32_t base_offset = UINT32_MAX;  ///< wide, rank 2 to 4: byte offset in the parameters of three uints,
+                                             ///< packed as zeros, that the shader adds to gl_GlobalInvocationID.
+                                             ///< UINT32_MAX: none, iterations beyond the device's limits are refused
+};
+
+/// A parameter of a kernel's direct form, by the name it has in the generated GLSL.
+struct Parameter {
+    const char* name;
+    std::uint32_t offset, bytes;
+};
+
+/// A kernel is static data of the program or of a library that it loads. The runtime caches pipelines by the kernel's
+/// content, not its address, so that a library may be unloaded and another one loaded at its place; a recording on the
+/// host device calls the kernel's code, which has to stay loaded as long as the recording. The entry point is `main`.
+///
+/// How the iteration size maps to workgroups:
+///   groups.x = ceil(size.x / (group.x * items.x)), groups.y = ceil(size.y / (group.y * items.y)),
+///   groups.z = ceil(size.z * size.w / (group.z * items.z)).
+/// The shader decides which of its group's elements an invocation takes. No groups along an axis: nothing runs. A
+/// one-dimensional iteration of more groups than the device allows along x is folded: the runtime dispatches (x, y, 1)
+/// groups with x * y >= groups.x, and a group's index is gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
+/// invocations beyond the size do nothing. In more dimensions an iteration beyond the device's limits (65535 groups
+/// along y and z on most) takes the wide form, split by the runtime into several dispatches through Form::base_offset;
+/// indirect ones are refused (ErrorCode::too_large).
+struct Kernel {
+    const char* name;
+    const char* file;
+    std::uint32_t line;
+    std::uint32_t rank;                  ///< axes of the iteration, 1 to 4
+    std::array<std::uint32_t, 3> group;  ///< workgroup size
+    std::uint64_t loop_rounds;           ///< bound on the iterations of one invocation's loops in total, their last
+                                         ///< tests included; UINT64_MAX if unknown. A bound beyond the device's
+                                         ///< loop_round_limit is refused (ErrorCode::loop_limit). A kernel without a
+                                         ///< bound counts its iterations where specialisation constant 101 (a uint)
+                                         ///< is the device's limit and not 0, and reports when it passes it
+    std::span<const Binding> bindings;
+    Form direct, general, wide;
+    std::span<const Parameter> parameters = {};      ///< what Commands::specialised can fix
+    std::array<std::uint32_t, 3> items = {1, 1, 1};  ///< elements that one invocation takes along each axis
+    bool reports = false;                           ///< has a StatusRecord: a storage buffer (scalar layout) at binding
+                                                    ///< bindings.size() + 1 in every form
+    std::uint32_t shared_bytes = 0;                 ///< workgroup memory
+    SourceLine longest_loop = {};                   ///< the loop of most iterations
+    std::span<const char* const> other_files = {};  ///< that reports may name, beside `file`
+    const Drawing* drawing = nullptr;  ///< of a kernel that draws (drawing.h); its rank is 2: corners, instances
+    std::uint64_t digest = 0;  ///< hash of all of the above: kernels of equal digest are the same. 0: the runtime
+                               ///< computes it at each call, which takes microseconds
+};
+
+}  // namespace glift

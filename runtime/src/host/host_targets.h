@@ -1,0 +1,35 @@
+// Targets of a draw as host code sees them.
+#pragma once
+
+#include <glift/pass.h>
+
+#include <vector>
+
+namespace glift::detail {
+
+/// Where the texels of a call's targets lie; valid while this lives.
+class HostTargetViews {
+public:
+    HostTargetViews(const Kernel& kernel, const DrawTargets& targets);
+    HostTargetViews(const HostTargetViews&) = delete;
+
+    const HostTargets& targets() const { return targets_; }
+
+private:
+    std::vector<HostTargets::Texels> colours_;
+    HostTargets targets_;
+};
+
+/// The same targets, held for as long as this lives: for calls that are noted for later.
+class KeptTargets {
+public:
+    explicit KeptTargets(const DrawTargets& targets);
+    DrawTargets targets() const { return {colours_, depth_, origin_, extent_}; }
+
+private:
+    std::vector<Attachment> colours_;
+    Attachment depth_;
+    uint2 origin_, extent_;
+};
+
+}  // namespace glift::detail

@@ -1,0 +1,122 @@
+#include "host/raster/batch.h"
+
+#include "host/raster/block.h"
+
+#include <algorithm>
+
+namespace glift::host::raster {
+
+namespace {
+
+constexpr std::uint32_t max_tiles = 1024;
+constexpr std::int32_t smallest_tile = 64;
+
+/// A box of tiles or blocks, the last ones exclusive.
+struct Box {
+    std::int32_t left, top, right, bottom;
+};
+
+/// The squares of the given side that a triangle's bounding box touches.
+Box squares_of(const Triangle& triangle, std::int32_t side) {
+    return {triangle.left / side, triangle.top / side, (triangle.right - 1) / side + 1,
+            (triangle.bottom - 1) / side + 1};
+}
+
+Box common(const Box& a, const Box& b) {
+    return {std::max(a.left, b.left), std::max(a.top, b.top), std::min(a.right, b.right), std::min(a.bottom, b.bottom)};
+}
+
+template <class Body> void for_each(const Box& box, Body&& body) {
+    for (std::int32_t y = box.top; y < box.bottom; ++y)
+        for (std::int32_t x = box.left; x < box.right; ++x) body(x, y);
+}
+
+struct BlockDraw {
+    const Draw& draw;
+    int2 viewport;  ///< its first pixel, in the coordinates of blocks
+    Fragments fragments;
+
+    explicit BlockDraw(const Draw& draw) : draw(draw), viewport(int2(draw.framebuffer % 2u)) {
+        fragments.depth_target = &draw.depth;
+    }
+
+    void run(const Triangle& triangle, std::int32_t x, std::int32_t y) {
+        std::uint64_t covered = coverage(triangle, x, y);
+        if (covered == 0) return;
+        interpolate(triangle, x, y, draw.has_smooth, fragments);
+        fragments.first = int2(x, y) - viewport;
+        if (draw.depth.texels != nullptr && draw.depth.is_early)
+            covered = test_depth(draw.depth, fragments.first, fragments.depth, covered);
+        if (covered == 0 || draw.fragment == nullptr) return;
+        fragments.covered = covered;
+        fragments.is_front = triangle.is_front;
+        std::copy(std::begin(triangle.corner), std::end(triangle.corner), std::begin(fragments.corner));
+        draw.fragment(draw.body, fragments);
+    }
+};
+
+}  // namespace
+
+Tiles tiles_of(uint2 size) {
+    Tiles tiles{smallest_tile, 0, 0};
+    const auto count_along = [&](uint n) {
+        return (n + static_cast<uint>(tiles.side) - 1) / static_cast<uint>(tiles.side);
+    };
+    while (count_along(size.x) * count_along(size.y) > max_tiles) tiles.side *= 2;
+    tiles.across = count_along(size.x);
+    tiles.down = count_along(size.y);
+    return tiles;
+}
+
+void Chunk::make(const Draw& draw, const Window& window, const Clipper& clipper, const Tiles& tiles,
+                 std::uint64_t first, std::uint32_t count, std::uint32_t instance) {
+    const std::uint32_t stride = window.layout.stride();
+    corners_.resize(std::size_t{count} * stride);
+    made_.clear();
+    triangles_.clear();
+    draw.vertex(draw.body, first, count, instance, corners_.data());
+    for (std::uint32_t i = 0; i + 3 <= count; i += 3) {
+        const float* corner = corners_.data() + std::size_t{i} * stride;
+        add(window, clipper.clipped(corner, corner + stride, corner + 2 * stride, made_));
+    }
+    sort(tiles);
+}
+
+/// Splits a polygon into a fan around its first vertex.
+void Chunk::add(const Window& window, const Polygon& polygon) {
+    for (unsigned i = 2; i < polygon.count; ++i)
+        if (auto triangle = triangle_of(window, polygon.corners[0], polygon.corners[i - 1], polygon.corners[i]))
+            triangles_.push_back(*triangle);
+}
+
+/// A counting sort: the number of triangles of each tile, prefix sums, then the triangles' indices.
+void Chunk::sort(const Tiles& tiles) {
+    begins_.assign(tiles.count() + 1, 0);
+    const auto for_each_tile = [&](const Triangle& triangle, auto&& body) {
+        for_each(squares_of(triangle, tiles.side), [&](std::int32_t x, std::int32_t y) {
+            body(static_cast<std::uint32_t>(y) * tiles.across + static_cast<std::uint32_t>(x));
+        });
+    };
+    for (const Triangle& triangle : triangles_)
+        for_each_tile(triangle, [&](std::uint32_t tile) { ++begins_[tile + 1]; });
+    for (std::uint32_t tile = 0; tile < tiles.count(); ++tile) begins_[tile + 1] += begins_[tile];
+    sorted_.resize(begins_.back());
+    std::vector<std::uint32_t> next(begins_.begin(), begins_.end() - 1);
+    for (std::uint32_t i = 0; i < triangles_.size(); ++i)
+        for_each_tile(triangles_[i], [&](std::uint32_t tile) { sorted_[next[tile]++] = i; });
+}
+
+void draw_tile(const Draw& draw, const Chunk& chunk, const Tiles& tiles, std::uint32_t tile) {
+    const std::int32_t blocks = tiles.side / block_side;
+    const auto x = static_cast<std::int32_t>(tile % tiles.across), y = static_cast<std::int32_t>(tile / tiles.across);
+    const Box inside{x * blocks, y * blocks, (x + 1) * blocks, (y + 1) * blocks};
+    BlockDraw block(draw);
+    for (std::uint32_t i : chunk.in_tile(tile)) {
+        const Triangle& triangle = chunk.triangles()[i];
+        for_each(common(squares_of(triangle, block_side), inside), [&](std::int32_t column, std::int32_t row) {
+            block.run(triangle, column * block_side, row * block_side);
+        });
+    }
+}
+
+}  // namespace glift::host::raster

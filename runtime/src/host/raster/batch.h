@@ -1,0 +1,45 @@
+// A batch of some thousand triangles of a draw: set up in parallel by chunks, binned into the tiles that they touch,
+// and drawn tile by tile.
+#pragma once
+
+#include "host/raster/clip.h"
+
+#include <span>
+#include <vector>
+
+namespace glift::host::raster {
+
+/// The tiles of a viewport: at most 1024 squares, whose sides are multiples of a block's.
+struct Tiles {
+    std::int32_t side;
+    std::uint32_t across, down;
+    std::uint32_t count() const { return across * down; }
+};
+Tiles tiles_of(uint2 size);
+
+/// Consecutive triangles of the draw, and for each tile those that touch it, in order.
+class Chunk {
+public:
+    /// Runs the vertex shader for `count` vertices, a multiple of three, from `first` on, and sets up their triangles.
+    void make(const Draw& draw, const Window& window, const Clipper& clipper, const Tiles& tiles, std::uint64_t first,
+              std::uint32_t count, std::uint32_t instance);
+    const std::vector<Triangle>& triangles() const { return triangles_; }
+    /// Indices of the triangles that may touch a tile.
+    std::span<const std::uint32_t> in_tile(std::uint32_t tile) const {
+        return {sorted_.data() + begins_[tile], sorted_.data() + begins_[tile + 1]};
+    }
+
+private:
+    void add(const Window& window, const Polygon& polygon);
+    void sort(const Tiles& tiles);
+
+    std::vector<float> corners_;
+    MadeCorners made_;
+    std::vector<Triangle> triangles_;
+    std::vector<std::uint32_t> begins_, sorted_;
+};
+
+/// Draws a chunk's triangles in one tile.
+void draw_tile(const Draw& draw, const Chunk& chunk, const Tiles& tiles, std::uint32_t tile);
+
+}  // namespace glift::host::raster

@@ -1,0 +1,19 @@
+// One triangle in one block of 8 x 8 pixels: which pixels it covers, their depth and weights, the depth test.
+#pragma once
+
+#include "host/raster/triangle.h"
+
+namespace glift::host::raster {
+
+inline constexpr std::int32_t block_side = Fragments::side;
+
+/// The pixels of the block at (x, y) that a triangle covers, within its bounding box.
+std::uint64_t coverage(const Triangle& triangle, std::int32_t x, std::int32_t y);
+
+/// Depth and weights of all pixels of the block at (x, y). `has_smooth`: also the perspective-correct weights.
+void interpolate(const Triangle& triangle, std::int32_t x, std::int32_t y, bool has_smooth, Fragments& fragments);
+
+/// Tests the depths of a block against the stored ones, and stores and returns those of the pixels that pass.
+std::uint64_t test_depth(const DepthTarget& target, int2 first, const float* depth, std::uint64_t pixels);
+
+}  // namespace glift::host::raster

@@ -1,0 +1,41 @@
+// Clipping, in clip coordinates, of triangles against the depth range, the guard band and the user's clip distances.
+#pragma once
+
+#include "host/raster/triangle.h"
+
+#include <deque>
+#include <vector>
+
+namespace glift::host::raster {
+
+/// Each plane that cuts a triangle adds one vertex: six planes, and eight clip distances. Rounding may add some.
+inline constexpr unsigned max_polygon = 32;
+
+/// Vertices made by clipping. Their addresses are stable.
+using MadeCorners = std::deque<std::vector<float>>;
+
+/// A convex polygon of vertices, each a row of floats.
+struct Polygon {
+    std::array<const float*, max_polygon> corners;
+    unsigned count = 0;
+};
+
+class Clipper {
+public:
+    explicit Clipper(const Window& window);
+
+    /// The part of a triangle inside all planes: the triangle itself, a polygon with new vertices, or nothing.
+    Polygon clipped(const float* corner0, const float* corner1, const float* corner2, MadeCorners& made) const;
+
+private:
+    unsigned planes() const { return 6 + layout_.clip_distances; }
+    float distance(unsigned plane, const float* corner) const;
+    bool is_inside(const float* corner) const;
+    Polygon cut(const Polygon& polygon, unsigned plane, MadeCorners& made) const;
+    const float* between(const float* in, const float* out, float t, MadeCorners& made) const;
+
+    CornerLayout layout_;
+    float band_x_, band_y_;  ///< the guard band, in units of w
+};
+
+}  // namespace glift::host::raster

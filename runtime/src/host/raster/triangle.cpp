@@ -1,0 +1,83 @@
+#include "host/raster/triangle.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace glift::host::raster {
+
+namespace {
+
+struct Point {
+    std::int64_t x, y;  ///< in 1/256 of a pixel; pixel centres are multiples of 256
+};
+
+/// Rounds to the subpixel grid. The guard band keeps the result within 2^24.
+std::int64_t snapped(float window) { return std::llrint(static_cast<double>(window - 0.5f) * (1 << subpixel_bits)); }
+
+Point in_window(const Window& window, const float* corner) {
+    const float inverse_w = 1.0f / corner[3];
+    const float half_width = 0.5f * static_cast<float>(window.end.x - window.first.x);
+    const float half_height = 0.5f * static_cast<float>(window.end.y - window.first.y);
+    return {snapped(corner[0] * inverse_w * half_width + half_width + static_cast<float>(window.first.x)),
+            snapped(corner[1] * inverse_w * half_height + half_height + static_cast<float>(window.first.y))};
+}
+
+/// An edge with its inside to the right of its direction, y growing downwards. A pixel centre on it is inside if it is
+/// a top edge (level, to the right) or a left one (upwards).
+Edge edge_of(const Point& from, const Point& to) {
+    const std::int64_t dx = to.x - from.x, dy = to.y - from.y;
+    const bool is_top_left = dy < 0 || (dy == 0 && dx > 0);
+    // dx * (y - from.y) - dy * (x - from.x), with x and y in subpixels.
+    const std::int64_t c = dy * from.x - dx * from.y - (is_top_left ? 0 : 1);
+    return {static_cast<std::int32_t>(-dy), static_cast<std::int32_t>(dx), c};
+}
+
+/// The first pixel whose centre is at or beyond a coordinate, and the first one beyond it.
+std::int32_t first_from(std::int64_t place) {
+    return static_cast<std::int32_t>((place + (1 << subpixel_bits) - 1) >> subpixel_bits);
+}
+std::int32_t first_beyond(std::int64_t place) { return static_cast<std::int32_t>((place >> subpixel_bits) + 1); }
+
+bool is_culled(Cull cull, bool is_front) {
+    return (cull == Cull::back && !is_front) || (cull == Cull::front && is_front);
+}
+
+}  // namespace
+
+std::optional<Triangle> triangle_of(const Window& window, const float* corner0, const float* corner1,
+                                    const float* corner2) {
+    const float* corners[3] = {corner0, corner1, corner2};
+    Point points[3];
+    for (int i = 0; i < 3; ++i) points[i] = in_window(window, corners[i]);
+    const std::int64_t area = (points[1].x - points[0].x) * (points[2].y - points[0].y) -
+                              (points[2].x - points[0].x) * (points[1].y - points[0].y);
+    Triangle triangle;
+    triangle.is_front = area < 0;  // y grows downwards
+    if (area == 0 || is_culled(window.cull, triangle.is_front)) return std::nullopt;
+
+    const auto [left, right] = std::minmax({points[0].x, points[1].x, points[2].x});
+    const auto [top, bottom] = std::minmax({points[0].y, points[1].y, points[2].y});
+    triangle.left = std::max(first_from(left), static_cast<std::int32_t>(window.first.x));
+    triangle.top = std::max(first_from(top), static_cast<std::int32_t>(window.first.y));
+    triangle.right = std::min(first_beyond(right), static_cast<std::int32_t>(window.end.x));
+    triangle.bottom = std::min(first_beyond(bottom), static_cast<std::int32_t>(window.end.y));
+    if (triangle.left >= triangle.right || triangle.top >= triangle.bottom) return std::nullopt;
+
+    // Clockwise in the window: the inside is to the right of every edge.
+    const bool is_clockwise = area > 0;
+    const std::uint32_t varyings = window.layout.varyings_at();
+    for (int i = 0; i < 3; ++i) {
+        const Point &a = points[(i + 1) % 3], &b = points[(i + 2) % 3];
+        triangle.edges[static_cast<std::size_t>(i)] = is_clockwise ? edge_of(a, b) : edge_of(b, a);
+        const Edge& edge = triangle.edges[static_cast<std::size_t>(i)];
+        const bool is_top_left = edge.a > 0 || (edge.a == 0 && edge.b > 0);
+        triangle.offset[i] = is_top_left ? 0.0f : 1.0f;
+        triangle.inverse_w[i] = 1.0f / corners[i][3];
+        triangle.z[i] = corners[i][2] * triangle.inverse_w[i];
+        triangle.corner[i] = corners[i] + varyings;
+    }
+    triangle.inverse_area = static_cast<float>(1.0 / static_cast<double>(is_clockwise ? area : -area));
+    return triangle;
+}
+
+}  // namespace glift::host::raster

@@ -1,0 +1,79 @@
+#include <glift/iteration.h>
+
+#include <algorithm>
+#include <string>
+
+namespace glift {
+
+namespace {
+
+std::string place_of(const Kernel& kernel) {
+    return std::string(kernel.file) + ":" + std::to_string(kernel.line) + ": " + kernel.name;
+}
+
+[[noreturn]] void throw_sizes(const Kernel& kernel, const detail::Box& a, const detail::Box& b) {
+    throw Error(ErrorCode::wrong_argument, "ranges of different sizes", place_of(kernel),
+                a.name + (" is " + detail::text_of(a.size, a.rank)) + " and " + b.name + " is " +
+                    detail::text_of(b.size, b.rank),
+                "pass ranges of one size: all of each structure, or boxes made with range(origin, size)");
+}
+
+[[noreturn]] void throw_small(const Kernel& kernel, const detail::Box& visited, const detail::Box& around) {
+    throw Error(ErrorCode::wrong_argument, "structures of different sizes", place_of(kernel),
+                std::string("the domain of ") + around.name + " is " + detail::text_of(around.domain, around.rank) +
+                    ", too small to look around what is visited: " + visited.name + ", " +
+                    detail::text_of(visited.size, visited.rank) + " from " +
+                    detail::text_of(visited.origin, visited.rank) + " on",
+                "pass structures of one size, or boxes of one size made with range(origin, size)");
+}
+
+}  // namespace
+
+void Iteration::add_visited(const detail::Box& box, bool is_whole, const std::vector<detail::DeviceCount>& counts) {
+    if (!box.is_inside()) detail::throw_outside(place_of(kernel_), box);
+    if (count_ == 0) first_ = box;
+    else if (box.size != first_.size) throw_sizes(kernel_, first_, box);
+    ++count_;
+    whole_ = whole_ && is_whole;
+    for (const detail::DeviceCount& count : counts)
+        if (std::ranges::find(counts_, count) == counts_.end()) counts_.push_back(count);
+}
+
+void Iteration::add_near(detail::Box box, bool is_whole) {
+    if (is_whole) {
+        box.origin = first_.origin;
+        box.size = first_.size;
+        if (!box.is_inside()) throw_small(kernel_, first_, box);
+    } else if (box.size != first_.size) {
+        throw_sizes(kernel_, first_, box);
+    }
+    if (!box.is_inside()) detail::throw_outside(place_of(kernel_), box);
+    whole_ = whole_ && is_whole && box.origin == Extent{} && box.size == box.domain;
+}
+
+void Iteration::add_any(const detail::Box& box, bool is_whole) {
+    if (!is_whole && !box.is_inside()) detail::throw_outside(place_of(kernel_), box);
+    whole_ = whole_ && is_whole;
+}
+
+std::span<const Patch> Iteration::patches(std::initializer_list<std::size_t> offsets) {
+    for (std::size_t offset : offsets) patch(counts_, offset, first_.size, first_.rank);
+    return {patches_.data(), patch_count_};
+}
+
+/// Adds a patch for each axis and count.
+void Iteration::patch(const std::vector<detail::DeviceCount>& counts, std::size_t offset, const Extent& limits,
+                      unsigned axes) {
+    if (patch_count_ + axes * counts.size() > patches_.size())
+        throw Error(ErrorCode::wrong_argument, "too many sizes that live on the device", place_of(kernel_),
+                    "one call takes " + std::to_string(patches_.size()) + " numbers", "split the kernel");
+    for (unsigned axis = 0; axis < axes; ++axis)
+        for (const detail::DeviceCount& count : counts)
+            patches_[patch_count_++] = {{count.value.memory, count.value.offset + 4 * axis},
+                                        static_cast<std::uint32_t>(offset + 4 * axis),
+                                        limits[axis],
+                                        count.before[axis],
+                                        &count != counts.data()};
+}
+
+}  // namespace glift

@@ -1,0 +1,53 @@
+#include "shader_stage.h"
+
+#include "fixed_parameters.h"
+#include "float_controls.h"
+#include "hidden_zeros.h"
+#include "spirv_words.h"
+
+namespace glift::detail {
+
+namespace {
+
+/// Of generated shaders, by number.
+enum Constant : std::uint32_t {
+    exact_division = 100,  ///< true where the device rounds / and sqrt of floats correctly: those of CPUs do
+    loop_rounds = 101,     ///< rounds of loops that an invocation may run; 0: any number
+    fences_are_barriers = 102,
+    is_cpu = 103,
+};
+
+VkShaderModule make_module(Context& context, const Pipeline& pipeline, const Spirv& spirv) {
+    std::vector<std::uint32_t> code =
+        with_fixed_parameters(with_float_controls(words_of(spirv), context.float_controls), pipeline.fixed);
+    if (context.float_controls.hides_zeros) code = with_hidden_zeros(code);
+    const VkShaderModuleCreateInfo info = {.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
+                                           .codeSize = code.size() * sizeof(std::uint32_t),
+                                           .pCode = code.data()};
+    VkShaderModule module = VK_NULL_HANDLE;
+    context.check(context.vk.vkCreateShaderModule(context.device, &info, nullptr, &module), "vkCreateShaderModule");
+    return module;
+}
+
+}  // namespace
+
+ShaderStage::ShaderStage(Context& context, const Pipeline& pipeline, const Spirv& spirv, VkShaderStageFlagBits stage)
+    : context_(context) {
+    const std::uint64_t rounds = context.properties.loop_round_limit;
+    const VkBool32 cpu = context.properties.kind == DeviceKind::cpu;
+    constants_ = {cpu, rounds == unlimited ? 0 : static_cast<std::uint32_t>(rounds),
+                  context.properties.fences_are_barriers, cpu};
+    constexpr std::uint32_t ids[] = {exact_division, loop_rounds, fences_are_barriers, is_cpu};
+    for (std::uint32_t i = 0; i < entries_.size(); ++i)
+        entries_[i] = {ids[i], i * static_cast<std::uint32_t>(sizeof constants_[0]), sizeof constants_[0]};
+    special_ = {static_cast<std::uint32_t>(entries_.size()), entries_.data(), sizeof constants_, constants_.data()};
+    info_ = {.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
+             .stage = stage,
+             .module = make_module(context, pipeline, spirv),
+             .pName = "main",
+             .pSpecializationInfo = &special_};
+}
+
+ShaderStage::~ShaderStage() { context_.vk.vkDestroyShaderModule(context_.device, info_.module, nullptr); }
+
+}  // namespace glift::detail

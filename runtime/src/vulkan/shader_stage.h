@@ -1,0 +1,25 @@
+// A shader of a pipeline: its module as this device takes it, and the constants that generated shaders ask for.
+#pragma once
+
+#include "pipelines.h"
+
+namespace glift::detail {
+
+class ShaderStage {
+public:
+    ShaderStage(Context& context, const Pipeline& pipeline, const Spirv& spirv, VkShaderStageFlagBits stage);
+    ~ShaderStage();
+    ShaderStage(const ShaderStage&) = delete;
+
+    /// Valid while this lives.
+    const VkPipelineShaderStageCreateInfo& info() const { return info_; }
+
+private:
+    Context& context_;
+    std::array<std::uint32_t, 4> constants_;
+    std::array<VkSpecializationMapEntry, 4> entries_;
+    VkSpecializationInfo special_ = {};
+    VkPipelineShaderStageCreateInfo info_ = {};
+};
+
+}  // namespace glift::detail

@@ -1,0 +1,12 @@
+// Vertices from a buffer, shifted by the instance's index.
+#version 460
+#extension GL_EXT_scalar_block_layout : require
+struct Corner { vec4 place; vec4 colour; };
+layout(set = 0, binding = 0, scalar) readonly buffer Parameters { uint corners, instances; float shift; };
+layout(set = 0, binding = 1, scalar) readonly buffer Corners { Corner corner[]; };
+layout(location = 0) smooth out vec4 colour;
+void main() {
+    const Corner c = corner[gl_VertexIndex];
+    colour = c.colour;
+    gl_Position = c.place + vec4(shift * float(gl_InstanceIndex) * c.place.w, 0.0, 0.0, 0.0);
+}

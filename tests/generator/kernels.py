@@ -1,0 +1,341 @@
+"""Random kernels, and the tests that run them."""
+from expressions import Scope
+from model import BOOL, FLOAT, INT, INTEGERS, UINT, Array, Items, Matrix, Node, Optional, Vector, joined, vector
+from structures import extent_text
+
+OPERATIONS = ["add", "min", "max", "and", "or", "xor"]
+ATOMICS = {"add": "atomicAdd", "min": "atomicMin", "max": "atomicMax", "and": "atomicAnd", "or": "atomicOr", "xor": "atomicXor"}
+SUBGROUPS = {"add": "subgroupAdd", "min": "subgroupMin", "max": "subgroupMax", "and": "subgroupAnd", "or": "subgroupOr",
+             "xor": "subgroupXor"}
+
+
+class Parameter:
+    def __init__(self, name, text, structure=None, value=None, moves=False, extent=None):
+        self.name, self.text, self.structure, self.value = name, text, structure, value
+        self.moves = moves    # iterated over: has the kernel's extent
+        self.extent = extent  # its own one if it is not iterated over
+
+
+class Kernel:
+    """A kernel under construction: its parameters, the scope of its body, its extent."""
+
+    def __init__(self, name, axes, extent):
+        self.name, self.axes, self.extent = name, axes, extent
+        self.params = []
+        self.scope = Scope()
+        self.writes = []  # functions from a scope to a statement
+
+
+class Kernels:
+    def __init__(self, random, types, structures, statements, functions):
+        self.random, self.types, self.structures, self.statements = random, types, structures, statements
+        self.expressions, self.functions = statements.expressions, functions
+
+    def kernel(self, number):
+        """A kernel and its test."""
+        maker = self.random.weighted([(10, self.plain), (4, self.grouped), (2, self.rows), (1, self.inexact)])
+        return maker(f"k{number}")
+
+    # ------------------------------------------------------------------------------------------------ parameters
+
+    def extent(self, axes, most=700):
+        sides = {1: (1, most), 2: (1, 29), 3: (1, 9)}[axes]
+        return [self.random.between(*sides) for _ in range(axes)]
+
+    def begin(self, name, axes):
+        kernel = Kernel(name, axes, self.extent(axes))
+        kernel.scope.functions = self.functions.known
+        kernel.scope.unknown = "position()" if axes == 1 else "position().y"
+        kernel.scope.variables.append(("position()", vector(axes, UINT), False))
+        for i in range(self.random.below(3)):
+            t = self.random.choice(self.types.storable)
+            kernel.params.append(Parameter(f"c{i}", t.text(), value=t))
+            kernel.scope.variables.append((f"c{i}", t, False))
+        return kernel
+
+    def of_axes(self, axes, each=False):
+        return [s for s in self.structures.all if s.axes == axes and (s.each or not each)]
+
+    def add_inputs(self, kernel, most=3):
+        for i in range(self.random.between(1, most)):
+            maker = self.random.weighted([(4, self.add_each), (3, self.add_near), (4, self.add_any)])
+            maker(kernel, f"x{i}")
+
+    def add_each(self, kernel, name):
+        found = self.of_axes(kernel.axes)
+        if found:
+            structure = self.random.choice(found)
+            kernel.params.append(Parameter(name, f"in each<{structure.name}>", structure, moves=True))
+            kernel.scope.variables.append((name, structure.element, False))
+
+    def add_near(self, kernel, name):
+        found = self.of_axes(kernel.axes)
+        if not found:
+            return
+        structure, radius = self.random.choice(found), self.random.between(1, 2)
+        kernel.params.append(Parameter(name, f"in near<{structure.name}, {radius}>", structure, moves=True))
+
+        def offset(expressions, scope, depth):
+            lanes = [str(expressions.random.between(-radius, radius)) for _ in range(kernel.axes)]
+            text = lanes[0] if kernel.axes == 1 else f"int{kernel.axes}({', '.join(lanes)})"
+            return Node(f"{name}[{text}]", type=structure.element)
+        kernel.scope.reads += [(structure.element, offset)] * 3
+
+        def window(scope):
+            result, i = self.statements.name("v"), self.statements.name("i")
+            axis = self.random.below(kernel.axes)
+            lanes = ["0"] * kernel.axes
+            lanes[axis] = i
+            at = i if kernel.axes == 1 else f"int{kernel.axes}({', '.join(lanes)})"
+            digest = self.types.digest(structure.element)
+            scope.variables.append((result, UINT, True))
+            return Node(f"var {result} = 0u;\nfor {i} in -{radius}..{radius + 1} {{\n{result} = {result} * 31u + {digest}({name}[{at}]);\n}}")
+        kernel.writes.append(window)
+
+    def add_any(self, kernel, name):
+        structure = self.random.choice(self.structures.all)
+        extent = self.extent(structure.axes, 300)
+        kernel.params.append(Parameter(name, f"in any<{structure.name}>", structure, extent=extent))
+        element, address = structure.element, vector(structure.axes, UINT)
+
+        def inside(expressions, scope, depth):
+            return Node("(", expressions.of(address, scope, depth), f" % {name}.domain())", type=address)
+
+        def place(expressions, scope, depth):
+            if expressions.random.chance(50):
+                return inside(expressions, scope, depth)
+            if structure.axes == kernel.axes and expressions.random.chance(50):
+                sign = expressions.random.choice("+-")
+                return Node(f"(position() {sign} ", expressions.constant(address, scope), ")", type=address)
+            return expressions.of(address, scope, depth)
+
+        def read(expressions, scope, depth):
+            return Node(f"{name}[", place(expressions, scope, depth), "]", type=element)
+
+        def find(expressions, scope, depth):
+            return Node(f"({name}.find(", place(expressions, scope, depth), ") ?? ", expressions.of(element, scope, depth), ")",
+                        type=element)
+
+        def contains(expressions, scope, depth):
+            return Node(f"{name}.contains(", place(expressions, scope, depth), ")", type=BOOL)
+
+        def domain(expressions, scope, depth):
+            return Node(f"{name}.domain()", type=address)
+        kernel.scope.reads += [(element, read)] * 4 + [(element, find), (BOOL, contains), (address, domain)]
+
+    def add_outputs(self, kernel):
+        found = self.of_axes(kernel.axes, each=True)
+        for i in range(self.random.between(1, 2)):
+            kind = self.random.weighted([(6, "out"), (3, "inout"), (3, "scatter"), (1, "coherent")])
+            name = f"y{i}"
+            if kind in ("out", "inout") and found:
+                self.add_written(kernel, name, kind, self.random.choice(found))
+            elif kind == "coherent":
+                self.add_coherent(kernel, name)
+            else:
+                self.add_scatter(kernel, name)
+
+    def add_written(self, kernel, name, kind, structure):
+        kernel.params.append(Parameter(name, f"{kind} each<{structure.name}>", structure, moves=True))
+        if kind == "inout":
+            kernel.scope.variables.append((name, structure.element, True))
+        kernel.writes.append(lambda scope: Node(f"{name} = ", self.mixed(structure.element, scope), ";"))
+
+    def mixed(self, t, scope):
+        """A value that depends on `sum`, and so on what the kernel has computed so far."""
+        value = self.expressions.of(t, scope, 4)
+        if t in (INT, UINT):
+            return Node("(", value, f" ^ {t.name}(sum))", type=t)
+        if isinstance(t, Vector) and t.scalar in (INT, UINT):
+            return Node("(", value, f" ^ {t.scalar.name}(sum))", type=t)
+        return Node("gt(sum % 3u == 0u, ", value, ", ", self.expressions.of(t, scope, 3), ")", type=t)
+
+    def integer_structures(self):
+        return [s for s in self.structures.all if s.element in (INT, UINT) and s.buffer]
+
+    def add_scatter(self, kernel, name):
+        structure, operation = self.random.choice(self.integer_structures()), self.random.choice(OPERATIONS)
+        kernel.params.append(Parameter(name, f"out scatter<{structure.name}, {operation}>", structure,
+                                       extent=self.extent(structure.axes, 100)))
+        address = vector(structure.axes, UINT)
+        kernel.writes.append(lambda scope: Node(f"{name}[", self.expressions.of(address, scope, 2), f" % {extent_text([40] * structure.axes)}] = ",
+                                                self.expressions.of(structure.element, scope, 3), ";"))
+
+    def add_coherent(self, kernel, name):
+        operation = ATOMICS[self.random.choice(OPERATIONS)]
+        kernel.params.append(Parameter(name, "inout coherent<Line>", self.structures.line, extent=[self.random.between(1, 40)]))
+        kernel.writes.append(lambda scope: Node(f"{operation}({name}[", self.expressions.of(UINT, scope, 2), " % 50u], ",
+                                                self.expressions.of(UINT, scope, 3), ");"))
+
+    def has_course(self, kernel):
+        """Whether a parameter has the kernel iterate; else it needs an `at`."""
+        return any(p.moves and " near<" not in p.text for p in kernel.params)
+
+    def ensure_course(self, kernel):
+        if not self.has_course(kernel):
+            structure = self.random.choice(self.of_axes(kernel.axes))
+            kernel.params.append(Parameter("a", f"at<{structure.name}>", structure, moves=True))
+
+    # ------------------------------------------------------------------------------------------------ kinds of kernels
+
+    def plain(self, name):
+        kernel = self.begin(name, self.random.choice([s.axes for s in self.structures.all]))
+        self.add_inputs(kernel)
+        self.add_outputs(kernel)
+        self.ensure_course(kernel)
+        return self.finished(kernel, self.body(kernel, self.random.between(0, 5)))
+
+    def body(self, kernel, size, returns=True):
+        scope = kernel.scope.inner()
+        known = len(scope.variables)
+        scope.variables.append(("sum", UINT, True))
+        items = Items([Node("var sum = 1u;")])
+        for _ in range(size):
+            items.parts.append(self.statements.statement(scope, size, 2, None, None))
+        items.parts += self.statements.uses(scope, known)
+        writes = list(kernel.writes)
+        if returns and self.random.chance(10):
+            items.parts.append(Node("if ", self.expressions.of(BOOL, scope, 2), " {\nreturn;\n}"))
+        for write in writes:
+            items.parts.append(self.write(write, scope))
+        return items
+
+    def write(self, write, scope):
+        """A write: unconditional, in a branch or in a loop."""
+        kind = self.random.weighted([(6, "here"), (2, "if"), (1, "else"), (1, "for")])
+        if kind == "here":
+            return write(scope)
+        inner = scope.inner()
+        if kind == "for":
+            name = self.statements.name("i")
+            inner.variables.append((name, UINT, False))
+            return Node(f"for {name} in 0..{self.random.between(1, 3)} {{\n", write(inner), "\n}")
+        parts = ["if ", self.expressions.of(BOOL, scope, 3), " {\n", write(inner), "\n}"]
+        if kind == "else":
+            parts += [" else {\n", write(scope.inner()), "\n}"]
+        return Node(*parts)
+
+    def inexact(self, name):
+        """A kernel that stores the results of inexact functions, and does not compute with them."""
+        kernel = self.begin(name, 1)
+        self.add_inputs(kernel)
+        found = [s for s in self.of_axes(1, each=True) if s.element == FLOAT]
+        if not found:
+            return self.plain(name)
+        structure = self.random.choice(found)
+        kernel.params.append(Parameter("y", f"out each<{structure.name}>", structure, moves=True))
+        kernel.writes.append(lambda scope: Node("y = ", self.expressions.inexact(FLOAT, scope, 3), ";"))
+        return self.finished(kernel, self.body(kernel, 2))
+
+    def rows(self, name):
+        """A kernel with several elements per invocation: vector loads and stores."""
+        count = self.random.choice([2, 3, 4, 4, 8])
+        lines = [s for s in self.of_axes(1) if s.element == UINT or not s.element == BOOL]
+        source, target = self.random.choice(lines), self.random.choice([s for s in lines if s.is_dense])
+        kernel = self.begin(name, 1)
+        kernel.scope.variables.pop(0)
+        kernel.params += [Parameter("a", f"at<Line, {count}>", self.structures.line, moves=True),
+                          Parameter("x", f"in any<{source.name}>", source, extent=kernel.extent),
+                          Parameter("y", f"out scatter<{target.name}>", target, extent=kernel.extent)]
+        scope = kernel.scope.inner()
+        row, result = Array(source.element, count), Array(target.element, count)
+        scope.variables += [("row", row, True), ("result", result, True)]
+        shift = self.random.choice(["", " + 1u", " - 2u", " + 4u"])
+        items = Items([Node(f"var row: {row.text()} = x.load(position(){shift});"), Node(f"var result: {result.text()};")])
+        scope.variables.append(("sum", UINT, True))
+        items.parts.append(Node("var sum = 1u;"))
+        for _ in range(self.random.below(3)):
+            items.parts.append(self.statements.statement(scope, 2, 1, None, None))
+        inner = scope.inner()
+        inner.variables += [("k", UINT, False), ("row[k]", source.element, False)]
+        items.parts.append(Node(f"for k in 0..{count} {{\nresult[k] = ", self.expressions.of(target.element, inner, 3), ";\n}"))
+        items.parts.append(Node("y.store(position(), result);"))
+        return self.finished(kernel, items)
+
+    # ------------------------------------------------------------------------------------------------ workgroups
+
+    def grouped(self, name):
+        axes = self.random.choice([s.axes for s in self.structures.all])
+        kernel = self.begin(name, axes)
+        self.add_inputs(kernel)
+        self.add_outputs(kernel)
+        self.ensure_course(kernel)
+        sides = self.random.choice([[32], [64], [37]]) if kernel.axes == 1 else self.random.choice([[8, 4], [16, 2], [5, 7]])
+        if kernel.axes == 3:
+            sides = [4, 2, 4]
+        group = 1
+        for side in sides:
+            group *= side
+        scope = kernel.scope
+        scope.variables += [("local_index()", UINT, False), ("group_size()", UINT, False), ("sum", UINT, True)]
+        items = Items([Node("var sum = 1u;")])
+        for phase in range(self.random.between(1, 3)):
+            self.add_phase(kernel, items, f"s{phase}", group)
+        scope = kernel.scope
+        for write in kernel.writes:
+            items.parts.append(self.write(write, scope))
+        return self.finished(kernel, items, f" group({', '.join(map(str, sides))})")
+
+    def add_phase(self, kernel, items, name, group):
+        """Statements, a store to workgroup memory by each invocation, and a barrier."""
+        scope = kernel.scope
+        for _ in range(self.random.below(3)):
+            items.parts.append(self.statements.statement(scope, 2, 1, None, None))
+        if self.random.chance(30):
+            return self.add_tally(scope, items, name)
+        t = self.random.choice(self.types.storable)
+        items.parts.insert(0, Node(f"shared {name}: {t.text()}[{group}];"))
+        items.parts.append(Node(f"{name}[local_index()] = ", self.expressions.of(t, scope, 4), ";"))
+        items.parts.append(Node("barrier();"))
+
+        def read(expressions, inner, depth):
+            return Node(f"{name}[", expressions.of(UINT, inner, depth), f" % {group}u]", type=t)
+        scope.reads += [(t, read)] * 2
+        return None
+
+    def add_tally(self, scope, items, name):
+        """Reduces values in workgroup memory, by atomics or subgroup operations whose order does not matter."""
+        operation, size = self.random.choice(OPERATIONS), self.random.between(1, 9)
+        items.parts.insert(0, Node(f"shared {name}: uint[{size}];"))
+        items.parts.append(Node(f"if local_index() < {size}u {{\n{name}[local_index()] = 9u;\n}}\nbarrier();"))
+        value = self.expressions.of(UINT, scope, 3)
+        if self.random.chance(40):
+            each = self.statements.name("v")
+            items.parts.append(Node(f"let {each} = {SUBGROUPS[operation]}(", value, f");\nif subgroupElect() {{\n"
+                                    f"{ATOMICS[operation]}({name}[0], {each});\n}}\nbarrier();"))
+        else:
+            place = self.expressions.of(UINT, scope, 2)
+            items.parts.append(Node(f"{ATOMICS[operation]}({name}[", place, f" % {size}u], ", value, ");\nbarrier();"))
+
+        def read(expressions, inner, depth):
+            return Node(f"{name}[", expressions.of(UINT, inner, depth), f" % {size}u]", type=UINT)
+        scope.reads += [(UINT, read)] * 2
+
+    # ------------------------------------------------------------------------------------------------ tests
+
+    def finished(self, kernel, body, group=""):
+        text = ", ".join(f"{p.name}: {p.text}" for p in kernel.params)
+        node = Node(f"kernel {kernel.name}({text}){group} {{\n", body, "\n}")
+        return node, self.test(kernel)
+
+    def test(self, kernel):
+        lines = []
+        for i, p in enumerate(kernel.params):
+            if p.structure:
+                lines += self.structures.prepared(p.name, p.structure, p.extent or kernel.extent, 100 * i)
+        values = [f"{self.types.made(p.value, f'{self.random.below(1000)}u')}" for p in kernel.params if p.value]
+        calls = [self.call(kernel, values, self.box(kernel) if self.random.chance(30) else None)]
+        if self.random.chance(40):
+            calls.append(self.call(kernel, values, self.box(kernel)))
+        return Node(f'test "{kernel.name}" {{\n', Items([Node(line) for line in lines + calls]), "\n}")
+
+    def box(self, kernel):
+        """A random slice of the kernel's extent."""
+        first = [self.random.below(side) for side in kernel.extent]
+        last = [self.random.between(low, side) for low, side in zip(first, kernel.extent)]
+        return f"[{extent_text(first)}..{extent_text(last)}]"
+
+    def call(self, kernel, values, box):
+        values = iter(values)
+        arguments = [next(values) if p.value else p.name + (box if box and p.moves else "") for p in kernel.params]
+        return f"{kernel.name}({', '.join(arguments)});"

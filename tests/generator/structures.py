@@ -1,0 +1,196 @@
+"""Random structures: those of the library, translators of the program's own, page tables, views."""
+from declarations import split_declarations
+from model import FLOAT, INT, UINT, Matrix, Node, Vector, literal, vector
+
+TEXELS = [vector(n, s) for s in (FLOAT, INT, UINT) for n in (1, 2, 4)]
+
+TABLES = """
+fn exchanged<N: uint>(a: vec<N, uint>) -> vec<N, uint> {
+    var result = a;
+    result[0] = a[N - 1];
+    result[N - 1] = a[0];
+    return result;
+}
+
+translator Exchanged<N: uint> : vec<N, uint> -> vec<N, uint> {
+    extent: vec<N, uint>;
+    domain() { return extent; }
+    translate(va) { return exchanged(va); }
+    invert(pa) { return exchanged(pa); }
+}
+
+struct PageEntry { resident: uint; frame: uint; }
+
+translator PageTable<N: uint, page: vec<N, uint>, Table: Structure<vec<N, uint>, PageEntry>> : vec<N, uint> -> uint? {
+    extent: vec<N, uint>;
+    table: Table;
+    domain() { return extent; }
+    translate(va) {
+        if !inside(va, extent) { return none; }
+        let entry = table[va / page];
+        if entry.resident == 0u { return none; }
+        return entry.frame * volume(page) + linearize(va % page, page);
+    }
+}
+
+kernel make_pages<N: uint, S: Structure<vec<N, uint>, PageEntry>>(a: at<S>, to: out each<S>, pages: uint, step: uint) {
+    // Frames in some order, each once; some pages have none, or one that the memory does not have.
+    let number = linearize(a, to_extent(a, pages));
+    to = PageEntry(number % 5u == 3u ? 0u : 1u, number % 7u == 5u ? number + 100000u : (number * step) % pages);
+}
+"""
+
+# Translators from N axes to one: kind, number of axes (0: any), body. Their arithmetic does not overflow, since addresses
+# may have 64 bits in the wide form.
+ORDERS = {
+    "Backwards": ("one_to_one", 0, "return volume(extent) - 1u - linearize(va, extent);"),
+    "Turned": ("one_to_one", 0, "let i = linearize(va, extent);\nreturn (i + volume(extent) / 3u) % volume(extent);"),
+    "Snake": ("one_to_one", 2, "let x = select(va.y % 2u == 0u, va.x, extent.x - 1u - va.x);\nreturn va.y * extent.x + x;"),
+    "Skewed": ("one_to_one", 2, "return va.y * extent.x + (va.x + 3u * va.y) % extent.x;"),
+    "Swapped": ("one_to_one", 0, "let i = linearize(va, extent);\nif (i ^ 1u) < volume(extent) { return i ^ 1u; }\nreturn i;"),
+    "Coarse": ("many_to_one", 0, "return linearize(va, extent) / 3u;"),
+    "Holes": ("partial", 0, "if !inside(va, extent) { return none; }\nlet i = linearize(va, extent);\n"
+                            "if i % 4u == 1u { return none; }\nreturn i;"),
+    "Beyond": ("partial", 0, "let i = linearize(va, extent);\nif i % 5u == 2u { return none; }\nreturn 2u * i;"),
+}
+
+
+def translator_text(name, kind, axes, body):
+    result = "uint?" if kind == "partial" else "uint"
+    attribute = {"one_to_one": "@one_to_one\n", "many_to_one": "@many_to_one\n", "partial": ""}[kind]
+    generic, address = ("<N: uint>", "vec<N, uint>") if not axes else ("", f"uint{axes}")
+    return (f"{attribute}translator {name}{generic} : {address} -> {result} {{\n    extent: {address};\n"
+            f"    domain() {{ return extent; }}\n    translate(va) {{\n{body}\n}}\n}}")
+
+
+class Structure:
+    """A structure type: how to construct it for an extent, and what kernels may do with it."""
+
+    def __init__(self, name, axes, element, extra="", each=True, is_dense=True, capacity=None, buffer=True):
+        self.name, self.axes, self.element, self.extra = name, axes, element, extra
+        self.each = each          # allows `out each`
+        self.is_dense = is_dense  # every element of the domain is stored
+        self.capacity = capacity  # page tables: the page's size along each axis; else None
+        self.buffer = buffer
+
+    def make(self, extent):
+        size = extent_text(extent)
+        if self.capacity:
+            return f"{self.name}({size}, {pages_of(extent, self.capacity)}u)"
+        return f"{self.name}({size}{self.extra})"
+
+
+def extent_text(extent):
+    return f"{extent[0]}u" if len(extent) == 1 else f"uint{len(extent)}({', '.join(map(str, extent))})"
+
+
+def pages_of(extent, page):
+    count = 1
+    for size, side in zip(extent, page):
+        count *= -(-size // side)
+    return count
+
+
+class Structures:
+    """The structures of one program."""
+
+    def __init__(self, random, types):
+        self.random, self.types = random, types
+        self.line = Structure("Line", 1, UINT)
+        self.all = [self.line]
+        # Few element types: each adds transfer code to the program.
+        elements = [t for t in types.storable if t != UINT]
+        self.elements = [UINT, FLOAT] + [random.choice(elements) for _ in range(3)]
+
+    def declarations(self, count):
+        nodes = [Node("structure Line = Array<1, uint>;"),
+                 Node("fn to_extent<N: uint>(a: vec<N, uint>, n: uint) -> vec<N, uint> { return vec<N, uint>(n); }")]
+        nodes += [Node(translator_text(name, *order)) for name, order in ORDERS.items()]
+        nodes += [Node(text) for text in split_declarations(TABLES)]
+        for i in range(count):
+            nodes.append(self.declaration(f"T{i}", self.random.weighted([(3, 1), (4, 2), (2, 3)])))
+        return nodes + [self.seed(t) for t in dict.fromkeys(s.element for s in self.all)]
+
+    def declaration(self, name, axes):
+        maker = self.random.weighted([(3, self.array), (3, self.edged), (2, self.bordered), (3, self.image), (3, self.tiled),
+                                      (2, self.morton), (5, self.own), (3, self.composed), (2, self.paged)])
+        structure, text = maker(name, axes, self.random.choice(self.elements))
+        self.all.append(structure)
+        return Node(text)
+
+    def array(self, name, axes, t):
+        return Structure(name, axes, t), f"structure {name} = Array<{axes}, {t.text()}>;"
+
+    def edged(self, name, axes, t):
+        edge = self.random.choice(["clamp", "repeat", "mirror"])
+        return Structure(name, axes, t), f"structure {name} = Array<{axes}, {t.text()}, {edge}>;"
+
+    def bordered(self, name, axes, t):
+        return Structure(name, axes, t, f", {literal(t)}"), f"structure {name} = Bordered<{axes}, {t.text()}>;"
+
+    def image(self, name, axes, t):
+        texel = self.random.choice([t for t in TEXELS if t in self.types.storable])
+        edge = self.random.choice(["none", "none", "clamp", "repeat", "mirror"])
+        kind = self.random.choice(["image1d", "image2d", "image3d"])
+        return Structure(name, axes, texel, buffer=False), f"structure {name} = Array<{axes}, {texel.text()}, {edge}, {kind}>;"
+
+    def tiled(self, name, axes, t):
+        tile = extent_text([self.random.between(2, 5) for _ in range(axes)])
+        return Structure(name, axes, t), f"structure {name} = Tiled<{axes}, {t.text()}, {tile}>;"
+
+    def morton(self, name, axes, t):
+        axes = max(axes, 2)
+        return Structure(name, axes, t), f"structure {name} = MortonArray<{axes}, {t.text()}>;"
+
+    def own(self, name, axes, t):
+        order = self.random.choice([o for o, (_, needs, _) in ORDERS.items() if needs in (0, axes)])
+        kind, needs, _ = ORDERS[order]
+        generic = f"<{axes}>" if not needs else ""
+        outside = f"    otherwise made_{self.made_name(t)}(3u);\n" if self.random.chance(40) else ""
+        text = (f"structure {name}(extent: {vector(axes, UINT).text()}) {{\n    memory data = buffer<{t.text()}>[volume(extent)];\n"
+                f"    via {order}{generic}(extent);\n{outside}}}")
+        return Structure(name, axes, t, each=kind != "many_to_one", is_dense=kind == "one_to_one"), text
+
+    def composed(self, name, axes, t):
+        """A composition of translators."""
+        axes = max(axes, 2)
+        edge = self.random.choice(["", f"Edge<{axes}, Boundary.clamp>(extent) then ", f"Edge<{axes}, Boundary.mirror>(extent) then "])
+        last = self.random.choice(["Linear", "Backwards", "Turned"])
+        text = (f"structure {name}(extent: uint{axes}) {{\n    memory data = buffer<{t.text()}>[volume(extent)];\n"
+                f"    via {edge}Exchanged<{axes}>(extent) then {last}<{axes}>(exchanged(extent));\n}}")
+        return Structure(name, axes, t), text
+
+    def paged(self, name, axes, t):
+        page = [self.random.between(2, 4) for _ in range(axes)]
+        address = vector(axes, UINT).text()
+        text = (f"structure {name}(extent: {address}, capacity: uint) {{\n"
+                f"    memory pages = buffer<{t.text()}>[capacity * volume({extent_text(page)})];\n"
+                f"    structure table = Array<{axes}, PageEntry>(div_ceil(extent, {extent_text(page)}));\n"
+                f"    via PageTable<{axes}, {extent_text(page)}>(extent, table);\n}}")
+        return Structure(name, axes, t, is_dense=False, capacity=page), text
+
+    def made_name(self, t):
+        return self.types.made(t, "").removeprefix("made_").removesuffix("()")
+
+    def seed(self, t):
+        """A kernel that fills a structure with a different value at each address."""
+        name = self.made_name(t)
+        return Node(f"kernel seed_{name}<D: type, S: Structure<D, {t.text()}>>(a: at<S>, seed: uint, to: out scatter<S>) {{\n"
+                    f"to[a] = made_{name}(digest(a) * 7u + seed);\n}}")
+
+    def prepared(self, name, structure, extent, seed):
+        """Statements of a test that construct a structure and fill it."""
+        lines = [f"temp {name} = {structure.make(extent)};"]
+        if structure.capacity:
+            pages = pages_of(extent, structure.capacity)
+            step = next(s for s in range(3, 100, 2) if coprime(s, pages))
+            lines.append(f"make_pages({name}.table, {pages}u, {step}u);")
+        if structure.each:
+            lines.append(f"seed_{self.made_name(structure.element)}({name}, {seed}u, {name});")
+        return lines
+
+
+def coprime(a, b):
+    while b:
+        a, b = b, a % b
+    return a == 1

@@ -1,0 +1,26 @@
+// Made by gliftc from operators.glift. Changes are lost when it is made again.
+#pragma once
+
+#include <glift/vector.h>
+
+#include <cstddef>
+
+namespace operators {
+
+#ifndef GLIFT_operators_HAS_Max
+#define GLIFT_operators_HAS_Max
+struct Max {
+    bool operator==(const Max&) const = default;
+};
+#endif
+
+#ifndef GLIFT_operators_HAS_Affine
+#define GLIFT_operators_HAS_Affine
+struct Affine {
+    glift::uint modulus{};
+    Max inner{};
+    bool operator==(const Affine&) const = default;
+};
+#endif
+
+}  // namespace operators

@@ -1,0 +1,23 @@
+// Made by gliftc from subgroups.glift. Changes are lost when it is made again.
+#pragma once
+
+#include <glift/vector.h>
+
+#include <cstddef>
+
+namespace subgroups {
+
+#ifndef GLIFT_subgroups_HAS_Best
+#define GLIFT_subgroups_HAS_Best
+struct Best {
+    float value{};
+    glift::uint2 where{};
+    glift::array<int, 2> list{};
+    bool operator==(const Best&) const = default;
+};
+static_assert(offsetof(Best, value) == 0);
+static_assert(offsetof(Best, where) == 4);
+static_assert(offsetof(Best, list) == 12);
+#endif
+
+}  // namespace subgroups

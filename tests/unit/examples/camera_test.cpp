@@ -1,0 +1,55 @@
+#include "examples/common/camera.h"
+
+#include <glift/host/math.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace {
+
+using camera::Camera;
+using glift::float3;
+using glift::float4;
+using glift::float4x4;
+
+float4 projected(const float4x4& m, const float3& p) { return m[0] * p.x + m[1] * p.y + m[2] * p.z + m[3]; }
+
+TEST(Camera, ProjectsAsVulkanWants) {
+    const Camera camera{float3(0, 0, 10), float3(0, 0, 0), float3(0, 1, 0), 1.0f, 1, 21};
+    const float4x4 m = camera::projection_of(camera, 2);
+    const float4 centre = projected(m, float3(0, 0, 0));
+    EXPECT_NEAR(centre.x / centre.w, 0, 1e-6f);
+    EXPECT_NEAR(centre.w, 10, 1e-5f);
+    const float4 near = projected(m, float3(0, 0, 9)), far = projected(m, float3(0, 0, -11));
+    EXPECT_NEAR(near.z / near.w, 0, 1e-6f);
+    EXPECT_NEAR(far.z / far.w, 1, 1e-6f);
+    const float half = 10 * std::tan(0.5f);
+    const float4 top = projected(m, float3(0, half, 0)), right = projected(m, float3(2 * half, 0, 0));
+    EXPECT_NEAR(top.y / top.w, -1, 1e-5f);  // y grows downwards
+    EXPECT_NEAR(right.x / right.w, 1, 1e-5f);
+}
+
+TEST(Camera, ParallelProjectionKeepsSizes) {
+    const Camera light{float3(3, 4, 5), float3(0, 0, 0), float3(0, 1, 0), 1.0f, 1, 11};
+    const float4x4 m = camera::parallel_projection_of(light, 2);
+    const float4 target = projected(m, light.target),
+                 beside = projected(m, light.target + float3(0.8f, 0, -0.6f) * -1.0f);
+    EXPECT_NEAR(target.x, 0, 1e-6f);
+    EXPECT_NEAR(target.w, 1, 1e-6f);
+    EXPECT_NEAR(target.z, (std::sqrt(50.0f) - 1) / 10, 1e-5f);
+    EXPECT_LE(std::abs(beside.x), 0.5f + 1e-5f);
+}
+
+TEST(Camera, OrbitsAroundItsTarget) {
+    const Camera camera{float3(1, 2, 7), float3(1, 2, 3), float3(0, 1, 0), 1.0f, 1, 11};
+    const Camera right = camera::orbited(camera, 0.5f, 0, 1), above = camera::orbited(camera, 0, 0.3f, 2);
+    EXPECT_NEAR(glift::length(right.eye - camera.target), 4, 1e-5f);
+    EXPECT_NEAR(right.eye.y, 2, 1e-5f);
+    EXPECT_LT(right.eye.x, 1);  // the picture moves to the right
+    EXPECT_NEAR(glift::length(above.eye - camera.target), 2, 1e-5f);
+    EXPECT_GT(above.eye.y, 2);
+    EXPECT_TRUE(std::isfinite(camera::orbited(camera, 0, 100, 1).eye.y));
+}
+
+}  // namespace

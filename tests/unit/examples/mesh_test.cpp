@@ -1,0 +1,104 @@
+#include "examples/common/mesh.h"
+#include "examples/common/shapes.h"
+#include "support/process.h"
+
+#include <glift/host/math.h>
+
+#include <gmock/gmock.h>
+#include <zlib.h>
+
+#include <cmath>
+
+namespace {
+
+using glift::float3;
+using mesh::Mesh;
+
+const std::string square = R"(ply
+format ascii 1.0
+element vertex 4
+property float x
+property float y
+property float z
+element face 2
+property list uchar int vertex_indices
+end_header
+0 0 1
+2 0 1
+2 4 1
+0 4 1
+3 0 1 2
+3 0 2 3
+)";
+
+TEST(Mesh, IsReadFromFiles) {
+    const glift::test::TemporaryFolder folder;
+    const std::string ply = folder.path() / "square.ply", packed = folder.path() / "square.ply.gz",
+                      obj = folder.path() / "quad.obj";
+    glift::test::write_file(ply, square);
+    gzFile file = gzopen(packed.c_str(), "wb");
+    gzwrite(file, square.data(), static_cast<unsigned>(square.size()));
+    gzclose(file);
+    glift::test::write_file(obj, "v 0 0 1\nv 2 0 1\nv 2 4 1\nv 0 4 1\nf 1 2 3 4\n");
+    for (const std::string& path : {ply, packed, obj}) {
+        const Mesh mesh = mesh::read(path);
+        EXPECT_EQ(mesh.triangles(), 2u) << path;
+        EXPECT_EQ(mesh.points.size(), 4u) << path;
+        EXPECT_EQ(mesh.colours.size(), 4u) << path;
+        const mesh::Box box = mesh::bounds_of(mesh);
+        EXPECT_EQ(box.low, float3(0, 0, 1)) << path;
+        EXPECT_EQ(box.high, float3(2, 4, 1)) << path;
+    }
+}
+
+TEST(Mesh, SaysWhatIsWrong) {
+    const glift::test::TemporaryFolder folder;
+    const std::string bad = folder.path() / "bad.ply", points = folder.path() / "points.obj";
+    glift::test::write_file(bad, "no mesh");
+    glift::test::write_file(points, "v 0 0 0\nv 1 0 0\nv 0 1 0\n");
+    for (const std::string& path :
+         {bad, points, (folder.path() / "missing.ply").string(), (folder.path() / "missing.ply.gz").string()}) {
+        try {
+            mesh::read(path);
+            ADD_FAILURE() << path << " was read";
+        } catch (const std::runtime_error& error) {
+            EXPECT_THAT(error.what(), testing::StartsWith(path + ": "));
+        }
+    }
+}
+
+TEST(Mesh, IsNormalisedAlongItsLongestSide) {
+    Mesh box;
+    mesh::add_box(box, float3(-3, 10, 2), float3(1, 12, 3), float3(1, 1, 1));
+    mesh::normalise(box);
+    const mesh::Box bounds = mesh::bounds_of(box);
+    EXPECT_EQ(bounds.low, float3(0, 0, 0));
+    EXPECT_EQ(bounds.high, float3(1, 0.5f, 0.25f));
+    Mesh nothing;
+    mesh::normalise(nothing);
+    EXPECT_EQ(mesh::bounds_of(nothing).high, float3(0, 0, 0));
+}
+
+/// Six times the volume that a closed surface encloses: positive if its triangles are counter-clockwise from outside.
+float sixfold_volume(const Mesh& mesh) {
+    float sum = 0;
+    for (std::size_t i = 0; i < mesh.corners.size(); i += 3) {
+        const auto point = [&](std::size_t k) { return mesh.points[mesh.corners[i + k]]; };
+        sum += glift::dot(point(0), glift::cross(point(1), point(2)));
+    }
+    return sum;
+}
+
+TEST(Shapes, FaceOutwards) {
+    Mesh box, rod, level, ball;
+    mesh::add_box(box, float3(1, 2, 3), float3(2, 4, 6), float3(1, 1, 1));
+    EXPECT_NEAR(sixfold_volume(box), 6 * 6, 1e-3f);
+    mesh::add_rod(rod, float3(0, 0, 0), float3(0, 3, 0), 1, 1, 4, float3(1, 1, 1));
+    EXPECT_NEAR(sixfold_volume(rod), 6 * 2 * 3, 1e-3f);
+    mesh::add_rod(level, float3(5, 1, 1), float3(7, 1, 2), 0.5f, 0.25f, 9, float3(1, 1, 1));
+    EXPECT_GT(sixfold_volume(level), 1);
+    mesh::add_sphere(ball, float3(1, 2, 3), 2, 40, float3(1, 1, 1));
+    EXPECT_NEAR(sixfold_volume(ball), 6 * 4.0f / 3 * 3.1416f * 8, 2);
+}
+
+}  // namespace
