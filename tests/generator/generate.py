@@ -55,7 +55,7 @@ class Runner:
         path = self.folder / f"{name}.glift"
         path.write_text(text)
         start = time.monotonic()
-        code, output = self.run_command([self.options.gliftc, "--target", "glsl", "-o", str(self.folder / "out"), str(path)],
+        code, output = self.run_command([self.options.gliftc, "--target", "spirv", "-o", str(self.folder / "out"), str(path)],
                                         COMPILE_SECONDS)
         seconds = time.monotonic() - start
         if code == 0:

@@ -126,8 +126,11 @@ class Failure(Exception):
     pass
 
 
-def run(command, **options):
-    return subprocess.run(command, capture_output=True, text=True, **options)
+def run(command):
+    try:
+        return subprocess.run(command, capture_output=True, text=True, timeout=300)
+    except subprocess.TimeoutExpired:
+        raise Failure(f"not done after 300 s: {' '.join(command)}") from None
 
 
 def module_of(position, chunk, folder, gliftc):

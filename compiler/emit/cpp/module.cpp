@@ -297,6 +297,7 @@ std::string ModulePrinter::types_header() {
     out.line("#include <glift/vector.h>");
     out.gap();
     out.line("#include <cstddef>");
+    out.line("#include <optional>");
     out.gap();
     Spaces spaces(out);
     print_types(out, spaces);

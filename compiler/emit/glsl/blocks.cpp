@@ -46,6 +46,14 @@ bool lies_in_block(const ir::Program& program, ir::ExprId id) {
     return part && lies_in_block(program, expr.operands[0]);
 }
 
+bool holds_bool(const ir::Program& program, TypeId id) {
+    const ir::Type& type = program.types[id];
+    if (type.kind == TypeKind::array || type.kind == TypeKind::optional) return holds_bool(program, type.element);
+    if (type.kind != TypeKind::struct_) return program.types.scalar_of(id) == program.types.bool_;
+    return std::ranges::any_of(program.structs[type.index].fields,
+                               [&](const ir::StructField& field) { return holds_bool(program, field.type); });
+}
+
 bool holds_bool_array(const ir::Program& program, TypeId id) {
     const ir::Type& type = program.types[id];
     if (type.kind == TypeKind::array) {

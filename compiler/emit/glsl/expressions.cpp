@@ -244,6 +244,18 @@ std::string print_side(Printer& p, ExprId id, Level least) {
     return print(p, id, least);
 }
 
+/// What a struct, an array or a vector is made of. glslang takes structs with bools from blocks as they lie there.
+std::string parts_of_whole(Printer& p, const Expr& expr) {
+    const TypeKind kind = p.program.types.kind(expr.type);
+    const bool has_parts = kind == TypeKind::struct_ || kind == TypeKind::array;
+    if (!has_parts || !holds_bool(p.program, expr.type)) return join_arguments(p, expr.operands);
+    std::string parts;
+    for (ExprId operand : expr.operands)
+        if (!is_empty(p.program, p.program.exprs[operand].type))
+            parts += (parts.empty() ? "" : ", ") + print_side(p, operand, Level::ternary);
+    return parts;
+}
+
 Text print_node(Printer& p, ExprId id);
 
 std::string print_whole(Printer& p, ExprId id) {
@@ -261,8 +273,7 @@ Text print_node(Printer& p, ExprId id) {
     }
     case Op::local: return print_local(p, expr);
     case Op::construct:
-        return {
-            concat(type_text(p, expr.type), "(", join_arguments(p, expr.operands), padding_values(p, expr.type), ")")};
+        return {concat(type_text(p, expr.type), "(", parts_of_whole(p, expr), padding_values(p, expr.type), ")")};
     case Op::convert: return print_convert(p, expr);
     case Op::unary: return print_unary(p, expr);
     case Op::binary: return print_binary(p, expr);

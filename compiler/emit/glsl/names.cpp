@@ -87,7 +87,7 @@ void Scopes::leave() {
 
 std::string Scopes::declare(std::string_view wanted) {
     std::string base = identifier(wanted), name = base;
-    if (has_reserved_beginning(base)) base = name = "the_" + base;
+    if (has_reserved_beginning(base + "_")) base = name = "the_" + base;  // with a number behind it, too
     while (base.size() > 1 && base.back() == '_') base.pop_back();
     for (int n = 1; !is_free(name); ++n) name = base + "_" + std::to_string(n);
     used_.insert(name);

@@ -161,6 +161,8 @@ std::string guarded_index(Printer& p, ir::ExprId index, std::uint32_t count);
 // blocks.cpp: structs and arrays have another type in a block than in a variable
 /// Whether the value is read where a block keeps it, not from a variable.
 bool lies_in_block(const ir::Program& program, ir::ExprId id);
+/// Whether it has a bool somewhere, which is none in a block.
+bool holds_bool(const ir::Program& program, ir::TypeId id);
 /// Whether it has an array of bools somewhere, which is no bool in a block: glslang copies such only bool by bool.
 bool holds_bool_array(const ir::Program& program, ir::TypeId id);
 inline bool may_hold_bool_array(const ir::Program& program, ir::TypeId id) {

@@ -35,6 +35,7 @@ enum Op : std::uint32_t {
     transpose = 84,
     convert_s_to_f = 111,
     convert_u_to_f = 112,
+    u_convert = 113,
     s_convert = 114,
     bitcast = 124,
     negate = 127,
@@ -135,6 +136,9 @@ private:
     std::uint32_t hide(Module& module, std::uint32_t id);
     std::uint32_t hide_scalar(Module& module, Words w);
     std::uint32_t with_bit(Module& module, Words conversion);
+    std::uint32_t bit_as(Module& module, std::uint32_t type);
+    std::uint32_t zeros(Module& module, std::uint32_t type);
+    void widen(Module& module, Words conversion);
     std::uint32_t as_integer(Module& module, Words atomic);
     void write_constants(Module& module);
     void write_function(Module& module);
@@ -142,10 +146,10 @@ private:
     void begin(Module& module, const std::vector<std::uint32_t>& used);
     std::uint32_t fresh() { return next_id_++; }
 
-    /// The components of a type of 32-bit integers.
-    std::uint32_t words_in(std::uint32_t type) const {
-        const auto found = words_.find(type);
-        return found == words_.end() ? 0 : found->second;
+    /// The components of a type of 32-bit or 64-bit integers.
+    std::uint32_t count_of(std::uint32_t type) const {
+        const auto found = counts_.find(type);
+        return found == counts_.end() ? 0 : found->second;
     }
 
     struct Constant {
@@ -158,9 +162,9 @@ private:
     std::uint32_t next_id_, uint_ = 0, uint3_ = 0, invocation_ = 0, shift_ = 0;
     std::unordered_map<std::uint32_t, std::uint32_t> floats_;      ///< types: their width
     std::unordered_map<std::uint32_t, std::uint32_t> integers_;    ///< types: their width
-    std::unordered_map<std::uint32_t, std::uint32_t> words_;       ///< types of 32-bit integers: components
+    std::unordered_map<std::uint32_t, std::uint32_t> counts_;      ///< types of 32-bit and 64-bit integers: components
     std::unordered_map<std::uint32_t, std::uint32_t> components_;  ///< vector types of these: the component's type
-    std::unordered_map<std::uint32_t, std::uint32_t> types_;       ///< types of 32-bit integers, by components
+    std::unordered_map<std::uint32_t, std::uint32_t> types_;       ///< values of these types: their type
     std::map<std::uint32_t, Constant> constants_;                  ///< ordered, so that the output is deterministic
     std::vector<Words> function_;                                  ///< the function being read
     std::unordered_map<std::uint32_t, std::uint32_t> replaced_;    ///< in it: constants, by the id of their replacement
@@ -198,11 +202,11 @@ void Hiding::read(Words w) {
     case type_float: floats_.emplace(w[1], w[2]); break;
     case type_int:
         integers_.emplace(w[1], w[2]);
-        if (w[2] == 32) words_.emplace(w[1], 1);
+        if (w[2] >= 32) counts_.emplace(w[1], 1);
         if (w[2] == 32 && w[3] == 0) uint_ = w[1];
         break;
     case type_vector:
-        if (words_in(w[2]) == 1) words_.emplace(w[1], w[3]), components_.emplace(w[1], w[2]);
+        if (count_of(w[2]) == 1) counts_.emplace(w[1], w[3]), components_.emplace(w[1], w[2]);
         if (w[2] == uint_ && w[3] == 3) uint3_ = w[1];
         break;
     case constant: read_constant(w); break;
@@ -210,7 +214,7 @@ void Hiding::read(Words w) {
     default: break;
     }
     const bool has_result = w.size() > 2 && op != decorate && op != store;
-    if (has_result && words_in(w[1]) != 0) types_.emplace(w[2], w[1]);
+    if (has_result && count_of(w[1]) != 0) types_.emplace(w[2], w[1]);
 }
 
 bool Hiding::is_hidden(std::uint32_t id, Use use) const {
@@ -253,24 +257,38 @@ std::uint32_t Hiding::hide(Module& module, std::uint32_t id) {
     return result;
 }
 
+/// The hidden zero as a number of an integer type.
+std::uint32_t Hiding::bit_as(Module& module, std::uint32_t type) {
+    if (type == uint_) return bit_;
+    const std::uint32_t result = fresh();
+    append(module, integers_.at(type) == 32 ? bitcast : s_convert, {type, result, bit_});
+    return result;
+}
+
+/// The same, in each component of a vector.
+std::uint32_t Hiding::zeros(Module& module, std::uint32_t type) {
+    const std::uint32_t count = count_of(type);
+    if (count == 1) return bit_as(module, type);
+    const std::uint32_t part = bit_as(module, components_.at(type)), result = fresh();
+    module.push_back((count + 3) << 16 | composite_construct);
+    module.insert(module.end(), {type, result});
+    module.insert(module.end(), count, part);
+    return result;
+}
+
+/// Converts a 32-bit integer to 64 bits. Mesa 22.3 gets comparisons of the result with constants wrong where it sees both.
+void Hiding::widen(Module& module, Words conversion) {
+    const std::uint32_t bits = zeros(module, conversion[1]), widened = fresh();
+    append(module, conversion[0] & 0xffffu, {conversion[1], widened, conversion[3]});
+    append(module, bit_or, {conversion[1], conversion[2], widened, bits});
+}
+
 /// Combines the operand of a conversion from integers, which may become constant by unrolling, with the hidden zero.
 std::uint32_t Hiding::with_bit(Module& module, Words conversion) {
     const std::uint32_t operand = conversion[3];
     const auto type = types_.find(operand);
     if (type == types_.end()) return operand;
-    std::uint32_t bits = bit_;
-    if (const std::uint32_t count = words_in(type->second); count > 1) {
-        if (const std::uint32_t component = components_.at(type->second); component != uint_) {
-            bits = fresh();
-            append(module, bitcast, {component, bits, bit_});
-        }
-        const std::uint32_t part = bits;
-        bits = fresh();
-        module.push_back((count + 3) << 16 | composite_construct);
-        module.insert(module.end(), {type->second, bits});
-        module.insert(module.end(), count, part);
-    }
-    const std::uint32_t result = fresh();
+    const std::uint32_t bits = zeros(module, type->second), result = fresh();
     append(module, bit_or, {type->second, result, operand, bits});
     return result;
 }
@@ -279,12 +297,7 @@ std::uint32_t Hiding::with_bit(Module& module, Words conversion) {
 /// lavapipe (Mesa 22.3) treats an integer that was bitcast from a float as a float: it compares such values as floats,
 /// and crashes on add, and, or, xor.
 std::uint32_t Hiding::as_integer(Module& module, Words atomic) {
-    const std::uint32_t type = atomic[1];
-    std::uint32_t bits = bit_;
-    if (integers_.at(type) != 32) {
-        bits = fresh();
-        append(module, s_convert, {type, bits, bit_});
-    }
+    const std::uint32_t type = atomic[1], bits = bit_as(module, type);
     const std::uint32_t result = fresh();
     append(module, bit_or, {type, result, atomic[value_of_atomic], bits});
     return result;
@@ -302,9 +315,12 @@ void Hiding::begin(Module& module, const std::vector<std::uint32_t>& used) {
 
 bool is_atomic(std::uint32_t op) { return op == atomic_exchange || (op >= atomic_add && op <= atomic_xor); }
 
+bool is_widening(std::uint32_t op) { return op == s_convert || op == u_convert; }
+
 bool is_from_integers(std::uint32_t op) { return op == convert_s_to_f || op == convert_u_to_f || op == bitcast; }
 
 void Hiding::write(Module& module, Words w) {
+    if (is_widening(w[0] & 0xffffu) && count_of(w[1]) != 0) return widen(module, w);
     const Operands values = values_of(w);
     const bool converts = is_from_integers(w[0] & 0xffffu) && types_.contains(w[3]) && !types_.contains(w[2]);
     const bool combines = is_atomic(w[0] & 0xffffu) && integers_.contains(w[1]);
@@ -325,7 +341,7 @@ void Hiding::write_function(Module& module) {
         for (std::size_t i = values.first; i < values.last; ++i)
             if (is_hidden(w[i], values.use)) used.push_back(w[i]);
         const std::uint32_t op = w[0] & 0xffffu;
-        if (!used.empty() || is_from_integers(op) || is_atomic(op)) has_begun = false;
+        if (!used.empty() || is_from_integers(op) || is_widening(op) || is_atomic(op)) has_begun = false;
     }
     replaced_.clear();
     for (Words w : function_) {

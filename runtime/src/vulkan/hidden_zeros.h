@@ -6,6 +6,7 @@
 // number: zeros wherever something is computed with them, others where they are passed on, to variables and functions,
 // where a zero may be made of them (1 - 1). So do integers that become floats: the counter of a loop that is unrolled.
 // Values that atomic operations combine are kept integers in the same way, where they are the bits of floats.
+// Integers of 32 bits that become ones of 64 are kept from comparisons with constants, which Mesa gets wrong.
 #pragma once
 
 #include <cstdint>

@@ -80,4 +80,15 @@ TEST(Rows, AreCopiedAsOneWhereTheyFollowEachOther) {
     EXPECT_FALSE(glift::detail::HasRows<calls::Picture>) << "an image";
 }
 
+// Sides that Morton order interleaves to more than 32 bits: the memory has them all, so that no two elements share a place.
+TEST(Sides, BeyondThirtyTwoBitsOfMortonOrderAreCountedExactly) {
+    const auto device = glift::Device::open("host");
+    try {
+        calls::Curve(device, {1u << 20, 2, 2});
+        ADD_FAILURE() << "600 PiB were allocated";
+    } catch (const glift::Error& error) {
+        EXPECT_NE(std::string(error.what()).find("658812288346769728 bytes"), std::string::npos) << error.what();
+    }
+}
+
 }  // namespace

@@ -4,6 +4,7 @@
 #include <glift/vector.h>
 
 #include <cstddef>
+#include <optional>
 
 namespace control_flow {
 
