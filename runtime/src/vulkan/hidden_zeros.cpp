@@ -276,7 +276,8 @@ std::uint32_t Hiding::zeros(Module& module, std::uint32_t type) {
     return result;
 }
 
-/// Converts a 32-bit integer to 64 bits. Mesa 22.3 gets comparisons of the result with constants wrong where it sees both.
+/// Converts a 32-bit integer to 64 bits. Mesa 22.3 gets comparisons of the result with constants wrong where it sees
+/// both.
 void Hiding::widen(Module& module, Words conversion) {
     const std::uint32_t bits = zeros(module, conversion[1]), widened = fresh();
     append(module, conversion[0] & 0xffffu, {conversion[1], widened, conversion[3]});

@@ -80,7 +80,8 @@ TEST(Rows, AreCopiedAsOneWhereTheyFollowEachOther) {
     EXPECT_FALSE(glift::detail::HasRows<calls::Picture>) << "an image";
 }
 
-// Sides that Morton order interleaves to more than 32 bits: the memory has them all, so that no two elements share a place.
+// Sides that Morton order interleaves to more than 32 bits: the memory has them all, so that no two elements share a
+// place.
 TEST(Sides, BeyondThirtyTwoBitsOfMortonOrderAreCountedExactly) {
     const auto device = glift::Device::open("host");
     try {
