@@ -48,6 +48,15 @@ public:
 
     /// Adds the diagnostics of another collector with the same settings.
     void append(Diagnostics&& others);
+    /// Where the collector is now, and back to there: what was reported since is forgotten.
+    struct Mark {
+        std::size_t count, errors;
+    };
+    Mark mark() const { return {all_.size(), errors_}; }
+    void back_to(Mark mark) {
+        all_.resize(mark.count);
+        errors_ = mark.errors;
+    }
     /// An empty collector with the same settings.
     Diagnostics emptied() const;
 

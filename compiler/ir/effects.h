@@ -10,6 +10,11 @@ inline bool is_load(Op op) {
     return op == Op::load || op == Op::guarded_load || op == Op::image_load || op == Op::image_sample;
 }
 
+/// Whether what is passed is a structure, or a range of one.
+inline bool is_structure(const KernelParam& param) {
+    return param.pattern != Pattern::value && param.pattern != Pattern::argument;
+}
+
 enum class Reach : std::uint8_t { nothing, element, window, anywhere };
 enum class Course : std::uint8_t { stays, follows, visits };
 enum class Directions : std::uint8_t { none, in, out, inout, all };

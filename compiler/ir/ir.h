@@ -391,7 +391,7 @@ struct KernelParam {
     std::uint32_t structure = 0;  ///< instance; Place root is the index of this parameter among the kernel's params
     std::uint32_t radius = 0;     ///< near
     Combine combine = Combine::replace;  ///< scatter
-    LocalId local;                       ///< value
+    LocalId local;                       ///< value, argument
     std::uint32_t alike =
         0;  ///< the first parameter assumed to have the same state: the direct form passes that state once
 };
@@ -440,6 +440,9 @@ struct Pipeline {
     std::vector<PipelineParam> params;
     TypeId result;  ///< void, a value, device value, or slice
     std::vector<StmtId> body;
+    Span host_needed;  ///< where it first waits, or changes what the host knows
+    bool is_value =
+        false;  ///< one pass of one invocation, without effects: a value of the device that another one computes
     std::string doc;
 };
 

@@ -50,6 +50,7 @@ enum class ParameterSource : std::uint8_t {
     size,     // the iteration size (uint or vector of uint)
     range_size,  // size of the range of kernel parameter `param`
     address,     // uint64: device address of binding `param`
+    index,       // of the value on the device that kernel parameter `param` is, in its memory
     base,        // uint3: added to the invocation's id, wide form: the origin of a part of the dispatch
 };
 
@@ -58,7 +59,7 @@ struct PassParameter {
     TypeId type;       ///< bool is stored as uint
     ParameterSource source = ParameterSource::uniform;
     ExprId value;              ///< uniform
-    std::uint32_t param = 0;   ///< origin, range_size: kernel parameter; address: binding
+    std::uint32_t param = 0;   ///< origin, range_size, index: kernel parameter; address: binding
     std::uint32_t offset = 0;  ///< bytes, scalar layout; set by layout/
 };
 

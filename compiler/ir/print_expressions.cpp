@@ -191,6 +191,7 @@ std::string Printer::host(const Expr& node) {
     switch (node.op) {
     case Op::host_read: return "host_read " + place(node.place) + "[" + list(o) + "]";
     case Op::device_read: return "device_read " + place(node.place) + "[" + list(o) + "]";
+    case Op::device_value: return "value of " + list(o);
     case Op::await_value: return "await " + list(o);
     case Op::slice: return place(node.place) + "[slice " + list(o) + "]";
     case Op::structure_value: return node.local ? local(node.local) : place(node.place);

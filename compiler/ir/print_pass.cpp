@@ -110,6 +110,7 @@ void Printer::parameters() {
         case ParameterSource::origin: return "origin " + name(kernel_->params[of.param].name);
         case ParameterSource::size: return "size";
         case ParameterSource::range_size: return "range_size " + name(kernel_->params[of.param].name);
+        case ParameterSource::index: return "index " + name(kernel_->params[of.param].name);
         case ParameterSource::base: return "base";
         case ParameterSource::address: return "address " + pass_->bindings[of.param].name;
         }

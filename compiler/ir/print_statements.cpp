@@ -113,6 +113,11 @@ void Printer::host_stmt(const Stmt& stmt) {
         line(text + ";");
         break;
     }
+    case StmtOp::arms:
+        nested("where " + expr(stmt.value) + " {", stmt.body);
+        if (!stmt.otherwise.empty()) nested("} elsewhere {", stmt.otherwise);
+        line("}");
+        break;
     case StmtOp::dispatch:
         line("dispatch " + name(p.kernels[stmt.slot].name) + "(" + list(stmt.arguments) + ");");
         break;

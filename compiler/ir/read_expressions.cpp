@@ -157,7 +157,7 @@ ExprId Reader::made_of_type() {
 }
 
 ExprId Reader::intrinsic(const std::string& called) {
-    for (std::uint32_t i = 0; i <= static_cast<std::uint32_t>(Intrinsic::atomicExchange); ++i) {
+    for (std::uint32_t i = 0; i <= static_cast<std::uint32_t>(Intrinsic::atomicCompareExchange); ++i) {
         const auto found = static_cast<Intrinsic>(i);
         if (name_of(found) == called) return implied({.op = Op::intrinsic, .intrinsic = found, .operands = list()});
     }

@@ -110,6 +110,9 @@ void Reader::pass_parameter() {
     } else if (accept("range_size")) {
         made.source = ParameterSource::range_size;
         made.param = kernel_parameter_index();
+    } else if (accept("index")) {
+        made.source = ParameterSource::index;
+        made.param = kernel_parameter_index();
     } else if (accept("base")) {
         made.source = ParameterSource::base;
     } else if (accept("address")) {

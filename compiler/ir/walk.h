@@ -25,6 +25,14 @@ inline bool has_any_barrier(const Program& program, const std::vector<StmtId>& b
     return found;
 }
 
+/// What an index, field or component is taken of, and so on: where an assignment or an atomic operation works.
+inline const Expr& place_of(const Program& program, ExprId id) {
+    const Expr* expr = &program.exprs[id];
+    while (expr->op == Op::index || expr->op == Op::field || expr->op == Op::swizzle)
+        expr = &program.exprs[expr->operands[0]];
+    return *expr;
+}
+
 namespace detail {
 template <class Visit> void walk_nodes(const Program& program, ExprId id, IdSet<Expr>& seen, Visit& visit) {
     if (!id || !seen.insert(id)) return;

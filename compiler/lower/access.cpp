@@ -1,4 +1,5 @@
 // Reads and writes of elements: the address, the guard, the load or store.
+#include "ir/walk.h"
 #include "lower/expand.h"
 #include "lower/memory.h"
 #include "lower/one_place.h"
@@ -32,13 +33,34 @@ std::uint32_t Expander::binding(const Place& place, std::uint32_t memory, Access
     return static_cast<std::uint32_t>(bindings.size() - 1);
 }
 
+/// Arguments that lie on the device are read once, before everything else.
+void Expander::read_arguments() {
+    for (std::uint32_t i = 0; i < cx.kernel.params.size(); ++i) {
+        const KernelParam& param = cx.kernel.params[i];
+        if (param.pattern != Pattern::argument) continue;
+        const std::string name = cx.name_of({i, {}});
+        const ExprId index = cx.parameter_expr(cx.parameter(ParameterSource::index, name + "_index", p.types.uint, i));
+        const ExprId value = load_from(cx, binding({i, {}}, 0, Access::read), index);
+        frame_->locals[param.local] = {make.local(let(name, value, param.span)), {}};
+    }
+}
+
 bool Expander::is_coherent(const Place& place) const {
     return place.members.empty() && cx.kernel.params[place.root].pattern == Pattern::coherent;
 }
 
+/// The same part of another element: the place of an atomic operation.
+ExprId Expander::part_of(ExprId part, ExprId element) {
+    Expr node = p.exprs[part];
+    if (node.op == Op::read) return element;
+    node.operands[0] = part_of(node.operands[0], element);
+    for (std::size_t i = 1; i < node.operands.size(); ++i) node.operands[i] = value_of(node.operands[i]);
+    return p.exprs.add(std::move(node));
+}
+
 /// An atomic operation on an element of a coherent parameter: beyond the structure it does nothing and gives zero.
 Pair Expander::atomic(const Expr& node) {
-    const Expr target = p.exprs[node.operands[0]];
+    const Expr target = place_of(p, node.operands[0]);
     Place place = resolved(target.place);
     const Structure& structure = cx.structure_at(place);
     const std::string name = cx.name_of(place);
@@ -54,7 +76,7 @@ Pair Expander::atomic(const Expr& node) {
     element.slot = binding(place, structure.via_memory, Access::read_write);
     element.operands = {index_of(cx, element.slot, physical.value)};
     cx.pass.bindings[element.slot].atomic = true;
-    made.operands[0] = p.exprs.add(std::move(element));
+    made.operands[0] = part_of(node.operands[0], p.exprs.add(std::move(element)));
     if (node.type == p.types.void_) {
         Stmt stmt = statement(StmtOp::evaluate, node.span);
         stmt.value = p.exprs.add(std::move(made));

@@ -49,6 +49,8 @@ public:
 
     /// The kernel's body; reports offsets that are not constant or too large.
     std::vector<StmtId> kernel_body();
+    void read_arguments();
+    ExprId part_of(ExprId part, ExprId element);
 
     /// The size of the iteration: that of the first range, or a parameter.
     ExprId iteration_size();

@@ -1,4 +1,5 @@
 #include "ir/levels.h"
+#include "ir/walk.h"
 #include "lower/expand.h"
 
 namespace gliftc::lower {
@@ -138,7 +139,7 @@ Pair Expander::expand(ExprId id) {
         return {make.local(let(cx.name_of(place) + "_seen", value, node.span)), {}};  // now, not where it is used
     }
     case Op::intrinsic:
-        if (signature_of(node.intrinsic)[0] == '@' && p.exprs[node.operands[0]].op == Op::read) return atomic(node);
+        if (signature_of(node.intrinsic)[0] == '@' && place_of(p, node.operands[0]).op == Op::read) return atomic(node);
         return expand_again(id, node);
     case Op::sample: return {sample(node), {}};
     case Op::member: return {expand_member(node), {}};

@@ -13,6 +13,7 @@ std::vector<StmtId> Expander::kernel_body() {
     frame_ = &frame;
     Block body;
     top_ = out_ = &body;
+    read_arguments();
     expand_body(cx.kernel.body);
     top_ = out_ = nullptr;
     frame_ = nullptr;

@@ -75,6 +75,19 @@ struct Body {
     enum class Returns : std::uint8_t { nothing, host, device } returns = Returns::nothing;  ///< of a pipeline, so far
     std::optional<ir::TypeId> range_result;  ///< pipelines that return a range: its type, known from the first return
     bool in_test = false;
+    bool is_open = false;            ///< pipelines: what is checked is part of an expression that a pass may compute
+    std::vector<ir::ExprId> leaves;  ///< of that expression, so far (sema/values.h)
+    std::string key;                 ///< pipelines: the same in every compilation
+    struct Arm {
+        ir::LocalId condition;
+        bool where = true;  ///< the arm runs where the condition is this
+        Span span;
+    };
+    std::vector<Arm> arms;                                ///< pipelines: those around what is checked (sema/arms.h)
+    std::unordered_map<ir::LocalId, std::size_t> depths;  ///< of variables: how many arms were around them
+    std::vector<Span> device_variables;                   ///< names of variables that lie on the device
+    Span host_needed;     ///< where the pipeline first waits, or changes what the host knows
+    unsigned values = 0;  ///< pipelines: passes that compute values, so far
     bool allow_await = false;
 
     bool grouped() const { return group[0] != 0; }

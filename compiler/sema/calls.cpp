@@ -2,6 +2,7 @@
 #include "sema/body.h"
 #include "sema/lookup.h"
 #include "sema/typing.h"
+#include "sema/values.h"
 
 #include <algorithm>
 
@@ -84,6 +85,7 @@ Operand construct_value(Body& body, ir::TypeId id, const ast::Expr& call) {
     const ir::Type type = types[id];
     bool is_tuple = call.kind == ast::ExprKind::tuple;
     std::vector<ast::ExprId> written = is_tuple ? call.operands : arguments_of(call);
+    const Parts parts(body);
     ir::Operands operands;
     if (type.kind == ir::TypeKind::struct_ || type.kind == ir::TypeKind::array) {
         std::vector<ir::TypeId> parts;

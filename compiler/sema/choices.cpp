@@ -1,6 +1,7 @@
 // Choices between two values: `c ? a : b`, `select(c, a, b)`, `a ?? b`.
 #include "sema/body.h"
 #include "sema/typing.h"
+#include "sema/values.h"
 
 #include <utility>
 
@@ -26,6 +27,10 @@ std::pair<ir::ExprId, ir::ExprId> check_sides(Body& body, ast::ExprId yes, ast::
     ir::ExprId a = check_hinted(body, first, wanted);
     const ir::TypeId hint = hint_for_second(body, second, body.program().exprs[a].type, wanted);
     ir::ExprId b = check_hinted(body, second, hint);
+    if (is_on_device(body, a) != is_on_device(body, b)) {
+        ir::ExprId& known = is_on_device(body, a) ? b : a;
+        known = on_device(body, known);
+    }
     const ir::TypeId type_a = body.program().exprs[a].type, type_b = body.program().exprs[b].type;
     if (becomes(body.types(), type_a, type_b)) a = coerce(body, a, type_b, c[first].span);
     else b = coerce(body, b, type_a, c[second].span);
@@ -33,7 +38,10 @@ std::pair<ir::ExprId, ir::ExprId> check_sides(Body& body, ast::ExprId yes, ast::
 }
 
 Operand check_choice(Body& body, const std::vector<ast::ExprId>& parts, ir::TypeId wanted, Span span) {
+    std::optional<Parts> operands(std::in_place, body);
     const ir::ExprId condition = check_value(body, parts[0], body.types().bool_);
+    // Where the host chooses, what it does not choose is not computed either: each side is a value by itself.
+    if (!is_open(body, condition)) operands.reset();
     auto [yes, no] = check_sides(body, parts[1], parts[2], wanted);
     if (is_error(body, yes) || is_error(body, no)) return error_operand(span);
     const ir::TypeId type = body.program().exprs[yes].type;
@@ -56,6 +64,7 @@ Operand call_select(Body& body, const ast::Expr& call, ir::TypeId wanted) {
 
 Operand check_otherwise(Body& body, const ast::Expr& expr, ir::TypeId wanted) {
     ir::Types& types = body.types();
+    const Parts parts(body);
     const ir::TypeId value_hint = operand_hint(types, wanted);
     ir::ExprId optional = check_hinted(body, expr.operands[0], value_hint ? types.optional(value_hint) : ir::TypeId{});
     if (is_error(body, optional)) return error_operand(expr.span);
@@ -64,7 +73,7 @@ Operand check_otherwise(Body& body, const ast::Expr& expr, ir::TypeId wanted) {
         body.context.error(Diag::not_optional, body.context[expr.operands[0]].span, {body.context.text(type)});
         return error_operand(expr.span);
     }
-    if (body.block) {
+    if (body.block && !is_open(body, optional)) {
         const ir::LocalId local = emit_temporary(body, "found", optional, expr.span);
         optional = make_local(body.program(), local, expr.span);
     }

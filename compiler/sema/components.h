@@ -42,8 +42,14 @@ std::optional<std::uint32_t> box_of(Context&, std::uint32_t dimensions, ir::Type
 bool reads_memory(const ir::Program&, const std::vector<ir::StmtId>&);
 
 /// The pipeline that gives the function's result on the device. Its parameters are the function's structures, then its
-/// values.
-std::optional<std::uint32_t> pipeline_of_function(Context&, ir::FunctionId, Span use);
+/// values, of which some may be on the device.
+std::optional<std::uint32_t> pipeline_of_function(Context&, ir::FunctionId, Span use,
+                                                  const std::vector<bool>& on_device = {});
+
+/// The pipeline that runs a kernel of one invocation over an element that nobody has yet, its last argument, and gives
+/// that. `pipeline` has its parameters, `arguments` are the other arguments of the kernel.
+std::uint32_t pipeline_of_kernel(Context&, ir::Kernel kernel, ir::Pipeline pipeline, ir::Operands arguments,
+                                 std::uint32_t box);
 
 /// Finds what the adaptor's public functions are in C++: methods.
 void check_methods(Context&, std::uint32_t structure);

@@ -90,8 +90,7 @@ struct Context {
     std::vector<std::string> interfaces_under_way;  ///< types being checked against an interface, to detect cycles
     std::vector<Request> requests;                  ///< the stack of instantiations, outermost first
     std::vector<std::unique_ptr<Env>> environments;
-    std::unordered_map<ir::FunctionId, std::uint32_t> pipelines_of_functions;  ///< see pipeline_of_function
-    std::unordered_map<std::uint32_t, const Env*> structure_env;               ///< of structure instances
+    std::unordered_map<std::uint32_t, const Env*> structure_env;  ///< of structure instances
     std::unordered_map<std::uint32_t, ast::DeclId> structure_decl;
     std::unordered_map<std::uint32_t, const Env*> translator_env;
     std::unordered_map<std::uint32_t, ast::DeclId> translator_decl;

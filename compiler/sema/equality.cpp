@@ -1,5 +1,6 @@
 // `==` of structs: expanded member by member to comparisons of scalars and vectors.
 #include "sema/body.h"
+#include "sema/values.h"
 
 namespace gliftc::sema {
 
@@ -66,7 +67,7 @@ ir::ExprId make_equal(ir::Program& p, ir::ExprId left, ir::ExprId right, Span sp
 /// A value that can be used several times: a local, or a temporary for it.
 ir::ExprId named(Body& body, ir::ExprId value, Span span) {
     ir::Op op = body.program().exprs[value].op;
-    if (!body.block || op == ir::Op::local || op == ir::Op::constant) return value;
+    if (!body.block || is_open(body, value) || op == ir::Op::local || op == ir::Op::constant) return value;
     return make_local(body.program(), emit_temporary(body, "compared", value, span), span);
 }
 

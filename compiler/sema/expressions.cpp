@@ -1,9 +1,12 @@
 #include "sema/body.h"
 
+#include "sema/arms.h"
 #include "sema/instances.h"
 #include "sema/typing.h"
+#include "sema/values.h"
 
 #include <cmath>
+#include <utility>
 
 namespace gliftc::sema {
 
@@ -163,6 +166,9 @@ Operand check_await(Body& body, const ast::Expr& expr) {
         c.error(Diag::await_outside_pipeline, expr.span);
         return error_operand(expr.span);
     }
+    if (is_refused_in_arm(body, "'await'", expr.span, "use the value on the device, or wait before the condition"))
+        return error_operand(expr.span);
+    needs_host(body, expr.span);
     Operand operand = check(body, expr.operands[0]);
     ir::ExprId value = to_value(body, operand);
     if (is_error(body, value)) return error_operand(expr.span);
@@ -263,7 +269,11 @@ Operand value_operand(Body& body, ir::ExprId expr, Span span) {
 
 Operand check(Body& body, ast::ExprId id, ir::TypeId wanted) {
     if (!id) return error_operand({});
-    return check_kind(body, id, wanted);
+    if (body.kind != BodyKind::pipeline) return check_kind(body, id, wanted);
+    const bool is_part = std::exchange(body.is_open, false);
+    Operand operand = check_kind(body, id, wanted);
+    body.is_open = is_part;
+    return is_part ? opened(body, std::move(operand)) : closed(body, std::move(operand));
 }
 
 ir::ExprId to_value(Body& body, const Operand& operand) {
@@ -327,6 +337,7 @@ Operand check_unary(Body& body, ast::ExprId id, ir::TypeId wanted) {
     Context& c = body.context;
     const ast::Expr& expr = c[id];
     const ast::Expr& inner = c[expr.operands[0]];
+    const Parts parts(body);
     bool literal = inner.kind == ast::ExprKind::int_literal || inner.kind == ast::ExprKind::float_literal;
     if (expr.unary == ast::UnaryOp::minus && literal) {
         ir::ExprId value = number_literal(body, inner, wanted, true);

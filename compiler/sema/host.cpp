@@ -1,11 +1,14 @@
 // long: what stands in pipelines alone, whose checks call each other
 // Statements and expressions that only pipelines and tests have: temporaries, passes, slices, device values, checks.
+#include "sema/arms.h"
 #include "sema/body.h"
 #include "sema/components.h"
 #include "sema/generics.h"
 #include "sema/instances.h"
 #include "sema/one_memory.h"
+#include "sema/pass_overloads.h"
 #include "sema/typing.h"
+#include "sema/values.h"
 
 #include <algorithm>
 
@@ -55,11 +58,8 @@ Operand declared(Body& body, const Operand& operand) {
     return operand_of_local(body, local, made.type, operand.span);
 }
 
-struct Argument {
-    ast::ExprId written;
+struct Argument : PassArgument {
     Operand operand;
-    bool waits = false;  // a literal: checked once the parameter's type is known
-    std::optional<std::uint32_t> structure;
 };
 
 std::vector<Argument> check_arguments(Body& body, const ast::Expr& call, bool& failed) {
@@ -72,37 +72,22 @@ std::vector<Argument> check_arguments(Body& body, const ast::Expr& call, bool& f
             argument.operand = declared(body, check(body, id));
             failed |= argument.operand.kind == OperandKind::error;
             argument.structure = structure_of(body, argument.operand);
+            if (argument.operand.kind == OperandKind::value) {
+                const ir::Type& type = body.types()[argument.operand.type];
+                argument.type = type.kind == ir::TypeKind::device ? type.element : argument.operand.type;
+            }
         }
         result.push_back(std::move(argument));
     }
     return result;
 }
 
-void infer_arguments(Arguments& generics, const std::vector<ast::Param>& params, const std::vector<Argument>& arguments,
-                     Body& body) {
-    for (std::size_t i = 0; i < params.size() && i < arguments.size(); ++i) {
-        if (arguments[i].waits) continue;
-        if (params[i].pattern == ast::Pattern::range && arguments[i].structure) {
-            const ir::Structure structure = body.program().structures[*arguments[i].structure];
-            generics.infer_value(params[i].type, {body.types().uint,
-                                                  {ir::Lane{.bits = body.types().components(structure.domain_type)}}});
-            if (!params[i].extra.empty()) generics.infer(params[i].extra[0], structure.element);
-        } else if (arguments[i].structure) {
-            generics.infer_structure(params[i].type, *arguments[i].structure);
-        } else if (arguments[i].operand.kind == OperandKind::value) {
-            ir::TypeId type = arguments[i].operand.type;
-            if (body.types().kind(type) == ir::TypeKind::device) type = body.types()[type].element;
-            generics.infer(params[i].type, type);
-        }
-    }
-    for (std::size_t i = 0; i < params.size() && i < arguments.size(); ++i)
-        if (arguments[i].waits) infer_from_literal(generics, params[i].type, arguments[i].written);
-}
-
-/// A value for a kernel or pipeline parameter. The host packs it, so a value on the device needs an explicit await.
+/// A value for a kernel or pipeline parameter, of the host or of the device.
 ir::ExprId value_argument(Body& body, const Argument& argument, ir::TypeId wanted) {
-    if (argument.waits) return check_value(body, argument.written, wanted);
-    return coerce(body, to_value(body, argument.operand), wanted, body.context[argument.written].span);
+    const ir::ExprId value =
+        argument.waits ? check_hinted(body, argument.written, wanted) : to_value(body, argument.operand);
+    const bool fits = is_on_device(body, value) && body.types()[body.program().exprs[value].type].element == wanted;
+    return fits ? value : coerce(body, value, wanted, body.context[argument.written].span);
 }
 
 /// The operand of a call without a result, such as a pass.
@@ -118,6 +103,10 @@ std::optional<ir::Operands> kernel_arguments(Body& body, std::uint32_t kernel_in
         Span span = c[arguments[i].written].span;
         if (param.pattern == ir::Pattern::value) {
             values.push_back(value_argument(body, arguments[i], body.program().locals[param.local].type));
+            // In the order in which they are written, before the pass.
+            if (is_on_device(body, values.back()) && body.program().exprs[values.back()].op != ir::Op::local)
+                values.back() =
+                    make_local(body.program(), emit_temporary(body, c.text(param.name), values.back(), span), span);
         } else {
             if (!arguments[i].structure || *arguments[i].structure != param.structure) {
                 std::string have = arguments[i].structure ? body.program().structures[*arguments[i].structure].display
@@ -134,13 +123,6 @@ std::optional<ir::Operands> kernel_arguments(Body& body, std::uint32_t kernel_in
     return values;
 }
 
-/// The kernel's `at` parameter if it has exactly one: its argument may be omitted if another parameter gives the range.
-std::optional<std::size_t> only_address(const std::vector<ast::Param>& params) {
-    const auto is_address = [](const ast::Param& param) { return param.pattern == ast::Pattern::at; };
-    if (std::ranges::count_if(params, is_address) != 1) return std::nullopt;
-    return static_cast<std::size_t>(std::ranges::find_if(params, is_address) - params.begin());
-}
-
 /// Inserts the omitted argument of the `at` parameter: that of the parameter which gives the range.
 void insert_address(const std::vector<ir::KernelParam>& params, std::size_t at, std::vector<Argument>& arguments) {
     auto giver = ir::range_giver(params, at);
@@ -150,16 +132,9 @@ void insert_address(const std::vector<ir::KernelParam>& params, std::size_t at, 
 }
 
 std::optional<Operand> call_kernel(Body& body, ast::DeclId id, const std::vector<ast::ExprId>& explicit_generics,
-                                   const ast::Expr& call) {
+                                   const ast::Expr& call, std::vector<Argument> arguments) {
     Context& c = body.context;
-    if (body.kind != BodyKind::pipeline) {
-        c.error(Diag::pass_outside_pipeline, call.span, {c.text(c[id].name.name)});
-        return std::nullopt;
-    }
     const auto& written = std::get<ast::Kernel>(c[id].body);
-    bool failed = false;
-    std::vector<Argument> arguments = check_arguments(body, call, failed);
-    if (failed) return std::nullopt;
     Env& env = c.new_env(c.module_of.at(id));
     Arguments generics(c, c[id], env, call.span);
     if (!generics.give(env_for(body, explicit_generics), explicit_generics)) return std::nullopt;
@@ -167,7 +142,7 @@ std::optional<Operand> call_kernel(Body& body, ast::DeclId id, const std::vector
     if (arguments.size() + 1 == written.params.size()) left_out = only_address(written.params);
     std::vector<ast::Param> given = written.params;
     if (left_out) given.erase(given.begin() + static_cast<std::ptrdiff_t>(*left_out));
-    infer_arguments(generics, given, arguments, body);
+    infer_arguments(body, generics, given, {arguments.begin(), arguments.end()});
     if (!generics.finish()) return std::nullopt;
     auto kernel = instantiate_kernel(c, id, env, call.span);
     if (!kernel) return std::nullopt;
@@ -182,6 +157,10 @@ std::optional<Operand> call_kernel(Body& body, ast::DeclId id, const std::vector
     auto values = kernel_arguments(body, *kernel, arguments);
     if (!values) return std::nullopt;
     check_one_memory(c, body.program().kernels[*kernel], *values);
+    std::vector<bool> on_device;
+    for (ir::ExprId value : *values) on_device.push_back(is_on_device(body, value));
+    if (std::ranges::find(on_device, true) != on_device.end())
+        kernel = kernel_with_arguments(c, *kernel, on_device, call.span);
     ir::StmtId stmt = add(body.program(), ir::StmtOp::dispatch, call.span);
     body.program().stmts[stmt].slot = *kernel;
     body.program().stmts[stmt].arguments = std::move(*values);
@@ -189,17 +168,31 @@ std::optional<Operand> call_kernel(Body& body, ast::DeclId id, const std::vector
     return no_value(body, call.span);
 }
 
-std::optional<Operand> call_pipeline(Body& body, ast::DeclId id, const std::vector<ast::ExprId>& explicit_generics,
-                                     const ast::Expr& call, const Operand* owner) {
+std::optional<ir::ExprId> pipeline_argument(Body& body, const Argument& argument, const ast::Param& param,
+                                            const Env& env) {
     Context& c = body.context;
-    if (body.kind != BodyKind::pipeline) {
-        c.error(Diag::pass_outside_pipeline, call.span, {c.text(c[id].name.name)});
+    const Span span = c[argument.written].span;
+    if (param.pattern == ast::Pattern::range && !argument.structure) {
+        c.error(Diag::range_wanted, span, {c.text(param.name.name)});
         return std::nullopt;
     }
+    ir::ExprId value;
+    if (param.pattern != ast::Pattern::none) {
+        value = to_value(body, argument.operand);
+    } else {
+        const ir::TypeId wanted = type_of(c, env, param.type);
+        if (body.types().kind(wanted) != ir::TypeKind::structure) value = value_argument(body, argument, wanted);
+        else value = coerce(body, to_value(body, argument.operand), wanted, span);
+    }
+    if (is_error(body, value)) return std::nullopt;
+    return value;
+}
+
+std::optional<Operand> call_pipeline(Body& body, ast::DeclId id, const std::vector<ast::ExprId>& explicit_generics,
+                                     const ast::Expr& call, const Operand* owner,
+                                     const std::vector<Argument>& arguments) {
+    Context& c = body.context;
     const auto& written = std::get<ast::Pipeline>(c[id].body);
-    bool failed = false;
-    std::vector<Argument> arguments = check_arguments(body, call, failed);
-    if (failed) return std::nullopt;
     if (arguments.size() != written.params.size()) {
         note(
             c.error(Diag::argument_count, call.span,
@@ -211,32 +204,25 @@ std::optional<Operand> call_pipeline(Body& body, ast::DeclId id, const std::vect
     if (owner) env.bindings = c.structure_env.at(owner->structure)->bindings;
     Arguments generics(c, c[id], env, call.span);
     if (!generics.give(env_for(body, explicit_generics), explicit_generics)) return std::nullopt;
-    infer_arguments(generics, written.params, arguments, body);
+    infer_arguments(body, generics, written.params, {arguments.begin(), arguments.end()});
     if (!generics.finish()) return std::nullopt;
-    std::vector<std::uint32_t> structures;
-    for (std::size_t i = 0; i < arguments.size(); ++i) {
-        bool range = written.params[i].pattern == ast::Pattern::range;
-        if (range && !arguments[i].structure) {
-            c.error(Diag::range_wanted, c[arguments[i].written].span, {c.text(written.params[i].name.name)});
-            return std::nullopt;
-        }
-        structures.push_back(range ? *arguments[i].structure : 0);
-    }
-    auto pipeline =
-        instantiate_pipeline(c, id, env, structures, owner ? std::optional(owner->structure) : std::nullopt, call.span);
-    if (!pipeline) return std::nullopt;
+    std::vector<std::uint32_t> passed;
     ir::Operands values;
     for (std::size_t i = 0; i < arguments.size(); ++i) {
-        const ir::PipelineParam param = body.program().pipelines[*pipeline].params[i];
-        ir::TypeId wanted = body.program().locals[param.local].type;
-        if (param.pattern == ir::HostPattern::value) values.push_back(value_argument(body, arguments[i], wanted));
-        else {
-            values.push_back(to_value(body, arguments[i].operand));
-            ir::TypeId have = body.program().exprs[values.back()].type;
-            bool whole_for_range = param.pattern == ir::HostPattern::range && have == body.types()[wanted].element;
-            if (have != wanted && !whole_for_range) coerce(body, values.back(), wanted, c[arguments[i].written].span);
-        }
-        if (is_error(body, values.back())) return std::nullopt;
+        auto value = pipeline_argument(body, arguments[i], written.params[i], env);
+        if (!value) return std::nullopt;
+        const bool is_range = written.params[i].pattern == ast::Pattern::range;
+        passed.push_back(is_range ? *arguments[i].structure : is_on_device(body, *value) ? lies_on_device : 0);
+        values.push_back(*value);
+    }
+    auto pipeline =
+        instantiate_pipeline(c, id, env, passed, owner ? std::optional(owner->structure) : std::nullopt, call.span);
+    if (!pipeline) return std::nullopt;
+    if (const Span at = body.program().pipelines[*pipeline].host_needed) {
+        const std::string what = "a call of '" + c.text(c[id].name.name) + "'";
+        if (is_refused_in_arm(body, what, call.span, "call it outside of the condition: the host takes part in it"))
+            return std::nullopt;
+        needs_host(body, at);
     }
     ir::ExprId result = add(body.program(), ir::Op::pipeline_call, body.program().pipelines[*pipeline].result,
                             call.span, std::move(values));
@@ -293,6 +279,8 @@ std::optional<Operand> check_expect(Body& body, std::string_view name, const ast
         c.error(Diag::expect_outside_test, call.span, {name});
         return error_operand(call.span);
     }
+    if (is_refused_in_arm(body, "'" + std::string(name) + "'", call.span, "check what is left after the condition"))
+        return error_operand(call.span);
     if (arguments.size() < least || arguments.size() > most) {
         c.error(Diag::argument_count, call.span, {name, std::to_string(least), std::to_string(arguments.size())});
         return error_operand(call.span);
@@ -460,9 +448,19 @@ Operand check_pipeline_index(Body& body, const Operand& structure, const ast::Ex
 std::optional<Operand> check_pipeline_call(Body& body, const std::vector<ast::DeclId>& decls,
                                            const std::vector<ast::ExprId>& generics, const ast::Expr& call,
                                            const Operand* owner) {
-    if (std::holds_alternative<ast::Kernel>(body.context[decls[0]].body))
-        return call_kernel(body, decls[0], generics, call);
-    return call_pipeline(body, decls[0], generics, call, owner);
+    Context& c = body.context;
+    if (body.kind != BodyKind::pipeline) {
+        c.error(Diag::pass_outside_pipeline, call.span, {c.text(c[decls[0]].name.name)});
+        return std::nullopt;
+    }
+    bool failed = false;
+    const std::vector<Argument> arguments = check_arguments(body, call, failed);
+    if (failed) return std::nullopt;
+    const auto chosen = choose_pass(body, decls, generics, {arguments.begin(), arguments.end()}, call, owner);
+    if (!chosen) return std::nullopt;
+    if (std::holds_alternative<ast::Kernel>(c[*chosen].body))
+        return call_kernel(body, *chosen, generics, call, arguments);
+    return call_pipeline(body, *chosen, generics, call, owner, arguments);
 }
 
 std::optional<Operand> check_pipeline_builtin(Body& body, std::string_view name, const ast::Expr& call) {

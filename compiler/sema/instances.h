@@ -22,11 +22,12 @@ std::uint32_t window_radius(Context&, const Env&, const ast::Param&);
 /// The extents after `group`; all 0 if there are none.
 std::array<std::uint32_t, 3> group_of(Context&, const Env&, const std::vector<ast::ExprId>& written);
 
-/// `ranges`: for each parameter of pattern range, the structure instance passed (others 0). `owner`: an adaptor's
-/// instance.
+/// `passed`: for each parameter of pattern range, the structure instance; for a value `lies_on_device` where it does,
+/// else 0. `owner`: an adaptor's instance.
 std::optional<std::uint32_t> instantiate_pipeline(Context&, ast::DeclId, const Env&,
-                                                  const std::vector<std::uint32_t>& structures,
+                                                  const std::vector<std::uint32_t>& passed,
                                                   std::optional<std::uint32_t> owner, Span use);
+inline constexpr std::uint32_t lies_on_device = 0xffffffffu;
 
 /// Instantiates the kernels that move boxes of the structure between host and device: Program::transfers.
 void require_transfers(Context&, std::uint32_t structure, Span use);

@@ -1,6 +1,8 @@
 // Calls of intrinsics: matches arguments against the signature strings of ir/intrinsics.def.
+#include "ir/walk.h"
 #include "sema/body.h"
 #include "sema/typing.h"
+#include "sema/values.h"
 
 #include <unordered_map>
 
@@ -189,6 +191,13 @@ std::optional<ir::Intrinsic> find_intrinsic(std::string_view name) {
     return found == table.end() ? std::nullopt : std::optional(found->second);
 }
 
+/// Of the structure parameter that the place is, of a kernel or a function.
+static ir::TypeId element_at(const Body& body, const ir::Place& place) {
+    const std::uint32_t structure =
+        body.kernel ? body.kernel->params[place.root].structure : body.structures[place.root];
+    return body.context.program.structures[structure].element;
+}
+
 // long: a case for each kind of built-in function
 Operand call_intrinsic(Body& body, ir::Intrinsic intrinsic, const std::vector<ast::ExprId>& arguments,
                        const ast::Expr& call, ir::TypeId wanted) {
@@ -213,6 +222,7 @@ Operand call_intrinsic(Body& body, ir::Intrinsic intrinsic, const std::vector<as
              "write 'group(size)' after the kernel's parameters");
         return error_operand(call.span);
     }
+    const Parts parts(body);
     ir::Operands operands;
     operands.assign(arguments.size(), {});
     ir::TypeId common;
@@ -250,11 +260,11 @@ Operand call_intrinsic(Body& body, ir::Intrinsic intrinsic, const std::vector<as
         operands[i] = add(body.program(), ir::Op::construct, common, call.span, {operands[i]});
     }
     if (signature.atomic) {
-        const ir::Expr* root = &body.program().exprs[operands[0]];
-        while (root->op == ir::Op::index || root->op == ir::Op::field) root = &body.program().exprs[root->operands[0]];
-        bool shared = root->op == ir::Op::local && body.program().locals[root->local].storage == ir::Storage::shared;
-        bool is_coherent = body.program().exprs[operands[0]].op == ir::Op::read && body.is_coherent(root->place) &&
-                           types.is_scalar(root->type);
+        const ir::Expr& root = ir::place_of(body.program(), operands[0]);
+        bool shared = root.op == ir::Op::local && body.program().locals[root.local].storage == ir::Storage::shared;
+        const bool is_scalar = types.is_scalar(body.program().exprs[operands[0]].type);
+        bool is_coherent = root.op == ir::Op::read && body.is_coherent(root.place) && is_scalar &&
+                           root.type == element_at(body, root.place);
         if (!shared && !is_coherent) {
             c.error(Diag::atomic_target, c[arguments[0]].span, {name});
             return error_operand(call.span);

@@ -160,6 +160,7 @@ Operand iterator_value(Body& body, const Operand& iterator) {
     case ir::Pattern::scatter:
     case ir::Pattern::any:
     case ir::Pattern::coherent:
+    case ir::Pattern::argument:
     case ir::Pattern::value: c.error(Diag::not_a_value, iterator.span, {"the iterator '" + name + "'"}); break;
     }
     return error_operand(iterator.span);

@@ -295,6 +295,18 @@ std::array<std::uint32_t, 3> group_of(Context& c, const Env& env, const std::vec
     return {1, 1, 1};
 }
 
+/// What tells a kernel in keys from those of its name that its module declares before it.
+static std::string overload_text(const Context& c, ast::DeclId id) {
+    const auto& names = c.scopes[c.module_of.at(id)].names;
+    const auto found = names.find(c[id].name.name);
+    if (found == names.end()) return "";
+    const std::vector<ast::DeclId>& same = found->second;
+    const auto before = std::ranges::find(same, id);
+    const auto kernels = std::count_if(
+        same.begin(), before, [&](ast::DeclId other) { return std::holds_alternative<ast::Kernel>(c[other].body); });
+    return kernels == 0 ? "" : "<overload " + std::to_string(kernels + 1) + ">";
+}
+
 std::optional<std::uint32_t> instantiate_kernel(Context& c, ast::DeclId id, const Env& env, Span use) {
     const ast::Decl& decl = c[id];
     const auto& written = std::get<ast::Kernel>(decl.body);
@@ -308,7 +320,7 @@ std::optional<std::uint32_t> instantiate_kernel(Context& c, ast::DeclId id, cons
     ir::Kernel kernel;
     kernel.name = decl.name.name;
     kernel.display = display_of(c, decl, env);
-    kernel.key = qualified_display_of(c, id, env);
+    kernel.key = qualified_display_of(c, id, env) + overload_text(c, id);
     kernel.span = decl.name.span;
     kernel.module = c.module_of.at(id);
     kernel.is_pub = decl.is_pub && decl.generics.empty();

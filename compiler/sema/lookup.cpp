@@ -46,6 +46,11 @@ bool is_function(const Context& c, const std::vector<ast::DeclId>& declarations)
     return !declarations.empty() && std::holds_alternative<ast::Function>(c[declarations[0]].body);
 }
 
+bool is_pass(const Context& c, const std::vector<ast::DeclId>& declarations) {
+    return !declarations.empty() && (std::holds_alternative<ast::Kernel>(c[declarations[0]].body) ||
+                                     std::holds_alternative<ast::Pipeline>(c[declarations[0]].body));
+}
+
 bool some_module_has_function(const Context& c, Name name) {
     for (const ModuleScope& scope : c.scopes)
         if (auto found = scope.names.find(name); found != scope.names.end() && is_function(c, found->second))
@@ -66,8 +71,8 @@ Visible look_up(Context& c, std::uint32_t module, ast::Identifier name) {
                 visible.hidden.push_back(decl);
                 continue;
             }
-            bool functions = std::holds_alternative<ast::Function>(c[decl].body);
-            if (!visible.found.empty() && from != import && !functions) {
+            const bool are_overloads = is_function(c, {decl}) || (is_pass(c, {decl}) && is_pass(c, visible.found));
+            if (!visible.found.empty() && from != import && !are_overloads) {
                 Diagnostic& diagnostic = c.error(Diag::ambiguous_name, name.span, {c.text(name.name)});
                 note(diagnostic, c[visible.found[0]].name.span, "one is declared here");
                 note(diagnostic, c[decl].name.span, "another here");

@@ -14,6 +14,8 @@ struct Visible {
 /// Reports a name that several imports declare, unless all declare functions.
 Visible look_up(Context&, std::uint32_t module, ast::Identifier name);
 
+/// Kernels and pipelines, which are overloaded together.
+bool is_pass(const Context&, const std::vector<ast::DeclId>&);
 bool is_function(const Context&, const std::vector<ast::DeclId>&);
 bool some_module_has_function(const Context&, Name);
 

@@ -3,6 +3,7 @@
 
 #include "sema/instances.h"
 #include "sema/typing.h"
+#include "sema/values.h"
 
 namespace gliftc::sema {
 
@@ -284,6 +285,7 @@ Operand check_member(Body& body, ast::ExprId id) {
     const ast::Expr& expr = body.context[id];
     ast::Identifier member{expr.name, expr.name_span};
     if (auto property = check_device_member(body, expr)) return *property;
+    const Parts parts(body);
     Operand left = check(body, expr.operands[0]);
     switch (left.kind) {
     case OperandKind::error: return error_operand(expr.span);
@@ -305,12 +307,7 @@ Operand check_member(Body& body, ast::ExprId id) {
     if (body.types().kind(type) == ir::TypeKind::struct_) result = struct_field(body, value, member);
     else if (body.types().is_vector(type) || body.types().is_scalar(type))
         result = make_swizzle_of(body, value, member);
-    else if (body.types().kind(type) == ir::TypeKind::device) {
-        note(body.context.error(Diag::unknown_member, member.span,
-                                {body.context.text(type), body.context.text(member.name)}),
-             expr.span, "'await' brings the value to the host");
-        return error_operand(expr.span);
-    } else result = unknown_member(body, body.context.text(type), member, {});
+    else result = unknown_member(body, body.context.text(type), member, {});
     result.span = expr.span;
     if (result.expr) body.program().exprs[result.expr].span = expr.span;
     return result;
@@ -319,7 +316,7 @@ Operand check_member(Body& body, ast::ExprId id) {
 Operand check_index(Body& body, ast::ExprId id, ir::TypeId) {
     Context& c = body.context;
     const ast::Expr& expr = c[id];
-    Operand left = check(body, expr.operands[0]);
+    Operand left = check_part(body, expr.operands[0]);
     if (left.kind == OperandKind::error) return error_operand(expr.span);
     if (left.kind == OperandKind::meta) {
         Operand operand;
@@ -348,6 +345,7 @@ Operand check_index(Body& body, ast::ExprId id, ir::TypeId) {
     }
     ir::ExprId value = to_value(body, left);
     if (is_error(body, value)) return error_operand(expr.span);
+    const Parts parts(body);
     return index_part(body, value, expr);
 }
 

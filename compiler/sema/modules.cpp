@@ -1,6 +1,8 @@
 // The declarations and imports of each module.
 #include "sema/modules.h"
 
+#include "sema/lookup.h"
+
 #include <set>
 
 namespace gliftc::sema {
@@ -52,8 +54,8 @@ void declare(Context& c, ModuleScope& scope, ast::DeclId id) {
     const ast::Decl& decl = c[id];
     if (!decl.name.name) return;  // tests
     auto& same = scope.names[decl.name.name];
-    bool is_function = std::holds_alternative<ast::Function>(decl.body);
-    if (!same.empty() && !(is_function && std::holds_alternative<ast::Function>(c[same[0]].body))) {
+    const bool are_functions = is_function(c, {id}) && is_function(c, same);
+    if (!same.empty() && !are_functions && !(is_pass(c, {id}) && is_pass(c, same))) {
         note(c.error(Diag::duplicate_name, decl.name.span, {c.text(decl.name.name)}), c[same[0]].name.span,
              "first declared here");
         return;

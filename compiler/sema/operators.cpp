@@ -1,6 +1,7 @@
 // Binary operators: operand types, vector with scalar, matrices.
 #include "sema/body.h"
 #include "sema/typing.h"
+#include "sema/values.h"
 
 #include <algorithm>
 
@@ -182,6 +183,7 @@ Operand check_binary(Body& body, ast::ExprId id, ir::TypeId wanted) {
         return error_operand(expr.span);
     }
     Family family = family_of(expr.binary);
+    const Parts parts(body);
     if (family == Family::logic) {
         ir::ExprId left = check_value(body, expr.operands[0], types.bool_);
         ir::ExprId right = check_value(body, expr.operands[1], types.bool_);
@@ -216,6 +218,7 @@ Operand check_binary(Body& body, ast::ExprId id, ir::TypeId wanted) {
 ir::ExprId check_compound(Body& body, const ast::Stmt& stmt, ir::ExprId before) {
     Context& c = body.context;
     ir::Types& types = body.types();
+    const Parts parts(body);
     ir::TypeId left = body.program().exprs[before].type;
     ir::ExprId value = check_hinted(body, stmt.value, is_flexible(c, stmt.value) ? types.scalar_of(left) : left);
     if (is_error(body, value)) return value;

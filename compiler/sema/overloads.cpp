@@ -5,6 +5,7 @@
 #include "sema/lookup.h"
 #include "sema/specificity.h"
 #include "sema/typing.h"
+#include "sema/values.h"
 
 namespace gliftc::sema {
 
@@ -36,6 +37,7 @@ ir::TypeId operand_type(Body& body, const Operand& operand) {
 
 CheckedArguments check_arguments(Body& body, const std::vector<ast::ExprId>& arguments) {
     CheckedArguments result;
+    const Parts parts(body);
     for (ast::ExprId argument : arguments) {
         bool waits = waits_for_parameter(body.context, argument);
         Operand operand;
@@ -162,19 +164,23 @@ bool fits_group(Body& body, ast::DeclId id, const Env& env, const ast::Expr& cal
     return false;
 }
 
-/// A call that the host cannot evaluate by itself: it names one whole structure, and reads none.
-bool is_pass(Body& body, ir::FunctionId function, const std::vector<Operand>& structures) {
+/// A call that the host cannot evaluate by itself: it names one whole structure, reads none, and has values that the
+/// host knows.
+bool is_pass(Body& body, ir::FunctionId function, const std::vector<Operand>& structures, const ir::Operands& values) {
     if (body.kind != BodyKind::pipeline || structures.empty()) return false;
+    if (std::ranges::any_of(values, [&](ir::ExprId value) { return is_open(body, value); })) return true;
     return structures.size() > 1 || structures[0].is_slice || body.program().functions[function].reads_memory;
 }
 
 Operand call_as_pass(Body& body, ir::FunctionId function, const std::vector<Operand>& structures,
                      const ir::Operands& values, Span span) {
-    auto pipeline = pipeline_of_function(body.context, function, span);
-    if (!pipeline) return error_operand(span);
     ir::Operands arguments;
+    std::vector<bool> on_device;
+    for (ir::ExprId value : values) on_device.push_back(is_open(body, value));
+    auto pipeline = pipeline_of_function(body.context, function, span, on_device);
+    if (!pipeline) return error_operand(span);
     for (const Operand& structure : structures) arguments.push_back(to_value(body, structure));
-    for (ir::ExprId value : values) arguments.push_back(value);
+    for (ir::ExprId value : values) arguments.push_back(closed(body, value));
     ir::ExprId result = add(body.program(), ir::Op::pipeline_call, body.program().pipelines[*pipeline].result, span,
                             std::move(arguments));
     body.program().exprs[result].slot = *pipeline;
@@ -186,6 +192,7 @@ Operand finish_call(Body& body, ast::DeclId id, const Env& env, CheckedArguments
                     const std::vector<ast::ExprId>& written, const ast::Expr& call, const Operand* self) {
     Context& c = body.context;
     const auto& function = std::get<ast::Function>(c[id].body);
+    const Parts parts(body);
     ir::Operands values;
     std::vector<std::uint32_t> structures;
     std::vector<Operand> given;
@@ -210,7 +217,7 @@ Operand finish_call(Body& body, ast::DeclId id, const Env& env, CheckedArguments
     if (!fits_group(body, id, env, call)) return error_operand(call.span);
     auto instance = instantiate_function(c, id, env, structures, call.span);
     if (!instance) return error_operand(call.span);
-    if (is_pass(body, *instance, given)) return call_as_pass(body, *instance, given, values, call.span);
+    if (is_pass(body, *instance, given, values)) return call_as_pass(body, *instance, given, values, call.span);
     ir::ExprId result =
         add(body.program(), ir::Op::call, body.program().functions[*instance].result, call.span, std::move(values));
     body.program().exprs[result].function = *instance;

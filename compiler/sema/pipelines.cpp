@@ -3,6 +3,9 @@
 #include "sema/generics.h"
 #include "sema/instances.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace gliftc::sema {
 
 namespace {
@@ -17,7 +20,7 @@ ir::TypeId range_domain(Context& c, const Env& env, ast::ExprId dimensions) {
     return c.types().vector(c.types().uint, *n);
 }
 
-void add_param(Body& body, const ast::Param& param, std::uint32_t structure, ir::Pipeline& pipeline) {
+void add_param(Body& body, const ast::Param& param, std::uint32_t passed, ir::Pipeline& pipeline) {
     Context& c = body.context;
     ir::PipelineParam made;
     made.name = param.name.name;
@@ -28,12 +31,12 @@ void add_param(Body& body, const ast::Param& param, std::uint32_t structure, ir:
     ir::TypeId type = c.types().error;
     if (param.pattern == ast::Pattern::range) {
         made.pattern = ir::HostPattern::range;
-        made.structure = structure;
-        type = c.types().slice(c.types().of_structure(structure));
+        made.structure = passed;
+        type = c.types().slice(c.types().of_structure(passed));
         if (param.extra.size() != 1) c.error(Diag::range_form, param.pattern_span);
         else {
             ir::TypeId domain = range_domain(c, body.env, param.type), element = type_of(c, body.env, param.extra[0]);
-            const ir::Structure& instance = c.program.structures[structure];
+            const ir::Structure& instance = c.program.structures[passed];
             bool fits = instance.domain_type == domain && instance.element == element;
             if (!fits && domain != c.types().error && element != c.types().error)
                 c.error(Diag::range_argument, c.requests.empty() ? param.name.span : c.requests.back().span,
@@ -48,6 +51,8 @@ void add_param(Body& body, const ast::Param& param, std::uint32_t structure, ir:
             made.structure = c.types()[type].index;
         } else if (param.direction == ast::Direction::out || param.direction == ast::Direction::inout) {
             c.error(Diag::function_out, param.direction_span);
+        } else if (passed == lies_on_device) {
+            type = c.types().device(type);
         }
     }
     made.local = declare_local(body, param.name, type, false, false);
@@ -59,6 +64,36 @@ ir::TypeId result_type(Context& c, const Env& env, const ast::Pipeline& written,
     deferred = written.result_pattern == ast::Pattern::range;
     if (deferred || !written.result) return c.types().void_;
     return type_of(c, env, written.result);
+}
+
+}  // namespace
+
+namespace {
+
+/// Once more from the beginning where a variable turned out to be assigned values of the device: it lies there from its
+/// declaration on.
+void check_pipeline_body(Body& body, const std::vector<ast::StmtId>& statements, ir::Pipeline& pipeline) {
+    const Body fresh = body;
+    const Diagnostics::Mark mark = body.context.diagnostics.mark();
+    check_block(body, statements);
+    while (body.device_variables.size() > fresh.device_variables.size()) {
+        Body again = fresh;
+        again.device_variables = body.device_variables;
+        again.values = body.values;
+        const std::size_t known = again.device_variables.size();
+        body.context.diagnostics.back_to(mark);
+        pipeline.body.clear();
+        check_block(again, statements);
+        const bool is_settled = again.device_variables.size() == known;
+        std::swap(body.scopes, again.scopes);
+        body.device_variables = again.device_variables;
+        body.values = again.values;
+        body.returns = again.returns;
+        body.range_result = again.range_result;
+        body.host_needed = again.host_needed;
+        if (is_settled) break;
+    }
+    pipeline.host_needed = body.host_needed;
 }
 
 }  // namespace
@@ -86,12 +121,12 @@ void check_range_return(Body& body, const ast::Stmt& stmt) {
 
 // If the declared result is T, the instance's result is T or T on the device, depending on the returned values.
 std::optional<std::uint32_t> instantiate_pipeline(Context& c, ast::DeclId id, const Env& env,
-                                                  const std::vector<std::uint32_t>& structures,
+                                                  const std::vector<std::uint32_t>& passed,
                                                   std::optional<std::uint32_t> owner, Span use) {
     const ast::Decl& decl = c[id];
     const auto& written = std::get<ast::Pipeline>(decl.body);
     std::string key = key_of(c, id, env) + (owner ? "!" + std::to_string(*owner) : "");
-    for (std::uint32_t structure : structures) key += "@" + std::to_string(structure);
+    for (std::uint32_t each : passed) key += "@" + std::to_string(each);
     if (auto found = c.instances.find(key); found != c.instances.end()) {
         if (found->second.state == Instance::State::in_progress)
             c.error(Diag::recursion, use, {c.text(decl.name.name)});
@@ -107,20 +142,21 @@ std::optional<std::uint32_t> instantiate_pipeline(Context& c, ast::DeclId id, co
     pipeline.key = qualified_display_of(c, id, env);
     pipeline.span = decl.name.span;
     pipeline.module = c.module_of.at(id);
-    pipeline.is_pub = decl.is_pub;
+    pipeline.is_pub = decl.is_pub && std::ranges::find(passed, lies_on_device) == passed.end();
     pipeline.owner = owner;
     pipeline.doc = decl.doc;
-    Body body{.context = c, .env = env, .kind = BodyKind::pipeline, .block = &pipeline.body};
+    Body body{.context = c, .env = env, .kind = BodyKind::pipeline, .block = &pipeline.body, .key = pipeline.key};
+    for (std::uint32_t each : passed) body.key += each == lies_on_device ? "<device>" : "<host>";
     if (owner) bring_members_into_scope(body, *owner);
     open_scope(body);
     for (std::size_t i = 0; i < written.params.size(); ++i)
-        add_param(body, written.params[i], i < structures.size() ? structures[i] : 0, pipeline);
+        add_param(body, written.params[i], i < passed.size() ? passed[i] : 0, pipeline);
     bool deferred = false;
     pipeline.result = result_type(c, env, written, owner, deferred);
     body.result = pipeline.result;
     open_scope(body);
     if (deferred) body.range_result = ir::TypeId{};
-    check_block(body, written.body);
+    check_pipeline_body(body, written.body, pipeline);
     close_scope(body);
     close_scope(body);
     if (deferred) pipeline.result = *body.range_result ? *body.range_result : c.types().error;
@@ -154,9 +190,10 @@ void instantiate_test(Context& c, ast::DeclId id) {
               .kind = BodyKind::pipeline,
               .block = &pipeline.body,
               .result = pipeline.result,
-              .in_test = true};
+              .in_test = true,
+              .key = "test " + written.title};
     open_scope(body);
-    check_block(body, written.body);
+    check_pipeline_body(body, written.body, pipeline);
     close_scope(body);
     if (c.diagnostics.error_count() != errors) return;
     c.program.pipelines.push_back(std::move(pipeline));

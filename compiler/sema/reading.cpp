@@ -3,6 +3,7 @@
 #include "ir/walk.h"
 #include "sema/components.h"
 #include "sema/instances.h"
+#include "sema/values.h"
 
 namespace gliftc::sema {
 
@@ -89,9 +90,37 @@ ir::ExprId structure_argument(Context& c, ir::LocalId local, Span span) {
 
 }  // namespace
 
-std::optional<std::uint32_t> pipeline_of_function(Context& c, ir::FunctionId id, Span use) {
-    if (const auto found = c.pipelines_of_functions.find(id); found != c.pipelines_of_functions.end())
-        return found->second;
+std::uint32_t pipeline_of_kernel(Context& c, ir::Kernel kernel, ir::Pipeline pipeline, ir::Operands arguments,
+                                 std::uint32_t box) {
+    const Span span = kernel.span;
+    const ir::LocalId result = add_local(c.program, c.names.intern("result"), c.types().of_structure(box), span);
+    arguments.push_back(structure_argument(c, result, span));
+    const ir::StmtId temp = add(c.program, ir::StmtOp::temp, span);
+    c.program.stmts[temp].local = result;
+    c.program.stmts[temp].arguments = {make_uint(c.program, 1, span)};
+    c.program.stmts[temp].uninitialized = true;
+    const ir::StmtId dispatch = add(c.program, ir::StmtOp::dispatch, span);
+    c.program.stmts[dispatch].slot = static_cast<std::uint32_t>(c.program.kernels.size());
+    c.program.stmts[dispatch].arguments = std::move(arguments);
+    c.program.kernels.push_back(std::move(kernel));
+    pipeline.result = c.types().device(c.program.structures[box].element);
+    const ir::ExprId element =
+        add(c.program, ir::Op::device_read, pipeline.result, span, {make_uint(c.program, 0, span)});
+    c.program.exprs[element].local = result;
+    const ir::StmtId give = add(c.program, ir::StmtOp::return_, span);
+    c.program.stmts[give].value = element;
+    pipeline.body = {temp, dispatch, give};
+    const auto index = static_cast<std::uint32_t>(c.program.pipelines.size());
+    c.program.pipelines.push_back(std::move(pipeline));
+    return index;
+}
+
+std::optional<std::uint32_t> pipeline_of_function(Context& c, ir::FunctionId id, Span use,
+                                                  const std::vector<bool>& on_device) {
+    std::string key = "pass of " + std::to_string(id.index);
+    for (std::size_t i = 0; i < on_device.size(); ++i) key += on_device[i] ? " " + std::to_string(i) : "";
+    Instance& instance = c.instances[key];
+    if (instance.state == Instance::State::done) return instance.index;
     const ir::Function function = c.program.functions[id];
     const std::optional<std::uint32_t> box = box_of(c, 1, function.result, use);
     if (!box) return std::nullopt;
@@ -102,38 +131,24 @@ std::optional<std::uint32_t> pipeline_of_function(Context& c, ir::FunctionId id,
     pipeline.key = key_of(c, function);
     pipeline.span = function.span;
     pipeline.module = function.module;
-    pipeline.result = c.types().device(function.result);
     ir::Operands arguments;
     for (std::uint32_t structure : function.structures) {
         pipeline.params.push_back(structure_param(c, structure, function.span));
         arguments.push_back(structure_argument(c, pipeline.params.back().local, function.span));
     }
-    for (ir::LocalId param : function.params) {
-        const ir::Local local = c.program.locals[param];
-        const ir::LocalId value = add_local(c.program, local.name, local.type, local.span);
+    ir::Kernel kernel = kernel_of(c, id, *box);
+    for (std::size_t i = 0; i < function.params.size(); ++i) {
+        const ir::Local local = c.program.locals[function.params[i]];
+        const bool is_argument = i < on_device.size() && on_device[i];
+        if (is_argument) make_argument(c, kernel, function.structures.size() + i, use);
+        const ir::TypeId type = is_argument ? c.types().device(local.type) : local.type;
+        const ir::LocalId value = add_local(c.program, local.name, type, local.span);
         pipeline.params.push_back({.name = local.name, .span = local.span, .local = value});
         arguments.push_back(make_local(c.program, value, function.span));
     }
-    const ir::LocalId result =
-        add_local(c.program, c.names.intern("result"), c.types().of_structure(*box), function.span);
-    arguments.push_back(structure_argument(c, result, function.span));
-    const ir::StmtId temp = add(c.program, ir::StmtOp::temp, function.span);
-    c.program.stmts[temp].local = result;
-    c.program.stmts[temp].arguments = {make_uint(c.program, 1, function.span)};
-    c.program.stmts[temp].uninitialized = true;
-    const ir::StmtId dispatch = add(c.program, ir::StmtOp::dispatch, function.span);
-    c.program.stmts[dispatch].slot = static_cast<std::uint32_t>(c.program.kernels.size());
-    c.program.stmts[dispatch].arguments = std::move(arguments);
-    c.program.kernels.push_back(kernel_of(c, id, *box));
-    const ir::ExprId element =
-        add(c.program, ir::Op::device_read, pipeline.result, function.span, {make_uint(c.program, 0, function.span)});
-    c.program.exprs[element].local = result;
-    const ir::StmtId give = add(c.program, ir::StmtOp::return_, function.span);
-    c.program.stmts[give].value = element;
-    pipeline.body = {temp, dispatch, give};
-    const auto index = static_cast<std::uint32_t>(c.program.pipelines.size());
-    c.program.pipelines.push_back(std::move(pipeline));
-    c.pipelines_of_functions[id] = index;
+    const std::uint32_t index =
+        pipeline_of_kernel(c, std::move(kernel), std::move(pipeline), std::move(arguments), *box);
+    c.instances[key] = {.state = Instance::State::done, .index = index};
     return index;
 }
 

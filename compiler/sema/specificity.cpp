@@ -8,6 +8,12 @@ namespace gliftc::sema {
 
 namespace {
 
+const std::vector<ast::Param>& params_of(const ast::Decl& decl) {
+    if (const auto* kernel = std::get_if<ast::Kernel>(&decl.body)) return kernel->params;
+    if (const auto* pipeline = std::get_if<ast::Pipeline>(&decl.body)) return pipeline->params;
+    return std::get<ast::Function>(decl.body).params;
+}
+
 bool is_generic_of(const ast::Decl& decl, Name name) {
     return std::ranges::any_of(decl.generics,
                                [&](const ast::GenericParam& generic) { return generic.name.name == name; });
@@ -68,8 +74,8 @@ struct Matcher {
     }
 
     bool takes_all() {
-        const auto& patterns = std::get<ast::Function>(taking.body).params;
-        const auto& types = std::get<ast::Function>(taken.body).params;
+        const auto& patterns = params_of(taking);
+        const auto& types = params_of(taken);
         for (std::size_t i = 0; i < patterns.size() && i < types.size(); ++i) {
             // Both accept the arguments, so a type without generics is an instance of the other.
             if (!names_generic(c, taken, types[i].type)) continue;

@@ -1,6 +1,8 @@
 #include "ir/empty.h"
+#include "sema/arms.h"
 #include "sema/body.h"
 #include "sema/typing.h"
+#include "sema/values.h"
 
 namespace gliftc::sema {
 
@@ -14,9 +16,14 @@ void check_let(Body& body, const ast::Stmt& stmt) {
     ir::ExprId value;
     if (stmt.value) {
         Operand operand = check(body, stmt.value, wanted);
-        value = wanted ? coerce(body, to_value(body, operand), wanted, c[stmt.value].span) : to_value(body, operand);
+        value = to_value(body, operand);
+        const bool is_device_type = is_on_device(body, value) && body.types()[operand.type].element == wanted;
+        if (wanted && !is_device_type) value = coerce(body, value, wanted, c[stmt.value].span);
+        if (lies_on_device_later(body, stmt.name.span) && !is_on_device(body, value)) value = on_device(body, value);
     }
-    ir::TypeId type = wanted ? wanted : value ? body.program().exprs[value].type : body.types().error;
+    ir::TypeId type = value && (is_on_device(body, value) || !wanted) ? body.program().exprs[value].type
+                      : wanted                                        ? wanted
+                                                                      : body.types().error;
     if (type == body.types().void_) {
         c.error(Diag::void_value, c[stmt.value].span);
         type = body.types().error;
@@ -29,6 +36,7 @@ void check_let(Body& body, const ast::Stmt& stmt) {
     bool is_mutable = stmt.binding == ast::Binding::var;
     ir::LocalId local = declare_local(body, stmt.name, type, is_mutable);
     if (!is_mutable && value) body.lets[local] = value;
+    if (is_mutable && body.kind == BodyKind::pipeline) declare_variable(body, local);
     ir::StmtId let = add(body.program(), ir::StmtOp::let, stmt.span);
     body.program().stmts[let].local = local;
     body.program().stmts[let].value = value;
@@ -79,6 +87,10 @@ void check_assign(Body& body, const ast::Stmt& stmt) {
     const ir::Expr* root = root_of(body, target);
     if (body.kind == BodyKind::pipeline && root->op == ir::Op::host_state && root->place.members.empty() &&
         !root->local) {
+        if (is_refused_in_arm(body, "a change of host state", stmt.span,
+                              "keep what depends on the device there: in an element, or a 'var' of the pipeline"))
+            return;
+        needs_host(body, stmt.span);
         ir::ExprId value = stmt.op ? check_compound(body, stmt, target)
                                    : check_value(body, stmt.value, body.program().exprs[target].type);
         ir::StmtId assign = add(body.program(), ir::StmtOp::host_assign, stmt.span);
@@ -94,6 +106,8 @@ void check_assign(Body& body, const ast::Stmt& stmt) {
         if (is_local) note(diagnostic, body.program().locals[root->local].span, "declare it with 'var' to change it");
         return;
     }
+    if (body.kind == BodyKind::pipeline && body.program().exprs[target].op == ir::Op::local)
+        return check_variable(body, stmt, target);
     const ir::Expr& node = body.program().exprs[target];
     if (node.op == ir::Op::swizzle && repeats_lane(node, body.types().components(node.type))) {
         c.error(Diag::repeated_component, c[stmt.target].span);
@@ -155,7 +169,11 @@ std::vector<ir::StmtId> check_arm(Body& body, const std::vector<ast::StmtId>& ar
 
 void check_if(Body& body, const ast::Stmt& stmt) {
     if (stmt.name.name) return check_if_let(body, stmt);
-    ir::ExprId condition = check_value(body, stmt.value, body.types().bool_);
+    ir::ExprId condition = check_hinted(body, stmt.value, body.types().bool_);
+    if (body.kind == BodyKind::pipeline &&
+        body.program().exprs[condition].type == body.types().device(body.types().bool_))
+        return check_arms(body, stmt, condition);
+    condition = coerce(body, condition, body.types().bool_, body.context[stmt.value].span);
     if (body.kind == BodyKind::function && body.grouped()) {
         if (auto known = known_value(body, condition)) {
             auto then_body = check_arm(body, stmt.body), otherwise = check_arm(body, stmt.otherwise);
@@ -207,15 +225,20 @@ void check_for(Body& body, const ast::Stmt& stmt) {
         !is_error(body, low) && !is_error(body, high) && type != body.types().int_ && type != body.types().uint;
     if (wrong) c.error(Diag::index_type, range.span, {c.text(type)});
     ir::StmtId id = add(body.program(), ir::StmtOp::for_, stmt.span);
-    std::vector<ir::StmtId> inner;
+    std::vector<ir::StmtId> inner, before;
     auto* outer = std::exchange(body.block, &inner);
     open_scope(body);
     ir::LocalId local = declare_local(body, stmt.name, type, false, false);
-    ++body.loops;
-    check_block(body, stmt.body);
-    --body.loops;
+    if (stmt.condition) {
+        check_rounds(body, stmt, before);
+    } else {
+        ++body.loops;
+        check_block(body, stmt.body);
+        --body.loops;
+    }
     close_scope(body);
     body.block = outer;
+    for (ir::StmtId statement : before) emit(body, statement);
     ir::Stmt& node = body.program().stmts[id];
     node.local = local;
     node.value = low;
@@ -228,7 +251,13 @@ void check_for(Body& body, const ast::Stmt& stmt) {
 void check_while(Body& body, const ast::Stmt& stmt) {
     std::vector<ir::StmtId> inner;
     auto* outer = std::exchange(body.block, &inner);
-    ir::ExprId condition = check_value(body, stmt.value, body.types().bool_);
+    ir::ExprId condition = check_hinted(body, stmt.value, body.types().bool_);
+    if (is_on_device(body, condition)) {
+        note(body.context.error(Diag::device_loop, body.context[stmt.value].span), stmt.span,
+             "the host must know how many rounds there are at most: write 'for round in 0..most while …'");
+        condition = error_value(body, stmt.span);
+    }
+    condition = coerce(body, condition, body.types().bool_, body.context[stmt.value].span);
     bool simple = inner.empty();
     if (!simple) {
         ir::StmtId leave = add(body.program(), ir::StmtOp::if_, stmt.span);
@@ -270,6 +299,7 @@ ir::ExprId returned(Body& body, const ast::Stmt& stmt) {
 
 void check_return(Body& body, const ast::Stmt& stmt) {
     Context& c = body.context;
+    if (is_refused_in_arm(body, "'return'", stmt.span, "assign a 'var' here, and return it at the end")) return;
     if (body.grouped() && body.last != stmt.span) {
         note(c.error(Diag::return_in_group, stmt.span), stmt.span,
              "invocations of a workgroup reach every barrier together: use 'if'");
@@ -329,6 +359,9 @@ void check_expression_statement(Body& body, const ast::Stmt& stmt) {
 
 void check_jump(Body& body, const ast::Stmt& stmt) {
     bool is_break = stmt.kind == ast::StmtKind::break_;
+    if (body.loops == 0 && is_refused_in_arm(body, is_break ? "'break'" : "'continue'", stmt.span,
+                                             "let the loop's condition say so: for i in a..b while …"))
+        return;
     if (body.loops == 0) body.context.error(Diag::outside_loop, stmt.span, {is_break ? "break" : "continue"});
     emit(body, add(body.program(), is_break ? ir::StmtOp::break_ : ir::StmtOp::continue_, stmt.span));
 }

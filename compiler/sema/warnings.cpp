@@ -22,7 +22,7 @@ private:
     void statements(const std::vector<ast::StmtId>& body) {
         for (ast::StmtId id : body) {
             const ast::Stmt& stmt = c[id];
-            for (ast::ExprId part : {stmt.type, stmt.target, stmt.value})
+            for (ast::ExprId part : {stmt.type, stmt.target, stmt.value, stmt.condition})
                 if (part) expression(part, part == stmt.target);
             statements(stmt.body);
             statements(stmt.otherwise);

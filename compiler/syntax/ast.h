@@ -120,6 +120,7 @@ struct Stmt {
     std::optional<BinaryOp> op;  ///< assign: the operator of `+=` and the like
     Span op_span;
     ExprId value;
+    ExprId condition;               ///< for_: after `while`, or absent
     std::vector<StmtId> body;       ///< if_, for_, while_, block
     std::vector<StmtId> otherwise;  ///< if_: the else part (one if_ statement for `else if`)
     bool has_else = false;

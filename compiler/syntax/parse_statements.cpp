@@ -155,7 +155,7 @@ ast::StmtId Parser::parse_if() {
     return finish(std::move(branch), first);
 }
 
-/// for = "for" name "in" expression block ;
+/// for = "for" name "in" expression [ "while" expression ] block ;
 ast::StmtId Parser::parse_for() {
     std::uint32_t first = cursor_;
     Stmt loop;
@@ -165,6 +165,10 @@ ast::StmtId Parser::parse_for() {
     loop.name = parse_name("a name");
     expect(TokenKind::kw_in);
     loop.value = lost_ ? error_expr() : parse_expression();
+    if (at(TokenKind::kw_while)) {
+        advance();
+        loop.condition = parse_expression();
+    }
     loop.body = parse_block();
     return finish(std::move(loop), first);
 }

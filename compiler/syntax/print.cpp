@@ -195,7 +195,10 @@ private:
             }
             out_ += ")";
             return;
-        case StmtKind::for_: line("(for " + names_[s.name.name] + " " + expr(s.value)); break;
+        case StmtKind::for_:
+            line("(for " + names_[s.name.name] + " " + expr(s.value) +
+                 (s.condition ? " while " + expr(s.condition) : ""));
+            break;
         case StmtKind::while_: line("(while " + expr(s.value)); break;
         case StmtKind::break_: return line("(break)");
         case StmtKind::continue_: return line("(continue)");

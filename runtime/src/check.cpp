@@ -44,6 +44,13 @@ void check_owner(const DeviceObject* device, const Memory& memory, const char* c
                 "write into another structure, then copy or swap");
 }
 
+void check_condition(const DeviceObject* device, const Condition& condition) {
+    check_range(device, condition.value.memory, condition.value.offset, 4, "a condition on the device");
+    if (condition.value.offset % 4)
+        wrong("a condition's offset is not a multiple of 4", "a condition on the device",
+              std::to_string(condition.value.offset));
+}
+
 void check_patches(const DeviceObject* device, const Kernel& kernel, const Call& call) {
     if (call.form == FormName::direct) wrong("device values were passed to the direct form", kernel_text(kernel));
     for (const Patch& patch : call.patches) {
@@ -112,6 +119,7 @@ void check_call(const DeviceObject* device, const Kernel& kernel, const Call& ca
     if (call.sharing == Sharing::one_place && call.form == FormName::direct)
         wrong("aliased elements were passed to the direct form (Sharing::one_place)", kernel_text(kernel));
     if (!call.patches.empty()) check_patches(device, kernel, call);
+    for (const Condition& condition : call.conditions) check_condition(device, condition);
     check_draw(device, kernel, call);
 }
 

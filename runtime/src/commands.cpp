@@ -37,6 +37,14 @@ detail::Stream& Commands::stream(const char* call) const {
     return stream;
 }
 
+detail::Stream& Commands::unconditional_stream(const char* call) const {
+    if (conditions_)
+        throw Error(ErrorCode::wrong_argument, "a command under a condition of the device", call,
+                    "only passes and fills can run over nothing where the condition does not hold",
+                    "call it with commands without conditions: Commands::always");
+    return stream(call);
+}
+
 detail::Stream& Commands::stream(const Kernel& kernel) const {
     detail::Stream& stream = stream_.in("Commands::dispatch");
     if (stream.is_closed()) detail::throw_closed(detail::kernel_text(kernel));
@@ -54,6 +62,23 @@ bool Commands::needs_wide(const Kernel& kernel, std::span<const Memory> memories
 Commands Commands::specialised(std::vector<std::string> parameters) const {
     Commands same = *this;
     same.specialised_ = std::make_shared<const std::vector<std::string>>(std::move(parameters));
+    return same;
+}
+
+Commands Commands::with(Condition condition) const {
+    std::vector<Condition> all = conditions_ ? *conditions_ : std::vector<Condition>();
+    all.push_back(std::move(condition));
+    Commands same = *this;
+    same.conditions_ = std::make_shared<const std::vector<Condition>>(std::move(all));
+    return same;
+}
+
+Commands Commands::where(DeviceValue condition) const { return with({std::move(condition), true}); }
+Commands Commands::where_not(DeviceValue condition) const { return with({std::move(condition), false}); }
+
+Commands Commands::always() const {
+    Commands same = *this;
+    same.conditions_ = nullptr;
     return same;
 }
 
@@ -89,10 +114,13 @@ std::vector<FixedWord> fixed_words(const Kernel& kernel, const Call& call, const
 
 void Commands::dispatch(const Kernel& kernel, const Call& call) const {
     detail::Stream& stream = this->stream(kernel);
-    if (!specialised_ || call.form != FormName::direct) return stream.dispatch(kernel, call);
-    const std::vector<FixedWord> words = fixed_words(kernel, call, *specialised_);
+    const bool is_special = specialised_ && call.form == FormName::direct;
+    if (!is_special && !conditions_) return stream.dispatch(kernel, call);
+    std::vector<FixedWord> words;
+    if (is_special) words = fixed_words(kernel, call, *specialised_);
     Call special = call;
     special.fixed = words;
+    if (conditions_) special.conditions = *conditions_;
     stream.dispatch(kernel, special);
 }
 
@@ -100,8 +128,12 @@ Memory Commands::allocate(const MemoryDescription& description) const {
     detail::Stream& stream = this->stream("Commands::allocate");
     MemoryDescription whole = detail::whole_description(description);
     whole.zeroed = whole.zeroed && zeroes_;
+    // Images are cleared in any case: only buffers are filled by a pass.
+    const bool is_filled_there = conditions_ && whole.zeroed && whole.kind == MemoryKind::buffer;
+    if (is_filled_there) whole.zeroed = false;
     const Memory memory = stream.allocate(whole);
     if (whole.zeroed && stream.is_recording()) stream.clear(memory);
+    if (is_filled_there) stream.fill_where(memory, 0, whole.bytes / 4 * 4, 0, *conditions_);
     if (!zeroes_ && poisons() && whole.kind == MemoryKind::buffer && whole.bytes >= 4)
         stream.fill(memory, 0, whole.bytes / 4 * 4, device().is_host() ? 0x7fa5a5a5u : 0x7fc3c3c3u);
     return memory;
@@ -121,11 +153,12 @@ void Commands::fill(const Memory& memory, std::uint64_t offset, std::uint64_t by
                     std::to_string(bytes) + " bytes at " + std::to_string(offset),
                     "pass an offset and a number of bytes that are multiples of 4");
     }
-    if (bytes) stream.fill(memory, offset, bytes, value);
+    if (bytes && conditions_) stream.fill_where(memory, offset, bytes, value, *conditions_);
+    else if (bytes) stream.fill(memory, offset, bytes, value);
 }
 
 void Commands::copy(const Memory& from, const Memory& to, std::span<const CopyRegion> regions) const {
-    detail::Stream& stream = this->stream("Commands::copy");
+    detail::Stream& stream = unconditional_stream("Commands::copy");
     const auto device = stream.device();
     check_range(device.get(), from, 0, 0, "Commands::copy");
     check_range(device.get(), to, 0, 0, "Commands::copy");
@@ -153,7 +186,7 @@ void Commands::copy(const Memory& from, std::uint64_t from_offset, const Memory&
 }
 
 void Commands::copy_to_image(const Memory& buffer, const Memory& image, std::span<const ImageRegion> regions) const {
-    detail::Stream& stream = this->stream("Commands::copy_to_image");
+    detail::Stream& stream = unconditional_stream("Commands::copy_to_image");
     const auto device = stream.device();
     check_range(device.get(), buffer, 0, 0, "Commands::copy_to_image");
     check_image_regions(device.get(), image, regions, buffer.description().bytes, "Commands::copy_to_image");
@@ -161,7 +194,7 @@ void Commands::copy_to_image(const Memory& buffer, const Memory& image, std::spa
 }
 
 void Commands::copy_from_image(const Memory& image, const Memory& buffer, std::span<const ImageRegion> regions) const {
-    detail::Stream& stream = this->stream("Commands::copy_from_image");
+    detail::Stream& stream = unconditional_stream("Commands::copy_from_image");
     const auto device = stream.device();
     check_range(device.get(), buffer, 0, 0, "Commands::copy_from_image");
     check_image_regions(device.get(), image, regions, buffer.description().bytes, "Commands::copy_from_image");
@@ -169,13 +202,13 @@ void Commands::copy_from_image(const Memory& image, const Memory& buffer, std::s
 }
 
 void Commands::copy_images(const Memory& from, const Memory& to, std::span<const ImageCopyRegion> regions) const {
-    detail::Stream& stream = this->stream("Commands::copy_images");
+    detail::Stream& stream = unconditional_stream("Commands::copy_images");
     detail::check_image_copies(stream.device().get(), from, to, regions);
     if (!regions.empty()) stream.copy_images(from, to, regions);
 }
 
 void Commands::upload(const Memory& to, std::span<const CopyRegion> regions, std::span<const std::byte> bytes) const {
-    detail::Stream& stream = this->stream("Commands::upload");
+    detail::Stream& stream = unconditional_stream("Commands::upload");
     const auto device = stream.device();
     check_range(device.get(), to, 0, 0, "Commands::upload");
     for (const CopyRegion& region : regions) {
@@ -192,13 +225,13 @@ void Commands::upload(const Memory& to, std::uint64_t offset, std::span<const st
 
 void Commands::upload_image(const Memory& image, std::span<const ImageRegion> regions,
                             std::span<const std::byte> bytes) const {
-    detail::Stream& stream = this->stream("Commands::upload_image");
+    detail::Stream& stream = unconditional_stream("Commands::upload_image");
     detail::check_image_regions(stream.device().get(), image, regions, bytes.size(), "Commands::upload_image");
     stream.upload_image(image, regions, bytes);
 }
 
 Download Commands::download(const Memory& from, std::span<const CopyRegion> regions, std::uint64_t bytes) const {
-    detail::Stream& stream = this->stream("Commands::download");
+    detail::Stream& stream = unconditional_stream("Commands::download");
     const auto device = stream.device();
     check_range(device.get(), from, 0, 0, "Commands::download");
     for (const CopyRegion& region : regions) {
@@ -215,12 +248,12 @@ Download Commands::download(const Memory& from, std::uint64_t offset, std::uint6
 
 Download Commands::download_image(const Memory& image, std::span<const ImageRegion> regions,
                                   std::uint64_t bytes) const {
-    detail::Stream& stream = this->stream("Commands::download_image");
+    detail::Stream& stream = unconditional_stream("Commands::download_image");
     detail::check_image_regions(stream.device().get(), image, regions, bytes, "Commands::download_image");
     return Download(stream.download_image(image, regions, bytes));
 }
 
-Timestamp Commands::timestamp() const { return Timestamp(stream("Commands::timestamp").timestamp()); }
+Timestamp Commands::timestamp() const { return Timestamp(unconditional_stream("Commands::timestamp").timestamp()); }
 void Commands::flush() const { stream("Commands::flush").flush(); }
 void Commands::wait() const { stream("Commands::wait").wait(); }
 

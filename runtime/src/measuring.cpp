@@ -25,6 +25,7 @@ public:
     void clear(const Memory&) override {}
     void dispatch(const Kernel&, const Call&) override {}
     void fill(const Memory&, std::uint64_t, std::uint64_t, std::uint32_t) override {}
+    void fill_where(const Memory&, std::uint64_t, std::uint64_t, std::uint32_t, std::span<const Condition>) override {}
     void copy(const Memory&, const Memory&, std::span<const CopyRegion>) override {}
     void copy_to_image(const Memory&, const Memory&, std::span<const ImageRegion>) override {}
     void copy_from_image(const Memory&, const Memory&, std::span<const ImageRegion>) override {}

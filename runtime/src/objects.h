@@ -64,6 +64,8 @@ public:
     virtual bool is_recording() const { return false; }
     virtual void dispatch(const Kernel& kernel, const Call& call) = 0;
     virtual void fill(const Memory& memory, std::uint64_t offset, std::uint64_t bytes, std::uint32_t value) = 0;
+    virtual void fill_where(const Memory& memory, std::uint64_t offset, std::uint64_t bytes, std::uint32_t value,
+                            std::span<const Condition> conditions) = 0;
     virtual void copy(const Memory& from, const Memory& to, std::span<const CopyRegion> regions) = 0;
     virtual void copy_to_image(const Memory& buffer, const Memory& image, std::span<const ImageRegion> regions) = 0;
     virtual void copy_from_image(const Memory& image, const Memory& buffer, std::span<const ImageRegion> regions) = 0;

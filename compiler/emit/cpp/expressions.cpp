@@ -1,6 +1,7 @@
 // Expressions as C++, with parentheses only where C++ or a careful reader needs them.
 #include "base/concat.h"
 #include "emit/cpp/printer.h"
+#include "ir/walk.h"
 
 #include <algorithm>
 #include <cmath>
@@ -217,13 +218,24 @@ Text print_index(Printer& p, const Expr& expr) {
     return {is_of_array ? as_value(p, expr, std::move(text)) : std::move(text)};
 }
 
+/// A part of an element, where it lies.
+std::string print_place(Printer& p, ir::ExprId id) {
+    const Expr& expr = p.program.exprs[id];
+    if (expr.op == Op::load || expr.op == Op::row_load) return p.outer_place(expr);
+    const std::string base = print_place(p, expr.operands[0]);
+    const ir::TypeId whole = p.program.exprs[expr.operands[0]].type;
+    if (expr.op == Op::field) return base + "." + p.globals.field_names[p.program.types[whole].index][expr.slot];
+    if (expr.op == Op::index) return base + "[" + print_any(p, expr.operands[1]) + "]";
+    return p.program.types.is_vector(whole) ? base + "." + "xyzw"[expr.lanes[0]] : base;
+}
+
 Text print_intrinsic(Printer& p, const Expr& expr) {
     const std::string name(ir::name_of(expr.intrinsic));
     if (!name.starts_with("atomic")) return function_call(p, "glift::" + name, expr.operands);
-    const Expr& place = p.program.exprs[expr.operands[0]];
+    const Expr& place = ir::place_of(p.program, expr.operands[0]);
     if (place.op != Op::load && place.op != Op::row_load)
         return function_call(p, "glift::host::" + name, expr.operands);
-    std::string text = "glift::host::memory::" + name + "(" + p.outer_place(place);
+    std::string text = "glift::host::memory::" + name + "(" + print_place(p, expr.operands[0]);
     for (std::size_t i = 1; i < expr.operands.size(); ++i) text += ", " + print_any(p, expr.operands[i]);
     return {text + ")"};
 }

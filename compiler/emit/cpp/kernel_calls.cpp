@@ -24,16 +24,17 @@ const std::string& param_name(const Unit& unit, const KernelParam& param) {
 }
 
 bool is_adaptor(const Unit& unit, const KernelParam& param) {
-    return param.pattern != Pattern::value &&
-           unit.program.structures[param.structure].kind == ir::StructureKind::adaptor;
+    return ir::is_structure(param) && unit.program.structures[param.structure].kind == ir::StructureKind::adaptor;
 }
 
-/// What of the structures passed is touched, in order; an adaptor has no elements of its own.
+/// What of the structures passed is touched, in order; an adaptor has no elements of its own, and an argument that lies
+/// on the device may lie anywhere.
 std::string footprints_text(const Unit& unit, const Kernel& kernel) {
     std::string text;
     for (const KernelParam& param : kernel.params)
         if (param.pattern != Pattern::value)
-            text += (text.empty() ? "" : ", ") + (is_adaptor(unit, param) ? "{}" : param_name(unit, param));
+            text += (text.empty() ? "" : ", ") +
+                    (ir::is_structure(param) && !is_adaptor(unit, param) ? param_name(unit, param) : "{}");
     return text;
 }
 
@@ -46,6 +47,10 @@ std::string memories_text(Unit& unit, const Kernel& kernel, const Pass& pass) {
     std::string text;
     for (const PassBinding& binding : pass.bindings) {
         const KernelParam& param = kernel.params[binding.place.root];
+        if (param.pattern == Pattern::argument) {
+            text += (text.empty() ? "" : ", ") + param_name(unit, param) + ".memory";
+            continue;
+        }
         std::string object = object_of(unit, param);
         std::uint32_t structure = param.structure;
         for (std::uint32_t member : binding.place.members) {
@@ -93,6 +98,7 @@ std::string value_of(Unit& unit, const Kernel& kernel, const PassParameter& para
         return first ? param_name(unit, *first) + ".size()" : "{}";
     }
     case ParameterSource::range_size: return param_name(unit, kernel.params[parameter.param]) + ".size()";
+    case ParameterSource::index: return param_name(unit, kernel.params[parameter.param]) + ".index()";
     case ParameterSource::address: return "0u";
     case ParameterSource::base: return "{}";
     }
@@ -139,9 +145,9 @@ void print_dispatch(Unit& unit, Writer& out, const Kernel& kernel, const Pass& p
 std::string direct_condition(const Unit& unit, const Kernel& kernel) {
     std::string condition = "iteration.is_whole()";
     for (std::size_t i = 0; i < kernel.params.size(); ++i) {
-        if (kernel.params[i].pattern == Pattern::value) continue;
+        if (!ir::is_structure(kernel.params[i])) continue;
         for (std::size_t k = i + 1; k < kernel.params.size(); ++k) {
-            if (kernel.params[k].pattern == Pattern::value) continue;
+            if (!ir::is_structure(kernel.params[k])) continue;
             if (kernel.params[k].alike != kernel.params[i].alike) continue;
             condition += " && " + param_name(unit, kernel.params[i]) + "->same_state(" +
                          param_name(unit, kernel.params[k]) + ".structure())";
@@ -202,6 +208,9 @@ std::string kernel_signature(Unit& unit, std::uint32_t index, bool qualified, st
         if (param.pattern == Pattern::value)
             parameters += (qualified || first ? ", " : ", " + value_mark(unit, index, param.local)) +
                           unit.type(unit.program.locals[param.local].type, qualified) + " ";
+        else if (param.pattern == Pattern::argument)
+            parameters += ", const glift::DeviceScalar<" +
+                          storage_text(unit.globals, unit.program.locals[param.local].type, qualified) + ">& ";
         else if (is_adaptor(unit, param)) parameters += ", const " + unit.class_name(param.structure) + "& ";
         else parameters += ", const glift::Range<" + unit.class_name(param.structure) + ">& ";
         parameters += param_name(unit, param);

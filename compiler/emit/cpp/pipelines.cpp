@@ -3,6 +3,8 @@
 #include "emit/cpp/unit.h"
 #include "ir/levels.h"
 
+#include <utility>
+
 namespace gliftc::cpp {
 
 namespace {
@@ -19,7 +21,8 @@ struct PipelinePrinter {
     Unit& unit;
     const Pipeline& pipeline;
     Printer p;
-    bool tracks = false;  ///< a test: notes which structures passes write
+    std::string commands = "commands";  ///< what is printed goes there
+    bool tracks = false;                ///< a test: notes which structures passes write
 
     PipelinePrinter(Unit& unit, const Pipeline& pipeline) : unit(unit), pipeline(pipeline), p(unit.globals) {
         p.names.reserve({"commands", "test"});
@@ -46,6 +49,8 @@ struct PipelinePrinter {
     Text call(const Expr& expr);
     void statement(const Stmt& stmt);
     void temporary(const Stmt& stmt);
+    void arms(const Stmt& stmt);
+    void arm(const std::string& condition, const std::vector<ir::StmtId>& body, const char* where);
     void dispatch(const Stmt& stmt);
     void expect_same(const Stmt& stmt);
     void keep(const std::string& shown, const std::string& object, std::uint32_t structure);
@@ -97,7 +102,7 @@ Text PipelinePrinter::call(const Expr& expr) {
         name = visible(p, name);
     }
     const std::string arguments = join_arguments(p, expr.operands);
-    return {name + "(commands" + (arguments.empty() ? "" : ", ") + arguments + ")"};
+    return {name + "(" + commands + (arguments.empty() ? "" : ", ") + arguments + ")"};
 }
 
 std::string device_property(ir::DeviceProperty property) {
@@ -127,13 +132,14 @@ Text PipelinePrinter::expression(const Expr& expr) {
     case Op::device_property: return {device_property(static_cast<ir::DeviceProperty>(expr.slot))};
     case Op::element_count: return {"glift::element_count(" + base(expr) + ")"};
     case Op::device_read:
-        return {base(expr) + (expr.slot == 0 ? ".element" : ".element_in_place") + "(commands, " +
+        return {base(expr) + (expr.slot == 0 ? ".element" : ".element_in_place") + "(" + commands + ", " +
                 print_any(p, expr.operands[0]) + ")"};
     case Op::host_read:
         return {base(expr) + ".element_in_place(commands, " + print_any(p, expr.operands[0]) + ").await(commands)"};
     case Op::await_value: return {print(p, expr.operands[0], Level::postfix) + ".await(commands)"};
     case Op::slice: return slice(expr);
     case Op::pipeline_call: return call(expr);
+    case Op::device_value: break;
 #define VALUE_OPERATION(name) case Op::name:
 #define STRUCTURE_OPERATION(name) case Op::name:
 #define GUARDED_OPERATION(name) case Op::name:
@@ -154,16 +160,36 @@ void PipelinePrinter::temporary(const Stmt& stmt) {
         std::string& list = kind(unit.program.exprs[argument].type) == TypeKind::structure ? structures : values;
         list += ", " + print_any(p, argument);
     }
-    const char* const commands = stmt.uninitialized ? ", commands.uninitialized()" : ", commands";
-    std::string arguments = (made.kind == ir::StructureKind::view ? "" : commands) + structures + values;
+    const std::string device = ", " + commands + (stmt.uninitialized ? ".uninitialized()" : "");
+    std::string arguments = (made.kind == ir::StructureKind::view ? "" : device) + structures + values;
     const std::string name = declare_local(p, stmt.local);
     p.out.line(unit.class_name(type.index) + " " + name + (arguments.empty() ? ";" : "(" + arguments.substr(2) + ");"));
+}
+
+/// What an arm does is put into commands under its condition.
+void PipelinePrinter::arm(const std::string& condition, const std::vector<ir::StmtId>& body, const char* where) {
+    if (body.empty()) return;
+    p.out.open("");
+    p.names.enter();
+    const std::string inner = p.names.declare("commands");
+    p.out.line("const glift::Commands " + inner + " = " + commands + "." + where + "(" + condition + ");");
+    const std::string outer = std::exchange(commands, inner);
+    print_statements(p, body);
+    commands = outer;
+    p.names.leave();
+    p.out.close();
+}
+
+void PipelinePrinter::arms(const Stmt& stmt) {
+    const std::string condition = print_any(p, stmt.value);
+    arm(condition, stmt.body, "where");
+    arm(condition, stmt.otherwise, "where_not");
 }
 
 void PipelinePrinter::dispatch(const Stmt& stmt) {
     std::string arguments;
     for (ExprId argument : stmt.arguments) arguments += ", " + print(p, argument, Level::postfix);
-    p.out.line(visible(p, unit.globals.kernel_names.at(stmt.slot)) + "(commands" + arguments + ");");
+    p.out.line(visible(p, unit.globals.kernel_names.at(stmt.slot)) + "(" + commands + arguments + ");");
 }
 
 void PipelinePrinter::expect_same(const Stmt& stmt) {
@@ -246,6 +272,7 @@ void PipelinePrinter::statement(const Stmt& stmt) {
         if (tracks) return;
         for (ir::LocalId local : stmt.locals) p.out.line(p.local_names.at(local) + " = {};");
         return;
+    case StmtOp::arms: return arms(stmt);
     case StmtOp::dispatch: return dispatch(stmt);
     case StmtOp::expect: return p.out.line("test.expect(" + print_any(p, stmt.value) + ", " + place() + ");");
     case StmtOp::expect_near:
@@ -308,6 +335,7 @@ void print_pipeline(Unit& unit, Writer& out, std::uint32_t index) {
     PipelinePrinter printer(unit, pipeline);
     printer.tracks = is_test(unit, index);
     printer.p.out.indent();
+    if (pipeline.is_value) printer.commands = "commands.always()";
     print_statements(printer.p, pipeline.body);
     if (printer.tracks) printer.keep_all();
     out.gap();

@@ -223,6 +223,7 @@ void Collector::kernel(std::uint32_t index, bool visible) {
     for (const ir::KernelParam& param : program.kernels[index].params) {
         if (param.pattern == ir::Pattern::value) type(program.locals[param.local].type, visible);
         else structure(param.structure, visible);
+        if (param.pattern == ir::Pattern::argument) type(program.locals[param.local].type, visible);
     }
 }
 
@@ -269,6 +270,10 @@ void Collector::step(const ir::Stmt& stmt) {
         devices = {a.host || b.host, a.vulkan || b.vulkan};
         return;
     }
+    case ir::StmtOp::arms:
+        steps(stmt.body, devices);
+        steps(stmt.otherwise, devices);
+        return;
     case ir::StmtOp::block: devices = steps(stmt.body, devices); return;
     case ir::StmtOp::return_: devices = {false, false}; return;
     default: steps(stmt.body, devices); return;  // a loop may not run

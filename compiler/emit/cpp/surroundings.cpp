@@ -65,6 +65,7 @@ Text structure_property(const Globals& globals, const ir::Expr& expr, std::uint3
     case ir::Op::host_read:
     case ir::Op::device_read:
     case ir::Op::await_value:
+    case ir::Op::device_value:
     case ir::Op::slice:
     case ir::Op::pipeline_call:
     case ir::Op::device_property:

@@ -66,6 +66,7 @@ bool has_rows(const ir::Program& program, const ir::Structure& structure) {
     const ir::Translator& translator = program.translators[structure.via[0].translator];
     const ir::Memory& memory = structure.memories[structure.via_memory];
     const bool is_number = program.types.is_number(program.types.scalar_of(structure.element)) ||
+                           structure.element == program.types.bool_ ||
                            program.types.kind(structure.element) == ir::TypeKind::struct_;
     return memory.shape == ir::MemoryShape::buffer && memory.element == structure.element && is_number &&
            translator.properties.affine && !translator.properties.partial &&

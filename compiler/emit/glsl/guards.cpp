@@ -27,6 +27,7 @@ bool is_state_of_structures(const Printer& p, std::uint32_t parameter) {
     case ir::ParameterSource::uniform: return param.value && !depends_on_value_parameters(p.program, param.value);
     case ir::ParameterSource::size: return true;
     case ir::ParameterSource::range_size:
+    case ir::ParameterSource::index:
     case ir::ParameterSource::base:
     case ir::ParameterSource::origin:
     case ir::ParameterSource::address: return false;

@@ -1,5 +1,6 @@
 // Intrinsics: the GLSL function of the same name, or a helper where GLSL leaves the result open.
 #include "emit/glsl/printer.h"
+#include "ir/walk.h"
 
 #include <stdexcept>
 
@@ -75,7 +76,7 @@ Text dot(Printer& p, const Expr& expr) {
 Text atomic(Printer& p, const char* name, const Expr& expr) {
     ir::TypeKind kind = p.program.types.kind(type_of(p, expr, 0));
     if (kind == ir::TypeKind::int64 || kind == ir::TypeKind::uint64) p.extensions.insert("GL_EXT_shader_atomic_int64");
-    if (p.program.exprs[expr.operands[0]].op == ir::Op::load) return {ordered_atomic(p, name, expr)};
+    if (ir::place_of(p.program, expr.operands[0]).op == ir::Op::load) return {ordered_atomic(p, name, expr)};
     // In workgroup memory barriers order things.
     if (expr.intrinsic == Intrinsic::atomicLoad) return print(p, expr.operands[0]);
     if (expr.intrinsic == Intrinsic::atomicStore)
@@ -196,6 +197,7 @@ Text print_intrinsic(Printer& p, const Expr& expr) {
     case Intrinsic::atomicOr: return atomic(p, "atomicOr", expr);
     case Intrinsic::atomicXor: return atomic(p, "atomicXor", expr);
     case Intrinsic::atomicExchange: return atomic(p, "atomicExchange", expr);
+    case Intrinsic::atomicCompareExchange: return atomic(p, "atomicCompSwap", expr);
     }
     throw std::logic_error("emit/glsl: unknown intrinsic");
 }

@@ -32,6 +32,7 @@ void name_order(Printer& p) {
     p.order.load = p.names.declare("load_acquire");
     p.order.store = p.names.declare("store_release");
     p.order.both = p.names.declare("ordered");
+    p.order.exchange = p.names.declare("compare_exchange");
 }
 
 std::string ordered_atomic(Printer& p, const char* name, const ir::Expr& expr) {
@@ -39,6 +40,7 @@ std::string ordered_atomic(Printer& p, const char* name, const ir::Expr& expr) {
     p.extensions.insert("GL_KHR_memory_scope_semantics");
     if (expr.intrinsic == Intrinsic::atomicLoad) return p.order.load + "(" + arguments + ")";
     if (expr.intrinsic == Intrinsic::atomicStore) return p.order.store + "(" + arguments + ")";
+    if (expr.intrinsic == Intrinsic::atomicCompareExchange) return p.order.exchange + "(" + arguments + ")";
     return p.order.both + "(" + name + ", " + arguments + ")";
 }
 
@@ -64,7 +66,12 @@ std::string order_definitions(const Printer& p) {
            "Release)\n"
            "#define " +
            names.both + "(operation, place, value) (" + names.fences +
-           " ? operation(place, value) : operation(place, value, " + where + "AcquireRelease))\n\n";
+           " ? operation(place, value) : operation(place, value, " + where +
+           "AcquireRelease))\n"
+           "#define " +
+           names.exchange + "(place, expected, value) (" + names.fences +
+           " ? atomicCompSwap(place, expected, value) : atomicCompSwap(place, expected, value, " + where +
+           "AcquireRelease, gl_StorageSemanticsBuffer, gl_SemanticsAcquire))\n\n";
 }
 
 }  // namespace gliftc::glsl

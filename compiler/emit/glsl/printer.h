@@ -88,7 +88,7 @@ struct StatusNames {
 
 /// What shaders with atomic operations on coherent memory declare; see order.cpp.
 struct OrderNames {
-    std::string fences, load, store, both;
+    std::string fences, load, store, both, exchange;
 };
 
 /// Bounds of a local, [low, high).

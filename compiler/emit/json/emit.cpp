@@ -199,7 +199,8 @@ void Writer::parameters(const ir::Pass& pass, const std::vector<Root>& roots) {
                 out.field("source", word(p.source));
                 if (p.source == ir::ParameterSource::uniform && p.value)
                     out.field("value", expression_text(program, p.value, roots));
-                if (p.source == ir::ParameterSource::origin || p.source == ir::ParameterSource::range_size)
+                if (p.source == ir::ParameterSource::origin || p.source == ir::ParameterSource::range_size ||
+                    p.source == ir::ParameterSource::index)
                     out.field("of", roots.at(p.param).name);
                 if (p.source == ir::ParameterSource::address) out.field("of", pass.bindings.at(p.param).name);
             });
@@ -250,6 +251,8 @@ void Writer::kernel_param(const ir::KernelParam& p) {
         out.field("name", name(p.name));
         out.field("pattern", word(p.pattern));
         if (p.pattern == ir::Pattern::value) {
+            out.field("type", type(program.locals[p.local].type));
+        } else if (p.pattern == ir::Pattern::argument) {
             out.field("type", type(program.locals[p.local].type));
         } else {
             out.field("direction", word(p.direction));

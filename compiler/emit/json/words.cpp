@@ -95,6 +95,7 @@ const char* word(ir::ParameterSource source) {
     case ir::ParameterSource::size: return "size";
     case ir::ParameterSource::range_size: return "range_size";
     case ir::ParameterSource::address: return "address";
+    case ir::ParameterSource::index: return "index";
     case ir::ParameterSource::base: return "base";
     }
     return "";

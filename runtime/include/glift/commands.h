@@ -113,6 +113,14 @@ public:
     /// than on Vulkan devices, so that results which depend on it differ.
     Commands uninitialized() const;
 
+    /// The same stream for passes that run where the value, a bool on the device, is true (`where_not`: false), and so
+    /// do those of `*this`: elsewhere they run over nothing, and what is allocated is not zeroed. Copies, uploads and
+    /// what waits for the device are an Error there.
+    Commands where(DeviceValue condition) const;
+    Commands where_not(DeviceValue condition) const;
+    /// The same stream without conditions.
+    Commands always() const;
+
     /// Like Device::allocate. In a recording the memory lies in the recording's workspace and is zeroed here by each
     /// replay; once its last handle is gone, later allocations of the recording reuse its storage.
     Memory allocate(const MemoryDescription& description) const;
@@ -155,9 +163,13 @@ private:
     /// Throws for an empty handle, and where recording has ended.
     detail::Stream& stream(const char* call) const;
     detail::Stream& stream(const Kernel& kernel) const;
+    /// Throws under conditions, too.
+    detail::Stream& unconditional_stream(const char* call) const;
+    Commands with(Condition condition) const;
 
     detail::Held<detail::Stream> stream_;
     std::shared_ptr<const std::vector<std::string>> specialised_;  ///< null: nothing is
+    std::shared_ptr<const std::vector<Condition>> conditions_;     ///< null: none
     bool zeroes_ = true;                                           ///< what it allocates
 };
 

@@ -29,6 +29,13 @@ struct Patch {
     bool joins = false;  ///< same offset as the patch before it: the minimum of the two is written
 };
 
+/// A bool on the device, four bytes, and what it must be for a pass to run. Where it is not, the pass runs over
+/// nothing.
+struct Condition {
+    DeviceValue value;
+    bool wanted = true;
+};
+
 /// Four bytes of the direct form's parameters that are constants of the pipeline. Each set of values is a pipeline of
 /// its own.
 struct FixedWord {
@@ -65,7 +72,8 @@ struct Call {
     std::span<const Patch> patches = {};    ///< non-empty: the general or the wide form
     std::span<const FixedWord> fixed = {};  ///< of the direct form; ignored on the host device
     Sharing sharing = Sharing::unknown;
-    const DrawTargets* targets = nullptr;  ///< of a kernel that draws
+    std::span<const Condition> conditions = {};  ///< all must hold
+    const DrawTargets* targets = nullptr;        ///< of a kernel that draws
 };
 
 }  // namespace glift

@@ -22,6 +22,8 @@ template <class T> struct DeviceScalar {
         std::memcpy(&value, download.get().data(), sizeof(T));
         return value;
     }
+    /// Which element of its memory it is.
+    uint index() const { return fitted(offset / sizeof(T), "index of a value on the device"); }
     operator DeviceValue() const { return {memory, offset}; }
 };
 

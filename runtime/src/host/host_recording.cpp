@@ -21,6 +21,12 @@ std::vector<Patch> kept_all(std::span<const Patch> patches) {
     return result;
 }
 
+std::vector<Condition> kept_all(std::span<const Condition> conditions) {
+    std::vector<Condition> result(conditions.begin(), conditions.end());
+    for (Condition& condition : result) condition.value.memory = kept(condition.value.memory);
+    return result;
+}
+
 class HostRecording final : public RecordingObject {
 public:
     HostRecording(std::shared_ptr<DeviceObject> device, std::vector<std::function<void(HostStream&)>> steps,
@@ -63,8 +69,9 @@ void HostRecordingStream::dispatch(const Kernel& kernel, const Call& call) {
     check_call(&device_, kernel, call);
     note([&kernel, form = call.form, memories = kept_all(call.memories), parameters = copied(call.parameters),
           size = call.size, patches = kept_all(call.patches), sharing = call.sharing,
+          conditions = kept_all(call.conditions),
           kept_targets = call.targets ? std::make_shared<KeptTargets>(*call.targets) : nullptr](HostStream& stream) {
-        Call again = {form, memories, parameters, size, patches, {}, sharing};
+        Call again = {form, memories, parameters, size, patches, {}, sharing, conditions};
         DrawTargets targets;
         if (kept_targets) {
             targets = kept_targets->targets();
@@ -76,6 +83,13 @@ void HostRecordingStream::dispatch(const Kernel& kernel, const Call& call) {
 
 void HostRecordingStream::fill(const Memory& memory, std::uint64_t offset, std::uint64_t bytes, std::uint32_t value) {
     note([=, memory = kept(memory)](HostStream& stream) { stream.fill(memory, offset, bytes, value); });
+}
+
+void HostRecordingStream::fill_where(const Memory& memory, std::uint64_t offset, std::uint64_t bytes,
+                                     std::uint32_t value, std::span<const Condition> conditions) {
+    note([=, memory = kept(memory), all = kept_all(conditions)](HostStream& stream) {
+        stream.fill_where(memory, offset, bytes, value, all);
+    });
 }
 
 void HostRecordingStream::clear(const Memory& memory) {

@@ -82,6 +82,14 @@ std::vector<std::byte> patched(const Kernel& kernel, const Call& call, std::arra
     return parameters;
 }
 
+bool hold(std::span<const Condition> conditions) {
+    return std::all_of(conditions.begin(), conditions.end(), [](const Condition& condition) {
+        std::uint32_t value;
+        std::memcpy(&value, host_memory(condition.value.memory).data() + condition.value.offset, 4);
+        return (value != 0) == condition.wanted;
+    });
+}
+
 constexpr std::size_t small_count = 16;
 
 }  // namespace
@@ -97,6 +105,7 @@ void HostStream::dispatch(const Kernel& kernel, const Call& call) {
     check_call(&device_, kernel, call);
     const Form& form = form_of(kernel, call.form);
     if (!form.host) throw_missing_form(kernel, form_text(call.form), "the host device");
+    if (!hold(call.conditions)) return;
     std::array<HostMemory, small_count> few;
     std::vector<HostMemory> many;
     HostMemory* views = few.data();
@@ -124,6 +133,12 @@ void HostStream::fill(const Memory& memory, std::uint64_t offset, std::uint64_t 
     const auto held = lock();
     auto* words = reinterpret_cast<std::uint32_t*>(host_memory(memory).data() + offset);
     std::fill(words, words + bytes / 4, value);
+}
+
+void HostStream::fill_where(const Memory& memory, std::uint64_t offset, std::uint64_t bytes, std::uint32_t value,
+                            std::span<const Condition> conditions) {
+    const auto held = lock();
+    if (hold(conditions)) fill(memory, offset, bytes, value);
 }
 
 void HostStream::clear(const Memory& memory) {

@@ -19,6 +19,8 @@ public:
                     Sharing sharing) override;
     void dispatch(const Kernel& kernel, const Call& call) override;
     void fill(const Memory& memory, std::uint64_t offset, std::uint64_t bytes, std::uint32_t value) override;
+    void fill_where(const Memory& memory, std::uint64_t offset, std::uint64_t bytes, std::uint32_t value,
+                    std::span<const Condition> conditions) override;
     void clear(const Memory& memory) override;
     void copy(const Memory& from, const Memory& to, std::span<const CopyRegion> regions) override;
     void copy_to_image(const Memory& buffer, const Memory& image, std::span<const ImageRegion> regions) override;
@@ -55,6 +57,8 @@ public:
     void dispatch(const Kernel& kernel, const Call& call) override;
     void fill(const Memory& memory, std::uint64_t offset, std::uint64_t bytes, std::uint32_t value) override;
     Memory allocate(const MemoryDescription& description) override;
+    void fill_where(const Memory& memory, std::uint64_t offset, std::uint64_t bytes, std::uint32_t value,
+                    std::span<const Condition> conditions) override;
     void clear(const Memory& memory) override;
     bool is_recording() const override { return true; }
     void copy(const Memory& from, const Memory& to, std::span<const CopyRegion> regions) override;

@@ -1,10 +1,11 @@
-// Before a pass whose parameters come from the device: copies the values into its parameter block, clamps the iteration
-// size, and writes the indirect command. The mapping from size to workgroups is that of pass.h and groups.h.
+// Before passes whose parameters, sizes or conditions come from the device: copies the values into their parameter blocks,
+// clamps the iteration sizes, and writes the indirect commands. The mapping from size to workgroups is that of pass.h and
+// groups.h. An invocation does this for one pass: those that are prepared together need one dispatch and one barrier.
 #version 460
 #extension GL_EXT_buffer_reference : require
 #extension GL_EXT_scalar_block_layout : require
 
-layout(local_size_x = 1) in;
+layout(local_size_x = 32) in;
 
 layout(buffer_reference, scalar, buffer_reference_align = 4) buffer Words { uint word[]; };
 
@@ -16,31 +17,61 @@ struct PatchSource {
     uint joins;
 };
 
+layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer Patches { PatchSource each[]; };
+
+struct ConditionSource {
+    Words value;
+    uint wanted;
+    uint unused;
+};
+
+layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer Conditions { ConditionSource each[]; };
+
 layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer Arguments {
     Words block;
     Words command;
+    Patches patches;
+    Conditions conditions;
     uint size[4];      // upper bounds
     uint per_group[3]; // elements
     uint limit_x;      // workgroups
     uint rank;
     uint size_word;    // index in the block
     uint patch_count;
+    uint condition_count;
     uint draws;        // the command is a draw of size[0] corners and size[1] instances
-    PatchSource patches[];
 };
 
-layout(push_constant, scalar) uniform Push { Arguments arguments; };
+layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer List {
+    uint count;
+    uint unused;
+    Arguments each[];
+};
+
+layout(push_constant, scalar) uniform Push { List list; };
 
 uint div_ceil(uint a, uint b) { return a / b + (a % b != 0u ? 1u : 0u); }
 
+bool runs(Arguments arguments) {
+    bool all = true;
+    for (uint k = 0u; k < arguments.condition_count; ++k) {
+        const bool holds = arguments.conditions.each[k].value.word[0] != 0u;
+        all = all && holds == (arguments.conditions.each[k].wanted != 0u);
+    }
+    return all;
+}
+
 void main() {
+    if (gl_LocalInvocationIndex >= list.count) return;
+    Arguments arguments = list.each[gl_LocalInvocationIndex];
     uint size[4] = arguments.size;
     uint last = 0u;
     for (uint k = 0u; k < arguments.patch_count; ++k) {
-        const uint word = arguments.patches[k].word;
-        const uint stored = arguments.patches[k].value.word[0], before = arguments.patches[k].before;
-        uint value = min(stored - min(stored, before), arguments.patches[k].limit);
-        if (arguments.patches[k].joins != 0u) value = min(value, last);
+        PatchSource patch_source = arguments.patches.each[k];
+        const uint word = patch_source.word;
+        const uint stored = patch_source.value.word[0];
+        uint value = min(stored - min(stored, patch_source.before), patch_source.limit);
+        if (patch_source.joins != 0u) value = min(value, last);
         const uint axis = word - arguments.size_word;
         if (axis < arguments.rank) {
             value = min(value, size[axis]);
@@ -49,9 +80,10 @@ void main() {
         arguments.block.word[word] = value;
         last = value;
     }
+    const bool is_run = runs(arguments);
     if (arguments.draws != 0u) {
-        arguments.command.word[0] = size[0];
-        arguments.command.word[1] = size[1];
+        arguments.command.word[0] = is_run ? size[0] : 0u;
+        arguments.command.word[1] = is_run ? size[1] : 0u;
         arguments.command.word[2] = 0u;
         arguments.command.word[3] = 0u;
         return;
@@ -63,7 +95,7 @@ void main() {
         y = 1u << (findMSB(div_ceil(x, arguments.limit_x) * 2u - 1u));
         x = div_ceil(x, y);
     }
-    const bool none = x == 0u || y == 0u || z == 0u;
+    const bool none = !is_run || x == 0u || y == 0u || z == 0u;
     arguments.command.word[0] = none ? 0u : x;
     arguments.command.word[1] = none ? 0u : y;
     arguments.command.word[2] = none ? 0u : z;

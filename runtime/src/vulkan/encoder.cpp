@@ -56,19 +56,6 @@ constexpr VkMemoryBarrier2 between_everything = {
     .dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT | VK_PIPELINE_STAGE_2_HOST_BIT,
     .dstAccessMask = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT};
 
-// The layout that prepare_indirect.comp reads.
-struct PrepareArguments {
-    VkDeviceAddress block, command;
-    std::array<std::uint32_t, 4> size;
-    std::array<std::uint32_t, 3> per_group;
-    std::uint32_t limit_x, rank, size_word, patch_count, draws;
-};
-struct PatchSource {
-    VkDeviceAddress value;
-    std::uint32_t word, limit, before, joins;
-};
-static_assert(sizeof(PrepareArguments) == 64 && sizeof(PatchSource) == 24);
-
 [[noreturn]] void throw_too_many_groups(const Kernel& kernel, const Context& context) {
     const auto& limit = context.properties.max_workgroups;
     throw Error(ErrorCode::too_large, "an iteration has more workgroups than the device allows", kernel_text(kernel),
@@ -90,6 +77,8 @@ void Encoder::barrier(const VkMemoryBarrier2& what) {
     hazards_.barrier();
     ++device_.counters().barriers;
 }
+
+void Encoder::barrier_before_indirect() { barrier(before_indirect_work(draws_)); }
 
 void Encoder::full_barrier() {
     const VkDependencyInfo info = {
@@ -208,48 +197,6 @@ void Encoder::bind(const Pipeline& pipeline, const Call& call, const Slice& bloc
     push_descriptors(pipeline, call, block);
 }
 
-bool Encoder::patches_size(const Pipeline& pipeline, const Call& call) const {
-    const std::uint32_t first = pipeline.form->size_offset;
-    return std::any_of(call.patches.begin(), call.patches.end(), [&](const Patch& patch) {
-        return patch.offset >= first && patch.offset < first + 4 * pipeline.kernel->rank;
-    });
-}
-
-// Copies the device values into the block and writes the indirect command, which is returned.
-Slice Encoder::prepare(const Pipeline& pipeline, const Call& call, const Slice& block) {
-    const Kernel& kernel = *pipeline.kernel;
-    const std::size_t bytes = sizeof(PrepareArguments) + call.patches.size() * sizeof(PatchSource);
-    const Slice command = batch_->upload.take(sizeof(VkDrawIndirectCommand));  // the larger one
-    const Slice list = batch_->upload.take(bytes);
-    const PrepareArguments arguments = {block.address(),
-                                        command.address(),
-                                        call.size,
-                                        covered_by_group(kernel),
-                                        context_.properties.max_workgroups[0],
-                                        kernel.rank,
-                                        pipeline.form->size_offset / 4,
-                                        static_cast<std::uint32_t>(call.patches.size()),
-                                        kernel.drawing != nullptr};
-    std::memcpy(list.data, &arguments, sizeof arguments);
-    bool conflict = false;
-    for (std::size_t k = 0; k < call.patches.size(); ++k) {
-        const Patch& patch = call.patches[k];
-        const VulkanMemory& memory = vulkan_memory(patch.value.memory);
-        const PatchSource source = {memory.address + patch.value.offset, patch.offset / 4, patch.limit, patch.before,
-                                    patch.joins};
-        std::memcpy(list.data + sizeof arguments + k * sizeof source, &source, sizeof source);
-        conflict = conflict || hazards_.conflicts(memory.id, Access::read);
-    }
-    if (conflict) barrier();
-    for (const Patch& patch : call.patches) hazards_.note(vulkan_memory(patch.value.memory).id, Access::read);
-    const VkDeviceAddress address = list.address();
-    device_.prepare_pass().bind(commands_, &address);
-    bound_ = VK_NULL_HANDLE;
-    context_.vk.vkCmdDispatch(commands_, 1, 1, 1);
-    barrier(before_indirect_work(draws_));
-    return command;
-}
-
 void Encoder::dispatch(const Kernel& kernel, const Call& call) {
     check_call(&device_, kernel, call);
     check_form(kernel, call);
@@ -262,21 +209,20 @@ void Encoder::dispatch(const Kernel& kernel, const Call& call) {
     const auto& limit = context_.properties.max_workgroups;
     if (kernel.rank == 1) fold(groups, limit[0]);
     const bool fits = groups.within(limit);
-    const bool indirect = !call.patches.empty() && patches_size(pipeline, call);
-    if (!fits && (indirect || pipeline.form->base_offset == UINT32_MAX)) throw_too_many_groups(kernel, context_);
+    const bool is_sized = patches_size(pipeline, call);
+    if (!fits && (is_sized || pipeline.form->base_offset == UINT32_MAX)) throw_too_many_groups(kernel, context_);
 
     const Slice block = write_parameters(pipeline, call);
-    if (!call.patches.empty()) {
-        const Slice command = prepare(pipeline, call, block);
-        if (indirect) {
-            order(kernel, call);
-            bind(pipeline, call, block);
-            context_.vk.vkCmdDispatchIndirect(commands_, command.buffer(), command.offset);
-            return;
-        }
-    }
+    Slice command;
+    if (fits && (!call.patches.empty() || !call.conditions.empty()))
+        command = prepare(pipeline, call, block, call.size);
     order(kernel, call);
     if (!fits) return dispatch_split(pipeline, call, groups);
+    if (is_sized || !call.conditions.empty()) {
+        bind(pipeline, call, block);
+        context_.vk.vkCmdDispatchIndirect(commands_, command.buffer(), command.offset);
+        return;
+    }
     bind(pipeline, call, block);
     context_.vk.vkCmdDispatch(commands_, static_cast<std::uint32_t>(groups.count[0]),
                               static_cast<std::uint32_t>(groups.count[1]), static_cast<std::uint32_t>(groups.count[2]));
@@ -298,6 +244,16 @@ void Encoder::dispatch_split(const Pipeline& pipeline, const Call& call, const G
                 for (int axis = 0; axis < 3; ++axis)
                     start[axis] = static_cast<std::uint32_t>(base[axis] * pipeline.kernel->group[axis]);
                 std::memcpy(block.data + pipeline.form->base_offset, start, sizeof start);
+                if (!call.patches.empty() || !call.conditions.empty()) {
+                    // Preparing may take a barrier, after which the pass's accesses are to be noted again.
+                    const std::array<std::uint32_t, 3> covered = covered_by_group(*pipeline.kernel);
+                    const Slice command = prepare(
+                        pipeline, call, block, {part(0) * covered[0], part(1) * covered[1], part(2) * covered[2], 1});
+                    order(*pipeline.kernel, call);
+                    bind(pipeline, call, block);
+                    context_.vk.vkCmdDispatchIndirect(commands_, command.buffer(), command.offset);
+                    continue;
+                }
                 bind(pipeline, call, block);
                 context_.vk.vkCmdDispatch(commands_, part(0), part(1), part(2));
             }

@@ -18,6 +18,7 @@ public:
         commands_ = commands;
         batch_ = &batch;
         bound_ = VK_NULL_HANDLE;
+        prepared_ = {};
     }
     CommandBatch& batch() { return *batch_; }
 
@@ -26,6 +27,8 @@ public:
     void dispatch(const Kernel& kernel, const Call& call);
 
     void fill(const VulkanMemory& memory, std::uint64_t offset, std::uint64_t bytes, std::uint32_t value);
+    void fill_where(const VulkanMemory& memory, std::uint64_t offset, std::uint64_t bytes, std::uint32_t value,
+                    std::span<const Condition> conditions);
     void clear(const VulkanMemory& memory);
     void clear_new(const VulkanMemory& memory);  ///< the first commands on a memory: layout, zeros
     void copy(const VulkanMemory& from, const VulkanMemory& to, std::span<const CopyRegion> regions);
@@ -47,6 +50,7 @@ public:
 private:
     void barrier();
     void barrier(const VkMemoryBarrier2& what);
+    void barrier_before_indirect();
     void fill_in_parts(const VulkanMemory& memory, std::uint64_t offset, std::uint64_t bytes, std::uint32_t value);
     void clear_image(const VulkanMemory& memory);
     void touch(const VulkanMemory& memory, Access access);
@@ -56,11 +60,18 @@ private:
     bool needs_addresses(const Kernel& kernel, std::span<const Memory> memories) const;
     void order(const Kernel& kernel, const Call& call);
     Slice write_parameters(const Pipeline& pipeline, const Call& call);
-    Slice prepare(const Pipeline& pipeline, const Call& call, const Slice& block);
-    bool patches_size(const Pipeline& pipeline, const Call& call) const;
     void bind(const Pipeline& pipeline, const Call& call, const Slice& block);
     void push_descriptors(const Pipeline& pipeline, const Call& call, const Slice& block);
     void dispatch_split(const Pipeline& pipeline, const Call& call, const Groups& groups);
+
+    // encoder_indirect.cpp
+    struct PrepareArguments;
+    Slice prepare(PrepareArguments arguments, std::span<const Patch> patches, std::span<const Condition> conditions);
+    Slice prepare(const Pipeline& pipeline, const Call& call, const Slice& block,
+                  const std::array<std::uint32_t, 4>& size);
+    bool patches_size(const Pipeline& pipeline, const Call& call) const;
+    bool is_prepared_with(std::span<const Patch> patches, std::span<const Condition> conditions) const;
+    void open_preparation(std::span<const Patch> patches, std::span<const Condition> conditions);
 
     // encoder_draws.cpp
     void draw(const Pipeline& pipeline, const Call& call);
@@ -74,7 +85,11 @@ private:
     CommandBatch* batch_ = nullptr;
     VkPipeline bound_ = VK_NULL_HANDLE;
     Hazards hazards_;
-    bool draws_ = false;  ///< barriers order graphics stages, too: from the first draw on
+    Slice
+        prepared_;  ///< the list of the last preparation: passes are added to it while their values stay what they are
+    std::uint32_t prepared_count_ = 0;
+    std::uint64_t prepared_at_ = 0;  ///< Hazards::writes() then
+    bool draws_ = false;             ///< barriers order graphics stages, too: from the first draw on
 };
 
 }  // namespace glift::detail

@@ -78,12 +78,13 @@ void Encoder::draw(const Pipeline& pipeline, const Call& call) {
         barrier();  // earlier barriers did not include graphics stages
     }
     const Slice block = write_parameters(pipeline, call);
-    const Slice command = call.patches.empty() ? Slice{} : prepare(pipeline, call, block);
+    const bool is_prepared = !call.patches.empty() || !call.conditions.empty();
+    const Slice command = is_prepared ? prepare(pipeline, call, block, call.size) : Slice{};
     order_targets(*pipeline.kernel, call);
     begin_rendering(*pipeline.kernel->drawing, targets);
     bind(pipeline, call, block);
     set_viewport(targets);
-    if (!call.patches.empty() && patches_size(pipeline, call)) {
+    if (!call.conditions.empty() || patches_size(pipeline, call)) {
         context_.vk.vkCmdDrawIndirect(commands_, command.buffer(), command.offset, 1, sizeof(VkDrawIndirectCommand));
     } else {
         context_.vk.vkCmdDraw(commands_, call.size[0], call.size[1], 0, 0);

@@ -31,8 +31,20 @@ public:
     void note(MemoryId id, Access access) {
         if (id.slot >= states_.size()) states_.resize(id.slot + 16);
         State& state = states_[id.slot];
-        if (state.epoch != epoch_ || state.serial != id.serial) state = {id.serial, epoch_, false};
-        if (access != Access::read) state.written = true;
+        if (state.serial != id.serial) state = {.serial = id.serial};
+        if (state.epoch != epoch_) state.written = false;
+        state.epoch = epoch_;
+        if (access == Access::read) return;
+        state.written = true;
+        state.written_at = ++writes_;
+    }
+
+    /// Writes so far, and whether a memory was written after so many.
+    std::uint64_t writes() const { return writes_; }
+    bool was_written_since(MemoryId id, std::uint64_t writes) const {
+        if (id.slot >= states_.size()) return false;
+        const State& state = states_[id.slot];
+        return state.serial == id.serial && state.written_at > writes;
     }
 
     /// A new memory has storage that others used: the next access needs a barrier after theirs.
@@ -49,9 +61,11 @@ private:
         std::uint64_t serial = 0;
         std::uint64_t epoch = 0;
         bool written = false;
+        std::uint64_t written_at = 0;
     };
     std::vector<State> states_;
     std::uint64_t epoch_ = 1;
+    std::uint64_t writes_ = 0;
     bool storage_was_reused_ = false;
 };
 

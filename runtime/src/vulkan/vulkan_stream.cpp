@@ -26,6 +26,7 @@ void VulkanStream::dispatch(const Kernel& kernel, const Call& call) {
     encoder_.dispatch(kernel, call);
     for (const Memory& memory : call.memories) hold(memory);
     for (const Patch& patch : call.patches) hold(patch.value.memory);
+    for (const Condition& condition : call.conditions) hold(condition.value.memory);
     if (call.targets) {
         for (const Attachment& target : call.targets->colours) hold(target.memory);
         if (call.targets->depth.memory) hold(call.targets->depth.memory);
@@ -39,6 +40,16 @@ void VulkanStream::fill(const Memory& memory, std::uint64_t offset, std::uint64_
     open();
     encoder_.fill(vulkan_memory(memory), offset, bytes, value);
     hold(memory);
+    recorded();
+}
+
+void VulkanStream::fill_where(const Memory& memory, std::uint64_t offset, std::uint64_t bytes, std::uint32_t value,
+                              std::span<const Condition> conditions) {
+    const std::lock_guard lock(device_.mutex());
+    open();
+    encoder_.fill_where(vulkan_memory(memory), offset, bytes, value, conditions);
+    hold(memory);
+    for (const Condition& condition : conditions) hold(condition.value.memory);
     recorded();
 }
 

@@ -13,6 +13,8 @@ public:
                     Sharing sharing) override;
     void dispatch(const Kernel& kernel, const Call& call) override;
     void fill(const Memory& memory, std::uint64_t offset, std::uint64_t bytes, std::uint32_t value) override;
+    void fill_where(const Memory& memory, std::uint64_t offset, std::uint64_t bytes, std::uint32_t value,
+                    std::span<const Condition> conditions) override;
     void clear(const Memory& memory) override;
     void copy(const Memory& from, const Memory& to, std::span<const CopyRegion> regions) override;
     void copy_to_image(const Memory& buffer, const Memory& image, std::span<const ImageRegion> regions) override;

@@ -79,6 +79,10 @@ template <class T> T atomicAnd(T& target, T value) { return std::atomic_ref<T>(t
 template <class T> T atomicOr(T& target, T value) { return std::atomic_ref<T>(target).fetch_or(value); }
 template <class T> T atomicXor(T& target, T value) { return std::atomic_ref<T>(target).fetch_xor(value); }
 template <class T> T atomicExchange(T& target, T value) { return std::atomic_ref<T>(target).exchange(value); }
+template <class T> T atomicCompareExchange(T& target, T expected, T value) {
+    std::atomic_ref<T>(target).compare_exchange_strong(expected, value);
+    return expected;
+}
 template <class T> T atomicMin(T& target, T value) {
     std::atomic_ref<T> shared(target);
     T before = shared.load();

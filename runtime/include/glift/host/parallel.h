@@ -307,5 +307,10 @@ template <class T> T atomicAnd(T& target, T value) { return std::exchange(target
 template <class T> T atomicOr(T& target, T value) { return std::exchange(target, static_cast<T>(target | value)); }
 template <class T> T atomicXor(T& target, T value) { return std::exchange(target, static_cast<T>(target ^ value)); }
 template <class T> T atomicExchange(T& target, T value) { return std::exchange(target, value); }
+template <class T> T atomicCompareExchange(T& target, T expected, T value) {
+    const T before = target;
+    if (before == expected) target = value;
+    return before;
+}
 
 }  // namespace glift::host
