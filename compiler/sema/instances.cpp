@@ -203,6 +203,7 @@ std::optional<ir::FunctionId> instantiate_function(Context& c, ast::DeclId id, c
     std::size_t parameters = 0;
     for (const ast::Param& param : written.params)
         parameters += c.types().kind(type_of(c, env, param.type)) == ir::TypeKind::structure;
+    body.structures = structures;
     if (structures.size() > parameters) bring_members_into_scope(body, structures[0]);
     open_scope(body);
     declare_params(body, written.params, function, structures.size() - parameters, structures);

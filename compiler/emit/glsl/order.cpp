@@ -21,6 +21,19 @@ bool has_subgroup_barrier(const Printer& p) {
     return found;
 }
 
+bool has_compare_exchange(const Printer& p) {
+    bool found = false;
+    const auto look = [&](const std::vector<ir::StmtId>& body) {
+        ir::for_each_expression(p.program, body, [&](ir::ExprId id) {
+            const ir::Expr& expr = p.program.exprs[id];
+            found = found || (expr.op == ir::Op::intrinsic && expr.intrinsic == Intrinsic::atomicCompareExchange);
+        });
+    };
+    look(variant_for(p.pass, ir::Devices::shaders).body);
+    for (ir::FunctionId function : p.pass.functions) look(p.program.functions[function].body);
+    return found;
+}
+
 }  // namespace
 
 void name_order(Printer& p) {
@@ -32,7 +45,7 @@ void name_order(Printer& p) {
     p.order.load = p.names.declare("load_acquire");
     p.order.store = p.names.declare("store_release");
     p.order.both = p.names.declare("ordered");
-    p.order.exchange = p.names.declare("compare_exchange");
+    if (has_compare_exchange(p)) p.order.exchange = p.names.declare("compare_exchange");
 }
 
 std::string ordered_atomic(Printer& p, const char* name, const ir::Expr& expr) {
@@ -57,6 +70,12 @@ std::string order_definitions(const Printer& p) {
                                " = false;   // a fence where not all subgroups come by cuts some off\n";
     if (names.load.empty()) return fences + "\n";
     const std::string where = "gl_ScopeDevice, gl_StorageSemanticsBuffer, gl_Semantics";
+    const std::string exchange =
+        names.exchange.empty()
+            ? ""
+            : "#define " + names.exchange + "(place, expected, value) (" + names.fences +
+                  " ? atomicCompSwap(place, expected, value) : atomicCompSwap(place, expected, value, " + where +
+                  "AcquireRelease, gl_StorageSemanticsBuffer, gl_SemanticsAcquire))\n";
     return fences + "#define " + names.load + "(place) (" + names.fences +
            " ? atomicOr(place, 0) : atomicLoad(place, " + where +
            "Acquire))\n"
@@ -66,12 +85,7 @@ std::string order_definitions(const Printer& p) {
            "Release)\n"
            "#define " +
            names.both + "(operation, place, value) (" + names.fences +
-           " ? operation(place, value) : operation(place, value, " + where +
-           "AcquireRelease))\n"
-           "#define " +
-           names.exchange + "(place, expected, value) (" + names.fences +
-           " ? atomicCompSwap(place, expected, value) : atomicCompSwap(place, expected, value, " + where +
-           "AcquireRelease, gl_StorageSemanticsBuffer, gl_SemanticsAcquire))\n\n";
+           " ? operation(place, value) : operation(place, value, " + where + "AcquireRelease))\n" + exchange + "\n";
 }
 
 }  // namespace gliftc::glsl
