@@ -122,6 +122,7 @@ ir::TypeId instantiate_type(Context& c, ast::DeclId id, const Env& env, Span use
 
 static void declare_params(Body& body, const std::vector<ast::Param>& params, ir::Function& function,
                            std::size_t first_structure, const std::vector<std::uint32_t>& structures) {
+    body.structures = structures;
     Context& c = body.context;
     for (const ast::Param& param : params) {
         ir::TypeId type = param.type ? type_of(c, body.env, param.type) : c.types().error;
@@ -203,7 +204,6 @@ std::optional<ir::FunctionId> instantiate_function(Context& c, ast::DeclId id, c
     std::size_t parameters = 0;
     for (const ast::Param& param : written.params)
         parameters += c.types().kind(type_of(c, env, param.type)) == ir::TypeKind::structure;
-    body.structures = structures;
     if (structures.size() > parameters) bring_members_into_scope(body, structures[0]);
     open_scope(body);
     declare_params(body, written.params, function, structures.size() - parameters, structures);
