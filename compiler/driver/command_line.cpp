@@ -156,7 +156,7 @@ void add_diagnostics_options(CLI::App& app, Options& options, Typed& typed) {
         ->group("Diagnostics");
     app.add_option("--error-limit", options.error_limit, "Stop after so many errors; 0 is no limit")
         ->type_name("N")
-        ->check(CLI::NonNegativeNumber)
+        ->check(CLI::Range(0, 1000000))
         ->group("Diagnostics");
 }
 
