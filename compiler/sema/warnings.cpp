@@ -100,9 +100,24 @@ void check_reached(Context& c, const std::vector<ast::StmtId>& body) {
     }
 }
 
+/// `x = x;` of one name.
+void check_self_assignments(Context& c, const std::vector<ast::StmtId>& body) {
+    for (ast::StmtId id : body) {
+        const ast::Stmt& stmt = c[id];
+        check_self_assignments(c, stmt.body);
+        check_self_assignments(c, stmt.otherwise);
+        if (stmt.kind != ast::StmtKind::assign || stmt.op) continue;
+        const ast::Expr &target = c[stmt.target], &value = c[stmt.value];
+        const bool are_names = target.kind == ast::ExprKind::name && value.kind == ast::ExprKind::name;
+        if (are_names && target.name.index == value.name.index)
+            c.diagnostics.report(Diag::self_assignment, stmt.span, {c.text(target.name)});
+    }
+}
+
 /// A kernel or a pipeline.
 void check_pass(Context& c, const std::vector<ast::Param>& params, const std::vector<ast::StmtId>& body) {
     check_reached(c, body);
+    check_self_assignments(c, body);
     const Mentions mentions(c, body);
     for (const ast::Param& param : params) check_param(c, param, mentions);
 }
@@ -110,6 +125,7 @@ void check_pass(Context& c, const std::vector<ast::Param>& params, const std::ve
 void check_function(Context& c, ast::DeclId id, const ast::Function& function) {
     if (!function.has_body) return;
     check_reached(c, function.body);
+    check_self_assignments(c, function.body);
     if (!c[id].generics.empty()) return;  // its types are not known
     const Mentions mentions(c, function.body);
     const Env& env = c.new_env(c.module_of.at(id));
