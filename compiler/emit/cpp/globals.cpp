@@ -1,4 +1,4 @@
-// The names of a program as code in one namespace spells them.
+// The names that generated code in one namespace uses for what a program declares.
 #include "emit/cpp/printer.h"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ const NameSet& functions_of_runtime() {
 }
 
 /// What a module calls the structure: its first public name, else another of its own, else a public one of a module
-/// that it imports. None: the number of its names.
+/// that it imports: an index of its aliases. Their number if there is none.
 std::size_t alias_in(const ir::Program& program, const ir::Structure& structure, std::uint32_t module) {
     enum Rank { own_public, own, imported, foreign };
     const auto rank_of = [&](const ir::Alias& alias) {

@@ -293,7 +293,7 @@ template <class T, unsigned C, unsigned R> constexpr mat<T, R, C> transpose(cons
     return result;
 }
 namespace detail {
-/// m without one column and one row.
+/// A matrix without one of its columns and one of its rows: its determinant is a minor.
 template <class T, unsigned N>
 constexpr mat<T, N - 1, N - 1> minor_of(const mat<T, N, N>& m, unsigned column, unsigned row) {
     mat<T, N - 1, N - 1> result;
