@@ -5,6 +5,7 @@
 #include "driver/explain_diagnostic.h"
 #include "driver/trials.h"
 #include "emit/json/text.h"
+#include "ir/chain.h"
 #include "ir/evaluate.h"
 
 #include <cstdio>
@@ -88,6 +89,9 @@ private:
         shown.elements = to_text(program_, structure.element);
         for (const ir::Memory& memory : structure.memories)
             shown.memories.emplace_back(c_.names[memory.name], shape_of(program_, memory));
+        if (!structure.base.empty())
+            shown.memories.emplace_back(c_.names[structure.base_name],
+                                        ir::structure_at(program_, structure, structure.base).display);
         for (const ir::Stage& stage : structure.via) {
             shown_.insert(stage.translator);
             shown.via.push_back(

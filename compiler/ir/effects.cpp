@@ -1,5 +1,7 @@
 #include "ir/effects.h"
 
+#include "ir/chain.h"
+
 namespace gliftc::ir {
 
 const PatternTraits& traits_of(Pattern pattern) {
@@ -13,7 +15,8 @@ const PatternTraits& traits_of(Pattern pattern) {
 
 bool is_addressed(const Program& program, const Kernel& kernel, const PassBinding& binding) {
     const Structure& structure = program.structures[kernel.params[binding.place.root].structure];
-    return binding.place.members.empty() && binding.memory == structure.via_memory;
+    return binding.place == root_of(program, structure, {binding.place.root, {}}) &&
+           binding.memory == root_structure(program, structure).via_memory;
 }
 
 bool may_be_one_place(const Program& program, const Kernel& kernel, const PassBinding& one, const PassBinding& other) {
@@ -39,11 +42,13 @@ bool may_meet(const KernelParam& one, const KernelParam& other) {
 }
 
 const Translator* many_to_one_stage(const Program& program, std::uint32_t structure) {
-    for (const Stage& stage : program.structures[structure].via) {
-        const Translator& translator = program.translators[stage.translator];
-        if (translator.properties.mapping == Mapping::many_to_one) return &translator;
+    for (const Structure* link = &program.structures[structure];; link = &structure_at(program, *link, link->base)) {
+        for (const Stage& stage : link->via) {
+            const Translator& translator = program.translators[stage.translator];
+            if (translator.properties.mapping == Mapping::many_to_one) return &translator;
+        }
+        if (link->base.empty()) return nullptr;
     }
-    return nullptr;
 }
 
 }  // namespace gliftc::ir

@@ -18,6 +18,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace gliftc::ir {
@@ -363,14 +364,19 @@ struct Structure {
     std::vector<Memory> memories;
     std::vector<MemberStructure> members;  ///< Place members index these
     std::vector<Stage> via;        ///< first stage takes the virtual address; the last gives the address in memory 0
-    std::uint32_t via_memory = 0;  ///< the memory that `via` addresses
+    std::uint32_t via_memory = 0;  ///< the memory that `via` addresses, where it is not a structure
+    /// The structure that is the memory: a path of members, empty where the memory is one of `memories`. Without `via`
+    /// its addresses are the structure's own. See ir/chain.h.
+    RareVector<std::uint32_t> base;
+    Name base_name;  ///< as declared
+    Span base_span;
     ExprId otherwise;              ///< value of an unmapped read; absent: zero
     ExprId domain;                 ///< extent of the virtual domain, over the structure (root 0)
     FunctionId at;                 ///< views: (address) -> element; structures[] of the function are [this structure]
     std::vector<FunctionId> functions;     ///< other fns: structures[0] is this structure
     std::vector<HostField> host;           ///< adaptors
     std::vector<std::uint32_t> pipelines;  ///< adaptors: Program::pipelines
-    bool is_contained = false;             ///< no address leads beyond the memory: set by lower/contained.cpp
+    bool is_contained = false;             ///< no address leads beyond its own memory: set by lower/contained.cpp
     std::vector<Method> methods;           ///< adaptors: public functions
     bool copyable = true;                  ///< elements can be read and written from the host (not views)
     std::string doc;
@@ -410,6 +416,8 @@ struct Kernel {
     TypeId domain_type;                              ///< of the iteration: uint or vector of uint
     std::vector<StmtId> body;
     std::vector<LocalId> shared;  ///< workgroup memory
+    /// @disjoint(read, written): what is read through the first parameter is not written in this pass by the second.
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> disjoint;
     std::string doc;
     bool grouped() const { return group[0] != 0; }
 };

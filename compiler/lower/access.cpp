@@ -1,4 +1,5 @@
 // Reads and writes of elements: the address, the guard, the load or store.
+#include "ir/chain.h"
 #include "ir/walk.h"
 #include "lower/expand.h"
 #include "lower/memory.h"
@@ -10,8 +11,10 @@ namespace gliftc::lower {
 
 using namespace ir;
 
-std::uint32_t Expander::binding(const Place& place, std::uint32_t memory, Access access) {
+std::uint32_t Expander::binding(const Place& of_structure, Access access) {
     auto& bindings = cx.pass.bindings;
+    const Place place = root_of(p, cx.structure_at(of_structure), of_structure);
+    const std::uint32_t memory = cx.structure_at(place).via_memory;
     for (std::uint32_t i = 0; i < bindings.size(); ++i) {
         if (bindings[i].place != place || bindings[i].memory != memory) continue;
         if (bindings[i].access != access) bindings[i].access = Access::read_write;
@@ -25,7 +28,7 @@ std::uint32_t Expander::binding(const Place& place, std::uint32_t memory, Access
     made.shape = of.shape;
     made.element = of.element;
     made.format = of.format;
-    made.coherent = is_coherent(place);
+    made.coherent = is_coherent(of_structure);
     made.access = made.coherent ? Access::read_write : access;
     made.linear = of.linear;
     made.one_place = first_of_place(cx, made);
@@ -40,13 +43,16 @@ void Expander::read_arguments() {
         if (param.pattern != Pattern::argument) continue;
         const std::string name = cx.name_of({i, {}});
         const ExprId index = cx.parameter_expr(cx.parameter(ParameterSource::index, name + "_index", p.types.uint, i));
-        const ExprId value = load_from(cx, binding({i, {}}, 0, Access::read), index);
+        const ExprId value = load_from(cx, binding({i, {}}, Access::read), index);
         frame_->locals[param.local] = {make.local(let(name, value, param.span)), {}};
     }
 }
 
+/// Whether the elements at the place are those that a coherent parameter shares.
 bool Expander::is_coherent(const Place& place) const {
-    return place.members.empty() && cx.kernel.params[place.root].pattern == Pattern::coherent;
+    if (cx.kernel.params[place.root].pattern != Pattern::coherent) return false;
+    const Place whole{place.root, {}};
+    return root_of(p, cx.structure_at(place), place) == root_of(p, cx.structure_at(whole), whole);
 }
 
 /// The same part of another element: the place of an atomic operation.
@@ -68,12 +74,12 @@ Pair Expander::atomic(const Expr& node) {
     Expr made = node;
     for (std::size_t i = 1; i < node.operands.size(); ++i) made.operands[i] = value_of(node.operands[i]);
     check_range(place, address, Access::read_write, node.span);
-    Pair physical = translated(place, named(name + "_virtual", from_origin(place, address)), name);
+    Pair physical = written(place, named(name + "_virtual", from_origin(place, address)), name);
     ExprId inside = make.both(inside_domain(place, address), physical.has);
     Expr element;
     element.op = Op::load;
     element.type = structure.element;
-    element.slot = binding(place, structure.via_memory, Access::read_write);
+    element.slot = binding(place, Access::read_write);
     element.operands = {index_of(cx, element.slot, physical.value)};
     cx.pass.bindings[element.slot].atomic = true;
     made.operands[0] = part_of(node.operands[0], p.exprs.add(std::move(element)));
@@ -90,22 +96,33 @@ Pair Expander::atomic(const Expr& node) {
     return {make.local(before), {}};
 }
 
-ExprId Expander::load(const Place& place, ExprId physical) {
-    return load_from(cx, binding(place, cx.structure_at(place).via_memory, Access::read), physical);
+/// An element of a view that is the memory of the structure at a place.
+ExprId Expander::computed(const Place& place, ExprId address, ExprId condition, ExprId otherwise,
+                          const std::string& name) {
+    const Place root = root_of(p, cx.structure_at(place), place);
+    if (!condition || make.is_true(condition)) return view(root, address);
+    LocalId value = variable(name, make.type(otherwise), otherwise);
+    append_if(condition, collect([&] { assign(value, view(root, address)); }), {});
+    return make.local(value);
 }
 
+ExprId Expander::load(const Place& place, ExprId physical) {
+    return load_from(cx, binding(place, Access::read), physical);
+}
+
+/// What a read that maps nowhere gives: what the first structure of the chain says that says something.
 ExprId Expander::otherwise_of(const Place& place) {
-    const Structure& structure = cx.structure_at(place);
-    if (!structure.otherwise) return make.zero(structure.element);
+    const std::optional<Place> says = says_otherwise(p, cx.structure_at(place), place);
+    if (!says) return make.zero(cx.structure_at(place).element);
     Frame frame;
-    frame.places = {canonical(place)};
-    return inside(std::move(frame), [&] { return value_of(structure.otherwise); });
+    frame.places = {canonical(*says)};
+    return inside(std::move(frame), [&] { return value_of(cx.structure_at(*says).otherwise); });
 }
 
 /// What a read that maps nowhere gives around the current element: zero to invocations of a group beyond the range.
 ExprId Expander::otherwise_around(const Place& place) {
     const ExprId otherwise = otherwise_of(place);
-    if (!cx.kernel.grouped() || !cx.structure_at(place).otherwise) return otherwise;
+    if (!cx.kernel.grouped() || !says_otherwise(p, cx.structure_at(place), place)) return otherwise;
     return make.select(make.local(cx.pass.in_range), otherwise, make.zero(make.type(otherwise)));
 }
 
@@ -114,6 +131,7 @@ ExprId Expander::otherwise_around(const Place& place) {
 ExprId Expander::guarded_load(const Place& place, const Pair& physical, ExprId guard, ExprId safe_address,
                               ExprId otherwise, const std::string& name) {
     ExprId condition = make.both(guard, physical.has);
+    if (is_computed(p, cx.structure_at(place))) return computed(place, physical.value, condition, otherwise, name);
     if (!condition || make.is_true(condition)) return load(place, physical.value);
     if (make.is_false(condition)) return otherwise;
     condition = named(name + "_inside", condition);
@@ -123,7 +141,7 @@ ExprId Expander::guarded_load(const Place& place, const Pair& physical, ExprId g
     Expr node;
     node.op = Op::guarded_load;
     node.type = structure.element;
-    node.slot = binding(place, structure.via_memory, Access::read);
+    node.slot = binding(place, Access::read);
     node.operands = {condition, at, safe_address ? safe_address : make.zero(make.type(at)), otherwise};
     return make.local(let(name, p.exprs.add(std::move(node)), span_));
 }
@@ -151,7 +169,7 @@ ExprId Expander::view_around(const Place& place, ExprId address) {
 
 ExprId Expander::element(std::uint32_t root, Span) {
     Place place{root, {}};
-    if (cx.structure_at(place).kind == StructureKind::view) return view_around(place, centre_address(root));
+    if (cx.structure_at(place).at) return view_around(place, centre_address(root));
     ExprId guard = cx.kernel.grouped() ? make.local(cx.pass.in_range) : ExprId{};
     ExprId value = guarded_load(place, centre(root), guard, {}, otherwise_around(place), cx.name_of(place) + "_value");
     const bool is_read_only = cx.kernel.params[root].direction == Direction::in && !may_be_written_elsewhere(cx, root);
@@ -164,7 +182,7 @@ ExprId Expander::read(const Place& place, ExprId address, const std::string& nam
     const Structure& structure = cx.structure_at(place);
     address = named(name + "_address", address);
     ExprId virtual_address = named(name + "_virtual", from_origin(place, address));
-    if (structure.kind == StructureKind::view) return view(place, virtual_address);
+    if (structure.at) return view(place, virtual_address);
     Pair physical = translated(place, virtual_address, name);
     ExprId guard = is_total(structure) ? inside_domain(place, address) : ExprId{};
     ExprId value = guarded_load(place, physical, guard, {}, otherwise_of(place), name + "_value");
@@ -262,7 +280,7 @@ ExprId Expander::neighbour(const Place& place, const std::vector<std::int64_t>& 
     ExprId step = parts.size() == 1 ? parts[0] : make.construct(address_type, std::move(parts));
     ExprId address = make.add(centre_address(place.root), step);
     const Structure& structure = cx.structure_at(place);
-    if (structure.kind == StructureKind::view) return view_around(place, address);
+    if (structure.at) return view_around(place, address);
     std::string name = cx.name_of(place) + offset_name(offset);
     Pair middle = centre(place.root);
     Pair physical = translated(place, address, name);
@@ -278,10 +296,10 @@ ExprId Expander::neighbour(const Place& place, const std::vector<std::int64_t>& 
 
 void Expander::store(const Place& place, const Pair& physical, ExprId guard, const Stmt& stmt, ExprId value) {
     const Structure& structure = cx.structure_at(place);
-    const bool is_buffer = structure.memories[structure.via_memory].shape == MemoryShape::buffer;
+    const bool is_buffer = root_memory(p, structure).shape == MemoryShape::buffer;
     const bool is_atomic = stmt.combine != Combine::replace;
     Stmt made = statement(is_atomic ? StmtOp::atomic : is_buffer ? StmtOp::store : StmtOp::image_store, stmt.span);
-    made.slot = binding(place, structure.via_memory, is_atomic ? Access::read_write : Access::write);
+    made.slot = binding(place, is_atomic ? Access::read_write : Access::write);
     if (is_atomic) cx.pass.bindings[made.slot].atomic = true;
     made.target = index_of(cx, made.slot, physical.value);
     made.value = value;
@@ -297,7 +315,7 @@ void Expander::set_element(const Stmt& stmt) {
     TypeId type = cx.structure_at(place).element;
     ExprId value = stored(expand(stmt.value), type);
     ExprId guard = cx.kernel.grouped() ? make.local(cx.pass.in_range) : ExprId{};
-    store(place, centre(place.root), guard, stmt, value);
+    store(place, written_centre(place.root), guard, stmt, value);
 }
 
 void Expander::write(const Stmt& stmt) {
@@ -308,7 +326,7 @@ void Expander::write(const Stmt& stmt) {
     ExprId address = named(name + "_address", value_of(stmt.target));
     ExprId value = stored(expand(stmt.value), structure.element);
     check_range(place, address, stmt.combine == Combine::replace ? Access::write : Access::read_write, stmt.span);
-    Pair physical = translated(place, named(name + "_virtual", from_origin(place, address)), name);
+    Pair physical = written(place, named(name + "_virtual", from_origin(place, address)), name);
     store(place, physical, inside_domain(place, address), stmt, value);
 }
 

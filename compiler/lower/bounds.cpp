@@ -1,6 +1,7 @@
 // Expressions: each scalar of a value by itself.
 #include "lower/bounds.h"
 
+#include "ir/chain.h"
 #include "ir/evaluate.h"
 
 #include <algorithm>
@@ -70,8 +71,10 @@ Parts Following::member(std::uint32_t slot, TypeId type) {
 Parts Following::of_leaf(const Expr& node) {
     if (node.place.root == 0 && node.place.members.empty()) {
         if (node.op == Op::member) return member(node.slot, node.type);
-        if (node.op == Op::memory_extent) return of_structure(s.memories[node.slot].extent);
-        if (node.op == Op::domain && s.domain) return of_structure(s.domain);
+        if (node.op == Op::memory_extent) return of_structure(s->memories[node.slot].extent);
+        if (node.op == Op::domain && s->domain) return of_structure(s->domain);
+    } else if (node.place.root == 0 && !s->members[*node.place.members.begin()].by_reference) {
+        return of_member_leaf(node);
     }
     Parts parts;
     const std::size_t count = lane_count(p, node.type);
@@ -82,6 +85,34 @@ Parts Following::of_leaf(const Expr& node) {
         parts.push_back(part_of(opaque(leaf, std::move(key), scalar_at(node.type, lane))));
     }
     return parts;
+}
+
+/// The same of a structure that is made here: its arguments are known.
+Parts Following::of_member_leaf(const Expr& node) {
+    const MemberStructure& member = s->members[*node.place.members.begin()];
+    const Structure* const made = &p.structures[member.structure];
+    std::map<std::pair<std::uint32_t, std::uint32_t>, Sum> given;
+    for (std::uint32_t slot = 0; slot < member.arguments.size(); ++slot) {
+        const Parts argument = of_structure(member.arguments[slot]);
+        for (std::uint32_t lane = 0; lane < argument.size(); ++lane) given[{slot, lane}] = argument[lane].sum;
+    }
+    members_.swap(given);
+    const Structure* const outer = std::exchange(s, made);
+    Expr inner = node;
+    inner.place.members = {node.place.members.begin() + 1, node.place.members.end()};
+    Parts parts = of_leaf(inner);
+    s = outer;
+    members_.swap(given);
+    return parts;
+}
+
+Parts Following::extent_of_memory() {
+    if (s->base.empty()) return of_structure(s->memories[s->via_memory].extent);
+    Expr domain;
+    domain.op = Op::domain;
+    domain.type = physical_type(p, *s);
+    domain.place.members = s->base;
+    return of_leaf(domain);
 }
 
 Parts Following::of_construct(const Expr& node) {

@@ -39,10 +39,12 @@ inline std::uint32_t operation_of(ir::Intrinsic intrinsic) { return 100 + static
 /// Where addresses are followed: one structure, made with sizes that are not known.
 class Following {
 public:
-    Following(const ir::Program& program, std::uint32_t structure) : p(program), s(program.structures[structure]) {}
+    Following(const ir::Program& program, std::uint32_t structure) : p(program), s(&program.structures[structure]) {}
 
     /// An expression over the structure itself.
     Parts of_structure(ir::ExprId id);
+    /// The extent of what the address that translators make leads to: a memory, or the domain of a structure.
+    Parts extent_of_memory();
     /// What translators make of an address; none where all of it maps nowhere.
     std::optional<Parts> translated(Parts address);
     /// An argument of the constructor is this, from here on.
@@ -72,6 +74,7 @@ private:
     Part of_all(ir::Intrinsic which, const Parts& conditions);
     Parts of_call(const ir::Expr& node);
     Parts of_leaf(const ir::Expr& node);
+    Parts of_member_leaf(const ir::Expr& node);
     Parts call(ir::FunctionId id, std::vector<Parts> arguments);
 
     Part calculated(const ir::Expr& node, ir::TypeId scalar, const Part& a, const Part& b);
@@ -102,7 +105,7 @@ private:
     void give_up();
 
     const ir::Program& p;
-    const ir::Structure& s;
+    const ir::Structure* s;  ///< whose expressions are followed
     const ir::Stage* stage_ = nullptr;
     Frame* frame_ = nullptr;
     std::map<std::pair<std::uint32_t, std::uint32_t>, symbolic::Sum> members_;

@@ -35,7 +35,7 @@ Parts Following::call(FunctionId id, std::vector<Parts> arguments) {
 }
 
 std::optional<Parts> Following::translated(Parts address) {
-    for (const Stage& stage : s.via) {
+    for (const Stage& stage : s->via) {
         stage_ = &stage;
         address = call(p.translators[stage.translator].translate, {std::move(address)});
         if (address.empty()) return std::nullopt;

@@ -4,6 +4,7 @@
 // structure that says nothing about its outside. A structure says something by `otherwise` or by a first translator
 // that itself tells some addresses to be nowhere (a border, a page table). Translators and views may rely on zeros
 // outside; so may `near`, `sample`, `find` and `contains`, which exist to be asked about neighbours.
+#include "ir/chain.h"
 #include "lower/expand.h"
 
 namespace gliftc::lower {
@@ -12,7 +13,7 @@ using namespace ir;
 
 bool Expander::checks_range(const Place& place) {
     const Structure& structure = cx.structure_at(place);
-    return cx.checks == Checks::ranges && within_ == 0 && is_total(structure) && !structure.otherwise;
+    return cx.checks == Checks::ranges && within_ == 0 && is_total(structure) && !says_otherwise(p, structure, place);
 }
 
 void Expander::check_range(const Place& place, ExprId address, Access access, Span span) {
@@ -23,7 +24,7 @@ void Expander::check_range(const Place& place, ExprId address, Access access, Sp
     if (cx.kernel.grouped()) outside = make.both(make.local(cx.pass.in_range), outside);
     if (make.is_false(outside)) return;
     Stmt report = statement(StmtOp::report, span ? span : span_);
-    report.slot = structure.kind == StructureKind::view ? no_binding : binding(place, structure.via_memory, access);
+    report.slot = is_computed(p, structure) ? no_binding : binding(place, access);
     report.target = address;
     append_if(outside, collect([&] { append(std::move(report)); }), {});
 }

@@ -1,5 +1,6 @@
 #include "lower/contained.h"
 
+#include "ir/chain.h"
 #include "lower/bounds.h"
 
 #include <algorithm>
@@ -34,9 +35,7 @@ std::vector<Argument> extents_of(const Program& p, std::uint32_t index) {
     return extents.size() == domain.size() ? extents : std::vector<Argument>{};
 }
 
-bool is_partial(const Program& p, const Structure& s) {
-    return !s.via.empty() && p.translators[s.via[0].translator].properties.partial;
-}
+bool is_partial(const Program& p, const Structure& s) { return !is_total(p, s); }
 
 /// An address that may be asked for: any where the first translator is partial, else one of the domain.
 Parts any_address(Following& following, const Program& p, const Structure& s) {
@@ -57,7 +56,7 @@ bool is_inside(const Program& p, std::uint32_t index, const std::vector<Argument
     for (const Argument& each : extents) following.set_member(each.slot, each.lane, following.symbols.size(1));
     const std::optional<Parts> at = following.translated(any_address(following, p, s));
     if (!at) return true;
-    const Parts memory = following.of_structure(s.memories[s.via_memory].extent);
+    const Parts memory = following.extent_of_memory();
     if (memory.size() != at->size()) return false;
     for (std::size_t i = 0; i < memory.size(); ++i)
         if (!following.symbols.is_natural(memory[i].sum - (*at)[i].sum - number(1))) return false;
@@ -77,13 +76,25 @@ bool is_harmless_empty(const Program& p, std::uint32_t index, const Argument& no
     });
 }
 
+bool has_memory(const Structure& s) { return !s.base.empty() || !s.memories.empty(); }
+
+/// Whether what has the addresses of its memory asks for no others.
+bool has_domain_of_base(const Program& p, const Structure& s) {
+    if (!s.via.empty() || s.base.empty()) return false;
+    const Expr& domain = p.exprs[s.domain];
+    return domain.op == Op::domain && domain.place.members == s.base;
+}
+
 bool is_contained(const Program& p, std::uint32_t index) {
     const Structure& s = p.structures[index];
-    if (s.kind != StructureKind::stored || s.memories.empty() || !s.domain) return false;
+    if (!has_memory(s) || !s.domain) return false;
+    if (has_domain_of_base(p, s)) return true;
     const std::vector<Argument> extents = extents_of(p, index);
     if (!is_inside(p, index, extents)) return false;
-    // A total translator is asked for no address of an empty domain.
+    // A total translator is asked for no address of an empty domain. A memory that is a structure and empty has no
+    // element that could stand for all.
     if (!is_partial(p, s)) return true;
+    if (!s.base.empty()) return false;
     return !extents.empty() &&
            std::ranges::all_of(extents, [&](const Argument& each) { return is_harmless_empty(p, index, each); });
 }

@@ -143,13 +143,19 @@ private:
     Pair through_form(const ir::Place& place, const ir::Stage& stage, ExprId address, const std::string& name);
     const AddressForm& form_of(const ir::Place& place, const ir::Stage& stage, TypeId address);
     void find_form(AddressForm& form, TypeId address);
-    ir::FunctionId translate_of(const ir::Translator& translator, TypeId address) const;
+    ir::FunctionId translate_of(const ir::Translator& translator, TypeId address, const ir::Structure& structure) const;
     bool collect_nodes(AddressForm& form, ExprId first);
     Pair made_again(const AddressForm& form, ExprId address, const std::string& name);
     bool varies_in_all(ExprId address);
 
     // translate.cpp
+    Pair linked(const ir::Place& place, ExprId address, const std::string& name);
+    template <class Asks>
+    Pair chained(const ir::Place& place, ExprId address, const std::string& name, Asks&& asks);
     Pair translated(const ir::Place& place, ExprId address, const std::string& name);
+    Pair written(const ir::Place& place, ExprId address, const std::string& name);
+    Pair written_centre(std::uint32_t root);
+    std::string link_name(const ir::Place& link) const;
     Pair expanded(const ir::Place& place, const ir::Stage& stage, ExprId address, const std::string& name);
     Pair centre(std::uint32_t root);            ///< physical address of the current element
     ExprId centre_address(std::uint32_t root);  ///< its virtual address
@@ -172,6 +178,8 @@ private:
     ExprId guarded_load(const ir::Place& place, const Pair& physical, ExprId guard, ExprId safe_address,
                         ExprId otherwise, const std::string& name);
     ExprId load(const ir::Place& place, ExprId physical);
+    ExprId computed(const ir::Place& place, ExprId address, ExprId condition, ExprId otherwise,
+                    const std::string& name);
     ExprId otherwise_of(const ir::Place& place);
     ExprId otherwise_around(const ir::Place& place);
     void set_element(const ir::Stmt& stmt);
@@ -179,7 +187,7 @@ private:
     void store(const ir::Place& place, const Pair& physical, ExprId guard, const ir::Stmt& stmt, ExprId value);
     Pair atomic(const ir::Expr& node);
     bool is_coherent(const ir::Place& place) const;
-    std::uint32_t binding(const ir::Place& place, std::uint32_t memory, ir::Access access);
+    std::uint32_t binding(const ir::Place& place, ir::Access access);  ///< of the memory that elements lie in
     std::optional<std::vector<std::int64_t>> offset_of(const ir::Expr& node);
     ExprId near_guard(std::uint32_t root, const std::vector<std::int64_t>& offset);
     void note_near_guard(std::uint32_t root);

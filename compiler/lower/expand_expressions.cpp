@@ -160,9 +160,10 @@ Pair Expander::expand(ExprId id) {
     case Op::translate: {
         Place place = resolved(node.place);
         ExprId address = named(cx.name_of(place) + "_address", value_of(node.operands[0]));
-        Pair physical = translated(place, from_origin(place, address), cx.name_of(place));
+        const ExprId at = from_origin(place, address);
+        const Pair physical = linked(place, at, cx.name_of(place));
         ExprId guard = is_total(cx.structure_at(place)) ? inside_domain(place, address) : ExprId{};
-        ExprId has = make.both(guard, physical.has);
+        ExprId has = make.both(guard, translated(place, at, cx.name_of(place)).has);
         const TypeId seen = p.types[node.type].element;  // what the language has, in all forms
         return {make.convert(seen, physical.value), has ? has : make.truth(true)};
     }

@@ -1,5 +1,7 @@
 #include "lower/library.h"
 
+#include "ir/chain.h"
+
 #include "lower/lower.h"
 
 #include <algorithm>
@@ -76,10 +78,10 @@ bool is_partial(const Program& program, const Structure& s) {
 
 void add_translate(Maker& k) {
     const Structure& s = k.program.structures[k.library.structure];
-    if (s.via.empty()) return;
-    TypeId physical = k.program.translators[s.via.back().translator].physical_type;
+    const TypeId physical = physical_type(k.program, s);
+    if (!physical) return;
     ExprId translated = k.make(Op::translate, k.program.types.optional(physical), k.use(k.address));
-    if (is_partial(k.program, s) || !s.is_contained)
+    if (is_partial(k.program, s) || !s.is_contained || !s.base.empty())
         k.add_value("is_mapped", k.make(Op::has_value, k.program.types.bool_, translated));
     k.add_value("translate", k.make(Op::value, physical, translated));
 }

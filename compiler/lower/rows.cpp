@@ -2,6 +2,7 @@
 // move as vectors of four numbers, if all rows begin at such a vector and lie inside; else one by one. A row of four
 // elements of N numbers each is N such vectors. A row of four numbers that begins at a vector wherever it is, is loaded
 // without asking whether all of it lies inside: memory ends with a whole vector (glift/memory.h).
+#include "ir/chain.h"
 #include "lower/expand.h"
 #include "lower/polynomial.h"
 #include "lower/unroll.h"
@@ -66,7 +67,7 @@ ExprId Expander::address_in(const Rows& rows, ExprId row, std::uint32_t lane) {
 bool Expander::lie_in_vectors(const Rows& rows) {
     const Structure& structure = cx.structure_at(rows.place);
     if (structure.kind != StructureKind::stored || rows.width != row_width || !is_total(structure)) return false;
-    const Memory& memory = structure.memories[structure.via_memory];
+    const Memory& memory = root_memory(p, structure);
     if (!p.types.is_scalar(memory.element) && !p.types.is_vector(memory.element)) return false;
     const TypeId number = p.types.scalar_of(memory.element);
     const bool is_word = number == p.types.uint || number == p.types.int_ || number == p.types.float_;
@@ -210,7 +211,7 @@ ExprId Expander::several(const Expr& node) {
         return items;
     }
     ExprId physical = named(rows.name + "_at", translated(place, rows.at, rows.name).value);
-    const std::uint32_t slot = binding(place, cx.structure_at(place).via_memory, Access::read);
+    const std::uint32_t slot = binding(place, Access::read);
     cx.pass.bindings[slot].in_rows = true;
     const auto vector = [&](ExprId index) {
         Expr load;
@@ -255,14 +256,14 @@ void Expander::write_several(const Stmt& stmt) {
         for (std::uint32_t lane = 0; lane < rows.width; ++lane) {
             ExprId next = named(rows.name + "_address", address_in(rows, row, lane));
             check_range(place, next, Access::write, stmt.span);
-            Pair physical = translated(place, named(rows.name + "_virtual", from_origin(place, next)), rows.name);
+            Pair physical = written(place, named(rows.name + "_virtual", from_origin(place, next)), rows.name);
             store(place, physical, inside_domain(place, next), stmt, item_of(rows, items, row, lane));
         }
     };
     if (!lie_in_vectors(rows)) return for_each_row(rows, one_by_one);
     ExprId physical = named(rows.name + "_at", translated(place, rows.at, rows.name).value);
     Block vectors = collect([&] {
-        const std::uint32_t slot = binding(place, cx.structure_at(place).via_memory, Access::write);
+        const std::uint32_t slot = binding(place, Access::write);
         cx.pass.bindings[slot].in_rows = true;
         ExprId first = first_vector(rows, physical);
         for_each_row(rows, [&](ExprId row) {

@@ -1,4 +1,5 @@
 // Filtered reads: the device's sampler where a texel's address is its virtual address, else a weighted sum of reads.
+#include "ir/chain.h"
 #include "lower/expand.h"
 
 namespace gliftc::lower {
@@ -8,8 +9,7 @@ using namespace ir;
 /// Whether the structure keeps element a in texel a of an image.
 bool Expander::is_texel_address(const Place& place) {
     const Structure& structure = cx.structure_at(place);
-    if (structure.kind == StructureKind::view || structure.memories.empty()) return false;
-    if (structure.memories[structure.via_memory].shape == MemoryShape::buffer) return false;
+    if (is_computed(p, structure) || root_memory(p, structure).shape == MemoryShape::buffer) return false;
     ExprId probe = make.local(cx.new_local("probe", structure.domain_type, span_));
     Pair at;
     Block block = collect([&] { at = translated(place, probe, "probe"); });
@@ -24,13 +24,13 @@ ExprId Expander::sample(const Expr& node) {
     Expr extent;
     extent.op = Op::memory_extent;
     extent.type = structure.domain_type;
-    extent.place = canonical(place);
-    extent.slot = structure.via_memory;
+    extent.place = canonical(root_of(p, structure, place));
+    extent.slot = root_structure(p, structure).via_memory;
     ExprId size = make.convert(make.type(at), p.exprs.add(std::move(extent)));
     Expr sampled;
     sampled.op = Op::image_sample;
     sampled.type = node.type;
-    sampled.slot = binding(place, structure.via_memory, Access::read);
+    sampled.slot = binding(place, Access::read);
     if (is_range(place))
         at = make.add(at, make.convert(make.type(at), from_origin(place, make.zero(structure.domain_type))));
     sampled.operands = {make.binary(BinaryOp::divide, at, size)};

@@ -1,4 +1,5 @@
 // Addresses: the stages of `via` one after the other, and the centre's address once a kernel.
+#include "ir/chain.h"
 #include "ir/effects.h"
 #include "lower/expand.h"
 
@@ -6,26 +7,79 @@ namespace gliftc::lower {
 
 using namespace ir;
 
-Pair Expander::translated(const Place& place, ExprId address, const std::string& name) {
+/// The address in the structure's own memory: what its translators make of one.
+Pair Expander::linked(const Place& place, ExprId address, const std::string& name) {
     Pair at{address, {}};
     for (const Stage& stage : cx.structure_at(place).via) {
         const bool is_affine = p.translators[stage.translator].properties.affine;
         Pair next = is_affine ? through_form(place, stage, at.value, name) : expanded(place, stage, at.value, name);
         at = {next.value, make.both(at.has, next.has)};
     }
-    if (cx.structure_at(place).is_contained) return at;
-    at.value = named(name + "_place", at.value);
-    return {at.value, make.both(at.has, inside_memory(place, at.value))};
+    return at;
 }
 
-/// Whether the memory has a physical address: one that it has not maps nowhere.
+/// The address in the root's memory: the links of the chain, one after the other. `asks` says whether the memory at a
+/// place has an address.
+template <class Asks>
+Pair Expander::chained(const Place& place, ExprId address, const std::string& name, Asks&& asks) {
+    Place link = place;
+    std::string at_link = name;
+    Pair at{address, {}};
+    while (true) {
+        const Structure& structure = cx.structure_at(link);
+        const Pair next = linked(link, at.value, at_link);
+        at = {next.value, make.both(at.has, next.has)};
+        const bool leads_to_view = structure.kind == StructureKind::view && structure.base.empty();
+        if (!structure.is_contained && !leads_to_view) {
+            at.value = named(at_link + "_place", at.value);
+            at.has = make.both(at.has, asks(link, at.value));
+        }
+        if (structure.base.empty()) return at;
+        link = base_of(structure, link);
+        at_link = name + "_" + link_name(link);
+    }
+}
+
+Pair Expander::translated(const Place& place, ExprId address, const std::string& name) {
+    return chained(place, address, name, [&](const Place& link, ExprId at) { return inside_memory(link, at); });
+}
+
+/// Where a write to an address goes: as translated(), but beyond the domain of a memory that is a structure it goes
+/// nowhere, whatever is read there.
+Pair Expander::written(const Place& place, ExprId address, const std::string& name) {
+    return chained(place, address, name, [&](const Place& link, ExprId at) {
+        const Structure& structure = cx.structure_at(link);
+        return structure.base.empty() ? inside_memory(link, at) : inside_domain(base_of(structure, link), at);
+    });
+}
+
+/// Where the current element is written.
+Pair Expander::written_centre(std::uint32_t root) {
+    const Place place{root, {}};
+    if (!leads_through_partial(p, cx.structure_at(place))) return centre(root);
+    return written(place, centre_address(root), cx.name_of(place));
+}
+
+/// What the source calls the memory at a place.
+std::string Expander::link_name(const Place& link) const {
+    const Place owner{link.root, {link.members.begin(), link.members.end() - 1}};
+    return (*p.names)[cx.structure_at(owner).members[link.members.back()].name];
+}
+
+/// Whether the memory has a physical address: one that it has not maps nowhere. Of a structure, whether its domain has:
+/// a partial one says so itself.
 ExprId Expander::inside_memory(const Place& place, ExprId physical) {
-    const std::uint32_t memory = cx.structure_at(place).via_memory;
+    const Structure& structure = cx.structure_at(place);
+    if (!structure.base.empty()) {
+        const Place base = base_of(structure, place);
+        const bool asks = is_total(cx.structure_at(base)) && cx.structure_at(base).domain;
+        return asks ? inside_domain(base, physical) : ExprId{};
+    }
     Expr extent;
     extent.op = Op::memory_extent;
     extent.type = make.type(physical);
     extent.place = canonical(place);
-    extent.slot = memory;
+    extent.slot = structure.via_memory;
     return all_less(physical, p.exprs.add(std::move(extent)));
 }
 
@@ -37,13 +91,15 @@ ExprId Expander::all_less(ExprId address, ExprId extent) {
 }
 
 /// In the wide form addresses that are numbers may pass 2^32; each axis of a vector stays below.
-FunctionId Expander::translate_of(const Translator& translator, TypeId address) const {
-    if (!cx.is_wide() || !translator.wide) return translator.translate;
+FunctionId Expander::translate_of(const Translator& translator, TypeId address, const Structure& structure) const {
+    // What leads to a structure are virtual addresses, of 32 bits an axis.
+    if (!cx.is_wide() || !translator.wide || !structure.base.empty()) return translator.translate;
     return address == p.types.uint64 ? translator.wide_of_wide : translator.wide;
 }
 
 Pair Expander::expanded(const Place& place, const Stage& stage, ExprId address, const std::string& name) {
-    const FunctionId translate = translate_of(p.translators[stage.translator], make.type(address));
+    const FunctionId translate =
+        translate_of(p.translators[stage.translator], make.type(address), cx.structure_at(place));
     address = make.convert(p.locals[p.functions[translate].params[0]].type, address);
     Frame frame;
     frame.stage = &stage;
@@ -61,10 +117,7 @@ Pair Expander::expanded(const Place& place, const Stage& stage, ExprId address, 
     });
 }
 
-bool Expander::is_total(const Structure& structure) {
-    if (structure.via.empty()) return true;
-    return !p.translators[structure.via[0].translator].properties.partial;
-}
+bool Expander::is_total(const Structure& structure) { return ir::is_total(p, structure); }
 
 /// Whether the place is a range of a structure: one that does not iterate, whose addresses count from the range's
 /// origin.
@@ -126,9 +179,7 @@ ExprId Expander::centre_address(std::uint32_t root) {
 /// The parts of a physical address as named locals: one for a number, one a component for a vector.
 Pair Expander::centre(std::uint32_t root) {
     // Structures of one state share addresses, unless these are read from each one's own memory.
-    bool reads = false;
-    for (const Stage& stage : cx.structure_at({root, {}}).via) reads = reads || !stage.structures.empty();
-    if (!reads) root = canonical_root(root);
+    if (!translates_by_tables(p, cx.structure_at({root, {}}))) root = canonical_root(root);
     if (auto found = centres_.find(root); found != centres_.end()) return found->second;
     ExprId address = centre_address(root);
     std::string name = cx.name_of({root, {}});

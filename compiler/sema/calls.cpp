@@ -1,4 +1,5 @@
 // Calls: of functions, types (construction), methods and built-ins.
+#include "ir/chain.h"
 #include "sema/body.h"
 #include "sema/lookup.h"
 #include "sema/typing.h"
@@ -236,6 +237,21 @@ static const std::vector<ast::Item>& items_of(const Context& c, std::uint32_t st
     if (auto* adaptor = std::get_if<ast::Adaptor>(&decl)) return adaptor->items;
     return std::get<ast::Structure>(decl).items;
 }
+/// Whether the structure's memory declares functions or pipelines of that name, or the memory's memory does.
+static bool has_method_of_base(const Context& c, const ir::Structure& structure, Name name) {
+    for (const ir::Structure* link = &structure; !link->base.empty();) {
+        link = &ir::structure_at(c.program, *link, link->base);
+        const auto index = static_cast<std::uint32_t>(link - c.program.structures.data());
+        const auto is_it = [&](const ast::Item& item) { return item.decl && c[item.decl].name.name == name; };
+        if (std::ranges::any_of(items_of(c, index), is_it)) return true;
+    }
+    return false;
+}
+
+static ast::Identifier base_name(Body& body, const Operand& self, Span span) {
+    return {body.program().structures[self.structure].base_name, span};
+}
+
 // long: a case for each method of structures
 Operand call_method(Body& body, const Operand& self, ast::Identifier method, const ast::Expr& call, ir::TypeId wanted) {
     Context& c = body.context;
@@ -277,19 +293,17 @@ Operand call_method(Body& body, const Operand& self, ast::Identifier method, con
                              call.span);
     }
     if ((name == "load" || name == "store") && addressed) return several_elements(body, self, method, call, wanted);
-    if ((name == "find" || name == "contains") &&
-        body.program().structures[self.structure].kind == ir::StructureKind::view) {
+    const bool translates = ir::physical_type(body.program(), body.program().structures[self.structure]) != ir::TypeId{};
+    if ((name == "find" || name == "contains") && addressed && !translates) {
         const ir::ExprId at = address(domain);
         if (is_error(body, at)) return error_operand(call.span);
         const ir::ExprId has = is_in_view(body, self, at, call.span);
         return name == "find" ? found_where(body, self, has, at, call.span) : value_operand(body, has, call.span);
     }
-    bool stored = body.program().structures[self.structure].kind == ir::StructureKind::stored;
-    if ((name == "find" || name == "translate" || name == "contains") && stored) {
+    if ((name == "find" || name == "translate" || name == "contains") && translates) {
         ir::ExprId at = address(domain);
         if (is_error(body, at)) return error_operand(call.span);
-        const ir::Stage& last = body.program().structures[self.structure].via.back();
-        ir::TypeId physical = body.program().translators[last.translator].physical_type;
+        const ir::TypeId physical = ir::physical_type(body.program(), body.program().structures[self.structure]);
         ir::ExprId translated =
             structure_operation(body, ir::Op::translate, body.types().optional(physical), self, call.span, {at});
         if (name == "translate") return value_operand(body, translated, call.span);
@@ -297,6 +311,9 @@ Operand call_method(Body& body, const Operand& self, ast::Identifier method, con
         if (name == "contains") return value_operand(body, has, call.span);
         return found_where(body, self, has, at, call.span);
     }
+    // What the structure does not declare is its memory's.
+    if (has_method_of_base(c, body.program().structures[self.structure], method.name))
+        return call_method(body, structure_member(body, self, base_name(body, self, method.span)), method, call, wanted);
     std::vector<std::string_view> known = {"domain", "sample", "find", "translate", "contains", "load", "store"};
     for (const ast::Item& item : items)
         if (item.decl) known.push_back(c.text(c[item.decl].name.name));

@@ -14,7 +14,10 @@ ir::TypeId make_adaptor(Context&, ast::DeclId, const Env&);
 void bring_members_into_scope(Body&, std::uint32_t structure);
 
 /// Declares scalar constructor parameters as locals of the structure, and structure parameters as members by reference.
-void add_constructor(Context&, const Env&, const std::vector<ast::Param>&, ir::Structure&, bool by_reference);
+void add_constructor(Context&, const Env&, const std::vector<ast::Param>&, ir::Structure&);
+
+/// Adds `structure name = Type(arguments)`, and declares its name. False after an error.
+bool add_member(Body&, std::uint32_t structure, const ast::Item&);
 
 /// Visits items; of an `if` those that its constant condition selects.
 template <class Visit>

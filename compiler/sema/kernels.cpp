@@ -1,3 +1,4 @@
+#include "ir/chain.h"
 #include "ir/effects.h"
 #include "sema/components.h"
 #include "sema/generics.h"
@@ -112,7 +113,7 @@ void check_coherent(Body& body, const ast::Param& param, std::uint32_t index) {
     Context& c = body.context;
     const ir::Structure& structure = c.program.structures[index];
     if (structure.kind != ir::StructureKind::stored) return;  // reported as written
-    if (structure.memories[structure.via_memory].shape != ir::MemoryShape::buffer)
+    if (ir::root_memory(c.program, structure).shape != ir::MemoryShape::buffer)
         c.error(Diag::coherent_memory, param.name.span, {structure.display});
 }
 

@@ -240,6 +240,18 @@ Operand make_swizzle_of(Body& body, ir::ExprId value, ast::Identifier member) {
     return value_operand(body, swizzle, member.span);
 }
 
+/// What a path of members leads to.
+static Operand member_at(const Body& body, const Operand& left, const std::vector<std::uint32_t>& path, Span span) {
+    Operand nested = left;
+    nested.span = span;
+    nested.is_slice = false;
+    for (std::uint32_t member : path) {
+        nested.place.members.push_back(member);
+        nested.structure = body.context.program.structures[nested.structure].members[member].structure;
+    }
+    return nested;
+}
+
 Operand structure_member(Body& body, const Operand& left, ast::Identifier member) {
     Context& c = body.context;
     const ir::Structure& structure = body.program().structures[left.structure];
@@ -254,13 +266,11 @@ Operand structure_member(Body& body, const Operand& left, ast::Identifier member
     }
     for (std::uint32_t i = 0; i < structure.members.size(); ++i) {
         known.push_back(c.text(structure.members[i].name));
-        if (structure.members[i].name != member.name) continue;
-        Operand nested = left;
-        nested.span = member.span;
-        nested.place.members.push_back(i);
-        nested.structure = structure.members[i].structure;
-        nested.is_slice = false;
-        return nested;
+        if (structure.members[i].name == member.name) return member_at(body, left, {i}, member.span);
+    }
+    if (!structure.base.empty()) {
+        known.push_back(c.text(structure.base_name));
+        if (structure.base_name == member.name) return member_at(body, left, structure.base, member.span);
     }
     for (std::uint32_t i = 0; i < structure.memories.size(); ++i) {
         known.push_back(c.text(structure.memories[i].name));

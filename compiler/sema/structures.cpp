@@ -1,6 +1,8 @@
 // long: structures, views and adaptors are made of the same items
 // Structures, views and adaptors: constructor, memories, nested structures, `via`, domain.
+#include "ir/chain.h"
 #include "ir/empty.h"
+#include "sema/base.h"
 #include "sema/components.h"
 #include "sema/generics.h"
 #include "sema/instances.h"
@@ -93,6 +95,8 @@ bool is_generic_name(const Body& body, ast::ExprId type) {
 // long: the checks of one declaration, in the order of its words
 void add_memory(Body& body, std::uint32_t index, const ast::Item& item) {
     Context& c = body.context;
+    if (has_memory(body, index, item)) return;
+    if (is_structure_memory(body, item.value)) return add_base(body, index, item);
     auto text = read_memory(c, item.value);
     if (!text) return;
     Meta shape = find_meta(c, body.env, {text->shape, text->shape_span});
@@ -181,12 +185,14 @@ void give_arguments(Body& body, const ast::Expr& call, ir::MemberStructure& memb
     }
 }
 
-void add_member(Body& body, std::uint32_t index, const ast::Item& item) {
+}  // namespace
+
+bool add_member(Body& body, std::uint32_t index, const ast::Item& item) {
     Context& c = body.context;
     const ast::Expr& call = c[item.value];
     if (call.kind != ast::ExprKind::call) {
         if (call.kind != ast::ExprKind::error) c.error(Diag::member_form, call.span);
-        return;
+        return false;
     }
     ir::TypeId type = type_of(c, body.env, call.operands[0]);
     if (type != c.types().error && c.types().kind(type) != ir::TypeKind::structure) {
@@ -195,7 +201,7 @@ void add_member(Body& body, std::uint32_t index, const ast::Item& item) {
     }
     if (type == c.types().error) {  // declared all the same, so that its uses give no further errors
         declare_local(body, item.name, type, false, false);
-        return;
+        return false;
     }
     ir::MemberStructure member;
     member.name = item.name.name;
@@ -208,7 +214,10 @@ void add_member(Body& body, std::uint32_t index, const ast::Item& item) {
     else give_arguments(body, call, member);
     c.program.structures[index].members.push_back(std::move(member));
     declare_member(body, index, static_cast<std::uint32_t>(c.program.structures[index].members.size() - 1), item.name);
+    return true;
 }
+
+namespace {
 
 // ------------------------------------------------------------------------------------------------------------- via
 
@@ -366,37 +375,59 @@ ir::ExprId domain_from_translator(Context& c, const ir::Structure& structure) {
     return substitute_state(c, value, structure.via[0]);
 }
 
+/// The extent of the structure's domain: declared, its first translator's, or its memory's.
+ir::ExprId domain_of(Body& body, std::uint32_t index, const ast::Item* declared) {
+    Context& c = body.context;
+    const ir::Structure structure = c.program.structures[index];
+    if (declared) return domain_from_item(body, *declared, structure.domain_type);
+    if (!structure.via.empty()) return domain_from_translator(c, structure);
+    return domain_of_base(body, index);
+}
+
+/// Whether `via` gives what the memory takes. The structure's addresses are those of its first translator, or of its
+/// memory.
+bool check_addresses(Context& c, std::uint32_t index) {
+    ir::Structure& structure = c.program.structures[index];
+    const bool has_base = !structure.base.empty();
+    const ir::TypeId takes = has_base ? ir::physical_type(c.program, structure)
+                                      : address_type(c.types(), structure.memories[0].shape);
+    structure.domain_type = takes;
+    if (structure.via.empty()) return true;
+    const ir::TypeId gives = c.program.translators[structure.via.back().translator].physical_type;
+    structure.domain_type = c.program.translators[structure.via.front().translator].virtual_type;
+    if (gives == takes) return true;
+    const Span memory = has_base ? structure.base_span : structure.memories[0].span;
+    note(c.error(Diag::via_mismatch, structure.span, {c.text(gives), c.text(takes)}), memory,
+         "this memory is addressed by " + c.text(takes));
+    return false;
+}
+
 void finish_structure(Body& body, std::uint32_t index, const ast::Item* domain, const ast::Item* otherwise) {
     Context& c = body.context;
     Span at = c.program.structures[index].span;
     const std::string display = c.program.structures[index].display;
-    if (c.program.structures[index].memories.empty()) {
+    const bool has_base = !c.program.structures[index].base.empty();
+    if (!has_base && c.program.structures[index].memories.empty()) {
         c.error(Diag::no_memory, at, {display});
         return;
     }
-    if (c.program.structures[index].via.empty()) {
+    if (!has_base && c.program.structures[index].via.empty()) {
         note(c.error(Diag::no_via, at, {display}), at, "write 'via Translator(…);'");
         return;
     }
+    if (!check_addresses(c, index) || !check_own_memory(c, index)) return;
     ir::Structure& structure = c.program.structures[index];
-    const ir::Memory memory = structure.memories[0];
-    ir::TypeId gives = c.program.translators[structure.via.back().translator].physical_type;
-    ir::TypeId takes = address_type(c.types(), memory.shape);
-    if (gives != takes) {
-        note(c.error(Diag::via_mismatch, at, {c.text(gives), c.text(takes)}), memory.span,
-             "this memory is addressed by " + c.text(takes));
-        return;
-    }
-    structure.domain_type = c.program.translators[structure.via.front().translator].virtual_type;
-    structure.element = memory.element;
-    ir::TypeId domain_type = structure.domain_type;
-    ir::ExprId extent = domain ? domain_from_item(body, *domain, domain_type) : domain_from_translator(c, structure);
+    const ir::TypeId element = has_base ? ir::structure_at(c.program, structure, structure.base).element
+                                        : structure.memories[0].element;
+    structure.element = element;
+    if (ir::is_computed(c.program, structure)) structure.kind = ir::StructureKind::view, structure.copyable = false;
+    ir::ExprId extent = domain_of(body, index, domain);
     if (!extent && !c.diagnostics.has_errors())
         note(c.error(Diag::no_domain, at, {display}), at,
              "write 'domain() { return …; }' in its first translator or in the structure");
     c.program.structures[index].domain = extent;
     if (otherwise) {
-        ir::ExprId value = check_value(body, otherwise->value, memory.element);
+        ir::ExprId value = check_value(body, otherwise->value, element);
         c.program.structures[index].otherwise = value;
     }
 }
@@ -451,12 +482,10 @@ ir::FunctionId make_at(Context& c, ast::DeclId id, const Env& env, std::uint32_t
 
 }  // namespace
 
-void add_constructor(Context& c, const Env& env, const std::vector<ast::Param>& params, ir::Structure& structure,
-                     bool by_reference) {
+void add_constructor(Context& c, const Env& env, const std::vector<ast::Param>& params, ir::Structure& structure) {
     for (const ast::Param& param : params) {
         ir::TypeId type = type_of(c, env, param.type);
         if (c.types().kind(type) == ir::TypeKind::structure) {
-            if (!by_reference) c.error(Diag::structure_argument, c[param.type].span);
             ir::MemberStructure member;
             member.name = param.name.name;
             member.structure = c.types()[type].index;
@@ -483,6 +512,7 @@ void bring_members_into_scope(Body& body, std::uint32_t index) {
     }
     for (std::uint32_t i = 0; i < structure.members.size(); ++i)
         declare_member(body, index, i, {structure.members[i].name, structure.members[i].span});
+    declare_base(body, index);
     for (std::uint32_t i = 0; i < structure.memories.size(); ++i) {
         Symbol symbol;
         symbol.kind = SymbolKind::memory;
@@ -505,7 +535,7 @@ ir::TypeId make_structure(Context& c, ast::DeclId id, const Env& env) {
     std::uint32_t index = begin_structure(c, id, env, ir::StructureKind::stored);
     {
         ir::Structure started = c.program.structures[index];
-        add_constructor(c, env, written.constructor, started, false);
+        add_constructor(c, env, written.constructor, started);
         c.program.structures[index] = std::move(started);
     }
     Body body{.context = c, .env = env, .kind = BodyKind::structure};
@@ -541,7 +571,7 @@ ir::TypeId make_view(Context& c, ast::DeclId id, const Env& env) {
     std::uint32_t index = begin_structure(c, id, env, ir::StructureKind::view);
     ir::Structure started = c.program.structures[index];
     started.copyable = false;
-    add_constructor(c, env, written.constructor, started, true);
+    add_constructor(c, env, written.constructor, started);
     started.domain_type = type_of(c, env, written.virtual_type);
     started.element = type_of(c, env, written.element_type);
     bool address = started.domain_type == c.types().error || is_address(c.types(), started.domain_type);
@@ -573,7 +603,7 @@ ir::TypeId make_adaptor(Context& c, ast::DeclId id, const Env& env) {
     std::uint32_t index = begin_structure(c, id, env, ir::StructureKind::adaptor);
     ir::Structure started = c.program.structures[index];
     started.copyable = false;
-    add_constructor(c, env, written.constructor, started, true);
+    add_constructor(c, env, written.constructor, started);
     c.program.structures[index] = std::move(started);
     Body body{.context = c, .env = env, .kind = BodyKind::structure};
     bring_members_into_scope(body, index);

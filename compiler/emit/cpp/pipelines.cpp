@@ -1,6 +1,7 @@
 // Pipelines as functions that call kernels and other pipelines.
 #include "emit/cpp/mentions.h"
 #include "emit/cpp/unit.h"
+#include "ir/chain.h"
 #include "ir/levels.h"
 
 #include <utility>
@@ -161,7 +162,7 @@ void PipelinePrinter::temporary(const Stmt& stmt) {
         list += ", " + print_any(p, argument);
     }
     const std::string device = ", " + commands + (stmt.uninitialized ? ".uninitialized()" : "");
-    std::string arguments = (made.kind == ir::StructureKind::view ? "" : device) + structures + values;
+    std::string arguments = (ir::makes_memory(unit.program, made) ? device : "") + structures + values;
     const std::string name = declare_local(p, stmt.local);
     p.out.line(unit.class_name(type.index) + " " + name + (arguments.empty() ? ";" : "(" + arguments.substr(2) + ");"));
 }
@@ -208,12 +209,7 @@ void PipelinePrinter::keep(const std::string& shown, const std::string& object, 
     const ClassNames& names = unit.globals.class_names[index];
     const std::string keeps =
         "test.keep(" + quoted(shown) + ", " + object + ", \"" + scalars_of(unit.program, made.element) + "\")";
-    const bool may_be_sparse = std::any_of(made.via.begin(), made.via.end(), [&](const ir::Stage& stage) {
-        const ir::Properties& properties = unit.program.translators[stage.translator].properties;
-        return properties.partial ||
-               (properties.mapping != ir::Mapping::one_to_one && properties.mapping != ir::Mapping::claimed_one_to_one);
-    });
-    if (!may_be_sparse) return p.out.line(keeps + ";");
+    if (!ir::may_be_sparse(unit.program, made)) return p.out.line(keeps + ";");
     p.out.open("if (!" + keeps + ")");
     for (std::size_t i = 0; i < made.memories.size(); ++i) {
         const std::string memory = object + "." + names.memories[i] + "()";
@@ -242,14 +238,18 @@ void PipelinePrinter::keep_all() {
         made.emplace_back(p.local_names.at(stmt.local), index);
         keep(unit.name(unit.program.locals[stmt.local].name), made.back().first, index);
     }
-    // What contains comes before what it contains: a check writes into the structure that it looks at.
+    // What contains comes before what it contains, and what shares before what it shares: a check writes into the
+    // structure that it looks at.
+    std::ranges::reverse(made);
     for (std::size_t i = 0; i < made.size(); ++i) {
         const auto [object, index] = made[i];
         check_as_made(object, index);
         const ir::Structure& structure = unit.program.structures[index];
-        for (std::size_t m = 0; m < structure.members.size(); ++m)
+        for (std::size_t m = 0; m < structure.members.size(); ++m) {
+            if (structure.members[m].by_reference) continue;
             made.emplace_back(object + "." + unit.globals.class_names[index].members[m] + "()",
                               structure.members[m].structure);
+        }
     }
 }
 

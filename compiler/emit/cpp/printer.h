@@ -39,6 +39,7 @@ struct Text {
 struct ClassNames {
     std::vector<std::string> arguments, memories, members, host, pipelines;  ///< functions: the class's interface
     std::vector<std::string> methods, extents;  ///< likewise: functions of an adaptor; extents of memories
+    std::string base;  ///< likewise: the memory that is a structure, where it is not a member of that name
     /// What the class keeps.
     std::vector<std::string> argument_fields, memory_fields, member_fields, host_fields, extent_fields;
     NameSet own;  ///< what the class's functions name: fields, pipelines, what every such class has

@@ -55,6 +55,12 @@ const NameSet& not_for_types() {
     return names;
 }
 
+/// Whether the memory is a structure that has another name, too: it has a function for each.
+bool has_named_base(const ir::Structure& structure) {
+    if (structure.base.empty()) return false;
+    return structure.base.size() > 1 || structure.members[structure.base[0]].name != structure.base_name;
+}
+
 ClassNames class_names(const ir::Program& program, const NameSet& types, const ir::Structure& structure) {
     const NameSet fixed = members_of_class(structure.kind);
     Scopes scopes;
@@ -64,6 +70,7 @@ ClassNames class_names(const ir::Program& program, const NameSet& types, const i
     const auto text = [&](Name name) { return scopes.declare((*program.names)[name]); };
     for (ir::LocalId local : structure.constructor) names.arguments.push_back(text(program.locals[local].name));
     for (const ir::MemberStructure& member : structure.members) names.members.push_back(text(member.name));
+    if (has_named_base(structure)) names.base = text(structure.base_name);
     for (const ir::Memory& memory : structure.memories) names.memories.push_back(text(memory.name));
     for (const ir::HostField& field : structure.host) names.host.push_back(text(field.name));
     std::unordered_map<std::uint32_t, std::string> overloads;
@@ -94,6 +101,7 @@ ClassNames class_names(const ir::Program& program, const NameSet& types, const i
     names.all = names.own;
     for (const auto* list : {&names.arguments, &names.members, &names.memories, &names.host, &names.extents})
         names.all.insert(list->begin(), list->end());
+    if (!names.base.empty()) names.all.insert(names.base);
     return names;
 }
 

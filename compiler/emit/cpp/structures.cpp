@@ -1,6 +1,7 @@
 // Structures, views and adaptors as classes; structs as structs.
 #include "emit/cpp/translators.h"
 #include "emit/cpp/unit.h"
+#include "ir/chain.h"
 #include "ir/empty.h"
 #include "layout/layout.h"
 
@@ -26,7 +27,7 @@ struct Constructor {
 Constructor constructor_of(const Unit& unit, std::uint32_t index, const ClassNames& names, bool qualified) {
     const Structure& structure = unit.program.structures[index];
     Constructor result;
-    if (structure.kind != StructureKind::view) result.parameters.push_back("const glift::Commands& commands");
+    if (ir::makes_memory(unit.program, structure)) result.parameters.push_back("const glift::Commands& commands");
     for (std::size_t i = 0; i < structure.members.size(); ++i) {
         if (structure.members[i].by_reference)
             result.parameters.push_back("const " + unit.class_name(structure.members[i].structure) + "& " +
@@ -88,6 +89,24 @@ std::string extent_value(Unit& unit, Printer& p, const std::string& owner, const
     return fitted(p, memory.extent, owner + "." + unit.name(memory.name));
 }
 
+/// Whether what the structure is made of is its memory, or shared: programs write there, too.
+bool is_written_as(const Structure& structure, std::size_t member) {
+    return structure.members[member].by_reference || (!structure.base.empty() && structure.base[0] == member);
+}
+
+/// The memory, where it is a structure with a name of its own.
+void print_base(const Unit& unit, Writer& out, std::uint32_t index, const ClassNames& names) {
+    if (names.base.empty()) return;
+    const Structure& structure = unit.program.structures[index];
+    ir::Expr whole;
+    whole.op = ir::Op::structure_value;
+    whole.place.members = structure.base;
+    std::uint32_t base = index;
+    for (std::uint32_t member : structure.base) base = unit.program.structures[base].members[member].structure;
+    out.line("const " + unit.class_name(base) + "& " + names.base + "() const { return " +
+             structure_property(unit.globals, whole, index, "").text + "; }");
+}
+
 void print_accessors(Unit& unit, Writer& out, std::uint32_t index, const ClassNames& names) {
     constexpr bool qualified = true;
     const Structure& structure = unit.program.structures[index];
@@ -97,9 +116,10 @@ void print_accessors(Unit& unit, Writer& out, std::uint32_t index, const ClassNa
     for (std::size_t i = 0; i < structure.members.size(); ++i) {
         const std::string type = unit.class_name(structure.members[i].structure);
         out.line("const " + type + "& " + names.members[i] + "() const { return " + names.member_fields[i] + "; }");
-        if (structure.kind == StructureKind::adaptor)
+        if (structure.kind == StructureKind::adaptor || is_written_as(structure, i))
             out.line(type + "& " + names.members[i] + "() { return " + names.member_fields[i] + "; }");
     }
+    print_base(unit, out, index, names);
     for (std::size_t i = 0; i < structure.memories.size(); ++i) {
         out.line("const glift::Memory& " + names.memories[i] + "() const { return " + names.memory_fields[i] + "; }");
         out.line(extent_type(unit, structure.memories[i], qualified) + " " + names.extents[i] + "() const { return " +
@@ -130,14 +150,18 @@ void print_fields(Unit& unit, Writer& out, std::uint32_t index, const ClassNames
 std::string memory_parameters(const Unit& unit, std::uint32_t index, const ClassNames& names) {
     std::string text;
     const Structure& structure = unit.program.structures[index];
-    for (std::size_t i = 0; i < structure.members.size(); ++i)
+    for (std::size_t i = 0; i < structure.members.size(); ++i) {
+        if (structure.members[i].by_reference) continue;
         text += ", " + unit.class_name(structure.members[i].structure) + " " + names.members[i];
+    }
     for (std::size_t i = 0; i < structure.memories.size(); ++i) text += ", glift::Memory " + names.memories[i];
     return text;
 }
 
 bool has_parts(const Structure& structure) {
-    return structure.kind == StructureKind::stored && (!structure.memories.empty() || !structure.members.empty());
+    const auto is_made_here = [](const ir::MemberStructure& member) { return !member.by_reference; };
+    return structure.kind == StructureKind::stored &&
+           (!structure.memories.empty() || std::ranges::any_of(structure.members, is_made_here));
 }
 
 /// What a memory is to be, as a glift::MemoryDescription.
@@ -189,7 +213,7 @@ Printer method_printer(Unit& unit, std::uint32_t index) {
 
 std::string member_value(Unit& unit, Printer& p, const std::string& owner, const ir::MemberStructure& member) {
     const Structure& made = unit.program.structures[member.structure];
-    std::string arguments = made.kind == StructureKind::view ? "" : "commands";
+    std::string arguments = ir::makes_memory(unit.program, made) ? "commands" : "";
     for (const ir::Place& place : member.structures) {
         ir::Expr whole;
         whole.op = ir::Op::structure_value;
@@ -231,9 +255,9 @@ void print_constructors(Unit& unit, Writer& out, std::uint32_t index, const Clas
             initialisers.push_back(names.argument_fields[i] + "(" + names.arguments[i] + ")");
         for (std::size_t i = 0; i < structure.members.size(); ++i) {
             const ir::MemberStructure& member = structure.members[i];
-            const std::string value = adopts                ? adopted_part(unit, p, index, i, names)
-                                      : member.by_reference ? names.members[i]
-                                                            : member_value(unit, p, type, member);
+            const std::string value = member.by_reference ? names.members[i]
+                                      : adopts            ? adopted_part(unit, p, index, i, names)
+                                                          : member_value(unit, p, type, member);
             initialisers.push_back(names.member_fields[i] + "(" + value + ")");
         }
         for (std::size_t i = 0; i < structure.memories.size(); ++i) {

@@ -1,6 +1,7 @@
 // Checks of translators that nobody wrote: they map back, keep addresses apart where they say so, and boxes written
 // through them come back.
 #include "emit/cpp/translators.h"
+#include "ir/chain.h"
 #include "ir/walk.h"
 
 #include <algorithm>
@@ -14,6 +15,8 @@ using ir::TypeKind;
 
 /// Its constructor takes nothing but extents of its domain, so that any size makes a whole structure.
 bool is_made_of_extents(const ir::Program& program, const Structure& structure) {
+    const auto is_given = [](const ir::MemberStructure& member) { return member.by_reference; };
+    if (std::ranges::any_of(structure.members, is_given)) return false;
     return !structure.constructor.empty() && std::ranges::all_of(structure.constructor, [&](ir::LocalId local) {
         return program.locals[local].type == structure.domain_type;
     });
@@ -21,14 +24,14 @@ bool is_made_of_extents(const ir::Program& program, const Structure& structure) 
 
 /// A value of the structure's element type that its memory keeps exactly, from a number `i`; empty where there is none.
 std::string sample_value(const Unit& unit, const Structure& structure) {
-    if (structure.memories.empty()) return "";
+    if (ir::is_computed(unit.program, structure)) return "";
     const ir::Type& type = unit.program.types[structure.element];
     const ir::TypeId scalar = unit.program.types.scalar_of(structure.element);
     if (type.kind == TypeKind::struct_ || type.kind == TypeKind::array || type.kind == TypeKind::matrix ||
         type.kind == TypeKind::optional)
         return "";
     std::string number = "i";
-    switch (structure.memories[structure.via_memory].format) {
+    switch (ir::root_memory(unit.program, structure).format) {
     case ir::Format::none: break;
     case ir::Format::r8:
     case ir::Format::rg8:
@@ -184,10 +187,19 @@ private:
             return transfer.structure == index_ && transfer.write_kernel < unit_.program.kernels.size();
         });
         if (!is_moved || !structure_.copyable || value.empty()) return out_.line("(void)" + last + ";");
-        const std::string extent = unit_.globals.class_names[index_].extents[structure_.via_memory] + "()";
-        out_.open("if (glift::fill_memory(" + last + ", structure." + extent + "))");
+        out_.open("if (glift::fill_memory(" + last + ", " + extent() + "))");
         out_.line("glift::check_boxes(test, " + quoted(title) + ", structure, [](uint i) { return " + value + "; });");
         out_.close();
+    }
+
+    /// Of the memory that the translators lead to.
+    std::string extent() const {
+        if (structure_.base.empty())
+            return "structure." + unit_.globals.class_names[index_].extents[structure_.via_memory] + "()";
+        ir::Expr domain;
+        domain.op = ir::Op::domain;
+        domain.place.members = structure_.base;
+        return structure_property(unit_.globals, domain, index_, "structure.").text;
     }
 
     Unit& unit_;

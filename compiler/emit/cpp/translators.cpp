@@ -62,7 +62,8 @@ void print_method(Unit& unit, Writer& out, const char* name, ir::FunctionId id, 
 }
 
 bool has_rows(const ir::Program& program, const ir::Structure& structure) {
-    if (structure.kind != ir::StructureKind::stored || structure.via.size() != 1) return false;
+    if (structure.kind != ir::StructureKind::stored || structure.via.size() != 1 || !structure.base.empty())
+        return false;
     const ir::Translator& translator = program.translators[structure.via[0].translator];
     const ir::Memory& memory = structure.memories[structure.via_memory];
     const bool is_number = program.types.is_number(program.types.scalar_of(structure.element)) ||

@@ -143,6 +143,7 @@ void Writer::structure(std::uint32_t index) {
         list("constructor", s.constructor,
              [&](ir::LocalId id) { named(name(program.locals[id].name), type(program.locals[id].type)); });
         list("memories", s.memories, [&](const ir::Memory& m) { memory(m, self); });
+        if (!s.base.empty()) out.field("memory", place_text(program, self, {0, s.base}));
         list("members", s.members, [&](const ir::MemberStructure& m) { member(m, self); });
         stages(s, self);
         if (s.kind == ir::StructureKind::adaptor)

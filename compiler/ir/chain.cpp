@@ -1,0 +1,102 @@
+#include "ir/chain.h"
+
+#include <algorithm>
+
+namespace gliftc::ir {
+
+const Structure& structure_at(const Program& program, const Structure& from, const RareVector<std::uint32_t>& members) {
+    const Structure* structure = &from;
+    for (std::uint32_t member : members) structure = &program.structures[structure->members[member].structure];
+    return *structure;
+}
+
+Place base_of(const Structure& structure, const Place& place) {
+    Place base = place;
+    base.members.append(structure.base);
+    return base;
+}
+
+Place root_of(const Program& program, const Structure& structure, const Place& place) {
+    Place root = place;
+    const Structure* link = &structure;
+    while (!link->base.empty()) {
+        root = base_of(*link, root);
+        link = &structure_at(program, *link, link->base);
+    }
+    return root;
+}
+
+const Structure& root_structure(const Program& program, const Structure& structure) {
+    const Structure* link = &structure;
+    while (!link->base.empty()) link = &structure_at(program, *link, link->base);
+    return *link;
+}
+
+const Memory& root_memory(const Program& program, const Structure& structure) {
+    const Structure& root = root_structure(program, structure);
+    return root.memories[root.via_memory];
+}
+
+bool is_computed(const Program& program, const Structure& structure) {
+    return root_structure(program, structure).kind == StructureKind::view;
+}
+
+TypeId physical_type(const Program& program, const Structure& structure) {
+    if (!structure.base.empty()) return structure_at(program, structure, structure.base).domain_type;
+    if (structure.via.empty()) return {};
+    return program.translators[structure.via.back().translator].physical_type;
+}
+
+bool translates_by_tables(const Program& program, const Structure& structure) {
+    const auto has_tables = [](const Stage& stage) { return !stage.structures.empty(); };
+    for (const Structure* link = &structure;; link = &structure_at(program, *link, link->base)) {
+        if (std::ranges::any_of(link->via, has_tables)) return true;
+        if (link->base.empty()) return false;
+    }
+}
+
+bool is_total(const Program& program, const Structure& structure) {
+    const Structure* link = &structure;
+    while (link->via.empty() && !link->base.empty()) link = &structure_at(program, *link, link->base);
+    return link->via.empty() || !program.translators[link->via[0].translator].properties.partial;
+}
+
+bool leads_through_partial(const Program& program, const Structure& structure) {
+    for (const Structure* link = &structure; !link->base.empty();) {
+        link = &structure_at(program, *link, link->base);
+        if (!is_total(program, *link)) return true;
+    }
+    return false;
+}
+
+bool may_be_sparse(const Program& program, const Structure& structure) {
+    const auto is_sparse = [&](const Stage& stage) {
+        const Properties& properties = program.translators[stage.translator].properties;
+        return properties.partial ||
+               (properties.mapping != Mapping::one_to_one && properties.mapping != Mapping::claimed_one_to_one);
+    };
+    for (const Structure* link = &structure;; link = &structure_at(program, *link, link->base)) {
+        if (std::ranges::any_of(link->via, is_sparse)) return true;
+        if (link->base.empty()) return false;
+    }
+}
+
+bool makes_memory(const Program& program, const Structure& structure) {
+    return structure.kind != StructureKind::view ||
+           std::ranges::any_of(structure.members, [&](const MemberStructure& member) {
+               return !member.by_reference && makes_memory(program, program.structures[member.structure]);
+           });
+}
+
+std::optional<Place> says_otherwise(const Program& program, const Structure& structure, const Place& place) {
+    Place at = place;
+    const Structure* link = &structure;
+    while (!link->otherwise) {
+        if (link->base.empty()) return std::nullopt;
+        at = base_of(*link, at);
+        link = &structure_at(program, *link, link->base);
+    }
+    return at;
+}
+
+}  // namespace gliftc::ir
