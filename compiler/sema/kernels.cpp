@@ -185,8 +185,12 @@ void add_param(Body& body, const ast::Param& param, ir::Kernel& kernel) {
     check_direction(c, param, made);
     check_extra(c, body.env, param, made);
     check_exclusive(c, param, made);
-    if (structure.kind == ir::StructureKind::view && made.direction != ir::Direction::in)
-        c.error(Diag::view_written, param.name.span, {structure.display});
+    if (structure.kind == ir::StructureKind::view && made.direction != ir::Direction::in) {
+        Diagnostic& diagnostic = c.error(Diag::view_written, param.name.span, {structure.display});
+        if (!structure.base.empty())
+            note(diagnostic, structure.base_span,
+                 "its memory is the view " + ir::root_structure(c.program, structure).display + ", which is computed");
+    }
     if (ir::visits(made.pattern) && !structure.domain) c.error(Diag::no_domain, param.name.span, {structure.display});
     Symbol symbol;
     const bool is_coherent = made.pattern == ir::Pattern::coherent;

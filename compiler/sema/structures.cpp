@@ -64,6 +64,10 @@ ir::TypeId address_type(ir::Types& types, ir::MemoryShape shape) {
     return types.uint;
 }
 
+constexpr const char* memory_remedy =
+    "write buffer<T>[n], image1d<F>(n), image2d<F>(extent), image3d<F>(extent), a structure with its arguments, or the "
+    "name of one";
+
 /// The parts of `buffer<T>[n]` or `image2d<F>(extent)`: shape, element, extent.
 struct MemoryText {
     Name shape;
@@ -82,7 +86,7 @@ std::optional<MemoryText> read_memory(Context& c, ast::ExprId id) {
     }
     if (expr.kind != ast::ExprKind::error)
         note(c.error(Diag::memory_form, expr.span), expr.span,
-             "write buffer<T>[n], image1d<F>(n), image2d<F>(extent) or image3d<F>(extent)");
+             memory_remedy);
     return std::nullopt;
 }
 
@@ -102,7 +106,7 @@ void add_memory(Body& body, std::uint32_t index, const ast::Item& item) {
     Meta shape = find_meta(c, body.env, {text->shape, text->shape_span});
     if (shape.kind != MetaKind::memory_shape) {
         note(c.error(Diag::memory_form, text->shape_span), text->shape_span,
-             "write buffer<T>[n], image1d<F>(n), image2d<F>(extent) or image3d<F>(extent)");
+             memory_remedy);
         return;
     }
     ir::Memory memory;
