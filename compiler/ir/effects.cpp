@@ -2,6 +2,8 @@
 
 #include "ir/chain.h"
 
+#include <algorithm>
+
 namespace gliftc::ir {
 
 const PatternTraits& traits_of(Pattern pattern) {
@@ -39,6 +41,12 @@ bool may_meet(const KernelParam& one, const KernelParam& other) {
     if (reach == Reach::element && other_reach == Reach::element) return false;
     if (one.pattern == Pattern::coherent && other.pattern == Pattern::coherent) return false;
     return one.pattern != other.pattern || one.combine != other.combine || one.combine == Combine::replace;
+}
+
+bool is_promised_apart(const Kernel& kernel, std::uint32_t one, std::uint32_t other) {
+    return std::ranges::any_of(kernel.disjoint, [&](const auto& pair) {
+        return pair == std::pair(one, other) || pair == std::pair(other, one);
+    });
 }
 
 const Translator* many_to_one_stage(const Program& program, std::uint32_t structure) {

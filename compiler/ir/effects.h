@@ -49,7 +49,10 @@ bool has_one_place(const Pass& pass);
 /// Whether invocations may race if both parameters are given the same whole structure.
 bool may_meet(const KernelParam& one, const KernelParam& other);
 
-/// The structure's translator that is declared many-to-one; or null.
+/// Whether the kernel promises that what it accesses by these parameters is apart.
+bool is_promised_apart(const Kernel& kernel, std::uint32_t one, std::uint32_t other);
+
+/// The translator of the structure or of its memory that is declared many-to-one; or null.
 const Translator* many_to_one_stage(const Program& program, std::uint32_t structure);
 
 }  // namespace gliftc::ir

@@ -42,6 +42,7 @@ Operand operand_of_local(Body& body, ir::LocalId local, ir::TypeId type, Span sp
 void emit_temp(Body& body, ir::LocalId local, ir::Operands arguments, Span span) {
     ir::StmtId id = add(body.program(), ir::StmtOp::temp, span);
     body.program().stmts[id].local = local;
+    body.made.emplace(local, arguments);
     body.program().stmts[id].arguments = std::move(arguments);
     emit(body, id);
     require_transfers(body.context, body.types()[body.program().locals[local].type].index, span);
@@ -156,7 +157,7 @@ std::optional<Operand> call_kernel(Body& body, ast::DeclId id, const std::vector
     }
     auto values = kernel_arguments(body, *kernel, arguments);
     if (!values) return std::nullopt;
-    check_one_memory(c, body.program().kernels[*kernel], *values);
+    check_one_memory(body, body.program().kernels[*kernel], *values);
     std::vector<bool> on_device;
     for (ir::ExprId value : *values) on_device.push_back(is_on_device(body, value));
     if (std::ranges::find(on_device, true) != on_device.end())

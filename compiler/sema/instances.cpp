@@ -99,7 +99,8 @@ ir::TypeId instantiate_type(Context& c, ast::DeclId id, const Env& env, Span use
     std::string key = key_of(c, id, env);
     if (auto found = c.instances.find(key); found != c.instances.end()) {
         if (found->second.state == Instance::State::in_progress) {
-            c.error(Diag::recursive_type, use, {display_of(c, decl, env)});
+            note(c.error(Diag::recursive_type, use, {display_of(c, decl, env)}), decl.name.span,
+                 "what it is made of, memory included, is there before it: break the cycle where it begins");
             return c.types().error;
         }
         return found->second.state == Instance::State::failed ? c.types().error : found->second.type;

@@ -3,6 +3,7 @@
 #include "sema/components.h"
 #include "sema/generics.h"
 #include "sema/instances.h"
+#include "sema/one_memory.h"
 #include "sema/typing.h"
 #include "sema/uniformity.h"
 #include "syntax/print.h"
@@ -283,6 +284,39 @@ void read_items(Context& c, const Env& env, const ast::Kernel& written, ir::Kern
     }
 }
 
+/// The parameter that an attribute names.
+std::optional<std::uint32_t> parameter_named(const Context& c, const ir::Kernel& kernel, ast::ExprId id) {
+    const ast::Expr& name = c[id];
+    for (std::uint32_t i = 0; i < kernel.params.size(); ++i)
+        if (name.kind == ast::ExprKind::name && kernel.params[i].name == name.name) return i;
+    return std::nullopt;
+}
+
+/// `@disjoint(read, written)`.
+void read_attributes(Context& c, const ast::Decl& decl, ir::Kernel& kernel) {
+    for (const ast::Attribute& attribute : decl.attributes) {
+        if (c.text(attribute.name.name) != "disjoint") {
+            c.error(Diag::unknown_attribute, attribute.span, {c.text(attribute.name.name)});
+            continue;
+        }
+        std::optional<std::uint32_t> read, written;
+        if (attribute.arguments.size() == 2) {
+            read = parameter_named(c, kernel, attribute.arguments[0]);
+            written = parameter_named(c, kernel, attribute.arguments[1]);
+        }
+        const auto accesses = [&](const std::optional<std::uint32_t>& param, bool writes) {
+            if (!param) return false;
+            const ir::KernelParam& named = kernel.params[*param];
+            return ir::traits_of(named.pattern).reach != ir::Reach::nothing &&
+                   (named.direction != ir::Direction::in) == writes;
+        };
+        if (accesses(read, false) && accesses(written, true)) kernel.disjoint.emplace_back(*read, *written);
+        else
+            note(c.error(Diag::disjoint_names, attribute.span), attribute.span,
+                 "the first is an 'in' parameter of a structure, the second one that is 'out' or 'inout'");
+    }
+}
+
 }  // namespace
 
 std::array<std::uint32_t, 3> group_of(Context& c, const Env& env, const std::vector<ast::ExprId>& written) {
@@ -342,10 +376,12 @@ std::optional<std::uint32_t> instantiate_kernel(Context& c, ast::DeclId id, cons
     for (const ast::Param& param : written.params) add_param(body, param, kernel);
     find_domain(c, written, kernel, c.diagnostics.error_count() == errors);
     read_items(c, env, written, kernel);
+    if (c.diagnostics.error_count() == errors) read_attributes(c, decl, kernel);
     find_alike(c, written, kernel);
     open_scope(body);
     check_block(body, written.body);
     close_scope(body);
+    if (c.diagnostics.error_count() == errors) check_reads_of_written(c, kernel);
     if (kernel.grouped() && c.diagnostics.error_count() == errors) check_barriers(c, kernel);
     Instance& instance = c.instances[key];
     instance.state = c.diagnostics.error_count() == errors ? Instance::State::done : Instance::State::failed;

@@ -1,12 +1,14 @@
-// One structure given for several parameters of a pass (docs/language.md, "One memory given twice").
+// One structure, or one memory of several, given for several parameters of a pass.
 #pragma once
 
-#include "sema/context.h"
+#include "sema/body.h"
 
 namespace gliftc::sema {
 
-/// Reports races that do not depend on sizes: parameters that are given the same whole structure. Calls with boxes are
-/// checked at run time.
-void check_one_memory(Context&, const ir::Kernel&, const ir::Operands& arguments);
+/// Reports parameters of a call that are given one memory as a whole where invocations would race.
+void check_one_memory(Body&, const ir::Kernel&, const ir::Operands& arguments);
+
+/// Reports reads of what the kernel writes by another parameter's or member's name: a scatter parameter's own memory.
+void check_reads_of_written(Context&, const ir::Kernel&);
 
 }  // namespace gliftc::sema

@@ -149,15 +149,38 @@ std::string touches_text(const Binding& binding, const Box& box) {
     return name + "any of " + where;
 }
 
+/// Of `f.table.data`, `table.data`.
+std::string_view within_parameter(const Binding& binding) {
+    const std::string_view name = binding.name;
+    return name.substr(name.find('.') + 1);
+}
+
 /// Two bindings of the same memory.
 struct Pair {
+    const Kernel& kernel;
+    std::span<const Memory> memories;
     const Binding &one, &other;
     const Footprint &first, &second;
     const Box& visited;
 
     bool is_one_place() const {
         return one.reach == Reach::element && other.reach == Reach::element && is_one_structure(first, second) &&
-               first.box.origin == second.box.origin && first.box.size == second.box.size;
+               first.box.origin == second.box.origin && first.box.size == second.box.size && have_one_translation();
+    }
+    /// Whether what translates the one parameter's addresses, tables and all, is what translates the other's.
+    bool have_one_translation() const {
+        for (std::size_t i = 0; i < memories.size(); ++i) {
+            const Binding& table = kernel.bindings[i];
+            if (table.parameter != one.parameter || table.reach != Reach::memory) continue;
+            const auto is_its = [&](const Binding& binding) {
+                return binding.parameter == other.parameter && within_parameter(binding) == within_parameter(table);
+            };
+            const auto of_other = std::ranges::find_if(kernel.bindings, is_its);
+            if (of_other == kernel.bindings.end()) return false;
+            const auto k = static_cast<std::size_t>(of_other - kernel.bindings.begin());
+            if (memories[k].object() != memories[i].object()) return false;
+        }
+        return true;
     }
     bool has_places() const {
         return one.reach != Reach::memory && other.reach != Reach::memory && first.table->place && second.table->place;
@@ -169,7 +192,7 @@ struct Pair {
             return !box.overlaps(second_box);
         return are_apart(Places(first, box), Places(second, second_box));
     }
-    [[noreturn]] void refuse(const Kernel& kernel, const Memory& memory) const {
+    [[noreturn]] void refuse(const Memory& memory) const {
         throw Error(ErrorCode::aliased_memory,
                     "parameters '" + parameter_of(one) + "' and '" + parameter_of(other) +
                         "' were given one memory, and one invocation may write what another touches",
@@ -204,9 +227,10 @@ Sharing compare_footprints(const Kernel& kernel, std::span<const Memory> memorie
             const Binding &one = kernel.bindings[j], &other = kernel.bindings[k];
             if (memories[j].object() != memories[k].object() || (!writes(one) && !writes(other))) continue;
             if (one.combine != Combine::none && one.combine == other.combine) continue;
-            const Pair pair{one, other, footprints[one.parameter], footprints[other.parameter], visited};
+            if (one.apart_from >> other.parameter & 1) continue;
+            const Pair pair{kernel, memories, one, other, footprints[one.parameter], footprints[other.parameter], visited};
             if (pair.is_one_place()) sharing = Sharing::one_place;
-            else if (!pair.is_apart()) pair.refuse(kernel, memories[k]);
+            else if (!pair.is_apart()) pair.refuse(memories[k]);
         }
     }
     return sharing;

@@ -17,6 +17,16 @@ std::size_t structure_number(const ir::Kernel& kernel, std::uint32_t root) {
     return static_cast<std::size_t>(std::count_if(kernel.params.begin(), last, is_structure));
 }
 
+/// The parameters that the kernel promises to be apart from this one, a bit each.
+std::uint32_t promised_apart(const ir::Kernel& kernel, std::uint32_t root) {
+    std::uint32_t bits = 0;
+    for (std::uint32_t other = 0; other < kernel.params.size(); ++other) {
+        const std::size_t number = structure_number(kernel, other);
+        if (ir::is_promised_apart(kernel, root, other) && number < 32) bits |= 1u << number;
+    }
+    return bits;
+}
+
 const char* reach_text(ir::Reach reach) {
     switch (reach) {
     case ir::Reach::element: return "element";
@@ -61,6 +71,8 @@ std::string sharing_fields(const ir::Program& program, const ir::Kernel& kernel,
     if (ir::is_addressed(program, kernel, binding))
         text += std::string(", .reach = glift::Reach::") + reach_text(ir::traits_of(param.pattern).reach);
     if (ir::traits_of(param.pattern).reach == ir::Reach::window) text += ", .radius = " + std::to_string(param.radius);
+    if (const std::uint32_t apart = promised_apart(kernel, binding.place.root))
+        text += ", .apart_from = " + std::to_string(apart) + "u";
     if (binding.coherent) text += ", .combine = glift::Combine::coherent";
     else if (param.combine != ir::Combine::replace)
         text += std::string(", .combine = glift::Combine::") + combine_text(param.combine);

@@ -70,6 +70,7 @@ struct Binding {
     Reach reach = Reach::memory;
     std::uint32_t radius = 0;  ///< window
     Combine combine = Combine::none;
+    std::uint32_t apart_from = 0;  ///< parameters that the kernel promises to be apart from this one, a bit each
 };
 
 /// A location in the source.
