@@ -1,6 +1,7 @@
 #include "sema/check.h"
 
 #include "ir/aliases.h"
+#include "ir/chain.h"
 #include "sema/components.h"
 #include "sema/context.h"
 #include "sema/defines.h"
@@ -124,18 +125,18 @@ void require_transfers_of_arguments(Context& c) {
     for (const auto& [structure, span] : passed) require_transfers(c, structure, span);
 }
 
-/// `gliftc test` reads the tables of translators on the host.
+/// `gliftc test` reads the tables of translators on the host, and memories that are structures.
 void require_transfers_of_tables(Context& c) {
     for (std::size_t i = 0; i < c.program.structures.size(); ++i) {
         std::vector<std::uint32_t> tables;
-        for (const ir::Stage& stage : c.program.structures[i].via) {
-            for (const ir::Place& place : stage.structures) {
-                auto table = static_cast<std::uint32_t>(i);
-                for (std::uint32_t member : place.members)
-                    table = c.program.structures[table].members[member].structure;
-                tables.push_back(table);
-            }
-        }
+        const ir::Structure& structure = c.program.structures[i];
+        const auto add = [&](const std::vector<std::uint32_t>& path) {
+            const ir::Structure& table = ir::structure_at(c.program, structure, path);
+            tables.push_back(static_cast<std::uint32_t>(&table - c.program.structures.data()));
+        };
+        for (const ir::Stage& stage : structure.via)
+            for (const ir::Place& place : stage.structures) add(place.members);
+        if (!structure.base.empty()) add(structure.base);
         for (std::uint32_t table : tables) require_transfers(c, table, c.program.structures[i].span);
     }
 }

@@ -103,8 +103,9 @@ void print_base(const Unit& unit, Writer& out, std::uint32_t index, const ClassN
     whole.place.members = structure.base;
     std::uint32_t base = index;
     for (std::uint32_t member : structure.base) base = unit.program.structures[base].members[member].structure;
-    out.line("const " + unit.class_name(base) + "& " + names.base + "() const { return " +
-             structure_property(unit.globals, whole, index, "").text + "; }");
+    const std::string where = "return " + structure_property(unit.globals, whole, index, "").text + "; }";
+    out.line("const " + unit.class_name(base) + "& " + names.base + "() const { " + where);
+    if (structure.base.size() == 1) out.line(unit.class_name(base) + "& " + names.base + "() { " + where);
 }
 
 void print_accessors(Unit& unit, Writer& out, std::uint32_t index, const ClassNames& names) {
