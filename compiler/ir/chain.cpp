@@ -81,6 +81,11 @@ bool may_be_sparse(const Program& program, const Structure& structure) {
     }
 }
 
+bool is_contained(const Program& program, const Structure& structure) {
+    const TypeId type = physical_type(program, structure);
+    return type && structure.contained_axes == (1u << program.types.components(type)) - 1;
+}
+
 bool makes_memory(const Program& program, const Structure& structure) {
     return structure.kind != StructureKind::view ||
            std::ranges::any_of(structure.members, [&](const MemberStructure& member) {

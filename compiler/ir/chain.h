@@ -37,6 +37,9 @@ bool leads_through_partial(const Program& program, const Structure& structure);
 /// Whether several addresses of the chain's domain may have one element, or none: as far as is known.
 bool may_be_sparse(const Program& program, const Structure& structure);
 
+/// Whether no address leads beyond the structure's own memory, along all of its axes.
+bool is_contained(const Program& program, const Structure& structure);
+
 /// Whether memory is made where the structure is.
 bool makes_memory(const Program& program, const Structure& structure);
 

@@ -376,7 +376,8 @@ struct Structure {
     std::vector<FunctionId> functions;     ///< other fns: structures[0] is this structure
     std::vector<HostField> host;           ///< adaptors
     std::vector<std::uint32_t> pipelines;  ///< adaptors: Program::pipelines
-    bool is_contained = false;             ///< no address leads beyond its own memory: set by lower/contained.cpp
+    /// The axes along which no address leads beyond its own memory, a bit each: set by lower/contained.cpp.
+    std::uint8_t contained_axes = 0;
     std::vector<Method> methods;           ///< adaptors: public functions
     bool copyable = true;                  ///< elements can be read and written from the host (not views)
     std::string doc;

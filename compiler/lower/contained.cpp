@@ -49,29 +49,31 @@ Parts any_address(Following& following, const Program& p, const Structure& s) {
     return address;
 }
 
-/// Whether every address leads into the memory where the domain has elements.
-bool is_inside(const Program& p, std::uint32_t index, const std::vector<Argument>& extents) {
+constexpr std::uint8_t all_axes = 0xff;
+
+/// The axes along which every address leads into the memory where the domain has elements.
+std::uint8_t axes_inside(const Program& p, std::uint32_t index, const std::vector<Argument>& extents) {
     const Structure& s = p.structures[index];
     Following following(p, index);
     for (const Argument& each : extents) following.set_member(each.slot, each.lane, following.symbols.size(1));
     const std::optional<Parts> at = following.translated(any_address(following, p, s));
-    if (!at) return true;
+    if (!at) return all_axes;
     const Parts memory = following.extent_of_memory();
-    if (memory.size() != at->size()) return false;
-    for (std::size_t i = 0; i < memory.size(); ++i)
-        if (!following.symbols.is_natural(memory[i].sum - (*at)[i].sum - number(1))) return false;
-    return true;
+    std::uint8_t axes = 0;
+    for (std::size_t i = 0; i < memory.size() && memory.size() == at->size(); ++i)
+        if (following.symbols.is_natural(memory[i].sum - (*at)[i].sum - number(1))) axes |= 1u << i;
+    return axes;
 }
 
 /// Whether an empty domain, of no extent along one axis, leads nowhere or to the first element, which is zero: every
-/// memory has room for one.
+/// memory has room for one, unless it is a structure.
 bool is_harmless_empty(const Program& p, std::uint32_t index, const Argument& none) {
     const Structure& s = p.structures[index];
     Following following(p, index);
     following.set_member(none.slot, none.lane, number(0));
     const std::optional<Parts> at = following.translated(any_address(following, p, s));
     if (!at) return true;
-    return !s.otherwise && std::ranges::all_of(*at, [&](const Part& part) {
+    return !s.otherwise && s.base.empty() && std::ranges::all_of(*at, [&](const Part& part) {
         return following.symbols.is_natural(number(0) - part.sum);
     });
 }
@@ -85,25 +87,29 @@ bool has_domain_of_base(const Program& p, const Structure& s) {
     return domain.op == Op::domain && domain.place.members == s.base;
 }
 
-bool is_contained(const Program& p, std::uint32_t index) {
+std::uint8_t contained_axes(const Program& p, std::uint32_t index) {
     const Structure& s = p.structures[index];
-    if (!has_memory(s) || !s.domain) return false;
-    if (has_domain_of_base(p, s)) return true;
+    if (!has_memory(s) || !s.domain) return 0;
+    if (has_domain_of_base(p, s)) return all_axes;
     const std::vector<Argument> extents = extents_of(p, index);
-    if (!is_inside(p, index, extents)) return false;
-    // A total translator is asked for no address of an empty domain. A memory that is a structure and empty has no
-    // element that could stand for all.
-    if (!is_partial(p, s)) return true;
-    if (!s.base.empty()) return false;
-    return !extents.empty() &&
-           std::ranges::all_of(extents, [&](const Argument& each) { return is_harmless_empty(p, index, each); });
+    const std::uint8_t axes = axes_inside(p, index, extents);
+    // A total translator is asked for no address of an empty domain.
+    if (axes == 0 || !is_partial(p, s)) return axes;
+    const bool is_harmless = !extents.empty() && std::ranges::all_of(extents, [&](const Argument& each) {
+        return is_harmless_empty(p, index, each);
+    });
+    return is_harmless ? axes : 0;
 }
 
 }  // namespace
 
 void mark_contained(Program& program) {
-    for (std::uint32_t i = 0; i < program.structures.size(); ++i)
-        program.structures[i].is_contained = is_contained(program, i);
+    for (std::uint32_t i = 0; i < program.structures.size(); ++i) {
+        Structure& s = program.structures[i];
+        const TypeId type = physical_type(program, s);
+        const std::uint32_t axes = type ? program.types.components(type) : 0;
+        s.contained_axes = static_cast<std::uint8_t>(contained_axes(program, i) & ((1u << axes) - 1));
+    }
 }
 
 }  // namespace gliftc::lower

@@ -9,7 +9,7 @@
 
 namespace gliftc::lower {
 
-/// Sets Structure::is_contained of every structure.
+/// Sets Structure::contained_axes of every structure.
 void mark_contained(ir::Program& program);
 
 }  // namespace gliftc::lower

@@ -166,6 +166,7 @@ private:
     ExprId inside_domain(const ir::Place& place, ExprId address);
     ExprId inside_memory(const ir::Place& place, ExprId physical);
     ExprId all_less(ExprId address, ExprId extent);
+    ExprId less_where_unknown(const ir::Structure& structure, ExprId address, ExprId extent);
     bool is_total(const ir::Structure& structure);  ///< the first translator maps every address of the domain
 
     // access.cpp

@@ -81,7 +81,7 @@ void add_translate(Maker& k) {
     const TypeId physical = physical_type(k.program, s);
     if (!physical) return;
     ExprId translated = k.make(Op::translate, k.program.types.optional(physical), k.use(k.address));
-    if (is_partial(k.program, s) || !s.is_contained || !s.base.empty())
+    if (is_partial(k.program, s) || !is_contained(k.program, s) || !s.base.empty())
         k.add_value("is_mapped", k.make(Op::has_value, k.program.types.bool_, translated));
     k.add_value("translate", k.make(Op::value, physical, translated));
 }

@@ -30,7 +30,7 @@ Pair Expander::chained(const Place& place, ExprId address, const std::string& na
         const Pair next = linked(link, at.value, at_link);
         at = {next.value, make.both(at.has, next.has)};
         const bool leads_to_view = structure.kind == StructureKind::view && structure.base.empty();
-        if (!structure.is_contained && !leads_to_view) {
+        if (!is_contained(p, structure) && !leads_to_view) {
             at.value = named(at_link + "_place", at.value);
             at.has = make.both(at.has, asks(link, at.value));
         }
@@ -73,14 +73,25 @@ ExprId Expander::inside_memory(const Place& place, ExprId physical) {
     if (!structure.base.empty()) {
         const Place base = base_of(structure, place);
         const bool asks = is_total(cx.structure_at(base)) && cx.structure_at(base).domain;
-        return asks ? inside_domain(base, physical) : ExprId{};
+        return asks ? less_where_unknown(structure, physical, domain_of(base)) : ExprId{};
     }
     Expr extent;
     extent.op = Op::memory_extent;
     extent.type = make.type(physical);
     extent.place = canonical(place);
     extent.slot = structure.via_memory;
-    return all_less(physical, p.exprs.add(std::move(extent)));
+    return less_where_unknown(structure, physical, p.exprs.add(std::move(extent)));
+}
+
+/// Whether an address is below an extent, along the axes where that is not known.
+ExprId Expander::less_where_unknown(const Structure& structure, ExprId address, ExprId extent) {
+    if (structure.contained_axes == 0) return all_less(address, extent);
+    ExprId inside;
+    for (std::uint32_t axis = 0; axis < p.types.components(make.type(address)); ++axis) {
+        if (structure.contained_axes >> axis & 1) continue;
+        inside = make.both(inside, make.binary(BinaryOp::less, make.component(address, axis), make.component(extent, axis)));
+    }
+    return inside;
 }
 
 ExprId Expander::all_less(ExprId address, ExprId extent) {

@@ -1,6 +1,7 @@
 #include "ir/empty.h"
 #include "sema/arms.h"
 #include "sema/body.h"
+#include "sema/replace.h"
 #include "sema/typing.h"
 #include "sema/values.h"
 
@@ -79,6 +80,7 @@ bool repeats_lane(const ir::Expr& swizzle, std::uint32_t count) {
 void check_assign(Body& body, const ast::Stmt& stmt) {
     Context& c = body.context;
     if ((body.kernel || !body.coherent.empty()) && check_iterator_assignment(body, stmt)) return;
+    if (check_replace(body, stmt)) return;
     ir::ExprId target = check_value(body, stmt.target);
     if (is_error(body, target)) {
         check_value(body, stmt.value);

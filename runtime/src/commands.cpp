@@ -52,6 +52,14 @@ detail::Stream& Commands::stream(const Kernel& kernel) const {
 }
 
 Device Commands::device() const { return Device(stream_.in("Commands::device").device()); }
+void Commands::note_replaced(std::initializer_list<Memory> memories) const {
+    detail::Stream& stream = this->stream("Commands::replace");
+    const bool is_measured = dynamic_cast<const detail::MeasuringDevice*>(stream.device().get()) != nullptr;
+    if (stream.is_recording() || is_measured) detail::throw_replaced_in_recording();
+    for (const Memory& memory : memories)
+        if (memory.object()) memory.object()->note_replaced();
+}
+
 bool Commands::is_recording() const { return stream_.in("Commands::is_recording").is_recording(); }
 
 bool Commands::needs_wide(const Kernel& kernel, std::span<const Memory> memories,

@@ -22,10 +22,15 @@ public:
     const MemoryDescription& description() const { return description_; }
     const std::shared_ptr<DeviceObject>& device() const { return device_; }
 
+    /// Notes that the container which had it has other memory now: what was recorded with it is out of date.
+    void note_replaced() { is_replaced_ = true; }
+    bool is_replaced() const { return is_replaced_; }
+
 private:
     std::shared_ptr<DeviceObject> device_;
     std::string name_;
     MemoryDescription description_;
+    std::atomic<bool> is_replaced_{false};
 };
 
 class DownloadObject {

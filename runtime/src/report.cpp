@@ -1,5 +1,6 @@
 #include "report.h"
 
+#include "objects.h"
 #include "text.h"
 
 #include <glift/error.h>
@@ -38,6 +39,21 @@ void throw_not_in_recording(const char* call) {
     throw Error(ErrorCode::wrong_argument, "this call cannot be recorded: it waits for the device, or submits", call,
                 "what a recording or a command buffer of the program holds has not run yet",
                 "call it on the device, outside of the body that is recorded");
+}
+
+void throw_replaced_in_recording() {
+    throw Error(ErrorCode::wrong_argument, "a container's member gets other memory in a recording", "Commands::replace",
+                "what is recorded runs later, perhaps many times, on the memory that it was recorded with",
+                "call the pipeline that does so on the device, before the recording");
+}
+
+void require_current(std::span<const Memory> memories) {
+    for (const Memory& memory : memories) {
+        if (!memory.object()->is_replaced()) continue;
+        throw Error(ErrorCode::wrong_argument, "a recording uses memory that its container has given up",
+                    memory_text(memory.description()), "a pipeline gave the container's member other memory since then",
+                    "record again");
+    }
 }
 
 void throw_closed(std::string where) {

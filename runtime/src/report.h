@@ -4,6 +4,7 @@
 #include <glift/commands.h>
 #include <glift/pass.h>
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,10 @@ void throw_report(const Reporter& reporter, const StatusRecord& record);
 
 /// For commands given after their recording was finished.
 [[noreturn]] void throw_closed(std::string where);
+/// For a container's member that gets other memory within a recording.
+[[noreturn]] void throw_replaced_in_recording();
+/// Throws if what a recording uses is no longer what its containers have.
+void require_current(std::span<const Memory> memories);
 [[noreturn]] void throw_missing_form(const Kernel& kernel, const char* form, const char* device);
 
 }  // namespace glift::detail

@@ -54,6 +54,7 @@ struct PipelinePrinter {
     void arm(const std::string& condition, const std::vector<ir::StmtId>& body, const char* where);
     void dispatch(const Stmt& stmt);
     void expect_same(const Stmt& stmt);
+    void replace(const Stmt& stmt);
     void keep(const std::string& shown, const std::string& object, std::uint32_t structure);
     void keep_all();
     void check_as_made(const std::string& object, std::uint32_t structure);
@@ -202,6 +203,30 @@ void PipelinePrinter::expect_same(const Stmt& stmt) {
                (stmt.arguments.size() > 2 ? ", " + print_any(p, stmt.arguments[2]) : "") + ");");
 }
 
+/// The memories that a structure has of its own, as arguments.
+std::string memories_of(const Unit& unit, const std::string& object, std::uint32_t index) {
+    const ir::Structure& structure = unit.program.structures[index];
+    const ClassNames& names = unit.globals.class_names[index];
+    std::string text;
+    const auto also = [&](const std::string& more) { text += (text.empty() || more.empty() ? "" : ", ") + more; };
+    for (const std::string& memory : names.memories) also(object + "." + memory + "()");
+    for (std::size_t i = 0; i < structure.members.size(); ++i)
+        if (!structure.members[i].by_reference)
+            also(memories_of(unit, object + "." + names.members[i] + "()", structure.members[i].structure));
+    return text;
+}
+
+/// A member gets a temporary's memory; recordings are told by the memories that it had.
+void PipelinePrinter::replace(const Stmt& stmt) {
+    Expr whole;
+    whole.op = Op::structure_value;
+    whole.place = stmt.place;
+    const std::string member = base(whole);
+    const std::uint32_t index = unit.program.types[unit.program.locals[stmt.local].type].index;
+    p.out.line("commands.replace(" + member + ", std::move(" + p.local_names.at(stmt.local) + "), {" +
+               memories_of(unit, member, index) + "});");
+}
+
 /// The line that keeps one structure, shown by a name; where its domain may be larger than its memory, also what it is
 /// made of.
 void PipelinePrinter::keep(const std::string& shown, const std::string& object, std::uint32_t index) {
@@ -278,6 +303,7 @@ void PipelinePrinter::statement(const Stmt& stmt) {
     case StmtOp::expect_near:
         return p.out.line("test.expect_near(" + join_arguments(p, stmt.arguments) + ", " + place() + ");");
     case StmtOp::expect_same: return expect_same(stmt);
+    case StmtOp::replace: return replace(stmt);
     case StmtOp::host_assign: return p.out.line(print_any(p, stmt.target) + " = " + print_any(p, stmt.value) + ";");
 #define VALUE_STATEMENT(name) case StmtOp::name:
 #define STRUCTURE_STATEMENT(name) case StmtOp::name:

@@ -64,6 +64,9 @@ struct ProgramNames {
 
 ProgramNames program_names(const ir::Program& program);
 
+/// Whether a class keeps the member by a handle that its copies share: what an adaptor is made of can be replaced.
+bool is_held_by_handle(const ir::Structure& structure, std::size_t member);
+
 /// Whether code of a module may call a structure so: by a name of its own, or a public one that it imports.
 bool is_alias_seen(const ir::Program& program, const ir::Alias& alias, std::uint32_t module);
 

@@ -116,9 +116,10 @@ void print_accessors(Unit& unit, Writer& out, std::uint32_t index, const ClassNa
                  "() const { return " + names.argument_fields[i] + "; }");
     for (std::size_t i = 0; i < structure.members.size(); ++i) {
         const std::string type = unit.class_name(structure.members[i].structure);
-        out.line("const " + type + "& " + names.members[i] + "() const { return " + names.member_fields[i] + "; }");
+        const std::string field = names.member_fields[i] + (is_held_by_handle(structure, i) ? ".get()" : "");
+        out.line("const " + type + "& " + names.members[i] + "() const { return " + field + "; }");
         if (structure.kind == StructureKind::adaptor || is_written_as(structure, i))
-            out.line(type + "& " + names.members[i] + "() { return " + names.member_fields[i] + "; }");
+            out.line(type + "& " + names.members[i] + "() { return " + field + "; }");
     }
     print_base(unit, out, index, names);
     for (std::size_t i = 0; i < structure.memories.size(); ++i) {
@@ -128,7 +129,12 @@ void print_accessors(Unit& unit, Writer& out, std::uint32_t index, const ClassNa
     }
     for (std::size_t i = 0; i < structure.host.size(); ++i)
         out.line(unit.type(structure.host[i].type, qualified) + " " + names.host[i] + "() const { return " +
-                 names.host_fields[i] + "; }");
+                 names.host_fields[i] + ".get(); }");
+}
+
+std::string field_type(const Unit& unit, const Structure& structure, std::size_t member) {
+    const std::string& type = unit.class_name(structure.members[member].structure);
+    return is_held_by_handle(structure, member) ? "glift::Shared<" + type + ">" : type;
 }
 
 void print_fields(Unit& unit, Writer& out, std::uint32_t index, const ClassNames& names) {
@@ -139,13 +145,13 @@ void print_fields(Unit& unit, Writer& out, std::uint32_t index, const ClassNames
         out.line(unit.type(unit.program.locals[structure.constructor[i]].type, qualified) + " " +
                  names.argument_fields[i] + "{};");
     for (std::size_t i = 0; i < structure.members.size(); ++i)
-        out.line(unit.class_name(structure.members[i].structure) + " " + names.member_fields[i] + ";");
+        out.line(field_type(unit, structure, i) + " " + names.member_fields[i] + ";");
     for (std::size_t i = 0; i < structure.memories.size(); ++i) {
         out.line(extent_type(unit, structure.memories[i], qualified) + " " + names.extent_fields[i] + "{};");
         out.line("glift::Memory " + names.memory_fields[i] + ";");
     }
     for (std::size_t i = 0; i < structure.host.size(); ++i)
-        out.line(unit.type(structure.host[i].type, qualified) + " " + names.host_fields[i] + "{};");
+        out.line("glift::Shared<" + unit.type(structure.host[i].type, qualified) + "> " + names.host_fields[i] + ";");
 }
 
 std::string memory_parameters(const Unit& unit, std::uint32_t index, const ClassNames& names) {
@@ -289,7 +295,11 @@ void print_same_state(Unit& unit, Writer& out, std::uint32_t index, const ClassN
     std::string condition;
     const auto also = [&](const std::string& text) { condition += (condition.empty() ? "" : " && ") + text; };
     for (const std::string& field : names.argument_fields) also(field + " == other." + field);
-    for (const std::string& field : names.member_fields) also(field + ".same_state(other." + field + ")");
+    for (std::size_t i = 0; i < names.member_fields.size(); ++i) {
+        const bool is_held = is_held_by_handle(unit.program.structures[index], i);
+        const std::string field = names.member_fields[i] + (is_held ? ".get()" : "");
+        also(field + ".same_state(other." + field + ")");
+    }
     const std::string& type = unit.own_name(index);
     out.open(unit.linkage(unit.program.structures[index].key) + ("bool " + type) + "::same_state(const " + type +
              "& other) const");

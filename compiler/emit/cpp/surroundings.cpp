@@ -9,6 +9,10 @@ std::string visible(const Printer& p, const std::string& name) {
     return hidden ? concat("::", p.globals.space, "::", name) : name;
 }
 
+bool is_held_by_handle(const ir::Structure& structure, std::size_t member) {
+    return structure.kind == ir::StructureKind::adaptor && !structure.members[member].by_reference;
+}
+
 // long: a case for each operation
 Text structure_property(const Globals& globals, const ir::Expr& expr, std::uint32_t root_structure,
                         const std::string& object) {
@@ -17,7 +21,8 @@ Text structure_property(const Globals& globals, const ir::Expr& expr, std::uint3
     bool own = object.empty();  // the fields themselves, not their accessors
     for (std::uint32_t member : expr.place.members) {
         const ClassNames& names = globals.class_names[structure];
-        prefix += own ? names.member_fields[member] + "." : names.members[member] + "().";
+        const bool is_held = own && is_held_by_handle(globals.program.structures[structure], member);
+        prefix += own ? names.member_fields[member] + (is_held ? ".get()." : ".") : names.members[member] + "().";
         own = false;
         structure = globals.program.structures[structure].members[member].structure;
     }
@@ -31,7 +36,7 @@ Text structure_property(const Globals& globals, const ir::Expr& expr, std::uint3
             of.memories[expr.slot].shape == ir::MemoryShape::buffer && expr.type == globals.program.types.uint;
         return {is_cut ? "glift::fitted(" + extent + ")" : extent};
     }
-    case ir::Op::host_state: return {own ? names.host_fields[expr.slot] : prefix + names.host[expr.slot] + "()"};
+    case ir::Op::host_state: return {own ? names.host_fields[expr.slot] + ".get()" : prefix + names.host[expr.slot] + "()"};
     case ir::Op::domain: return {prefix + "domain()"};
     case ir::Op::structure_value:
         if (prefix.ends_with("->")) return {prefix.substr(0, prefix.size() - 2) + ".structure()"};

@@ -1,6 +1,7 @@
 #include "emit/cpp/translators.h"
 
 #include "emit/cpp/mentions.h"
+#include "ir/chain.h"
 
 namespace gliftc::cpp {
 
@@ -72,7 +73,7 @@ bool has_rows(const ir::Program& program, const ir::Structure& structure) {
     return memory.shape == ir::MemoryShape::buffer && memory.element == structure.element && is_number &&
            translator.properties.affine && !translator.properties.partial &&
            translator.properties.mapping != ir::Mapping::many_to_one && translator.structures.empty() &&
-           translator.physical_type == program.types.uint && structure.is_contained &&
+           translator.physical_type == program.types.uint && ir::is_contained(program, structure) &&
            !uses_state_elsewhere(program, translator.translate);
 }
 

@@ -13,9 +13,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace glift {
@@ -129,6 +131,14 @@ public:
     /// device, of the kind, format and extent described, and at least as large.
     Memory adopt(Memory memory, const MemoryDescription& description) const;
 
+    /// Gives a member of a container the memory of another structure of its type. Whoever has the container sees it.
+    /// `memories` are those that the member had: recordings that use them cannot be submitted any more. Throws in a
+    /// recording.
+    template <class S> void replace(S& member, S&& made, std::initializer_list<Memory> memories) const {
+        note_replaced(memories);
+        member = std::move(made);
+    }
+
     void fill(const Memory& memory, std::uint64_t offset, std::uint64_t bytes,
               std::uint32_t value = 0) const;  ///< multiples of 4
 
@@ -160,6 +170,7 @@ public:
     const std::shared_ptr<detail::Stream>& share() const { return stream_.share(); }
 
 private:
+    void note_replaced(std::initializer_list<Memory> memories) const;
     /// Throws for an empty handle, and where recording has ended.
     detail::Stream& stream(const char* call) const;
     detail::Stream& stream(const Kernel& kernel) const;

@@ -4,6 +4,7 @@
 #include <glift/iteration.h>
 #include <glift/mapped.h>
 #include <glift/range.h>
+#include <glift/shared.h>
 
 #include <algorithm>
 #include <array>

@@ -9,33 +9,18 @@ namespace {
 
 template <class T> std::vector<T> copied(std::span<const T> values) { return {values.begin(), values.end()}; }
 
-std::vector<Memory> kept_all(std::span<const Memory> memories) {
-    std::vector<Memory> result;
-    for (const Memory& memory : memories) result.push_back(kept(memory));
-    return result;
-}
-
-std::vector<Patch> kept_all(std::span<const Patch> patches) {
-    std::vector<Patch> result(patches.begin(), patches.end());
-    for (Patch& patch : result) patch.value.memory = kept(patch.value.memory);
-    return result;
-}
-
-std::vector<Condition> kept_all(std::span<const Condition> conditions) {
-    std::vector<Condition> result(conditions.begin(), conditions.end());
-    for (Condition& condition : result) condition.value.memory = kept(condition.value.memory);
-    return result;
-}
 
 class HostRecording final : public RecordingObject {
 public:
     HostRecording(std::shared_ptr<DeviceObject> device, std::vector<std::function<void(HostStream&)>> steps,
-                  std::vector<std::shared_ptr<HostStorage>> workspace, std::uint64_t workspace_bytes)
-        : device_(std::move(device)), steps_(std::move(steps)), workspace_(std::move(workspace)),
-          workspace_bytes_(workspace_bytes) {}
+                  std::vector<Memory> held, std::vector<std::shared_ptr<HostStorage>> workspace,
+                  std::uint64_t workspace_bytes)
+        : device_(std::move(device)), steps_(std::move(steps)), held_(std::move(held)),
+          workspace_(std::move(workspace)), workspace_bytes_(workspace_bytes) {}
 
     DeviceObject& device() const override { return *device_; }
     void submit() override {
+        require_current(held_);
         auto& stream = static_cast<HostStream&>(device_->stream());
         const auto lock = stream.lock();
         for (const auto& step : steps_) step(stream);
@@ -45,11 +30,37 @@ public:
 private:
     std::shared_ptr<DeviceObject> device_;
     std::vector<std::function<void(HostStream&)>> steps_;
+    std::vector<Memory> held_;                             ///< that steps use
     std::vector<std::shared_ptr<HostStorage>> workspace_;  ///< all of workspace_bytes, used by steps or not
     std::uint64_t workspace_bytes_;
 };
 
 }  // namespace
+
+Memory HostRecordingStream::held(const Memory& memory) {
+    const auto locked = lock();
+    Memory result = kept(memory);
+    if (held_objects_.insert(result.object()).second) held_.push_back(result);
+    return result;
+}
+
+std::vector<Memory> HostRecordingStream::held_all(std::span<const Memory> memories) {
+    std::vector<Memory> result;
+    for (const Memory& memory : memories) result.push_back(held(memory));
+    return result;
+}
+
+std::vector<Patch> HostRecordingStream::held_all(std::span<const Patch> patches) {
+    std::vector<Patch> result(patches.begin(), patches.end());
+    for (Patch& patch : result) patch.value.memory = held(patch.value.memory);
+    return result;
+}
+
+std::vector<Condition> HostRecordingStream::held_all(std::span<const Condition> conditions) {
+    std::vector<Condition> result(conditions.begin(), conditions.end());
+    for (Condition& condition : result) condition.value.memory = held(condition.value.memory);
+    return result;
+}
 
 void HostRecordingStream::note(std::function<void(HostStream&)> step) {
     const auto held = lock();
@@ -67,9 +78,9 @@ Memory HostRecordingStream::allocate(const MemoryDescription& description) {
 
 void HostRecordingStream::dispatch(const Kernel& kernel, const Call& call) {
     check_call(&device_, kernel, call);
-    note([&kernel, form = call.form, memories = kept_all(call.memories), parameters = copied(call.parameters),
-          size = call.size, patches = kept_all(call.patches), sharing = call.sharing,
-          conditions = kept_all(call.conditions),
+    note([&kernel, form = call.form, memories = held_all(call.memories), parameters = copied(call.parameters),
+          size = call.size, patches = held_all(call.patches), sharing = call.sharing,
+          conditions = held_all(call.conditions),
           kept_targets = call.targets ? std::make_shared<KeptTargets>(*call.targets) : nullptr](HostStream& stream) {
         Call again = {form, memories, parameters, size, patches, {}, sharing, conditions};
         DrawTargets targets;
@@ -82,52 +93,52 @@ void HostRecordingStream::dispatch(const Kernel& kernel, const Call& call) {
 }
 
 void HostRecordingStream::fill(const Memory& memory, std::uint64_t offset, std::uint64_t bytes, std::uint32_t value) {
-    note([=, memory = kept(memory)](HostStream& stream) { stream.fill(memory, offset, bytes, value); });
+    note([=, memory = held(memory)](HostStream& stream) { stream.fill(memory, offset, bytes, value); });
 }
 
 void HostRecordingStream::fill_where(const Memory& memory, std::uint64_t offset, std::uint64_t bytes,
                                      std::uint32_t value, std::span<const Condition> conditions) {
-    note([=, memory = kept(memory), all = kept_all(conditions)](HostStream& stream) {
+    note([=, memory = held(memory), all = held_all(conditions)](HostStream& stream) {
         stream.fill_where(memory, offset, bytes, value, all);
     });
 }
 
 void HostRecordingStream::clear(const Memory& memory) {
-    note([memory = kept(memory)](HostStream& stream) { stream.clear(memory); });
+    note([memory = held(memory)](HostStream& stream) { stream.clear(memory); });
 }
 
 void HostRecordingStream::copy(const Memory& from, const Memory& to, std::span<const CopyRegion> regions) {
-    note([from = kept(from), to = kept(to), r = copied(regions)](HostStream& stream) { stream.copy(from, to, r); });
+    note([from = held(from), to = held(to), r = copied(regions)](HostStream& stream) { stream.copy(from, to, r); });
 }
 
 void HostRecordingStream::copy_to_image(const Memory& buffer, const Memory& image,
                                         std::span<const ImageRegion> regions) {
-    note([buffer = kept(buffer), image = kept(image), r = copied(regions)](HostStream& stream) {
+    note([buffer = held(buffer), image = held(image), r = copied(regions)](HostStream& stream) {
         stream.copy_to_image(buffer, image, r);
     });
 }
 
 void HostRecordingStream::copy_from_image(const Memory& image, const Memory& buffer,
                                           std::span<const ImageRegion> regions) {
-    note([buffer = kept(buffer), image = kept(image), r = copied(regions)](HostStream& stream) {
+    note([buffer = held(buffer), image = held(image), r = copied(regions)](HostStream& stream) {
         stream.copy_from_image(image, buffer, r);
     });
 }
 
 void HostRecordingStream::copy_images(const Memory& from, const Memory& to, std::span<const ImageCopyRegion> regions) {
-    note([from = kept(from), to = kept(to), r = copied(regions)](HostStream& stream) {
+    note([from = held(from), to = held(to), r = copied(regions)](HostStream& stream) {
         stream.copy_images(from, to, r);
     });
 }
 
 void HostRecordingStream::upload(const Memory& to, std::span<const CopyRegion> regions,
                                  std::span<const std::byte> bytes) {
-    note([to = kept(to), r = copied(regions), b = copied(bytes)](HostStream& stream) { stream.upload(to, r, b); });
+    note([to = held(to), r = copied(regions), b = copied(bytes)](HostStream& stream) { stream.upload(to, r, b); });
 }
 
 void HostRecordingStream::upload_image(const Memory& image, std::span<const ImageRegion> regions,
                                        std::span<const std::byte> bytes) {
-    note([image = kept(image), r = copied(regions), b = copied(bytes)](HostStream& stream) {
+    note([image = held(image), r = copied(regions), b = copied(bytes)](HostStream& stream) {
         stream.upload_image(image, r, b);
     });
 }
@@ -149,7 +160,7 @@ void HostRecordingStream::wait() { throw_not_in_recording("Commands::wait"); }
 std::shared_ptr<RecordingObject> HostRecordingStream::finish() {
     const auto held = lock();
     close();
-    return std::make_shared<HostRecording>(keep_, std::move(steps_), std::move(blocks_), workspace_->bytes());
+    return std::make_shared<HostRecording>(keep_, std::move(steps_), std::move(held_), std::move(blocks_), workspace_->bytes());
 }
 
 }  // namespace glift::detail

@@ -6,6 +6,7 @@
 #include "../text.h"
 #include "../wide.h"
 #include "host_targets.h"
+#include "promises.h"
 
 #include <algorithm>
 #include <array>
@@ -92,6 +93,11 @@ bool hold(std::span<const Condition> conditions) {
 
 constexpr std::size_t small_count = 16;
 
+bool tests_promises() {
+    static const bool on = environment_flag("GLIFT_POISON");
+    return on;
+}
+
 }  // namespace
 
 bool HostStream::needs_wide(const Kernel& kernel, std::span<const Memory> memories, const std::array<std::uint32_t, 4>&,
@@ -125,6 +131,8 @@ void HostStream::dispatch(const Kernel& kernel, const Call& call) {
     std::optional<HostTargetViews> targets;
     if (call.targets) host.targets = &targets.emplace(kernel, *call.targets).targets();
     ++counters_.passes;
+    const bool is_promised = tests_promises() && !call.targets && relies_on_promise(kernel, call.memories);
+    if (is_promised) check_promises(kernel, form, call.memories, host);
     if (host.size[0] && host.size[1] && host.size[2] && host.size[3]) form.host(host);
     if (kernel.reports && record.code != StatusRecord::fine) throw_report(Reporter(kernel), record);
 }

@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <mutex>
+#include <unordered_set>
 #include <vector>
 
 namespace glift::detail {
@@ -78,11 +79,17 @@ public:
 
 private:
     void note(std::function<void(HostStream&)> step);
+    Memory held(const Memory& memory);
+    std::vector<Memory> held_all(std::span<const Memory> memories);
+    std::vector<Patch> held_all(std::span<const Patch> patches);
+    std::vector<Condition> held_all(std::span<const Condition> conditions);
 
     std::shared_ptr<DeviceObject> keep_;
     std::shared_ptr<Workspace> workspace_ = std::make_shared<Workspace>();
     std::vector<std::shared_ptr<HostStorage>> blocks_;  ///< of the workspace
     std::vector<std::function<void(HostStream&)>> steps_;
+    std::vector<Memory> held_;  ///< that steps use
+    std::unordered_set<const MemoryObject*> held_objects_;
 };
 
 }  // namespace glift::detail

@@ -24,6 +24,7 @@ public:
 
     DeviceObject& device() const override { return *device_; }
     void submit() override {
+        require_current(held_);
         const std::lock_guard lock(device_->mutex());
         device_->stream_of_device().submit();
         batch_->value = device_->submit(batch_->commands);

@@ -104,6 +104,56 @@ TEST(Memories, one_memory_by_two_translators_is_seen) {
     }
 }
 
+TEST(Memories, who_has_a_container_sees_its_members_replaced) {
+    for (const char* name : devices) {
+        const auto device = glift::Device::open(name);
+        memories::Growing growing(device, 2);
+        memories::Growing same = growing;
+        growing.items().write(numbers_from(5, 2));
+        growing.grow(device);
+        EXPECT_EQ(same.capacity(), 4u);
+        EXPECT_EQ(same.items().read(), (std::vector<std::uint32_t>{5, 6, 0, 0}));
+        same.grow(device);
+        EXPECT_EQ(growing.items().domain(), 8u);
+    }
+}
+
+/// That it throws, and that the text says so.
+template <class Call> void expect_error(const char* text, Call&& call) {
+    try {
+        call();
+        ADD_FAILURE() << "did not throw: " << text;
+    } catch (const glift::Error& error) {
+        EXPECT_EQ(error.code(), glift::ErrorCode::wrong_argument);
+        EXPECT_NE(std::string(error.what()).find(text), std::string::npos) << error.what();
+    }
+}
+
+TEST(Memories, recordings_do_not_outlive_the_memory_of_a_member) {
+    for (const char* name : devices) {
+        const auto device = glift::Device::open(name);
+        memories::Growing growing(device, 2);
+        const memories::Growing other(device, 2);
+        const auto record = [&](memories::Growing of) {
+            return device.record([&](const glift::Commands& commands) { of.count_up(commands); });
+        };
+        const glift::Recording recording = record(growing), of_other = record(other);
+        recording.submit();
+        EXPECT_EQ(growing.items().read(), (std::vector<std::uint32_t>{1, 2}));
+        growing.grow(device);
+        expect_error("record again", [&] { recording.submit(); });
+        of_other.submit();
+        record(growing).submit();
+        EXPECT_EQ(growing.items().read(), (std::vector<std::uint32_t>{1, 2, 3, 4}));
+        expect_error("in a recording", [&] {
+            device.record([&](const glift::Commands& commands) { growing.grow(commands); });
+        });
+        expect_error("in a recording", [&] {
+            device.workspace_bytes([&](const glift::Commands& commands) { growing.grow(commands); });
+        });
+    }
+}
+
 TEST(Memories, views_are_read) {
     for (const char* name : devices) {
         const auto device = glift::Device::open(name);

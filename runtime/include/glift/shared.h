@@ -1,0 +1,22 @@
+// What copies of a container have in common.
+#pragma once
+
+#include <memory>
+#include <utility>
+
+namespace glift {
+
+/// A value that copies of the handle share: a member of a container, which may get other memory, or its host state.
+template <class T> class Shared {
+public:
+    Shared() : value_(std::make_shared<T>()) {}
+    explicit Shared(T value) : value_(std::make_shared<T>(std::move(value))) {}
+
+    T& get() { return *value_; }
+    const T& get() const { return *value_; }
+
+private:
+    std::shared_ptr<T> value_;
+};
+
+}  // namespace glift

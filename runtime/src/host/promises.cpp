@@ -1,0 +1,168 @@
+// A broken promise shows by itself: a pass is run with what it writes changed before it is read through the parameter
+// that promised not to see it. Where that changes any result, some invocation saw it.
+#include "promises.h"
+
+#include "../text.h"
+
+#include <glift/error.h>
+
+#include <algorithm>
+#include <cstring>
+#include <map>
+#include <string_view>
+#include <vector>
+
+namespace glift::detail {
+
+namespace {
+
+using Bytes = std::vector<std::byte>;
+
+/// Small changes of a word: one of any number, one of a truth value. Loops that run as often as a word says still end.
+constexpr std::uint32_t changes[] = {0x40, 0x01};
+
+bool writes(const Binding& binding) { return binding.access != Access::read; }
+
+bool is_promised(const Binding& read, const Binding& written) {
+    return !writes(read) && writes(written) && read.apart_from >> written.parameter & 1;
+}
+
+void change_word(Bytes& bytes, std::size_t word, std::uint32_t by) {
+    std::uint32_t value;
+    std::memcpy(&value, bytes.data() + 4 * word, 4);
+    value ^= by;
+    std::memcpy(bytes.data() + 4 * word, &value, 4);
+}
+
+std::string_view parameter_of(const Binding& binding) {
+    const std::string_view name = binding.name;
+    return name.substr(0, name.find('.'));
+}
+
+/// One memory that is read and written in a call that promises the two to be apart.
+class Promise {
+public:
+    Promise(const Kernel& kernel, const Form& form, std::span<const Memory> memories, const HostCall& call,
+            std::size_t read, std::size_t written)
+        : kernel_(kernel), form_(form), memories_(memories), call_(call), read_(read), written_(written) {
+        const HostMemory& memory = call.memories[read];
+        before_.assign(memory.data, memory.data + memory.bytes);
+    }
+
+    void check() {
+        const Outcome plain = run(before_, before_);
+        if (run(before_, before_) != plain) return;  // which invocation comes last decides: nothing can be said
+        const std::vector<std::size_t> words = written_words(plain);
+        for (std::uint32_t by : changes)
+            if (differs(words, by, plain)) refuse(found(words, by, plain));
+    }
+
+private:
+    /// The memories that a call writes, by their first byte, as it leaves them.
+    using Outcome = std::map<const std::byte*, Bytes>;
+
+    /// Runs the call on copies. `seen` is what is read by promise, `initial` what is there before in the same memory.
+    Outcome run(const Bytes& seen, const Bytes& initial) const {
+        Outcome copies;
+        for (std::size_t i = 0; i < memories_.size(); ++i) {
+            const HostMemory& memory = call_.memories[i];
+            if (!writes(kernel_.bindings[i])) continue;
+            copies.try_emplace(memory.data, memory.data, memory.data + memory.bytes);
+        }
+        copies.at(call_.memories[written_].data) = initial;
+        Bytes read = seen;
+        std::vector<HostMemory> views(call_.memories.begin(), call_.memories.end());
+        for (std::size_t i = 0; i < views.size(); ++i) {
+            const auto copy = copies.find(views[i].data);
+            const bool is_seen = memories_[i].object() == memories_[read_].object() &&
+                                 is_promised(kernel_.bindings[i], kernel_.bindings[written_]);
+            if (is_seen) views[i].data = read.data();
+            else if (copy != copies.end()) views[i].data = copy->second.data();
+        }
+        HostCall again = call_;
+        StatusRecord record;
+        again.memories = views;
+        again.status = &record;
+        form_.host(again);
+        return copies;
+    }
+
+    /// The words that the call writes: those that it changes, or that do not depend on what was there before.
+    std::vector<std::size_t> written_words(const Outcome& plain) const {
+        Bytes other = before_;
+        const std::size_t count = before_.size() / 4;
+        for (std::size_t word = 0; word < count; ++word) change_word(other, word, changes[0] | changes[1]);
+        const std::byte* const memory = call_.memories[written_].data;
+        const Outcome over_other = run(before_, other);
+        const Bytes &one = plain.at(memory), &two = over_other.at(memory);
+        std::vector<std::size_t> words;
+        for (std::size_t word = 0; word < count; ++word) {
+            const bool is_changed = std::memcmp(&one[4 * word], &before_[4 * word], 4) != 0;
+            if (is_changed || std::memcmp(&one[4 * word], &two[4 * word], 4) == 0) words.push_back(word);
+        }
+        return words;
+    }
+
+    /// Whether other values in these words, as they are read by promise, make a difference.
+    bool differs(std::span<const std::size_t> words, std::uint32_t by, const Outcome& plain) const {
+        if (words.empty()) return false;
+        Bytes seen = before_;
+        for (std::size_t word : words) change_word(seen, word, by);
+        return run(seen, before_) != plain;
+    }
+
+    /// One of the words that make a difference, by halves.
+    std::size_t found(std::span<const std::size_t> words, std::uint32_t by, const Outcome& plain) const {
+        while (words.size() > 1) {
+            const auto half = words.first(words.size() / 2);
+            words = differs(half, by, plain) ? half : words.subspan(half.size());
+        }
+        return words[0];
+    }
+
+    [[noreturn]] void refuse(std::size_t word) const {
+        const Binding &read = kernel_.bindings[read_], &written = kernel_.bindings[written_];
+        const std::string from(parameter_of(read)), to(parameter_of(written));
+        const bool is_buffer = read.kind == MemoryKind::buffer;
+        throw Error(ErrorCode::aliased_memory,
+                    "'" + from + "' reads what '" + to + "' writes in the same pass, though the kernel promises that it "
+                    "does not",
+                    kernel_text(kernel_) + ", " + memory_text(memories_[read_].description()),
+                    is_buffer ? "element " + std::to_string(4 * word / read.element_bytes) + " of " + read.name +
+                                    " is read by one invocation and written by one"
+                              : "byte " + std::to_string(4 * word) + " of " + read.name + " is read and written",
+                    "write into another structure, or take back @disjoint(" + from + ", " + to + ")");
+    }
+
+    const Kernel& kernel_;
+    const Form& form_;
+    std::span<const Memory> memories_;
+    const HostCall& call_;
+    std::size_t read_, written_;
+    Bytes before_;
+};
+
+/// Calls `visit(read, written)` for each two bindings of one memory that a promise is about.
+template <class Visit> void for_each_promise(const Kernel& kernel, std::span<const Memory> memories, Visit&& visit) {
+    for (std::size_t read = 0; read < memories.size(); ++read)
+        for (std::size_t written = 0; written < memories.size(); ++written)
+            if (memories[read].object() == memories[written].object() &&
+                is_promised(kernel.bindings[read], kernel.bindings[written]))
+                visit(read, written);
+}
+
+}  // namespace
+
+bool relies_on_promise(const Kernel& kernel, std::span<const Memory> memories) {
+    bool relies = false;
+    for_each_promise(kernel, memories, [&](std::size_t, std::size_t) { relies = true; });
+    return relies;
+}
+
+void check_promises(const Kernel& kernel, const Form& form, std::span<const Memory> memories, const HostCall& call) {
+    for_each_promise(kernel, memories, [&](std::size_t read, std::size_t written) {
+        Promise(kernel, form, memories, call, read, written).check();
+    });
+}
+
+}  // namespace glift::detail

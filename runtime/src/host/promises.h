@@ -1,0 +1,18 @@
+// Promises of kernels (@disjoint) on the host device, where tests look for broken ones.
+#pragma once
+
+#include <glift/kernel.h>
+#include <glift/memory.h>
+
+#include <span>
+
+namespace glift::detail {
+
+/// Whether the kernel promises that memory which the call binds twice is not read where it is written.
+bool relies_on_promise(const Kernel& kernel, std::span<const Memory> memories);
+
+/// Throws aliased_memory where what the call reads and promises not to write makes a difference to what it writes. Runs
+/// the call several times, on copies of all that it writes.
+void check_promises(const Kernel& kernel, const Form& form, std::span<const Memory> memories, const HostCall& call);
+
+}  // namespace glift::detail

@@ -1,0 +1,173 @@
+// Paged, shared.glift:26.
+// Define before including: PAGED_BINDING (the state; memory k follows at + 1 + k). Where wanted: PAGED_SET, PAGED_STATE, PAGED_READONLY.
+#ifndef GLIFT_PAGED
+#define GLIFT_PAGED 508911814
+#extension GL_EXT_scalar_block_layout : require
+
+#ifndef PAGED_SET
+#define PAGED_SET 0
+#endif
+#ifndef PAGED_BINDING
+#error define PAGED_BINDING before this file is included
+#endif
+#ifdef PAGED_READONLY
+#define PAGED_ACCESS readonly
+#else
+#define PAGED_ACCESS
+#endif
+
+#ifndef PAGED_STATE  // define it where the members below are declared in a block of your own
+layout(scalar, set = PAGED_SET, binding = PAGED_BINDING) readonly buffer Paged_state {
+    uint Paged_extent;
+    uint Paged_table_extent;
+    uvec2 Paged_frames_extent;
+};
+#endif
+
+layout(scalar, set = PAGED_SET, binding = PAGED_BINDING + 1) PAGED_ACCESS buffer Paged_table_data_memory { uint Paged_table_data[]; };
+layout(scalar, set = PAGED_SET, binding = PAGED_BINDING + 2) PAGED_ACCESS buffer Paged_frames_data_memory { float Paged_frames_data[]; };
+
+bool Paged_is_mapped(uint address) {
+    bool test = address >= Paged_extent;
+    bool Paged_either = test;
+    if (!Paged_either) {
+        uint Paged_table_address = address / 16u;
+        bool Paged_table_value_inside = Paged_table_address < Paged_table_extent;
+        uint Paged_table_value = Paged_table_data[Paged_table_value_inside ? Paged_table_address : 0u];
+        Paged_either = (Paged_table_value_inside ? Paged_table_value : 0u) == 0u;
+    }
+    uvec2 Paged_result = uvec2(0u);
+    bool Paged_found = false;
+    if (Paged_either) {
+        Paged_result = uvec2(0u);
+        Paged_found = false;
+    } else {
+        uint Paged_table_address = address / 16u;
+        bool Paged_table_value_inside = Paged_table_address < Paged_table_extent;
+        uint Paged_table_value = Paged_table_data[Paged_table_value_inside ? Paged_table_address : 0u];
+        Paged_result = uvec2(address % 16u, (Paged_table_value_inside ? Paged_table_value : 0u) - 1u);
+        Paged_found = true;
+    }
+    bool Paged_either_1 = test;
+    if (!Paged_either_1) {
+        uint Paged_table_address = address / 16u;
+        bool Paged_table_value_inside = Paged_table_address < Paged_table_extent;
+        uint Paged_table_value = Paged_table_data[Paged_table_value_inside ? Paged_table_address : 0u];
+        Paged_either_1 = (Paged_table_value_inside ? Paged_table_value : 0u) == 0u;
+    }
+    uvec2 Paged_result_1 = uvec2(0u);
+    bool Paged_found_1 = false;
+    if (Paged_either_1) {
+        Paged_result_1 = uvec2(0u);
+        Paged_found_1 = false;
+    } else {
+        uint Paged_table_address = address / 16u;
+        bool Paged_table_value_inside = Paged_table_address < Paged_table_extent;
+        uint Paged_table_value = Paged_table_data[Paged_table_value_inside ? Paged_table_address : 0u];
+        Paged_result_1 = uvec2(address % 16u, (Paged_table_value_inside ? Paged_table_value : 0u) - 1u);
+        Paged_found_1 = true;
+    }
+    uvec2 Paged_place = Paged_result_1;
+    return Paged_found_1 && Paged_place.y < Paged_frames_extent.y;
+}
+
+uvec2 Paged_translate(uint address) {
+    bool test = address >= Paged_extent;
+    bool Paged_either = test;
+    if (!Paged_either) {
+        uint Paged_table_address = address / 16u;
+        bool Paged_table_value_inside = Paged_table_address < Paged_table_extent;
+        uint Paged_table_value = Paged_table_data[Paged_table_value_inside ? Paged_table_address : 0u];
+        Paged_either = (Paged_table_value_inside ? Paged_table_value : 0u) == 0u;
+    }
+    uvec2 Paged_result = uvec2(0u);
+    bool Paged_found = false;
+    if (Paged_either) {
+        Paged_result = uvec2(0u);
+        Paged_found = false;
+    } else {
+        uint Paged_table_address = address / 16u;
+        bool Paged_table_value_inside = Paged_table_address < Paged_table_extent;
+        uint Paged_table_value = Paged_table_data[Paged_table_value_inside ? Paged_table_address : 0u];
+        Paged_result = uvec2(address % 16u, (Paged_table_value_inside ? Paged_table_value : 0u) - 1u);
+        Paged_found = true;
+    }
+    bool Paged_either_1 = test;
+    if (!Paged_either_1) {
+        uint Paged_table_address = address / 16u;
+        bool Paged_table_value_inside = Paged_table_address < Paged_table_extent;
+        uint Paged_table_value = Paged_table_data[Paged_table_value_inside ? Paged_table_address : 0u];
+        Paged_either_1 = (Paged_table_value_inside ? Paged_table_value : 0u) == 0u;
+    }
+    uvec2 Paged_result_1 = uvec2(0u);
+    bool Paged_found_1 = false;
+    if (Paged_either_1) {
+        Paged_result_1 = uvec2(0u);
+        Paged_found_1 = false;
+    } else {
+        uint Paged_table_address = address / 16u;
+        bool Paged_table_value_inside = Paged_table_address < Paged_table_extent;
+        uint Paged_table_value = Paged_table_data[Paged_table_value_inside ? Paged_table_address : 0u];
+        Paged_result_1 = uvec2(address % 16u, (Paged_table_value_inside ? Paged_table_value : 0u) - 1u);
+        Paged_found_1 = true;
+    }
+    return Paged_result;
+}
+
+float Paged_read(uint address) {
+    bool Paged_either = address >= Paged_extent;
+    if (!Paged_either) {
+        uint Paged_table_address = address / 16u;
+        bool Paged_table_value_inside = Paged_table_address < Paged_table_extent;
+        uint Paged_table_value = Paged_table_data[Paged_table_value_inside ? Paged_table_address : 0u];
+        Paged_either = (Paged_table_value_inside ? Paged_table_value : 0u) == 0u;
+    }
+    uvec2 Paged_result = uvec2(0u);
+    bool Paged_found = false;
+    if (Paged_either) {
+        Paged_result = uvec2(0u);
+        Paged_found = false;
+    } else {
+        uint Paged_table_address = address / 16u;
+        bool Paged_table_value_inside = Paged_table_address < Paged_table_extent;
+        uint Paged_table_value = Paged_table_data[Paged_table_value_inside ? Paged_table_address : 0u];
+        Paged_result = uvec2(address % 16u, (Paged_table_value_inside ? Paged_table_value : 0u) - 1u);
+        Paged_found = true;
+    }
+    uvec2 Paged_place = Paged_result;
+    bool Paged_value_inside = Paged_found && Paged_place.y < Paged_frames_extent.y;
+    uint Paged_value_at = Paged_place.y * Paged_frames_extent.x + Paged_place.x;
+    float Paged_value = Paged_frames_data[Paged_value_inside ? Paged_value_at : 0u];
+    return Paged_value_inside ? Paged_value : -1.0;
+}
+
+#ifndef PAGED_READONLY
+void Paged_write(uint address, float value) {
+    bool Paged_either = address >= Paged_extent;
+    if (!Paged_either) {
+        uint Paged_table_address = address / 16u;
+        bool Paged_table_value_inside = Paged_table_address < Paged_table_extent;
+        uint Paged_table_value = Paged_table_data[Paged_table_value_inside ? Paged_table_address : 0u];
+        Paged_either = (Paged_table_value_inside ? Paged_table_value : 0u) == 0u;
+    }
+    uvec2 Paged_result = uvec2(0u);
+    bool Paged_found = false;
+    if (Paged_either) {
+        Paged_result = uvec2(0u);
+        Paged_found = false;
+    } else {
+        uint Paged_table_address = address / 16u;
+        bool Paged_table_value_inside = Paged_table_address < Paged_table_extent;
+        uint Paged_table_value = Paged_table_data[Paged_table_value_inside ? Paged_table_address : 0u];
+        Paged_result = uvec2(address % 16u, (Paged_table_value_inside ? Paged_table_value : 0u) - 1u);
+        Paged_found = true;
+    }
+    uvec2 Paged_place = Paged_result;
+    if (address < Paged_extent && (Paged_found && all(lessThan(Paged_place, Paged_frames_extent)))) {
+        Paged_frames_data[Paged_place.y * Paged_frames_extent.x + Paged_place.x] = value;
+    }
+}
+#endif
+#elif GLIFT_PAGED != 508911814
+#error the functions of another structure called Paged are included already
+#endif

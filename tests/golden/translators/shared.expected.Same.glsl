@@ -1,0 +1,146 @@
+// Same, shared.glift:33.
+// Define before including: SAME_BINDING (the state; memory k follows at + 1 + k). Where wanted: SAME_SET, SAME_STATE, SAME_READONLY.
+#ifndef GLIFT_SAME
+#define GLIFT_SAME 262337741
+#extension GL_EXT_scalar_block_layout : require
+
+#ifndef SAME_SET
+#define SAME_SET 0
+#endif
+#ifndef SAME_BINDING
+#error define SAME_BINDING before this file is included
+#endif
+#ifdef SAME_READONLY
+#define SAME_ACCESS readonly
+#else
+#define SAME_ACCESS
+#endif
+
+#ifndef SAME_STATE  // define it where the members below are declared in a block of your own
+layout(scalar, set = SAME_SET, binding = SAME_BINDING) readonly buffer Same_state {
+    uint Same_field_extent;
+    uint Same_field_table_extent;
+    uvec2 Same_field_frames_extent;
+};
+#endif
+
+layout(scalar, set = SAME_SET, binding = SAME_BINDING + 1) SAME_ACCESS buffer Same_field_table_data_memory { uint Same_field_table_data[]; };
+layout(scalar, set = SAME_SET, binding = SAME_BINDING + 2) SAME_ACCESS buffer Same_field_frames_data_memory { float Same_field_frames_data[]; };
+
+bool Same_is_mapped(uint address) {
+    bool Same_field_either = address >= Same_field_extent;
+    if (!Same_field_either) {
+        uint Same_field_table_address = address / 16u;
+        bool Same_field_table_value_inside = Same_field_table_address < Same_field_table_extent;
+        uint Same_field_table_value = Same_field_table_data[Same_field_table_value_inside
+            ? Same_field_table_address : 0u];
+        Same_field_either = (Same_field_table_value_inside ? Same_field_table_value : 0u) == 0u;
+    }
+    uvec2 Same_field_result = uvec2(0u);
+    bool Same_field_found = false;
+    if (Same_field_either) {
+        Same_field_result = uvec2(0u);
+        Same_field_found = false;
+    } else {
+        uint Same_field_table_address = address / 16u;
+        bool Same_field_table_value_inside = Same_field_table_address < Same_field_table_extent;
+        uint Same_field_table_value = Same_field_table_data[Same_field_table_value_inside
+            ? Same_field_table_address : 0u];
+        Same_field_result = uvec2(address % 16u,
+            (Same_field_table_value_inside ? Same_field_table_value : 0u) - 1u);
+        Same_field_found = true;
+    }
+    uvec2 Same_field_place = Same_field_result;
+    return Same_field_found && Same_field_place.y < Same_field_frames_extent.y;
+}
+
+uint Same_translate(uint address) {
+    bool Same_field_either = address >= Same_field_extent;
+    if (!Same_field_either) {
+        uint Same_field_table_address = address / 16u;
+        bool Same_field_table_value_inside = Same_field_table_address < Same_field_table_extent;
+        uint Same_field_table_value = Same_field_table_data[Same_field_table_value_inside
+            ? Same_field_table_address : 0u];
+        Same_field_either = (Same_field_table_value_inside ? Same_field_table_value : 0u) == 0u;
+    }
+    uvec2 Same_field_result = uvec2(0u);
+    bool Same_field_found = false;
+    if (Same_field_either) {
+        Same_field_result = uvec2(0u);
+        Same_field_found = false;
+    } else {
+        uint Same_field_table_address = address / 16u;
+        bool Same_field_table_value_inside = Same_field_table_address < Same_field_table_extent;
+        uint Same_field_table_value = Same_field_table_data[Same_field_table_value_inside
+            ? Same_field_table_address : 0u];
+        Same_field_result = uvec2(address % 16u,
+            (Same_field_table_value_inside ? Same_field_table_value : 0u) - 1u);
+        Same_field_found = true;
+    }
+    return address;
+}
+
+float Same_read(uint address) {
+    bool Same_field_either = address >= Same_field_extent;
+    if (!Same_field_either) {
+        uint Same_field_table_address = address / 16u;
+        bool Same_field_table_value_inside = Same_field_table_address < Same_field_table_extent;
+        uint Same_field_table_value = Same_field_table_data[Same_field_table_value_inside
+            ? Same_field_table_address : 0u];
+        Same_field_either = (Same_field_table_value_inside ? Same_field_table_value : 0u) == 0u;
+    }
+    uvec2 Same_field_result = uvec2(0u);
+    bool Same_field_found = false;
+    if (Same_field_either) {
+        Same_field_result = uvec2(0u);
+        Same_field_found = false;
+    } else {
+        uint Same_field_table_address = address / 16u;
+        bool Same_field_table_value_inside = Same_field_table_address < Same_field_table_extent;
+        uint Same_field_table_value = Same_field_table_data[Same_field_table_value_inside
+            ? Same_field_table_address : 0u];
+        Same_field_result = uvec2(address % 16u,
+            (Same_field_table_value_inside ? Same_field_table_value : 0u) - 1u);
+        Same_field_found = true;
+    }
+    uvec2 Same_field_place = Same_field_result;
+    bool Same_value_inside = Same_field_found && Same_field_place.y < Same_field_frames_extent.y;
+    uint Same_value_at = Same_field_place.y * Same_field_frames_extent.x + Same_field_place.x;
+    float Same_value = Same_field_frames_data[Same_value_inside ? Same_value_at : 0u];
+    return Same_value_inside ? Same_value : -1.0;
+}
+
+#ifndef SAME_READONLY
+void Same_write(uint address, float value) {
+    bool Same_field_either = address >= Same_field_extent;
+    if (!Same_field_either) {
+        uint Same_field_table_address = address / 16u;
+        bool Same_field_table_value_inside = Same_field_table_address < Same_field_table_extent;
+        uint Same_field_table_value = Same_field_table_data[Same_field_table_value_inside
+            ? Same_field_table_address : 0u];
+        Same_field_either = (Same_field_table_value_inside ? Same_field_table_value : 0u) == 0u;
+    }
+    uvec2 Same_field_result = uvec2(0u);
+    bool Same_field_found = false;
+    if (Same_field_either) {
+        Same_field_result = uvec2(0u);
+        Same_field_found = false;
+    } else {
+        uint Same_field_table_address = address / 16u;
+        bool Same_field_table_value_inside = Same_field_table_address < Same_field_table_extent;
+        uint Same_field_table_value = Same_field_table_data[Same_field_table_value_inside
+            ? Same_field_table_address : 0u];
+        Same_field_result = uvec2(address % 16u,
+            (Same_field_table_value_inside ? Same_field_table_value : 0u) - 1u);
+        Same_field_found = true;
+    }
+    uvec2 Same_field_place = Same_field_result;
+    if (address < Same_field_extent
+        && (Same_field_found && all(lessThan(Same_field_place, Same_field_frames_extent)))) {
+        Same_field_frames_data[Same_field_place.y * Same_field_frames_extent.x + Same_field_place.x] = value;
+    }
+}
+#endif
+#elif GLIFT_SAME != 262337741
+#error the functions of another structure called Same are included already
+#endif

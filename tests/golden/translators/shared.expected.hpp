@@ -1,0 +1,219 @@
+// Made by gliftc from shared.glift. Changes are lost when it is made again.
+#pragma once
+
+#include "shared.glift.types.hpp"
+
+#include <glift/glift.h>
+#include <glift/structure.h>
+
+/// Memory that is a structure: made there, or shared with what has a name. One field is over a table that another
+/// one has, too;
+/// what lies beyond the frames maps nowhere, along the axis where the table decides.
+
+namespace std_array {
+
+#ifndef GLIFT_std_array_HAS_Array_1_uint_none_buffer
+#define GLIFT_std_array_HAS_Array_1_uint_none_buffer
+/// Array<1, uint, none, buffer>. A dense N-D array. Memory: one element an address. What lies outside is up to
+/// `edge`: by default reads give zero and
+/// writes go nowhere. Thesis section 9.1.
+class Array_1_uint_none_buffer : public glift::Structure<Array_1_uint_none_buffer, glift::uint, glift::uint> {
+public:
+    static constexpr const char* type_name = "Array<1, uint, none, buffer>";
+
+    Array_1_uint_none_buffer() = default;
+    Array_1_uint_none_buffer(const glift::Commands& commands, glift::uint extent);
+    /// Over parts that exist already.
+    Array_1_uint_none_buffer(const glift::Commands& commands, glift::uint extent, glift::Memory data);
+
+    /// The extent of the virtual domain.
+    glift::uint domain() const;
+    glift::uint extent() const { return extent_; }
+    const glift::Memory& data() const { return data_; }
+    std::uint64_t data_extent() const { return data_extent_; }
+    /// True if the two were made with equal arguments.
+    bool same_state(const Array_1_uint_none_buffer& other) const;
+
+    /// Gives every element, or those of a box, one value.
+    void fill(glift::uint value);
+    void fill(glift::uint value, const glift::Range<Array_1_uint_none_buffer>& range);
+    /// Where an element lies in row_memory(), in elements; the address is an affine function of the virtual one.
+    std::uint64_t place(glift::uint address) const;
+    const glift::Memory& row_memory() const { return data_; }
+    /// Elements of a box to a linear buffer, and back.
+    void copy_out(const glift::Commands& commands, const glift::Range<Array_1_uint_none_buffer>& range,
+        const glift::Memory& box) const;
+    void copy_in(const glift::Commands& commands, const glift::Range<Array_1_uint_none_buffer>& range,
+        const glift::Memory& box) const;
+
+private:
+    glift::uint extent_{};
+    std::uint64_t data_extent_{};
+    glift::Memory data_;
+};
+#endif
+
+}  // namespace std_array
+
+namespace shared {
+
+using Table = ::std_array::Array_1_uint_none_buffer;
+
+}  // namespace shared
+
+namespace std_array {
+
+#ifndef GLIFT_std_array_HAS_Array_2_float_none_buffer
+#define GLIFT_std_array_HAS_Array_2_float_none_buffer
+/// Array<2, float, none, buffer>. A dense N-D array. Memory: one element an address. What lies outside is up to
+/// `edge`: by default reads give zero and
+/// writes go nowhere. Thesis section 9.1.
+class Array_2_float_none_buffer : public glift::Structure<Array_2_float_none_buffer, glift::uint2, float> {
+public:
+    static constexpr const char* type_name = "Array<2, float, none, buffer>";
+
+    Array_2_float_none_buffer() = default;
+    Array_2_float_none_buffer(const glift::Commands& commands, glift::uint2 extent);
+    /// Over parts that exist already.
+    Array_2_float_none_buffer(const glift::Commands& commands, glift::uint2 extent, glift::Memory data);
+
+    /// The extent of the virtual domain.
+    glift::uint2 domain() const;
+    glift::uint2 extent() const { return extent_; }
+    const glift::Memory& data() const { return data_; }
+    std::uint64_t data_extent() const { return data_extent_; }
+    /// True if the two were made with equal arguments.
+    bool same_state(const Array_2_float_none_buffer& other) const;
+
+    /// Gives every element, or those of a box, one value.
+    void fill(float value);
+    void fill(float value, const glift::Range<Array_2_float_none_buffer>& range);
+    /// Where an element lies in row_memory(), in elements; the address is an affine function of the virtual one.
+    std::uint64_t place(glift::uint2 address) const;
+    const glift::Memory& row_memory() const { return data_; }
+    /// Elements of a box to a linear buffer, and back.
+    void copy_out(const glift::Commands& commands, const glift::Range<Array_2_float_none_buffer>& range,
+        const glift::Memory& box) const;
+    void copy_in(const glift::Commands& commands, const glift::Range<Array_2_float_none_buffer>& range,
+        const glift::Memory& box) const;
+
+private:
+    glift::uint2 extent_{};
+    std::uint64_t data_extent_{};
+    glift::Memory data_;
+};
+#endif
+
+}  // namespace std_array
+
+namespace shared {
+
+using Plane = ::std_array::Array_2_float_none_buffer;
+
+#ifndef GLIFT_shared_HAS_Paged
+#define GLIFT_shared_HAS_Paged
+/// Paged, shared.glift:26.
+class Paged : public glift::Structure<Paged, glift::uint, float> {
+public:
+    static constexpr const char* type_name = "Paged";
+
+    Paged() = default;
+    Paged(const glift::Commands& commands, const Table& table, glift::uint extent, glift::uint capacity);
+    /// Over parts that exist already.
+    Paged(const glift::Commands& commands, const Table& table, glift::uint extent, glift::uint capacity, Plane frames);
+
+    /// The extent of the virtual domain.
+    glift::uint domain() const;
+    glift::uint extent() const { return extent_; }
+    glift::uint capacity() const { return capacity_; }
+    const Table& table() const { return table_; }
+    Table& table() { return table_; }
+    const Plane& frames() const { return frames_; }
+    Plane& frames() { return frames_; }
+    /// True if the two were made with equal arguments.
+    bool same_state(const Paged& other) const;
+
+    /// Gives every element, or those of a box, one value.
+    void fill(float value);
+    void fill(float value, const glift::Range<Paged>& range);
+    /// Elements of a box to a linear buffer, and back.
+    void copy_out(const glift::Commands& commands, const glift::Range<Paged>& range, const glift::Memory& box) const;
+    void copy_in(const glift::Commands& commands, const glift::Range<Paged>& range, const glift::Memory& box) const;
+
+private:
+    glift::uint extent_{};
+    glift::uint capacity_{};
+    Table table_;
+    Plane frames_;
+};
+#endif
+
+#ifndef GLIFT_shared_HAS_Same
+#define GLIFT_shared_HAS_Same
+/// The same elements under the same addresses.
+class Same : public glift::Structure<Same, glift::uint, float> {
+public:
+    static constexpr const char* type_name = "Same";
+
+    Same() = default;
+    Same(const glift::Commands& commands, const Paged& field);
+
+    /// The extent of the virtual domain.
+    glift::uint domain() const;
+    const Paged& field() const { return field_; }
+    Paged& field() { return field_; }
+    const Paged& elements() const { return field_; }
+    Paged& elements() { return field_; }
+    /// True if the two were made with equal arguments.
+    bool same_state(const Same& other) const;
+
+    /// Gives every element, or those of a box, one value.
+    void fill(float value);
+    void fill(float value, const glift::Range<Same>& range);
+    /// Elements of a box to a linear buffer, and back.
+    void copy_out(const glift::Commands& commands, const glift::Range<Same>& range, const glift::Memory& box) const;
+    void copy_in(const glift::Commands& commands, const glift::Range<Same>& range, const glift::Memory& box) const;
+
+private:
+    Paged field_;
+};
+#endif
+
+#ifndef GLIFT_shared_HAS_Growing
+#define GLIFT_shared_HAS_Growing
+/// Has room for more after `grow`.
+class Growing {
+public:
+    static constexpr const char* type_name = "Growing";
+
+    Growing() = default;
+    Growing(const glift::Commands& commands, glift::uint n);
+
+    const glift::Device& device() const {
+        if (!device_) glift::detail::throw_empty_structure(type_name, "device");
+        return device_;
+    }
+    glift::uint n() const { return n_; }
+    const Plane& frames() const { return frames_.get(); }
+    Plane& frames() { return frames_.get(); }
+    glift::uint capacity() const { return capacity_.get(); }
+    /// True if the two were made with equal arguments.
+    bool same_state(const Growing& other) const;
+
+    void grow(const glift::Commands& commands);
+
+private:
+    glift::Device device_;
+    glift::uint n_{};
+    glift::Shared<Plane> frames_;
+    glift::Shared<glift::uint> capacity_;
+};
+#endif
+
+void add(const glift::Commands& commands, const glift::Range<Paged>& f, const glift::Range<Same>& g,
+    const glift::Range<Paged>& to);
+
+void move(const glift::Commands& commands, const glift::Range<Paged>& from, const glift::Range<Paged>& a,
+    const glift::Range<Paged>& to);
+
+}  // namespace shared

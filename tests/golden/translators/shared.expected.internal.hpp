@@ -1,0 +1,103 @@
+// Made by gliftc from shared.glift. Changes are lost when it is made again.
+#pragma once
+
+#include "shared.glift.hpp"
+
+namespace std_transfer {
+
+#ifndef GLIFT_std_transfer_HAS_Box_2_float
+#define GLIFT_std_transfer_HAS_Box_2_float
+/// Box<2, float>. Elements of a box in a linear buffer, first axis fastest: what the host reads and writes.
+class Box_2_float : public glift::Structure<Box_2_float, glift::uint2, float> {
+public:
+    static constexpr const char* type_name = "Box<2, float>";
+
+    Box_2_float() = default;
+    Box_2_float(const glift::Commands& commands, glift::uint2 extent);
+    /// Over parts that exist already.
+    Box_2_float(const glift::Commands& commands, glift::uint2 extent, glift::Memory data);
+
+    /// The extent of the virtual domain.
+    glift::uint2 domain() const;
+    glift::uint2 extent() const { return extent_; }
+    const glift::Memory& data() const { return data_; }
+    std::uint64_t data_extent() const { return data_extent_; }
+    /// True if the two were made with equal arguments.
+    bool same_state(const Box_2_float& other) const;
+
+    /// Gives every element, or those of a box, one value.
+    void fill(float value);
+    void fill(float value, const glift::Range<Box_2_float>& range);
+    /// Where an element lies in row_memory(), in elements; the address is an affine function of the virtual one.
+    std::uint64_t place(glift::uint2 address) const;
+    const glift::Memory& row_memory() const { return data_; }
+    /// Elements of a box to a linear buffer, and back.
+    void copy_out(const glift::Commands& commands, const glift::Range<Box_2_float>& range,
+        const glift::Memory& box) const;
+    void copy_in(const glift::Commands& commands, const glift::Range<Box_2_float>& range,
+        const glift::Memory& box) const;
+
+private:
+    glift::uint2 extent_{};
+    std::uint64_t data_extent_{};
+    glift::Memory data_;
+};
+#endif
+
+#ifndef GLIFT_std_transfer_HAS_Box_1_float
+#define GLIFT_std_transfer_HAS_Box_1_float
+/// Box<1, float>. Elements of a box in a linear buffer, first axis fastest: what the host reads and writes.
+class Box_1_float : public glift::Structure<Box_1_float, glift::uint, float> {
+public:
+    static constexpr const char* type_name = "Box<1, float>";
+
+    Box_1_float() = default;
+    Box_1_float(const glift::Commands& commands, glift::uint extent);
+    /// Over parts that exist already.
+    Box_1_float(const glift::Commands& commands, glift::uint extent, glift::Memory data);
+
+    /// The extent of the virtual domain.
+    glift::uint domain() const;
+    glift::uint extent() const { return extent_; }
+    const glift::Memory& data() const { return data_; }
+    std::uint64_t data_extent() const { return data_extent_; }
+    /// True if the two were made with equal arguments.
+    bool same_state(const Box_1_float& other) const;
+
+    /// Gives every element, or those of a box, one value.
+    void fill(float value);
+    void fill(float value, const glift::Range<Box_1_float>& range);
+    /// Where an element lies in row_memory(), in elements; the address is an affine function of the virtual one.
+    std::uint64_t place(glift::uint address) const;
+    const glift::Memory& row_memory() const { return data_; }
+    /// Elements of a box to a linear buffer, and back.
+    void copy_out(const glift::Commands& commands, const glift::Range<Box_1_float>& range,
+        const glift::Memory& box) const;
+    void copy_in(const glift::Commands& commands, const glift::Range<Box_1_float>& range,
+        const glift::Memory& box) const;
+
+private:
+    glift::uint extent_{};
+    std::uint64_t data_extent_{};
+    glift::Memory data_;
+};
+#endif
+
+void read_box_b7c9e6e7(const glift::Commands& commands, const glift::Range<::shared::Paged>& from,
+    const glift::Range<Box_1_float>& to);
+void write_box_a6c67e1e(const glift::Commands& commands, const glift::Range<Box_1_float>& from,
+    const glift::Range<::shared::Paged>& to);
+void fill_box_shared_Paged_float(const glift::Commands& commands, const glift::Range<::shared::Paged>& to, float value);
+void read_box_a62f9606(const glift::Commands& commands, const glift::Range<::shared::Same>& from,
+    const glift::Range<Box_1_float>& to);
+void write_box_416982b9(const glift::Commands& commands, const glift::Range<Box_1_float>& from,
+    const glift::Range<::shared::Same>& to);
+void fill_box_shared_Same_float(const glift::Commands& commands, const glift::Range<::shared::Same>& to, float value);
+void read_box_f3d15695(const glift::Commands& commands,
+    const glift::Range<::std_array::Array_2_float_none_buffer>& from, const glift::Range<Box_2_float>& to);
+void write_box_d5801374(const glift::Commands& commands, const glift::Range<Box_2_float>& from,
+    const glift::Range<::std_array::Array_2_float_none_buffer>& to);
+void fill_box_902cb707(const glift::Commands& commands, const glift::Range<::std_array::Array_2_float_none_buffer>& to,
+    float value);
+
+}  // namespace std_transfer
