@@ -1,3 +1,4 @@
+// long: the nodes of the program, which name each other
 // The resolved, instantiated program: every name bound, every type concrete. sema makes it, lower/ rewrites it down to
 // memory operations, layout/ and emit/ read it.
 //
@@ -370,16 +371,16 @@ struct Structure {
     RareVector<std::uint32_t> base;
     Name base_name;  ///< as declared
     Span base_span;
-    ExprId otherwise;              ///< value of an unmapped read; absent: zero
-    ExprId domain;                 ///< extent of the virtual domain, over the structure (root 0)
-    FunctionId at;                 ///< views: (address) -> element; structures[] of the function are [this structure]
+    ExprId otherwise;  ///< value of an unmapped read; absent: zero
+    ExprId domain;     ///< extent of the virtual domain, over the structure (root 0)
+    FunctionId at;     ///< views: (address) -> element; structures[] of the function are [this structure]
     std::vector<FunctionId> functions;     ///< other fns: structures[0] is this structure
     std::vector<HostField> host;           ///< adaptors
     std::vector<std::uint32_t> pipelines;  ///< adaptors: Program::pipelines
     /// The axes along which no address leads beyond its own memory, a bit each: set by lower/contained.cpp.
     std::uint8_t contained_axes = 0;
-    std::vector<Method> methods;           ///< adaptors: public functions
-    bool copyable = true;                  ///< elements can be read and written from the host (not views)
+    std::vector<Method> methods;  ///< adaptors: public functions
+    bool copyable = true;         ///< elements can be read and written from the host (not views)
     std::string doc;
 };
 

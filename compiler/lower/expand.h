@@ -150,8 +150,7 @@ private:
 
     // translate.cpp
     Pair linked(const ir::Place& place, ExprId address, const std::string& name);
-    template <class Asks>
-    Pair chained(const ir::Place& place, ExprId address, const std::string& name, Asks&& asks);
+    template <class Asks> Pair chained(const ir::Place& place, ExprId address, const std::string& name, Asks&& asks);
     Pair translated(const ir::Place& place, ExprId address, const std::string& name);
     Pair written(const ir::Place& place, ExprId address, const std::string& name);
     Pair written_centre(std::uint32_t root);

@@ -20,8 +20,7 @@ Pair Expander::linked(const Place& place, ExprId address, const std::string& nam
 
 /// The address in the root's memory: the links of the chain, one after the other. `asks` says whether the memory at a
 /// place has an address.
-template <class Asks>
-Pair Expander::chained(const Place& place, ExprId address, const std::string& name, Asks&& asks) {
+template <class Asks> Pair Expander::chained(const Place& place, ExprId address, const std::string& name, Asks&& asks) {
     Place link = place;
     std::string at_link = name;
     Pair at{address, {}};
@@ -89,7 +88,8 @@ ExprId Expander::less_where_unknown(const Structure& structure, ExprId address, 
     ExprId inside;
     for (std::uint32_t axis = 0; axis < p.types.components(make.type(address)); ++axis) {
         if (structure.contained_axes >> axis & 1) continue;
-        inside = make.both(inside, make.binary(BinaryOp::less, make.component(address, axis), make.component(extent, axis)));
+        inside =
+            make.both(inside, make.binary(BinaryOp::less, make.component(address, axis), make.component(extent, axis)));
     }
     return inside;
 }

@@ -59,10 +59,10 @@ struct Body {
     const Env& env;
     BodyKind kind = BodyKind::function;
     std::vector<std::unordered_map<Name, Symbol>> scopes = {{}};
-    ir::Definitions lets;                      ///< initialisers of immutable locals
+    ir::Definitions lets;                                ///< initialisers of immutable locals
     std::unordered_map<ir::LocalId, ir::Operands> made;  ///< pipelines: what temporaries were made with
-    std::vector<ir::StmtId>* block = nullptr;  ///< where statements go; null: expressions only
-    ir::TypeId result;                         ///< of return
+    std::vector<ir::StmtId>* block = nullptr;            ///< where statements go; null: expressions only
+    ir::TypeId result;                                   ///< of return
     unsigned loops = 0;
     unsigned depth = 0;
     ir::Kernel* kernel = nullptr;

@@ -293,7 +293,8 @@ Operand call_method(Body& body, const Operand& self, ast::Identifier method, con
                              call.span);
     }
     if ((name == "load" || name == "store") && addressed) return several_elements(body, self, method, call, wanted);
-    const bool translates = ir::physical_type(body.program(), body.program().structures[self.structure]) != ir::TypeId{};
+    const bool translates =
+        ir::physical_type(body.program(), body.program().structures[self.structure]) != ir::TypeId{};
     if ((name == "find" || name == "contains") && addressed && !translates) {
         const ir::ExprId at = address(domain);
         if (is_error(body, at)) return error_operand(call.span);
@@ -313,7 +314,8 @@ Operand call_method(Body& body, const Operand& self, ast::Identifier method, con
     }
     // What the structure does not declare is its memory's.
     if (has_method_of_base(c, body.program().structures[self.structure], method.name))
-        return call_method(body, structure_member(body, self, base_name(body, self, method.span)), method, call, wanted);
+        return call_method(body, structure_member(body, self, base_name(body, self, method.span)), method, call,
+                           wanted);
     std::vector<std::string_view> known = {"domain", "sample", "find", "translate", "contains", "load", "store"};
     for (const ast::Item& item : items)
         if (item.decl) known.push_back(c.text(c[item.decl].name.name));

@@ -1,5 +1,7 @@
 #include "sema/replace.h"
 
+#include "sema/arms.h"
+
 #include <algorithm>
 
 namespace gliftc::sema {
@@ -15,8 +17,9 @@ std::string why_kept(Body& body, const Operand& target) {
     const std::uint32_t member = target.place.members[0];
     if (container.members[member].by_reference) return "it was given to " + container.display + ", whose it is not";
     for (const ir::MemberStructure& other : container.members) {
-        const bool is_given = std::ranges::any_of(
-            other.structures, [&](const ir::Place& place) { return !place.members.empty() && place.members[0] == member; });
+        const bool is_given = std::ranges::any_of(other.structures, [&](const ir::Place& place) {
+            return !place.members.empty() && place.members[0] == member;
+        });
         if (is_given) return "it was given to the member '" + body.context.text(other.name) + "', which would keep it";
     }
     return "";
@@ -44,6 +47,9 @@ bool check_replace(Body& body, const ast::Stmt& stmt) {
         note(c.error(Diag::replaced_member, written.span), written.span, why);
         return true;
     }
+    if (is_refused_in_arm(body, "a member that gets other memory", stmt.span,
+                          "replace it before or after, whether or not there is need"))
+        return true;
     const Operand value = check(body, stmt.value);
     if (value.kind == OperandKind::error) return true;
     const std::optional<ir::LocalId> temporary = temporary_of(body, c[stmt.value], value);
@@ -53,11 +59,12 @@ bool check_replace(Body& body, const ast::Stmt& stmt) {
         return true;
     }
     if (value.structure != target.structure) {
-        c.error(Diag::type_mismatch, c[stmt.value].span,
-                {body.program().structures[target.structure].display,
-                 body.program().structures[value.structure].display});
+        c.error(
+            Diag::type_mismatch, c[stmt.value].span,
+            {body.program().structures[target.structure].display, body.program().structures[value.structure].display});
         return true;
     }
+    needs_host(body, stmt.span);
     const ir::StmtId id = add(body.program(), ir::StmtOp::replace, stmt.span);
     body.program().stmts[id].place = target.place;
     body.program().stmts[id].local = *temporary;

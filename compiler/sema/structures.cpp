@@ -84,9 +84,7 @@ std::optional<MemoryText> read_memory(Context& c, ast::ExprId id) {
             return MemoryText{c[generic.operands[0]].name, c[generic.operands[0]].span, generic.operands[1],
                               expr.operands[1]};
     }
-    if (expr.kind != ast::ExprKind::error)
-        note(c.error(Diag::memory_form, expr.span), expr.span,
-             memory_remedy);
+    if (expr.kind != ast::ExprKind::error) note(c.error(Diag::memory_form, expr.span), expr.span, memory_remedy);
     return std::nullopt;
 }
 
@@ -105,8 +103,7 @@ void add_memory(Body& body, std::uint32_t index, const ast::Item& item) {
     if (!text) return;
     Meta shape = find_meta(c, body.env, {text->shape, text->shape_span});
     if (shape.kind != MetaKind::memory_shape) {
-        note(c.error(Diag::memory_form, text->shape_span), text->shape_span,
-             memory_remedy);
+        note(c.error(Diag::memory_form, text->shape_span), text->shape_span, memory_remedy);
         return;
     }
     ir::Memory memory;
@@ -393,8 +390,8 @@ ir::ExprId domain_of(Body& body, std::uint32_t index, const ast::Item* declared)
 bool check_addresses(Context& c, std::uint32_t index) {
     ir::Structure& structure = c.program.structures[index];
     const bool has_base = !structure.base.empty();
-    const ir::TypeId takes = has_base ? ir::physical_type(c.program, structure)
-                                      : address_type(c.types(), structure.memories[0].shape);
+    const ir::TypeId takes =
+        has_base ? ir::physical_type(c.program, structure) : address_type(c.types(), structure.memories[0].shape);
     structure.domain_type = takes;
     if (structure.via.empty()) return true;
     const ir::TypeId gives = c.program.translators[structure.via.back().translator].physical_type;
@@ -421,8 +418,8 @@ void finish_structure(Body& body, std::uint32_t index, const ast::Item* domain, 
     }
     if (!check_addresses(c, index) || !check_own_memory(c, index)) return;
     ir::Structure& structure = c.program.structures[index];
-    const ir::TypeId element = has_base ? ir::structure_at(c.program, structure, structure.base).element
-                                        : structure.memories[0].element;
+    const ir::TypeId element =
+        has_base ? ir::structure_at(c.program, structure, structure.base).element : structure.memories[0].element;
     structure.element = element;
     if (ir::is_computed(c.program, structure)) structure.kind = ir::StructureKind::view, structure.copyable = false;
     ir::ExprId extent = domain_of(body, index, domain);

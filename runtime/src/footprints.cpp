@@ -228,7 +228,8 @@ Sharing compare_footprints(const Kernel& kernel, std::span<const Memory> memorie
             if (memories[j].object() != memories[k].object() || (!writes(one) && !writes(other))) continue;
             if (one.combine != Combine::none && one.combine == other.combine) continue;
             if (one.apart_from >> other.parameter & 1) continue;
-            const Pair pair{kernel, memories, one, other, footprints[one.parameter], footprints[other.parameter], visited};
+            const Pair pair{kernel, memories, one, other, footprints[one.parameter], footprints[other.parameter],
+                            visited};
             if (pair.is_one_place()) sharing = Sharing::one_place;
             else if (!pair.is_apart()) pair.refuse(memories[k]);
         }

@@ -1,9 +1,7 @@
-// Structures, views and adaptors as classes; structs as structs.
+// Structures, views and adaptors as classes.
 #include "emit/cpp/translators.h"
 #include "emit/cpp/unit.h"
 #include "ir/chain.h"
-#include "ir/empty.h"
-#include "layout/layout.h"
 
 #include <algorithm>
 
@@ -423,8 +421,7 @@ void print_class(Unit& unit, Writer& out, std::uint32_t index) {
             out.line("/// Where an element lies in row_memory(), in elements; the address is an affine function of the "
                      "virtual one.");
             out.line("std::uint64_t place(" + unit.type(structure.domain_type, true) + " address) const;");
-            out.line("const glift::Memory& row_memory() const { return " + names.memory_fields[structure.via_memory] +
-                     "; }");
+            out.line("const glift::Memory& row_memory() const { return " + rows_of(unit, index) + "; }");
         }
         out.line("/// Elements of a box to a linear buffer, and back.");
         out.line("void copy_out" + parameters);
@@ -467,48 +464,6 @@ void print_class_members(Unit& unit, Writer& out, std::uint32_t index) {
     print_same_state(unit, out, index, names);
     if (has_rows(unit.program, structure)) print_place(unit, out, index);
     print_methods(unit, out, index);
-}
-
-void print_enum(const Unit& unit, Writer& out, std::uint32_t index) {
-    const ir::Enum& type = unit.program.enums[index];
-    write_doc(out, type.doc);
-    out.open("struct " + unit.own.enums[index]);
-    std::string list;
-    const NameSet type_name{unit.own.enums[index]};
-    Scopes names;
-    names.avoid(type_name);
-    for (std::size_t i = 0; i < type.enumerators.size(); ++i)
-        list +=
-            (i ? ", " : "") + names.declare(unit.name(type.enumerators[i])) + " = " + std::to_string(type.values[i]);
-    out.line("enum : glift::uint { " + list + " };");
-    out.close(";");
-    out.gap();
-}
-
-void print_struct(const Unit& unit, Writer& out, std::uint32_t index) {
-    const ir::Struct& type = unit.program.structs[index];
-    const std::string name = type.extern_header.empty() ? unit.own.structs[index] : "::" + type.extern_name;
-    const std::vector<std::string>& fields = unit.globals.field_names[index];
-    const std::vector<std::uint32_t> offsets = layout::offsets_of(unit.program, type);
-    if (type.extern_header.empty()) {
-        write_doc(out, type.doc);
-        out.open("struct " + name);
-        for (std::size_t i = 0; i < type.fields.size(); ++i) {
-            write_doc(out, type.fields[i].doc);
-            out.line(storage_text(unit.globals, type.fields[i].type, true) + " " + fields[i] + "{};");
-        }
-        out.line("bool operator==(const " + name + "&) const = default;");
-        out.close(";");
-    }
-    // What has a part that takes up no memory is in none itself.
-    const bool is_in_memory = std::none_of(type.fields.begin(), type.fields.end(), [&](const ir::StructField& field) {
-        return ir::holds_empty(unit.program, field.type);
-    });
-    for (std::size_t i = 0; i < type.fields.size() && is_in_memory; ++i)
-        out.line("static_assert(offsetof(" + name + ", " + fields[i] + ") == " + std::to_string(offsets[i]) + ");");
-    if (!type.extern_header.empty())
-        out.line("static_assert(sizeof(" + name + ") == " + std::to_string(type.size) + ");");
-    out.gap();
 }
 
 }  // namespace gliftc::cpp

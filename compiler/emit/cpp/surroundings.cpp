@@ -36,7 +36,8 @@ Text structure_property(const Globals& globals, const ir::Expr& expr, std::uint3
             of.memories[expr.slot].shape == ir::MemoryShape::buffer && expr.type == globals.program.types.uint;
         return {is_cut ? "glift::fitted(" + extent + ")" : extent};
     }
-    case ir::Op::host_state: return {own ? names.host_fields[expr.slot] + ".get()" : prefix + names.host[expr.slot] + "()"};
+    case ir::Op::host_state:
+        return {own ? names.host_fields[expr.slot] + ".get()" : prefix + names.host[expr.slot] + "()"};
     case ir::Op::domain: return {prefix + "domain()"};
     case ir::Op::structure_value:
         if (prefix.ends_with("->")) return {prefix.substr(0, prefix.size() - 2) + ".structure()"};

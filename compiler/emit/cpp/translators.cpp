@@ -62,31 +62,56 @@ void print_method(Unit& unit, Writer& out, const char* name, ir::FunctionId id, 
     out.close(";");
 }
 
+/// Whether a translator is an affine map that only what the structure is made with decides.
+static bool is_plain_map(const ir::Program& program, const ir::Translator& translator) {
+    return translator.properties.affine && !translator.properties.partial &&
+           translator.properties.mapping != ir::Mapping::many_to_one && translator.structures.empty() &&
+           !uses_state_elsewhere(program, translator.translate);
+}
+
 bool has_rows(const ir::Program& program, const ir::Structure& structure) {
-    if (structure.kind != ir::StructureKind::stored || structure.via.size() != 1 || !structure.base.empty())
+    if (structure.kind != ir::StructureKind::stored || structure.via.size() > 1) return false;
+    if (!ir::is_contained(program, structure)) return false;
+    if (!structure.via.empty() && !is_plain_map(program, program.translators[structure.via[0].translator]))
         return false;
-    const ir::Translator& translator = program.translators[structure.via[0].translator];
+    if (!structure.base.empty()) return has_rows(program, ir::structure_at(program, structure, structure.base));
     const ir::Memory& memory = structure.memories[structure.via_memory];
     const bool is_number = program.types.is_number(program.types.scalar_of(structure.element)) ||
                            structure.element == program.types.bool_ ||
                            program.types.kind(structure.element) == ir::TypeKind::struct_;
-    return memory.shape == ir::MemoryShape::buffer && memory.element == structure.element && is_number &&
-           translator.properties.affine && !translator.properties.partial &&
-           translator.properties.mapping != ir::Mapping::many_to_one && translator.structures.empty() &&
-           translator.physical_type == program.types.uint && ir::is_contained(program, structure) &&
-           !uses_state_elsewhere(program, translator.translate);
+    return memory.shape == ir::MemoryShape::buffer && memory.element == structure.element && is_number;
+}
+
+std::string rows_of(const Unit& unit, std::uint32_t index) {
+    const ir::Structure& structure = unit.program.structures[index];
+    if (structure.base.empty()) return unit.globals.class_names[index].memory_fields[structure.via_memory];
+    ir::Expr base;
+    base.op = ir::Op::structure_value;
+    base.place.members = structure.base;
+    return structure_property(unit.globals, base, index, "").text + ".row_memory()";
 }
 
 void print_place(Unit& unit, Writer& out, std::uint32_t index) {
     const ir::Structure& structure = unit.program.structures[index];
-    const ir::Stage& stage = structure.via[0];
-    const ir::Translator& translator = unit.program.translators[stage.translator];
     out.open(unit.linkage(structure.key) + ("std::uint64_t " + unit.own_name(index)) + "::place(" +
              unit.type(structure.domain_type) + " address) const");
-    const std::vector<std::string> states = print_state(unit, out, index, stage, "", {"address", "translate", "place"});
-    const ir::FunctionId exact = translator.wide;
-    print_method(unit, out, "translate", exact, unit.type(unit.program.functions[exact].result), states);
-    out.line("return translate(address);");
+    std::string place = "address";
+    if (!structure.via.empty()) {
+        const ir::Stage& stage = structure.via[0];
+        const ir::Translator& translator = unit.program.translators[stage.translator];
+        const std::vector<std::string> states =
+            print_state(unit, out, index, stage, "", {"address", "translate", "place"});
+        const ir::FunctionId exact = structure.base.empty() ? translator.wide : translator.translate;
+        print_method(unit, out, "translate", exact, unit.type(unit.program.functions[exact].result), states);
+        place = "translate(address)";
+    }
+    if (!structure.base.empty()) {
+        ir::Expr base;
+        base.op = ir::Op::structure_value;
+        base.place.members = structure.base;
+        place = structure_property(unit.globals, base, index, "").text + ".place(" + place + ")";
+    }
+    out.line("return " + place + ";");
     out.close();
     out.gap();
 }

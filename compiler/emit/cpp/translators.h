@@ -23,6 +23,9 @@ void print_method(Unit& unit, Writer& out, const char* name, ir::FunctionId id, 
 /// of such a structure are copied by rows. The affine translator says where a row begins.
 bool has_rows(const ir::Program& program, const ir::Structure& structure);
 
+/// The memory that they lie in.
+std::string rows_of(const Unit& unit, std::uint32_t structure);
+
 /// `std::uint64_t place(uint4 address) const`, where a structure that has rows keeps an element.
 void print_place(Unit& unit, Writer& out, std::uint32_t structure);
 

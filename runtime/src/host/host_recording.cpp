@@ -9,7 +9,6 @@ namespace {
 
 template <class T> std::vector<T> copied(std::span<const T> values) { return {values.begin(), values.end()}; }
 
-
 class HostRecording final : public RecordingObject {
 public:
     HostRecording(std::shared_ptr<DeviceObject> device, std::vector<std::function<void(HostStream&)>> steps,
@@ -160,7 +159,8 @@ void HostRecordingStream::wait() { throw_not_in_recording("Commands::wait"); }
 std::shared_ptr<RecordingObject> HostRecordingStream::finish() {
     const auto held = lock();
     close();
-    return std::make_shared<HostRecording>(keep_, std::move(steps_), std::move(held_), std::move(blocks_), workspace_->bytes());
+    return std::make_shared<HostRecording>(keep_, std::move(steps_), std::move(held_), std::move(blocks_),
+                                           workspace_->bytes());
 }
 
 }  // namespace glift::detail

@@ -131,9 +131,10 @@ void HostStream::dispatch(const Kernel& kernel, const Call& call) {
     std::optional<HostTargetViews> targets;
     if (call.targets) host.targets = &targets.emplace(kernel, *call.targets).targets();
     ++counters_.passes;
-    const bool is_promised = tests_promises() && !call.targets && relies_on_promise(kernel, call.memories);
+    const bool runs = host.size[0] && host.size[1] && host.size[2] && host.size[3];
+    const bool is_promised = runs && tests_promises() && !call.targets && relies_on_promise(kernel, call.memories);
     if (is_promised) check_promises(kernel, form, call.memories, host);
-    if (host.size[0] && host.size[1] && host.size[2] && host.size[3]) form.host(host);
+    if (runs) form.host(host);
     if (kernel.reports && record.code != StatusRecord::fine) throw_report(Reporter(kernel), record);
 }
 

@@ -125,8 +125,9 @@ private:
         const std::string from(parameter_of(read)), to(parameter_of(written));
         const bool is_buffer = read.kind == MemoryKind::buffer;
         throw Error(ErrorCode::aliased_memory,
-                    "'" + from + "' reads what '" + to + "' writes in the same pass, though the kernel promises that it "
-                    "does not",
+                    "'" + from + "' reads what '" + to +
+                        "' writes in the same pass, though the kernel promises that it "
+                        "does not",
                     kernel_text(kernel_) + ", " + memory_text(memories_[read_].description()),
                     is_buffer ? "element " + std::to_string(4 * word / read.element_bytes) + " of " + read.name +
                                     " is read by one invocation and written by one"

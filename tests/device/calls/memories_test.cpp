@@ -145,12 +145,10 @@ TEST(Memories, recordings_do_not_outlive_the_memory_of_a_member) {
         of_other.submit();
         record(growing).submit();
         EXPECT_EQ(growing.items().read(), (std::vector<std::uint32_t>{1, 2, 3, 4}));
-        expect_error("in a recording", [&] {
-            device.record([&](const glift::Commands& commands) { growing.grow(commands); });
-        });
-        expect_error("in a recording", [&] {
-            device.workspace_bytes([&](const glift::Commands& commands) { growing.grow(commands); });
-        });
+        expect_error("in a recording",
+                     [&] { device.record([&](const glift::Commands& commands) { growing.grow(commands); }); });
+        expect_error("in a recording",
+                     [&] { device.workspace_bytes([&](const glift::Commands& commands) { growing.grow(commands); }); });
     }
 }
 
