@@ -4,4 +4,5 @@
 #include <glift/vector.h>
 
 #include <cstddef>
+#include <optional>
 
