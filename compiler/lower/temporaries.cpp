@@ -33,6 +33,12 @@ bool is_returned(const Program& p, const std::vector<StmtId>& body, LocalId loca
     return found;
 }
 
+/// Whether the expression is computed by a pass, and has nothing of what it was computed from.
+bool is_computed(const Program& p, ExprId id) {
+    const Expr& expr = p.exprs[id];
+    return expr.op == Op::pipeline_call && p.pipelines[expr.slot].is_value;
+}
+
 /// A slice, or a count left on the device, keeps the memory of what it came from: using it uses the temporary.
 std::vector<LocalId> aliases(const Program& p, const std::vector<StmtId>& body, LocalId temporary) {
     std::vector<LocalId> result{temporary};
@@ -41,6 +47,7 @@ std::vector<LocalId> aliases(const Program& p, const std::vector<StmtId>& body, 
             if (stmt.op != StmtOp::let || !stmt.value) return;
             TypeKind kind = p.types.kind(p.locals[stmt.local].type);
             if (kind != TypeKind::slice && kind != TypeKind::structure && kind != TypeKind::device) return;
+            if (is_computed(p, stmt.value)) return;
             bool found = false;
             for_each_node(p, stmt.value, [&](ExprId part) { found = found || p.exprs[part].local == result[i]; });
             if (found && std::find(result.begin(), result.end(), stmt.local) == result.end())
@@ -76,6 +83,66 @@ void mark_last_reads(Program& p, const std::vector<StmtId>& body, std::size_t at
     }
 }
 
+/// Views and adaptors are made of structures that others have, too.
+bool has_own_memory(const Program& p, LocalId local) {
+    return p.structures[p.types[p.locals[local].type].index].kind == StructureKind::stored;
+}
+
+/// Whether the statement may write elements that others read where they lie: those of the temporary that `temporary`
+/// is, else any that is no temporary.
+bool may_write(const Program& p, const Stmt& stmt, const std::vector<LocalId>& names, bool is_temporary,
+               const std::vector<LocalId>& temporaries) {
+    const auto is_among = [](const std::vector<LocalId>& list, LocalId local) {
+        return std::ranges::find(list, local) != list.end();
+    };
+    if (stmt.op == StmtOp::dispatch) {
+        const Kernel& kernel = p.kernels[stmt.slot];
+        for (std::size_t i = 0; i < kernel.params.size(); ++i) {
+            if (kernel.params[i].direction == Direction::in) continue;
+            const LocalId written = p.exprs[stmt.arguments[i]].local;
+            if (is_temporary ? is_among(names, written) || !is_among(temporaries, written)
+                             : !is_among(temporaries, written))
+                return true;
+        }
+        return false;
+    }
+    if (stmt.op != StmtOp::let && stmt.op != StmtOp::temp && stmt.op != StmtOp::assign) return true;
+    bool calls = false;
+    for_each_root(stmt, [&](ExprId root) {
+        for_each_node(p, root, [&](ExprId node) {
+            const Expr& expr = p.exprs[node];
+            calls = calls || (expr.op == Op::pipeline_call && !p.pipelines[expr.slot].is_value);
+        });
+    });
+    return calls;
+}
+
+/// An element needs no copy if nothing writes it until its last use, which is in the same block.
+void mark_reads(Program& p, const std::vector<StmtId>& body, const std::vector<StmtId>& pipeline) {
+    std::vector<LocalId> temporaries;
+    for_each_statement(p, pipeline, [&](const Stmt& stmt) {
+        if (stmt.op == StmtOp::temp && has_own_memory(p, stmt.local)) temporaries.push_back(stmt.local);
+    });
+    for (std::size_t i = 0; i < body.size(); ++i) {
+        const Stmt& stmt = p.stmts[body[i]];
+        if (stmt.op != StmtOp::let || !stmt.value || p.locals[stmt.local].is_mutable) continue;
+        Expr& read = p.exprs[stmt.value];
+        if (read.op != Op::device_read || is_returned(p, pipeline, stmt.local)) continue;
+        const bool is_temporary = std::ranges::find(temporaries, read.local) != temporaries.end();
+        std::vector<LocalId> names;
+        if (is_temporary) names = aliases(p, pipeline, read.local);
+        const std::vector<LocalId> values = aliases(p, pipeline, stmt.local);
+        bool is_written = false, is_late = false;
+        for (std::size_t k = i + 1; k < body.size(); ++k) {
+            const Stmt& later = p.stmts[body[k]];
+            const bool is_used = std::ranges::any_of(values, [&](LocalId value) { return uses(p, body[k], value); });
+            is_written = is_written || may_write(p, later, names, is_temporary, temporaries);
+            is_late = is_late || (is_used && (is_written || later.op == StmtOp::assign));
+        }
+        if (!is_late) read.slot = 1;
+    }
+}
+
 /// Of the aliases, those that are declared in the temporary's own block, behind it: they go when it goes.
 std::vector<LocalId> declared_beside(Program& p, const std::vector<StmtId>& body, std::size_t at,
                                      const std::vector<LocalId>& aliases) {
@@ -90,6 +157,7 @@ std::vector<LocalId> declared_beside(Program& p, const std::vector<StmtId>& body
 }
 
 std::vector<StmtId> released(Program& p, const std::vector<StmtId>& body, const std::vector<StmtId>& pipeline) {
+    mark_reads(p, body, pipeline);
     std::map<std::size_t, std::vector<LocalId>> deaths;
     const auto dies = [&](std::size_t at, LocalId local) {
         std::vector<LocalId>& dead = deaths[at];

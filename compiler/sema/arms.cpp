@@ -2,6 +2,7 @@
 // And variables on the device, which keep their value there.
 #include "sema/arms.h"
 
+#include "ir/walk.h"
 #include "sema/values.h"
 
 #include <algorithm>
@@ -30,6 +31,15 @@ ir::ExprId runs(Body& body, std::size_t depth, Span span) {
         all = all ? make_binary(p, ir::BinaryOp::logical_and, p.types.bool_, all, one, span) : one;
     }
     return all;
+}
+
+/// What calls functions, which may loop, is not computed from what an arm that does not run has left undone: it is a
+/// value by itself, whose pass runs where the arm does.
+bool calls_functions(Body& body, ir::ExprId value) {
+    bool found = false;
+    ir::for_each_node(body.program(), value,
+                      [&](ir::ExprId node) { found = found || body.program().exprs[node].op == ir::Op::call; });
+    return found;
 }
 
 /// The statements of an arm, as one statement.
@@ -79,6 +89,7 @@ void check_variable(Body& body, const ast::Stmt& stmt, ir::ExprId target) {
         return;
     }
     if (is_partial) {
+        if (calls_functions(body, value)) value = opened(body, on_device(body, value));
         const ir::ExprId where = runs(body, depth, stmt.span);
         value = add(p, ir::Op::select, type, span, {where, value, opened(body, target)});
     }

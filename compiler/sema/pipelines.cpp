@@ -146,7 +146,12 @@ std::optional<std::uint32_t> instantiate_pipeline(Context& c, ast::DeclId id, co
     pipeline.owner = owner;
     pipeline.doc = decl.doc;
     Body body{.context = c, .env = env, .kind = BodyKind::pipeline, .block = &pipeline.body, .key = pipeline.key};
-    for (std::uint32_t each : passed) body.key += each == lies_on_device ? "<device>" : "<host>";
+    for (std::size_t i = 0; i < passed.size(); ++i) {
+        const bool is_range = i < written.params.size() && written.params[i].pattern == ast::Pattern::range;
+        body.key += is_range                      ? "<" + c.program.structures[passed[i]].key + ">"
+                    : passed[i] == lies_on_device ? "<device>"
+                                                  : "<host>";
+    }
     if (owner) bring_members_into_scope(body, *owner);
     open_scope(body);
     for (std::size_t i = 0; i < written.params.size(); ++i)

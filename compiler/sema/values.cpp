@@ -2,6 +2,7 @@
 
 #include "ir/effects.h"
 #include "ir/empty.h"
+#include "ir/print.h"
 #include "ir/walk.h"
 #include "sema/components.h"
 #include "sema/instances.h"
@@ -18,7 +19,6 @@ class Maker {
 public:
     Maker(Body& body, Span span) : body_(body), c_(body.context), p_(body.program()), span_(span) {
         kernel_.name = c_.names.intern("value");
-        kernel_.key = body.key + "<" + std::to_string(body.values++) + ">";
         kernel_.display = "value";
         kernel_.span = span;
         kernel_.module = body.env.module;
@@ -102,6 +102,9 @@ ir::ExprId Maker::rewritten(ir::ExprId id) {
 
 ir::ExprId Maker::call(ir::ExprId expr, std::uint32_t box) {
     const ir::TypeId type = p_.exprs[expr].type;
+    // A pipeline may be checked again: most of its values are what they were then.
+    const std::string what = "value " + body_.key + " " + std::to_string(span_.begin) + " " +
+                             std::to_string(span_.end) + " " + ir::print(p_, expr);
     const ir::StmtId set = add(p_, ir::StmtOp::set_element, span_);
     const ir::ExprId value = rewritten(expr);
     p_.stmts[set].value = value;
@@ -112,6 +115,7 @@ ir::ExprId Maker::call(ir::ExprId expr, std::uint32_t box) {
                .direction = ir::Direction::out,
                .structure = box});
     ir::Pipeline pipeline;
+    kernel_.key = body_.key + "<" + std::to_string(body_.values) + ">";
     pipeline.name = kernel_.name;
     pipeline.display = kernel_.display;
     pipeline.key = kernel_.key;
@@ -127,10 +131,14 @@ ir::ExprId Maker::call(ir::ExprId expr, std::uint32_t box) {
         pipeline.params.push_back({.name = param.name, .span = span_, .local = local});
         passed_on.push_back(make_local(p_, local, span_));
     }
-    const std::uint32_t index =
-        pipeline_of_kernel(c_, std::move(kernel_), std::move(pipeline), std::move(passed_on), box);
+    Instance& known = c_.instances[what];
+    if (known.state != Instance::State::done) {
+        ++body_.values;
+        known.index = pipeline_of_kernel(c_, std::move(kernel_), std::move(pipeline), std::move(passed_on), box);
+        known.state = Instance::State::done;
+    }
     const ir::ExprId call = add(p_, ir::Op::pipeline_call, c_.types().device(type), span_, std::move(arguments_));
-    p_.exprs[call].slot = index;
+    p_.exprs[call].slot = known.index;
     return call;
 }
 

@@ -3,6 +3,7 @@
 #include "emit/cpp/unit.h"
 #include "ir/chain.h"
 #include "ir/levels.h"
+#include "ir/walk.h"
 
 #include <utility>
 
@@ -315,6 +316,19 @@ void PipelinePrinter::statement(const Stmt& stmt) {
     ir::misplaced(stmt.op, "emit/cpp: a pipeline");
 }
 
+/// Functions may loop long on what an arm that does not run has left undone; operators may not, and several passes with
+/// conditions would take longer than they do.
+bool calls_functions(const Unit& unit, const Pipeline& pipeline) {
+    bool found = false;
+    for (ir::StmtId id : pipeline.body) {
+        const Stmt& stmt = unit.program.stmts[id];
+        if (stmt.op != StmtOp::dispatch) continue;
+        ir::for_each_expression(unit.program, unit.program.kernels[stmt.slot].body,
+                                [&](ExprId node) { found = found || unit.program.exprs[node].op == Op::call; });
+    }
+    return found;
+}
+
 bool is_test(const Unit& unit, std::uint32_t pipeline) {
     for (const ir::Test& test : unit.program.tests) {
         if (test.pipeline == pipeline) return true;
@@ -361,7 +375,7 @@ void print_pipeline(Unit& unit, Writer& out, std::uint32_t index) {
     PipelinePrinter printer(unit, pipeline);
     printer.tracks = is_test(unit, index);
     printer.p.out.indent();
-    if (pipeline.is_value) printer.commands = "commands.always()";
+    if (pipeline.is_value && !calls_functions(unit, pipeline)) printer.commands = "commands.always()";
     print_statements(printer.p, pipeline.body);
     if (printer.tracks) printer.keep_all();
     out.gap();

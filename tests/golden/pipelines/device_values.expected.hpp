@@ -1,0 +1,64 @@
+// Made by gliftc from device_values.glift. Changes are lost when it is made again.
+#pragma once
+
+#include "device_values.glift.types.hpp"
+
+#include <glift/glift.h>
+#include <glift/structure.h>
+
+/// Values of the device: what is computed, arguments, arms, and rounds that stop without the host.
+
+namespace std_array {
+
+#ifndef GLIFT_std_array_HAS_Array_1_uint_none_buffer
+#define GLIFT_std_array_HAS_Array_1_uint_none_buffer
+/// Array<1, uint, none, buffer>. A dense N-D array. Memory: one element an address. What lies outside is up to
+/// `edge`: by default reads give zero and
+/// writes go nowhere. Thesis section 9.1.
+class Array_1_uint_none_buffer : public glift::Structure<Array_1_uint_none_buffer, glift::uint, glift::uint> {
+public:
+    static constexpr const char* type_name = "Array<1, uint, none, buffer>";
+
+    Array_1_uint_none_buffer() = default;
+    Array_1_uint_none_buffer(const glift::Commands& commands, glift::uint extent);
+    /// Over parts that exist already.
+    Array_1_uint_none_buffer(const glift::Commands& commands, glift::uint extent, glift::Memory data);
+
+    /// The extent of the virtual domain.
+    glift::uint domain() const;
+    glift::uint extent() const { return extent_; }
+    const glift::Memory& data() const { return data_; }
+    std::uint64_t data_extent() const { return data_extent_; }
+    /// True if the two were made with equal arguments.
+    bool same_state(const Array_1_uint_none_buffer& other) const;
+
+    /// Gives every element, or those of a box, one value.
+    void fill(glift::uint value);
+    void fill(glift::uint value, const glift::Range<Array_1_uint_none_buffer>& range);
+    /// Where an element lies in row_memory(), in elements; the address is an affine function of the virtual one.
+    std::uint64_t place(glift::uint address) const;
+    const glift::Memory& row_memory() const { return data_; }
+    /// Elements of a box to a linear buffer, and back.
+    void copy_out(const glift::Commands& commands, const glift::Range<Array_1_uint_none_buffer>& range,
+        const glift::Memory& box) const;
+    void copy_in(const glift::Commands& commands, const glift::Range<Array_1_uint_none_buffer>& range,
+        const glift::Memory& box) const;
+
+private:
+    glift::uint extent_{};
+    std::uint64_t data_extent_{};
+    glift::Memory data_;
+};
+#endif
+
+}  // namespace std_array
+
+namespace device_values {
+
+using Line = ::std_array::Array_1_uint_none_buffer;
+
+/// Scales the first elements, one of two ways. Gives how often.
+glift::DeviceScalar<glift::uint> choose(const glift::Commands& commands, const Line& a, const Line& counts,
+    glift::uint by);
+
+}  // namespace device_values

@@ -1,0 +1,31 @@
+#version 460
+// value, device_values.glift:14: whole ranges, shared state.
+#extension GL_EXT_scalar_block_layout : require
+
+layout(local_size_x = 256) in;
+
+layout(push_constant, scalar) uniform Parameters {
+    uint element_index;
+    uint element_index_1;
+    uint result_extent;
+    uint by;
+};
+
+layout(scalar, set = 0, binding = 1) readonly buffer Element_data { uint element_data[]; };
+layout(scalar, set = 0, binding = 2) readonly buffer Element_data_1 { uint element_data_1[]; };
+layout(scalar, set = 0, binding = 3) writeonly buffer Result_data { uint result_data[]; };
+
+void main() {
+    // device_values.glift:14
+    uint address = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * 512u + gl_LocalInvocationID.x;
+    if (address >= result_extent) return;
+    // Two elements at once.
+    uint value = address + 256u;
+    bool has_next = value < result_extent;
+    uint next = has_next ? value : address;
+    uint element = element_data[element_index];
+    uint element_1 = element_data_1[element_index_1];
+    uint result = min(element + element_1, by);
+    result_data[address] = result;
+    result_data[next] = result;
+}

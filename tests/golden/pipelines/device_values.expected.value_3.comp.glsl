@@ -1,0 +1,23 @@
+#version 460
+// value, device_values.glift:22: whole ranges, shared state.
+#extension GL_EXT_scalar_block_layout : require
+
+layout(local_size_x = 256) in;
+
+layout(push_constant, scalar) uniform Parameters {
+    uint result_extent;
+};
+
+layout(scalar, set = 0, binding = 1) writeonly buffer Result_data { bool result_data[]; };
+
+void main() {
+    // device_values.glift:22
+    uint address = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * 512u + gl_LocalInvocationID.x;
+    if (address >= result_extent) return;
+    // Two elements at once.
+    uint value = address + 256u;
+    bool has_next = value < result_extent;
+    uint next = has_next ? value : address;
+    result_data[address] = true;
+    result_data[next] = true;
+}

@@ -1,0 +1,33 @@
+#version 460
+// value, device_values.glift:22: whole ranges, shared state.
+#extension GL_EXT_scalar_block_layout : require
+
+layout(local_size_x = 256) in;
+
+layout(push_constant, scalar) uniform Parameters {
+    uint running_index;
+    uint element_index;
+    uint times_index;
+    uint result_extent;
+};
+
+layout(scalar, set = 0, binding = 1) readonly buffer Running_data { bool running_data[]; };
+layout(scalar, set = 0, binding = 2) readonly buffer Element_data { uint element_data[]; };
+layout(scalar, set = 0, binding = 3) readonly buffer Times_data { uint times_data[]; };
+layout(scalar, set = 0, binding = 4) writeonly buffer Result_data { bool result_data[]; };
+
+void main() {
+    // device_values.glift:22
+    uint address = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * 512u + gl_LocalInvocationID.x;
+    if (address >= result_extent) return;
+    // Two elements at once.
+    uint value = address + 256u;
+    bool has_next = value < result_extent;
+    uint next = has_next ? value : address;
+    bool running = running_data[running_index];
+    uint element = element_data[element_index];
+    uint times = times_data[times_index];
+    bool result = running && element > times;
+    result_data[address] = result;
+    result_data[next] = result;
+}
