@@ -8,6 +8,7 @@
 #include "sema/instances.h"
 #include "sema/typing.h"
 
+#include <algorithm>
 #include <map>
 
 namespace gliftc::sema {
@@ -50,8 +51,14 @@ void Maker::add_param(ir::KernelParam param) {
 }
 
 ir::LocalId Maker::passed(ir::Pattern pattern, std::string_view name, ir::TypeId type, ir::ExprId argument) {
+    std::string unique(name);
+    const auto is_taken = [&] {
+        return std::ranges::any_of(kernel_.params,
+                                   [&](const ir::KernelParam& other) { return c_.text(other.name) == unique; });
+    };
+    for (unsigned i = 2; is_taken(); ++i) unique = std::string(name) + "_" + std::to_string(i);
     ir::KernelParam param;
-    param.name = c_.names.intern(name);
+    param.name = c_.names.intern(unique);
     param.pattern = pattern;
     param.local = add_local(p_, param.name, type, span_);
     if (pattern == ir::Pattern::argument) param.structure = box_of(c_, 1, type, span_).value_or(0);

@@ -15,9 +15,11 @@ struct Steps {
     Steps() {
         program.names = &names;
         program.pipelines.emplace_back();
+        program.structures.emplace_back().display = "Line";
     }
     ir::LocalId local(const char* name) {
-        return program.locals.add({names.intern(name), program.types.float_, {}, false, ir::Storage::value});
+        const ir::TypeId type = program.types.of_structure(0);
+        return program.locals.add({names.intern(name), type, {}, false, ir::Storage::value});
     }
     ir::StmtId temp(ir::LocalId id) {
         ir::Stmt stmt;
@@ -46,7 +48,7 @@ TEST(Temporaries, DieAfterTheirLastUse) {
     Steps steps;
     ir::LocalId a = steps.local("a"), b = steps.local("b");
     EXPECT_EQ(steps.released({steps.temp(a), steps.temp(b), steps.use(a), steps.use(b)}),
-              "    temp a = float();\n    temp b = float();\n    a;\n    release a;\n    b;\n    release b;\n");
+              "    temp a = Line();\n    temp b = Line();\n    a;\n    release a;\n    b;\n    release b;\n");
 }
 
 TEST(Temporaries, UsedInALoopLiveUntilItsEnd) {
@@ -57,7 +59,7 @@ TEST(Temporaries, UsedInALoopLiveUntilItsEnd) {
     loop.value = steps.program.stmts[steps.use(i)].value;
     loop.body = {steps.use(a), steps.temp(b), steps.use(b), steps.use(i)};
     EXPECT_EQ(steps.released({steps.temp(a), steps.program.stmts.add(loop), steps.use(i)}),
-              "    temp a = float();\n    while i {\n        a;\n        temp b = float();\n        b;\n        "
+              "    temp a = Line();\n    while i {\n        a;\n        temp b = Line();\n        b;\n        "
               "release b;\n        i;\n"
               "    }\n    release a;\n    i;\n");
 }
@@ -66,7 +68,7 @@ TEST(Temporaries, ReturnedOnesStay) {
     Steps steps;
     ir::LocalId a = steps.local("a");
     EXPECT_EQ(steps.released({steps.temp(a), steps.use(a, ir::StmtOp::return_)}),
-              "    temp a = float();\n    return a;\n");
+              "    temp a = Line();\n    return a;\n");
 }
 
 }  // namespace
