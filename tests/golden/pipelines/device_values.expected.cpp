@@ -75,43 +75,43 @@ void scale(const glift::Commands& commands, const glift::Range<Line>& a, uint by
 namespace {
 struct value_843f6281_2_direct_parameters {
     uint element_index;
-    uint element_index_2;
+    uint element_2_index;
     uint result_extent;
     uint by;
 };
 static_assert(offsetof(value_843f6281_2_direct_parameters, element_index) == 0);
-static_assert(offsetof(value_843f6281_2_direct_parameters, element_index_2) == 4);
+static_assert(offsetof(value_843f6281_2_direct_parameters, element_2_index) == 4);
 static_assert(offsetof(value_843f6281_2_direct_parameters, result_extent) == 8);
 static_assert(offsetof(value_843f6281_2_direct_parameters, by) == 12);
 struct value_843f6281_2_general_parameters {
     uint size;
     uint element_index;
-    uint element_index_2;
+    uint element_2_index;
     uint result_origin;
     uint by;
 };
 static_assert(offsetof(value_843f6281_2_general_parameters, size) == 0);
 static_assert(offsetof(value_843f6281_2_general_parameters, element_index) == 4);
-static_assert(offsetof(value_843f6281_2_general_parameters, element_index_2) == 8);
+static_assert(offsetof(value_843f6281_2_general_parameters, element_2_index) == 8);
 static_assert(offsetof(value_843f6281_2_general_parameters, result_origin) == 12);
 static_assert(offsetof(value_843f6281_2_general_parameters, by) == 16);
 struct value_843f6281_2_wide_parameters {
     uint size;
     uint element_index;
-    uint element_index_2;
+    uint element_2_index;
     uint result_origin;
     uint by;
     std::uint64_t element_data_address;
-    std::uint64_t element_data_address_2;
+    std::uint64_t element_2_data_address;
     std::uint64_t result_data_address;
 };
 static_assert(offsetof(value_843f6281_2_wide_parameters, size) == 0);
 static_assert(offsetof(value_843f6281_2_wide_parameters, element_index) == 4);
-static_assert(offsetof(value_843f6281_2_wide_parameters, element_index_2) == 8);
+static_assert(offsetof(value_843f6281_2_wide_parameters, element_2_index) == 8);
 static_assert(offsetof(value_843f6281_2_wide_parameters, result_origin) == 12);
 static_assert(offsetof(value_843f6281_2_wide_parameters, by) == 16);
 static_assert(offsetof(value_843f6281_2_wide_parameters, element_data_address) == 24);
-static_assert(offsetof(value_843f6281_2_wide_parameters, element_data_address_2) == 32);
+static_assert(offsetof(value_843f6281_2_wide_parameters, element_2_data_address) == 32);
 static_assert(offsetof(value_843f6281_2_wide_parameters, result_data_address) == 40);
 }  // namespace
 
@@ -127,11 +127,11 @@ GLIFT_SHARED void value_843f6281_2(const glift::Commands& commands, const glift:
         const value_843f6281_2_wide_parameters parameters = {
             .size = result.size(),
             .element_index = element.index(),
-            .element_index_2 = element_2.index(),
+            .element_2_index = element_2.index(),
             .result_origin = result.origin(),
             .by = by,
             .element_data_address = 0u,
-            .element_data_address_2 = 0u,
+            .element_2_data_address = 0u,
             .result_data_address = 0u,
         };
         commands.dispatch(value_843f6281_2_kernel,
@@ -141,7 +141,7 @@ GLIFT_SHARED void value_843f6281_2(const glift::Commands& commands, const glift:
     } else if (iteration.is_whole()) {
         const value_843f6281_2_direct_parameters parameters = {
             .element_index = element.index(),
-            .element_index_2 = element_2.index(),
+            .element_2_index = element_2.index(),
             .result_extent = result->extent(),
             .by = by,
         };
@@ -152,7 +152,7 @@ GLIFT_SHARED void value_843f6281_2(const glift::Commands& commands, const glift:
         const value_843f6281_2_general_parameters parameters = {
             .size = result.size(),
             .element_index = element.index(),
-            .element_index_2 = element_2.index(),
+            .element_2_index = element_2.index(),
             .result_origin = result.origin(),
             .by = by,
         };

@@ -149,12 +149,12 @@ const glift::Kernel scale_kernel = {
 namespace {
 struct value_843f6281_2_direct_parameters {
     uint element_index;
-    uint element_index_2;
+    uint element_2_index;
     uint result_extent;
     uint by;
 };
 static_assert(offsetof(value_843f6281_2_direct_parameters, element_index) == 0);
-static_assert(offsetof(value_843f6281_2_direct_parameters, element_index_2) == 4);
+static_assert(offsetof(value_843f6281_2_direct_parameters, element_2_index) == 4);
 static_assert(offsetof(value_843f6281_2_direct_parameters, result_extent) == 8);
 static_assert(offsetof(value_843f6281_2_direct_parameters, by) == 12);
 
@@ -163,10 +163,10 @@ GLIFT_HOST_KERNEL
 static void value_843f6281_2_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const value_843f6281_2_direct_parameters*>(call.parameters);
     const uint element_index = parameters.element_index;
-    const uint element_index_2 = parameters.element_index_2;
+    const uint element_2_index = parameters.element_2_index;
     const uint by = parameters.by;
     const uint* element_data = glift::host::elements<const uint>(call.memories[0]);
-    const uint* element_data_2 = glift::host::elements<const uint>(call.memories[1]);
+    const uint* element_2_data = glift::host::elements<const uint>(call.memories[1]);
     uint* result_data = glift::host::elements<uint>(call.memories[2]);
     for (const glift::host::Row row : rows) {
         if (row.begin < row.end) {
@@ -175,7 +175,7 @@ static void value_843f6281_2_direct_rows(const glift::HostCall& call, const glif
             GLIFT_INDEPENDENT
             for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
                 const uint element = element_data[element_index];
-                const uint element_2 = element_data_2[element_index_2];
+                const uint element_2 = element_2_data[element_2_index];
                 // device_values.glift:14
                 result_data_row[i] = glift::min(element + element_2, by);
             }
@@ -190,13 +190,13 @@ static void value_843f6281_2_direct(const glift::HostCall& call) {
 struct value_843f6281_2_general_parameters {
     uint size;
     uint element_index;
-    uint element_index_2;
+    uint element_2_index;
     uint result_origin;
     uint by;
 };
 static_assert(offsetof(value_843f6281_2_general_parameters, size) == 0);
 static_assert(offsetof(value_843f6281_2_general_parameters, element_index) == 4);
-static_assert(offsetof(value_843f6281_2_general_parameters, element_index_2) == 8);
+static_assert(offsetof(value_843f6281_2_general_parameters, element_2_index) == 8);
 static_assert(offsetof(value_843f6281_2_general_parameters, result_origin) == 12);
 static_assert(offsetof(value_843f6281_2_general_parameters, by) == 16);
 
@@ -205,11 +205,11 @@ GLIFT_HOST_KERNEL
 static void value_843f6281_2_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const value_843f6281_2_general_parameters*>(call.parameters);
     const uint element_index = parameters.element_index;
-    const uint element_index_2 = parameters.element_index_2;
+    const uint element_2_index = parameters.element_2_index;
     const uint result_origin = parameters.result_origin;
     const uint by = parameters.by;
     const uint* element_data = glift::host::elements<const uint>(call.memories[0]);
-    const uint* element_data_2 = glift::host::elements<const uint>(call.memories[1]);
+    const uint* element_2_data = glift::host::elements<const uint>(call.memories[1]);
     uint* result_data = glift::host::elements<uint>(call.memories[2]);
     for (const glift::host::Row row : rows) {
         if (row.begin < row.end) {
@@ -220,7 +220,7 @@ static void value_843f6281_2_general_rows(const glift::HostCall& call, const gli
             GLIFT_INDEPENDENT
             for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
                 const uint element = element_data[element_index];
-                const uint element_2 = element_data_2[element_index_2];
+                const uint element_2 = element_2_data[element_2_index];
                 // device_values.glift:14
                 result_data_row[i] = glift::min(element + element_2, by);
             }
@@ -235,20 +235,20 @@ static void value_843f6281_2_general(const glift::HostCall& call) {
 struct value_843f6281_2_wide_parameters {
     uint size;
     uint element_index;
-    uint element_index_2;
+    uint element_2_index;
     uint result_origin;
     uint by;
     std::uint64_t element_data_address;
-    std::uint64_t element_data_address_2;
+    std::uint64_t element_2_data_address;
     std::uint64_t result_data_address;
 };
 static_assert(offsetof(value_843f6281_2_wide_parameters, size) == 0);
 static_assert(offsetof(value_843f6281_2_wide_parameters, element_index) == 4);
-static_assert(offsetof(value_843f6281_2_wide_parameters, element_index_2) == 8);
+static_assert(offsetof(value_843f6281_2_wide_parameters, element_2_index) == 8);
 static_assert(offsetof(value_843f6281_2_wide_parameters, result_origin) == 12);
 static_assert(offsetof(value_843f6281_2_wide_parameters, by) == 16);
 static_assert(offsetof(value_843f6281_2_wide_parameters, element_data_address) == 24);
-static_assert(offsetof(value_843f6281_2_wide_parameters, element_data_address_2) == 32);
+static_assert(offsetof(value_843f6281_2_wide_parameters, element_2_data_address) == 32);
 static_assert(offsetof(value_843f6281_2_wide_parameters, result_data_address) == 40);
 
 // device_values.glift:14: value, some rows.
@@ -256,11 +256,11 @@ GLIFT_HOST_KERNEL
 static void value_843f6281_2_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
     const auto& parameters = *static_cast<const value_843f6281_2_wide_parameters*>(call.parameters);
     const uint element_index = parameters.element_index;
-    const uint element_index_2 = parameters.element_index_2;
+    const uint element_2_index = parameters.element_2_index;
     const uint result_origin = parameters.result_origin;
     const uint by = parameters.by;
     const uint* element_data = glift::host::elements<const uint>(call.memories[0]);
-    const uint* element_data_2 = glift::host::elements<const uint>(call.memories[1]);
+    const uint* element_2_data = glift::host::elements<const uint>(call.memories[1]);
     uint* result_data = glift::host::elements<uint>(call.memories[2]);
     for (const glift::host::Row row : rows) {
         GLIFT_INDEPENDENT
@@ -270,7 +270,7 @@ static void value_843f6281_2_wide_rows(const glift::HostCall& call, const glift:
             const uint result_address = result_origin + address;
             const std::uint64_t result_at = std::uint64_t(result_address);
             const uint element = element_data[std::uint64_t(element_index)];
-            const uint element_2 = element_data_2[std::uint64_t(element_index_2)];
+            const uint element_2 = element_2_data[std::uint64_t(element_2_index)];
             result_data[result_at] = glift::min(element + element_2, by);
         }
     }
@@ -283,14 +283,14 @@ static void value_843f6281_2_wide(const glift::HostCall& call) {
 const glift::Binding value_843f6281_2_bindings[] = {
     {.name = "element.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 24,
         .element_bytes = sizeof(uint), .reach = glift::Reach::memory},
-    {.name = "element.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 32,
+    {.name = "element_2.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 32,
         .element_bytes = sizeof(uint), .parameter = 1, .reach = glift::Reach::memory},
     {.name = "result.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 40,
         .element_bytes = sizeof(uint), .parameter = 2, .reach = glift::Reach::element},
 };
 constexpr glift::Parameter value_843f6281_2_parameters[] = {
     {"element_index", 0, sizeof(value_843f6281_2_direct_parameters::element_index)},
-    {"element_index", 4, sizeof(value_843f6281_2_direct_parameters::element_index_2)},
+    {"element_2_index", 4, sizeof(value_843f6281_2_direct_parameters::element_2_index)},
     {"result_extent", 8, sizeof(value_843f6281_2_direct_parameters::result_extent)},
     {"by", 12, sizeof(value_843f6281_2_direct_parameters::by)},
 };

@@ -6,13 +6,13 @@ layout(local_size_x = 256) in;
 
 layout(push_constant, scalar) uniform Parameters {
     uint element_index;
-    uint element_index_1;
+    uint element_2_index;
     uint result_extent;
     uint by;
 };
 
 layout(scalar, set = 0, binding = 1) readonly buffer Element_data { uint element_data[]; };
-layout(scalar, set = 0, binding = 2) readonly buffer Element_data_1 { uint element_data_1[]; };
+layout(scalar, set = 0, binding = 2) readonly buffer Element_2_data { uint element_2_data[]; };
 layout(scalar, set = 0, binding = 3) writeonly buffer Result_data { uint result_data[]; };
 
 void main() {
@@ -24,8 +24,8 @@ void main() {
     bool has_next = value < result_extent;
     uint next = has_next ? value : address;
     uint element = element_data[element_index];
-    uint element_1 = element_data_1[element_index_1];
-    uint result = min(element + element_1, by);
+    uint element_2 = element_2_data[element_2_index];
+    uint result = min(element + element_2, by);
     result_data[address] = result;
     result_data[next] = result;
 }
