@@ -142,12 +142,18 @@ class Structures:
         axes = max(axes, 2)
         return Structure(name, axes, t), f"structure {name} = MortonArray<{axes}, {t.text()}>;"
 
+    def line_of(self, t, count):
+        """Memory of so many elements: a buffer, or a structure that may be less regular."""
+        edge = self.random.choice(["none", "none", "clamp", "repeat"])
+        made = f"Array<1, {t.text()}, {edge}>({count})"
+        return made if self.random.chance(40) else f"buffer<{t.text()}>[{count}]"
+
     def own(self, name, axes, t):
         order = self.random.choice([o for o, (_, needs, _) in ORDERS.items() if needs in (0, axes)])
         kind, needs, _ = ORDERS[order]
         generic = f"<{axes}>" if not needs else ""
         outside = f"    otherwise made_{self.made_name(t)}(3u);\n" if self.random.chance(40) else ""
-        text = (f"structure {name}(extent: {vector(axes, UINT).text()}) {{\n    memory data = buffer<{t.text()}>[volume(extent)];\n"
+        text = (f"structure {name}(extent: {vector(axes, UINT).text()}) {{\n    memory data = {self.line_of(t, 'volume(extent)')};\n"
                 f"    via {order}{generic}(extent);\n{outside}}}")
         return Structure(name, axes, t, each=kind != "many_to_one", is_dense=kind == "one_to_one"), text
 
@@ -156,7 +162,7 @@ class Structures:
         axes = max(axes, 2)
         edge = self.random.choice(["", f"Edge<{axes}, Boundary.clamp>(extent) then ", f"Edge<{axes}, Boundary.mirror>(extent) then "])
         last = self.random.choice(["Linear", "Backwards", "Turned"])
-        text = (f"structure {name}(extent: uint{axes}) {{\n    memory data = buffer<{t.text()}>[volume(extent)];\n"
+        text = (f"structure {name}(extent: uint{axes}) {{\n    memory data = {self.line_of(t, 'volume(extent)')};\n"
                 f"    via {edge}Exchanged<{axes}>(extent) then {last}<{axes}>(exchanged(extent));\n}}")
         return Structure(name, axes, t), text
 
@@ -164,7 +170,7 @@ class Structures:
         page = [self.random.between(2, 4) for _ in range(axes)]
         address = vector(axes, UINT).text()
         text = (f"structure {name}(extent: {address}, capacity: uint) {{\n"
-                f"    memory pages = buffer<{t.text()}>[capacity * volume({extent_text(page)})];\n"
+                f"    memory pages = {self.line_of(t, f'capacity * volume({extent_text(page)})')};\n"
                 f"    structure table = Array<{axes}, PageEntry>(div_ceil(extent, {extent_text(page)}));\n"
                 f"    via PageTable<{axes}, {extent_text(page)}>(extent, table);\n}}")
         return Structure(name, axes, t, is_dense=False, capacity=page), text
