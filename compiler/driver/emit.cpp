@@ -58,14 +58,22 @@ std::string path_of(const Compilation& c, std::string_view name) {
     return std::string(name);
 }
 
+/// The texts of a kernel's shaders: of one, or of both parts of a draw.
+struct Readable {
+    std::string shader, fragment;
+};
+
 /// Of each kernel the form that is easiest to read.
-std::vector<std::string> readable_shaders(const Compilation& c, const std::vector<std::uint32_t>& kernels) {
+std::vector<Readable> readable_shaders(const Compilation& c, const std::vector<std::uint32_t>& kernels) {
     constexpr std::size_t share = 64;  // starting a thread for fewer does not pay off
-    std::vector<std::string> texts(kernels.size());
+    std::vector<Readable> texts(kernels.size());
     for_each_parallel(kernels.size(), share, [&](std::size_t i) {
         const auto& forms = c.lowered.passes[kernels[i]];
         const ir::Pass& readable = forms.direct.exists ? forms.direct : forms.general;
-        if (readable.exists) texts[i] = glsl::glsl_of(c.program, c.sources, readable);
+        if (!readable.exists) return;
+        texts[i].shader = glsl::glsl_of(c.program, c.sources, readable);
+        if (fragment_for(readable, ir::Devices::shaders))
+            texts[i].fragment = glsl::glsl_of(c.program, c.sources, readable, {.part = ir::Part::fragment});
     });
     return texts;
 }
@@ -75,17 +83,25 @@ void emit_shaders(const Options& options, const Compilation& c, std::uint32_t mo
     std::vector<std::uint32_t> kernels;
     for (std::uint32_t k = 0; k < c.program.kernels.size(); ++k)
         if (c.program.kernels[k].module == module) kernels.push_back(k);
-    std::vector<std::string> readable(kernels.size());
+    std::vector<Readable> readable(kernels.size());
     if (options.wants(Target::glsl)) readable = readable_shaders(c, kernels);
     std::set<std::string> taken;
     for (std::size_t i = 0; i < kernels.size(); ++i) {
         std::string name = base + "." + shader_name(c.program.kernels[kernels[i]].display, taken);
-        if (!readable[i].empty()) outputs.push_back({name + ".comp.glsl", std::move(readable[i])});
+        const std::string stage = c.program.kernels[kernels[i]].raster ? ".vert" : ".comp";
+        if (!readable[i].shader.empty()) outputs.push_back({name + stage + ".glsl", std::move(readable[i].shader)});
+        if (!readable[i].fragment.empty()) outputs.push_back({name + ".frag.glsl", std::move(readable[i].fragment)});
         if (!options.wants(Target::spirv)) continue;
+        const auto add = [&](const std::string& ending, const std::vector<std::uint32_t>& words) {
+            if (!words.empty()) outputs.push_back({name + ending + ".spv", bytes_of(words)});
+        };
         const ShaderSet& code = shaders[kernels[i]];
-        if (!code.direct.empty()) outputs.push_back({name + ".comp.spv", bytes_of(code.direct)});
-        if (!code.general.empty()) outputs.push_back({name + ".general.comp.spv", bytes_of(code.general)});
-        if (!code.wide.empty()) outputs.push_back({name + ".wide.comp.spv", bytes_of(code.wide)});
+        add(stage, code.direct);
+        add(".frag", code.direct_fragment);
+        add(".general" + stage, code.general);
+        add(".general.frag", code.general_fragment);
+        add(".wide" + stage, code.wide);
+        add(".wide.frag", code.wide_fragment);
     }
 }
 
@@ -93,7 +109,9 @@ void emit_cpp(const Options& options, const Compilation& c, std::uint32_t module
               const std::vector<ShaderSet>& shaders, const cpp::Options& cpp, cpp::Defined& defined,
               std::vector<Output>& outputs) {
     std::vector<cpp::KernelCode> code(shaders.size());
-    for (std::size_t k = 0; k < shaders.size(); ++k) code[k] = {shaders[k].direct, shaders[k].general, shaders[k].wide};
+    for (std::size_t k = 0; k < shaders.size(); ++k)
+        code[k] = {shaders[k].direct,          shaders[k].general,          shaders[k].wide,
+                   shaders[k].direct_fragment, shaders[k].general_fragment, shaders[k].wide_fragment};
     if (options.host_only || !options.wants(Target::cpp)) code.clear();
     cpp::Module written = cpp::module_of(c.program, c.lowered, c.sources, module, code, cpp, defined);
     for (cpp::File& file : written.files) {

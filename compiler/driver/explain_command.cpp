@@ -3,6 +3,7 @@
 #include "driver/commands.h"
 #include "driver/compile.h"
 #include "driver/explain_diagnostic.h"
+#include "driver/explain_draws.h"
 #include "driver/trials.h"
 #include "emit/json/text.h"
 #include "ir/chain.h"
@@ -61,7 +62,7 @@ std::string inverse_of(const ir::Properties& properties, const Trial& trial) {
 /// The translators and structures that the modules on the command line declare or use: what sema instantiated.
 class Explainer {
 public:
-    explicit Explainer(const Compilation& c) : c_(c), program_(c.program) {
+    explicit Explainer(const Compilation& c) : draws(explained_draws(c)), c_(c), program_(c.program) {
         for (const ir::Structure& structure : program_.structures)
             if (structure.kind != ir::StructureKind::adaptor) explain(structure);
         for (std::uint32_t i = 0; i < program_.translators.size(); ++i)
@@ -70,6 +71,7 @@ public:
 
     std::vector<ExplainedStructure> structures;
     std::vector<Explained> translators;  ///< the others
+    std::vector<ExplainedDraw> draws;
 
 private:
     std::string place(Span span) const {
@@ -150,6 +152,11 @@ std::string as_text(const Explainer& explainer) {
         text += "\n";
     }
     for (const Explained& translator : explainer.translators) text += text_of(translator, "") + "\n";
+    for (const ExplainedDraw& draw : explainer.draws) {
+        text += "raster " + draw.name + "  (" + draw.place + ")\n";
+        for (const auto& [what, how] : draw.facts) text += line("", what, how);
+        text += "\n";
+    }
     return text;
 }
 
@@ -193,6 +200,21 @@ void write(json::Text& out, const ExplainedStructure& s) {
     });
 }
 
+void write(json::Text& out, const ExplainedDraw& draw) {
+    out.object([&] {
+        out.field("name", draw.name);
+        out.field("place", draw.place);
+        out.key("facts");
+        out.array([&] {
+            for (const auto& [what, how] : draw.facts)
+                out.object([&] {
+                    out.field("what", what);
+                    out.field("how", how);
+                });
+        });
+    });
+}
+
 std::string as_json(const Explainer& explainer) {
     json::Text out;
     out.object([&] {
@@ -203,6 +225,11 @@ std::string as_json(const Explainer& explainer) {
         out.key("translators");
         out.array([&] {
             for (const Explained& translator : explainer.translators) write(out, translator);
+        });
+        if (explainer.draws.empty()) return;
+        out.key("draws");
+        out.array([&] {
+            for (const ExplainedDraw& draw : explainer.draws) write(out, draw);
         });
     });
     return out.take();

@@ -12,26 +12,43 @@ namespace {
 
 struct Job {
     const ir::Pass* pass;
+    ir::Part part;
     std::vector<std::uint32_t>* words;
     std::string error;
 };
+
+spirv::Stage stage_of(ir::Part part) {
+    switch (part) {
+    case ir::Part::whole: return spirv::Stage::compute;
+    case ir::Part::vertex: return spirv::Stage::vertex;
+    case ir::Part::fragment: return spirv::Stage::fragment;
+    }
+    return spirv::Stage::compute;
+}
 
 std::vector<Job> list_jobs(const Compilation& c, const std::set<std::uint32_t>& kernels,
                            std::vector<ShaderSet>& shaders) {
     std::vector<Job> jobs;
     for (std::uint32_t k : kernels) {
+        const auto add = [&](const ir::Pass& pass, std::vector<std::uint32_t>& words,
+                             std::vector<std::uint32_t>& fragment) {
+            if (!pass.exists) return;
+            jobs.push_back({&pass, pass.plain().part, &words, {}});
+            if (fragment_for(pass, ir::Devices::shaders)) jobs.push_back({&pass, ir::Part::fragment, &fragment, {}});
+        };
         const auto& forms = c.lowered.passes[k];
-        if (forms.direct.exists) jobs.push_back({&forms.direct, &shaders[k].direct, {}});
-        if (forms.general.exists) jobs.push_back({&forms.general, &shaders[k].general, {}});
-        if (forms.wide.exists) jobs.push_back({&forms.wide, &shaders[k].wide, {}});
+        add(forms.direct, shaders[k].direct, shaders[k].direct_fragment);
+        add(forms.general, shaders[k].general, shaders[k].general_fragment);
+        add(forms.wide, shaders[k].wide, shaders[k].wide_fragment);
     }
     return jobs;
 }
 
 void run(Job& job, const Compilation& c, spirv::Optimise optimise) {
-    std::string text = glsl::glsl_of(c.program, c.sources, *job.pass,
-                                     {.lines = glsl::LineMarks::directives, .rounding = glsl::Rounding::correct});
-    spirv::Spirv made = spirv::spirv_of(text, optimise);
+    std::string text =
+        glsl::glsl_of(c.program, c.sources, *job.pass,
+                      {.lines = glsl::LineMarks::directives, .rounding = glsl::Rounding::correct, .part = job.part});
+    spirv::Spirv made = spirv::spirv_of(text, optimise, stage_of(job.part));
     *job.words = std::move(made.words);
     job.error = std::move(made.error);
 }

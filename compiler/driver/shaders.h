@@ -7,9 +7,11 @@
 
 namespace gliftc {
 
-/// The words of each form of a kernel; empty if the form does not exist or is not wanted.
+/// The words of each form of a kernel; empty if the form does not exist or is not wanted. Of draws the vertex shaders,
+/// and the fragment shaders besides.
 struct ShaderSet {
     std::vector<std::uint32_t> direct, general, wide;
+    std::vector<std::uint32_t> direct_fragment, general_fragment, wide_fragment;
 };
 
 /// Indexed as Program::kernels; filled for `kernels`. Throws std::runtime_error, with the .glift line, if glslang

@@ -1,6 +1,7 @@
 #include "ir/effects.h"
 
 #include "ir/chain.h"
+#include "ir/walk.h"
 
 #include <algorithm>
 
@@ -38,7 +39,8 @@ bool may_meet(const KernelParam& one, const KernelParam& other) {
     const Reach reach = traits_of(one.pattern).reach, other_reach = traits_of(other.pattern).reach;
     if (reach == Reach::nothing || other_reach == Reach::nothing) return false;
     if (one.direction == Direction::in && other.direction == Direction::in) return false;
-    if (reach == Reach::element && other_reach == Reach::element) return false;
+    const bool draws = one.pattern == Pattern::target || other.pattern == Pattern::target;
+    if (reach == Reach::element && other_reach == Reach::element) return draws;
     if (one.pattern == Pattern::coherent && other.pattern == Pattern::coherent) return false;
     return one.pattern != other.pattern || one.combine != other.combine || one.combine == Combine::replace;
 }
@@ -47,6 +49,23 @@ bool is_promised_apart(const Kernel& kernel, std::uint32_t one, std::uint32_t ot
     return std::ranges::any_of(kernel.disjoint, [&](const auto& pair) {
         return pair == std::pair(one, other) || pair == std::pair(other, one);
     });
+}
+
+DepthOrder depth_order(const Program& program, const Pass& pass) {
+    const DepthTarget& depth = *program.kernels[pass.kernel].raster->depth;
+    const Variant* fragment = fragment_for(pass, Devices::shaders);
+    if (depth.is_set) return DepthOrder::after;
+    if (fragment == nullptr) return DepthOrder::before;
+    bool writes = false, discards = false;
+    for_each_statement(program, fragment->body, [&](const Stmt& stmt) {
+        writes |= stmt.op == StmtOp::store || stmt.op == StmtOp::image_store || stmt.op == StmtOp::atomic;
+        discards |= stmt.op == StmtOp::discard;
+    });
+    for_each_expression(program, fragment->body, [&](ExprId id) {
+        writes |= program.exprs[id].op == Op::intrinsic && signature_of(program.exprs[id].intrinsic)[0] == '@';
+    });
+    if (writes) return DepthOrder::declared;
+    return discards && depth.is_written ? DepthOrder::after : DepthOrder::before;
 }
 
 const Translator* many_to_one_stage(const Program& program, std::uint32_t structure) {

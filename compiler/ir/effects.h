@@ -52,6 +52,11 @@ bool may_meet(const KernelParam& one, const KernelParam& other);
 /// Whether the kernel promises that what it accesses by these parameters is apart.
 bool is_promised_apart(const Kernel& kernel, std::uint32_t one, std::uint32_t other);
 
+/// When the depth of a fragment is tested: before its part runs, or after. `declared`: before, although the part has
+/// effects that Vulkan orders before the test unless it is told otherwise.
+enum class DepthOrder : std::uint8_t { before, declared, after };
+DepthOrder depth_order(const Program& program, const Pass& pass);
+
 /// The translator of the structure or of its memory that is declared many-to-one; or null.
 const Translator* many_to_one_stage(const Program& program, std::uint32_t structure);
 

@@ -24,4 +24,7 @@ std::string_view name_of(Intrinsic intrinsic) { return rows[static_cast<std::siz
 std::string_view signature_of(Intrinsic intrinsic) { return rows[static_cast<std::size_t>(intrinsic)].signature; }
 Exactness exactness_of(Intrinsic intrinsic) { return rows[static_cast<std::size_t>(intrinsic)].exactness; }
 
+bool is_collective(Intrinsic intrinsic) { return signature_of(intrinsic).back() == '*' || is_derivative(intrinsic); }
+bool is_derivative(Intrinsic intrinsic) { return signature_of(intrinsic).back() == '+'; }
+
 }  // namespace gliftc::ir

@@ -19,4 +19,9 @@ std::string_view name_of(Intrinsic intrinsic);
 std::string_view signature_of(Intrinsic intrinsic);
 Exactness exactness_of(Intrinsic intrinsic);
 
+/// Whether it takes values of other invocations, so that it must stay where control flow is as it was written.
+bool is_collective(Intrinsic intrinsic);
+/// Of a quad of fragments: a derivative.
+bool is_derivative(Intrinsic intrinsic);
+
 }  // namespace gliftc::ir

@@ -12,6 +12,8 @@
 #include "base/rare_vector.h"
 #include "base/small_vector.h"
 #include "ir/intrinsics.h"
+#include "ir/invocation.h"
+#include "ir/raster.h"
 #include "ir/types.h"
 #include "source/source.h"
 
@@ -73,41 +75,6 @@ enum class BinaryOp : std::uint8_t {
     bit_or,
     logical_and,
     logical_or,
-};
-
-/// Ids within a grouped kernel; all uint.
-enum class Invocation : std::uint8_t {
-    local_index,
-    group_index,
-    group_count,
-    group_size,
-    subgroup_size,
-    subgroup_lane,
-    subgroup_index,
-    subgroup_count
-};
-
-/// Properties of the device that a pipeline can query, to choose between variants of an algorithm.
-enum class DeviceProperty : std::uint8_t {
-    is_host,
-    is_gpu,
-    subgroup_size,
-    subgroup_arithmetic,
-    int64,
-    shared_memory_bytes
-};
-
-/// Built-in inputs of shaders; only made by lower/dispatch.
-enum class Builtin : std::uint8_t {
-    global_id,
-    local_id,
-    group_id,
-    group_count,
-    local_index,
-    subgroup_size,
-    subgroup_lane,
-    subgroup_index,
-    subgroup_count
 };
 
 /// There are hundreds of them for a line of source: small members are packed, and rare ones take only a pointer.
@@ -420,6 +387,7 @@ struct Kernel {
     std::vector<LocalId> shared;  ///< workgroup memory
     /// @disjoint(read, written): what is read through the first parameter is not written in this pass by the second.
     std::vector<std::pair<std::uint32_t, std::uint32_t>> disjoint;
+    std::optional<Raster> raster;  ///< of a draw, whose body is the vertex part
     std::string doc;
     bool grouped() const { return group[0] != 0; }
 };

@@ -161,6 +161,8 @@ std::string Printer::bare(ExprId id) {
     case Op::read: return place(node.place) + "[" + list(o) + "]";
     case Op::sample: return place(node.place) + ".sample(" + list(o) + ")";
     case Op::position: return "position";
+    case Op::window: return "window";
+    case Op::front_facing: return "front_facing";
     case Op::state: return "state" + std::to_string(node.slot);
     case Op::translate: return place(node.place) + ".translate(" + list(o) + ")";
     case Op::invocation: return std::string(spelling(node.invocation));

@@ -81,6 +81,9 @@ void Printer::kernel_parameters() {
         if (of.pattern == Pattern::value) line("value " + local(of.local) + ": " + type(p.locals[of.local].type));
         else line("structure " + name(of.name));
     }
+    if (!kernel_->raster) return;
+    for (LocalId of : given_locals(*kernel_->raster))
+        if (of) line("given " + local(of) + ": " + type(p.locals[of].type));
 }
 
 void Printer::bindings() {
@@ -121,7 +124,7 @@ void Printer::parameters() {
 }
 
 std::string Printer::title(const Variant& variant) {
-    std::string text = "body";
+    std::string text = variant.part == Part::vertex ? "vertex" : variant.part == Part::fragment ? "fragment" : "body";
     if (variant.devices == Devices::shaders) text += ", on shaders";
     if (variant.devices == Devices::host) text += ", on host";
     const auto& [elements, interior, bounds] = variant.assumes;

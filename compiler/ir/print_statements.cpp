@@ -71,6 +71,7 @@ void Printer::stmt(const Stmt& stmt) {
         line("atomic_" + std::string(spelling(stmt.combine)) + "(" + binding(stmt.slot) + "[" + expr(stmt.target) +
              "], " + expr(stmt.value) + ");");
         break;
+    case StmtOp::discard: line("discard;"); break;
     case StmtOp::report:
         line("report(" + (stmt.slot == no_binding ? "view" : binding(stmt.slot)) + ", " + expr(stmt.target) + ");");
         break;

@@ -4,22 +4,22 @@
 //     header    = "group" n n n "," "rank" n [ "," "items" n ] [ "," "declared" ]
 //               | "loops" ( n | "unbounded" ) | "reports" | "inexact"
 //               | "struct" type "{" [ field { "," field } ] "}" | "enum" type "{" [ name "=" n { "," name "=" n } ] "}"
-//               | "value" name ":" type | "structure" name
+//               | "value" name ":" type | "structure" name | "given" name ":" type
 //               | "binding" name ":" shape "<" type ">" access { word } "of" place n [ "at" parameter ]
 //               | "parameter" name ":" type "=" ( expr | "origin" name | "size" | "range_size" name | "address" name )
 //               | "shared" name ":" type | "address" name ":" type | "in_range" name | "fact" expr ;
 //     function  = "fn" "@" name "(" [ name ":" type { "," name ":" type } ] ")" "->" type "{" { statement } "}" ;
 //     section   = ( "prologue" | variant ) { statement } ;
-//     variant   = "body" { "," assumption } ;
+//     variant   = ( "body" | "vertex" | "fragment" ) { "," assumption } ;
 //     assumption = "on" ( "shaders" | "host" ) | "takes" n n n | "inside" n "of" parameter [ "from" parameter ]
 //               | "bounds" "(" expr "," ( expr | "any" ) "," ( expr | "any" ) ")" | "any order" | "in blocks" ;
 //     statement = ( "let" | "tmp" | "var" ) name ":" type [ "=" ( expr | "uninitialized" ) ] ";"
 //               | "if" expr "{" … "}" [ "else" "{" … "}" ] | [ "unrolled" ] "for" name ":" type "in" operand ".."
 //               operand "{" … "}" | "while" expr "{" … "}" | "{" … "}" | "break" ";" | "continue" ";" | "return" [ expr
-//               ] ";" | "barrier()" ";" | "subgroupBarrier()" ";" | expr "=" expr ";" | expr ";" | "image_store("
-//               binding "," expr "," expr ")" ";" | "atomic_…(" expr "," expr ")" ";" | "report(" … ")" ";"
-//               | "load_rows(" … ")" ";" | "store_rows(" … ")" ";" | "keep" ( "let" | "tmp" | "var" ) name ":" type ";"
-//               | "invocations" "{" … "}" ;
+//               ] ";" | "discard" ";" | "barrier()" ";" | "subgroupBarrier()" ";" | expr "=" expr ";" | expr ";" |
+//               "image_store(" binding "," expr "," expr ")" ";" | "atomic_…(" expr "," expr ")" ";" | "report(" … ")"
+//               ";" | "load_rows(" … ")" ";" | "store_rows(" … ")" ";" | "keep" ( "let" | "tmp" | "var" ) name ":" type
+//               ";" | "invocations" "{" … "}" ;
 //     expr      = operand [ operator operand ] | operand "?" operand ":" operand ;
 //     operand   = [ "-" | "!" | "~" ] primary { "." name | "[" expr "]" } ;
 //     primary   = literal | local | "$" parameter | "%" builtin | type "(" … ")" | intrinsic "(" … ")" | "@" function

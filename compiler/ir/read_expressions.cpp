@@ -277,16 +277,20 @@ ExprId Reader::of_binding(Op op) {
     return implied(std::move(node));
 }
 
+TypeId Reader::type_of(Builtin builtin) {
+    if (builtin == Builtin::is_front) return p.types.bool_;
+    if (builtin == Builtin::fragment_place) return p.types.vector(p.types.float_, 4);
+    return builtin <= Builtin::group_count ? p.types.vector(p.types.uint, 3) : p.types.uint;
+}
+
 ExprId Reader::primary() {
     if (accept("(")) return parenthesized();
     if (accept("$")) return parameter();
     if (accept("@")) return call();
     if (accept("%")) {
-        const auto found = spelled(word(), Builtin::subgroup_count);
+        const auto found = spelled(word(), Builtin::is_front);
         if (!found) fail("expected a builtin before this");
-        const bool is_vector = *found <= Builtin::group_count;
-        return add(
-            {.op = Op::builtin, .builtin = *found, .type = is_vector ? p.types.vector(p.types.uint, 3) : p.types.uint});
+        return add({.op = Op::builtin, .builtin = *found, .type = type_of(*found)});
     }
     if (accept("true")) return add({.type = p.types.bool_, .bits = 1});
     if (accept("false")) return add({.type = p.types.bool_});

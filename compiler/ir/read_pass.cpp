@@ -146,6 +146,17 @@ void Reader::function() {
     current().functions.push_back(id);
 }
 
+/// A local that the rasteriser gives or takes.
+void Reader::given() {
+    const std::string called = name();
+    expect(":");
+    Varying made;
+    made.read = declared(called, {.type = type()});
+    std::optional<Raster>& raster = p.kernels[current().kernel].raster;
+    if (!raster) raster.emplace();
+    raster->varyings.push_back(made);
+}
+
 bool Reader::header() {
     Pass& pass = current();
     if (accept("group")) dispatch();
@@ -156,6 +167,7 @@ bool Reader::header() {
     else if (accept("enum")) declare_enum();
     else if (accept("value")) kernel_parameter(true);
     else if (accept("structure")) kernel_parameter(false);
+    else if (accept("given")) given();
     else if (accept("binding")) binding();
     else if (accept("parameter")) pass_parameter();
     else if (accept("fact")) read_.facts.push_back(expr());
@@ -178,13 +190,16 @@ bool Reader::header() {
 
 bool Reader::section() {
     if (accept("prologue")) current().prologue = statements();
-    else if (accept("body")) current().variants.push_back(variant());
+    else if (accept("body")) current().variants.push_back(variant(Part::whole));
+    else if (accept("vertex")) current().variants.push_back(variant(Part::vertex));
+    else if (accept("fragment")) current().variants.push_back(variant(Part::fragment));
     else return false;
     return true;
 }
 
-Variant Reader::variant() {
+Variant Reader::variant(Part part) {
     Variant made;
+    made.part = part;
     made.assumes.elements = {current().items, 1, 1};
     while (accept(",")) {
         if (accept("on shaders")) {

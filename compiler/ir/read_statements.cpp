@@ -23,7 +23,8 @@ std::vector<StmtId> Reader::block() {
 /// Up to a brace, or to the next section of the pass.
 std::vector<StmtId> Reader::statements() {
     std::vector<StmtId> body;
-    while (!at("}") && !at("body") && !at("prologue")) body.push_back(p.stmts.add(statement()));
+    while (!at("}") && !at("body") && !at("vertex") && !at("fragment") && !at("prologue"))
+        body.push_back(p.stmts.add(statement()));
     return body;
 }
 
@@ -167,6 +168,7 @@ Stmt Reader::statement() {
     }
     if (accept("break")) return simple(StmtOp::break_);
     if (accept("continue")) return simple(StmtOp::continue_);
+    if (accept("discard")) return simple(StmtOp::discard);
     if (accept("barrier()")) return simple(StmtOp::barrier);
     if (accept("subgroupBarrier()")) return simple(StmtOp::subgroup_barrier);
     if (accept("keep")) return keep();

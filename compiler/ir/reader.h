@@ -40,6 +40,7 @@ private:
     // read_expressions.cpp
     ExprId expr();
     ExprId operand();
+    TypeId type_of(Builtin builtin);
     ExprId primary();
     ExprId postfix(ExprId whole);
     ExprId after_dot(ExprId whole);
@@ -82,7 +83,8 @@ private:
     void pass_parameter();
     void function();
     bool section();
-    Variant variant();
+    void given();
+    Variant variant(Part part);
     Interior interior();
     Bounds bounds();
     std::uint32_t new_structure(const std::string& called);

@@ -33,7 +33,8 @@ std::string_view spelling(Invocation id) {
 std::string_view spelling(Builtin id) {
     return text_of(
         std::to_array<std::string_view>({"global_id", "local_id", "group_id", "group_count", "local_index",
-                                         "subgroup_size", "subgroup_lane", "subgroup_index", "subgroup_count"}),
+                                         "subgroup_size", "subgroup_lane", "subgroup_index", "subgroup_count", "corner",
+                                         "instance", "fragment_place", "is_front"}),
         id);
 }
 
@@ -59,6 +60,26 @@ std::string_view spelling(Format format) {
                                          "r32f",     "rg32f", "rgba32f", "r8ui",    "r16ui",   "r32ui", "rg32ui",
                                          "rgba32ui", "r32i",  "rg32i",   "rgba32i", "rgba8ui", "d32"}),
         format);
+}
+
+std::string_view spelling(Topology topology) {
+    return text_of(std::to_array<std::string_view>({"triangles", "lines", "points"}), topology);
+}
+
+std::string_view spelling(Cull cull) {
+    return text_of(std::to_array<std::string_view>({"none", "back", "front"}), cull);
+}
+
+std::string_view spelling(DepthTest test) {
+    return text_of(std::to_array<std::string_view>({"less", "less_equal", "greater", "equal", "always"}), test);
+}
+
+std::string_view spelling(Blend blend) {
+    return text_of(std::to_array<std::string_view>({"replace", "over", "add", "min", "max", "multiply"}), blend);
+}
+
+std::string_view spelling(Interpolation interpolation) {
+    return text_of(std::to_array<std::string_view>({"smooth", "linear", "flat"}), interpolation);
 }
 
 }  // namespace gliftc::ir

@@ -17,6 +17,11 @@ std::string_view spelling(Form form);
 std::string_view spelling(Access access);
 std::string_view spelling(MemoryShape shape);
 std::string_view spelling(Format format);
+std::string_view spelling(Topology topology);
+std::string_view spelling(Cull cull);
+std::string_view spelling(DepthTest test);
+std::string_view spelling(Blend blend);
+std::string_view spelling(Interpolation interpolation);
 
 /// The value that is spelled so; `last` is the enumeration's last one.
 template <class Enum> std::optional<Enum> spelled(std::string_view text, Enum last) {

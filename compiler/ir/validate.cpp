@@ -22,6 +22,8 @@ public:
         if (pass.in_range) known_.insert(pass.in_range);
         for (LocalId local : pass.params) known_.insert(local);
         if (pass.kernel == no_kernel) return;
+        if (program.kernels[pass.kernel].raster)
+            for (LocalId local : given_locals(*program.kernels[pass.kernel].raster)) known_.insert(local);
         for (const KernelParam& param : program.kernels[pass.kernel].params)
             if (uniforms == Uniforms::allowed && param.pattern == Pattern::value) known_.insert(param.local);
     }

@@ -6,8 +6,9 @@ namespace gliftc::ir {
 
 namespace {
 
+/// As the first or only part of a pass.
 bool runs_on(const Variant& variant, Devices devices) {
-    return variant.devices == Devices::any || variant.devices == devices;
+    return variant.part != Part::fragment && (variant.devices == Devices::any || variant.devices == devices);
 }
 
 template <class Bodies, class P> Bodies all_bodies(P& pass) {
@@ -23,6 +24,14 @@ const Variant& variant_for(const Pass& pass, Devices devices) {
     for (const Variant& variant : pass.variants)
         if (runs_on(variant, devices) && !variant.assumes.interior && variant.assumes.bounds.empty()) found = &variant;
     return *found;
+}
+
+const Variant* fragment_for(const Pass& pass, Devices devices) {
+    const Variant* found = nullptr;
+    for (const Variant& variant : pass.variants)
+        if (variant.part == Part::fragment && (variant.devices == Devices::any || variant.devices == devices))
+            found = &variant;
+    return found;
 }
 
 const Variant* interior_variant_for(const Pass& pass, Devices devices) {

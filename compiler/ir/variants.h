@@ -44,14 +44,19 @@ enum class RowOrder : std::uint8_t {
 };
 
 struct Variant {
+    Part part = Part::whole;
     Devices devices = Devices::any;
     Assumptions assumes;
     std::vector<StmtId> body;
     RowOrder order = RowOrder::ascending;  ///< the host device's, of kernels without a group
 };
 
-/// What a device runs at any address: the last of its variants that assumes nothing about addresses.
+/// What a device runs at any address: the last of its variants that assumes nothing about addresses. Of draws the
+/// vertex part.
 const Variant& variant_for(const Pass& pass, Devices devices);
+
+/// The fragment part of a draw, if it has one.
+const Variant* fragment_for(const Pass& pass, Devices devices);
 
 /// What it may run in the interior instead, if there is such a variant.
 const Variant* interior_variant_for(const Pass& pass, Devices devices);

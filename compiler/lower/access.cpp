@@ -30,7 +30,8 @@ std::uint32_t Expander::binding(const Place& of_structure, Access access) {
     made.format = of.format;
     made.coherent = is_coherent(of_structure);
     made.access = made.coherent ? Access::read_write : access;
-    made.linear = of.linear;
+    // Devices filter neither integers nor, if they do not like to, depths.
+    made.linear = of.linear && of.format != Format::d32 && p.types.scalar_of(of.element) == p.types.float_;
     made.one_place = first_of_place(cx, made);
     bindings.push_back(std::move(made));
     return static_cast<std::uint32_t>(bindings.size() - 1);

@@ -90,8 +90,7 @@ bool is_uniform_node(Context& cx, const Expr& node) {
     case Op::value:
     case Op::call:
         if (!node.places.empty() || (node.op == Op::call && cx.made_functions.contains(node.function))) return false;
-        if (node.op == Op::intrinsic &&
-            (signature_of(node.intrinsic).back() == '*' || signature_of(node.intrinsic)[0] == '@'))
+        if (node.op == Op::intrinsic && (is_collective(node.intrinsic) || signature_of(node.intrinsic)[0] == '@'))
             return false;
         for (ExprId operand : node.operands)
             if (!is_uniform(cx, operand)) return false;

@@ -72,6 +72,7 @@ struct Context {
     std::unordered_set<ir::FunctionId> made_functions;         ///< the values of instances: they may load
     std::vector<LocalId> params;                               ///< of the function whose body is being simplified
     ExprId size;                                               ///< the iteration's size
+    ir::Part part = ir::Part::whole;                           ///< of a draw: the body that is being made
     NodeMap<ExprId, bool> uniform{first_expr};
     NodeMap<ExprId, std::uint8_t> traits{first_expr};  ///< of number.h; valid once the bindings' access is settled
 

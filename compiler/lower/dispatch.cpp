@@ -20,6 +20,10 @@ void choose_dispatch(Context& cx) {
         default: cx.pass.group = {32, 4, 2}; break;
         }
     }
+    if (kernel.raster) {  // corners and instances; the device takes them as it likes
+        cx.pass.group = {1, 1, 1};
+        return;
+    }
     cx.pass.splits = !kernel.grouped();
     cx.pass.address = cx.new_local("address", kernel.domain_type, kernel.span);
     cx.pass.in_range = cx.new_local("in_range", cx.p.types.bool_, kernel.span);

@@ -49,6 +49,8 @@ public:
 
     /// The kernel's body; reports offsets that are not constant or too large.
     std::vector<StmtId> kernel_body();
+    /// A part of a draw, which begins with where it is: the corner and its instance, or the pixel.
+    std::vector<StmtId> draw_part(ir::Part part, const std::vector<StmtId>& body);
     void read_arguments();
     ExprId part_of(ExprId part, ExprId element);
 
@@ -98,6 +100,7 @@ private:
     bool is_visited_extent(ExprId id);
 
     // expand_statements.cpp
+    std::vector<StmtId> expanded_body(const std::vector<StmtId>& written);
     void expand_body(const std::vector<StmtId>& body);
     void expand_statement(StmtId id);
     void expand_let(const ir::Stmt& stmt);
@@ -191,6 +194,12 @@ private:
     std::optional<std::vector<std::int64_t>> offset_of(const ir::Expr& node);
     ExprId near_guard(std::uint32_t root, const std::vector<std::int64_t>& offset);
     void note_near_guard(std::uint32_t root);
+
+    // raster.cpp
+    void declare_address(ir::Part part);
+    ExprId viewport_origin();
+    ExprId window();
+    ExprId own_address(std::uint32_t root);
 
     // rows.cpp
     ExprId several(const ir::Expr& node);
@@ -288,6 +297,7 @@ private:
     std::vector<ExprId> made_again_;                       ///< for each node of a form
     bool compares_extents_ = false;                        ///< divisors.cpp
     unsigned depth_ = 0;
+    LocalId window_;       ///< fragment parts: the pixel's centre from the viewport's origin, depth, 1 / w
     unsigned within_ = 0;  ///< translators and views around what is being expanded
 };
 

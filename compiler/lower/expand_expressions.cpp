@@ -151,6 +151,8 @@ Pair Expander::expand(ExprId id) {
     }
     case Op::domain: return {domain_of(resolved(node.place)), {}};
     case Op::position: return {make.local(cx.pass.address), {}};
+    case Op::window: return {window(), {}};
+    case Op::front_facing: return {make.builtin(Builtin::is_front, p.types.bool_), {}};
     case Op::state: {
         Frame frame;
         frame.places = {frame_->structure};

@@ -7,14 +7,16 @@ namespace gliftc::lower {
 
 using namespace ir;
 
-std::vector<StmtId> Expander::kernel_body() {
+std::vector<StmtId> Expander::kernel_body() { return expanded_body(cx.kernel.body); }
+
+std::vector<StmtId> Expander::expanded_body(const std::vector<StmtId>& written) {
     Frame frame;
     for (std::uint32_t i = 0; i < cx.kernel.params.size(); ++i) frame.places.push_back({i, {}});
     frame_ = &frame;
     Block body;
     top_ = out_ = &body;
     read_arguments();
-    expand_body(cx.kernel.body);
+    expand_body(written);
     top_ = out_ = nullptr;
     frame_ = nullptr;
     prelude_.insert(prelude_.end(), body.begin(), body.end());
@@ -27,7 +29,8 @@ ExprId Expander::iteration_size() {
     ExprId size;
     size_statements = collect([&] {
         size = inside(std::move(frame), [&]() -> ExprId {
-            for (std::uint32_t i = 0; cx.is_direct() && i < cx.kernel.params.size(); ++i) {
+            const bool is_known = cx.is_direct() && !cx.kernel.raster;
+            for (std::uint32_t i = 0; is_known && i < cx.kernel.params.size(); ++i) {
                 if (follows_iteration(cx.kernel.params[i].pattern)) return domain_of({i, {}});
             }
             return cx.parameter_expr(cx.parameter(ParameterSource::size, "size", cx.kernel.domain_type, 0));
@@ -74,6 +77,7 @@ void Expander::expand_statement(StmtId id) {
     case StmtOp::store:
     case StmtOp::image_store:
     case StmtOp::atomic:
+    case StmtOp::discard:
     case StmtOp::report: append(stmt); break;
     case StmtOp::set_element: set_element(stmt); break;
     case StmtOp::write: write(stmt); break;

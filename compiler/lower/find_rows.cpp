@@ -216,7 +216,7 @@ std::optional<Variant> unclamped(Context& cx, const Variant& variant) {
     if (clamps.empty()) return std::nullopt;
     std::optional<std::vector<StmtId>> body = marked(cx, Unclamping(cx, clamps).run(variant.body));
     if (!body) return std::nullopt;
-    Variant made{Devices::host, variant.assumes, std::move(*body)};
+    Variant made{Part::whole, Devices::host, variant.assumes, std::move(*body)};
     for (ExprId clamp : clamps) made.assumes.bounds.push_back(bounds_of(cx.p.exprs[clamp]));
     made.order = order_of(cx, made);
     return made;
@@ -227,7 +227,7 @@ std::optional<Variant> unclamped(Context& cx, const Variant& variant) {
 std::vector<Variant> find_rows(Context& cx, const Variant& variant) {
     std::optional<Variant> middle = unclamped(cx, variant);
     std::optional<std::vector<StmtId>> body = marked(cx, variant.body);
-    Variant whole{Devices::host, variant.assumes, body ? std::move(*body) : variant.body};
+    Variant whole{Part::whole, Devices::host, variant.assumes, body ? std::move(*body) : variant.body};
     whole.order = order_of(cx, whole);
     if (whole.order == RowOrder::in_blocks && (middle || !body)) whole.order = RowOrder::any;
     std::vector<Variant> result{std::move(whole)};

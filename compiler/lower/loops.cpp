@@ -103,7 +103,11 @@ private:
         case Builtin::global_id:
         case Builtin::local_id:
         case Builtin::group_id:
-        case Builtin::group_count: return unknown;
+        case Builtin::group_count:
+        case Builtin::corner:
+        case Builtin::instance:
+        case Builtin::fragment_place:
+        case Builtin::is_front: return unknown;
         }
         return unknown;
     }
@@ -157,7 +161,7 @@ void add_files(const Program& program, const Pass& pass, std::vector<std::uint32
             if (std::find(files.begin(), files.end(), stmt.span.file) == files.end()) files.push_back(stmt.span.file);
         });
     };
-    add(pass.plain().body);
+    for (const auto* body : bodies_of(pass)) add(*body);
     for (FunctionId function : pass.functions) add(program.functions[function].body);
 }
 
@@ -189,8 +193,11 @@ bool has_reports(const Program& program, const std::vector<StmtId>& body) {
 
 void summarize(Context& cx) {
     cx.pass.loop_rounds = Loops(cx).rounds(variant_for(cx.pass, Devices::shaders).body);
+    if (const Variant* fragment = fragment_for(cx.pass, Devices::shaders))
+        cx.pass.loop_rounds = std::max(cx.pass.loop_rounds, Loops(cx).rounds(fragment->body));
+    if (cx.kernel.raster) cx.pass.exact = false;  // what is interpolated is rounded by each device in its way
     for (const auto* body : bodies_of(cx.pass)) add_functions(cx, *body);
-    cx.pass.has_reports = has_reports(cx.p, cx.pass.plain().body);
+    for (const auto* body : bodies_of(cx.pass)) cx.pass.has_reports = cx.pass.has_reports || has_reports(cx.p, *body);
     for (FunctionId function : cx.pass.functions)
         cx.pass.has_reports = cx.pass.has_reports || has_reports(cx.p, cx.p.functions[function].body);
     for (const PassBinding& binding : cx.pass.bindings) cx.pass.exact = cx.pass.exact && !rounds_freely(binding.format);

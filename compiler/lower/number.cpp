@@ -16,8 +16,7 @@ bool has_effect(const Pass& pass, const Expr& node) {
     if (node.op == Op::load || node.op == Op::guarded_load)
         return pass.bindings[node.slot].coherent;  // each one may see something else
     if (node.op != Op::intrinsic) return false;
-    std::string_view signature = signature_of(node.intrinsic);
-    return signature[0] == '@' || signature.back() == '*';
+    return signature_of(node.intrinsic)[0] == '@' || is_collective(node.intrinsic);
 }
 
 }  // namespace

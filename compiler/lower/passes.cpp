@@ -4,12 +4,15 @@
 #include "lower/move_rows.h"
 #include "lower/share.h"
 #include "lower/split_at_barriers.h"
+#include "lower/split_at_derivatives.h"
 #include "lower/strength.h"
 #include "lower/version_loops.h"
 
 #include <algorithm>
 
 namespace gliftc::lower {
+
+using ir::Part;
 
 namespace {
 
@@ -23,6 +26,8 @@ template <Body (*run)(Context&, const Body&)> Body without_facts(Context& cx, co
 
 bool has_group(const Context& cx) { return cx.kernel.grouped(); }
 bool takes_many(const Context& cx) { return !cx.kernel.grouped() && cx.pass.items != 1; }
+
+bool is_of_fragments(const Context& cx) { return cx.part == Part::fragment; }
 
 constexpr BodyPass share_pass{
     "share", "statements of memory, whose expressions may share nodes",
@@ -51,6 +56,8 @@ constexpr BodyPass host_bodies[] = {
     {"split_at_barriers", "a kernel with a group, and its prologue",
      "what lies between barriers is a loop over the invocations; what crosses them is kept for each",
      without_facts<split_at_barriers>, has_group},
+    {"split_at_derivatives", "a fragment part", "what lies between derivatives is a loop over the fragments of a block",
+     without_facts<split_at_derivatives>, is_of_fragments},
 };
 
 constexpr KernelPass kernels[] = {

@@ -57,7 +57,8 @@ void finished(Context& cx, std::string_view pass, const std::vector<Variant>& va
 
 void finished(Context& cx, std::string_view pass, const std::vector<StmtId>& body, const std::vector<ExprId>& facts,
               std::string_view what) {
-    finished(cx, pass, std::vector<Variant>{{.assumes = cx.pass.plain().assumes, .body = body}}, facts, what);
+    finished(cx, pass, std::vector<Variant>{{.part = cx.part, .assumes = cx.pass.plain().assumes, .body = body}}, facts,
+             what);
 }
 
 /// What the body passes make of a body; `what` names it.
@@ -114,7 +115,8 @@ void add_interior(Context& cx, Expander& checked, const std::vector<ExprId>& fac
     for (const KernelParam& param : cx.kernel.params)
         if (param.pattern == Pattern::near) interior.radius = std::max(interior.radius, param.radius);
     body = simplified(cx, "interior", std::move(body), facts);
-    cx.pass.variants.push_back({Devices::host, {cx.pass.plain().assumes.elements, interior}, std::move(body)});
+    cx.pass.variants.push_back(
+        {Part::whole, Devices::host, {cx.pass.plain().assumes.elements, interior}, std::move(body)});
 }
 
 /// Says which parameters hold what the interior is the interior of.
@@ -129,13 +131,14 @@ void settle_interior(Context& cx, const Expander& checked, const std::vector<Stm
 
 /// What the passes for the host device make of a body.
 std::vector<Variant> for_host(Context& cx, const Variant& variant) {
-    Variant made{Devices::host, variant.assumes, variant.body};
+    Variant made{variant.part, Devices::host, variant.assumes, variant.body};
+    cx.part = variant.part;
     for (const BodyPass& pass : host_passes()) {
         if (cx.is_stopped || (pass.applies && !pass.applies(cx))) continue;
         made.body = pass.run(cx, made.body, {});
         finished(cx, pass.name, std::vector{made}, {}, "host");
     }
-    if (cx.is_stopped || cx.kernel.grouped() || cx.pass.items != 1) return {std::move(made)};
+    if (cx.is_stopped || cx.kernel.grouped() || cx.kernel.raster || cx.pass.items != 1) return {std::move(made)};
     std::vector<Variant> found = find_rows(cx, made);
     finished(cx, "find_rows", found, {}, "host");
     return found;
@@ -174,8 +177,50 @@ void check_whole([[maybe_unused]] const Context& cx) {
 /// That an invocation of a shader takes.
 enum class Elements { one, two_where_it_helps, two_in_turn };
 
+/// Once the bodies have been made: functions, uniform values, variants for the host device, facts.
+void complete(Context& cx) {
+    add_host_variants(cx);
+    if (cx.is_stopped) return;
+    finish_images(cx.p, cx.pass);
+    if (cx.is_wide()) reach_by_address(cx);
+    summarize(cx);
+    check_whole(cx);
+}
+
+/// A draw: a body for each of its parts.
+Pass lowered_draw(Program& program, Diagnostics& diagnostics, std::uint32_t kernel, Form form, Settings settings) {
+    Pass pass;
+    pass.kernel = kernel;
+    pass.form = form;
+    Context cx(program, program.kernels[kernel], pass, diagnostics, settings);
+    choose_dispatch(cx);
+    const auto body = [&](Part part, const std::vector<StmtId>& written, std::string_view what) {
+        Expander expander(cx, Guards::checked);
+        if (part == Part::vertex && !cx.is_direct()) cx.size = expander.iteration_size();  // counts of the device's
+        std::vector<StmtId> made = expander.draw_part(part, written);
+        finished(cx, "expand", made, {}, what);
+        cx.traits.clear();
+        return simplified(cx, what, std::move(made));
+    };
+    pass.plain().part = Part::vertex;
+    pass.plain().body = body(Part::vertex, cx.kernel.body, "vertex");
+    if (cx.kernel.raster->has_fragment)
+        pass.variants.push_back(
+            {Part::fragment, Devices::any, {}, body(Part::fragment, cx.kernel.raster->fragment, "fragment")});
+    std::vector<std::vector<StmtId>*> bodies = bodies_of(pass);
+    simplify_functions(cx, bodies);
+    if (cx.is_stopped) return pass;
+    move_uniforms(cx, bodies);
+    for (const Variant& variant : pass.variants) finished(cx, "move_uniforms", {variant}, {}, "part");
+    if (!cx.is_stopped) complete(cx);
+    pass.address = {};
+    pass.in_range = {};
+    return pass;
+}
+
 Pass lowered(Program& program, Diagnostics& diagnostics, std::uint32_t kernel, Form form, Settings settings,
              Elements elements) {
+    if (program.kernels[kernel].raster) return lowered_draw(program, diagnostics, kernel, form, settings);
     Pass pass;
     pass.kernel = kernel;
     pass.form = form;
@@ -196,7 +241,7 @@ Pass lowered(Program& program, Diagnostics& diagnostics, std::uint32_t kernel, F
     pass.plain().body = simplified(cx, "body", std::move(body), facts);
     if (!pair.body.empty()) {
         pair.body = simplified(cx, "two elements", std::move(pair.body), {facts[0], pair.in_range});
-        pass.variants.push_back({Devices::shaders, {pair.elements, std::nullopt}, std::move(pair.body)});
+        pass.variants.push_back({Part::whole, Devices::shaders, {pair.elements, std::nullopt}, std::move(pair.body)});
     }
     std::vector<StmtId> holders;
     add_interior(cx, expander, facts, holders);
@@ -211,12 +256,7 @@ Pass lowered(Program& program, Diagnostics& diagnostics, std::uint32_t kernel, F
     finished(cx, "move_uniforms", pass.plain().body, {}, "body");
     if (cx.is_stopped) return pass;
     settle_interior(cx, expander, holders);
-    add_host_variants(cx);
-    if (cx.is_stopped) return pass;
-    finish_images(program, pass);
-    if (form == Form::wide) reach_by_address(cx);
-    summarize(cx);
-    check_whole(cx);
+    complete(cx);
     return pass;
 }
 

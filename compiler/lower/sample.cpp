@@ -6,10 +6,12 @@ namespace gliftc::lower {
 
 using namespace ir;
 
-/// Whether the structure keeps element a in texel a of an image.
+/// Whether the structure keeps element a in texel a of an image that devices filter: they need not filter depths.
 bool Expander::is_texel_address(const Place& place) {
     const Structure& structure = cx.structure_at(place);
-    if (is_computed(p, structure) || root_memory(p, structure).shape == MemoryShape::buffer) return false;
+    if (is_computed(p, structure)) return false;
+    const Memory& memory = root_memory(p, structure);
+    if (memory.shape == MemoryShape::buffer || memory.format == Format::d32) return false;
     ExprId probe = make.local(cx.new_local("probe", structure.domain_type, span_));
     Pair at;
     Block block = collect([&] { at = translated(place, probe, "probe"); });

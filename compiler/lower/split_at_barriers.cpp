@@ -104,10 +104,14 @@ private:
 
 }  // namespace
 
+std::vector<StmtId> regions_between_barriers(Context& cx, const std::vector<StmtId>& body) {
+    return Splitting(cx).run(body);
+}
+
 std::vector<StmtId> split_at_barriers(Context& cx, const std::vector<StmtId>& body) {
     std::vector<StmtId> whole = cx.pass.prologue;
     whole.insert(whole.end(), body.begin(), body.end());
-    return Splitting(cx).run(drop_dead(cx, whole));  // a kernel that goes by its group alone has no address
+    return regions_between_barriers(cx, drop_dead(cx, whole));  // a kernel that goes by its group alone has no address
 }
 
 }  // namespace gliftc::lower

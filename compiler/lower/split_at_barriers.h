@@ -13,4 +13,7 @@ namespace gliftc::lower {
 
 std::vector<StmtId> split_at_barriers(Context& cx, const std::vector<StmtId>& body);
 
+/// The same of a body that declares all that it uses, or has it from outside.
+std::vector<StmtId> regions_between_barriers(Context& cx, const std::vector<StmtId>& body);
+
 }  // namespace gliftc::lower

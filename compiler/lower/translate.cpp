@@ -174,11 +174,11 @@ ExprId Expander::domain_of(const Place& place) {
 ExprId Expander::inside_domain(const Place& place, ExprId address) { return all_less(address, domain_of(place)); }
 
 ExprId Expander::centre_address(std::uint32_t root) {
-    ExprId address = make.local(cx.pass.address);
+    ExprId address = own_address(root);
     if (cx.is_direct()) return address;
     if (auto found = addresses_.find(root); found != addresses_.end()) return found->second;
     std::string name = cx.name_of({root, {}});
-    std::uint32_t slot = cx.parameter(ParameterSource::origin, name + "_origin", cx.kernel.domain_type, root);
+    std::uint32_t slot = cx.parameter(ParameterSource::origin, name + "_origin", make.type(address), root);
     Block made = collect([&] {
         addresses_[root] =
             make.local(let(name + "_address", make.add(cx.parameter_expr(slot), address), cx.kernel.span));
@@ -190,7 +190,9 @@ ExprId Expander::centre_address(std::uint32_t root) {
 /// The parts of a physical address as named locals: one for a number, one a component for a vector.
 Pair Expander::centre(std::uint32_t root) {
     // Structures of one state share addresses, unless these are read from each one's own memory.
-    if (!translates_by_tables(p, cx.structure_at({root, {}}))) root = canonical_root(root);
+    const std::uint32_t shared = canonical_root(root);
+    const bool is_there = !cx.kernel.raster || cx.kernel.params[shared].pattern == cx.kernel.params[root].pattern;
+    if (!translates_by_tables(p, cx.structure_at({root, {}})) && is_there) root = shared;
     if (auto found = centres_.find(root); found != centres_.end()) return found->second;
     ExprId address = centre_address(root);
     std::string name = cx.name_of({root, {}});

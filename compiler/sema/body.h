@@ -66,6 +66,7 @@ struct Body {
     unsigned loops = 0;
     unsigned depth = 0;
     ir::Kernel* kernel = nullptr;
+    ir::Part part = ir::Part::whole;  ///< of a draw
     std::optional<std::uint32_t>
         container;  ///< whose function or pipeline this is: its members are in scope, at root 0
     std::array<std::uint32_t, 3> group = {0, 0, 0};  ///< the workgroup of the kernel or function; all 0: none

@@ -2,6 +2,7 @@
 #include "ir/chain.h"
 #include "sema/body.h"
 #include "sema/lookup.h"
+#include "sema/raster.h"
 #include "sema/typing.h"
 #include "sema/values.h"
 
@@ -36,6 +37,7 @@ std::vector<ast::ExprId> arguments_of(const ast::Expr& call) {
 /// Functions of the language itself, which no module declares.
 std::optional<Operand> call_builtin(Body& body, const std::string& name, const ast::Expr& call, ir::TypeId wanted) {
     if (name == "select") return call_select(body, call, wanted);
+    if (auto called = call_in_raster(body, name, call)) return called;
     if (name == "position" && body.kernel) {
         if (!arguments_of(call).empty())
             body.context.error(Diag::argument_count, call.span, {name, "0", std::to_string(call.operands.size() - 1)});

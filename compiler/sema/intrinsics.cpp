@@ -1,6 +1,7 @@
 // Calls of intrinsics: matches arguments against the signature strings of ir/intrinsics.def.
 #include "ir/walk.h"
 #include "sema/body.h"
+#include "sema/raster.h"
 #include "sema/typing.h"
 #include "sema/values.h"
 
@@ -222,6 +223,8 @@ Operand call_intrinsic(Body& body, ir::Intrinsic intrinsic, const std::vector<as
              "write 'group(size)' after the kernel's parameters");
         return error_operand(call.span);
     }
+    if (ir::is_derivative(intrinsic) && !is_in_part(body, ir::Part::fragment, name, call.span))
+        return error_operand(call.span);
     const Parts parts(body);
     ir::Operands operands;
     operands.assign(arguments.size(), {});

@@ -1,5 +1,6 @@
 // Reads and assignments of iterator parameters in kernel bodies.
 #include "sema/body.h"
+#include "sema/raster.h"
 
 namespace gliftc::sema {
 
@@ -140,7 +141,10 @@ Operand iterator_value(Body& body, const Operand& iterator) {
     Context& c = body.context;
     const ir::KernelParam& param = body.kernel->params[iterator.slot];
     const std::string& name = c.text(param.name);
+    if (body.kernel->raster && !is_in_part(body, part_of(param.pattern), name, iterator.span))
+        return error_operand(iterator.span);
     switch (param.pattern) {
+    case ir::Pattern::instance:
     case ir::Pattern::each:
         if (param.direction == ir::Direction::out) {
             note(c.error(Diag::out_read, iterator.span, {name}), param.span, "'inout' reads and writes");
@@ -156,6 +160,10 @@ Operand iterator_value(Body& body, const Operand& iterator) {
     case ir::Pattern::near:
         note(c.error(Diag::not_a_value, iterator.span, {"the iterator '" + name + "'"}), iterator.span,
              "the current element is " + name + "[0]");
+        return error_operand(iterator.span);
+    case ir::Pattern::target:
+        note(c.error(Diag::target_read, iterator.span, {name}), param.span,
+             "what is there already is blended or tested with what is drawn: inout target<S, over>");
         return error_operand(iterator.span);
     case ir::Pattern::scatter:
     case ir::Pattern::any:
@@ -181,8 +189,12 @@ bool check_iterator_assignment(Body& body, const ast::Stmt& stmt) {
         return true;
     }
     const ir::KernelParam* param = symbol->kind == SymbolKind::iterator ? &body.kernel->params[symbol->slot] : nullptr;
+    if (param && param->pattern == ir::Pattern::target) {
+        assign_target(body, stmt, *symbol, root);
+        return true;
+    }
     bool writable = param && param->direction != ir::Direction::in && param->pattern != ir::Pattern::near &&
-                    param->pattern != ir::Pattern::at;
+                    param->pattern != ir::Pattern::at && param->pattern != ir::Pattern::instance;
     if (!writable) {
         Diagnostic& diagnostic = c.error(Diag::in_written, c[stmt.target].span, {c.text(c[root].name)});
         if (param) note(diagnostic, param->span, "declared 'in' here");

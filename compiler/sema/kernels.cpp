@@ -4,6 +4,7 @@
 #include "sema/generics.h"
 #include "sema/instances.h"
 #include "sema/one_memory.h"
+#include "sema/raster.h"
 #include "sema/typing.h"
 #include "sema/uniformity.h"
 #include "syntax/print.h"
@@ -24,6 +25,8 @@ ir::Pattern lowered(ast::Pattern pattern) {
     case ast::Pattern::at: return ir::Pattern::at;
     case ast::Pattern::scatter: return ir::Pattern::scatter;
     case ast::Pattern::coherent: return ir::Pattern::coherent;
+    case ast::Pattern::target: return ir::Pattern::target;
+    case ast::Pattern::instance: return ir::Pattern::instance;
     }
     return ir::Pattern::value;
 }
@@ -89,7 +92,8 @@ void check_extra(Context& c, const Env& env, const ast::Param& param, ir::Kernel
         made.radius = window_radius(c, env, param);
         return;
     }
-    if (made.pattern == ir::Pattern::at) return;  // its argument concerns the whole iteration: read_items
+    if (made.pattern == ir::Pattern::at) return;      // its argument concerns the whole iteration: read_items
+    if (made.pattern == ir::Pattern::target) return;  // how it is blended or tested: add_target
     if (made.pattern != ir::Pattern::scatter) {
         if (!param.extra.empty()) c.error(Diag::pattern_arguments, c[param.extra[0]].span);
         return;
@@ -127,6 +131,14 @@ void check_exclusive(Context& c, const ast::Param& param, const ir::KernelParam&
     Diagnostic& diagnostic = c.error(Diag::each_many_to_one, param.name.span, {c.text(param.name.name), structure});
     note(diagnostic, translator->span, "declared @many_to_one here");
     note(diagnostic, param.pattern_span, "scatter<S, op> combines writes to one element: min, max, add, and, or, xor");
+}
+
+/// Devices write texels of depth formats as targets only.
+void check_depth_written(Context& c, const ast::Param& param, const ir::KernelParam& made) {
+    if (made.direction == ir::Direction::in || made.pattern == ir::Pattern::target) return;
+    if (!has_depth_format(c.program.structures[made.structure])) return;
+    note(c.error(Diag::depth_written, param.name.span, {c.text(param.name.name)}), param.name.span,
+         "a raster writes depths, to an 'inout target<S, always>' for instance; clear_depth of std.image fills all");
 }
 
 /// Whether a kernel can touch what is of the type so. An adaptor has no elements: kernels read its members, and call
@@ -180,7 +192,8 @@ void add_param(Body& body, const ast::Param& param, ir::Kernel& kernel) {
         kernel.params.push_back(std::move(made));
         return;
     }
-    if (!is_touched(c, param, made.pattern, type)) return add_broken(body, param, std::move(made), kernel);
+    if (!is_touched(c, param, made.pattern, type) || !is_at_home(c, param, made.pattern, kernel.raster.has_value()))
+        return add_broken(body, param, std::move(made), kernel);
     made.structure = c.types()[type].index;
     const ir::Structure structure = c.program.structures[made.structure];
     check_direction(c, param, made);
@@ -192,6 +205,7 @@ void add_param(Body& body, const ast::Param& param, ir::Kernel& kernel) {
             note(diagnostic, structure.base_span,
                  "its memory is the view " + ir::root_structure(c.program, structure).display + ", which is computed");
     }
+    check_depth_written(c, param, made);
     if (ir::visits(made.pattern) && !structure.domain) c.error(Diag::no_domain, param.name.span, {structure.display});
     Symbol symbol;
     const bool is_coherent = made.pattern == ir::Pattern::coherent;
@@ -205,7 +219,8 @@ void add_param(Body& body, const ast::Param& param, ir::Kernel& kernel) {
     symbol.structure = made.structure;
     symbol.is_coherent = is_coherent;
     declare(body, param.name, symbol);
-    kernel.params.push_back(std::move(made));
+    kernel.params.push_back(made);
+    if (made.pattern == ir::Pattern::target) add_target(body, param, made, index);
 }
 
 /// The virtual domain that the kernel runs over: all its each and at parameters share it.
@@ -247,6 +262,9 @@ bool are_alike(const Context& c, const ast::Kernel& written, const ir::Kernel& k
     if (one.pattern == ir::Pattern::value || other.pattern == ir::Pattern::value) return false;
     if (one.structure != other.structure) return false;
     if (c.program.structures[one.structure].kind == ir::StructureKind::adaptor) return false;
+    // Corners, instances and pixels of a draw are counted each for themselves.
+    if (kernel.raster && one.pattern != other.pattern && (ir::visits(one.pattern) || ir::visits(other.pattern)))
+        return false;
     if (ir::follows_iteration(one.pattern) && ir::follows_iteration(other.pattern)) return true;
     return print(written.params[i].type, c.tree, c.names) == print(written.params[k].type, c.tree, c.names);
 }
@@ -346,6 +364,18 @@ static std::string overload_text(const Context& c, ast::DeclId id) {
     return kernels == 0 ? "" : "<overload " + std::to_string(kernels + 1) + ">";
 }
 
+/// Of a kernel that does not draw.
+static void check_iteration(Body& body, const ast::Kernel& written, bool parameters_are_good) {
+    find_domain(body.context, written, *body.kernel, parameters_are_good);
+    read_items(body.context, body.env, written, *body.kernel);
+}
+
+static void check_body(Body& body, const ast::Kernel& written) {
+    open_scope(body);
+    check_block(body, written.body);
+    close_scope(body);
+}
+
 std::optional<std::uint32_t> instantiate_kernel(Context& c, ast::DeclId id, const Env& env, Span use) {
     const ast::Decl& decl = c[id];
     const auto& written = std::get<ast::Kernel>(decl.body);
@@ -373,16 +403,17 @@ std::optional<std::uint32_t> instantiate_kernel(Context& c, ast::DeclId id, cons
               .kernel = &kernel,
               .group = kernel.group,
               .shared = &kernel.shared};
+    if (written.raster) kernel.raster.emplace();
     for (const ast::Param& param : written.params) add_param(body, param, kernel);
-    find_domain(c, written, kernel, c.diagnostics.error_count() == errors);
-    read_items(c, env, written, kernel);
+    if (kernel.raster) check_raster(body, written);
+    else check_iteration(body, written, c.diagnostics.error_count() == errors);
     if (c.diagnostics.error_count() == errors) read_attributes(c, decl, kernel);
     find_alike(c, written, kernel);
-    open_scope(body);
-    check_block(body, written.body);
-    close_scope(body);
+    if (!kernel.raster) check_body(body, written);
     if (c.diagnostics.error_count() == errors) check_reads_of_written(c, kernel);
+    if (kernel.raster && c.diagnostics.error_count() == errors) check_assigned(c, kernel);
     if (kernel.grouped() && c.diagnostics.error_count() == errors) check_barriers(c, kernel);
+    if (kernel.raster && c.diagnostics.error_count() == errors) check_derivatives(c, kernel);
     Instance& instance = c.instances[key];
     instance.state = c.diagnostics.error_count() == errors ? Instance::State::done : Instance::State::failed;
     if (instance.state == Instance::State::failed) return std::nullopt;

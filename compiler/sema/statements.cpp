@@ -1,6 +1,7 @@
 #include "ir/empty.h"
 #include "sema/arms.h"
 #include "sema/body.h"
+#include "sema/raster.h"
 #include "sema/replace.h"
 #include "sema/typing.h"
 #include "sema/values.h"
@@ -415,6 +416,7 @@ void check_statement(Body& body, ast::StmtId id) {
     case ast::StmtKind::break_:
     case ast::StmtKind::continue_: check_jump(body, stmt); break;
     case ast::StmtKind::return_: check_return(body, stmt); break;
+    case ast::StmtKind::discard: check_discard(body, stmt); break;
     case ast::StmtKind::block: {
         auto inner = check_nested(body, stmt.body);
         ir::StmtId block = add(body.program(), ir::StmtOp::block, stmt.span);

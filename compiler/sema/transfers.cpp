@@ -3,6 +3,7 @@
 #include "sema/components.h"
 #include "sema/generics.h"
 #include "sema/instances.h"
+#include "sema/raster.h"
 
 namespace gliftc::sema {
 
@@ -75,8 +76,10 @@ void require_transfers(Context& c, std::uint32_t index, Span use) {
     if (!read) return;
     constexpr std::uint32_t none = 0xffffffffu;
     std::uint32_t write = none, fill = none;
-    // With a many-to-one translator, writing a box is ambiguous: only kernels write there, by combining.
-    if (structure.kind == ir::StructureKind::stored && !ir::many_to_one_stage(c.program, index)) {
+    // With a many-to-one translator, writing a box is ambiguous: only kernels write there, by combining. Depths are
+    // written by draws.
+    const bool is_written = !ir::many_to_one_stage(c.program, index) && !has_depth_format(structure);
+    if (structure.kind == ir::StructureKind::stored && is_written) {
         Meta element;
         element.kind = MetaKind::type;
         element.type = structure.element;

@@ -47,18 +47,21 @@ public:
         for (std::uint32_t i = 0; i < kernel.params.size(); ++i) roots_.push_back(i);
     }
 
-    void run() {
+    void run(const std::vector<ir::StmtId>& body) {
         do {
             changed_ = false;
-            interval_ = {};
-            walk(kernel_.body);
+            start(body);
         } while (changed_);
         reports_ = true;
-        interval_ = {};
-        walk(kernel_.body);
+        start(body);
     }
 
 private:
+    void start(const std::vector<ir::StmtId>& body) {
+        interval_ = {};
+        left_ = {};
+        walk(body);
+    }
     void walk(const std::vector<ir::StmtId>& body) {
         for (ir::StmtId id : body) visit(id);
     }
@@ -72,6 +75,10 @@ private:
     Flow operands(const ir::Expr& node);
     Flow local(ir::ExprId id, const ir::Expr& node);
     Flow intrinsic(const ir::Expr& node);
+    Flow choice(const ir::Expr& node);
+    Flow varying(ir::LocalId local) const;
+    void derivative(const ir::Expr& node);
+    void leave() { left_ = worse(left_, control_flow_); }
     Flow call(ir::ExprId id, const ir::Expr& node);
     Flow grouped_call(ir::ExprId id, const ir::Expr& node);
     Flow invocation(const ir::Expr& node) const;
@@ -98,6 +105,7 @@ private:
     Call call_ = 0;
     std::vector<std::uint32_t> roots_;  ///< the kernel's parameter behind each Place root
     Flow control_flow_;
+    Flow left_;  ///< where some fragments have ended, those that go on are not all
     Flow result_;
     Flow* exit_ = nullptr;  ///< of the innermost loop
     Interval interval_;
@@ -118,7 +126,8 @@ void Uniformity::visit(ir::StmtId id) {
     case ir::StmtOp::continue_: return raise(*exit_, control_flow_);
     case ir::StmtOp::return_:
         if (stmt.value) result_ = value(stmt.value);
-        return;
+        return leave();
+    case ir::StmtOp::discard: return leave();
     case ir::StmtOp::barrier: return barrier(stmt, Level::workgroup);
     case ir::StmtOp::subgroup_barrier: return barrier(stmt, Level::subgroup);
     default: break;  // expressions and statements within
@@ -147,6 +156,11 @@ void Uniformity::loop_(ir::StmtId id) {
     Interval& last = intervals_[{call_, id}];
     exit_ = &exit;
     interval_.add(last);
+    const auto leaves = [&](const ir::Stmt& inner) {
+        return inner.op == ir::StmtOp::discard || inner.op == ir::StmtOp::return_;
+    };
+    bool may_leave = false;
+    ir::for_each_statement(p, stmt.body, [&](const ir::Stmt& inner) { may_leave = may_leave || leaves(inner); });
     for (ir::ExprId bound : {stmt.value, stmt.limit}) {
         if (!bound) continue;
         const Flow flow = value(bound);
@@ -154,7 +168,11 @@ void Uniformity::loop_(ir::StmtId id) {
         if (stmt.op == ir::StmtOp::for_ && bound == stmt.value) raise(locals_[{call_, stmt.local}], flow);
     }
     control_flow_ = worse(control_flow_, exit);
+    if (stmt.op == ir::StmtOp::while_) value(stmt.value);  // from the second round on
     const Interval entry = interval_;
+    const bool reports = std::exchange(reports_, false);
+    if (may_leave) walk(stmt.body);  // who leaves in one round is missing in the next
+    reports_ = reports;
     walk(stmt.body);
     if (last.add(interval_)) changed_ = true;
     interval_.add(entry);
@@ -198,7 +216,13 @@ Flow Uniformity::value(ir::ExprId id) {
     case ir::Op::element:
     case ir::Op::address:
     case ir::Op::near:
+    case ir::Op::window:
     case ir::Op::position: return operands(node), differs(node);
+    case ir::Op::front_facing: return differs(node, Level::subgroup);
+    case ir::Op::select: return choice(node);
+    case ir::Op::binary:
+        if (node.binary == ir::BinaryOp::logical_and || node.binary == ir::BinaryOp::logical_or) return choice(node);
+        return operands(node);
     case ir::Op::invocation: return invocation(node);
     case ir::Op::read:
     case ir::Op::sample:
@@ -209,6 +233,38 @@ Flow Uniformity::value(ir::ExprId id) {
     }
 }
 
+/// Operands behind the first are evaluated only where it says so.
+Flow Uniformity::choice(const ir::Expr& node) {
+    Flow flow = value(node.operands[0]);
+    const Flow before = control_flow_;
+    control_flow_ = worse(control_flow_, {flow.level, flow.why, p.exprs[node.operands[0]].span});
+    for (std::size_t i = 1; i < node.operands.size(); ++i) flow = worse(flow, value(node.operands[i]));
+    control_flow_ = before;
+    return flow;
+}
+
+/// What is interpolated differs between the fragments of a quad, unless it is that of the first corner.
+Flow Uniformity::varying(ir::LocalId local) const {
+    if (!kernel_.raster) return {};
+    for (const ir::Varying& varying : kernel_.raster->varyings)
+        if (varying.read == local)
+            return {varying.interpolation == ir::Interpolation::flat ? Level::subgroup : Level::invocation,
+                    varying.span,
+                    {}};
+    return {};
+}
+
+/// The fragments of a quad are of one triangle: what is the same within that is uniform enough.
+void Uniformity::derivative(const ir::Expr& node) {
+    const Flow flow = worse(control_flow_, left_);
+    if (!reports_ || flow.level <= Level::subgroup || !reported_.insert({node.span.file, node.span.begin}).second)
+        return;
+    Diagnostic& diagnostic = c.error(Diag::divergent_derivative, node.span, {ir::name_of(node.intrinsic)});
+    note(diagnostic, flow.condition, "this may differ between them");
+    if (flow.why != flow.condition) note(diagnostic, flow.why, "because this does");
+    note(diagnostic, node.span, "compute it in a local before the condition");
+}
+
 Flow Uniformity::operands(const ir::Expr& node) {
     Flow flow;
     for (ir::ExprId operand : node.operands) flow = worse(flow, value(operand));
@@ -217,7 +273,8 @@ Flow Uniformity::operands(const ir::Expr& node) {
 
 /// Workgroup memory is uniform after a barrier, until an invocation writes it.
 Flow Uniformity::local(ir::ExprId id, const ir::Expr& node) {
-    if (p.locals[node.local].storage != ir::Storage::shared) return locals_[{call_, node.local}];
+    if (p.locals[node.local].storage != ir::Storage::shared)
+        return worse(locals_[{call_, node.local}], varying(node.local));
     interval_.read.insert({node.local, id});
     if (interval_.written.contains(node.local) || races_.contains({node.local, id})) return differs(node);
     return {};
@@ -253,6 +310,10 @@ Flow Uniformity::intrinsic(const ir::Expr& node) {
         if (p.exprs[root].op == ir::Op::local) write_shared(p.exprs[root].local);
     }
     const Flow flow = operands(node);
+    if (ir::is_derivative(node.intrinsic)) {
+        derivative(node);
+        return flow;
+    }
     if (signature[0] == '@') return differs(node);
     if (signature.back() != '*') return flow;
     switch (node.intrinsic) {
@@ -302,6 +363,8 @@ Flow Uniformity::grouped_call(ir::ExprId id, const ir::Expr& node) {
 
 }  // namespace
 
-void check_barriers(Context& c, const ir::Kernel& kernel) { Uniformity(c, kernel).run(); }
+void check_barriers(Context& c, const ir::Kernel& kernel) { Uniformity(c, kernel).run(kernel.body); }
+
+void check_derivatives(Context& c, const ir::Kernel& kernel) { Uniformity(c, kernel).run(kernel.raster->fragment); }
 
 }  // namespace gliftc::sema

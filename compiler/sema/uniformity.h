@@ -9,4 +9,7 @@ namespace gliftc::sema {
 /// a condition or in a loop that may differ between the invocations that the barrier synchronises.
 void check_barriers(Context&, const ir::Kernel&);
 
+/// Reports derivatives in a fragment part where the fragments of a quad may have taken different ways.
+void check_derivatives(Context&, const ir::Kernel&);
+
 }  // namespace gliftc::sema

@@ -43,7 +43,9 @@ private:
 };
 
 /// Ranges that kernels run over are needed even where no element is.
-bool is_visited(ast::Pattern pattern) { return pattern == ast::Pattern::each || pattern == ast::Pattern::at; }
+bool is_visited(ast::Pattern pattern) {
+    return pattern == ast::Pattern::each || pattern == ast::Pattern::at || pattern == ast::Pattern::instance;
+}
 
 void check_param(Context& c, const ast::Param& param, const Mentions& mentions) {
     const std::string& name = c.text(param.name.name);
@@ -68,7 +70,8 @@ bool always_leaves(const Context& c, const ast::Stmt& stmt) {
     switch (stmt.kind) {
     case ast::StmtKind::return_:
     case ast::StmtKind::break_:
-    case ast::StmtKind::continue_: return true;
+    case ast::StmtKind::continue_:
+    case ast::StmtKind::discard: return true;
     case ast::StmtKind::block: return always_leaves(c, stmt.body);
     case ast::StmtKind::if_: return stmt.has_else && always_leaves(c, stmt.body) && always_leaves(c, stmt.otherwise);
     case ast::StmtKind::error:
@@ -122,6 +125,18 @@ void check_pass(Context& c, const std::vector<ast::Param>& params, const std::ve
     for (const ast::Param& param : params) check_param(c, param, mentions);
 }
 
+/// Both parts of a draw.
+void check_raster(Context& c, const ast::Kernel& raster) {
+    check_reached(c, raster.body);
+    check_reached(c, raster.raster->fragment);
+    std::vector<ast::StmtId> all = raster.body;
+    all.insert(all.end(), raster.raster->fragment.begin(), raster.raster->fragment.end());
+    const Mentions mentions(c, all);
+    for (const ast::Param& param : raster.params)
+        if (param.pattern != ast::Pattern::target || param.direction == ast::Direction::out)
+            check_param(c, param, mentions);
+}
+
 void check_function(Context& c, ast::DeclId id, const ast::Function& function) {
     if (!function.has_body) return;
     check_reached(c, function.body);
@@ -140,7 +155,10 @@ void warn(Context& c, const std::vector<ast::DeclId>& declarations) {
         const auto& body = c[id].body;
         if (const auto* test = std::get_if<ast::Test>(&body)) check_reached(c, test->body);
         if (const auto* function = std::get_if<ast::Function>(&body)) check_function(c, id, *function);
-        if (const auto* kernel = std::get_if<ast::Kernel>(&body)) check_pass(c, kernel->params, kernel->body);
+        if (const auto* kernel = std::get_if<ast::Kernel>(&body)) {
+            if (kernel->raster) check_raster(c, *kernel);
+            else check_pass(c, kernel->params, kernel->body);
+        }
         if (const auto* pipeline = std::get_if<ast::Pipeline>(&body)) check_pass(c, pipeline->params, pipeline->body);
     }
 }

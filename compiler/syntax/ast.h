@@ -7,6 +7,7 @@
 #include "base/arena.h"
 #include "base/name.h"
 #include "source/source.h"
+#include "syntax/token.h"
 
 #include <optional>
 #include <string>
@@ -105,6 +106,7 @@ enum class StmtKind : std::uint8_t {
     break_,
     continue_,
     return_,  // return [value];
+    discard,  // discard;                                 fragment parts
     block,    // { body… }
 };
 
@@ -140,10 +142,10 @@ struct GenericParam {
 enum class Direction : std::uint8_t { none, in, out, inout };
 
 /// The access pattern of an iterator.
-enum class Pattern : std::uint8_t { none, each, near, any, at, scatter, coherent, range };
+enum class Pattern : std::uint8_t { none, each, near, any, at, scatter, coherent, target, instance, range };
 
-/// `name: [in|out|inout] [each|near|any|at|scatter|coherent|range]<type, extra…> [= default]`, or `name: [in|out|inout]
-/// type [= default]`
+/// `name: [in|out|inout] [each|near|any|at|scatter|coherent|target|instance|range]<type, extra…> [= default]`, or
+/// `name: [in|out|inout] type [= default]`
 struct Param {
     Identifier name;
     Direction direction = Direction::none;
@@ -267,11 +269,34 @@ struct Adaptor {
     std::vector<Item> items;
 };
 
-/// `kernel name<…>(params) [group(x[, y[, z]])] { … }`
+/// `cull back;` or `draw lines;`
+struct RasterState {
+    Word word;
+    Span span;
+    Identifier value;
+};
+
+/// `smooth name: type;`
+struct Varying {
+    Word interpolation = Word::smooth;  ///< smooth, linear, flat
+    Identifier name;
+    ExprId type;
+};
+
+/// What a raster has that a kernel has not. Its vertex part is the kernel's body.
+struct Raster {
+    std::vector<RasterState> states;
+    std::vector<Varying> varyings;
+    std::vector<StmtId> fragment;
+    Span fragment_span;  ///< of the word `fragment`; absent: there is no such part
+};
+
+/// `kernel name<…>(params) [group(x[, y[, z]])] { … }`, or `raster name<…>(params) { … vertex { … } fragment { … } }`
 struct Kernel {
     std::vector<Param> params;
     std::vector<ExprId> group;  ///< empty: the compiler chooses
     std::vector<StmtId> body;
+    std::optional<Raster> raster;
 };
 
 /// `pipeline name<…>(params) [-> type] { … }`

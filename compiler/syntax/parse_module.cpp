@@ -11,8 +11,8 @@ using ast::Decl;
 namespace {
 
 const std::vector<std::string_view> declaration_spellings{
-    "fn",   "struct",  "enum",   "interface", "const", "type", "structure", "translator",
-    "view", "adaptor", "kernel", "pipeline",  "test",  "pub",  "use",       "extern"};
+    "fn",      "struct", "enum",   "interface", "const", "type", "structure", "translator", "view",
+    "adaptor", "kernel", "raster", "pipeline",  "test",  "pub",  "use",       "extern"};
 
 }  // namespace
 
@@ -110,7 +110,7 @@ std::vector<ast::Attribute> Parser::parse_attributes() {
 
 /// declaration = attributes [ "pub" ] [ "extern" ] ( function | struct | enum | interface | const | alias | translator
 /// | structure
-///             | view | adaptor | kernel | pipeline | test ) ;
+///             | view | adaptor | kernel | raster | pipeline | test ) ;
 ast::DeclId Parser::parse_declaration() {
     Nesting nesting(*this);
     if (!nesting.ok) return {};
@@ -130,11 +130,6 @@ ast::DeclId Parser::parse_declaration() {
 void Parser::parse_declaration_body(Decl& decl) {
     using enum TokenKind;
     std::uint32_t keyword = cursor_;
-    if (at_word(Word::raster)) {
-        fail_reserved("raster passes come in a later version");
-        advance();
-        return;
-    }
     if (at_word(Word::test) && peek(1).kind == string) {
         advance();
         ast::Test test;
@@ -172,6 +167,7 @@ void Parser::parse_body_after_name(Decl& decl, const Token& keyword) {
     if (keyword.word == Word::view) decl.body = parse_view();
     if (keyword.word == Word::adaptor) decl.body = parse_adaptor();
     if (keyword.word == Word::kernel) decl.body = parse_kernel();
+    if (keyword.word == Word::raster) decl.body = parse_raster();
     if (keyword.word == Word::pipeline) decl.body = parse_pipeline();
 }
 

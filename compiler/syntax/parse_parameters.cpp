@@ -59,13 +59,15 @@ ast::Direction Parser::parse_direction() {
 }
 
 ast::Pattern Parser::pattern_here() const {
-    static constexpr std::array<std::pair<Word, Pattern>, 7> patterns{{
+    static constexpr std::array<std::pair<Word, Pattern>, 9> patterns{{
         {Word::each, Pattern::each},
         {Word::near, Pattern::near},
         {Word::any, Pattern::any},
         {Word::at, Pattern::at},
         {Word::scatter, Pattern::scatter},
         {Word::coherent, Pattern::coherent},
+        {Word::target, Pattern::target},
+        {Word::instance, Pattern::instance},
         {Word::range, Pattern::range},
     }};
     if (peek(1).kind != TokenKind::less) return Pattern::none;
@@ -74,9 +76,8 @@ ast::Pattern Parser::pattern_here() const {
     return Pattern::none;
 }
 
-/// pattern = ( "each" | "near" | "any" | "at" | "scatter" | "coherent" | "range" ) "<" generic-argument { ","
-/// generic-argument } ">"
-/// ;
+/// pattern = ( "each" | "near" | "any" | "at" | "scatter" | "coherent" | "target" | "instance" | "range" ) "<"
+/// generic-argument { "," generic-argument } ">" ;
 void Parser::parse_pattern(ast::Param& param) {
     param.pattern_span = span_of(advance());
     std::uint32_t open = cursor_;

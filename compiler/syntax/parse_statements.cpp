@@ -72,6 +72,7 @@ ast::StmtId Parser::parse_statement() {
     if (at(kw_break)) return parse_jump(StmtKind::break_);
     if (at(kw_continue)) return parse_jump(StmtKind::continue_);
     if (at(open_brace)) return parse_block_statement();
+    if (at_word(Word::discard) && peek(1).kind == semicolon) return parse_jump(StmtKind::discard);
     if (at_word_before_name(Word::shared)) return parse_shared();
     if (at_word_before_name(Word::temp) || at_word_before_name(Word::uninitialized)) return parse_temp();
     return parse_expression_statement();

@@ -156,6 +156,10 @@ private:
     ast::Const parse_const();
     std::vector<ast::ExprId> parse_group();
     ast::Kernel parse_kernel();
+    ast::Kernel parse_raster();
+    void parse_raster_item(ast::Kernel& kernel);
+    void parse_raster_state(ast::Raster& raster);
+    void parse_varying(ast::Raster& raster);
     ast::Pipeline parse_pipeline();
     DeclId parse_method();
 

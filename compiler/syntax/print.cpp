@@ -63,9 +63,15 @@ std::string_view word_of(Pattern pattern) {
     case Pattern::at: return "at";
     case Pattern::scatter: return "scatter";
     case Pattern::coherent: return "coherent";
+    case Pattern::target: return "target";
+    case Pattern::instance: return "instance";
     case Pattern::range: return "range";
     }
     return "";
+}
+
+std::string_view word_of(Word interpolation) {
+    return interpolation == Word::smooth ? "smooth" : interpolation == Word::linear ? "linear" : "flat";
 }
 
 class Printer {
@@ -202,6 +208,7 @@ private:
         case StmtKind::while_: line("(while " + expr(s.value)); break;
         case StmtKind::break_: return line("(break)");
         case StmtKind::continue_: return line("(continue)");
+        case StmtKind::discard: return line("(discard)");
         case StmtKind::return_: return line("(return" + (s.value ? " " + expr(s.value) : "") + ")");
         case StmtKind::block: line("(block"); break;
         }
@@ -321,8 +328,25 @@ private:
         items(a.items);
     }
     void print_body(const std::string& head, const std::string& name, const Kernel& k) {
-        line("(" + head + "kernel " + name + params(k.params) + group(k.group));
+        line("(" + head + (k.raster ? "raster " : "kernel ") + name + params(k.params) + group(k.group));
+        if (k.raster) return raster(k);
         block(k.body);
+    }
+    void raster(const Kernel& k) {
+        ++depth_;
+        for (const RasterState& state : k.raster->states)
+            line("(" + std::string(state.word == Word::cull ? "cull" : "draw") + " " + names_[state.value.name] + ")");
+        for (const Varying& varying : k.raster->varyings)
+            line("(" + std::string(word_of(varying.interpolation)) + " " + typed(varying.name, varying.type) + ")");
+        line("(vertex");
+        block(k.body);
+        out_ += ")";
+        if (k.raster->fragment_span) {
+            line("(fragment");
+            block(k.raster->fragment);
+            out_ += ")";
+        }
+        --depth_;
     }
     void print_body(const std::string& head, const std::string& name, const Pipeline& p) {
         std::string result = p.result ? " -> " : "";

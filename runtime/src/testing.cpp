@@ -25,9 +25,9 @@ struct ScalarReader {
         std::memcpy(&value, at, sizeof value);
         return value;
     }
-    static bool is_floating(char kind) { return kind == 'f' || kind == 'h' || kind == 'd'; }
+    static bool is_floating(char kind) { return kind == 'f' || kind == 'n' || kind == 'h' || kind == 'd'; }
     static double number(char kind, const std::byte* at) {
-        if (kind == 'f') return load<float>(at);
+        if (kind == 'f' || kind == 'n') return load<float>(at);
         if (kind == 'h') return static_cast<float>(load<half>(at));
         return load<double>(at);
     }
@@ -49,6 +49,7 @@ struct ScalarReader {
         const double x = number(kind, a), y = number(kind, b);
         if (x != x && y != y) return true;
         if (tolerance == 0) return false;
+        if (kind == 'n') return std::fabs(x - y) <= drawn_tolerance;
         return std::fabs(x - y) <= tolerance * std::max(1.0, std::max(std::fabs(x), std::fabs(y)));
     }
 };

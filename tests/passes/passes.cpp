@@ -57,7 +57,8 @@ void run(Lowering& lowering, const std::string& name) {
     for (const lower::BodyPass& pass : lower::host_passes()) {
         if (pass.name != name) continue;
         ir::Variant& variant = lowering.pass.plain();
-        variant = {ir::Devices::host, variant.assumes, pass.run(lowering.cx, variant.body, lowering.facts)};
+        variant = {variant.part, ir::Devices::host, variant.assumes,
+                   pass.run(lowering.cx, variant.body, lowering.facts)};
         return;
     }
     if (name == "find_rows") {

@@ -13,6 +13,7 @@ namespace gliftc::cpp {
 /// The SPIR-V words of one kernel; a form that is empty does not exist on Vulkan devices.
 struct KernelCode {
     std::vector<std::uint32_t> direct, general, wide;
+    std::vector<std::uint32_t> direct_fragment, general_fragment, wide_fragment;  ///< of draws
 };
 
 struct Globals;

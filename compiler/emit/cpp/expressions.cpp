@@ -231,6 +231,7 @@ std::string print_place(Printer& p, ir::ExprId id) {
 
 Text print_intrinsic(Printer& p, const Expr& expr) {
     const std::string name(ir::name_of(expr.intrinsic));
+    if (ir::is_derivative(expr.intrinsic) && p.outer_expression) return p.outer_expression(expr);
     if (!name.starts_with("atomic")) return function_call(p, "glift::" + name, expr.operands);
     const Expr& place = ir::place_of(p.program, expr.operands[0]);
     if (place.op != Op::load && place.op != Op::row_load)

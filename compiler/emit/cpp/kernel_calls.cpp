@@ -94,6 +94,7 @@ std::string value_of(Unit& unit, const Kernel& kernel, const PassParameter& para
         return param_name(unit, param) + ".origin()";
     }
     case ParameterSource::size: {
+        if (kernel.raster) return "iteration.counts()";
         const KernelParam* first = first_visited(kernel);
         return first ? param_name(unit, *first) + ".size()" : "{}";
     }
@@ -126,7 +127,7 @@ void print_dispatch(Unit& unit, Writer& out, const Kernel& kernel, const Pass& p
         for (const auto& [parameter, member] : ordered) {
             const std::string offset = "offsetof(" + block + ", " + member + ")";
             if (parameter->source == ParameterSource::range_size &&
-                !ir::visits(kernel.params[parameter->param].pattern)) {
+                ir::has_own_range(kernel.params[parameter->param].pattern)) {
                 out.line("iteration.count(" + param_name(unit, kernel.params[parameter->param]) + ", " + offset + ");");
                 counts_ranges = true;
             }
@@ -138,6 +139,7 @@ void print_dispatch(Unit& unit, Writer& out, const Kernel& kernel, const Pass& p
     }
     if (!counted.empty() || counts_ranges) call += ", .patches = iteration.patches({" + counted + "})";
     if (may_share(pass)) call += ", .sharing = iteration.sharing()";
+    if (kernel.raster) call += ", .targets = iteration.targets()";
     out.line("commands.dispatch(" + name + "_kernel, " + call + "});");
 }
 
@@ -243,17 +245,8 @@ static void print_blocks(Writer& out, const Globals& globals, const ir::Lowered:
     out.gap();
 }
 
-std::string kernel_function(Unit& unit, std::uint32_t index) {
-    const Kernel& kernel = unit.program.kernels[index];
-    const ir::Lowered::Forms& forms = unit.lowered.passes[index];
-    const std::string& name = unit.globals.kernel_stems.at(index);
-    const Pass& any = forms.general.exists ? forms.general : forms.direct;
-    Writer out;
-    print_blocks(out, unit.globals, forms, name);
-    out.line("extern const glift::Kernel " + name + "_kernel;");
-    out.gap();
-    out.open(unit.linkage(kernel.key) + kernel_signature(unit, index, false));
-    out.line("glift::Iteration iteration(" + name + "_kernel);");
+/// What the iteration is told of the arguments: what is visited first, since the others are compared with that.
+static void print_iteration(const Unit& unit, Writer& out, const Kernel& kernel) {
     for (bool near : {false, true}) {
         for (std::size_t i = 0; i < kernel.params.size(); ++i) {
             const KernelParam& param = kernel.params[i];
@@ -266,6 +259,21 @@ std::string kernel_function(Unit& unit, std::uint32_t index) {
                 out.line("iteration.any(\"" + unit.name(param.name) + "\", " + argument + ");");
         }
     }
+}
+
+std::string kernel_function(Unit& unit, std::uint32_t index) {
+    const Kernel& kernel = unit.program.kernels[index];
+    const ir::Lowered::Forms& forms = unit.lowered.passes[index];
+    const std::string& name = unit.globals.kernel_stems.at(index);
+    const Pass& any = forms.general.exists ? forms.general : forms.direct;
+    Writer out;
+    print_blocks(out, unit.globals, forms, name);
+    out.line("extern const glift::Kernel " + name + "_kernel;");
+    out.gap();
+    out.open(unit.linkage(kernel.key) + kernel_signature(unit, index, false));
+    out.line((kernel.raster ? "glift::DrawIteration iteration(" : "glift::Iteration iteration(") + name + "_kernel);");
+    if (kernel.raster) print_draw_arguments(unit, out, kernel);
+    else print_iteration(unit, out, kernel);
     if (!any.bindings.empty()) out.line("const glift::Memory memories[] = {" + memories_text(unit, kernel, any) + "};");
     if (may_share(any))
         out.line("if (iteration.is_shared(memories)) iteration.share(memories, {" + footprints_text(unit, kernel) +

@@ -63,32 +63,50 @@ void print_literal(Writer& out, const std::string& name, const std::vector<std::
     out.raw(text + "\";\n");
 }
 
-/// Names of the SPIR-V of the three forms; identical code is there once.
+/// Names of the SPIR-V of one form: of draws, both shaders.
 struct Words {
-    std::string direct, general, wide;
+    std::string spirv, fragment;
 };
 
-Words print_words(Unit& unit, Writer& out, std::uint32_t kernel, const std::string& name) {
-    Words words;
+/// Of the three forms; identical code is there once.
+struct FormWords {
+    Words direct, general, wide;
+};
+
+FormWords print_words(Unit& unit, Writer& out, std::uint32_t kernel, const std::string& name) {
+    FormWords words;
     if (kernel >= unit.code.size() || !unit.reach.vulkan_kernels.contains(kernel)) return words;
     const KernelCode& code = unit.code[kernel];
-    const auto print = [&](const std::vector<std::uint32_t>& spirv, ir::Form form) -> std::string {
-        if (spirv.empty()) return "";
-        const std::string constant = name + "_" + form_name(form) + "_spirv";
-        if (!unit.spirv_file) print_literal(out, constant, spirv);
-        else out.line("constexpr glift::Spirv " + constant + "(" + unit.spirv_file->place_of(kernel, form) + ");");
-        return constant;
+    const auto of_part = [&](ir::Part part, const std::string& ending) {
+        return [&out, &unit, kernel, name, part, ending](const std::vector<std::uint32_t>& spirv,
+                                                         ir::Form form) -> std::string {
+            if (spirv.empty()) return "";
+            const std::string constant = name + "_" + form_name(form) + ending;
+            if (!unit.spirv_file) print_literal(out, constant, spirv);
+            else
+                out.line("constexpr glift::Spirv " + constant + "(" + unit.spirv_file->place_of(kernel, form, part) +
+                         ");");
+            return constant;
+        };
     };
-    words.direct = print(code.direct, ir::Form::direct);
-    words.general = code.general == code.direct ? words.direct : print(code.general, ir::Form::general);
-    words.wide = code.wide == code.general ? words.general : print(code.wide, ir::Form::wide);
+    const auto print = of_part(ir::Part::vertex, "_spirv"),
+               print_fragment = of_part(ir::Part::fragment, "_fragment_spirv");
+    words.direct = {print(code.direct, ir::Form::direct), print_fragment(code.direct_fragment, ir::Form::direct)};
+    words.general = {code.general == code.direct ? words.direct.spirv : print(code.general, ir::Form::general),
+                     code.general_fragment == code.direct_fragment
+                         ? words.direct.fragment
+                         : print_fragment(code.general_fragment, ir::Form::general)};
+    words.wide = {code.wide == code.general ? words.general.spirv : print(code.wide, ir::Form::wide),
+                  code.wide_fragment == code.general_fragment ? words.general.fragment
+                                                              : print_fragment(code.wide_fragment, ir::Form::wide)};
     return words;
 }
 
-std::string form_text(const Pass& pass, const std::string& spirv, const std::string& host) {
+std::string form_text(const Pass& pass, const Words& words, const std::string& host) {
     std::string text;
     const auto also = [&](const std::string& field) { text += (text.empty() ? "" : ", ") + field; };
-    if (!spirv.empty()) also(".spirv = " + spirv);
+    if (!words.spirv.empty()) also(".spirv = " + words.spirv);
+    if (!words.fragment.empty()) also(".fragment = " + words.fragment);
     if (!host.empty()) also(".host = &" + host);
     if (pass.parameter_bytes != 0) also(".parameter_bytes = " + std::to_string(pass.parameter_bytes));
     if (pass.push_constants) also(".push_constants = true");
@@ -141,10 +159,13 @@ std::string digest_text(const Unit& unit, std::uint32_t kernel, const std::strin
     std::uint64_t hash = 14695981039346656037u;
     const auto add = [&](std::uint64_t value) { hash = (hash ^ value) * 1099511628211u; };
     const KernelCode& code = unit.code[kernel];
-    for (const std::vector<std::uint32_t>* form : {&code.direct, &code.general, &code.wide}) {
-        for (std::uint32_t word : *form) add(word);
-        add(form->size());
-    }
+    const auto add_words = [&](const std::vector<std::uint32_t>& form) {
+        for (std::uint32_t word : form) add(word);
+        add(form.size());
+    };
+    for (const std::vector<std::uint32_t>* form : {&code.direct, &code.general, &code.wide}) add_words(*form);
+    for (const std::vector<std::uint32_t>* form : {&code.direct_fragment, &code.general_fragment, &code.wide_fragment})
+        if (!form->empty()) add_words(*form);
     for (char c : printed) add(static_cast<unsigned char>(c));
     return std::to_string(hash | 1) + "u";  // 0 would say that there is none
 }
@@ -221,10 +242,11 @@ std::string kernel_code(Unit& unit, std::uint32_t index) {
     print_bindings(unit, code, forms, kernel, name);
     if (has_parameters) print_parameters(unit.globals, code, forms.direct, name);
     print_other_files(unit, code, any, name);
-    const Words words = print_words(unit, spirv, index, name);
+    if (kernel.raster) print_drawing(unit, code, kernel, name);
+    const FormWords words = print_words(unit, spirv, index, name);
 
-    const auto form = [&](const Pass& pass, const std::string& spirv_name) {
-        return pass.exists ? form_text(pass, spirv_name, host[&pass]) : "{}";
+    const auto form = [&](const Pass& pass, const Words& of_form) {
+        return pass.exists ? form_text(pass, of_form, host[&pass]) : "{}";
     };
     const std::string place = place_text(unit.sources, kernel.span);
     const std::size_t colon = place.rfind(':');
@@ -246,6 +268,7 @@ std::string kernel_code(Unit& unit, std::uint32_t index) {
     out.line(".wide = " + form(forms.wide, words.wide) + ",");
     if (has_parameters) out.line(".parameters = " + name + "_parameters,");
     print_rare_fields(unit, out, any, name);
+    if (kernel.raster) out.line(".drawing = &" + name + "_drawing,");
     if (const std::string digest = digest_text(unit, index, code.text() + out.text()); !digest.empty())
         out.line(".digest = " + digest + ",");
     out.close(";");

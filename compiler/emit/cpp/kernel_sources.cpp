@@ -30,8 +30,9 @@ std::vector<std::vector<std::uint32_t>> spread(const ModuleParts& parts, const s
 
 void print_includes(const ModuleParts& parts, Writer& out, const std::string& stem,
                     const std::vector<std::uint32_t>& kernels) {
-    bool has_images = false, has_atomics = false, has_reports = false;
+    bool has_images = false, has_atomics = false, has_reports = false, has_draws = false;
     for (std::uint32_t kernel : kernels) {
+        has_draws |= parts.program.kernels[kernel].raster.has_value();
         const ir::Pass& pass = parts.lowered.passes[kernel].general;
         for (const ir::PassBinding& binding : pass.bindings) {
             has_images |= binding.shape != ir::MemoryShape::buffer;
@@ -41,7 +42,9 @@ void print_includes(const ModuleParts& parts, Writer& out, const std::string& st
     }
     out.line("#include \"" + stem + ".glift.types.hpp\"");
     out.gap();
+    if (has_draws) out.line("#include <glift/drawing.h>");
     if (has_atomics) out.line("#include <glift/host/atomics.h>");
+    if (has_draws) out.line("#include <glift/host/fragments.h>");
     if (has_images) out.line("#include <glift/host/image.h>");
     out.line("#include <glift/host/math.h>");
     out.line("#include <glift/host/parallel.h>");

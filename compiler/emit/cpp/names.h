@@ -19,6 +19,10 @@ inline constexpr const char* locals_of_kernels[] = {
     "address", "block", "call",       "count", "first", "i",       "inside",    "interior",
     "lane",    "part",  "parameters", "row",   "rows",  "stretch", "unclamped", "x",
 };
+/// The same of draws.
+inline constexpr const char* locals_of_draws[] = {
+    "corner", "corners", "drawn", "fragments", "instance", "left", "parts", "pixel", "pointer", "running", "targets",
+};
 /// The same where the kernel has a group.
 inline constexpr const char* locals_of_groups[] = {
     "global_id",   "group_count", "group_id",    "group_index", "group_size",

@@ -234,7 +234,7 @@ void PipelinePrinter::keep(const std::string& shown, const std::string& object, 
     const ir::Structure& made = unit.program.structures[index];
     const ClassNames& names = unit.globals.class_names[index];
     const std::string keeps =
-        "test.keep(" + quoted(shown) + ", " + object + ", \"" + scalars_of(unit.program, made.element) + "\")";
+        "test.keep(" + quoted(shown) + ", " + object + ", \"" + kept_scalars(unit.program, index) + "\")";
     if (!ir::may_be_sparse(unit.program, made)) return p.out.line(keeps + ";");
     p.out.open("if (!" + keeps + ")");
     for (std::size_t i = 0; i < made.memories.size(); ++i) {

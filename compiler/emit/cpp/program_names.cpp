@@ -49,6 +49,7 @@ const NameSet& not_for_types() {
         all.merge(members_of_class(ir::StructureKind::adaptor));
         all.insert(std::begin(locals_of_kernels), std::end(locals_of_kernels));
         all.insert(std::begin(locals_of_groups), std::end(locals_of_groups));
+        all.insert(std::begin(locals_of_draws), std::end(locals_of_draws));
         all.insert({"iteration", "memories", "structure", "test"});
         return all;
     }();

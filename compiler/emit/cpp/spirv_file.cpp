@@ -19,15 +19,21 @@ std::string symbol_of(const std::vector<std::uint32_t>& words) {
 
 SpirvFile::SpirvFile(std::string name, const std::vector<KernelCode>& code, const std::vector<std::uint32_t>& kernels)
     : name_(std::move(name)) {
-    const auto add = [&](std::uint32_t kernel, ir::Form form, const std::vector<std::uint32_t>& words) {
-        parts_[{kernel, form}] = {words_.size(), words.size()};
-        words_.insert(words_.end(), words.begin(), words.end());
+    const auto add = [&](std::uint32_t kernel, ir::Part part, const std::vector<std::uint32_t>& direct,
+                         const std::vector<std::uint32_t>& general, const std::vector<std::uint32_t>& wide) {
+        const auto add_form = [&](ir::Form form, const std::vector<std::uint32_t>& words) {
+            places_[{kernel, form, part}] = {words_.size(), words.size()};
+            words_.insert(words_.end(), words.begin(), words.end());
+        };
+        add_form(ir::Form::direct, direct);
+        if (general != direct) add_form(ir::Form::general, general);
+        if (wide != general) add_form(ir::Form::wide, wide);
     };
     for (std::uint32_t kernel : kernels) {
         if (kernel >= code.size()) continue;
-        add(kernel, ir::Form::direct, code[kernel].direct);
-        if (code[kernel].general != code[kernel].direct) add(kernel, ir::Form::general, code[kernel].general);
-        if (code[kernel].wide != code[kernel].general) add(kernel, ir::Form::wide, code[kernel].wide);
+        const KernelCode& of = code[kernel];
+        add(kernel, ir::Part::vertex, of.direct, of.general, of.wide);
+        add(kernel, ir::Part::fragment, of.direct_fragment, of.general_fragment, of.wide_fragment);
     }
     symbol_ = symbol_of(words_);
 }
@@ -45,9 +51,9 @@ std::string SpirvFile::statement() const {
            "\");";
 }
 
-std::string SpirvFile::place_of(std::uint32_t kernel, ir::Form form) const {
-    const Part& part = parts_.at({kernel, form});
-    return symbol_ + " + " + std::to_string(part.first) + ", " + std::to_string(part.count);
+std::string SpirvFile::place_of(std::uint32_t kernel, ir::Form form, ir::Part part) const {
+    const Place& place = places_.at({kernel, form, part});
+    return symbol_ + " + " + std::to_string(place.first) + ", " + std::to_string(place.count);
 }
 
 }  // namespace gliftc::cpp

@@ -6,7 +6,7 @@
 
 #include <map>
 #include <string>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 namespace gliftc::cpp {
@@ -22,15 +22,15 @@ public:
     /// The statement that takes the file in.
     std::string statement() const;
     /// Arguments of a glift::Spirv: `glift_spirv_0f0e… + 120, 567`.
-    std::string place_of(std::uint32_t kernel, ir::Form form) const;
+    std::string place_of(std::uint32_t kernel, ir::Form form, ir::Part part) const;
 
 private:
     std::string name_, symbol_;
     std::vector<std::uint32_t> words_;
-    struct Part {
+    struct Place {
         std::size_t first, count;
     };
-    std::map<std::pair<std::uint32_t, ir::Form>, Part> parts_;
+    std::map<std::tuple<std::uint32_t, ir::Form, ir::Part>, Place> places_;
 };
 
 }  // namespace gliftc::cpp

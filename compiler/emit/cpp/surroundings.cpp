@@ -65,6 +65,8 @@ Text structure_property(const Globals& globals, const ir::Expr& expr, std::uint3
     case ir::Op::read:
     case ir::Op::sample:
     case ir::Op::position:
+    case ir::Op::window:
+    case ir::Op::front_facing:
     case ir::Op::state:
     case ir::Op::translate:
     case ir::Op::invocation:

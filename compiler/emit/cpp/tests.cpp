@@ -3,6 +3,8 @@
 #include "ir/walk.h"
 #include "layout/layout.h"
 
+#include <algorithm>
+
 namespace gliftc::cpp {
 
 namespace {
@@ -70,6 +72,21 @@ std::string scalars_of(const ir::Program& program, ir::TypeId id) {
     case TypeKind::device: return "";
     }
     return "";
+}
+
+std::string kept_scalars(const ir::Program& program, std::uint32_t index) {
+    const ir::Structure& structure = program.structures[index];
+    std::string scalars = scalars_of(program, structure.element);
+    const auto draws = [&](const ir::Kernel& kernel) {
+        return kernel.raster && std::ranges::any_of(kernel.raster->colours, [&](const ir::ColourTarget& target) {
+                   return kernel.params[target.param].structure == index;
+               });
+    };
+    if (structure.memories.empty() || std::ranges::none_of(program.kernels, draws)) return scalars;
+    const ir::Format format = structure.memories[structure.via_memory].format;
+    const bool is_fraction = format == ir::Format::r8 || format == ir::Format::rg8 || format == ir::Format::rgba8;
+    if (is_fraction) std::ranges::replace(scalars, 'f', 'n');
+    return scalars;
 }
 
 void print_tests(Unit& unit, Writer& out) {

@@ -102,6 +102,12 @@ std::string kernel_code(Unit& unit, std::uint32_t kernel);
 /// Whether the kernel's code will add functions to those that the file shares.
 bool code_adds_functions(const Unit& unit, std::uint32_t kernel);
 
+// drawing.cpp
+/// What a kernel that draws says of its targets and states: `<name>_drawing`.
+void print_drawing(const Unit& unit, Writer& out, const ir::Kernel& kernel, const std::string& name);
+/// The lines that tell the iteration of a draw what it is given.
+void print_draw_arguments(const Unit& unit, Writer& out, const ir::Kernel& kernel);
+
 // kernel_sources.cpp
 /// Sources of the kernels' code, `<stem>.glift.<part>.cpp` and so on, and files of SPIR-V beside them.
 std::vector<File> kernel_sources(const ModuleParts& parts, const std::string& stem,
@@ -129,6 +135,8 @@ std::vector<TranslationCheck> print_translation_checks(Unit& unit, Writer& out);
 // tests.cpp
 /// One letter for each scalar of a type, as glift::KeptStructure has them.
 std::string scalars_of(const ir::Program& program, ir::TypeId type);
+/// The same for a structure's elements, with `n` for floats of eight bits that are drawn: each device rounds its way.
+std::string kept_scalars(const ir::Program& program, std::uint32_t structure);
 /// The table `tests`, after what it needs; nothing where the module has none.
 void print_tests(Unit& unit, Writer& out);
 

@@ -54,6 +54,7 @@ void name_globals(Printer& p) {
     name_status(p);
     name_order(p);
     name_shared(p);
+    if (p.raster()) name_interface(p);
 }
 
 std::string take(Printer& p) {
@@ -109,10 +110,11 @@ std::string main_text(Printer& p) {
     print_round_start(p);
     print_parameter_copies(p);
     print_prologue(p, grouped);
+    if (p.raster()) print_fragment_start(p);
     const ir::Variant& variant = variant_for(p.pass, ir::Devices::shaders);
     const bool is_coarsened = variant.assumes.elements != p.pass.plain().assumes.elements;
     if (is_coarsened && p.options.lines == LineMarks::comments) line(p, "// Two elements at once.");
-    print_body(p, variant.body);
+    print_body(p, p.body());
     p.indent = 0;
     p.names.leave();
     line(p, "}");
@@ -151,6 +153,7 @@ std::string heading(Printer& p) {
     if (kernel.span)
         where =
             ", " + file_name(p.sources[kernel.span.file].path) + ":" + std::to_string(p.sources.line_of(kernel.span));
+    if (kernel.raster) name += p.options.part == ir::Part::vertex ? ", vertex part" : ", fragment part";
     return "// " + name + where + ": " + form_text(p.pass.form) + ".\n";
 }
 
@@ -214,8 +217,9 @@ std::string glsl_of(const ir::Program& program, const Sources& sources, const ir
     if (!bindings.empty()) bindings += "\n";
     if (!parameters.empty()) parameters += "\n";
     std::string interface = parameters + bindings;
-    return "#version 460\n" + heading(p) + extensions_text(p) + group_text(pass) + enumerators_text(p) + structs +
-           interface + shared + status + order_definitions(p) + helpers + atomics + functions + main;
+    const std::string first = p.raster() ? interface_text(p) : group_text(pass);
+    return "#version 460\n" + heading(p) + extensions_text(p) + first + enumerators_text(p) + structs + interface +
+           shared + status + order_definitions(p) + helpers + atomics + functions + main;
 }
 
 }  // namespace gliftc::glsl

@@ -1,4 +1,4 @@
-// GLSL: a compute shader for one lowered kernel.
+// GLSL: a compute shader for one lowered kernel, or the two shaders of a draw.
 #pragma once
 
 #include "ir/pass.h"
@@ -23,6 +23,7 @@ enum class Rounding : std::uint8_t {
 struct Options {
     LineMarks lines = LineMarks::comments;
     Rounding rounding = Rounding::device;
+    ir::Part part = ir::Part::vertex;  ///< of a draw
 };
 
 /// The shader of `pass`: descriptor set 0, memory k at binding k + 1; parameters are push constants or, where

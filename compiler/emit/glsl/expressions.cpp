@@ -214,6 +214,10 @@ Text print_builtin(Printer& p, const Expr& expr) {
     case ir::Builtin::subgroup_lane: return subgroup("gl_SubgroupInvocationID");
     case ir::Builtin::subgroup_index: return subgroup("gl_SubgroupID");
     case ir::Builtin::subgroup_count: return subgroup("gl_NumSubgroups");
+    case ir::Builtin::corner: return {"uint(gl_VertexIndex)"};
+    case ir::Builtin::instance: return {"uint(gl_InstanceIndex)"};
+    case ir::Builtin::fragment_place: return {"gl_FragCoord"};
+    case ir::Builtin::is_front: return {"gl_FrontFacing"};
     }
     throw std::logic_error("emit/glsl: unknown builtin");
 }

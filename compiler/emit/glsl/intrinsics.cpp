@@ -163,6 +163,9 @@ Text print_intrinsic(Printer& p, const Expr& expr) {
     case Intrinsic::reflect: return shaped(p, Helper::reflection, expr);
     case Intrinsic::determinant: return call(p, "determinant", expr);
     case Intrinsic::inverse: return call(p, "inverse", expr);
+    case Intrinsic::dFdx: return call(p, "dFdxFine", expr);  // the same on all devices
+    case Intrinsic::dFdy: return call(p, "dFdyFine", expr);
+    case Intrinsic::fwidth: return call(p, "fwidthFine", expr);
     case Intrinsic::subgroupAdd:
     case Intrinsic::subgroupMin:
     case Intrinsic::subgroupMax:

@@ -67,8 +67,7 @@ std::string image_prefix(const Printer& p, TypeId element) {
 /// What one invocation writes and another reads after a barrier must not stay in a cache.
 bool is_coherent(const Printer& p, const PassBinding& binding) {
     if (binding.coherent) return true;
-    return binding.access == ir::Access::read_write &&
-           ir::has_any_barrier(p.program, variant_for(p.pass, ir::Devices::shaders).body);
+    return binding.access == ir::Access::read_write && ir::has_any_barrier(p.program, p.body());
 }
 
 const char* access_text(ir::Access access) {
@@ -224,7 +223,8 @@ bool stored_as_bits(const Printer& p, const PassBinding& binding) {
 std::string bindings_text(Printer& p) {
     std::string text;
     for (std::size_t i = 0; i < p.pass.bindings.size(); ++i)
-        text += p.pass.bindings[i].shape == MemoryShape::buffer ? buffer_text(p, i) : image_text(p, i);
+        if (is_used(p, i))
+            text += p.pass.bindings[i].shape == MemoryShape::buffer ? buffer_text(p, i) : image_text(p, i);
     return text;
 }
 

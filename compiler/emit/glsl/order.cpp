@@ -16,7 +16,7 @@ namespace {
 
 bool has_subgroup_barrier(const Printer& p) {
     bool found = false;
-    ir::for_each_statement(p.program, variant_for(p.pass, ir::Devices::shaders).body,
+    ir::for_each_statement(p.program, p.body(),
                            [&](const ir::Stmt& stmt) { found = found || stmt.op == ir::StmtOp::subgroup_barrier; });
     return found;
 }

@@ -100,6 +100,18 @@ struct Printer {
     Printer(const ir::Program& program, const Sources& sources, const ir::Pass& pass, const Options& options)
         : program(program), sources(sources), pass(pass), options(options) {}
 
+    /// Of a draw; else null.
+    const ir::Raster* raster() const {
+        const bool draws = pass.kernel != ir::no_kernel && program.kernels[pass.kernel].raster;
+        return draws ? &*program.kernels[pass.kernel].raster : nullptr;
+    }
+    /// What the shader's main does.
+    const std::vector<ir::StmtId>& body() const {
+        const bool is_fragment = raster() != nullptr && options.part == ir::Part::fragment;
+        return is_fragment ? fragment_for(pass, ir::Devices::shaders)->body
+                           : variant_for(pass, ir::Devices::shaders).body;
+    }
+
     const ir::Program& program;
     const Sources& sources;
     const ir::Pass& pass;
@@ -213,6 +225,13 @@ std::string quotient_of(Printer& p, ir::TypeId type, const std::string& a, const
 Text print_subgroup(Printer& p, const ir::Expr& expr);
 std::string subgroup_definition(Printer& p, const HelperUse& use);
 void need_inner_of_subgroup(Printer& p, const HelperUse& use);
+
+// raster.cpp: what the shaders of a draw are given, and give on
+void name_interface(Printer& p);
+std::string interface_text(Printer& p);
+void print_fragment_start(Printer& p);
+/// Of a draw: its shaders declare what they use. All that a compute shader has is used.
+bool is_used(const Printer& p, std::size_t binding);
 
 // status.cpp: how a shader tells what it could not do
 void name_status(Printer& p);

@@ -247,6 +247,7 @@ void print_statement(Printer& p, StmtId id) {
     case StmtOp::store:
     case StmtOp::image_store: return print_store(p, stmt);
     case StmtOp::atomic: return line(p, atomic_text(p, stmt));
+    case StmtOp::discard: return line(p, "discard;");
     case StmtOp::report: return line(p, report_text(p, stmt));
 #define STRUCTURE_STATEMENT(name) case StmtOp::name:
 #define HOST_STATEMENT(name) case StmtOp::name:

@@ -39,13 +39,19 @@ std::string record_text(const Printer& p) {
            ") buffer Status {\n    uint code, line, rank, memory, address[4], file;\n} " + p.status.block + ";\n\n";
 }
 
+/// The shaders of a draw have no memory in common: each invocation counts for itself.
+std::string rounds_place(const Printer& p) {
+    return p.raster() ? p.status.rounds : p.status.rounds + "[gl_SubgroupID]";
+}
+
 std::string count_text(const Printer& p) {
     const StatusNames& s = p.status;
     std::uint32_t group = p.pass.group[0] * p.pass.group[1] * p.pass.group[2];
     std::uint32_t subgroups = std::max(1u, (group + smallest_subgroup - 1) / smallest_subgroup);
     std::string text = "layout(constant_id = 101) const uint " + s.limit +
                        " = 0u;   // after so many rounds the device cuts loops off; 0: never\n";
-    text += "shared uint " + s.rounds + "[" + s.limit + " == 0u ? 1u : " + std::to_string(subgroups) + "u];\n\n";
+    if (p.raster()) text += "uint " + s.rounds + ";\n\n";
+    else text += "shared uint " + s.rounds + "[" + s.limit + " == 0u ? 1u : " + std::to_string(subgroups) + "u];\n\n";
     text += "// False, and reported, where the device would cut the loop off. Lanes run in step: a round of one is a "
             "round of all.\n";
     text +=
@@ -53,8 +59,8 @@ std::string count_text(const Printer& p) {
         "too.\n";
     text += "bool " + s.another_round + "(uint idle_rounds, " + place_parameters(p) + ") {\n";
     text += "    if (" + s.limit + " == 0u) return true;\n";
-    text += "    uint rounds = " + s.rounds + "[gl_SubgroupID] + 1u + idle_rounds;\n";
-    text += "    " + s.rounds + "[gl_SubgroupID] = rounds;\n";
+    text += "    uint rounds = " + rounds_place(p) + " + 1u + idle_rounds;\n";
+    text += "    " + rounds_place(p) + " = rounds;\n";
     text += "    if (rounds < " + s.limit + ") return true;\n";
     text += "    if (atomicCompSwap(" + s.block + ".code, 0u, 1u) == 0u) " + place_assigned(p) + "\n";
     return text + "    return false;\n}\n\n";
@@ -75,7 +81,7 @@ void name_status(Printer& p) {
 
 std::string status_definitions(Printer& p) {
     if (!p.pass.has_status()) return "";
-    if (p.pass.counts_rounds()) p.extensions.insert("GL_KHR_shader_subgroup_basic");
+    if (p.pass.counts_rounds() && !p.raster()) p.extensions.insert("GL_KHR_shader_subgroup_basic");
     return record_text(p) + (p.pass.has_reports ? report_definition(p) : "") +
            (p.pass.counts_rounds() ? count_text(p) : "");
 }
@@ -150,8 +156,8 @@ std::string report_text(Printer& p, const ir::Stmt& stmt) {
 
 void print_round_start(Printer& p) {
     if (p.pass.counts_rounds())
-        line(p, "if (" + p.status.limit + " != 0u) " + p.status.rounds + "[gl_SubgroupID] = " +
-                    std::to_string(idle_rounds(p, variant_for(p.pass, ir::Devices::shaders).body, false)) + "u;");
+        line(p, "if (" + p.status.limit + " != 0u) " + rounds_place(p) + " = " +
+                    std::to_string(idle_rounds(p, p.body(), false)) + "u;");
 }
 
 }  // namespace gliftc::glsl

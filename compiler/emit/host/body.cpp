@@ -62,6 +62,10 @@ Text print_outer(Body& body, const Expr& expr) {
         case ir::Builtin::subgroup_index: return {body.first_only ? "0u" : "local_index"};
         case ir::Builtin::subgroup_count:
             return {std::to_string(body.pass.group[0] * body.pass.group[1] * body.pass.group[2]) + "u"};
+        case ir::Builtin::corner: return {"corner"};
+        case ir::Builtin::instance: return {"instance"};
+        case ir::Builtin::fragment_place: return {"glift::host::fragment_place(fragments, *call.targets, pixel)"};
+        case ir::Builtin::is_front: return {"fragments.is_front"};
         }
         break;
 #define VALUE_OPERATION(name) case Op::name:
@@ -141,6 +145,7 @@ void print_outer(Body& body, const Stmt& stmt) {
         return p.out.line(concat("glift::host::store_rows(", row_arguments(body, stmt.slot, stmt.target), ", ",
                                  cpp::print_any(p, stmt.value), ");"));
     case StmtOp::keep:
+    case StmtOp::discard:
     case StmtOp::invocations:
 #define VALUE_STATEMENT(name) case StmtOp::name:
 #define STRUCTURE_STATEMENT(name) case StmtOp::name:

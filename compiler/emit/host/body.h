@@ -35,5 +35,11 @@ bool returns_early(const ir::Program& program, const std::vector<ir::StmtId>& bo
 // rows.cpp, groups.cpp
 std::string row_kernel(cpp::Globals& globals, const ir::Pass& pass, const std::string& name);
 std::string group_kernel(cpp::Globals& globals, const ir::Pass& pass, const std::string& name);
+// vertices.cpp, fragments.cpp, draws.cpp
+std::string vertex_part(cpp::Globals& globals, const ir::Pass& pass, const std::string& name);
+std::string fragment_part(cpp::Globals& globals, const ir::Pass& pass, const std::string& name);
+std::string draw_kernel(cpp::Globals& globals, const ir::Pass& pass, const std::string& name);
+/// What a vertex hands on besides its place: floats of its clip distances, then of what is interpolated.
+std::uint32_t floats_of(const ir::Program& program, const ir::Varying& varying);
 
 }  // namespace gliftc::host

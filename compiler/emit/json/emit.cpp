@@ -5,6 +5,7 @@
 #include "emit/json/words.h"
 #include "ir/aliases.h"
 #include "ir/evaluate.h"
+#include "ir/spelling.h"
 #include "layout/layout.h"
 
 #include <algorithm>
@@ -55,6 +56,7 @@ struct Writer {
     void enum_(const ir::Enum& e);
     void kernel_param(const ir::KernelParam& p);
     void kernel(std::uint32_t index);
+    void draw(const ir::Kernel& k);
     void form(const ir::Pass& pass, const std::vector<Root>& roots);
     void parameters(const ir::Pass& pass, const std::vector<Root>& roots);
     void binding(const ir::Pass& pass, std::size_t index, const std::vector<Root>& roots);
@@ -264,6 +266,38 @@ void Writer::kernel_param(const ir::KernelParam& p) {
     });
 }
 
+/// What a kernel that draws has beside others. Its group is of no meaning.
+void Writer::draw(const ir::Kernel& k) {
+    const ir::Raster& raster = *k.raster;
+    out.object([&] {
+        out.field("primitives", ir::spelling(raster.topology));
+        out.field("cull", ir::spelling(raster.cull));
+        list("varyings", raster.varyings, [&](const ir::Varying& varying) {
+            out.object([&] {
+                out.field("name", name(varying.name));
+                out.field("type", type(varying.type));
+                out.field("interpolation", ir::spelling(varying.interpolation));
+            });
+        });
+        list("colours", raster.colours, [&](const ir::ColourTarget& target) {
+            out.object([&] {
+                out.field("param", name(k.params[target.param].name));
+                out.field("blend", ir::spelling(target.blend));
+            });
+        });
+        if (raster.depth) {
+            out.key("depth");
+            out.object([&] {
+                out.field("param", name(k.params[raster.depth->param].name));
+                out.field("test", ir::spelling(raster.depth->test));
+                out.field("written", raster.depth->is_written);
+            });
+        }
+        out.field("clip_distances", raster.clip_distances.size());
+        out.field("fragment", raster.has_fragment);
+    });
+}
+
 void Writer::kernel(std::uint32_t index) {
     const ir::Kernel& k = program.kernels[index];
     std::vector<Root> roots;
@@ -275,6 +309,10 @@ void Writer::kernel(std::uint32_t index) {
         out.field("domain", type(k.domain_type));
         if (k.grouped()) list("group", k.group, [&](std::uint32_t extent) { out.value(extent); });
         list("params", k.params, [&](const ir::KernelParam& p) { kernel_param(p); });
+        if (k.raster) {
+            out.key("draw");
+            draw(k);
+        }
         if (index < lowered.passes.size()) {
             const ir::Lowered::Forms& forms = lowered.passes[index];
             out.key("forms");

@@ -37,12 +37,21 @@ std::string errors_of(const std::string& log) {
     return text.empty() ? "glslang failed" : text;
 }
 
-Spirv compile(const std::string& glsl) {
+EShLanguage language_of(Stage stage) {
+    switch (stage) {
+    case Stage::compute: return EShLangCompute;
+    case Stage::vertex: return EShLangVertex;
+    case Stage::fragment: return EShLangFragment;
+    }
+    return EShLangCompute;
+}
+
+Spirv compile(const std::string& glsl, EShLanguage language) {
     initialise_glslang();
-    glslang::TShader shader(EShLangCompute);
+    glslang::TShader shader(language);
     const char* text = glsl.c_str();
     shader.setStrings(&text, 1);
-    shader.setEnvInput(glslang::EShSourceGlsl, EShLangCompute, glslang::EShClientVulkan, 100);
+    shader.setEnvInput(glslang::EShSourceGlsl, language, glslang::EShClientVulkan, 100);
     shader.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_3);
     shader.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_6);
     const auto messages = static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules | EShMsgDebugInfo);
@@ -55,7 +64,7 @@ Spirv compile(const std::string& glsl) {
     options.disableOptimizer = true;
     Spirv result;
     spv::SpvBuildLogger logger;
-    glslang::GlslangToSpv(*program.getIntermediate(EShLangCompute), result.words, &logger, &options);
+    glslang::GlslangToSpv(*program.getIntermediate(language), result.words, &logger, &options);
     if (result.words.empty()) result.error = "glslang made no SPIR-V: " + logger.getAllMessages();
     return result;
 }
@@ -102,8 +111,8 @@ std::vector<std::uint32_t> optimised(const std::vector<std::uint32_t>& words) {
 
 }  // namespace
 
-Spirv spirv_of(const std::string& glsl, Optimise optimise) {
-    Spirv result = compile(glsl);
+Spirv spirv_of(const std::string& glsl, Optimise optimise, Stage stage) {
+    Spirv result = compile(glsl, language_of(stage));
     if (!result.error.empty()) return result;
     result.words = made_exact(without_source(result.words));
     if (optimise == Optimise::performance) result.words = optimised(result.words);

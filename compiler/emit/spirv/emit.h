@@ -8,14 +8,15 @@
 namespace gliftc::spirv {
 
 enum class Optimise : std::uint8_t { no, performance };
+enum class Stage : std::uint8_t { compute, vertex, fragment };
 
 struct Spirv {
     std::vector<std::uint32_t> words;  ///< empty where error is not
     std::string error;                 ///< what glslang or the validator said: a fault of this compiler
 };
 
-/// A compute shader for Vulkan 1.3. Names and source lines (`#line`) are kept. Float arithmetic is never contracted,
+/// A shader for Vulkan 1.3. Names and source lines (`#line`) are kept. Float arithmetic is never contracted,
 /// and min, max and clamp give the other operand where one is not a number. Safe to call from several threads.
-Spirv spirv_of(const std::string& glsl, Optimise optimise = Optimise::no);
+Spirv spirv_of(const std::string& glsl, Optimise optimise = Optimise::no, Stage stage = Stage::compute);
 
 }  // namespace gliftc::spirv

@@ -1,6 +1,7 @@
 // What all generated structures share: moving boxes of elements between host and device.
 #pragma once
 
+#include <glift/draw_iteration.h>
 #include <glift/iteration.h>
 #include <glift/mapped.h>
 #include <glift/range.h>

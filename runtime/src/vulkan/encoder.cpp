@@ -75,6 +75,7 @@ void Encoder::barrier(const VkMemoryBarrier2& what) {
         .sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO, .memoryBarrierCount = 1, .pMemoryBarriers = &what};
     context_.vk.vkCmdPipelineBarrier2(commands_, &info);
     hazards_.barrier();
+    reported_ = false;
     ++device_.counters().barriers;
 }
 
@@ -85,6 +86,7 @@ void Encoder::full_barrier() {
         .sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO, .memoryBarrierCount = 1, .pMemoryBarriers = &between_everything};
     context_.vk.vkCmdPipelineBarrier2(commands_, &info);
     hazards_.barrier();
+    reported_ = false;
 }
 
 bool Encoder::is_wide(const Kernel& kernel, std::span<const Memory> memories) const {
@@ -106,6 +108,7 @@ bool Encoder::needs_wide(const Kernel& kernel, std::span<const Memory> memories,
     check_memories(&device_, kernel, memories);
     const bool is_aliased = sharing == Sharing::one_place && !kernel.wide.spirv.empty();
     if (is_aliased || needs_addresses(kernel, memories)) return true;
+    if (kernel.drawing) return false;  // corners are no workgroups
     return kernel.rank > 1 && !count_groups(kernel, size).within(context_.properties.max_workgroups);
 }
 

@@ -89,6 +89,7 @@ private:
         prepared_;  ///< the list of the last preparation: passes are added to it while their values stay what they are
     std::uint32_t prepared_count_ = 0;
     std::uint64_t prepared_at_ = 0;  ///< Hazards::writes() then
+    bool reported_ = false;          ///< a draw since the last barrier may have written its status record
     bool draws_ = false;             ///< barriers order graphics stages, too: from the first draw on
 };
 

@@ -32,12 +32,13 @@ template <class Visit> void for_each_target(const Kernel& kernel, const DrawTarg
 
 // One barrier for the memories of the shaders and for the targets.
 void Encoder::order_targets(const Kernel& kernel, const Call& call) {
-    bool conflict = false;
+    bool conflict = kernel.reports && reported_;  // its records would be two passes' at a time
     for_each_target(kernel, *call.targets, [&](const VulkanMemory& memory, Access access) {
         conflict = conflict || hazards_.conflicts(memory.id, access);
     });
     if (conflict) barrier();
     order(kernel, call);
+    reported_ = reported_ || kernel.reports;
     for_each_target(kernel, *call.targets,
                     [&](const VulkanMemory& memory, Access access) { hazards_.note(memory.id, access); });
 }

@@ -119,7 +119,8 @@ inline ir::Pass heat_pass(Builder& b) {
         return body;
     };
     pass.variants = {{.devices = ir::Devices::host, .body = body(true)}};
-    pass.variants.push_back({ir::Devices::host, {.interior = ir::Interior{.radius = 1, .domain = 0}}, body(false)});
+    pass.variants.push_back(
+        {ir::Part::whole, ir::Devices::host, {.interior = ir::Interior{.radius = 1, .domain = 0}}, body(false)});
     return pass;
 }
 

@@ -127,20 +127,27 @@ template <Format F, class T, class At> T load_texel(const HostMemory& memory, co
     return address ? detail::decode_texel<F, T>(address) : T{};
 }
 
-/// Does nothing outside of the image.
-template <Format F, class T, class At> void store_texel(const HostMemory& memory, const At& at, const T& value) {
-    using Texel = decltype(detail::texel_of<F>());
-    std::byte* address = detail::texel_address<F>(memory, detail::coordinates(at));
-    if (!address) return;
+namespace detail {
+
+template <Format F, class T> void encode_texel(std::byte* address, const T& value) {
+    using Texel = decltype(texel_of<F>());
     for (unsigned i = 0; i < Texel::channels; ++i) {
         typename Texel::Channel channel{};
-        if constexpr (detail::components<T> == 1) {
-            if (i == 0) detail::encode(channel, value);
-        } else if (i < detail::components<T>) {
-            detail::encode(channel, value[i]);
+        if constexpr (components<T> == 1) {
+            if (i == 0) encode(channel, value);
+        } else if (i < components<T>) {
+            encode(channel, value[i]);
         }
         std::memcpy(address + i * sizeof(channel), &channel, sizeof(channel));
     }
+}
+
+}  // namespace detail
+
+/// Does nothing outside of the image.
+template <Format F, class T, class At> void store_texel(const HostMemory& memory, const At& at, const T& value) {
+    std::byte* address = detail::texel_address<F>(memory, detail::coordinates(at));
+    if (address) detail::encode_texel<F>(address, value);
 }
 
 /// A texel of one 32-bit channel, for atomics. Outside of the image: a dummy.

@@ -1,0 +1,95 @@
+#include "driver/explain_draws.h"
+
+#include "ir/effects.h"
+#include "ir/evaluate.h"
+#include "ir/spelling.h"
+
+namespace gliftc {
+
+namespace {
+
+std::string words(std::string_view spelling) {
+    std::string text(spelling);
+    for (char& c : text)
+        if (c == '_') c = ' ';
+    return text;
+}
+
+class Draw {
+public:
+    Draw(const Compilation& c, std::uint32_t index)
+        : c_(c), kernel_(c.program.kernels[index]), raster_(*kernel_.raster), pass_(c.lowered.passes[index].general) {}
+
+    ExplainedDraw explained() const {
+        ExplainedDraw shown;
+        shown.name = kernel_.display;
+        shown.place = c_.sources[kernel_.span.file].path + ":" + std::to_string(c_.sources.position(kernel_.span).line);
+        shown.facts.emplace_back("draws", primitives());
+        for (const ir::Varying& varying : raster_.varyings)
+            shown.facts.emplace_back("hands on", c_.names[varying.name] + ": " + to_text(c_.program, varying.type) +
+                                                     ", " + std::string(spelling(varying.interpolation)));
+        for (const ir::ColourTarget& target : raster_.colours)
+            shown.facts.emplace_back("colour", target_of(target.param) + ", " +
+                                                   (target.blend == ir::Blend::replace
+                                                        ? std::string("replaced")
+                                                        : "blended: " + std::string(spelling(target.blend))));
+        if (raster_.depth) shown.facts.emplace_back("depth", depth());
+        if (raster_.colours.empty() && !raster_.depth) shown.facts.emplace_back("targets", "none");
+        for (const ir::PassBinding& binding : pass_.bindings)
+            if (binding.access != ir::Access::read) shown.facts.emplace_back("writes", binding.name);
+        return shown;
+    }
+
+private:
+    std::string names_of(ir::Pattern pattern) const {
+        std::string text;
+        for (const ir::KernelParam& param : kernel_.params)
+            if (param.pattern == pattern) text += (text.empty() ? "" : ", ") + c_.names[param.name];
+        return text;
+    }
+
+    std::string primitives() const {
+        std::string text = std::string(spelling(raster_.topology)) + " of " + names_of(ir::Pattern::each);
+        if (const std::string instances = names_of(ir::Pattern::instance); !instances.empty())
+            text += ", for each of " + instances;
+        if (raster_.cull != ir::Cull::none) text += ", but " + std::string(spelling(raster_.cull)) + " faces";
+        if (!raster_.clip_distances.empty())
+            text += ", clip distances: " + std::to_string(raster_.clip_distances.size());
+        return text;
+    }
+
+    std::string target_of(std::uint32_t param) const {
+        const ir::Structure& structure = c_.program.structures[kernel_.params[param].structure];
+        return c_.names[kernel_.params[param].name] + ": " +
+               std::string(spelling(structure.memories[structure.via_memory].format));
+    }
+
+    std::string depth() const {
+        const ir::DepthTarget& depth = *raster_.depth;
+        const bool always = depth.test == ir::DepthTest::always;
+        std::string text =
+            target_of(depth.param) + (always ? ", always passes" : ", passes if " + words(spelling(depth.test)));
+        text += depth.is_written ? ", written" : ", not written";
+        if (depth.is_set) return text + " as the fragment part says, tested after it";
+        return text + (depth_order(c_.program, pass_) == ir::DepthOrder::after ? ", tested after the fragment part"
+                                                                               : ", tested before the fragment part");
+    }
+
+    const Compilation& c_;
+    const ir::Kernel& kernel_;
+    const ir::Raster& raster_;
+    const ir::Pass& pass_;
+};
+
+}  // namespace
+
+std::vector<ExplainedDraw> explained_draws(const Compilation& c) {
+    std::vector<ExplainedDraw> draws;
+    for (std::uint32_t i = 0; i < c.program.kernels.size(); ++i) {
+        const ir::Kernel& kernel = c.program.kernels[i];
+        if (kernel.raster && c.program.modules[kernel.module].is_root) draws.push_back(Draw(c, i).explained());
+    }
+    return draws;
+}
+
+}  // namespace gliftc

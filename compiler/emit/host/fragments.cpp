@@ -1,0 +1,206 @@
+// The fragment part of a draw: loops over the pixels of a block. `invocations` is one of them; a local that is kept has
+// an array with a place for each pixel, as has what the part draws.
+#include "emit/cpp/mentions.h"
+#include "emit/host/body.h"
+#include "ir/effects.h"
+#include "ir/spelling.h"
+#include "ir/walk.h"
+
+#include <map>
+
+namespace gliftc::host {
+
+namespace {
+
+using ir::LocalId;
+using ir::Stmt;
+using ir::StmtId;
+using ir::StmtOp;
+
+/// What is interpolated belongs to each pixel, what is flat to the triangle.
+enum class Reads : std::uint8_t { of_triangle, of_pixel };
+
+bool leaves(const Stmt& stmt) { return stmt.op == StmtOp::return_ || stmt.op == StmtOp::discard; }
+
+bool has_leave(const ir::Program& program, const std::vector<StmtId>& list) {
+    bool found = false;
+    ir::for_each_statement(program, list, [&](const Stmt& stmt) { found |= leaves(stmt); });
+    return found;
+}
+
+struct Part {
+    Body body;
+    const ir::Program& program;
+    const ir::Raster& raster;
+    cpp::Printer& p;
+    std::map<LocalId, std::string> arrays;  ///< of the locals that are kept, and of the targets
+    bool is_inside = false;                 ///< of a loop over pixels
+    bool has_helpers = false;               ///< pixels beside the triangle take part, for their neighbours' derivatives
+    bool is_split = false;                  ///< several loops, between which some fragments may have ended
+
+    Part(cpp::Globals& globals, const ir::Pass& pass);
+
+    void declare_array(LocalId local);
+    void print_varyings(const std::vector<StmtId>& list, Reads reads);
+    void print_invocations(const std::vector<StmtId>& list);
+    void print_leave(bool returns_in_loop);
+    void print_statement(const Stmt& stmt, const std::function<void(const Stmt&)>& print_other);
+    cpp::Text derivative(const ir::Expr& expr);
+    bool returns_in_loop = false;
+};
+
+Part::Part(cpp::Globals& globals, const ir::Pass& pass)
+    : body(globals, pass), program(globals.program), raster(*program.kernels[pass.kernel].raster), p(body.p) {
+    for (const char* taken : cpp::locals_of_draws) p.names.declare(taken);
+    p.outer_local = [this](LocalId local) {
+        const auto found = arrays.find(local);
+        if (found == arrays.end()) return std::string();
+        return found->second + (is_inside ? "[pixel]" : "[glift::host::first_of(running)]");
+    };
+    p.outer_statement = [this, print_other = p.outer_statement](const Stmt& stmt) {
+        print_statement(stmt, print_other);
+    };
+    p.outer_expression = [this, print_other = p.outer_expression](const ir::Expr& expr) {
+        return expr.op == ir::Op::intrinsic ? derivative(expr) : print_other(expr);
+    };
+}
+
+void Part::declare_array(LocalId local) {
+    const ir::Local& declared = program.locals[local];
+    arrays[local] = p.names.declare((*program.names)[declared.name]);
+    p.out.line(cpp::type_text(p.globals, declared.type) + " " + arrays[local] + "[glift::host::block_pixels];");
+}
+
+cpp::Text Part::derivative(const ir::Expr& expr) {
+    const std::string name(ir::name_of(expr.intrinsic));
+    return {"glift::host::" + name + "(" + arrays.at(program.exprs[expr.operands[0]].local) + ", " +
+            (is_inside ? "pixel" : "glift::host::first_of(running)") + ")"};
+}
+
+/// What is interpolated and used in the statements: for all pixels, or for each.
+void Part::print_varyings(const std::vector<StmtId>& list, Reads reads) {
+    std::uint32_t first = 0;
+    for (const ir::Varying& varying : raster.varyings) {
+        const std::uint32_t offset = std::exchange(first, first + floats_of(program, varying));
+        const bool is_flat = varying.interpolation == ir::Interpolation::flat;
+        if (is_flat != (reads == Reads::of_triangle) || !cpp::mentions(program, list, varying.read)) continue;
+        const std::string type = cpp::type_text(p.globals, varying.type);
+        const std::string name = p.local_names[varying.read] = p.names.declare((*program.names)[varying.name]);
+        p.out.line("const " + type + " " + name + " = glift::host::" +
+                   std::string(ir::spelling(varying.interpolation)) + "<" + type + ">(fragments, " +
+                   (is_flat ? "" : "pixel, ") + std::to_string(raster.clip_distances.size() + offset) + ");");
+    }
+}
+
+/// Ends a fragment.
+void Part::print_leave(bool in_loop) {
+    if (is_split) p.out.line("running &= ~(std::uint64_t{1} << pixel);");
+    p.out.line(in_loop ? "return;" : "continue;");
+}
+
+void Part::print_invocations(const std::vector<StmtId>& list) {
+    p.out.open("for (std::uint64_t left = running; left != 0; left &= left - 1)");
+    p.out.line("[[maybe_unused]] const std::uint32_t pixel = glift::host::first_of(left);");
+    p.names.enter();
+    is_inside = true;
+    print_varyings(list, Reads::of_pixel);
+    returns_in_loop = false;
+    ir::for_each_statement(program, list, [&](const Stmt& stmt) {
+        if (stmt.op != StmtOp::for_ && stmt.op != StmtOp::while_) return;
+        returns_in_loop |= has_leave(program, stmt.body);
+    });
+    p.print_return = [this](ir::ExprId) { print_leave(returns_in_loop); };
+    if (returns_in_loop) p.out.open("[&]");
+    cpp::print_statements(p, list);
+    if (returns_in_loop) p.out.close("();");
+    is_inside = false;
+    p.names.leave();
+    p.out.close();
+    if (is_split && has_leave(program, list)) p.out.line("if (running == 0) return;");
+}
+
+void Part::print_statement(const Stmt& stmt, const std::function<void(const Stmt&)>& print_other) {
+    if (stmt.op == StmtOp::keep) return declare_array(stmt.local);
+    if (stmt.op == StmtOp::invocations) return print_invocations(stmt.body);
+    if (stmt.op == StmtOp::barrier) return p.out.line("// all pixels of a quad");
+    if (stmt.op == StmtOp::discard) {
+        p.out.line("drawn &= ~(std::uint64_t{1} << pixel);");
+        return print_leave(returns_in_loop);
+    }
+    const bool writes = stmt.op == StmtOp::store || stmt.op == StmtOp::image_store || stmt.op == StmtOp::atomic;
+    if (!writes || !has_helpers) return print_other(stmt);
+    p.out.open("if (drawn >> pixel & 1)");
+    print_other(stmt);
+    p.out.close();
+}
+
+/// Tests and blends what the fragments have drawn.
+void print_targets(Part& part) {
+    const ir::Raster& raster = part.raster;
+    cpp::Writer& out = part.p.out;
+    if (raster.depth && raster.depth->is_set) {
+        out.line("drawn = glift::host::test_depth(fragments, drawn, " + part.arrays.at(raster.depth->value) + ");");
+    } else if (raster.depth && ir::depth_order(part.program, part.body.pass) == ir::DepthOrder::after) {
+        out.line("drawn = fragments.test(drawn);");
+    }
+    for (std::size_t i = 0; i < raster.colours.size(); ++i) {
+        const ir::ColourTarget& target = raster.colours[i];
+        const ir::Structure& structure =
+            part.program.structures[part.program.kernels[part.body.pass.kernel].params[target.param].structure];
+        const std::string format(cpp::format_name(structure.memories[structure.via_memory].format));
+        out.line("glift::host::draw_colour<glift::Format::" + format +
+                 ", glift::Blend::" + std::string(ir::spelling(target.blend)) + ">(call.targets->colours[" +
+                 std::to_string(i) + "], fragments, drawn, " + part.arrays.at(target.value) + ");");
+    }
+}
+
+/// Where only some paths give another depth, the others keep the triangle's.
+void print_depths(Part& part) {
+    part.p.out.open("for (std::uint32_t pixel = 0; pixel < glift::host::block_pixels; ++pixel)");
+    part.p.out.line(part.arrays.at(part.raster.depth->value) + "[pixel] = fragments.depth[pixel];");
+    part.p.out.close();
+}
+
+}  // namespace
+
+std::string fragment_part(cpp::Globals& globals, const ir::Pass& pass, const std::string& name) {
+    Part part(globals, pass);
+    cpp::Printer& p = part.p;
+    const std::vector<StmtId>& statements = fragment_for(pass, ir::Devices::host)->body;
+    ir::for_each_statement(globals.program, statements,
+                           [&](const Stmt& stmt) { part.has_helpers |= stmt.op == StmtOp::barrier; });
+    // Who leaves in the last loop is missed by none.
+    std::vector<StmtId> before = statements;
+    if (!before.empty() && globals.program.stmts[before.back()].op == StmtOp::invocations) before.pop_back();
+    part.is_split = has_leave(globals.program, before);
+
+    p.out.indent();
+    print_local_functions(part.body);
+    part.print_varyings(statements, Reads::of_triangle);
+    for (const ir::ColourTarget& target : part.raster.colours) part.declare_array(target.value);
+    if (part.raster.depth && part.raster.depth->is_set) {
+        part.declare_array(part.raster.depth->value);
+        print_depths(part);
+    }
+    p.out.line("[[maybe_unused]] std::uint64_t drawn = fragments.covered;");
+    p.out.line(std::string(part.is_split ? "" : "const ") +
+               "std::uint64_t running = " + (part.has_helpers ? "glift::host::quads_of(drawn);" : "drawn;"));
+    if (part.is_split) p.out.open("[&]");
+    cpp::print_statements(p, statements);
+    if (part.is_split) p.out.close("();");
+    print_targets(part);
+    const std::string text = p.out.take();
+
+    const ir::Kernel& kernel = globals.program.kernels[pass.kernel];
+    cpp::Writer out;
+    out.line("// " + cpp::place_text(globals.sources, kernel.span) + ": " + kernel.display + ", some fragments.");
+    out.line("GLIFT_HOST_KERNEL");
+    out.open("static void " + name + "_fragment(const void* pointer, const glift::host::Fragments& fragments)");
+    out.line("[[maybe_unused]] const auto& call = *static_cast<const glift::HostCall*>(pointer);");
+    declare_used(part.body, out, name);
+    out.raw(text);
+    out.close();
+    return out.take();
+}
+
+}  // namespace gliftc::host

@@ -1,0 +1,61 @@
+// Where the invocations of a draw are: a corner and its instance, or a pixel.
+#include "lower/expand.h"
+
+namespace gliftc::lower {
+
+using namespace ir;
+
+/// The address of a parameter's own element, relative to its range. Corners and instances are the two axes of a draw.
+ExprId Expander::own_address(std::uint32_t root) {
+    const ExprId address = make.local(cx.pass.address);
+    if (cx.part != Part::vertex) return address;
+    return make.component(address, cx.kernel.params[root].pattern == Pattern::instance ? 1 : 0);
+}
+
+/// Of what is drawn to, in the framebuffer; absent where it is the framebuffer's own.
+ExprId Expander::viewport_origin() {
+    const std::uint32_t root = *cx.kernel.raster->pixels;
+    if (cx.is_direct() || cx.kernel.params[root].pattern != Pattern::target) return {};
+    return cx.parameter_expr(
+        cx.parameter(ParameterSource::origin, cx.name_of({root, {}}) + "_origin", cx.kernel.domain_type, root));
+}
+
+ExprId Expander::window() {
+    if (window_) return make.local(window_);
+    const TypeId float2 = p.types.vector(p.types.float_, 2), float4 = p.types.vector(p.types.float_, 4);
+    ExprId value = make.builtin(Builtin::fragment_place, float4);
+    if (const ExprId origin = viewport_origin()) {
+        const ExprId first = make.convert(float2, origin);
+        const ExprId xy = make.construct(float2, {make.component(value, 0), make.component(value, 1)});
+        const ExprId relative = make.binary(BinaryOp::subtract, xy, first);
+        value = make.construct(float4, {relative, make.component(value, 2), make.component(value, 3)});
+    }
+    Block made = collect([&] { window_ = let("window", value, cx.kernel.span); });
+    prelude_.insert(prelude_.end(), made.begin(), made.end());
+    return make.local(window_);
+}
+
+void Expander::declare_address(Part part) {
+    const TypeId type = cx.kernel.domain_type, uint = p.types.uint;
+    ExprId value;
+    if (part == Part::vertex) {
+        value = make.construct(type, {make.builtin(Builtin::corner, uint), make.builtin(Builtin::instance, uint)});
+    } else {
+        const ExprId place = make.builtin(Builtin::fragment_place, p.types.vector(p.types.float_, 4));
+        const auto pixel = [&](std::uint32_t axis) { return make.convert(uint, make.component(place, axis)); };
+        value = make.construct(type, {pixel(0), pixel(1)});
+        if (const ExprId origin = viewport_origin()) value = make.binary(BinaryOp::subtract, value, origin);
+    }
+    cx.pass.address = {};
+    Block made =
+        collect([&] { cx.pass.address = let(part == Part::vertex ? "address" : "pixel", value, cx.kernel.span); });
+    prelude_.insert(prelude_.end(), made.begin(), made.end());
+}
+
+std::vector<StmtId> Expander::draw_part(Part part, const std::vector<StmtId>& body) {
+    cx.part = part;
+    declare_address(part);
+    return expanded_body(body);
+}
+
+}  // namespace gliftc::lower

@@ -1,0 +1,44 @@
+// Array<1, uint, none, buffer>, array.glift:20.
+// Define before including: CORNERS_BINDING (the state; memory k follows at + 1 + k). Where wanted: CORNERS_SET, CORNERS_STATE, CORNERS_READONLY.
+#ifndef GLIFT_CORNERS
+#define GLIFT_CORNERS 1507448036
+#extension GL_EXT_scalar_block_layout : require
+
+#ifndef CORNERS_SET
+#define CORNERS_SET 0
+#endif
+#if !defined CORNERS_BINDING && !defined CORNERS_STATE
+#error define CORNERS_BINDING before this file is included
+#endif
+#ifdef CORNERS_READONLY
+#define CORNERS_ACCESS readonly
+#else
+#define CORNERS_ACCESS
+#endif
+
+#ifndef CORNERS_STATE  // define it where the members below are declared in a block of your own
+layout(scalar, set = CORNERS_SET, binding = CORNERS_BINDING) readonly buffer Corners_state {
+    uint Corners_extent;
+};
+#endif
+
+uint Corners_translate(uint address) {
+    return address;
+}
+
+uint Corners_read(uint address) {
+    bool Corners_value_inside = address < Corners_extent;
+    uint Corners_value = Corners_data[Corners_value_inside ? address : 0u];
+    return Corners_value_inside ? Corners_value : 0u;
+}
+
+#ifndef CORNERS_READONLY
+void Corners_write(uint address, uint value) {
+    if (address < Corners_extent) {
+        Corners_data[address] = value;
+    }
+}
+#endif
+#elif GLIFT_CORNERS != 1507448036
+#error the functions of another structure called Corners are included already
+#endif

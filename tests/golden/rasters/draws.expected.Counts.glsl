@@ -1,0 +1,45 @@
+// Array<2, uint, none, buffer>, array.glift:20.
+// Define before including: COUNTS_BINDING (the state; memory k follows at + 1 + k). Where wanted: COUNTS_SET, COUNTS_STATE, COUNTS_READONLY.
+#ifndef GLIFT_COUNTS
+#define GLIFT_COUNTS 966465795
+#extension GL_EXT_scalar_block_layout : require
+
+#ifndef COUNTS_SET
+#define COUNTS_SET 0
+#endif
+#if !defined COUNTS_BINDING && !defined COUNTS_STATE
+#error define COUNTS_BINDING before this file is included
+#endif
+#ifdef COUNTS_READONLY
+#define COUNTS_ACCESS readonly
+#else
+#define COUNTS_ACCESS
+#endif
+
+#ifndef COUNTS_STATE  // define it where the members below are declared in a block of your own
+layout(scalar, set = COUNTS_SET, binding = COUNTS_BINDING) readonly buffer Counts_state {
+    uvec2 Counts_extent;
+};
+#endif
+
+uint Counts_translate(uvec2 address) {
+    return address.y * Counts_extent.x + address.x;
+}
+
+uint Counts_read(uvec2 address) {
+    bool Counts_value_inside = all(lessThan(address, Counts_extent));
+    uint Counts_value_at = address.y * Counts_extent.x + address.x;
+    uint Counts_value = Counts_data[Counts_value_inside ? Counts_value_at : 0u];
+    return Counts_value_inside ? Counts_value : 0u;
+}
+
+#ifndef COUNTS_READONLY
+void Counts_write(uvec2 address, uint value) {
+    if (all(lessThan(address, Counts_extent))) {
+        Counts_data[address.y * Counts_extent.x + address.x] = value;
+    }
+}
+#endif
+#elif GLIFT_COUNTS != 966465795
+#error the functions of another structure called Counts are included already
+#endif

@@ -1,0 +1,44 @@
+// Image<d32>, image.glift:8.
+// Define before including: DEPTH_BINDING (the state; memory k follows at + 1 + k). Where wanted: DEPTH_SET, DEPTH_STATE, DEPTH_READONLY.
+#ifndef GLIFT_DEPTH
+#define GLIFT_DEPTH 119172645
+#extension GL_EXT_scalar_block_layout : require
+
+#ifndef DEPTH_SET
+#define DEPTH_SET 0
+#endif
+#if !defined DEPTH_BINDING && !defined DEPTH_STATE
+#error define DEPTH_BINDING before this file is included
+#endif
+#ifdef DEPTH_READONLY
+#define DEPTH_ACCESS readonly
+#else
+#define DEPTH_ACCESS
+#endif
+
+#ifndef DEPTH_STATE  // define it where the members below are declared in a block of your own
+layout(scalar, set = DEPTH_SET, binding = DEPTH_BINDING) readonly buffer Depth_state {
+    uvec2 Depth_extent;
+};
+#endif
+
+uvec2 Depth_translate(uvec2 address) {
+    return address;
+}
+
+float Depth_read(uvec2 address) {
+    bool Depth_value_inside = all(lessThan(address, Depth_extent));
+    float Depth_value = imageLoad(Depth_data, ivec2(Depth_value_inside ? address : uvec2(0u))).x;
+    return Depth_value_inside ? Depth_value : 0.0;
+}
+
+#ifndef DEPTH_READONLY
+void Depth_write(uvec2 address, float value) {
+    if (all(lessThan(address, Depth_extent))) {
+        imageStore(Depth_data, ivec2(address), vec4(value));
+    }
+}
+#endif
+#elif GLIFT_DEPTH != 119172645
+#error the functions of another structure called Depth are included already
+#endif
