@@ -59,13 +59,14 @@ ast::Direction Parser::parse_direction() {
 }
 
 ast::Pattern Parser::pattern_here() const {
-    static constexpr std::array<std::pair<Word, Pattern>, 7> patterns{{
+    static constexpr std::array<std::pair<Word, Pattern>, 8> patterns{{
         {Word::each, Pattern::each},
         {Word::near, Pattern::near},
         {Word::any, Pattern::any},
         {Word::at, Pattern::at},
         {Word::scatter, Pattern::scatter},
         {Word::coherent, Pattern::coherent},
+        {Word::calls, Pattern::calls},
         {Word::range, Pattern::range},
     }};
     if (peek(1).kind != TokenKind::less) return Pattern::none;
@@ -74,9 +75,8 @@ ast::Pattern Parser::pattern_here() const {
     return Pattern::none;
 }
 
-/// pattern = ( "each" | "near" | "any" | "at" | "scatter" | "coherent" | "range" ) "<" generic-argument { ","
-/// generic-argument } ">"
-/// ;
+/// pattern = ( "each" | "near" | "any" | "at" | "scatter" | "coherent" | "calls" | "range" ) "<" generic-argument
+/// { "," generic-argument } ">" ;
 void Parser::parse_pattern(ast::Param& param) {
     param.pattern_span = span_of(advance());
     std::uint32_t open = cursor_;
