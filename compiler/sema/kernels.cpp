@@ -243,7 +243,9 @@ void read_attributes(Context& c, const ast::Decl& decl, ir::Kernel& kernel) {
         const auto accesses = [&](const std::optional<std::uint32_t>& param, bool writes) {
             if (!param) return false;
             const ir::KernelParam& named = kernel.params[*param];
-            return ir::traits_of(named.pattern).reach != ir::Reach::nothing &&
+            const bool is_accessed =
+                ir::traits_of(named.pattern).reach != ir::Reach::nothing || named.pattern == ir::Pattern::calls;
+            return is_accessed &&
                    (named.direction != ir::Direction::in) == writes;
         };
         if (accesses(read, false) && accesses(written, true)) kernel.disjoint.emplace_back(*read, *written);

@@ -283,7 +283,6 @@ bool add_effects(Body& body, ir::FunctionId id, const std::vector<Operand>& give
 namespace {
 
 struct Access {
-    ir::Place memory;
     Span span;
     std::string text;
 };
@@ -301,6 +300,28 @@ std::string call_text(const Context& c, const ir::Effect& effect, const std::str
 
 }  // namespace
 
+/// The first read of what the kernel writes otherwise.
+template <class MemoryOf, class TextOf>
+static void check_reads(Context& c, const ir::Kernel& kernel, MemoryOf&& memory_of, TextOf&& text_of) {
+    bool is_reported = false;
+    ir::for_each_read(c.program, kernel, [&](const ir::Place& read, Span span) {
+        for (std::uint32_t root = 0; root < kernel.params.size() && !is_reported; ++root) {
+            const ir::KernelParam& param = kernel.params[root];
+            if (param.pattern != ir::Pattern::scatter || memory_of({root, {}}) != read) continue;
+            note(c.error(Diag::written_and_read, span, {c.text(param.name), c.text(kernel.name)}), param.span,
+                 "a scatter parameter is only written; take the structure as 'inout coherent', or as a second "
+                 "parameter with @disjoint");
+            is_reported = true;
+        }
+        for (const ir::Effect& effect : kernel.effects) {
+            if (is_reported || memory_of(effect.place) != read) continue;
+            const std::string what = text_of(effect.place);
+            report_two(c, what, {effect.span, call_text(c, effect, what)}, {span, "it is read here"});
+            is_reported = true;
+        }
+    });
+}
+
 void check_effects(Context& c, const ir::Kernel& kernel) {
     const ir::Program& p = c.program;
     const auto memory_of = [&](const ir::Place& place) {
@@ -315,29 +336,15 @@ void check_effects(Context& c, const ir::Kernel& kernel) {
         const ir::Effect& effect = kernel.effects[k];
         const ir::Place memory = memory_of(effect.place);
         const std::string what = text_of(effect.place);
-        const Access here{memory, effect.span, call_text(c, effect, what)};
+        const Access here{effect.span, call_text(c, effect, what)};
         for (std::size_t i = 0; i < k; ++i) {
             const ir::Effect& other = kernel.effects[i];
             if (memory_of(other.place) != memory) continue;
             if (other.pattern == effect.pattern && other.combine == effect.combine) continue;
-            return report_two(c, what, {memory, other.span, call_text(c, other, what)}, here);
+            return report_two(c, what, {other.span, call_text(c, other, what)}, here);
         }
     }
-    ir::for_each_read(p, kernel, [&](const ir::Place& read, Span span) {
-        for (const ir::KernelParam& param : kernel.params) {
-            const auto root = static_cast<std::uint32_t>(&param - kernel.params.data());
-            if (param.pattern != ir::Pattern::scatter || c.diagnostics.has_errors()) continue;
-            if (memory_of({root, {}}) != read) continue;
-            note(c.error(Diag::written_and_read, span, {c.text(param.name), c.text(kernel.name)}), param.span,
-                 "a scatter parameter is only written; take the structure as 'inout coherent', or as a second "
-                 "parameter with @disjoint");
-        }
-        for (const ir::Effect& effect : kernel.effects) {
-            if (memory_of(effect.place) != read || c.diagnostics.has_errors()) continue;
-            const std::string what = text_of(effect.place);
-            report_two(c, what, {read, effect.span, call_text(c, effect, what)}, {read, span, "it is read here"});
-        }
-    });
+    check_reads(c, kernel, memory_of, text_of);
 }
 
 }  // namespace gliftc::sema
