@@ -114,6 +114,13 @@ inline constexpr std::uint32_t row_width = 4;
 /// How scatter combines writes to one address.
 enum class Combine : std::uint8_t { replace, min, max, add, bit_and, bit_or, bit_xor };
 
+enum class Direction : std::uint8_t { in, out, inout };
+enum class Pattern : std::uint8_t {
+#define PATTERN(name, reach, course, directions) name,
+#include "ir/patterns.def"
+#undef PATTERN
+};
+
 struct Stmt {
     StmtOp op = StmtOp::block;
     Combine combine = Combine::replace;
@@ -145,6 +152,16 @@ struct Local {
 
 // ------------------------------------------------------------------------------------------------------ functions
 
+/// What a function, or what a kernel calls, writes: the elements of the structure at a place, by scatter or coherent.
+struct Effect {
+    Place place;  ///< root: of Function::structures, of Kernel::params
+    Pattern pattern = Pattern::scatter;
+    Combine combine = Combine::replace;
+    Span span;  ///< where a function declares it, or a kernel calls what does it
+    Name by;    ///< the function
+    bool is_own = false;  ///< a function declares it
+};
+
 struct Function {
     Name name;            ///< as written
     std::string display;  ///< with generic arguments, for comments and messages: linearize<3>
@@ -158,10 +175,13 @@ struct Function {
     std::vector<StmtId> body;  ///< a function with a group returns only by its last statement
     bool is_pub = false;
     bool reads_memory = false;  ///< elements of structures, itself or by what it calls
+    std::vector<Effect> effects;  ///< what it writes, itself or by what it calls
     std::uint32_t module = 0;
     std::string extern_name;  ///< a C++ function (host only), else empty
     std::string doc;
     bool grouped() const { return group[0] != 0; }
+    /// Whether calls become statements: what happens in them happens where they stand, once.
+    bool is_statements() const { return grouped() || !effects.empty(); }
 };
 
 // ----------------------------------------------------------------------------------------------------- components
@@ -351,13 +371,6 @@ struct Structure {
     std::string doc;
 };
 
-enum class Direction : std::uint8_t { in, out, inout };
-enum class Pattern : std::uint8_t {
-#define PATTERN(name, reach, course, directions) name,
-#include "ir/patterns.def"
-#undef PATTERN
-};
-
 struct KernelParam {
     Name name;
     Span span;
@@ -385,6 +398,7 @@ struct Kernel {
     TypeId domain_type;                              ///< of the iteration: uint or vector of uint
     std::vector<StmtId> body;
     std::vector<LocalId> shared;  ///< workgroup memory
+    std::vector<Effect> effects;  ///< what functions write through `calls` parameters
     /// @disjoint(read, written): what is read through the first parameter is not written in this pass by the second.
     std::vector<std::pair<std::uint32_t, std::uint32_t>> disjoint;
     std::optional<Raster> raster;  ///< of a draw, whose body is the vertex part

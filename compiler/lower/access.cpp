@@ -5,6 +5,7 @@
 #include "lower/memory.h"
 #include "lower/one_place.h"
 
+#include <algorithm>
 #include <cstdlib>
 
 namespace gliftc::lower {
@@ -49,11 +50,15 @@ void Expander::read_arguments() {
     }
 }
 
-/// Whether the elements at the place are those that a coherent parameter shares.
+/// Whether the elements at the place are those that a coherent parameter shares, or a member that functions write so.
 bool Expander::is_coherent(const Place& place) const {
-    if (cx.kernel.params[place.root].pattern != Pattern::coherent) return false;
-    const Place whole{place.root, {}};
-    return root_of(p, cx.structure_at(place), place) == root_of(p, cx.structure_at(whole), whole);
+    const auto is_memory_of = [&](const Place& shared) {
+        return root_of(p, cx.structure_at(place), place) == root_of(p, cx.structure_at(shared), shared);
+    };
+    if (cx.kernel.params[place.root].pattern == Pattern::coherent) return is_memory_of({place.root, {}});
+    return std::ranges::any_of(cx.kernel.effects, [&](const Effect& effect) {
+        return effect.pattern == Pattern::coherent && effect.place.root == place.root && is_memory_of(effect.place);
+    });
 }
 
 /// The same part of another element: the place of an atomic operation.

@@ -33,6 +33,14 @@ struct KernelTooLarge {
 /// Whether near accesses check that they stay in the domain: interior bodies know it.
 enum class Guards { checked, interior };
 
+/// A function that becomes statements and returns before its end: the value is in a variable, and what follows a return
+/// is left out by leaving loops and by asking whether it has been reached.
+struct Leaving {
+    LocalId value, has;     ///< the result; absent: none
+    LocalId left;           ///< a bool; absent: nothing asks
+    unsigned loops = 0;     ///< of the function, around what is being expanded
+};
+
 /// One function (or the kernel) being expanded.
 struct Frame {
     std::vector<ir::Place> places;  ///< of each Place root, as seen from the kernel
@@ -41,6 +49,7 @@ struct Frame {
     ir::Place structure;               ///< … and the structure that the stage belongs to
     std::string prefix;                ///< of names made here
     TypeId result;                     ///< of a function expanded as statements
+    Leaving* leaving = nullptr;
 };
 
 class Expander {
@@ -112,10 +121,10 @@ private:
     ExprId expand_target(ExprId id);
     void zero_by_loops(const std::string& name, ExprId target);
     Block nested(const std::vector<StmtId>& body);
+    Block looped(const std::vector<StmtId>& body);
 
     // inline.cpp
     Pair expand_call(const ir::Expr& node);
-    Pair expand_group_call(const ir::Expr& node);
     ExprId known_call(const ir::Expr& node, const std::vector<Pair>& arguments);
     Pair inlined(ir::FunctionId function, std::vector<Pair> arguments, Frame frame);
     Pair bounded(const std::string& name, Pair pair);
@@ -126,6 +135,14 @@ private:
     ExprId replaced(ExprId target, ExprId value);
     Pair merged(ExprId condition, Block yes, Pair a, Block no, Pair b, TypeId type);
     bool is_speculatable(const Block& block);
+
+    // statement_calls.cpp
+    Pair expand_as_statements(const ir::Expr& node);
+    Pair leave_early(const ir::Function& function, const std::string& name);
+    void expand_leaving(const std::vector<StmtId>& body);
+    void expand_leave(const ir::Stmt& stmt);
+    bool expand_past(const ir::Stmt& stmt, const std::vector<StmtId>& rest);
+    bool asks_whether_left(const std::vector<StmtId>& body, bool is_in_loop) const;
 
     // instances.cpp
     Pair call_instance(ir::FunctionId function, std::vector<Pair> arguments, Frame frame);

@@ -111,7 +111,7 @@ ExprId Expander::stored(const Pair& pair, TypeId type) {
 Pair Expander::expand(ExprId id) {
     if (p.exprs.size() - cx.first_expr.index > most_nodes) throw KernelTooLarge{span_};
     const Expr& node = p.exprs[id];
-    const bool has_effect = node.op == Op::call && p.functions[node.function].grouped();
+    const bool has_effect = node.op == Op::call && p.functions[node.function].is_statements();
     if (is_empty(p, node.type) && !has_effect) return {make.zero(node.type), {}};
     switch (node.op) {
     case Op::constant: return {id, {}};

@@ -43,7 +43,17 @@ Expander::Block Expander::nested(const std::vector<StmtId>& body) {
     return collect([&] { expand_body(body); });
 }
 
+/// The body of a loop.
+Expander::Block Expander::looped(const std::vector<StmtId>& body) {
+    if (frame_->leaving == nullptr) return nested(body);
+    ++frame_->leaving->loops;
+    Block made = nested(body);
+    --frame_->leaving->loops;
+    return made;
+}
+
 void Expander::expand_body(const std::vector<StmtId>& body) {
+    if (frame_->leaving != nullptr) return expand_leaving(body);
     for (StmtId id : body) expand_statement(id);
 }
 
@@ -186,7 +196,8 @@ void Expander::expand_for(const Stmt& stmt) {
     ExprId first = value_of(stmt.value), limit = value_of(stmt.limit);
     const Local variable_ = p.locals[stmt.local];
     std::optional<Rounds> rounds = rounds_of(p, first, limit);
-    if (rounds && rounds->count <= unroll_limit && has_near_depending_on_loop(p, stmt) && !leaves_loop(p, stmt.body)) {
+    const bool leaves = leaves_loop(p, stmt.body) || (frame_->leaving != nullptr && returns(p, stmt.body));
+    if (rounds && rounds->count <= unroll_limit && has_near_depending_on_loop(p, stmt) && !leaves) {
         for (std::uint64_t i = 0; i < rounds->count; ++i) {
             frame_->locals[stmt.local] = {make.integer(variable_.type, rounds->first + i), {}};
             expand_body(stmt.body);
@@ -200,7 +211,7 @@ void Expander::expand_for(const Stmt& stmt) {
     copy.value = first;
     copy.limit = limit;
     frame_->locals[stmt.local] = {make.local(copy.local), {}};
-    copy.body = nested(stmt.body);
+    copy.body = looped(stmt.body);
     copy.unrolled = rounds && rounds->count <= unroll_limit && indexes_array_by_loop(p, copy);
     append(std::move(copy));
 }
@@ -211,7 +222,7 @@ void Expander::expand_while(const Stmt& stmt) {
     Stmt copy = statement(StmtOp::while_, stmt.span);
     if (before.empty()) {
         copy.value = condition;
-        copy.body = nested(stmt.body);
+        copy.body = looped(stmt.body);
     } else {
         // The condition needs statements of its own: they open the body.
         copy.value = make.truth(true);
@@ -221,13 +232,14 @@ void Expander::expand_while(const Stmt& stmt) {
             append_if(make.negate(condition), std::move(stop), {});
         });
         copy.body.append(leave);
-        Block body = nested(stmt.body);
+        Block body = looped(stmt.body);
         copy.body.append(body);
     }
     append(std::move(copy));
 }
 
 void Expander::expand_return(const Stmt& stmt) {
+    if (frame_->leaving != nullptr) return expand_leave(stmt);
     Stmt copy = statement(StmtOp::return_, stmt.span);
     if (stmt.value) copy.value = stored(expand(stmt.value), frame_->result);
     append(std::move(copy));

@@ -27,39 +27,6 @@ bool is_short(const Program& p, const Function& function) {
 
 }  // namespace
 
-/// A function with a workgroup becomes statements here: barriers and workgroup memory are the kernel's.
-Pair Expander::expand_group_call(const Expr& node) {
-    const Function function = p.functions[node.function];
-    Frame frame;
-    for (const Place& place : node.places) frame.places.push_back(resolved(place));
-    frame.prefix = frame_->prefix;
-    frame.result = function.result;
-    for (std::size_t i = 0; i < function.params.size(); ++i) {
-        const std::string name = prefixed((*p.names)[p.locals[function.params[i]].name]);
-        Pair argument = expand(node.operands[i]);
-        argument.value = named(name, argument.value);
-        if (argument.has) argument.has = named(name + "_found", argument.has);
-        frame.locals[function.params[i]] = argument;
-    }
-    for (LocalId shared : function.shared)
-        if (std::ranges::find(cx.pass.shared, shared) == cx.pass.shared.end()) cx.pass.shared.push_back(shared);
-    const std::string name = prefixed((*p.names)[function.name]);
-    return inside(std::move(frame), [&]() -> Pair {
-        for (StmtId id : function.body) {
-            const Stmt& stmt = p.stmts[id];
-            if (stmt.op != StmtOp::return_) {
-                expand_statement(id);
-                continue;
-            }
-            Pair result = stmt.value ? expand(stmt.value) : Pair{};
-            if (result.value) result.value = named(name, result.value);
-            if (result.has) result.has = named(name + "_found", result.has);
-            return result;
-        }
-        return {};
-    });
-}
-
 /// The value of a call with integers that are known, which loops that are unrolled make again and again; or none.
 ExprId Expander::known_call(const Expr& node, const std::vector<Pair>& arguments) {
     std::vector<std::uint64_t> key{node.function.index};
@@ -77,7 +44,7 @@ ExprId Expander::known_call(const Expr& node, const std::vector<Pair>& arguments
 }
 
 Pair Expander::expand_call(const Expr& node) {
-    if (p.functions[node.function].grouped()) return expand_group_call(node);
+    if (p.functions[node.function].is_statements()) return expand_as_statements(node);
     const Function& function = p.functions[node.function];
     std::vector<Pair> arguments;
     arguments.reserve(node.operands.size());

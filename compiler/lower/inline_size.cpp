@@ -50,7 +50,7 @@ std::size_t InlineSizes::of_value(ExprId root) {
     for_each_node(p, root, [&](ExprId id) {
         ++size;
         const Expr& node = p.exprs[id];
-        if (node.op == Op::call && !p.functions[node.function].grouped()) size += of(node.function).value_or(0);
+        if (node.op == Op::call && !p.functions[node.function].is_statements()) size += of(node.function).value_or(0);
     });
     return size;
 }

@@ -21,6 +21,15 @@ enum class BodyKind : std::uint8_t {
 
 enum class SymbolKind : std::uint8_t { local, structure, state, member, memory, iterator, host_state };
 
+/// How the elements of a structure are accessed under a name: read by address, or as its pattern says. `calls`: read
+/// by address, and functions that write may be called.
+struct Writing {
+    ir::Pattern pattern = ir::Pattern::any;
+    ir::Combine combine = ir::Combine::replace;
+    Span span;  ///< of its declaration
+    bool is(ir::Pattern wanted) const { return pattern == wanted; }
+};
+
 /// The meaning of a name in scope.
 struct Symbol {
     SymbolKind kind = SymbolKind::local;
@@ -31,7 +40,7 @@ struct Symbol {
     std::uint32_t structure = 0;
     std::uint32_t slot = 0;
     std::uint32_t window = 0;  ///< structure: the radius of a `near` parameter of a function; 0: not a window
-    bool is_coherent = false;  ///< structure: a coherent parameter
+    Writing writing;           ///< structure
     bool used = false;
     bool warn_unused = false;
 };
@@ -51,7 +60,7 @@ struct Operand {
     std::uint32_t slot = 0;       ///< memory: which; iterator: which kernel parameter
     std::uint32_t window = 0;     ///< structure: as in Symbol
     bool is_slice = false;        ///< structure: `local` is a slice
-    bool is_coherent = false;     ///< structure: as in Symbol
+    Writing writing;              ///< structure
 };
 
 struct Body {
@@ -73,7 +82,8 @@ struct Body {
     std::vector<ir::LocalId>* shared = nullptr;      ///< its workgroup memory
     Span last;                                       ///< functions with a workgroup: the statement that may return
     std::vector<std::uint32_t> structures;           ///< functions: structure parameters so far (Place roots)
-    std::vector<std::uint32_t> coherent;             ///< Place roots of the coherent parameters
+    std::vector<ir::Place> coherent;                 ///< what is accessed as coherent memory
+    std::vector<ir::Effect>* effects = nullptr;      ///< of the function or kernel
     enum class Returns : std::uint8_t { nothing, host, device } returns = Returns::nothing;  ///< of a pipeline, so far
     std::optional<ir::TypeId> range_result;  ///< pipelines that return a range: its type, known from the first return
     bool in_test = false;
@@ -94,7 +104,7 @@ struct Body {
 
     bool grouped() const { return group[0] != 0; }
     bool is_coherent(const ir::Place& place) const {
-        return place.members.empty() && std::ranges::find(coherent, place.root) != coherent.end();
+        return std::ranges::find(coherent, place) != coherent.end();
     }
     ir::Program& program() { return context.program; }
     ir::Types& types() { return context.program.types; }

@@ -194,12 +194,13 @@ static Operand several_elements(Body& body, const Operand& self, ast::Identifier
         if (has_step) body.program().exprs[read].operands.push_back(step);
         return value_operand(body, read, call.span);
     }
-    const ir::KernelParam* param = body.kernel ? &body.kernel->params[self.place.root] : nullptr;
-    if (!param || !self.place.members.empty() || param->pattern != ir::Pattern::scatter ||
-        param->combine != ir::Combine::replace) {
+    if (!self.writing.is(ir::Pattern::scatter) || self.writing.combine != ir::Combine::replace) {
+        const ast::Expr& written = c[c[call.operands[0]].operands[0]];
+        const bool is_named = written.kind == ast::ExprKind::name;
         Diagnostic& diagnostic =
-            c.error(Diag::several_target, call.span, {param ? c.text(param->name) : structure.display});
-        if (param) note(diagnostic, param->span, "store writes through 'out scatter<S>' without an operation");
+            c.error(Diag::several_target, call.span, {is_named ? c.text(written.name) : structure.display});
+        if (self.writing.span)
+            note(diagnostic, self.writing.span, "store writes through 'out scatter<S>' without an operation");
         return error_operand(call.span);
     }
     ir::StmtId id = add(body.program(), ir::StmtOp::write, call.span);
@@ -398,8 +399,8 @@ static Operand check_unnamed_call(Body& body, ast::ExprId id, ir::TypeId wanted)
         Operand left = check(body, callee.operands[0]);
         if (left.kind == OperandKind::error) return error_operand(call.span);
         if (left.kind == OperandKind::iterator) {
-            ir::Pattern pattern = body.kernel->params[left.slot].pattern;
-            if (pattern == ir::Pattern::near || pattern == ir::Pattern::scatter) left.kind = OperandKind::structure;
+            left.kind = OperandKind::structure;
+            left.place.root = left.slot;
         }
         if (left.kind == OperandKind::structure)
             return call_method(body, left, {callee.name, callee.name_span}, call, wanted);

@@ -89,7 +89,7 @@ Operand symbol_operand(Body& body, Symbol& symbol, const ast::Expr& name) {
         operand.structure = symbol.structure;
         operand.slot = symbol.slot;
         operand.window = symbol.window;
-        operand.is_coherent = symbol.is_coherent;
+        operand.writing = symbol.writing;
         operand.local = symbol.local;
         return operand;
     case SymbolKind::state:

@@ -5,6 +5,7 @@
 #include "sema/components.h"
 #include "sema/generics.h"
 #include "sema/type_size.h"
+#include "sema/writing.h"
 
 namespace gliftc::sema {
 
@@ -128,12 +129,15 @@ static void declare_params(Body& body, const std::vector<ast::Param>& params, ir
     for (const ast::Param& param : params) {
         ir::TypeId type = param.type ? type_of(c, body.env, param.type) : c.types().error;
         if (!param.type) c.error(Diag::param_type, param.name.span, {c.text(param.name.name)});
-        bool seen = param.pattern == ast::Pattern::none || param.pattern == ast::Pattern::near ||
-                    param.pattern == ast::Pattern::any || (param.pattern == ast::Pattern::coherent && body.grouped());
-        const bool is_out = param.direction == ast::Direction::out || param.direction == ast::Direction::inout;
+        const bool writes = param.pattern == ast::Pattern::scatter || param.pattern == ast::Pattern::coherent ||
+                            param.pattern == ast::Pattern::calls;
+        const bool seen = writes || param.pattern == ast::Pattern::none || param.pattern == ast::Pattern::near ||
+                          param.pattern == ast::Pattern::any;
+        const bool is_out =
+            !writes && (param.direction == ast::Direction::out || param.direction == ast::Direction::inout);
         if (!seen)
             note(c.error(Diag::function_pattern, param.pattern_span), param.pattern_span,
-                 "a function gives its value by 'return'; elements are written by the kernel");
+                 "a function gives its value by 'return'; the current element is written by the kernel");
         else if (is_out) c.error(Diag::function_out, param.direction_span);
         if (!seen || is_out) {  // avoids errors that follow from this one
             const ir::LocalId local = declare_local(body, param.name, c.types().error, true, false);
@@ -141,16 +145,25 @@ static void declare_params(Body& body, const std::vector<ast::Param>& params, ir
             else function.params.push_back(local);
             continue;
         }
+        if (writes && c.types().kind(type) != ir::TypeKind::structure) {
+            if (type != c.types().error) c.error(Diag::pattern_needs_structure, c[param.type].span, {c.text(type)});
+            function.params.push_back(declare_local(body, param.name, c.types().error, true, false));
+            continue;
+        }
         if (c.types().kind(type) != ir::TypeKind::structure) {
             function.params.push_back(declare_local(body, param.name, type, false, false));
+            continue;
+        }
+        if (writes) {
+            ir::KernelParam made{.name = param.name.name, .span = param.name.span, .pattern = written_pattern(param.pattern)};
+            made.structure = structures[first_structure];
+            declare_writing(body, param, made, {static_cast<std::uint32_t>(first_structure++), {}}, function);
             continue;
         }
         Symbol symbol;
         symbol.kind = SymbolKind::structure;
         if (param.pattern == ast::Pattern::near) symbol.window = window_radius(c, body.env, param);
         symbol.place.root = static_cast<std::uint32_t>(first_structure);
-        symbol.is_coherent = param.pattern == ast::Pattern::coherent;
-        if (symbol.is_coherent) body.coherent.push_back(symbol.place.root);
         symbol.structure = structures[first_structure++];
         declare(body, param.name, symbol);
     }
@@ -163,6 +176,7 @@ static void cut_after_return(const ir::Program& program, std::vector<ir::StmtId>
     if (found != body.end()) body.erase(found + 1, body.end());
 }
 
+// long: what a function is made of, in the order of its declaration
 std::optional<ir::FunctionId> instantiate_function(Context& c, ast::DeclId id, const Env& env,
                                                    const std::vector<std::uint32_t>& structures, Span use) {
     const ast::Decl& decl = c[id];
@@ -201,13 +215,15 @@ std::optional<ir::FunctionId> instantiate_function(Context& c, ast::DeclId id, c
               .result = function.result,
               .group = function.group,
               .shared = &function.shared,
-              .last = written.body.empty() ? Span{} : c[written.body.back()].span};
+              .last = written.body.empty() ? Span{} : c[written.body.back()].span,
+              .effects = &function.effects};
     std::size_t parameters = 0;
     for (const ast::Param& param : written.params)
         parameters += c.types().kind(type_of(c, env, param.type)) == ir::TypeKind::structure;
     if (structures.size() > parameters) bring_members_into_scope(body, structures[0]);
     open_scope(body);
     declare_params(body, written.params, function, structures.size() - parameters, structures);
+    declare_with(body, written, function);
     check_block(body, written.body);
     close_scope(body);
     if (function.grouped()) cut_after_return(c.program, function.body);

@@ -1,5 +1,6 @@
 // Calls of intrinsics: matches arguments against the signature strings of ir/intrinsics.def.
 #include "ir/walk.h"
+#include "ir/chain.h"
 #include "sema/body.h"
 #include "sema/raster.h"
 #include "sema/typing.h"
@@ -192,11 +193,12 @@ std::optional<ir::Intrinsic> find_intrinsic(std::string_view name) {
     return found == table.end() ? std::nullopt : std::optional(found->second);
 }
 
-/// Of the structure parameter that the place is, of a kernel or a function.
+/// Of the structure at a place of a kernel or a function.
 static ir::TypeId element_at(const Body& body, const ir::Place& place) {
     const std::uint32_t structure =
         body.kernel ? body.kernel->params[place.root].structure : body.structures[place.root];
-    return body.context.program.structures[structure].element;
+    const ir::Program& p = body.context.program;
+    return ir::structure_at(p, p.structures[structure], place.members).element;
 }
 
 // long: a case for each kind of built-in function

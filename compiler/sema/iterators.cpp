@@ -64,44 +64,33 @@ void assign_part(Body& body, const ast::Stmt& stmt, Symbol& symbol, ast::ExprId 
     emit_set_element(body, symbol.slot, make_local(body.program(), copy, stmt.span), stmt.span);
 }
 
-bool combines(const ir::Types& types, ir::Combine combine, ir::TypeId element) {
-    switch (combine) {
-    case ir::Combine::replace: return true;
-    case ir::Combine::min:
-    case ir::Combine::max:
-    case ir::Combine::add: return element == types.int_ || element == types.uint || element == types.float_;
-    case ir::Combine::bit_and:
-    case ir::Combine::bit_or:
-    case ir::Combine::bit_xor: return element == types.int_ || element == types.uint;
-    }
-    return false;
-}
-
 void write_scatter(Body& body, const ast::Stmt& stmt, const Symbol& symbol) {
     Context& c = body.context;
-    const ir::KernelParam& param = body.kernel->params[symbol.slot];
-    const ir::Structure& structure = body.program().structures[param.structure];
+    const ir::Structure structure = body.program().structures[symbol.structure];
     const ast::Expr& target = c[stmt.target];
+    if (target.kind != ast::ExprKind::index || c[target.operands[0]].kind != ast::ExprKind::name) {
+        note(c.error(Diag::not_assignable, target.span), symbol.writing.span,
+             "a scatter parameter is written as name[address] = value");
+        return;
+    }
     if (target.operands.size() != 2) {
         c.error(Diag::index_count, target.span, {std::to_string(target.operands.size() - 1)});
         return;
     }
     if (stmt.op) {
-        note(c.error(Diag::scatter_read, stmt.span, {c.text(param.name)}), param.span,
+        note(c.error(Diag::scatter_read, stmt.span, {c.text(c[target.operands[0]].name)}), symbol.writing.span,
              "the parameter's own operation combines: write '='");
         return;
     }
-    ir::TypeId element = structure.element;
     ir::ExprId address = check_value(body, target.operands[1], structure.domain_type);
-    ir::ExprId value = check_value(body, stmt.value, element);
+    ir::ExprId value = check_value(body, stmt.value, structure.element);
     if (is_error(body, address) || is_error(body, value)) return;
-    if (!combines(body.types(), param.combine, element)) return;  // reported at the parameter
     ir::StmtId id = add(body.program(), ir::StmtOp::write, stmt.span);
     ir::Stmt& write = body.program().stmts[id];
-    write.place.root = symbol.slot;
+    write.place = symbol.place;
     write.target = address;
     write.value = value;
-    write.combine = param.combine;
+    write.combine = symbol.writing.combine;
     emit(body, id);
 }
 
@@ -169,6 +158,7 @@ Operand iterator_value(Body& body, const Operand& iterator) {
     case ir::Pattern::any:
     case ir::Pattern::coherent:
     case ir::Pattern::argument:
+    case ir::Pattern::calls:
     case ir::Pattern::value: c.error(Diag::not_a_value, iterator.span, {"the iterator '" + name + "'"}); break;
     }
     return error_operand(iterator.span);
@@ -184,8 +174,12 @@ bool check_iterator_assignment(Body& body, const ast::Stmt& stmt) {
     bool is_read_place = symbol->kind == SymbolKind::structure;
     if (symbol->kind != SymbolKind::iterator && !is_read_place) return false;
     symbol->used = true;
-    if (symbol->is_coherent) {
+    if (is_read_place && symbol->writing.is(ir::Pattern::coherent)) {
         write_coherent(body, stmt, *symbol);
+        return true;
+    }
+    if (is_read_place && symbol->writing.is(ir::Pattern::scatter)) {
+        write_scatter(body, stmt, *symbol);
         return true;
     }
     const ir::KernelParam* param = symbol->kind == SymbolKind::iterator ? &body.kernel->params[symbol->slot] : nullptr;
@@ -198,14 +192,12 @@ bool check_iterator_assignment(Body& body, const ast::Stmt& stmt) {
     if (!writable) {
         Diagnostic& diagnostic = c.error(Diag::in_written, c[stmt.target].span, {c.text(c[root].name)});
         if (param) note(diagnostic, param->span, "declared 'in' here");
-        return true;
-    }
-    if (param->pattern == ir::Pattern::scatter) {
-        if (c[stmt.target].kind == ast::ExprKind::index && c[stmt.target].operands[0] == root)
-            write_scatter(body, stmt, *symbol);
-        else
-            note(c.error(Diag::not_assignable, c[stmt.target].span), param->span,
-                 "a scatter parameter is written as name[address] = value");
+        else if (symbol->writing.is(ir::Pattern::calls))
+            note(diagnostic, symbol->writing.span, "functions that write are called through it");
+        else if (body.container && !symbol->place.members.empty() && !body.kernel)
+            note(diagnostic, c[root].span,
+                 "a function says which members it writes, and how: 'with scatter<" + c.text(c[root].name) +
+                     ">' or 'with coherent<" + c.text(c[root].name) + ">'");
         return true;
     }
     if (root == stmt.target) assign_element(body, stmt, *symbol);

@@ -3,10 +3,10 @@
 #include "sema/components.h"
 #include "sema/generics.h"
 #include "sema/instances.h"
-#include "sema/one_memory.h"
 #include "sema/raster.h"
 #include "sema/typing.h"
 #include "sema/uniformity.h"
+#include "sema/writing.h"
 #include "syntax/print.h"
 
 #include <algorithm>
@@ -27,48 +27,9 @@ ir::Pattern lowered(ast::Pattern pattern) {
     case ast::Pattern::coherent: return ir::Pattern::coherent;
     case ast::Pattern::target: return ir::Pattern::target;
     case ast::Pattern::instance: return ir::Pattern::instance;
+    case ast::Pattern::calls: return ir::Pattern::calls;
     }
     return ir::Pattern::value;
-}
-
-std::optional<ir::Combine> combine_of(std::string_view name) {
-    if (name == "min") return ir::Combine::min;
-    if (name == "max") return ir::Combine::max;
-    if (name == "add") return ir::Combine::add;
-    if (name == "and") return ir::Combine::bit_and;
-    if (name == "or") return ir::Combine::bit_or;
-    if (name == "xor") return ir::Combine::bit_xor;
-    return std::nullopt;
-}
-
-/// Checks that the pattern allows the direction.
-void check_direction(Context& c, const ast::Param& param, ir::KernelParam& made) {
-    const ir::Directions allowed = ir::traits_of(made.pattern).directions;
-    const bool reads_only = allowed == ir::Directions::in;
-    const bool writes_only = allowed == ir::Directions::out;
-    const bool does_both = allowed == ir::Directions::inout;
-    switch (param.direction) {
-    case ast::Direction::none:
-        // inout, so that uses in the body give no further errors.
-        made.direction = writes_only ? ir::Direction::out : reads_only ? ir::Direction::in : ir::Direction::inout;
-        if (!reads_only)
-            note(c.error(Diag::direction_missing, param.name.span, {c.text(param.name.name)}), param.name.span,
-                 "write 'in', 'out' or 'inout' before the pattern");
-        break;
-    case ast::Direction::in: made.direction = ir::Direction::in; break;
-    case ast::Direction::out: made.direction = ir::Direction::out; break;
-    case ast::Direction::inout: made.direction = ir::Direction::inout; break;
-    }
-    bool wrong = (reads_only && made.direction != ir::Direction::in) ||
-                 (writes_only && made.direction != ir::Direction::out) ||
-                 (does_both && made.direction != ir::Direction::inout);
-    if (wrong) {
-        Diagnostic& diagnostic = c.error(Diag::direction, param.direction_span, {c.text(param.name.name)});
-        note(diagnostic, param.pattern_span,
-             reads_only    ? "near, any and at only read: 'in'; scatter<S> writes anywhere"
-             : writes_only ? "scatter only writes: 'out'"
-                           : "coherent memory is read and written: 'inout'");
-    }
 }
 
 }  // namespace
@@ -98,30 +59,8 @@ void check_extra(Context& c, const Env& env, const ast::Param& param, ir::Kernel
         if (!param.extra.empty()) c.error(Diag::pattern_arguments, c[param.extra[0]].span);
         return;
     }
-    if (param.extra.empty()) return;
-    const ast::Expr& op = c[param.extra[0]];
-    auto combine = op.kind == ast::ExprKind::name ? combine_of(c.text(op.name)) : std::nullopt;
-    if (!combine) {
-        note(c.error(Diag::scatter_operation, op.span), op.span,
-             "one of min, max, add, and, or, xor; without one, invocations must not write the same element");
-        return;
-    }
-    made.combine = *combine;
-    ir::TypeId element = c.program.structures[made.structure].element;
-    bool bits = made.combine >= ir::Combine::bit_and;
-    bool fits = element == c.types().int_ || element == c.types().uint || (element == c.types().float_ && !bits);
-    if (!fits) c.error(Diag::scatter_element, op.span, {c.text(op.name), c.text(element)});
+    if (!param.extra.empty()) made.combine = check_combine(c, param.extra[0], made.structure);
 }
-
-/// Elements that workgroups share must be in a buffer.
-void check_coherent(Body& body, const ast::Param& param, std::uint32_t index) {
-    Context& c = body.context;
-    const ir::Structure& structure = c.program.structures[index];
-    if (structure.kind != ir::StructureKind::stored) return;  // reported as written
-    if (ir::root_memory(c.program, structure).shape != ir::MemoryShape::buffer)
-        c.error(Diag::coherent_memory, param.name.span, {structure.display});
-}
-
 /// The invocations of a pass run in no order, so no two of them may write the same element.
 void check_exclusive(Context& c, const ast::Param& param, const ir::KernelParam& made) {
     if (made.pattern != ir::Pattern::each || made.direction == ir::Direction::in) return;
@@ -149,7 +88,8 @@ bool is_touched(Context& c, const ast::Param& param, ir::Pattern pattern, ir::Ty
         return false;
     }
     const ir::Structure& structure = c.program.structures[c.types()[type].index];
-    if (structure.kind != ir::StructureKind::adaptor || pattern == ir::Pattern::any) return true;
+    if (structure.kind != ir::StructureKind::adaptor || pattern == ir::Pattern::any || pattern == ir::Pattern::calls)
+        return true;
     c.error(Diag::adaptor_in_kernel, c[param.type].span, {structure.display});
     return false;
 }
@@ -199,25 +139,20 @@ void add_param(Body& body, const ast::Param& param, ir::Kernel& kernel) {
     check_direction(c, param, made);
     check_extra(c, body.env, param, made);
     check_exclusive(c, param, made);
-    if (structure.kind == ir::StructureKind::view && made.direction != ir::Direction::in) {
-        Diagnostic& diagnostic = c.error(Diag::view_written, param.name.span, {structure.display});
-        if (!structure.base.empty())
-            note(diagnostic, structure.base_span,
-                 "its memory is the view " + ir::root_structure(c.program, structure).display + ", which is computed");
-    }
+    const bool writes = made.direction != ir::Direction::in && made.pattern != ir::Pattern::calls;
+    if (writes) check_stored(c, param.name.span, made.structure);
     check_depth_written(c, param, made);
     if (ir::visits(made.pattern) && !structure.domain) c.error(Diag::no_domain, param.name.span, {structure.display});
-    Symbol symbol;
-    const bool is_coherent = made.pattern == ir::Pattern::coherent;
-    if (is_coherent) {
-        check_coherent(body, param, made.structure);
-        body.coherent.push_back(index);
+    if (made.pattern == ir::Pattern::coherent) {
+        check_coherent(c, param.name, made.structure);
+        body.coherent.push_back({index, {}});
     }
-    symbol.kind = made.pattern == ir::Pattern::any || is_coherent ? SymbolKind::structure : SymbolKind::iterator;
+    Symbol symbol;
+    symbol.kind = ir::follows_iteration(made.pattern) ? SymbolKind::iterator : SymbolKind::structure;
     symbol.place.root = index;
     symbol.slot = index;
     symbol.structure = made.structure;
-    symbol.is_coherent = is_coherent;
+    if (symbol.kind == SymbolKind::structure) symbol.writing = {made.pattern, made.combine, made.span};
     declare(body, param.name, symbol);
     kernel.params.push_back(made);
     if (made.pattern == ir::Pattern::target) add_target(body, param, made, index);
@@ -261,6 +196,7 @@ bool are_alike(const Context& c, const ast::Kernel& written, const ir::Kernel& k
     const ir::KernelParam &one = kernel.params[i], &other = kernel.params[k];
     if (one.pattern == ir::Pattern::value || other.pattern == ir::Pattern::value) return false;
     if (one.structure != other.structure) return false;
+    if (one.pattern == ir::Pattern::calls || other.pattern == ir::Pattern::calls) return false;
     if (c.program.structures[one.structure].kind == ir::StructureKind::adaptor) return false;
     // Corners, instances and pixels of a draw are counted each for themselves.
     if (kernel.raster && one.pattern != other.pattern && (ir::visits(one.pattern) || ir::visits(other.pattern)))
@@ -325,7 +261,9 @@ void read_attributes(Context& c, const ast::Decl& decl, ir::Kernel& kernel) {
         const auto accesses = [&](const std::optional<std::uint32_t>& param, bool writes) {
             if (!param) return false;
             const ir::KernelParam& named = kernel.params[*param];
-            return ir::traits_of(named.pattern).reach != ir::Reach::nothing &&
+            const bool is_accessed =
+                ir::traits_of(named.pattern).reach != ir::Reach::nothing || named.pattern == ir::Pattern::calls;
+            return is_accessed &&
                    (named.direction != ir::Direction::in) == writes;
         };
         if (accesses(read, false) && accesses(written, true)) kernel.disjoint.emplace_back(*read, *written);
@@ -402,7 +340,8 @@ std::optional<std::uint32_t> instantiate_kernel(Context& c, ast::DeclId id, cons
               .result = c.types().void_,
               .kernel = &kernel,
               .group = kernel.group,
-              .shared = &kernel.shared};
+              .shared = &kernel.shared,
+              .effects = &kernel.effects};
     if (written.raster) kernel.raster.emplace();
     for (const ast::Param& param : written.params) add_param(body, param, kernel);
     if (kernel.raster) check_raster(body, written);
@@ -410,7 +349,7 @@ std::optional<std::uint32_t> instantiate_kernel(Context& c, ast::DeclId id, cons
     if (c.diagnostics.error_count() == errors) read_attributes(c, decl, kernel);
     find_alike(c, written, kernel);
     if (!kernel.raster) check_body(body, written);
-    if (c.diagnostics.error_count() == errors) check_reads_of_written(c, kernel);
+    if (c.diagnostics.error_count() == errors) check_effects(c, kernel);
     if (kernel.raster && c.diagnostics.error_count() == errors) check_assigned(c, kernel);
     if (kernel.grouped() && c.diagnostics.error_count() == errors) check_barriers(c, kernel);
     if (kernel.raster && c.diagnostics.error_count() == errors) check_derivatives(c, kernel);

@@ -183,14 +183,19 @@ Operand index_window(Body& body, const Operand& window, std::uint32_t structure,
     return value_operand(body, near, expr.span);
 }
 
-Operand index_iterator(Body& body, const Operand& left, const ast::Expr& expr) {
+/// Reports a read of what is only written.
+Operand scatter_read(Body& body, const Operand& structure, const ast::Expr& expr) {
     Context& c = body.context;
+    const ast::Expr& named = c[expr.operands[0]];
+    const std::string& name = named.kind == ast::ExprKind::name ? c.text(named.name)
+                                                                : c.program.structures[structure.structure].display;
+    note(c.error(Diag::scatter_read, expr.span, {name}), structure.writing.span,
+         "a scatter parameter is only written: name[address] = value");
+    return error_operand(expr.span);
+}
+
+Operand index_iterator(Body& body, const Operand& left, const ast::Expr& expr) {
     const ir::KernelParam& param = body.kernel->params[left.slot];
-    if (param.pattern == ir::Pattern::scatter) {
-        note(c.error(Diag::scatter_read, expr.span, {c.text(param.name)}), param.span,
-             "a scatter parameter is only written: name[address] = value");
-        return error_operand(expr.span);
-    }
     if (param.pattern != ir::Pattern::near) return index_part(body, to_value(body, left), expr);
     Operand window = left;
     window.place.root = left.slot;
@@ -245,6 +250,7 @@ static Operand member_at(const Body& body, const Operand& left, const std::vecto
     Operand nested = left;
     nested.span = span;
     nested.is_slice = false;
+    if (!left.writing.is(ir::Pattern::calls)) nested.writing = {};
     for (std::uint32_t member : path) {
         nested.place.members.push_back(member);
         nested.structure = body.context.program.structures[nested.structure].members[member].structure;
@@ -304,7 +310,7 @@ Operand check_member(Body& body, ast::ExprId id) {
     case OperandKind::memory: return memory_member(body, left, member);
     case OperandKind::iterator: {
         const ir::KernelParam& param = body.kernel->params[left.slot];
-        if (param.pattern == ir::Pattern::near || param.pattern == ir::Pattern::scatter)
+        if (param.pattern == ir::Pattern::near)
             return structure_member(body, left, member);
         break;
     }
@@ -349,6 +355,7 @@ Operand check_index(Body& body, ast::ExprId id, ir::TypeId) {
             return error_operand(expr.span);
         }
         if (left.window) return index_window(body, left, left.structure, expr);
+        if (left.writing.is(ir::Pattern::scatter)) return scatter_read(body, left, expr);
         ir::ExprId address = check_value(body, expr.operands[1], structure.domain_type);
         if (is_error(body, address)) return error_operand(expr.span);
         return value_operand(body, make_read(body, left, address, expr.span), expr.span);

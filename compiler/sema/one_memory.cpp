@@ -75,47 +75,61 @@ bool may_meet_through_two(const ir::KernelParam& one, const ir::KernelParam& oth
     return is_element ? writes : ir::may_meet(one, other);
 }
 
-/// Whether the place is a member of a parameter that only writes, and where that one's elements lie.
-bool is_written_part(const ir::Program& p, const ir::Kernel& kernel, const ir::Place& place) {
-    const ir::KernelParam& param = kernel.params[place.root];
-    if (place.members.empty() || param.pattern != ir::Pattern::scatter) return false;
-    const ir::Structure& whole = p.structures[param.structure];
-    const ir::Structure& part = ir::structure_at(p, whole, place.members);
-    if (part.kind == ir::StructureKind::adaptor) return false;
-    return ir::root_of(p, part, place) == ir::root_of(p, whole, {place.root, {}});
+/// A whole structure that a kernel's parameter accesses, or a member that functions write which are called through it.
+struct Touched {
+    Whole root;
+    ir::KernelParam param;
+    std::uint32_t argument = 0;
+    bool is_member = false;
+};
+
+std::vector<Touched> touched_by(Body& body, const ir::Kernel& kernel, const ir::Operands& arguments) {
+    const ir::Program& p = body.program();
+    std::vector<Touched> touched;
+    for (std::uint32_t i = 0; i < arguments.size(); ++i) {
+        const ir::Expr& argument = p.exprs[arguments[i]];
+        const ir::KernelParam& param = kernel.params[i];
+        if (param.pattern != ir::Pattern::calls) {
+            if (auto root = root_of(body, argument)) touched.push_back({std::move(*root), param, i});
+            continue;
+        }
+        for (const ir::Effect& effect : kernel.effects) {
+            if (effect.place.root != i) continue;
+            const ir::Structure& written =
+                ir::structure_at(p, p.structures[param.structure], effect.place.members);
+            Whole member{argument.local, argument.place};
+            member.place.members.append(effect.place.members);
+            member.place = ir::root_of(p, written, member.place);
+            while (follow_given(body, member)) {}
+            Touched made{std::move(member), param, i, true};
+            made.param.pattern = effect.pattern;
+            made.param.combine = effect.combine;
+            made.param.direction = ir::Direction::inout;
+            touched.push_back(std::move(made));
+        }
+    }
+    return touched;
 }
 
 }  // namespace
 
-void check_reads_of_written(Context& c, const ir::Kernel& kernel) {
-    const ir::Program& p = c.program;
-    ir::for_each_expression(p, kernel.body, [&](ir::ExprId id) {
-        const ir::Expr& expr = p.exprs[id];
-        std::vector<ir::Place> read = expr.places;
-        if (expr.op == ir::Op::read || expr.op == ir::Op::sample) read.push_back(expr.place);
-        for (const ir::Place& place : read) {
-            if (!is_written_part(p, kernel, place)) continue;
-            const ir::KernelParam& param = kernel.params[place.root];
-            note(c.error(Diag::written_and_read, expr.span, {c.text(param.name), c.text(kernel.name)}), param.span,
-                 "a scatter parameter is only written; take the structure as 'inout coherent', or as a second "
-                 "parameter with @disjoint");
-        }
-    });
-}
-
 void check_one_memory(Body& body, const ir::Kernel& kernel, const ir::Operands& arguments) {
     Context& c = body.context;
-    std::vector<std::optional<Whole>> roots;
-    for (ir::ExprId argument : arguments) roots.push_back(root_of(body, c.program.exprs[argument]));
-    for (std::uint32_t k = 1; k < arguments.size(); ++k) {
-        const ir::Expr& second = c.program.exprs[arguments[k]];
-        for (std::uint32_t i = 0; i < k; ++i) {
-            if (!roots[i] || roots[i] != roots[k] || ir::is_promised_apart(kernel, i, k)) continue;
-            const ir::KernelParam &one = kernel.params[i], &other = kernel.params[k];
-            if (are_one_structure(c.program.exprs[arguments[i]], second)) {
-                if (ir::may_meet(one, other)) return report(c, Diag::one_memory, kernel, one, other, second.span);
-            } else if (may_meet_through_two(one, other)) {
-                return report(c, Diag::shared_memory, kernel, one, other, second.span);
+    const std::vector<Touched> touched = touched_by(body, kernel, arguments);
+    for (std::size_t k = 1; k < touched.size(); ++k) {
+        const ir::Expr& second = c.program.exprs[arguments[touched[k].argument]];
+        for (std::size_t i = 0; i < k; ++i) {
+            const Touched &a = touched[i], &b = touched[k];
+            if (a.root != b.root || a.argument == b.argument) continue;
+            if (ir::is_promised_apart(kernel, a.argument, b.argument)) continue;
+            if (a.is_member || b.is_member) {
+                if (may_meet_through_two(a.param, b.param))
+                    return report(c, Diag::shared_memory, kernel, a.param, b.param, second.span);
+            } else if (are_one_structure(c.program.exprs[arguments[a.argument]], second)) {
+                if (ir::may_meet(a.param, b.param))
+                    return report(c, Diag::one_memory, kernel, a.param, b.param, second.span);
+            } else if (may_meet_through_two(a.param, b.param)) {
+                return report(c, Diag::shared_memory, kernel, a.param, b.param, second.span);
             }
         }
     }

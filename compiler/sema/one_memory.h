@@ -8,7 +8,4 @@ namespace gliftc::sema {
 /// Reports parameters of a call that are given one memory as a whole where invocations would race.
 void check_one_memory(Body&, const ir::Kernel&, const ir::Operands& arguments);
 
-/// Reports reads of what the kernel writes by another parameter's or member's name: a scatter parameter's own memory.
-void check_reads_of_written(Context&, const ir::Kernel&);
-
 }  // namespace gliftc::sema

@@ -6,6 +6,7 @@
 #include "sema/specificity.h"
 #include "sema/typing.h"
 #include "sema/values.h"
+#include "sema/writing.h"
 
 namespace gliftc::sema {
 
@@ -45,7 +46,7 @@ CheckedArguments check_arguments(Body& body, const std::vector<ast::ExprId>& arg
             operand = check(body, argument);
             if (operand.kind == OperandKind::iterator) {
                 const ir::KernelParam& param = body.kernel->params[operand.slot];
-                if (param.pattern != ir::Pattern::near && param.pattern != ir::Pattern::scatter)
+                if (param.pattern != ir::Pattern::near)
                     operand = value_operand(body, to_value(body, operand), operand.span);
                 else
                     operand.kind = OperandKind::structure, operand.place.root = operand.slot,
@@ -135,15 +136,6 @@ bool fits_window(Body& body, const Env& env, const ast::Param& param, const Oper
     return false;
 }
 
-/// A coherent parameter of a function needs a coherent parameter of the kernel.
-bool fits_coherent(Body& body, const ast::Param& param, const Operand& argument) {
-    if (param.pattern != ast::Pattern::coherent || argument.is_coherent) return true;
-    Context& c = body.context;
-    note(c.error(Diag::coherent_argument, argument.span, {c.text(param.name.name)}), param.name.span,
-         "pass a parameter that the kernel declares as inout coherent<…>");
-    return false;
-}
-
 /// A function with a workgroup is called by kernels and functions with the same one.
 bool fits_group(Body& body, ast::DeclId id, const Env& env, const ast::Expr& call) {
     Context& c = body.context;
@@ -204,7 +196,7 @@ Operand finish_call(Body& body, ast::DeclId id, const Env& env, CheckedArguments
         Operand& operand = arguments.operands[i];
         if (operand.kind == OperandKind::structure) {
             if (!fits_window(body, env, function.params[i], operand)) return error_operand(call.span);
-            if (!fits_coherent(body, function.params[i], operand)) return error_operand(call.span);
+            if (!fits_writing(body, env, function.params[i], operand)) return error_operand(call.span);
             structures.push_back(operand.structure);
             given.push_back(operand);
             continue;
@@ -216,7 +208,7 @@ Operand finish_call(Body& body, ast::DeclId id, const Env& env, CheckedArguments
     }
     if (!fits_group(body, id, env, call)) return error_operand(call.span);
     auto instance = instantiate_function(c, id, env, structures, call.span);
-    if (!instance) return error_operand(call.span);
+    if (!instance || !add_effects(body, *instance, given, self != nullptr, call.span)) return error_operand(call.span);
     if (is_pass(body, *instance, given, values)) return call_as_pass(body, *instance, given, values, call.span);
     ir::ExprId result =
         add(body.program(), ir::Op::call, body.program().functions[*instance].result, call.span, std::move(values));

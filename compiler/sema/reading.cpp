@@ -166,6 +166,9 @@ void check_methods(Context& c, std::uint32_t index) {
         if (!decl.is_pub || !decl.generics.empty() || takes_structures || !written.group.empty()) return;
         const auto function = instantiate_function(c, item.decl, env, {index}, decl.name.span);
         if (!function) return;
+        const ir::Function& made = c.program.functions[*function];
+        // Kernels call what writes. Memory, where a pass leaves its result, holds no optionals.
+        if (!made.effects.empty() || c.types().kind(made.result) == ir::TypeKind::optional) return;
         ir::Method method{*function, std::nullopt};
         if (c.program.functions[*function].reads_memory) {
             method.pipeline = pipeline_of_function(c, *function, decl.name.span);

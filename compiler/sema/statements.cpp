@@ -80,7 +80,7 @@ bool repeats_lane(const ir::Expr& swizzle, std::uint32_t count) {
 
 void check_assign(Body& body, const ast::Stmt& stmt) {
     Context& c = body.context;
-    if ((body.kernel || !body.coherent.empty()) && check_iterator_assignment(body, stmt)) return;
+    if ((body.kernel || body.effects) && check_iterator_assignment(body, stmt)) return;
     if (check_replace(body, stmt)) return;
     ir::ExprId target = check_value(body, stmt.target);
     if (is_error(body, target)) {

@@ -142,9 +142,9 @@ struct GenericParam {
 enum class Direction : std::uint8_t { none, in, out, inout };
 
 /// The access pattern of an iterator.
-enum class Pattern : std::uint8_t { none, each, near, any, at, scatter, coherent, target, instance, range };
+enum class Pattern : std::uint8_t { none, each, near, any, at, scatter, coherent, calls, target, instance, range };
 
-/// `name: [in|out|inout] [each|near|any|at|scatter|coherent|target|instance|range]<type, extra…> [= default]`, or
+/// `name: [in|out|inout] [each|near|any|at|scatter|coherent|calls|target|instance|range]<type, extra…> [= default]`, or
 /// `name: [in|out|inout] type [= default]`
 struct Param {
     Identifier name;
@@ -165,10 +165,19 @@ struct Attribute {
     Span span;
 };
 
-/// `fn name<…>(…) -> type { … }`; methods without `fn` (translate, invert, ranges, domain, at) are functions too.
+/// `with scatter<member, op>`: a member of its container that a function writes, and how.
+struct MemberPattern {
+    Pattern pattern = Pattern::none;
+    Span pattern_span;
+    Identifier member;
+    std::vector<ExprId> extra;  ///< scatter: the operation's name
+};
+
+/// `fn name<…>(…) [with …] -> type { … }`; methods without `fn` (translate, invert, ranges, domain, at) are functions too.
 struct Function {
     std::vector<Param> params;
     std::vector<ExprId> group;  ///< of the kernels that call it; empty: any
+    std::vector<MemberPattern> with;
     ExprId result;              ///< or absent
     std::vector<StmtId> body;
     bool has_body = false;  ///< false in interfaces and `extern fn`

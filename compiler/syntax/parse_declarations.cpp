@@ -3,11 +3,40 @@
 
 namespace gliftc {
 
-/// function = "fn" name [ generic-parameters ] parameters [ "->" type ] ( block | ";" ) ;
+/// with = "with" member-pattern { "," member-pattern } ;
+/// member-pattern = ( "scatter" | "coherent" | "calls" ) "<" name [ "," name ] ">" ;
+std::vector<ast::MemberPattern> Parser::parse_with() {
+    std::vector<ast::MemberPattern> patterns;
+    if (lost_ || !accept_word(Word::with)) return patterns;
+    do {
+        ast::MemberPattern made;
+        made.pattern = pattern_here();
+        const bool writes = made.pattern == ast::Pattern::scatter || made.pattern == ast::Pattern::coherent ||
+                            made.pattern == ast::Pattern::calls;
+        if (!writes) {
+            fail_expected("'scatter<member>', 'coherent<member>' or 'calls<member>'");
+            return patterns;
+        }
+        made.pattern_span = span_of(advance());
+        const std::uint32_t open = cursor_;
+        set_role(Role::open_generic);
+        advance();
+        ++open_angles_;
+        made.member = parse_name("a member");
+        while (!lost_ && accept(TokenKind::comma)) made.extra.push_back(parse_generic_argument());
+        --open_angles_;
+        expect_close_angle(open);
+        patterns.push_back(std::move(made));
+    } while (!lost_ && accept(TokenKind::comma));
+    return patterns;
+}
+
+/// function = "fn" name [ generic-parameters ] parameters [ group ] [ with ] [ "->" type ] ( block | ";" ) ;
 ast::Function Parser::parse_function() {
     ast::Function function;
     function.params = parse_params();
     function.group = parse_group();
+    function.with = parse_with();
     if (accept(TokenKind::arrow)) function.result = parse_type();
     if (at(TokenKind::open_brace)) {
         function.has_body = true;
@@ -93,7 +122,7 @@ ast::Interface Parser::parse_interface() {
     return interface;
 }
 
-/// method = attributes [ "pub" ] [ "fn" ] name [ generic-parameters ] parameters [ "->" type ] ( block | ";" ) ;
+/// method = attributes [ "pub" ] [ "fn" ] name [ generic-parameters ] parameters [ with ] [ "->" type ] ( block | ";" ) ;
 ast::DeclId Parser::parse_method() {
     std::uint32_t first = cursor_;
     ast::Decl decl;

@@ -59,13 +59,14 @@ ast::Direction Parser::parse_direction() {
 }
 
 ast::Pattern Parser::pattern_here() const {
-    static constexpr std::array<std::pair<Word, Pattern>, 9> patterns{{
+    static constexpr std::array<std::pair<Word, Pattern>, 10> patterns{{
         {Word::each, Pattern::each},
         {Word::near, Pattern::near},
         {Word::any, Pattern::any},
         {Word::at, Pattern::at},
         {Word::scatter, Pattern::scatter},
         {Word::coherent, Pattern::coherent},
+        {Word::calls, Pattern::calls},
         {Word::target, Pattern::target},
         {Word::instance, Pattern::instance},
         {Word::range, Pattern::range},
@@ -76,7 +77,7 @@ ast::Pattern Parser::pattern_here() const {
     return Pattern::none;
 }
 
-/// pattern = ( "each" | "near" | "any" | "at" | "scatter" | "coherent" | "target" | "instance" | "range" ) "<"
+/// pattern = ( "each" | "near" | "any" | "at" | "scatter" | "coherent" | "calls" | "target" | "instance" | "range" ) "<"
 /// generic-argument { "," generic-argument } ">" ;
 void Parser::parse_pattern(ast::Param& param) {
     param.pattern_span = span_of(advance());

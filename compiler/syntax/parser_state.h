@@ -148,6 +148,7 @@ private:
     bool at_declaration_word() const;
     ast::Alias parse_type_alias();
     std::vector<ast::Attribute> parse_attributes();
+    std::vector<ast::MemberPattern> parse_with();
     ast::Function parse_function();
     ast::Struct parse_struct();
     ast::Field parse_field();

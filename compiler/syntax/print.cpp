@@ -65,6 +65,7 @@ std::string_view word_of(Pattern pattern) {
     case Pattern::coherent: return "coherent";
     case Pattern::target: return "target";
     case Pattern::instance: return "instance";
+    case Pattern::calls: return "calls";
     case Pattern::range: return "range";
     }
     return "";
@@ -274,13 +275,24 @@ private:
     void print_body(const std::string& head, const std::string& name, const std::monostate&) {
         line("(" + head + name);
     }
+    std::string with(const std::vector<MemberPattern>& patterns) {
+        std::string text;
+        for (const MemberPattern& pattern : patterns) {
+            text += (text.empty() ? " with " : ", ") + std::string(word_of(pattern.pattern)) + "<" +
+                    names_[pattern.member.name];
+            for (ExprId extra : pattern.extra) text += ", " + expr(extra);
+            text += ">";
+        }
+        return text;
+    }
     std::string group(const std::vector<ExprId>& extents) {
         std::string text = extents.empty() ? "" : " group";
         for (ExprId extent : extents) text += " " + expr(extent);
         return text;
     }
     void print_body(const std::string& head, const std::string& name, const Function& f) {
-        line("(" + head + "fn " + name + params(f.params) + group(f.group) + (f.result ? " -> " + expr(f.result) : ""));
+        line("(" + head + "fn " + name + params(f.params) + group(f.group) + with(f.with) +
+             (f.result ? " -> " + expr(f.result) : ""));
         block(f.body);
     }
     void print_body(const std::string& head, const std::string& name, const Struct& s) {

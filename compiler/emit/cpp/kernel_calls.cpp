@@ -23,24 +23,27 @@ const std::string& param_name(const Unit& unit, const KernelParam& param) {
     return unit.globals.param_names.at(&param);
 }
 
-bool is_adaptor(const Unit& unit, const KernelParam& param) {
-    return ir::is_structure(param) && unit.program.structures[param.structure].kind == ir::StructureKind::adaptor;
+/// Whether the parameter takes a container, not a range of one: an adaptor, and what functions are called of.
+bool is_container(const Unit& unit, const KernelParam& param) {
+    if (!ir::is_structure(param)) return false;
+    return param.pattern == Pattern::calls ||
+           unit.program.structures[param.structure].kind == ir::StructureKind::adaptor;
 }
 
-/// What of the structures passed is touched, in order; an adaptor has no elements of its own, and an argument that lies
-/// on the device may lie anywhere.
+/// What of the structures passed is touched, in order; of a container it is members, and an argument that lies on the
+/// device may lie anywhere.
 std::string footprints_text(const Unit& unit, const Kernel& kernel) {
     std::string text;
     for (const KernelParam& param : kernel.params)
         if (param.pattern != Pattern::value)
             text += (text.empty() ? "" : ", ") +
-                    (ir::is_structure(param) && !is_adaptor(unit, param) ? param_name(unit, param) : "{}");
+                    (ir::is_structure(param) && !is_container(unit, param) ? param_name(unit, param) : "{}");
     return text;
 }
 
 /// What members of the structure passed for a parameter follow: ranges point to theirs.
 std::string object_of(const Unit& unit, const KernelParam& param) {
-    return param_name(unit, param) + (is_adaptor(unit, param) ? "." : "->");
+    return param_name(unit, param) + (is_container(unit, param) ? "." : "->");
 }
 
 std::string memories_text(Unit& unit, const Kernel& kernel, const Pass& pass) {
@@ -213,7 +216,7 @@ std::string kernel_signature(Unit& unit, std::uint32_t index, bool qualified, st
         else if (param.pattern == Pattern::argument)
             parameters += ", const glift::DeviceScalar<" +
                           storage_text(unit.globals, unit.program.locals[param.local].type, qualified) + ">& ";
-        else if (is_adaptor(unit, param)) parameters += ", const " + unit.class_name(param.structure) + "& ";
+        else if (is_container(unit, param)) parameters += ", const " + unit.class_name(param.structure) + "& ";
         else parameters += ", const glift::Range<" + unit.class_name(param.structure) + ">& ";
         parameters += param_name(unit, param);
     }
@@ -255,7 +258,7 @@ static void print_iteration(const Unit& unit, Writer& out, const Kernel& kernel)
                 out.line("iteration.each(\"" + unit.name(param.name) + "\", " + argument + ");");
             if (near && param.pattern == Pattern::near)
                 out.line("iteration.near(\"" + unit.name(param.name) + "\", " + argument + ");");
-            if (near && !is_adaptor(unit, param) && ir::has_own_range(param.pattern))
+            if (near && !is_container(unit, param) && ir::has_own_range(param.pattern))
                 out.line("iteration.any(\"" + unit.name(param.name) + "\", " + argument + ");");
         }
     }
