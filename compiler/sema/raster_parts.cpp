@@ -69,7 +69,8 @@ ir::Part part_of(ir::Pattern pattern) {
     case ir::Pattern::near:
     case ir::Pattern::any:
     case ir::Pattern::scatter:
-    case ir::Pattern::coherent: return ir::Part::whole;
+    case ir::Pattern::coherent:
+    case ir::Pattern::calls: return ir::Part::whole;
     }
     return ir::Part::whole;
 }
