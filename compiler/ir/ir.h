@@ -157,8 +157,8 @@ struct Effect {
     Place place;  ///< root: of Function::structures, of Kernel::params
     Pattern pattern = Pattern::scatter;
     Combine combine = Combine::replace;
-    Span span;  ///< where a function declares it, or a kernel calls what does it
-    Name by;    ///< the function
+    Span span;            ///< where a function declares it, or a kernel calls what does it
+    Name by;              ///< the function
     bool is_own = false;  ///< a function declares it
 };
 
@@ -174,7 +174,7 @@ struct Function {
     TypeId result;
     std::vector<StmtId> body;  ///< a function with a group returns only by its last statement
     bool is_pub = false;
-    bool reads_memory = false;  ///< elements of structures, itself or by what it calls
+    bool reads_memory = false;    ///< elements of structures, itself or by what it calls
     std::vector<Effect> effects;  ///< what it writes, itself or by what it calls
     std::uint32_t module = 0;
     std::string extern_name;  ///< a C++ function (host only), else empty

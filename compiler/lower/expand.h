@@ -36,9 +36,9 @@ enum class Guards { checked, interior };
 /// A function that becomes statements and returns before its end: the value is in a variable, and what follows a return
 /// is left out by leaving loops and by asking whether it has been reached.
 struct Leaving {
-    LocalId value, has;     ///< the result; absent: none
-    LocalId left;           ///< a bool; absent: nothing asks
-    unsigned loops = 0;     ///< of the function, around what is being expanded
+    LocalId value, has;  ///< the result; absent: none
+    LocalId left;        ///< a bool; absent: nothing asks
+    unsigned loops = 0;  ///< of the function, around what is being expanded
 };
 
 /// One function (or the kernel) being expanded.

@@ -1,5 +1,5 @@
-// Calls that become statements of what calls them: of functions with a workgroup, whose barriers and workgroup memory are
-// the kernel's, and of functions that write, whose writes happen where the call stands, once.
+// Calls that become statements of what calls them: of functions with a workgroup, whose barriers and workgroup memory
+// are the kernel's, and of functions that write, whose writes happen where the call stands, once.
 #include "lower/expand.h"
 #include "lower/unroll.h"
 

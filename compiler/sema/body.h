@@ -103,9 +103,7 @@ struct Body {
     bool allow_await = false;
 
     bool grouped() const { return group[0] != 0; }
-    bool is_coherent(const ir::Place& place) const {
-        return std::ranges::find(coherent, place) != coherent.end();
-    }
+    bool is_coherent(const ir::Place& place) const { return std::ranges::find(coherent, place) != coherent.end(); }
     ir::Program& program() { return context.program; }
     ir::Types& types() { return context.program.types; }
 };

@@ -155,7 +155,8 @@ static void declare_params(Body& body, const std::vector<ast::Param>& params, ir
             continue;
         }
         if (writes) {
-            ir::KernelParam made{.name = param.name.name, .span = param.name.span, .pattern = written_pattern(param.pattern)};
+            ir::KernelParam made{
+                .name = param.name.name, .span = param.name.span, .pattern = written_pattern(param.pattern)};
             made.structure = structures[first_structure];
             declare_writing(body, param, made, {static_cast<std::uint32_t>(first_structure++), {}}, function);
             continue;

@@ -1,6 +1,6 @@
 // Calls of intrinsics: matches arguments against the signature strings of ir/intrinsics.def.
-#include "ir/walk.h"
 #include "ir/chain.h"
+#include "ir/walk.h"
 #include "sema/body.h"
 #include "sema/raster.h"
 #include "sema/typing.h"

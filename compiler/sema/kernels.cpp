@@ -263,8 +263,7 @@ void read_attributes(Context& c, const ast::Decl& decl, ir::Kernel& kernel) {
             const ir::KernelParam& named = kernel.params[*param];
             const bool is_accessed =
                 ir::traits_of(named.pattern).reach != ir::Reach::nothing || named.pattern == ir::Pattern::calls;
-            return is_accessed &&
-                   (named.direction != ir::Direction::in) == writes;
+            return is_accessed && (named.direction != ir::Direction::in) == writes;
         };
         if (accesses(read, false) && accesses(written, true)) kernel.disjoint.emplace_back(*read, *written);
         else

@@ -187,8 +187,8 @@ Operand index_window(Body& body, const Operand& window, std::uint32_t structure,
 Operand scatter_read(Body& body, const Operand& structure, const ast::Expr& expr) {
     Context& c = body.context;
     const ast::Expr& named = c[expr.operands[0]];
-    const std::string& name = named.kind == ast::ExprKind::name ? c.text(named.name)
-                                                                : c.program.structures[structure.structure].display;
+    const std::string& name =
+        named.kind == ast::ExprKind::name ? c.text(named.name) : c.program.structures[structure.structure].display;
     note(c.error(Diag::scatter_read, expr.span, {name}), structure.writing.span,
          "a scatter parameter is only written: name[address] = value");
     return error_operand(expr.span);
@@ -310,8 +310,7 @@ Operand check_member(Body& body, ast::ExprId id) {
     case OperandKind::memory: return memory_member(body, left, member);
     case OperandKind::iterator: {
         const ir::KernelParam& param = body.kernel->params[left.slot];
-        if (param.pattern == ir::Pattern::near)
-            return structure_member(body, left, member);
+        if (param.pattern == ir::Pattern::near) return structure_member(body, left, member);
         break;
     }
     case OperandKind::value: break;

@@ -95,8 +95,7 @@ std::vector<Touched> touched_by(Body& body, const ir::Kernel& kernel, const ir::
         }
         for (const ir::Effect& effect : kernel.effects) {
             if (effect.place.root != i) continue;
-            const ir::Structure& written =
-                ir::structure_at(p, p.structures[param.structure], effect.place.members);
+            const ir::Structure& written = ir::structure_at(p, p.structures[param.structure], effect.place.members);
             Whole member{argument.local, argument.place};
             member.place.members.append(effect.place.members);
             member.place = ir::root_of(p, written, member.place);

@@ -85,10 +85,9 @@ void check_direction(Context& c, const ast::Param& param, ir::KernelParam& made)
     case ast::Direction::out: made.direction = ir::Direction::out; break;
     case ast::Direction::inout: made.direction = ir::Direction::inout; break;
     }
-    const bool wrong = (reads_only && made.direction != ir::Direction::in) ||
-                       (writes_only && made.direction != ir::Direction::out) ||
-                       (does_both && made.direction != ir::Direction::inout) ||
-                       (has_none && param.direction != ast::Direction::none);
+    const bool wrong =
+        (reads_only && made.direction != ir::Direction::in) || (writes_only && made.direction != ir::Direction::out) ||
+        (does_both && made.direction != ir::Direction::inout) || (has_none && param.direction != ast::Direction::none);
     if (wrong) {
         Diagnostic& diagnostic = c.error(Diag::direction, param.direction_span, {c.text(param.name.name)});
         note(diagnostic, param.pattern_span,

@@ -173,12 +173,13 @@ struct MemberPattern {
     std::vector<ExprId> extra;  ///< scatter: the operation's name
 };
 
-/// `fn name<…>(…) [with …] -> type { … }`; methods without `fn` (translate, invert, ranges, domain, at) are functions too.
+/// `fn name<…>(…) [with …] -> type { … }`; methods without `fn` (translate, invert, ranges, domain, at) are functions
+/// too.
 struct Function {
     std::vector<Param> params;
     std::vector<ExprId> group;  ///< of the kernels that call it; empty: any
     std::vector<MemberPattern> with;
-    ExprId result;              ///< or absent
+    ExprId result;  ///< or absent
     std::vector<StmtId> body;
     bool has_body = false;  ///< false in interfaces and `extern fn`
 };

@@ -77,8 +77,8 @@ ast::Pattern Parser::pattern_here() const {
     return Pattern::none;
 }
 
-/// pattern = ( "each" | "near" | "any" | "at" | "scatter" | "coherent" | "calls" | "target" | "instance" | "range" ) "<"
-/// generic-argument { "," generic-argument } ">" ;
+/// pattern = ( "each" | "near" | "any" | "at" | "scatter" | "coherent" | "calls" | "target" | "instance" | "range" )
+/// "<" generic-argument { "," generic-argument } ">" ;
 void Parser::parse_pattern(ast::Param& param) {
     param.pattern_span = span_of(advance());
     std::uint32_t open = cursor_;
