@@ -148,7 +148,8 @@ void add_param(Body& body, const ast::Param& param, ir::Kernel& kernel) {
         body.coherent.push_back({index, {}});
     }
     Symbol symbol;
-    symbol.kind = ir::follows_iteration(made.pattern) ? SymbolKind::iterator : SymbolKind::structure;
+    const bool is_own = ir::follows_iteration(made.pattern) || ir::traits_of(made.pattern).reach == ir::Reach::element;
+    symbol.kind = is_own ? SymbolKind::iterator : SymbolKind::structure;
     symbol.place.root = index;
     symbol.slot = index;
     symbol.structure = made.structure;
