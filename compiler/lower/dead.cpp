@@ -26,28 +26,42 @@ void use(const Program& p, ExprId id, IdSet<Local>& used) {
     for (ExprId operand : node.operands) use(p, operand, used);
 }
 
+/// What is read from a statement on.
+struct Live {
+    IdSet<Local> used;
+    IdSet<Local> declared;  ///< in the body: nothing outside of it reads them
+};
+
+/// Whether the statement gives a local of the body a value that nothing reads.
+bool is_dead_assignment(const Program& p, const Stmt& stmt, const Live& live) {
+    if (stmt.op != StmtOp::assign || has_effect(p, stmt.value)) return false;
+    const Expr& target = p.exprs[stmt.target];
+    return target.op == Op::local && live.declared.contains(target.local) && !live.used.contains(target.local);
+}
+
 /// Backwards, so that what only a dropped let used is dropped too.
-std::vector<StmtId> kept(Context& cx, const std::vector<StmtId>& body, IdSet<Local>& used) {
+std::vector<StmtId> kept(Context& cx, const std::vector<StmtId>& body, Live& live) {
     std::vector<StmtId> result;
     result.reserve(body.size());
     for (std::size_t i = body.size(); i-- > 0;) {
         const Stmt& stmt = cx.p.stmts[body[i]];
         if (stmt.op == StmtOp::if_ && stmt.otherwise.empty() && cx.make.is_false(stmt.value)) continue;
         if (stmt.op == StmtOp::if_ && cx.make.is_true(stmt.value)) {
-            const std::vector<StmtId> always = kept(cx, stmt.body, used);
+            const std::vector<StmtId> always = kept(cx, stmt.body, live);
             result.insert(result.end(), always.rbegin(), always.rend());
             continue;
         }
-        if (stmt.op == StmtOp::let && !used.contains(stmt.local) && !(stmt.value && has_effect(cx.p, stmt.value)))
+        if (stmt.op == StmtOp::let && !live.used.contains(stmt.local) && !(stmt.value && has_effect(cx.p, stmt.value)))
             continue;
+        if (is_dead_assignment(cx.p, stmt, live)) continue;
         Make::Parts parts{stmt.target, stmt.value, stmt.limit, {}, {}};
-        parts.body = kept(cx, stmt.body, used);
-        parts.otherwise = kept(cx, stmt.otherwise, used);
+        parts.body = kept(cx, stmt.body, live);
+        parts.otherwise = kept(cx, stmt.otherwise, live);
         bool is_empty = parts.body.empty() && parts.otherwise.empty();
         if ((stmt.op == StmtOp::if_ || stmt.op == StmtOp::block) && is_empty &&
             !(stmt.value && has_effect(cx.p, stmt.value)))
             continue;
-        for_each_root(stmt, [&](ExprId root) { use(cx.p, root, used); });
+        for_each_root(stmt, [&](ExprId root) { use(cx.p, root, live.used); });
         result.push_back(cx.make.again(body[i], std::move(parts)));
     }
     std::reverse(result.begin(), result.end());
@@ -68,9 +82,12 @@ void use_in_loops(const Program& p, const std::vector<StmtId>& body, IdSet<Local
 }  // namespace
 
 std::vector<StmtId> drop_dead(Context& cx, const std::vector<StmtId>& body) {
-    IdSet<Local> used;
-    use_in_loops(cx.p, body, used);
-    return kept(cx, body, used);
+    Live live;
+    use_in_loops(cx.p, body, live.used);
+    for_each_statement(cx.p, body, [&](const Stmt& stmt) {
+        if (stmt.op == StmtOp::let) live.declared.insert(stmt.local);
+    });
+    return kept(cx, body, live);
 }
 
 }  // namespace gliftc::lower

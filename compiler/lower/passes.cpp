@@ -32,7 +32,8 @@ bool is_of_fragments(const Context& cx) { return cx.part == Part::fragment; }
 constexpr BodyPass share_pass{
     "share", "statements of memory, whose expressions may share nodes",
     "what is equal is computed once; expressions are trees; nothing is moved past a write that it depends on", share};
-constexpr BodyPass drop_dead_pass{"drop_dead", "trees", "no let that nothing uses", without_facts<drop_dead>};
+constexpr BodyPass drop_dead_pass{
+    "drop_dead", "trees", "no let that nothing uses, no value of a local that nothing reads", without_facts<drop_dead>};
 
 constexpr BodyPass bodies[] = {
     share_pass,

@@ -65,6 +65,7 @@ class Intrinsic:
 
 
 def read_table():
+    """Those that any kernel may call: no operations of subgroups, of coherent memory, of quads."""
     found = re.findall(r'^INTRINSIC\((\w+), "([^"]*)", (\w+)\)', TABLE.read_text(), re.MULTILINE)
     return [Intrinsic(name, signature, exactness == "exact") for name, signature, exactness in found
-            if not name.startswith(("subgroup", "atomic"))]
+            if not name.startswith(("subgroup", "atomic")) and not signature.endswith("+")]

@@ -1,7 +1,7 @@
 // Paged, shared.glift:26.
 // Define before including: PAGED_BINDING (the state; memory k follows at + 1 + k). Where wanted: PAGED_SET, PAGED_STATE, PAGED_READONLY.
 #ifndef GLIFT_PAGED
-#define GLIFT_PAGED 508911814
+#define GLIFT_PAGED 332934530
 #extension GL_EXT_scalar_block_layout : require
 
 #ifndef PAGED_SET
@@ -28,8 +28,7 @@ layout(scalar, set = PAGED_SET, binding = PAGED_BINDING + 1) PAGED_ACCESS buffer
 layout(scalar, set = PAGED_SET, binding = PAGED_BINDING + 2) PAGED_ACCESS buffer Paged_frames_data_memory { float Paged_frames_data[]; };
 
 bool Paged_is_mapped(uint address) {
-    bool test = address >= Paged_extent;
-    bool Paged_either = test;
+    bool Paged_either = address >= Paged_extent;
     if (!Paged_either) {
         uint Paged_table_address = address / 16u;
         bool Paged_table_value_inside = Paged_table_address < Paged_table_extent;
@@ -48,32 +47,12 @@ bool Paged_is_mapped(uint address) {
         Paged_result = uvec2(address % 16u, (Paged_table_value_inside ? Paged_table_value : 0u) - 1u);
         Paged_found = true;
     }
-    bool Paged_either_1 = test;
-    if (!Paged_either_1) {
-        uint Paged_table_address = address / 16u;
-        bool Paged_table_value_inside = Paged_table_address < Paged_table_extent;
-        uint Paged_table_value = Paged_table_data[Paged_table_value_inside ? Paged_table_address : 0u];
-        Paged_either_1 = (Paged_table_value_inside ? Paged_table_value : 0u) == 0u;
-    }
-    uvec2 Paged_result_1 = uvec2(0u);
-    bool Paged_found_1 = false;
-    if (Paged_either_1) {
-        Paged_result_1 = uvec2(0u);
-        Paged_found_1 = false;
-    } else {
-        uint Paged_table_address = address / 16u;
-        bool Paged_table_value_inside = Paged_table_address < Paged_table_extent;
-        uint Paged_table_value = Paged_table_data[Paged_table_value_inside ? Paged_table_address : 0u];
-        Paged_result_1 = uvec2(address % 16u, (Paged_table_value_inside ? Paged_table_value : 0u) - 1u);
-        Paged_found_1 = true;
-    }
-    uvec2 Paged_place = Paged_result_1;
-    return Paged_found_1 && Paged_place.y < Paged_frames_extent.y;
+    uvec2 Paged_place = Paged_result;
+    return Paged_found && Paged_place.y < Paged_frames_extent.y;
 }
 
 uvec2 Paged_translate(uint address) {
-    bool test = address >= Paged_extent;
-    bool Paged_either = test;
+    bool Paged_either = address >= Paged_extent;
     if (!Paged_either) {
         uint Paged_table_address = address / 16u;
         bool Paged_table_value_inside = Paged_table_address < Paged_table_extent;
@@ -81,35 +60,13 @@ uvec2 Paged_translate(uint address) {
         Paged_either = (Paged_table_value_inside ? Paged_table_value : 0u) == 0u;
     }
     uvec2 Paged_result = uvec2(0u);
-    bool Paged_found = false;
     if (Paged_either) {
         Paged_result = uvec2(0u);
-        Paged_found = false;
     } else {
         uint Paged_table_address = address / 16u;
         bool Paged_table_value_inside = Paged_table_address < Paged_table_extent;
         uint Paged_table_value = Paged_table_data[Paged_table_value_inside ? Paged_table_address : 0u];
         Paged_result = uvec2(address % 16u, (Paged_table_value_inside ? Paged_table_value : 0u) - 1u);
-        Paged_found = true;
-    }
-    bool Paged_either_1 = test;
-    if (!Paged_either_1) {
-        uint Paged_table_address = address / 16u;
-        bool Paged_table_value_inside = Paged_table_address < Paged_table_extent;
-        uint Paged_table_value = Paged_table_data[Paged_table_value_inside ? Paged_table_address : 0u];
-        Paged_either_1 = (Paged_table_value_inside ? Paged_table_value : 0u) == 0u;
-    }
-    uvec2 Paged_result_1 = uvec2(0u);
-    bool Paged_found_1 = false;
-    if (Paged_either_1) {
-        Paged_result_1 = uvec2(0u);
-        Paged_found_1 = false;
-    } else {
-        uint Paged_table_address = address / 16u;
-        bool Paged_table_value_inside = Paged_table_address < Paged_table_extent;
-        uint Paged_table_value = Paged_table_data[Paged_table_value_inside ? Paged_table_address : 0u];
-        Paged_result_1 = uvec2(address % 16u, (Paged_table_value_inside ? Paged_table_value : 0u) - 1u);
-        Paged_found_1 = true;
     }
     return Paged_result;
 }
@@ -168,6 +125,6 @@ void Paged_write(uint address, float value) {
     }
 }
 #endif
-#elif GLIFT_PAGED != 508911814
+#elif GLIFT_PAGED != 332934530
 #error the functions of another structure called Paged are included already
 #endif

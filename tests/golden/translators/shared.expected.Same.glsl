@@ -1,7 +1,7 @@
 // Same, shared.glift:33.
 // Define before including: SAME_BINDING (the state; memory k follows at + 1 + k). Where wanted: SAME_SET, SAME_STATE, SAME_READONLY.
 #ifndef GLIFT_SAME
-#define GLIFT_SAME 262337741
+#define GLIFT_SAME 1132900471
 #extension GL_EXT_scalar_block_layout : require
 
 #ifndef SAME_SET
@@ -55,28 +55,6 @@ bool Same_is_mapped(uint address) {
 }
 
 uint Same_translate(uint address) {
-    bool Same_field_either = address >= Same_field_extent;
-    if (!Same_field_either) {
-        uint Same_field_table_address = address / 16u;
-        bool Same_field_table_value_inside = Same_field_table_address < Same_field_table_extent;
-        uint Same_field_table_value = Same_field_table_data[Same_field_table_value_inside
-            ? Same_field_table_address : 0u];
-        Same_field_either = (Same_field_table_value_inside ? Same_field_table_value : 0u) == 0u;
-    }
-    uvec2 Same_field_result = uvec2(0u);
-    bool Same_field_found = false;
-    if (Same_field_either) {
-        Same_field_result = uvec2(0u);
-        Same_field_found = false;
-    } else {
-        uint Same_field_table_address = address / 16u;
-        bool Same_field_table_value_inside = Same_field_table_address < Same_field_table_extent;
-        uint Same_field_table_value = Same_field_table_data[Same_field_table_value_inside
-            ? Same_field_table_address : 0u];
-        Same_field_result = uvec2(address % 16u,
-            (Same_field_table_value_inside ? Same_field_table_value : 0u) - 1u);
-        Same_field_found = true;
-    }
     return address;
 }
 
@@ -141,6 +119,6 @@ void Same_write(uint address, float value) {
     }
 }
 #endif
-#elif GLIFT_SAME != 262337741
+#elif GLIFT_SAME != 1132900471
 #error the functions of another structure called Same are included already
 #endif

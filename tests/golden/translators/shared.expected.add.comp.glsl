@@ -51,27 +51,6 @@ void main() {
     uvec2 f_place = f_result;
     uint f_at = f_place.y * f_frames_extent.x + f_place.x;
     bool f_found_1 = f_found && f_place.y < f_frames_extent.y;
-    bool g_field_either = address >= g_field_extent;
-    if (!g_field_either) {
-        uint g_field_table_address = address / 16u;
-        bool g_field_table_value_inside = g_field_table_address < g_field_table_extent;
-        uint g_field_table_value = g_field_table_data[g_field_table_value_inside ? g_field_table_address
-            : 0u];
-        g_field_either = (g_field_table_value_inside ? g_field_table_value : 0u) == 0u;
-    }
-    uvec2 g_field_result = uvec2(0u);
-    bool g_field_found = false;
-    if (g_field_either) {
-        g_field_result = uvec2(0u);
-        g_field_found = false;
-    } else {
-        uint g_field_table_address = address / 16u;
-        bool g_field_table_value_inside = g_field_table_address < g_field_table_extent;
-        uint g_field_table_value = g_field_table_data[g_field_table_value_inside ? g_field_table_address
-            : 0u];
-        g_field_result = uvec2(address % 16u, (g_field_table_value_inside ? g_field_table_value : 0u) - 1u);
-        g_field_found = true;
-    }
     bool to_either = test;
     if (!to_either) {
         uint to_table_address = address / 16u;
@@ -147,27 +126,6 @@ void main() {
     uvec2 f_place_1 = f_result_1;
     uint f_at_1 = f_place_1.y * f_frames_extent.x + f_place_1.x;
     bool f_found_3 = f_found_2 && f_place_1.y < f_frames_extent.y;
-    bool g_field_either_1 = next >= g_field_extent;
-    if (!g_field_either_1) {
-        uint g_field_table_address = next / 16u;
-        bool g_field_table_value_inside = g_field_table_address < g_field_table_extent;
-        uint g_field_table_value = g_field_table_data[g_field_table_value_inside ? g_field_table_address
-            : 0u];
-        g_field_either_1 = (g_field_table_value_inside ? g_field_table_value : 0u) == 0u;
-    }
-    uvec2 g_field_result_1 = uvec2(0u);
-    bool g_field_found_1 = false;
-    if (g_field_either_1) {
-        g_field_result_1 = uvec2(0u);
-        g_field_found_1 = false;
-    } else {
-        uint g_field_table_address = next / 16u;
-        bool g_field_table_value_inside = g_field_table_address < g_field_table_extent;
-        uint g_field_table_value = g_field_table_data[g_field_table_value_inside ? g_field_table_address
-            : 0u];
-        g_field_result_1 = uvec2(next % 16u, (g_field_table_value_inside ? g_field_table_value : 0u) - 1u);
-        g_field_found_1 = true;
-    }
     bool to_either_1 = test_1;
     if (!to_either_1) {
         uint to_table_address = next / 16u;

@@ -33,11 +33,11 @@ struct add_general_parameters {
     uint f_extent;
     uint f_table_extent;
     uint2 f_frames_extent;
-    uint g_field_extent;
-    uint g_field_table_extent;
     uint to_extent;
     uint to_table_extent;
     uint2 to_frames_extent;
+    uint g_field_extent;
+    uint g_field_table_extent;
     uint2 g_field_frames_extent;
 };
 static_assert(offsetof(add_general_parameters, size) == 0);
@@ -47,11 +47,11 @@ static_assert(offsetof(add_general_parameters, to_origin) == 12);
 static_assert(offsetof(add_general_parameters, f_extent) == 16);
 static_assert(offsetof(add_general_parameters, f_table_extent) == 20);
 static_assert(offsetof(add_general_parameters, f_frames_extent) == 24);
-static_assert(offsetof(add_general_parameters, g_field_extent) == 32);
-static_assert(offsetof(add_general_parameters, g_field_table_extent) == 36);
-static_assert(offsetof(add_general_parameters, to_extent) == 40);
-static_assert(offsetof(add_general_parameters, to_table_extent) == 44);
-static_assert(offsetof(add_general_parameters, to_frames_extent) == 48);
+static_assert(offsetof(add_general_parameters, to_extent) == 32);
+static_assert(offsetof(add_general_parameters, to_table_extent) == 36);
+static_assert(offsetof(add_general_parameters, to_frames_extent) == 40);
+static_assert(offsetof(add_general_parameters, g_field_extent) == 48);
+static_assert(offsetof(add_general_parameters, g_field_table_extent) == 52);
 static_assert(offsetof(add_general_parameters, g_field_frames_extent) == 56);
 struct add_wide_parameters {
     uint size;
@@ -62,12 +62,12 @@ struct add_wide_parameters {
     uint f_table_extent;
     std::uint64_t f_frames_extent_x;
     uint f_frames_extent_y;
-    uint g_field_extent;
-    uint g_field_table_extent;
     uint to_extent;
     uint to_table_extent;
     std::uint64_t to_frames_extent_x;
     uint to_frames_extent_y;
+    uint g_field_extent;
+    uint g_field_table_extent;
     uint g_field_frames_extent_y;
     std::uint64_t g_field_frames_extent_x;
     std::uint64_t f_table_data_address;
@@ -85,12 +85,12 @@ static_assert(offsetof(add_wide_parameters, f_extent) == 16);
 static_assert(offsetof(add_wide_parameters, f_table_extent) == 20);
 static_assert(offsetof(add_wide_parameters, f_frames_extent_x) == 24);
 static_assert(offsetof(add_wide_parameters, f_frames_extent_y) == 32);
-static_assert(offsetof(add_wide_parameters, g_field_extent) == 36);
-static_assert(offsetof(add_wide_parameters, g_field_table_extent) == 40);
-static_assert(offsetof(add_wide_parameters, to_extent) == 44);
-static_assert(offsetof(add_wide_parameters, to_table_extent) == 48);
-static_assert(offsetof(add_wide_parameters, to_frames_extent_x) == 56);
-static_assert(offsetof(add_wide_parameters, to_frames_extent_y) == 64);
+static_assert(offsetof(add_wide_parameters, to_extent) == 36);
+static_assert(offsetof(add_wide_parameters, to_table_extent) == 40);
+static_assert(offsetof(add_wide_parameters, to_frames_extent_x) == 48);
+static_assert(offsetof(add_wide_parameters, to_frames_extent_y) == 56);
+static_assert(offsetof(add_wide_parameters, g_field_extent) == 60);
+static_assert(offsetof(add_wide_parameters, g_field_table_extent) == 64);
 static_assert(offsetof(add_wide_parameters, g_field_frames_extent_y) == 68);
 static_assert(offsetof(add_wide_parameters, g_field_frames_extent_x) == 72);
 static_assert(offsetof(add_wide_parameters, f_table_data_address) == 80);
@@ -122,12 +122,12 @@ void add(const glift::Commands& commands, const glift::Range<Paged>& f, const gl
             .f_table_extent = f->table().extent(),
             .f_frames_extent_x = std::uint64_t(f->frames().extent().x),
             .f_frames_extent_y = f->frames().extent().y,
-            .g_field_extent = g->field().extent(),
-            .g_field_table_extent = g->field().table().extent(),
             .to_extent = to->extent(),
             .to_table_extent = to->table().extent(),
             .to_frames_extent_x = std::uint64_t(to->frames().extent().x),
             .to_frames_extent_y = to->frames().extent().y,
+            .g_field_extent = g->field().extent(),
+            .g_field_table_extent = g->field().table().extent(),
             .g_field_frames_extent_y = g->field().frames().extent().y,
             .g_field_frames_extent_x = std::uint64_t(g->field().frames().extent().x),
             .f_table_data_address = 0u,
@@ -161,11 +161,11 @@ void add(const glift::Commands& commands, const glift::Range<Paged>& f, const gl
             .f_extent = f->extent(),
             .f_table_extent = f->table().extent(),
             .f_frames_extent = f->frames().extent(),
-            .g_field_extent = g->field().extent(),
-            .g_field_table_extent = g->field().table().extent(),
             .to_extent = to->extent(),
             .to_table_extent = to->table().extent(),
             .to_frames_extent = to->frames().extent(),
+            .g_field_extent = g->field().extent(),
+            .g_field_table_extent = g->field().table().extent(),
             .g_field_frames_extent = g->field().frames().extent(),
         };
         commands.dispatch(add_kernel, {.form = glift::FormName::general, .memories = memories,

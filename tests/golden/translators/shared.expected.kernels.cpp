@@ -72,27 +72,6 @@ static void add_direct_rows(const glift::HostCall& call, const glift::host::Rows
             const uint2 f_place = f_result;
             const uint f_at = f_place.y * f_frames_extent.x + f_place.x;
             const bool f_found_2 = f_found && f_place.y < f_frames_extent.y;
-            bool g_field_either = address >= g_field_extent;
-            if (!g_field_either) {
-                const uint g_field_table_address = address / 16u;
-                const bool g_field_table_value_inside = g_field_table_address < g_field_table_extent;
-                const uint g_field_table_value = g_field_table_data[g_field_table_value_inside ? g_field_table_address
-                    : 0u];
-                g_field_either = (g_field_table_value_inside ? g_field_table_value : 0u) == 0u;
-            }
-            uint2 g_field_result{};
-            bool g_field_found{};
-            if (g_field_either) {
-                g_field_result = uint2(0u);
-                g_field_found = false;
-            } else {
-                const uint g_field_table_address = address / 16u;
-                const bool g_field_table_value_inside = g_field_table_address < g_field_table_extent;
-                const uint g_field_table_value = g_field_table_data[g_field_table_value_inside ? g_field_table_address
-                    : 0u];
-                g_field_result = uint2(address % 16u, (g_field_table_value_inside ? g_field_table_value : 0u) - 1u);
-                g_field_found = true;
-            }
             bool to_either = test;
             if (!to_either) {
                 const uint to_table_address = address / 16u;
@@ -162,11 +141,11 @@ struct add_general_parameters {
     uint f_extent;
     uint f_table_extent;
     uint2 f_frames_extent;
-    uint g_field_extent;
-    uint g_field_table_extent;
     uint to_extent;
     uint to_table_extent;
     uint2 to_frames_extent;
+    uint g_field_extent;
+    uint g_field_table_extent;
     uint2 g_field_frames_extent;
 };
 static_assert(offsetof(add_general_parameters, size) == 0);
@@ -176,11 +155,11 @@ static_assert(offsetof(add_general_parameters, to_origin) == 12);
 static_assert(offsetof(add_general_parameters, f_extent) == 16);
 static_assert(offsetof(add_general_parameters, f_table_extent) == 20);
 static_assert(offsetof(add_general_parameters, f_frames_extent) == 24);
-static_assert(offsetof(add_general_parameters, g_field_extent) == 32);
-static_assert(offsetof(add_general_parameters, g_field_table_extent) == 36);
-static_assert(offsetof(add_general_parameters, to_extent) == 40);
-static_assert(offsetof(add_general_parameters, to_table_extent) == 44);
-static_assert(offsetof(add_general_parameters, to_frames_extent) == 48);
+static_assert(offsetof(add_general_parameters, to_extent) == 32);
+static_assert(offsetof(add_general_parameters, to_table_extent) == 36);
+static_assert(offsetof(add_general_parameters, to_frames_extent) == 40);
+static_assert(offsetof(add_general_parameters, g_field_extent) == 48);
+static_assert(offsetof(add_general_parameters, g_field_table_extent) == 52);
 static_assert(offsetof(add_general_parameters, g_field_frames_extent) == 56);
 
 // shared.glift:37: add, some rows.
@@ -193,11 +172,11 @@ static void add_general_rows(const glift::HostCall& call, const glift::host::Row
     const uint f_extent = parameters.f_extent;
     const uint f_table_extent = parameters.f_table_extent;
     const uint2 f_frames_extent = parameters.f_frames_extent;
-    const uint g_field_extent = parameters.g_field_extent;
-    const uint g_field_table_extent = parameters.g_field_table_extent;
     const uint to_extent = parameters.to_extent;
     const uint to_table_extent = parameters.to_table_extent;
     const uint2 to_frames_extent = parameters.to_frames_extent;
+    const uint g_field_extent = parameters.g_field_extent;
+    const uint g_field_table_extent = parameters.g_field_table_extent;
     const uint2 g_field_frames_extent = parameters.g_field_frames_extent;
     const uint* f_table_data = glift::host::elements<const uint>(call.memories[0]);
     const float* f_frames_data = glift::host::elements<const float>(call.memories[1]);
@@ -236,29 +215,6 @@ static void add_general_rows(const glift::HostCall& call, const glift::host::Row
             const bool f_found_2 = f_found && f_place.y < f_frames_extent.y;
             // shared.glift:38
             const uint g_address = g_origin + address;
-            // shared.glift:37
-            bool g_field_either = g_address >= g_field_extent;
-            if (!g_field_either) {
-                const uint g_field_table_address = g_address / 16u;
-                const bool g_field_table_value_inside = g_field_table_address < g_field_table_extent;
-                const uint g_field_table_value = g_field_table_data[g_field_table_value_inside ? g_field_table_address
-                    : 0u];
-                g_field_either = (g_field_table_value_inside ? g_field_table_value : 0u) == 0u;
-            }
-            uint2 g_field_result{};
-            bool g_field_found{};
-            if (g_field_either) {
-                g_field_result = uint2(0u);
-                g_field_found = false;
-            } else {
-                const uint g_field_table_address = g_address / 16u;
-                const bool g_field_table_value_inside = g_field_table_address < g_field_table_extent;
-                const uint g_field_table_value = g_field_table_data[g_field_table_value_inside ? g_field_table_address
-                    : 0u];
-                g_field_result = uint2(g_address % 16u, (g_field_table_value_inside ? g_field_table_value : 0u) - 1u);
-                g_field_found = true;
-            }
-            // shared.glift:38
             const uint to_address = to_origin + address;
             // shared.glift:37
             bool to_either = to_address >= to_extent;
@@ -331,12 +287,12 @@ struct add_wide_parameters {
     uint f_table_extent;
     std::uint64_t f_frames_extent_x;
     uint f_frames_extent_y;
-    uint g_field_extent;
-    uint g_field_table_extent;
     uint to_extent;
     uint to_table_extent;
     std::uint64_t to_frames_extent_x;
     uint to_frames_extent_y;
+    uint g_field_extent;
+    uint g_field_table_extent;
     uint g_field_frames_extent_y;
     std::uint64_t g_field_frames_extent_x;
     std::uint64_t f_table_data_address;
@@ -354,12 +310,12 @@ static_assert(offsetof(add_wide_parameters, f_extent) == 16);
 static_assert(offsetof(add_wide_parameters, f_table_extent) == 20);
 static_assert(offsetof(add_wide_parameters, f_frames_extent_x) == 24);
 static_assert(offsetof(add_wide_parameters, f_frames_extent_y) == 32);
-static_assert(offsetof(add_wide_parameters, g_field_extent) == 36);
-static_assert(offsetof(add_wide_parameters, g_field_table_extent) == 40);
-static_assert(offsetof(add_wide_parameters, to_extent) == 44);
-static_assert(offsetof(add_wide_parameters, to_table_extent) == 48);
-static_assert(offsetof(add_wide_parameters, to_frames_extent_x) == 56);
-static_assert(offsetof(add_wide_parameters, to_frames_extent_y) == 64);
+static_assert(offsetof(add_wide_parameters, to_extent) == 36);
+static_assert(offsetof(add_wide_parameters, to_table_extent) == 40);
+static_assert(offsetof(add_wide_parameters, to_frames_extent_x) == 48);
+static_assert(offsetof(add_wide_parameters, to_frames_extent_y) == 56);
+static_assert(offsetof(add_wide_parameters, g_field_extent) == 60);
+static_assert(offsetof(add_wide_parameters, g_field_table_extent) == 64);
 static_assert(offsetof(add_wide_parameters, g_field_frames_extent_y) == 68);
 static_assert(offsetof(add_wide_parameters, g_field_frames_extent_x) == 72);
 static_assert(offsetof(add_wide_parameters, f_table_data_address) == 80);
@@ -380,12 +336,12 @@ static void add_wide_rows(const glift::HostCall& call, const glift::host::Rows& 
     const uint f_table_extent = parameters.f_table_extent;
     const std::uint64_t f_frames_extent_x = parameters.f_frames_extent_x;
     const uint f_frames_extent_y = parameters.f_frames_extent_y;
-    const uint g_field_extent = parameters.g_field_extent;
-    const uint g_field_table_extent = parameters.g_field_table_extent;
     const uint to_extent = parameters.to_extent;
     const uint to_table_extent = parameters.to_table_extent;
     const std::uint64_t to_frames_extent_x = parameters.to_frames_extent_x;
     const uint to_frames_extent_y = parameters.to_frames_extent_y;
+    const uint g_field_extent = parameters.g_field_extent;
+    const uint g_field_table_extent = parameters.g_field_table_extent;
     const uint g_field_frames_extent_y = parameters.g_field_frames_extent_y;
     const std::uint64_t g_field_frames_extent_x = parameters.g_field_frames_extent_x;
     const uint* f_table_data = glift::host::elements<const uint>(call.memories[0]);
@@ -427,31 +383,6 @@ static void add_wide_rows(const glift::HostCall& call, const glift::host::Rows& 
             const bool f_found_2 = f_found && f_place.y < f_frames_extent_y;
             // shared.glift:38
             const uint g_address = g_origin + address;
-            // shared.glift:37
-            bool g_field_either = g_address >= g_field_extent;
-            if (!g_field_either) {
-                const uint g_field_table_address = g_address / 16u;
-                const bool g_field_table_value_inside = g_field_table_address < g_field_table_extent;
-                const std::uint64_t g_field_table_value_at = std::uint64_t(g_field_table_address);
-                const uint g_field_table_value = g_field_table_data[g_field_table_value_inside ? g_field_table_value_at
-                    : std::uint64_t{0u}];
-                g_field_either = (g_field_table_value_inside ? g_field_table_value : 0u) == 0u;
-            }
-            uint2 g_field_result{};
-            bool g_field_found{};
-            if (g_field_either) {
-                g_field_result = uint2(0u);
-                g_field_found = false;
-            } else {
-                const uint g_field_table_address = g_address / 16u;
-                const bool g_field_table_value_inside = g_field_table_address < g_field_table_extent;
-                const std::uint64_t g_field_table_value_at = std::uint64_t(g_field_table_address);
-                const uint g_field_table_value = g_field_table_data[g_field_table_value_inside ? g_field_table_value_at
-                    : std::uint64_t{0u}];
-                g_field_result = uint2(g_address % 16u, (g_field_table_value_inside ? g_field_table_value : 0u) - 1u);
-                g_field_found = true;
-            }
-            // shared.glift:38
             const uint to_address = to_origin + address;
             // shared.glift:37
             bool to_either = to_address >= to_extent;
