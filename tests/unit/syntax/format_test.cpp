@@ -52,7 +52,8 @@ TEST(Format, knows_what_a_token_means) {
             "module m;\nfn f(a:float?,b:A<B<C<D<uint ? ?>>>>)->uint2??{ return a<b&&c> -d ? await x : !y ?? z; }\n"
             "@total @cost( 1 )\ntranslator T:uint->uint?{ n:uint; translate(a){ return none; } }\n"
             "enum E{none,some}\nenum F{\nnone,\nsome}\n"),
-        "module m;\nfn f(a: float?, b: A<B<C<D<uint??>>>>) -> uint2?? { return a < b && c > -d ? await x : !y ?? z; }\n"
+        "module m;\nfn f(a: float?, b: A<B<C<D<uint?"
+        "?>>>>) -> uint2?? { return a < b && c > -d ? await x : !y ?? z; }\n"
         "@total @cost(1)\ntranslator T : uint -> uint? { n: uint; translate(a) { return none; } }\n"
         "enum E { none, some }\nenum F {\n    none,\n    some\n}\n");
 }
