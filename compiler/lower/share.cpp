@@ -139,15 +139,14 @@ const bool* Counting::known(ExprId id, const Expr& node) {
 void Counting::visit(ExprId id, Where where) {
     const Expr& node = cx.p.exprs[id];
     if (const bool* holds = known(id, node)) return decide(Decision::truth, *holds);
-    const bool is_plain =
-        is_leaf(id, node) || !numbers_.is_pure(id) || (where != Where::before && numbers_.has_load(id));
-    if (!is_plain) {
+    if (!is_leaf(id, node) && numbers_.is_pure(id)) {
         const ValueNumber number = numbers_.of(id);
         if (const std::uint32_t found = available(number); found != none) {
             ++plan_.records[found].uses;
             return decide(Decision::repeated, found);
         }
-        if (where != Where::loop_condition) {
+        // What may not be evaluated at all loads nothing by itself.
+        if (where == Where::before || (where == Where::conditional && !numbers_.has_load(id))) {
             begin_record(number);
             plan_.records.back().name = name_in_source(id);
             return visit_operands(node, where);
