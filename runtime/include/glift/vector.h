@@ -313,6 +313,21 @@ constexpr mat<T, C, R> operator-(const mat<T, C, R>& a, const mat<T, C, R>& b) {
     return result;
 }
 template <class T, unsigned C, unsigned R> constexpr mat<T, C, R> operator-(const mat<T, C, R>& a) { return a * T{-1}; }
+template <class T, unsigned C, unsigned R> constexpr mat<T, C, R>& operator+=(mat<T, C, R>& a, const mat<T, C, R>& b) {
+    return a = a + b;
+}
+template <class T, unsigned C, unsigned R> constexpr mat<T, C, R>& operator-=(mat<T, C, R>& a, const mat<T, C, R>& b) {
+    return a = a - b;
+}
+template <class T, unsigned C, unsigned R> constexpr mat<T, C, R>& operator*=(mat<T, C, R>& a, detail::same<T> b) {
+    return a = a * b;
+}
+template <class T, unsigned C, unsigned R> constexpr mat<T, C, R>& operator*=(mat<T, C, R>& a, const mat<T, C, C>& b) {
+    return a = a * b;
+}
+template <class T, unsigned N> constexpr vec<T, N>& operator*=(vec<T, N>& a, const mat<T, N, N>& b) {
+    return a = a * b;
+}
 
 /// The names of the language's own types, for `using namespace glift::types;`.
 namespace types {
