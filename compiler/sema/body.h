@@ -170,7 +170,8 @@ Operand call_intrinsic(Body&, ir::Intrinsic, const std::vector<ast::ExprId>& arg
                        ir::TypeId wanted);
 Operand call_select(Body&, const ast::Expr& call, ir::TypeId wanted);
 Operand construct_value(Body&, ir::TypeId, const ast::Expr& call);
-Operand call_method(Body&, const Operand& self, ast::Identifier method, const ast::Expr& call, ir::TypeId wanted);
+Operand call_method(Body&, const Operand& self, ast::Identifier method, const std::vector<ast::ExprId>& generics,
+                    const ast::Expr& call, ir::TypeId wanted);
 std::optional<ir::Intrinsic> find_intrinsic(std::string_view name);
 
 // structures in code

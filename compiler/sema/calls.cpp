@@ -1,6 +1,7 @@
 // Calls: of functions, types (construction), methods and built-ins.
 #include "ir/chain.h"
 #include "sema/body.h"
+#include "sema/constructors.h"
 #include "sema/lookup.h"
 #include "sema/raster.h"
 #include "sema/typing.h"
@@ -72,7 +73,7 @@ Operand call_declarations(Body& body, const Meta& meta, const std::vector<ast::E
         if (auto result = check_pipeline_call(body, meta.declarations, generics, call)) return *result;
         return error_operand(call.span);
     }
-    Meta type = meta_of(c, env_for(body, call.operands[0]), call.operands[0]);
+    const Meta type = constructed_type(body, call);
     if (type.kind == MetaKind::type) return call_type(body, type.type, call);
     if (type.kind != MetaKind::none)
         c.error(Diag::not_callable, c[call.operands[0]].span, {"'" + c.text(c[meta.declarations[0]].name.name) + "'"});
@@ -256,7 +257,8 @@ static ast::Identifier base_name(Body& body, const Operand& self, Span span) {
 }
 
 // long: a case for each method of structures
-Operand call_method(Body& body, const Operand& self, ast::Identifier method, const ast::Expr& call, ir::TypeId wanted) {
+Operand call_method(Body& body, const Operand& self, ast::Identifier method, const std::vector<ast::ExprId>& generics,
+                    const ast::Expr& call, ir::TypeId wanted) {
     Context& c = body.context;
     std::vector<ast::ExprId> arguments = arguments_of(call);
     const std::string& name = c.text(method.name);
@@ -275,13 +277,14 @@ Operand call_method(Body& body, const Operand& self, ast::Identifier method, con
         (item.kind == ast::ItemKind::pipeline ? pipelines : overloads).push_back(item.decl);
     }
     if (!pipelines.empty()) {
-        if (auto result = check_pipeline_call(body, pipelines, {}, call, &self)) return *result;
+        if (auto result = check_pipeline_call(body, pipelines, generics, call, &self)) return *result;
         return error_operand(call.span);
     }
     const bool addressed = body.program().structures[self.structure].kind != ir::StructureKind::adaptor;
     const bool is_override = addressed && (name == "domain" || name == "at");
     if (!overloads.empty() && !is_override)
-        return call_function(body, overloads, c.structure_env.at(self.structure), {}, arguments, call, wanted, &self);
+        return call_function(body, overloads, c.structure_env.at(self.structure), generics, arguments, call, wanted,
+                             &self);
     if (name == "domain" && addressed && arguments.empty())
         return value_operand(body, structure_operation(body, ir::Op::domain, domain, self, call.span), call.span);
     if (name == "sample" && addressed) {
@@ -317,8 +320,8 @@ Operand call_method(Body& body, const Operand& self, ast::Identifier method, con
     }
     // What the structure does not declare is its memory's.
     if (has_method_of_base(c, body.program().structures[self.structure], method.name))
-        return call_method(body, structure_member(body, self, base_name(body, self, method.span)), method, call,
-                           wanted);
+        return call_method(body, structure_member(body, self, base_name(body, self, method.span)), method, generics,
+                           call, wanted);
     std::vector<std::string_view> known = {"domain", "sample", "find", "translate", "contains", "load", "store"};
     for (const ast::Item& item : items)
         if (item.decl) known.push_back(c.text(c[item.decl].name.name));
@@ -367,7 +370,7 @@ static Operand call_named(Body& body, ast::Identifier name, const std::vector<as
         self.kind = OperandKind::structure;
         self.structure = *body.container;
         self.span = name.span;
-        return call_method(body, self, name, call, wanted);
+        return call_method(body, self, name, generics, call, wanted);
     }
     Visible visible;
     if (!body.env.find(name.name)) visible = look_up(c, body.env.module, name);
@@ -395,28 +398,30 @@ static Operand check_unnamed_call(Body& body, ast::ExprId id, ir::TypeId wanted)
     Context& c = body.context;
     const ast::Expr& call = c[id];
     const ast::Expr& callee = c[call.operands[0]];
-    if (callee.kind == ast::ExprKind::member) {
-        Operand left = check(body, callee.operands[0]);
+    const bool generic = callee.kind == ast::ExprKind::generic;
+    const ast::Expr& name = generic ? c[callee.operands[0]] : callee;
+    std::vector<ast::ExprId> generics;
+    if (generic) generics.assign(callee.operands.begin() + 1, callee.operands.end());
+    if (name.kind == ast::ExprKind::member) {
+        Operand left = check(body, name.operands[0]);
         if (left.kind == OperandKind::error) return error_operand(call.span);
         if (left.kind == OperandKind::iterator) {
             left.kind = OperandKind::structure;
             left.place.root = left.slot;
         }
         if (left.kind == OperandKind::structure)
-            return call_method(body, left, {callee.name, callee.name_span}, call, wanted);
+            return call_method(body, left, {name.name, name.name_span}, generics, call, wanted);
         if (left.kind != OperandKind::meta || left.meta.kind != MetaKind::module) {
             c.error(Diag::not_callable, callee.span, {"this"});
             return error_operand(call.span);
         }
         Env inside;
         inside.module = left.meta.module;
-        Meta meta = find_meta(c, inside, {callee.name, callee.name_span});
-        if (meta.kind == MetaKind::declarations) return call_declarations(body, meta, {}, call, wanted);
-        report_unknown(c, inside, {callee.name, callee.name_span});
+        Meta meta = find_meta(c, inside, {name.name, name.name_span});
+        if (meta.kind == MetaKind::declarations) return call_declarations(body, meta, generics, call, wanted);
+        report_unknown(c, inside, {name.name, name.name_span});
         return error_operand(call.span);
     }
-    bool generic = callee.kind == ast::ExprKind::generic;
-    const ast::Expr& name = generic ? c[callee.operands[0]] : callee;
     if (name.kind != ast::ExprKind::name) {
         Operand operand = check(body, call.operands[0]);
         if (operand.kind == OperandKind::meta && operand.meta.kind == MetaKind::type)
@@ -429,8 +434,6 @@ static Operand check_unnamed_call(Body& body, ast::ExprId id, ir::TypeId wanted)
         note(c.error(Diag::not_callable, name.span, {"'" + c.text(name.name) + "'"}), symbol->span, "declared here");
         return error_operand(call.span);
     }
-    std::vector<ast::ExprId> generics;
-    if (generic) generics.assign(callee.operands.begin() + 1, callee.operands.end());
     return call_named(body, {name.name, name.span}, generics, call, wanted);
 }
 

@@ -3,6 +3,7 @@
 #include "sema/arms.h"
 #include "sema/body.h"
 #include "sema/components.h"
+#include "sema/constructors.h"
 #include "sema/generics.h"
 #include "sema/instances.h"
 #include "sema/one_memory.h"
@@ -403,10 +404,7 @@ Operand construct_structure(Body& body, ir::TypeId type, const ast::Expr& call) 
     }
     std::uint32_t index = body.types()[type].index;
     ast::DeclId decl = c.structure_decl.at(index);
-    const std::vector<ast::Param>* params = nullptr;
-    if (auto* structure = std::get_if<ast::Structure>(&c[decl].body)) params = &structure->constructor;
-    if (auto* view = std::get_if<ast::View>(&c[decl].body)) params = &view->constructor;
-    if (auto* adaptor = std::get_if<ast::Adaptor>(&c[decl].body)) params = &adaptor->constructor;
+    const std::vector<ast::Param>* params = constructor_of(c[decl]);
     std::vector<ast::ExprId> written = arguments_of(call);
     if (params->size() != written.size()) {
         note(c.error(Diag::argument_count, call.span,

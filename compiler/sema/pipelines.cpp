@@ -146,6 +146,7 @@ std::optional<std::uint32_t> instantiate_pipeline(Context& c, ast::DeclId id, co
     pipeline.owner = owner;
     pipeline.doc = decl.doc;
     Body body{.context = c, .env = env, .kind = BodyKind::pipeline, .block = &pipeline.body, .key = pipeline.key};
+    if (owner) body.key += "<" + c.program.structures[*owner].key + ">";
     for (std::size_t i = 0; i < passed.size(); ++i) {
         const bool is_range = i < written.params.size() && written.params[i].pattern == ast::Pattern::range;
         body.key += is_range                      ? "<" + c.program.structures[passed[i]].key + ">"

@@ -4,6 +4,7 @@
 #include "ir/empty.h"
 #include "sema/base.h"
 #include "sema/components.h"
+#include "sema/constructors.h"
 #include "sema/generics.h"
 #include "sema/instances.h"
 #include "sema/typing.h"
@@ -166,17 +167,14 @@ void declare_member(Body& body, std::uint32_t index, std::uint32_t member, ast::
     declare(body, name, symbol);
 }
 
-const std::vector<ast::Param>& constructor_of(Context& c, std::uint32_t structure) {
-    const auto& decl = c[c.structure_decl.at(structure)].body;
-    if (auto* view = std::get_if<ast::View>(&decl)) return view->constructor;
-    if (auto* adaptor = std::get_if<ast::Adaptor>(&decl)) return adaptor->constructor;
-    return std::get<ast::Structure>(decl).constructor;
+const std::vector<ast::Param>& params_of(const Context& c, std::uint32_t structure) {
+    return *constructor_of(c[c.structure_decl.at(structure)]);
 }
 
 /// The values and the structures that the member's constructor is given.
 void give_arguments(Body& body, const ast::Expr& call, ir::MemberStructure& member) {
     Context& c = body.context;
-    const std::vector<ast::Param>& params = constructor_of(c, member.structure);
+    const std::vector<ast::Param>& params = params_of(c, member.structure);
     const Env& env = *c.structure_env.at(member.structure);
     for (std::size_t i = 0; i < params.size(); ++i) {
         const ir::TypeId wanted = type_of(c, env, params[i].type);
@@ -195,7 +193,9 @@ bool add_member(Body& body, std::uint32_t index, const ast::Item& item) {
         if (call.kind != ast::ExprKind::error) c.error(Diag::member_form, call.span);
         return false;
     }
-    ir::TypeId type = type_of(c, body.env, call.operands[0]);
+    const Meta made = constructed_type(body, call);
+    ir::TypeId type = made.kind == MetaKind::type ? made.type : c.types().error;
+    if (made.kind != MetaKind::type && made.kind != MetaKind::none) c.error(Diag::not_a_type, c[call.operands[0]].span);
     if (type != c.types().error && c.types().kind(type) != ir::TypeKind::structure) {
         c.error(Diag::member_form, call.span);
         type = c.types().error;
@@ -208,9 +208,9 @@ bool add_member(Body& body, std::uint32_t index, const ast::Item& item) {
     member.name = item.name.name;
     member.span = item.name.span;
     member.structure = c.types()[type].index;
-    if (constructor_of(c, member.structure).size() != call.operands.size() - 1)
+    if (params_of(c, member.structure).size() != call.operands.size() - 1)
         c.error(Diag::argument_count, call.span,
-                {c.text(type), std::to_string(constructor_of(c, member.structure).size()),
+                {c.text(type), std::to_string(params_of(c, member.structure).size()),
                  std::to_string(call.operands.size() - 1)});
     else give_arguments(body, call, member);
     c.program.structures[index].members.push_back(std::move(member));

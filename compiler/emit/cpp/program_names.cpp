@@ -62,6 +62,34 @@ bool has_named_base(const ir::Structure& structure) {
     return structure.base.size() > 1 || structure.members[structure.base[0]].name != structure.base_name;
 }
 
+/// FNV-1a: the same on every machine.
+std::uint32_t hash_of(const std::string& text) {
+    std::uint32_t hash = 2166136261u;
+    for (char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
+    return hash;
+}
+
+/// Whether arguments are told apart by their letters and digits: `<2, grid.Cell>`, but not `<-1>`, `<A<2>>`, `<a_b>`.
+bool is_plain(std::string_view arguments) {
+    return std::ranges::all_of(arguments.substr(1, arguments.size() - 2), [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == ',' || c == ' ' ||
+               c == '.';
+    });
+}
+
+/// `Array_2_grid_Cell` of the key `std.array.Array<2, grid.Cell>`; where others may be called so, too, or it is long:
+/// `choose_by_5d1f3a2c`.
+std::string name_of_instance(const std::string& name, const std::string& key) {
+    const std::size_t arguments = key.find('<');
+    if (arguments == std::string::npos) return identifier(name);
+    const std::string_view text = std::string_view(key).substr(arguments);
+    const std::string all = identifier(name + std::string(text));
+    if (is_plain(text) && all.size() <= longest_name) return all;
+    char digits[9];
+    std::snprintf(digits, sizeof digits, "%08x", hash_of(key));
+    return identifier(name + "_" + digits);
+}
+
 ClassNames class_names(const ir::Program& program, const NameSet& types, const ir::Structure& structure) {
     const NameSet fixed = members_of_class(structure.kind);
     Scopes scopes;
@@ -74,18 +102,19 @@ ClassNames class_names(const ir::Program& program, const NameSet& types, const i
     if (has_named_base(structure)) names.base = text(structure.base_name);
     for (const ir::Memory& memory : structure.memories) names.memories.push_back(text(memory.name));
     for (const ir::HostField& field : structure.host) names.host.push_back(text(field.name));
-    std::unordered_map<std::uint32_t, std::string> overloads;
-    for (std::uint32_t pipeline : structure.pipelines) {
-        std::string& name = overloads[program.pipelines[pipeline].name.index];
-        if (name.empty()) name = text(program.pipelines[pipeline].name);
-        names.pipelines.push_back(name);
+    // Overloads share a name. Instances of one with generic parameters may take the same arguments.
+    std::unordered_map<std::string, std::string> overloads;
+    const auto overloaded = [&](const std::string& wanted) {
+        std::string& name = overloads[wanted];
+        if (name.empty()) name = scopes.declare(wanted);
+        return name;
+    };
+    for (std::uint32_t index : structure.pipelines) {
+        const ir::Pipeline& pipeline = program.pipelines[index];
+        names.pipelines.push_back(overloaded(name_of_instance((*program.names)[pipeline.name], pipeline.key)));
     }
-    for (const ir::Method& method : structure.methods) {
-        const Name written = program.functions[method.function].name;
-        std::string& name = overloads[written.index];
-        if (name.empty()) name = text(written);
-        names.methods.push_back(name);
-    }
+    for (const ir::Method& method : structure.methods)
+        names.methods.push_back(overloaded((*program.names)[program.functions[method.function].name]));
     const auto also = [&](const std::vector<std::string>& of, const char* ending, std::vector<std::string>& made) {
         for (const std::string& name : of) made.push_back(scopes.declare(name + ending));
     };
@@ -116,34 +145,6 @@ std::vector<std::string> field_names(const ir::Program& program, const NameSet& 
         names.push_back(type.extern_header.empty() ? scopes.declare(name) : name);
     }
     return names;
-}
-
-/// FNV-1a: the same on every machine.
-std::uint32_t hash_of(const std::string& text) {
-    std::uint32_t hash = 2166136261u;
-    for (char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
-    return hash;
-}
-
-/// Whether arguments are told apart by their letters and digits: `<2, grid.Cell>`, but not `<-1>`, `<A<2>>`, `<a_b>`.
-bool is_plain(std::string_view arguments) {
-    return std::ranges::all_of(arguments.substr(1, arguments.size() - 2), [](char c) {
-        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == ',' || c == ' ' ||
-               c == '.';
-    });
-}
-
-/// `Array_2_grid_Cell` of the key `std.array.Array<2, grid.Cell>`; where others may be called so, too, or it is long:
-/// `choose_by_5d1f3a2c`.
-std::string name_of_instance(const std::string& name, const std::string& key) {
-    const std::size_t arguments = key.find('<');
-    if (arguments == std::string::npos) return identifier(name);
-    const std::string_view text = std::string_view(key).substr(arguments);
-    const std::string all = identifier(name + std::string(text));
-    if (is_plain(text) && all.size() <= longest_name) return all;
-    char digits[9];
-    std::snprintf(digits, sizeof digits, "%08x", hash_of(key));
-    return identifier(name + "_" + digits);
 }
 
 /// Declares all names, types first.

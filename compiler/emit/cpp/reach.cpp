@@ -41,6 +41,7 @@ struct Collector {
     void structure(std::uint32_t index, bool visible);
     void kernel(std::uint32_t index, bool visible);
     void pipeline(std::uint32_t index, bool visible);
+    void signature(const ir::Pipeline&, bool visible);
     void step(const ir::Stmt& stmt);
     Devices steps(const std::vector<ir::StmtId>& body, Devices come);
     void transfers(std::uint32_t structure);
@@ -190,6 +191,8 @@ void Collector::structure(std::uint32_t index, bool visible) {
     const bool newly_visible = visible && reach.in_header.insert(index).second;
     if (!seen.insert(index).second && !newly_visible) return;
     for (const ir::MemberStructure& member : structure.members) this->structure(member.structure, visible);
+    // The class names them in what its pipelines take and give.
+    for (std::uint32_t pipeline : structure.pipelines) signature(program.pipelines[pipeline], visible);
     if (std::ranges::find(reach.structures, index) == reach.structures.end()) reach.structures.push_back(index);
     for (ir::LocalId local : structure.constructor) type(program.locals[local].type, visible);
     type(structure.element, visible);
@@ -227,6 +230,11 @@ void Collector::kernel(std::uint32_t index, bool visible) {
     }
 }
 
+void Collector::signature(const ir::Pipeline& pipeline, bool visible) {
+    for (const ir::PipelineParam& param : pipeline.params) type(program.locals[param.local].type, visible);
+    type(pipeline.result, visible);
+}
+
 void Collector::pipeline(std::uint32_t index, bool visible) {
     const bool is_new = reach.pipelines.insert(index).second;
     const bool is_new_on_host = devices.host && reach.host_pipelines.insert(index).second;
@@ -234,8 +242,7 @@ void Collector::pipeline(std::uint32_t index, bool visible) {
     const ir::Pipeline& pipeline = program.pipelines[index];
     if (visible || is_new) {
         if (pipeline.owner) structure(*pipeline.owner, visible);
-        for (const ir::PipelineParam& param : pipeline.params) type(program.locals[param.local].type, visible);
-        type(pipeline.result, visible);
+        signature(pipeline, visible);
     }
     if (!is_new && !is_new_on_host && !is_new_on_vulkan) return;
     const std::uint32_t before = std::exchange(owner, pipeline.owner.value_or(0));

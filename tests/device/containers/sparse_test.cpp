@@ -1,0 +1,195 @@
+// Random requests, releases, writes, refinements and reads of sparse arrays with pools of many sizes, compared with a
+// model after each change: status, table, frames, free list, and every element of every page.
+#include "model.h"
+#include "property.h"
+
+#include "sparse.glift.hpp"
+
+namespace {
+
+using glift::uint2;
+using model::Number;
+using property::Round;
+
+GLIFT_PROPERTY_SUITE(Sparse);
+
+constexpr Number background = 77, page_x = 4, page_y = 2, page_volume = page_x * page_y, unmapped = 0xffffffff;
+
+template <class Grid> class Sequence {
+public:
+    Sequence(const glift::Device& device, Round& round, model::Overflow policy)
+        : device_(device),
+          round_(round), extent_{1 + round.below(60), 1 + round.below(40)}, along_{(extent_.x + page_x - 1) / page_x,
+                                                                                   (extent_.y + page_y - 1) / page_y},
+          capacity_(std::max(1u, along_.x * along_.y >> 1 >> round.below(4) >> round.below(2))),
+          pages_(policy, along_.x * along_.y, capacity_), grid_(device, extent_, capacity_, background) {
+        round_.about(std::string("extent ") + std::to_string(extent_.x) + " x " + std::to_string(extent_.y) +
+                     ", capacity " + std::to_string(capacity_));
+    }
+
+    void run() {
+        for (int step = 0; step < 30 && !testing::Test::HasFailure(); ++step) {
+            request();
+            if (round_.chance(2)) dismiss();
+            change();
+            if (round_.chance(2)) write();
+            if (round_.chance(5)) compact();
+            ASSERT_TRUE(layout_is_right(step));
+            ASSERT_TRUE(reads_are_right(step));
+        }
+    }
+
+private:
+    Number page_of(uint2 place) const { return place.y / page_y * along_.x + place.x / page_x; }
+    bool is_inside(uint2 place) const { return place.x < extent_.x && place.y < extent_.y; }
+    static Number element_of(uint2 place) { return place.y % page_y * page_x + place.x % page_x; }
+
+    /// Places beside each other and far from each other, some of them outside.
+    std::vector<uint2> places(Number most) {
+        std::vector<uint2> made(1 + round_.below(most));
+        const uint2 first{round_.below(extent_.x), round_.below(extent_.y)};
+        const Number spread = 1 + round_.below(64);
+        for (uint2& place : made) {
+            place = {first.x + round_.below(spread), first.y + round_.below(spread)};
+            if (round_.chance(50)) place = {0u - 1 - round_.below(9), round_.below(20)};
+        }
+        return made;
+    }
+
+    sparse::Places on_device(const std::vector<uint2>& all) {
+        sparse::Places made(device_, static_cast<Number>(all.size()));
+        made.write(all);
+        return made;
+    }
+
+    void request() {
+        const std::vector<uint2> asked = places(60);
+        sparse::request(device_, on_device(asked), grid_);
+        for (uint2 place : asked)
+            if (is_inside(place)) pages_.request(page_of(place));
+    }
+
+    void dismiss() {
+        const std::vector<uint2> asked = places(40);
+        sparse::dismiss(device_, on_device(asked), grid_);
+        for (uint2 place : asked)
+            if (is_inside(place)) pages_.dismiss(page_of(place));
+    }
+
+    void change() {
+        const bool releases = round_.chance(3);
+        if (releases) grid_.update(device_);
+        else grid_.allocate(device_);
+        std::vector<Number> granted = pages_.change(releases);
+        const bool refines = round_.chance(2);
+        const Number by = round_.below(1000000);
+        if (refines) sparse::refine(device_, grid_, by);
+        contents_.resize(pages_.status().capacity * page_volume);
+        for (Number page : granted)
+            for (Number i = 0; i < page_volume; ++i) {
+                const uint2 at{page % along_.x * page_x + i % page_x, page / along_.x * page_y + i / page_x};
+                if (!is_inside(at)) continue;
+                contents_[pages_.frames().at(page) * page_volume + i] = refines ? at.x + 1000 * at.y + by : background;
+            }
+    }
+
+    void write() {
+        std::vector<uint2> at = places(80);
+        std::ranges::sort(at, [](uint2 a, uint2 b) { return a.y != b.y ? a.y < b.y : a.x < b.x; });
+        at.erase(std::ranges::unique(at).begin(), at.end());
+        std::vector<Number> values(at.size());
+        for (Number& value : values) value = round_.below(1u << 31);
+        sparse::Values given(device_, static_cast<Number>(values.size()));
+        given.write(values);
+        sparse::write_field(device_, on_device(at), given, grid_.field());
+        for (std::size_t i = 0; i < at.size(); ++i)
+            if (Number* place = element(at[i])) *place = values[i];
+    }
+
+    void compact() {
+        grid_.compact(device_);
+        const std::vector<Number> before = contents_;
+        for (const auto& [from, to] : pages_.compact())
+            std::copy_n(before.begin() + from * page_volume, page_volume, contents_.begin() + to * page_volume);
+    }
+
+    /// Where the model has an element; null: its page is not there.
+    Number* element(uint2 place) {
+        if (!is_inside(place)) return nullptr;
+        const auto at = pages_.frames().find(page_of(place));
+        return at == pages_.frames().end() ? nullptr : &contents_[at->second * page_volume + element_of(place)];
+    }
+
+    testing::AssertionResult layout_is_right(int step) {
+        const auto status = grid_.status(device_);
+        const model::Status found{status.requested, status.granted, status.refused, status.resident, status.capacity};
+        if (!(found == pages_.status())) return round_.wrong("status after step " + std::to_string(step));
+        std::vector<Number> table(along_.x * along_.y), owners(found.capacity), active;
+        for (const auto& [page, frame] : pages_.frames()) {
+            table[page] = frame + 1;
+            owners[frame] = page + 1;
+            active.push_back(page);
+        }
+        const auto start = [](std::vector<Number> all, std::size_t n) {
+            all.resize(n);
+            return all;
+        };
+        const auto& pages = grid_.pages();
+        if (auto same = property::equal(round_, table, grid_.table().read(), "table"); !same) return same;
+        if (auto same = property::equal(round_, owners, pages.owners().read(), "owners"); !same) return same;
+        if (auto same = property::equal(round_, active, start(pages.active().read(), active.size()), "active"); !same)
+            return same;
+        const std::vector<Number>& free = pages_.free();
+        if (auto same = property::equal(round_, free, start(pages.free().read(), free.size()), "free"); !same)
+            return same;
+        return property::equal(round_, contents_, grid_.field().frames().read(), "frames");
+    }
+
+    testing::AssertionResult reads_are_right(int step) {
+        const std::vector<uint2> at = places(100);
+        const sparse::Places asked = on_device(at);
+        const sparse::Values read(device_, static_cast<Number>(at.size())),
+            found(device_, static_cast<Number>(at.size()));
+        sparse::read_field(device_, asked, grid_.field(), read);
+        sparse::find_field(device_, asked, grid_.field(), found);
+        std::vector<Number> expected_read, expected_found;
+        for (uint2 place : at) {
+            const Number* value = element(place);
+            expected_read.push_back(value ? *value : background);
+            expected_found.push_back(value ? *value : unmapped);
+        }
+        round_.has_size(static_cast<std::uint64_t>(step));
+        if (auto same = property::equal(round_, expected_read, read.read(), "read"); !same) return same;
+        return property::equal(round_, expected_found, found.read(), "find");
+    }
+
+    glift::Device device_;
+    Round& round_;
+    uint2 extent_, along_;
+    Number capacity_;
+    model::Pages pages_;
+    Grid grid_;
+    std::vector<Number> contents_ = std::vector<Number>(capacity_ * page_volume);  ///< of all frames
+};
+
+TEST_P(Sparse, Drop) {
+    for_all("sparse array, drop",
+            [&](Round& round) { Sequence<sparse::Drop>(device(), round, model::Overflow::drop).run(); });
+}
+
+TEST_P(Sparse, Fail) {
+    for_all("sparse array, fail",
+            [&](Round& round) { Sequence<sparse::Fail>(device(), round, model::Overflow::fail).run(); });
+}
+
+TEST_P(Sparse, Evict) {
+    for_all("sparse array, evict",
+            [&](Round& round) { Sequence<sparse::Evict>(device(), round, model::Overflow::evict).run(); });
+}
+
+TEST_P(Sparse, Grow) {
+    for_all("sparse array, grow",
+            [&](Round& round) { Sequence<sparse::Grow>(device(), round, model::Overflow::grow).run(); });
+}
+
+}  // namespace
