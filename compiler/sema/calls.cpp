@@ -236,11 +236,9 @@ static Operand found_where(Body& body, const Operand& structure, ir::ExprId is, 
 }
 
 static const std::vector<ast::Item>& items_of(const Context& c, std::uint32_t structure) {
-    const auto& decl = c[c.structure_decl.at(structure)].body;
-    if (auto* view = std::get_if<ast::View>(&decl)) return view->items;
-    if (auto* adaptor = std::get_if<ast::Adaptor>(&decl)) return adaptor->items;
-    return std::get<ast::Structure>(decl).items;
+    return items_of(c[c.structure_decl.at(structure)]);
 }
+
 /// Whether the structure's memory declares functions or pipelines of that name, or the memory's memory does.
 static bool has_method_of_base(const Context& c, const ir::Structure& structure, Name name) {
     for (const ir::Structure* link = &structure; !link->base.empty();) {

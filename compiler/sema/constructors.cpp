@@ -34,6 +34,12 @@ const std::vector<ast::Param>* constructor_of(const ast::Decl& decl) {
     return nullptr;
 }
 
+const std::vector<ast::Item>& items_of(const ast::Decl& decl) {
+    if (const auto* view = std::get_if<ast::View>(&decl.body)) return view->items;
+    if (const auto* adaptor = std::get_if<ast::Adaptor>(&decl.body)) return adaptor->items;
+    return std::get<ast::Structure>(decl.body).items;
+}
+
 Meta constructed_type(Body& body, const ast::Expr& call) {
     Context& c = body.context;
     const ast::ExprId written = call.operands[0];

@@ -1,5 +1,6 @@
 // Pipelines: host code that runs passes in sequence.
 #include "sema/components.h"
+#include "sema/constructors.h"
 #include "sema/generics.h"
 #include "sema/instances.h"
 
@@ -119,6 +120,27 @@ void check_range_return(Body& body, const ast::Stmt& stmt) {
     emit(body, id);
 }
 
+/// The pipelines of that name, of a container or of the module.
+static std::vector<ast::DeclId> overloads_of(const Context& c, ast::DeclId id, std::optional<std::uint32_t> owner) {
+    std::vector<ast::DeclId> all;
+    if (!owner) {
+        const auto& names = c.scopes[c.module_of.at(id)].names;
+        const auto found = names.find(c[id].name.name);
+        return found == names.end() ? all : found->second;
+    }
+    for (const ast::Item& item : items_of(c[c.structure_decl.at(*owner)]))
+        if (item.decl && c[item.decl].name.name == c[id].name.name) all.push_back(item.decl);
+    return all;
+}
+
+/// What tells the pipeline from others of its name.
+static std::string overload_text(const Context& c, ast::DeclId id, std::optional<std::uint32_t> owner) {
+    const std::vector<ast::DeclId> all = overloads_of(c, id, owner);
+    const auto place = std::ranges::find(all, id) - all.begin();
+    const std::string container = owner ? "<" + c.program.structures[*owner].key + ">" : "";
+    return container + (place == 0 ? "" : "<overload " + std::to_string(place + 1) + ">");
+}
+
 // If the declared result is T, the instance's result is T or T on the device, depending on the returned values.
 std::optional<std::uint32_t> instantiate_pipeline(Context& c, ast::DeclId id, const Env& env,
                                                   const std::vector<std::uint32_t>& passed,
@@ -146,7 +168,7 @@ std::optional<std::uint32_t> instantiate_pipeline(Context& c, ast::DeclId id, co
     pipeline.owner = owner;
     pipeline.doc = decl.doc;
     Body body{.context = c, .env = env, .kind = BodyKind::pipeline, .block = &pipeline.body, .key = pipeline.key};
-    if (owner) body.key += "<" + c.program.structures[*owner].key + ">";
+    body.key += overload_text(c, id, owner);
     for (std::size_t i = 0; i < passed.size(); ++i) {
         const bool is_range = i < written.params.size() && written.params[i].pattern == ast::Pattern::range;
         body.key += is_range                      ? "<" + c.program.structures[passed[i]].key + ">"
