@@ -1,6 +1,6 @@
 #include "input.h"
 
-#include "examples/common/render.h"
+#include "examples/common/shapes.h"
 
 #include <glift/host/math.h>
 
@@ -12,49 +12,47 @@ namespace input {
 
 namespace {
 
-/// A mesh from a file on a table, seen from before it.
+using glift::float3;
+
+/// Tiles of a quarter of a metre, from before the camera far to the back.
+void add_table(mesh::Mesh& mesh) {
+    constexpr int columns = 64, rows = 64;
+    constexpr float side = 0.25f;
+    for (int column = 0; column < columns; ++column)
+        for (int row = 0; row < rows; ++row) {
+            const float x = side * static_cast<float>(column - columns / 2), z = side * static_cast<float>(row - 52);
+            const auto place = [&](float u, float v) { return float3(x + side * u, 0, z + side * v); };
+            const bool is_dark = (column + row) % 2 == 1;
+            const auto colour = [&](float, float) {
+                return is_dark ? float3(0.1f, 0.13f, 0.18f) : float3(0.55f, 0.5f, 0.42f);
+            };
+            mesh::add_sheet(mesh, 1, 1, place, colour);
+        }
+}
+
+/// A row of balls from the front at the left to the back at the right.
+void add_balls(mesh::Mesh& mesh, const float3& middle) {
+    const float3 colours[] = {float3(0.7f, 0.1f, 0.08f), float3(0.9f, 0.6f, 0.1f), float3(0.1f, 0.25f, 0.6f)};
+    for (const int i : {-2, -1, 1, 2, 3, 4, 5, 6}) {  // the mesh stands where the next one would
+        const auto at = static_cast<float>(i);
+        mesh::add_sphere(mesh, float3(middle.x - 0.15f + 0.3f * at, 0.09f, middle.z + 0.1f - 0.62f * at), 0.09f, 24,
+                         colours[static_cast<unsigned>(i + 3) % 3]);
+    }
+}
+
+/// A mesh from a file, a metre long, on a table with balls.
 scenes::Scene scene_of_file(const std::string& path) {
     scenes::Scene scene;
     scene.mesh = mesh::read(path);
     mesh::normalise(scene.mesh);
     const mesh::Box box = mesh::bounds_of(scene.mesh);
-    const glift::float3 middle = (box.low + box.high) * 0.5f;
-    scene.view = {middle + glift::float3(0.7f, 0.35f, 1.5f), middle, glift::float3(0, 1, 0), 0.6f, 0.05f, 20};
-    scene.light.eye = middle + glift::float3(2, 3, 2);
+    const float3 middle = (box.low + box.high) * 0.5f;
+    add_table(scene.mesh);
+    add_balls(scene.mesh, middle);
+    scene.view = {middle + float3(0.5f, 0.5f, 2.2f), middle, float3(0, 1, 0), 0.6f, 0.05f, 40};
+    scene.light.eye = middle + float3(2, 3, 2);
     scene.light.target = middle;
     return scene;
-}
-
-/// Seen through the camera: its angle is that of the film behind the lens.
-scenes::Scene scene_for(const std::string& name, float time, const Camera& camera, float aspect) {
-    scenes::Scene scene = name.find('.') == std::string::npos ? scenes::make(name, time) : scene_of_file(name);
-    scene.view.height_angle = 2 * std::atan(0.5f * camera.film_width / aspect / camera.image_distance());
-    return scene;
-}
-
-/// What is nearer than a distance, and nothing elsewhere.
-picture::Picture drawn_before(const scenes::Scene& scene, const picture::Picture& all, float distance) {
-    picture::Picture layer = render::drawn(scene, all.width, all.height, {0, distance});
-    for (std::size_t i = 0; i < layer.pixels.size(); ++i) {
-        layer.pixels[i] = layer.pixels[i] * layer.pixels[i].w;  // no sky in it
-        layer.depth[i] = std::min(layer.depth[i], distance);
-    }
-    return layer;
-}
-
-/// What is farther than a distance. Where something nearer was cut away and nothing is behind it, alpha 0: a hole,
-/// which holds what was cut away.
-picture::Picture drawn_behind(const scenes::Scene& scene, const picture::Picture& all, float distance) {
-    const picture::Picture layer = render::drawn(scene, all.width, all.height, {distance});
-    picture::Picture made = render::before_sky(layer);
-    for (std::size_t i = 0; i < layer.pixels.size(); ++i)
-        if (layer.pixels[i].w == 0 && all.depth[i] < distance)
-            made.pixels[i] = glift::float4(all.pixels[i].x, all.pixels[i].y, all.pixels[i].z, 0);
-    return made;
-}
-
-float aspect_of(std::uint32_t width, std::uint32_t height) {
-    return static_cast<float>(width) / static_cast<float>(height);
 }
 
 }  // namespace
@@ -67,20 +65,14 @@ void check(const Camera& camera) {
                                  " m, has to be larger than the focal length, " + std::to_string(camera.focal) + " m");
 }
 
-Layers of_scene(const std::string& name, float time, std::uint32_t width, std::uint32_t height, const Camera& camera,
-                const Cuts& cuts, unsigned layers) {
-    const scenes::Scene scene = scene_for(name, time, camera, aspect_of(width, height));
-    Layers made{render::before_sky(render::drawn(scene, width, height)), {}, {}, {}};
-    if (layers < 3) return made;
-    const float front = cuts.front_distance(camera), back = cuts.back_distance(camera);
-    made.front = drawn_before(scene, made.all, front);
-    made.behind = drawn_behind(scene, made.all, front);
-    made.back = drawn_behind(scene, made.all, back);
+scenes::Scene scene(const std::string& name, float time, const Camera& camera, float aspect) {
+    scenes::Scene made = name.find('.') == std::string::npos ? scenes::make(name, time) : scene_of_file(name);
+    made.view.height_angle = 2 * std::atan(0.5f * camera.film_width / aspect / camera.image_distance());
     return made;
 }
 
-Layers of_files(const std::string& colour, const std::string& depth, const std::string& front) {
-    Layers read{picture::read(colour), {}, {}, {}};
+Pictures pictures(const std::string& colour, const std::string& depth, const std::string& front) {
+    Pictures read{picture::read(colour), {}};
     if (!depth.empty()) {
         const picture::Picture distances = picture::read(depth);
         if (distances.width != read.all.width || distances.height != read.all.height)
@@ -97,12 +89,6 @@ Layers of_files(const std::string& colour, const std::string& depth, const std::
     if (read.front->width != read.all.width || read.front->height != read.all.height)
         throw std::runtime_error(front + ": is not as large as " + colour);
     return read;
-}
-
-picture::Picture reference(const std::string& name, float time, std::uint32_t width, std::uint32_t height,
-                           const Camera& camera, unsigned samples) {
-    const scenes::Scene scene = scene_for(name, time, camera, aspect_of(width, height));
-    return render::through_lens(scene, width, height, camera.aperture(), camera.focus, samples);
 }
 
 }  // namespace input

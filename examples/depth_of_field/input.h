@@ -1,7 +1,8 @@
-// What depth of field is computed from: pictures with distances, in up to three layers, and the lens.
+// What depth of field is computed from: the lens, and a scene to be drawn or pictures with distances.
 #pragma once
 
 #include "examples/common/picture.h"
+#include "examples/common/scenes/scenes.h"
 
 #include <cstdint>
 #include <optional>
@@ -24,33 +25,17 @@ struct Camera {
 /// Throws std::runtime_error where no lens is so.
 void check(const Camera& camera);
 
-/// Where layers are cut, as parts of the circle of what is infinitely far.
-struct Cuts {
-    float front = 0.1f, back = 0.5f;
+/// A generated scene, or a mesh file on a table, seen through the camera: its angle is that of the film behind the
+/// lens.
+scenes::Scene scene(const std::string& name, float time, const Camera& camera, float aspect);
 
-    float front_distance(const Camera& camera) const { return camera.focus / (1 + front); }
-    /// What the background's picture begins with: it fades in from half of its cut on (range_of in dof.glift), and what
-    /// is there has to be in both pictures.
-    float back_distance(const Camera& camera) const { return camera.focus / (1 - 0.5f * back); }
-};
-
-/// Colours and distances. Without layers there is `all`; else what lies before the front cut, all behind it, all behind
-/// the back cut.
-struct Layers {
+/// A picture with distances, and perhaps a foreground with alpha and distances of its own.
+struct Pictures {
     picture::Picture all;
-    std::optional<picture::Picture> front, behind, back;
+    std::optional<picture::Picture> front;
 };
 
-/// Draws a generated scene or a mesh file, `layers` 1 or 2: one picture; 3: cut by distance.
-Layers of_scene(const std::string& name, float time, std::uint32_t width, std::uint32_t height, const Camera& camera,
-                const Cuts& cuts, unsigned layers);
-
-/// Reads a picture, with its own distances or those of another file, and perhaps the picture of a foreground with
-/// alpha.
-Layers of_files(const std::string& colour, const std::string& depth, const std::string& front);
-
-/// What a real lens would see of a scene, by so many pinholes.
-picture::Picture reference(const std::string& name, float time, std::uint32_t width, std::uint32_t height,
-                           const Camera& camera, unsigned samples);
+/// Reads a picture, with its own distances or those of another file, and a foreground where one is named.
+Pictures pictures(const std::string& colour, const std::string& depth, const std::string& front);
 
 }  // namespace input

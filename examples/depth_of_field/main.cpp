@@ -1,6 +1,9 @@
-// Pictures through a lens, from pinhole pictures with distances: dof.glift from C++.
+// Photographs of scenes, and of pinhole pictures with distances: photograph.glift and dof.glift from C++.
 #include "dof.glift.hpp"
 #include "input.h"
+#include "photograph.glift.hpp"
+
+#include <glift/host/math.h>
 
 #include <CLI/CLI.hpp>
 
@@ -9,6 +12,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 #include <stdexcept>
 
 namespace {
@@ -20,102 +24,153 @@ struct Arguments {
     float time = 0.4f;
     std::vector<std::uint32_t> size = {960, 640};
     input::Camera camera;
-    input::Cuts cuts;
+    photograph::Cuts cuts{0.1f, 0.5f};
     unsigned layers = 2, reference = 0;
     bool blurred = false;
     std::string visualise, out = "depth_of_field.png", pinhole;
+
+    glift::uint holes() const { return blurred ? dof::Holes::blurred : dof::Holes::raised; }
 };
 
-/// The structures of one picture on a device.
+/// A picture on a device.
 struct Images {
     dof::Picture colour;
     dof::Distances distances;
 
+    Images(const glift::Device& device, glift::uint2 size) : colour(device, size), distances(device, size) {}
     Images(const glift::Device& device, const Picture& picture)
-        : colour(device, {picture.width, picture.height}), distances(device, {picture.width, picture.height}) {
+        : Images(device, glift::uint2(picture.width, picture.height)) {
         colour.write(picture.pixels);
         distances.write(picture.depth);
     }
+    Picture read() const { return {colour.extent().x, colour.extent().y, colour.read(), distances.read()}; }
 };
+
+Picture read(const dof::Picture& made) { return {made.extent().x, made.extent().y, made.read(), {}}; }
 
 dof::Lens lens_of(const input::Camera& camera, std::uint32_t width) {
     return {camera.focal, camera.aperture(), camera.focus, static_cast<float>(width) / camera.film_width};
 }
 
-class Solver {
+/// What is in front of the lens: pinhole pictures, and photographs of them.
+class Subject {
 public:
-    Solver(const Arguments& arguments, const input::Layers& layers)
-        : arguments_(arguments), lens_(lens_of(arguments.camera, layers.all.width)), device_(glift::Device::open()),
-          all_(device_, layers.behind ? *layers.behind : layers.all),
-          result_(device_, {layers.all.width, layers.all.height}),
-          composed_(device_, {layers.all.width, layers.all.height}) {
-        if (layers.front) front_.emplace(device_, *layers.front);
-        if (layers.back) back_.emplace(device_, *layers.back);
-    }
+    Subject(const Arguments& arguments, glift::Device device, glift::uint2 size)
+        : arguments_(arguments), device_(std::move(device)), lens_(lens_of(arguments.camera, size.x)),
+          result_(device_, size) {}
+    virtual ~Subject() = default;
 
     /// One submission for each call.
-    void run() {
-        if (arguments_.layers == 1) dof::one_layer(device_, all_.colour, all_.distances, lens_, result_);
-        else if (back_)
-            dof::two_pictures(device_, all_.colour, all_.distances, back_->colour, back_->distances, lens_,
-                              arguments_.cuts.back, result_);
-        else if (arguments_.blurred)
-            dof::two_layers_blurred(device_, all_.colour, all_.distances, lens_, arguments_.cuts.back, result_);
-        else dof::two_layers_raised(device_, all_.colour, all_.distances, lens_, arguments_.cuts.back, result_);
-        if (front_) {
-            dof::foreground(device_, front_->colour, front_->distances, lens_, arguments_.cuts.front, result_,
-                            composed_);
-        }
-        device_.wait();
-    }
-    Picture result() {
-        const dof::Picture& last = front_ ? composed_ : result_;
-        return {last.extent().x, last.extent().y, last.read(), {}};
-    }
-    const std::string& device_name() const { return device_.properties().name; }
-    const dof::Lens& lens() const { return lens_; }
+    virtual void photograph() = 0;
+    virtual const Images& pinhole() const = 0;
+    /// Of so many pinholes all over the lens.
+    virtual Picture reference(unsigned places) = 0;
 
-private:
+    Picture result() const { return read(result_); }
+    Picture circles() const {
+        photograph::circle_picture(device_, pinhole().distances, lens_, result_);
+        return result();
+    }
+    Picture layers() const {
+        photograph::layer_picture(device_, pinhole().colour, pinhole().distances, lens_, arguments_.cuts, result_);
+        return result();
+    }
+    const glift::Device& device() const { return device_; }
+
+protected:
     const Arguments& arguments_;
-    dof::Lens lens_;
     glift::Device device_;
-    Images all_;
-    std::optional<Images> front_, back_;
-    dof::Picture result_, composed_;
+    dof::Lens lens_;
+    dof::Picture result_;
 };
 
-Picture of_circles(const Picture& picture, const dof::Lens& lens) {
-    const glift::Device device = glift::Device::open();
-    const Images images(device, picture);
-    dof::Picture circles(device, {picture.width, picture.height});
-    dof::circle_picture(device, images.distances, lens, circles);
-    return {picture.width, picture.height, circles.read(), {}};
-}
-
-/// Foreground red, midground green, background blue.
-Picture of_layers(const Picture& picture, const input::Camera& camera, const input::Cuts& cuts) {
-    Picture made{picture.width, picture.height, {}, {}};
-    for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
-        const float z = picture.depth[i];
-        const unsigned layer = z < cuts.front_distance(camera) ? 0 : z < cuts.back_distance(camera) ? 1 : 2;
-        glift::float4 colour = picture.pixels[i] * 0.4f;
-        colour[layer] += 0.4f;
-        colour.w = 1;
-        made.pixels.push_back(colour);
+/// Triangles, which are drawn for each photograph.
+class Scene : public Subject {
+public:
+    Scene(const Arguments& arguments, glift::Device device, const scenes::Scene& scene)
+        : Subject(arguments, std::move(device), {arguments.size[0], arguments.size[1]}),
+          corners_(device_, static_cast<std::uint32_t>(scene.mesh.corners.size())),
+          points_(device_, static_cast<std::uint32_t>(scene.mesh.points.size())),
+          colours_(device_, static_cast<std::uint32_t>(scene.mesh.points.size())), pinhole_(device_, result_.extent()) {
+        corners_.write(scene.mesh.corners);
+        points_.write(scene.mesh.points);
+        colours_.write(scene.mesh.colours);
+        view_ = {camera::projection_of(scene.view, aspect_of(arguments)), scene.view.eye,
+                 glift::normalize(scene.light.eye - scene.light.target), scene.sky, scene.view.far};
     }
-    return made;
+    static float aspect_of(const Arguments& arguments) {
+        return static_cast<float>(arguments.size[0]) / static_cast<float>(arguments.size[1]);
+    }
+
+    void photograph() override {
+        photograph::photograph(device_, corners_, points_, colours_, view_, lens_, arguments_.layers, arguments_.cuts,
+                               arguments_.holes(), pinhole_.colour, pinhole_.distances, result_);
+    }
+    const Images& pinhole() const override { return pinhole_; }
+    Picture reference(unsigned places) override {
+        const dof::Picture mean(device_, result_.extent());
+        photograph::many_pinholes(device_, corners_, points_, colours_, view_, lens_, places, mean);
+        return read(mean);
+    }
+
+private:
+    photograph::Corners corners_;
+    photograph::Points points_, colours_;
+    photograph::Viewpoint view_;
+    Images pinhole_;
+};
+
+/// Pictures from files.
+class Files : public Subject {
+public:
+    Files(const Arguments& arguments, glift::Device device, const input::Pictures& pictures)
+        : Subject(arguments, std::move(device), {pictures.all.width, pictures.all.height}), all_(device_, pictures.all),
+          without_front_(device_, result_.extent()) {
+        if (pictures.front) front_.emplace(device_, *pictures.front);
+        else if (arguments.layers == 3) throw std::runtime_error("a third layer of a picture needs --foreground");
+    }
+
+    void photograph() override {
+        const dof::Picture& to = front_ ? without_front_ : result_;
+        if (arguments_.layers == 1) dof::one_layer(device_, all_.colour, all_.distances, lens_, to);
+        else dof::two_layers(device_, all_.colour, all_.distances, lens_, arguments_.cuts.back, arguments_.holes(), to);
+        if (front_)
+            dof::foreground(device_, front_->colour, front_->distances, lens_, arguments_.cuts.front, to, result_);
+    }
+    const Images& pinhole() const override { return all_; }
+    Picture reference(unsigned) override {
+        throw std::runtime_error("--reference needs a scene: many pinholes are drawn of it");
+    }
+
+private:
+    Images all_;
+    std::optional<Images> front_;
+    dof::Picture without_front_;
+};
+
+std::unique_ptr<Subject> subject_of(const Arguments& a) {
+    if (!a.colour.empty())
+        return std::make_unique<Files>(a, glift::Device::open(), input::pictures(a.colour, a.depth, a.foreground));
+    return std::make_unique<Scene>(a, glift::Device::open(),
+                                   input::scene(a.scene, a.time, a.camera, Scene::aspect_of(a)));
 }
 
-void time(Solver& solver, const Picture& picture) {
-    solver.run();  // compiles shaders
+void time(Subject& subject) {
+    const glift::Device& device = subject.device();
+    subject.photograph();  // compiles shaders
+    device.wait();
+    const std::uint64_t before = device.statistics().submissions;
+    constexpr unsigned rounds = 5;
     double best = 1e30;
-    for (int round = 0; round < 3; ++round) {
+    for (unsigned round = 0; round < rounds; ++round) {
         const auto start = std::chrono::steady_clock::now();
-        solver.run();
+        subject.photograph();
+        device.wait();
         best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
     }
-    std::printf("%s: %.2f ms a picture of %u x %u\n", solver.device_name().c_str(), 1e3 * best, picture.width,
-                picture.height);
+    const double submissions = static_cast<double>(device.statistics().submissions - before) / rounds;
+    std::printf("%s: %.2f ms and %g submissions a photograph\n", device.properties().name.c_str(), 1e3 * best,
+                submissions);
 }
 
 /// Root of the mean squared difference of what screens show.
@@ -141,9 +196,7 @@ void save(const std::string& path, const Picture& picture) {
     std::printf("wrote %s\n", path.c_str());
 }
 
-void compare(const Arguments& a, const Picture& result) {
-    if (!a.colour.empty()) throw std::runtime_error("--reference needs a scene: many pinholes are drawn of it");
-    const Picture reference = input::reference(a.scene, a.time, result.width, result.height, a.camera, a.reference);
+void compare(const Arguments& a, const Picture& result, const Picture& reference) {
     Picture apart{result.width, result.height, {}, {}};
     for (std::size_t i = 0; i < result.pixels.size(); ++i) {
         const glift::float4 d = result.pixels[i] - reference.pixels[i];
@@ -157,18 +210,14 @@ void compare(const Arguments& a, const Picture& result) {
 
 void run(const Arguments& a) {
     input::check(a.camera);
-    const input::Layers layers =
-        a.colour.empty() ? input::of_scene(a.scene, a.time, a.size[0], a.size[1], a.camera, a.cuts, a.layers)
-                         : input::of_files(a.colour, a.depth, a.foreground);
-    if (!a.pinhole.empty()) save(a.pinhole, layers.all);
-    const dof::Lens lens = lens_of(a.camera, layers.all.width);
-    if (a.visualise == "circles") return save(a.out, of_circles(layers.all, lens));
-    if (a.visualise == "layers") return save(a.out, of_layers(layers.all, a.camera, a.cuts));
-    Solver solver(a, layers);
-    time(solver, layers.all);
-    const Picture result = solver.result();
+    const std::unique_ptr<Subject> subject = subject_of(a);
+    time(*subject);
+    const Picture result = subject->result();
+    if (!a.pinhole.empty()) save(a.pinhole, subject->pinhole().read());
+    if (a.visualise == "circles") return save(a.out, subject->circles());
+    if (a.visualise == "layers") return save(a.out, subject->layers());
     save(a.out, result);
-    if (a.reference) compare(a, result);
+    if (a.reference) compare(a, result, subject->reference(a.reference));
 }
 
 void add_options(CLI::App& app, Arguments& a) {

@@ -86,9 +86,9 @@ void Part::print_varyings(const std::vector<StmtId>& list, Reads reads) {
         if (is_flat != (reads == Reads::of_triangle) || !cpp::mentions(program, list, varying.read)) continue;
         const std::string type = cpp::type_text(p.globals, varying.type);
         const std::string name = p.local_names[varying.read] = p.names.declare((*program.names)[varying.name]);
-        p.out.line("const " + type + " " + name + " = glift::host::" +
-                   std::string(ir::spelling(varying.interpolation)) + "<" + type + ">(fragments, " +
-                   (is_flat ? "" : "pixel, ") + std::to_string(raster.clip_distances.size() + offset) + ");");
+        p.out.line("const " + type + " " + name +
+                   " = glift::host::" + std::string(ir::spelling(varying.interpolation)) + "<" + type +
+                   ">(fragments, " + (is_flat ? "" : "pixel, ") + std::to_string(offset) + ");");
     }
 }
 

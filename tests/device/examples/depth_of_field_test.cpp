@@ -5,8 +5,10 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
+#include <set>
 
 namespace {
 
@@ -114,6 +116,41 @@ TEST_F(DepthOfField, AllLayersOfASceneAgreeOnBothDevices) {
     }
 }
 
+TEST_F(DepthOfField, DrawsAndBlursInOneSubmission) {
+    for (const char* layers : {"1", "2", "3"}) {
+        const auto result = run("lavapipe", {"--scene", "robot", "--size", "72", "48", "--layers", layers, "--out",
+                                             file("a.png"), "--pinhole", file("pinhole.exr")});
+        ASSERT_EQ(result.exit_code, 0) << result.out << result.err;
+        EXPECT_THAT(result.out, HasSubstr(" and 1 submissions a photograph"));
+    }
+    const Picture pinhole = picture::read(file("pinhole.exr"));
+    const auto [near, far] = std::minmax_element(pinhole.depth.begin(), pinhole.depth.end());
+    EXPECT_GT(*near, 1.0f) << "the robot's distance in metres";
+    EXPECT_LT(*near, 8.0f);
+    EXPECT_GT(*far, 2 * *near);
+}
+
+TEST_F(DepthOfField, ShowsCirclesAndLayers) {
+    const auto shown = [&](const std::string& what) {
+        const auto result =
+            run("host", {"--scene", "robot", "--size", "72", "48", "--focus", "5", "--f-stop", "0.2", "--visualise",
+                         what, "--pinhole", file("pinhole.exr"), "--out", file(what + ".exr")});
+        EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
+        return picture::read(file(what + ".exr"));
+    };
+    const Picture circles = shown("circles"), layers = shown("layers"), pinhole = picture::read(file("pinhole.exr"));
+    std::set<unsigned> seen;
+    for (std::size_t i = 0; i < circles.pixels.size(); ++i) {
+        const float z = pinhole.depth[i];
+        ASSERT_NEAR(circles.pixels[i].y, std::min(1.0f, std::abs(5 / z - 1)), 1e-4f) << z;
+        const unsigned layer = z < 5 / 1.1f ? 0 : z < 5 / 0.75f ? 1 : 2;
+        for (unsigned k = 0; k < 3; ++k)
+            ASSERT_NEAR(layers.pixels[i][k], 0.4f * pinhole.pixels[i][k] + (k == layer ? 0.4f : 0.0f), 1e-5f) << z;
+        seen.insert(layer);
+    }
+    EXPECT_EQ(seen.size(), 3u);
+}
+
 TEST_F(DepthOfField, IsNearToARealLens) {
     const auto result = run("host", {"--scene", "robot", "--size", "96", "64", "--focus", "3", "--reference", "32",
                                      "--out", file("a.png")});
@@ -138,6 +175,9 @@ TEST_F(DepthOfField, SaysWhatIsWrong) {
     picture::write(file("flat.exr"), flat);
     refuses({"--colour", file("flat.exr")}, "has no distances (channel Z); name a picture of them with --depth");
     refuses({"--colour", file("flat.exr"), "--reference", "4", "--depth", file("missing.exr")}, "missing.exr");
+    refuses({"--colour", file("flat.exr"), "--reference", "4", "--depth", file("flat.exr")},
+            "--reference needs a scene");
+    refuses({"--colour", file("flat.exr"), "--layers", "3", "--depth", file("flat.exr")}, "needs --foreground");
     refuses({"--out", file("no/folder/a.png"), "--size", "8", "8"}, "cannot be written");
 }
 
