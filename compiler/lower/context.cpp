@@ -64,17 +64,18 @@ std::string Context::name_of(const Place& place) const {
 
 namespace {
 
-bool is_uniform_node(Context& cx, const Expr& node) {
+/// Nodes of a uniform value, written out; 0 where it is not uniform.
+std::uint32_t uniform_size_of_node(Context& cx, const Expr& node) {
     switch (node.op) {
 #define SHAPE_OPERATION(name) case Op::name:
 #include "ir/operations.def"
     case Op::constant:
-    case Op::none: return true;
+    case Op::none: return 1;
     case Op::local: {
         for (const KernelParam& param : cx.kernel.params)
-            if (param.pattern == Pattern::value && param.local == node.local) return true;
+            if (param.pattern == Pattern::value && param.local == node.local) return 1;
         const ExprId* found = cx.definitions.find(node.local);
-        return found != nullptr && is_uniform(cx, *found);
+        return found != nullptr ? uniform_size(cx, *found) : 0;
     }
     case Op::construct:
     case Op::convert:
@@ -88,30 +89,36 @@ bool is_uniform_node(Context& cx, const Expr& node) {
     case Op::some:
     case Op::has_value:
     case Op::value:
-    case Op::call:
-        if (!node.places.empty() || (node.op == Op::call && cx.made_functions.contains(node.function))) return false;
+    case Op::call: {
+        if (!node.places.empty() || (node.op == Op::call && cx.made_functions.contains(node.function))) return 0;
         if (node.op == Op::intrinsic && (is_collective(node.intrinsic) || signature_of(node.intrinsic)[0] == '@'))
-            return false;
-        for (ExprId operand : node.operands)
-            if (!is_uniform(cx, operand)) return false;
-        return true;
+            return 0;
+        std::uint32_t size = 1;
+        for (ExprId operand : node.operands) {
+            const std::uint32_t part = uniform_size(cx, operand);
+            if (part == 0 || size + part > largest_uniform) return 0;
+            size += part;
+        }
+        return size;
+    }
 #define STRUCTURE_OPERATION(name) case Op::name:
 #define GUARDED_OPERATION(name) case Op::name:
 #define HOST_OPERATION(name) case Op::name:
 #define MEMORY_OPERATION(name) case Op::name:
 #define CPU_OPERATION(name) case Op::name:
 #include "ir/operations.def"
-        return false;
+        return 0;
     }
-    return false;
+    return 0;
 }
 
 }  // namespace
 
-bool find_uniform(Context& cx, ExprId id) {
-    const bool result = is_uniform_node(cx, cx.p.exprs[id]);
-    cx.uniform.emplace(id, result);
-    return result;
+std::uint32_t uniform_size(Context& cx, ExprId id) {
+    if (const std::uint32_t* found = cx.uniform_sizes.find(id)) return *found;
+    const std::uint32_t size = uniform_size_of_node(cx, cx.p.exprs[id]);
+    cx.uniform_sizes.emplace(id, size);
+    return size;
 }
 
 bool is_trivial(const Context& cx, ExprId id) {

@@ -73,7 +73,7 @@ struct Context {
     std::vector<LocalId> params;                               ///< of the function whose body is being simplified
     ExprId size;                                               ///< the iteration's size
     ir::Part part = ir::Part::whole;                           ///< of a draw: the body that is being made
-    NodeMap<ExprId, bool> uniform{first_expr};
+    NodeMap<ExprId, std::uint32_t> uniform_sizes{first_expr};
     NodeMap<ExprId, std::uint8_t> traits{first_expr};  ///< of number.h; valid once the bindings' access is settled
 
     std::vector<std::unique_ptr<NumberMemory>> spare_number_memory;
@@ -90,12 +90,12 @@ struct Context {
     std::string name_of(const ir::Place& place) const;  ///< f, f_table
 };
 
-/// Whether the value is the same for all invocations and the host can compute it before the pass runs.
-bool find_uniform(Context& cx, ExprId id);
-inline bool is_uniform(Context& cx, ExprId id) {
-    const bool* found = cx.uniform.find(id);
-    return found != nullptr ? *found : find_uniform(cx, id);
-}
+/// Nodes of a value that is the same for all invocations and that the host computes before the pass runs, as the host
+/// has it: written out, without locals. 0 where it is none, and beyond largest_uniform: what doubles with each step
+/// would never end.
+std::uint32_t uniform_size(Context& cx, ExprId id);
+constexpr std::uint32_t largest_uniform = 1024;
+inline bool is_uniform(Context& cx, ExprId id) { return uniform_size(cx, id) != 0; }
 
 /// Whether it is a name or a number: worth no local of its own.
 bool is_trivial(const Context& cx, ExprId id);

@@ -343,8 +343,8 @@ std::vector<StmtId> Uniforms::moved(const std::vector<StmtId>& body, std::size_t
 }
 
 void rewrite(Context& cx, const std::vector<std::vector<StmtId>*>& bodies, Lifted lifted) {
-    cx.uniform
-        .clear();  // earlier passes have made simpler values of lets: what depended on the invocation may not any more
+    // Earlier passes have made simpler values of lets: what depended on the invocation may not any more.
+    cx.uniform_sizes.clear();
     Uniforms uniforms(cx, lifted);
     for (const auto* body : bodies) uniforms.collect(*body);
     for (std::size_t i = 0; i < bodies.size(); ++i) *bodies[i] = uniforms.moved(*bodies[i], i);

@@ -33,10 +33,10 @@ translator PageTable<N: uint, page: vec<N, uint>, Table: Structure<vec<N, uint>,
     }
 }
 
-kernel make_pages<N: uint, S: Structure<vec<N, uint>, PageEntry>>(a: at<S>, to: out each<S>, pages: uint, step: uint) {
+kernel make_pages<N: uint, S: Structure<vec<N, uint>, PageEntry>>(a: at<S>, to: out each<S>, pages: vec<N, uint>, step: uint) {
     // Frames in some order, each once; some pages have none, or one that the memory does not have.
-    let number = linearize(a, to_extent(a, pages));
-    to = PageEntry(number % 5u == 3u ? 0u : 1u, number % 7u == 5u ? number + 100000u : (number * step) % pages);
+    let number = linearize(a, pages);
+    to = PageEntry(number % 5u == 3u ? 0u : 1u, number % 7u == 5u ? number + 100000u : (number * step) % volume(pages));
 }
 """
 
@@ -103,8 +103,7 @@ class Structures:
         self.elements = [UINT, FLOAT] + [random.choice(elements) for _ in range(3)]
 
     def declarations(self, count):
-        nodes = [Node("structure Line = Array<1, uint>;"),
-                 Node("fn to_extent<N: uint>(a: vec<N, uint>, n: uint) -> vec<N, uint> { return vec<N, uint>(n); }")]
+        nodes = [Node("structure Line = Array<1, uint>;")]
         nodes += [Node(translator_text(name, *order)) for name, order in ORDERS.items()]
         nodes += [Node(text) for text in split_declarations(TABLES)]
         for i in range(count):
@@ -142,9 +141,9 @@ class Structures:
         axes = max(axes, 2)
         return Structure(name, axes, t), f"structure {name} = MortonArray<{axes}, {t.text()}>;"
 
-    def line_of(self, t, count):
+    def line_of(self, t, count, edges=("none", "none", "clamp", "repeat")):
         """Memory of so many elements: a buffer, or a structure that may be less regular."""
-        edge = self.random.choice(["none", "none", "clamp", "repeat"])
+        edge = self.random.choice(list(edges))
         made = f"Array<1, {t.text()}, {edge}>({count})"
         return made if self.random.chance(40) else f"buffer<{t.text()}>[{count}]"
 
@@ -169,8 +168,9 @@ class Structures:
     def paged(self, name, axes, t):
         page = [self.random.between(2, 4) for _ in range(axes)]
         address = vector(axes, UINT).text()
-        text = (f"structure {name}(extent: {address}, capacity: uint) {{\n"
-                f"    memory pages = {self.line_of(t, f'capacity * volume({extent_text(page)})')};\n"
+        # Frames that the memory does not have must not lead to others: kernels write through the table.
+        memory = self.line_of(t, f"capacity * volume({extent_text(page)})", edges=["none"])
+        text = (f"structure {name}(extent: {address}, capacity: uint) {{\n    memory pages = {memory};\n"
                 f"    structure table = Array<{axes}, PageEntry>(div_ceil(extent, {extent_text(page)}));\n"
                 f"    via PageTable<{axes}, {extent_text(page)}>(extent, table);\n}}")
         return Structure(name, axes, t, is_dense=False, capacity=page), text
@@ -188,9 +188,9 @@ class Structures:
         """Statements of a test that construct a structure and fill it."""
         lines = [f"temp {name} = {structure.make(extent)};"]
         if structure.capacity:
-            pages = pages_of(extent, structure.capacity)
-            step = next(s for s in range(3, 100, 2) if coprime(s, pages))
-            lines.append(f"make_pages({name}.table, {pages}u, {step}u);")
+            step = next(s for s in range(3, 100, 2) if coprime(s, pages_of(extent, structure.capacity)))
+            pages = extent_text([-(-size // side) for size, side in zip(extent, structure.capacity)])
+            lines.append(f"make_pages({name}.table, {pages}, {step}u);")
         if structure.each:
             lines.append(f"seed_{self.made_name(structure.element)}({name}, {seed}u, {name});")
         return lines

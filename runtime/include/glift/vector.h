@@ -200,7 +200,7 @@ template <unsigned... Lanes, class T, unsigned N> constexpr vec<T, sizeof...(Lan
 
 /// v.zx = value is assign_swizzle<2, 0>(v, value).
 template <unsigned... Lanes, class T, unsigned N, class U>
-constexpr void assign_swizzle(vec<T, N>& v, const vec<U, sizeof...(Lanes)>& value) {
+constexpr void assign_swizzle(vec<T, N>& v, vec<U, sizeof...(Lanes)> value) {
     unsigned i = 0;
     ((v[Lanes] = value[i++]), ...);
 }
