@@ -88,8 +88,8 @@ private:
         for (Number page : granted)
             for (Number i = 0; i < page_volume; ++i) {
                 const uint2 at{page % along_.x * page_x + i % page_x, page / along_.x * page_y + i / page_x};
-                if (!is_inside(at)) continue;
-                contents_[pages_.frames().at(page) * page_volume + i] = refines ? at.x + 1000 * at.y + by : background;
+                contents_[pages_.frames().at(page) * page_volume + i] =
+                    refines && is_inside(at) ? at.x + 1000 * at.y + by : background;
             }
     }
 
