@@ -37,6 +37,24 @@ const Memory& root_memory(const Program& program, const Structure& structure) {
     return root.memories[root.via_memory];
 }
 
+std::optional<Place> blocks_of(const Program& program, const Structure& structure, const Place& place) {
+    Place at = place;
+    const Structure* link = &structure;
+    while (!link->blocks) {
+        if (!link->via.empty() || link->base.empty()) return std::nullopt;
+        at = base_of(*link, at);
+        link = &structure_at(program, *link, link->base);
+    }
+    return at;
+}
+
+const Blocks* visited_blocks(const Program& program, const Kernel& kernel) {
+    if (!kernel.space) return nullptr;
+    const Structure& structure = program.structures[kernel.params[*kernel.space].structure];
+    const std::optional<Place> owner = blocks_of(program, structure, {});
+    return owner ? &*structure_at(program, structure, owner->members).blocks : nullptr;
+}
+
 bool is_computed(const Program& program, const Structure& structure) {
     return root_structure(program, structure).kind == StructureKind::view;
 }

@@ -330,6 +330,18 @@ struct HostField {
     ExprId initial;
 };
 
+/// What of a structure's domain is there: blocks of one size, which do not overlap.
+struct Blocks {
+    FunctionId count;  ///< () -> uint; structures[0] of all three is the structure that declares them
+    FunctionId first;  ///< (number) -> the first address, or an optional: none, the block is not there
+    FunctionId size;   ///< () -> the extent of every block
+    ExprId extent;     ///< what `size` gives, over the structure (root 0): the host knows it
+    ExprId bound;      ///< a number that the host knows and `count` does not exceed, over the structure; absent: none
+    bool is_known = false;  ///< `count` is the bound itself
+    /// Program::pipelines: gives `count` on the device, where a kernel needs it.
+    std::optional<std::uint32_t> counter;
+};
+
 /// What a module calls an instance of a structure: `pub structure Field = Array<4, float>;`.
 struct Alias {
     Name name;
@@ -360,6 +372,7 @@ struct Structure {
     Span base_span;
     ExprId otherwise;  ///< value of an unmapped read; absent: zero
     ExprId domain;     ///< extent of the virtual domain, over the structure (root 0)
+    std::optional<Blocks> blocks;  ///< as declared here; see blocks_of() of ir/chain.h
     FunctionId at;     ///< views: (address) -> element; structures[] of the function are [this structure]
     std::vector<FunctionId> functions;     ///< other fns: structures[0] is this structure
     std::vector<HostField> host;           ///< adaptors
@@ -402,6 +415,8 @@ struct Kernel {
     /// @disjoint(read, written): what is read through the first parameter is not written in this pass by the second.
     std::vector<std::pair<std::uint32_t, std::uint32_t>> disjoint;
     std::optional<Raster> raster;  ///< of a draw, whose body is the vertex part
+    /// The parameter whose blocks are visited; none: the whole range is.
+    std::optional<std::uint32_t> space;
     std::string doc;
     bool grouped() const { return group[0] != 0; }
 };

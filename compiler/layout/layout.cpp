@@ -93,7 +93,7 @@ void lay_out(const Program& program, Pass& pass) {
         align = std::max(align, part.align);
     }
     pass.parameter_bytes = rounded_up(end, align);
-    pass.push_constants = pass.form == Form::direct && pass.parameter_bytes <= push_constant_limit;
+    pass.push_constants = pass.form == Form::direct && !pass.of_blocks && pass.parameter_bytes <= push_constant_limit;
 }
 
 }  // namespace

@@ -1,17 +1,36 @@
 #include "lower/dispatch.h"
 
+#include <algorithm>
+#include <bit>
+
 namespace gliftc::lower {
 
 using namespace ir;
 
+namespace {
+
+/// One block a workgroup, or a part of it: 256 invocations at most. Of blocks too small for that, several.
+std::array<std::uint32_t, 3> group_of_blocks(std::optional<std::uint64_t> volume) {
+    constexpr std::uint32_t most = 256, small = 32, unknown = 64;
+    if (!volume) return {unknown, 1, 1};
+    if (*volume >= most) return {most, 1, 1};
+    const auto width = static_cast<std::uint32_t>(std::bit_ceil(std::max<std::uint64_t>(*volume, 1)));
+    if (width < small) return {width, most / width, 1};
+    return {(static_cast<std::uint32_t>(*volume) + small - 1) / small * small, 1, 1};
+}
+
+}  // namespace
+
 void choose_dispatch(Context& cx) {
     const Kernel& kernel = cx.kernel;
-    cx.pass.rank = cx.p.types.components(kernel.domain_type);
+    cx.pass.rank = cx.p.types.components(iteration_type(cx));
     cx.pass.items = kernel.items;
     cx.pass.plain().assumes.elements = {kernel.items, 1, 1};
     if (kernel.grouped()) {
         cx.pass.group = kernel.group;
         for (std::uint32_t& width : cx.pass.group) width = std::max(width, 1u);
+    } else if (kernel.space) {
+        cx.pass.group = group_of_blocks(block_volume(cx));
     } else {
         // 256 invocations a group, x longest so that neighbours in x lie in one subgroup.
         switch (cx.pass.rank) {
@@ -24,8 +43,9 @@ void choose_dispatch(Context& cx) {
         cx.pass.group = {1, 1, 1};
         return;
     }
-    cx.pass.splits = !kernel.grouped();
-    cx.pass.address = cx.new_local("address", kernel.domain_type, kernel.span);
+    cx.pass.splits = !kernel.grouped() && !kernel.space;
+    cx.pass.of_blocks = kernel.space.has_value();
+    cx.pass.address = cx.new_local("address", iteration_type(cx), kernel.span);
     cx.pass.in_range = cx.new_local("in_range", cx.p.types.bool_, kernel.span);
     cx.pass.shared = kernel.shared;
 }
@@ -33,7 +53,7 @@ void choose_dispatch(Context& cx) {
 ExprId in_range_condition(Context& cx) {
     ExprId at = cx.make.local(cx.pass.address);
     if (cx.pass.rank == 1) return cx.make.binary(BinaryOp::less, at, cx.size);
-    TypeId truths = cx.p.types.with_scalar(cx.kernel.domain_type, cx.p.types.bool_);
+    TypeId truths = cx.p.types.with_scalar(iteration_type(cx), cx.p.types.bool_);
     return cx.make.intrinsic(Intrinsic::all, cx.p.types.bool_,
                              {cx.make.intrinsic(Intrinsic::lessThan, truths, {at, cx.size})});
 }
@@ -55,6 +75,19 @@ ExprId line_address(Context& cx, std::uint32_t elements) {
     }
     const ExprId group = make.add(make.multiply(part(Builtin::group_id, 1), groups), part(Builtin::group_id, 0));
     return make.add(make.multiply(group, make.multiply(width, make.uint(elements))), part(Builtin::local_id, 0));
+}
+
+/// {position, number of the block}: groups beyond those that a device allows along y are counted on in the next layer.
+/// Elements of one invocation lie a workgroup's width apart.
+ExprId block_address(Context& cx, std::uint32_t elements) {
+    Make& make = cx.make;
+    const TypeId uint3 = cx.p.types.vector(cx.p.types.uint, 3);
+    const auto part = [&](Builtin of, std::uint32_t axis) { return make.component(make.builtin(of, uint3), axis); };
+    const ExprId layer = make.multiply(part(Builtin::group_id, 2), part(Builtin::group_count, 1));
+    const ExprId block = make.add(make.multiply(layer, make.uint(cx.pass.group[1])), part(Builtin::global_id, 1));
+    const ExprId first = make.multiply(part(Builtin::group_id, 0), make.uint(cx.pass.group[0] * elements));
+    const ExprId position = elements == 1 ? part(Builtin::global_id, 0) : make.add(first, part(Builtin::local_id, 0));
+    return make.construct(iteration_type(cx), {position, block});
 }
 
 /// The first of the elements that an invocation takes, along as many axes as the vector has.
@@ -82,7 +115,7 @@ ExprId invocation_address(Context& cx, TypeId type, const std::array<std::uint32
 
 std::vector<StmtId> dispatch_prologue(Context& cx) {
     Make& make = cx.make;
-    const TypeId uint3 = cx.p.types.vector(cx.p.types.uint, 3), type = cx.kernel.domain_type;
+    const TypeId uint3 = cx.p.types.vector(cx.p.types.uint, 3), type = iteration_type(cx);
     const std::array<std::uint32_t, 3>& elements = variant_for(cx.pass, Devices::shaders).assumes.elements;
     std::vector<StmtId> result;
     auto let = [&](LocalId local, ExprId value) {
@@ -92,7 +125,9 @@ std::vector<StmtId> dispatch_prologue(Context& cx) {
         result.push_back(cx.add(std::move(stmt)));
     };
     ExprId address;
-    if (cx.pass.rank == 1) {
+    if (cx.pass.of_blocks) {
+        address = block_address(cx, elements[0]);
+    } else if (cx.pass.rank == 1) {
         address = line_address(cx, elements[0]);
     } else if (cx.pass.rank < 4) {
         address = invocation_address(cx, type, elements);

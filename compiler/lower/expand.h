@@ -129,6 +129,7 @@ private:
     Pair inlined(ir::FunctionId function, std::vector<Pair> arguments, Frame frame);
     Pair bounded(const std::string& name, Pair pair);
     Pair run(const std::vector<StmtId>& body);
+    ExprId decided(ExprId condition);
     Pair run_returning_if(const ir::Stmt& stmt, const std::vector<StmtId>& rest);
     void run_if(const ir::Stmt& stmt);
     void run_assign(const ir::Stmt& stmt);
@@ -144,6 +145,14 @@ private:
     bool expand_past(const ir::Stmt& stmt, const std::vector<StmtId>& rest);
     bool asks_whether_left(const std::vector<StmtId>& body, bool is_in_loop) const;
 
+    /// The block that the invocation's element is one of.
+    struct OwnBlock {
+        ExprId address;   ///< of the element, in the structure whose blocks are visited; absent: not worked out yet
+        ExprId size;      ///< of the block
+        ExprId is_there;  ///< or absent: it is
+        LocalId position;
+    };
+
     // instances.cpp
     Pair call_instance(ir::FunctionId function, std::vector<Pair> arguments, Frame frame);
     ir::FunctionId instance(ir::FunctionId function, Frame frame);
@@ -155,6 +164,7 @@ private:
         Block prelude;
         std::unordered_map<std::uint32_t, Pair> centres;
         std::unordered_map<std::uint32_t, ExprId> addresses;
+        OwnBlock block;
     };
     Current enter_window(ir::Function& made);
     void leave_window(ir::Function& made, Current outer);
@@ -211,6 +221,18 @@ private:
     std::optional<std::vector<std::int64_t>> offset_of(const ir::Expr& node);
     ExprId near_guard(std::uint32_t root, const std::vector<std::int64_t>& offset);
     void note_near_guard(std::uint32_t root);
+
+    // blocks.cpp
+    ExprId visited_size();
+    Pair of_owner(ir::FunctionId function, std::vector<Pair> arguments);
+    ExprId quotient_of(ExprId value, std::uint64_t divisor);
+    ExprId address_along(std::uint32_t axis, ExprId first, ExprId size, ExprId offset);
+    void enter_block();
+    ExprId visited_address();
+    ExprId origin_of(std::uint32_t root);
+    ExprId relative_address();
+    ExprId address_in_block(std::uint32_t root);
+    ExprId is_element_there();
 
     // raster.cpp
     void declare_address(ir::Part part);
@@ -306,6 +328,8 @@ private:
     Span span_;                   ///< of the statement being expanded
     std::unordered_map<std::uint32_t, Pair> centres_;
     std::unordered_map<std::uint32_t, ExprId> addresses_;
+    OwnBlock block_;
+    std::vector<ValueNumber> known_;  ///< conditions that hold where something is being expanded
     InlineSizes inline_sizes_{cx.p};
     TreeSizes tree_sizes_{cx};
     std::unordered_map<ir::FunctionId, bool> windows_, long_zeros_;

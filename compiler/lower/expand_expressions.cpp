@@ -150,7 +150,7 @@ Pair Expander::expand(ExprId id) {
         return {p.exprs.add(std::move(extent)), {}};
     }
     case Op::domain: return {domain_of(resolved(node.place)), {}};
-    case Op::position: return {make.local(cx.pass.address), {}};
+    case Op::position: return {cx.kernel.space ? relative_address() : make.local(cx.pass.address), {}};
     case Op::window: return {window(), {}};
     case Op::front_facing: return {make.builtin(Builtin::is_front, p.types.bool_), {}};
     case Op::state: {

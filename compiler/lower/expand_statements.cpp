@@ -15,11 +15,18 @@ std::vector<StmtId> Expander::expanded_body(const std::vector<StmtId>& written) 
     frame_ = &frame;
     Block body;
     top_ = out_ = &body;
+    Block of_block;
+    if (cx.kernel.space) of_block = collect([&] { enter_block(); });
     read_arguments();
     expand_body(written);
+    prelude_.insert(prelude_.end(), body.begin(), body.end());
+    if (cx.kernel.space) {
+        Block test = collect([&] { append_if(is_element_there(), std::move(prelude_), {}); });
+        of_block.insert(of_block.end(), test.begin(), test.end());
+        prelude_ = std::move(of_block);
+    }
     top_ = out_ = nullptr;
     frame_ = nullptr;
-    prelude_.insert(prelude_.end(), body.begin(), body.end());
     return std::move(prelude_);
 }
 
@@ -29,11 +36,13 @@ ExprId Expander::iteration_size() {
     ExprId size;
     size_statements = collect([&] {
         size = inside(std::move(frame), [&]() -> ExprId {
-            const bool is_known = cx.is_direct() && !cx.kernel.raster;
+            const bool is_known = cx.is_direct() && !cx.kernel.raster && !cx.kernel.space;
             for (std::uint32_t i = 0; is_known && i < cx.kernel.params.size(); ++i) {
                 if (follows_iteration(cx.kernel.params[i].pattern)) return domain_of({i, {}});
             }
-            return cx.parameter_expr(cx.parameter(ParameterSource::size, "size", cx.kernel.domain_type, 0));
+            const std::uint32_t size = cx.parameter(ParameterSource::size, "size", iteration_type(cx), 0);
+            if (cx.kernel.space) cx.pass.parameters[size].value = visited_size();
+            return cx.parameter_expr(size);
         });
     });
     return size;

@@ -147,8 +147,17 @@ Pair Expander::run(const std::vector<StmtId>& body) {
     return {};
 }
 
+/// The condition, or whether it holds where that is known.
+ExprId Expander::decided(ExprId condition) {
+    if (known_.empty()) return condition;
+    const Expr& node = p.exprs[condition];
+    const bool is_negated = node.op == Op::unary && node.unary == UnaryOp::logical_not;
+    const ValueNumber number = numbers_.of(is_negated ? node.operands[0] : condition);
+    return std::ranges::find(known_, number) == known_.end() ? condition : make.truth(!is_negated);
+}
+
 Pair Expander::run_returning_if(const Stmt& stmt, const std::vector<StmtId>& rest) {
-    ExprId condition = value_of(stmt.value);
+    ExprId condition = decided(value_of(stmt.value));
     auto with_rest = [&](std::vector<StmtId> body) {
         body.insert(body.end(), rest.begin(), rest.end());
         return body;

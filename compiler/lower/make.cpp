@@ -313,6 +313,7 @@ ExprId Make::again(const Expr& node, Operands operands) {
     case Op::binary:
         if (auto simpler = simpler_binary(node, operands[0], operands[1])) return *simpler;
         if (auto constant = constant_binary(node, operands[0], operands[1])) return *constant;
+        if (auto simpler = simpler_number(node, operands[0], operands[1])) return *simpler;
         break;
     case Op::unary:
         if (node.unary == UnaryOp::logical_not) {

@@ -7,6 +7,7 @@
 
 #include <optional>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 namespace gliftc::lower {
@@ -63,8 +64,16 @@ public:
     TypeId type(ExprId id) const { return p.exprs[id].type; }
 
     ir::Program& p;
+    std::unordered_map<LocalId, std::uint64_t> limits;  ///< the largest value of some uints: quotients.cpp
 
 private:
+    std::optional<std::uint64_t> limit_of(ExprId id) const;
+    std::optional<ExprId> exact_quotient(ExprId value, std::uint64_t divisor);
+    bool is_same(ExprId one, ExprId other) const;
+    std::optional<ExprId> simpler_quotient(ExprId value, std::uint64_t divisor);
+    std::optional<ExprId> simpler_remainder(ExprId value, std::uint64_t divisor);
+    std::optional<ExprId> put_together(ExprId quotients, ExprId rest);
+    std::optional<ExprId> simpler_number(const ir::Expr& node, ExprId a, ExprId b);
     ExprId make(ir::Expr&& node) { return p.exprs.add(std::move(node)); }
     bool is_foldable(const ir::Expr& node, const Operands& operands) const;
     ExprId computed(ExprId id);

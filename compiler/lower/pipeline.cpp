@@ -106,7 +106,7 @@ void reach_by_address(Context& cx) {
 /// The host's body for centres whose neighbours all lie inside. Its domain is held in `holders` until it is a
 /// parameter.
 void add_interior(Context& cx, Expander& checked, const std::vector<ExprId>& facts, std::vector<StmtId>& holders) {
-    if (!checked.has_near_guards || !checked.near_domains_agree || cx.is_wide()) return;
+    if (cx.kernel.space || !checked.has_near_guards || !checked.near_domains_agree || cx.is_wide()) return;
     Expander expander(cx, Guards::interior);
     std::vector<StmtId> body = expander.kernel_body();
     cx.traits.clear();
@@ -235,6 +235,7 @@ Pass lowered(Program& program, Diagnostics& diagnostics, std::uint32_t kernel, F
     finished(cx, "expand", body, facts, "body");
     cx.traits.clear();
     Coarsened pair;
+    if (cx.kernel.space) elements = Elements::one;
     if (elements == Elements::two_where_it_helps) pair = coarsened(cx, body, expander);
     if (elements == Elements::two_in_turn) pair = coarsened_in_turn(cx, body);
     if (!pair.body.empty()) finished(cx, "coarsen", pair.body, facts, "two elements");

@@ -174,6 +174,7 @@ ExprId Expander::domain_of(const Place& place) {
 ExprId Expander::inside_domain(const Place& place, ExprId address) { return all_less(address, domain_of(place)); }
 
 ExprId Expander::centre_address(std::uint32_t root) {
+    if (cx.kernel.space) return address_in_block(root);
     ExprId address = own_address(root);
     if (cx.is_direct()) return address;
     if (auto found = addresses_.find(root); found != addresses_.end()) return found->second;
@@ -202,7 +203,11 @@ Pair Expander::centre(std::uint32_t root) {
     span_ = cx.kernel.params[root].span;
     Block made = collect([&] {
         inside(std::move(frame), [&] {
+            // The element is one of the structure's.
+            const bool is_inside = !cx.kernel.grouped() && cx.structure_at({root, {}}).domain && !cx.kernel.raster;
+            if (is_inside) known_.push_back(numbers_.of(inside_domain({root, {}}, address)));
             Pair at = translated({root, {}}, address, name);
+            if (is_inside) known_.pop_back();
             bool asked = false;
             at.has = without_inside(root, at.has, address, asked);
             result.value = named(name + "_at", at.value);

@@ -158,6 +158,9 @@ ir::ExprId check_compound(Body&, const ast::Stmt&, ir::ExprId before);
 Operand make_swizzle_of(Body&, ir::ExprId, ast::Identifier);
 
 // calls
+/// A call of a structure's function with values: a node, or the pass that it is.
+Operand call_of(Body&, ir::FunctionId, const Operand& self, ir::Operands values, Span);
+
 Operand call_function(Body&, const std::vector<ast::DeclId>& overloads, const Env* owner,
                       const std::vector<ast::ExprId>& explicit_generics, const std::vector<ast::ExprId>& arguments,
                       const ast::Expr& call, ir::TypeId wanted, const Operand* self = nullptr);

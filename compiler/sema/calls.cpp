@@ -1,5 +1,6 @@
 // Calls: of functions, types (construction), methods and built-ins.
 #include "ir/chain.h"
+#include "sema/blocks.h"
 #include "sema/body.h"
 #include "sema/constructors.h"
 #include "sema/lookup.h"
@@ -279,6 +280,8 @@ Operand call_method(Body& body, const Operand& self, ast::Identifier method, con
         return error_operand(call.span);
     }
     const bool addressed = body.program().structures[self.structure].kind != ir::StructureKind::adaptor;
+    if (addressed)
+        if (auto result = call_of_blocks(body, self, method, call)) return *result;
     const bool is_override = addressed && (name == "domain" || name == "at");
     if (!overloads.empty() && !is_override)
         return call_function(body, overloads, c.structure_env.at(self.structure), generics, arguments, call, wanted,

@@ -1,5 +1,6 @@
 #include "ir/chain.h"
 #include "ir/effects.h"
+#include "sema/blocks.h"
 #include "sema/components.h"
 #include "sema/generics.h"
 #include "sema/instances.h"
@@ -306,6 +307,7 @@ static std::string overload_text(const Context& c, ast::DeclId id) {
 static void check_iteration(Body& body, const ast::Kernel& written, bool parameters_are_good) {
     find_domain(body.context, written, *body.kernel, parameters_are_good);
     read_items(body.context, body.env, written, *body.kernel);
+    if (parameters_are_good) find_space(body.context, *body.kernel);
 }
 
 static void check_body(Body& body, const ast::Kernel& written) {

@@ -179,6 +179,18 @@ Operand call_as_pass(Body& body, ir::FunctionId function, const std::vector<Oper
     return value_operand(body, result, span);
 }
 
+/// The node of a call, or the pass that it is.
+Operand call_instance(Body& body, ir::FunctionId function, const std::vector<Operand>& structures, ir::Operands values,
+                      Span span) {
+    if (is_pass(body, function, structures, values)) return call_as_pass(body, function, structures, values, span);
+    ir::ExprId result =
+        add(body.program(), ir::Op::call, body.program().functions[function].result, span, std::move(values));
+    body.program().exprs[result].function = function;
+    for (const Operand& operand : structures) body.program().exprs[result].places.push_back(operand.place);
+    if (!structures.empty()) body.program().exprs[result].local = structures[0].local;
+    return value_operand(body, result, span);
+}
+
 /// Finishes a call of a matched function: the waiting arguments, then the call node.
 Operand finish_call(Body& body, ast::DeclId id, const Env& env, CheckedArguments& arguments,
                     const std::vector<ast::ExprId>& written, const ast::Expr& call, const Operand* self) {
@@ -209,13 +221,7 @@ Operand finish_call(Body& body, ast::DeclId id, const Env& env, CheckedArguments
     if (!fits_group(body, id, env, call)) return error_operand(call.span);
     auto instance = instantiate_function(c, id, env, structures, call.span);
     if (!instance || !add_effects(body, *instance, given, self != nullptr, call.span)) return error_operand(call.span);
-    if (is_pass(body, *instance, given, values)) return call_as_pass(body, *instance, given, values, call.span);
-    ir::ExprId result =
-        add(body.program(), ir::Op::call, body.program().functions[*instance].result, call.span, std::move(values));
-    body.program().exprs[result].function = *instance;
-    for (const Operand& operand : given) body.program().exprs[result].places.push_back(operand.place);
-    if (!given.empty()) body.program().exprs[result].local = given[0].local;
-    return value_operand(body, result, call.span);
+    return call_instance(body, *instance, given, std::move(values), call.span);
 }
 
 /// Whether a function's result has the expected type; true if none is expected.
@@ -326,6 +332,11 @@ std::vector<ir::TypeId> types_of(Body& body, const CheckedArguments& arguments) 
 }
 
 }  // namespace
+
+Operand call_of(Body& body, ir::FunctionId function, const Operand& self, ir::Operands values, Span span) {
+    const Parts parts(body);
+    return call_instance(body, function, {self}, std::move(values), span);
+}
 
 Operand call_function(Body& body, const std::vector<ast::DeclId>& overloads, const Env* owner,
                       const std::vector<ast::ExprId>& explicit_generics, const std::vector<ast::ExprId>& arguments,

@@ -3,6 +3,7 @@
 #include "ir/chain.h"
 #include "ir/empty.h"
 #include "sema/base.h"
+#include "sema/blocks.h"
 #include "sema/components.h"
 #include "sema/constructors.h"
 #include "sema/generics.h"
@@ -542,6 +543,7 @@ ir::TypeId make_structure(Context& c, ast::DeclId id, const Env& env) {
     Body body{.context = c, .env = env, .kind = BodyKind::structure};
     bring_members_into_scope(body, index);
     const ast::Item *domain = nullptr, *otherwise = nullptr;
+    BlockItems blocks;
     bool has_via = false;
     for_each_item(c, env, written.items, [&](const ast::Item& item) {
         switch (item.kind) {
@@ -554,6 +556,7 @@ ir::TypeId make_structure(Context& c, ast::DeclId id, const Env& env) {
         case ast::ItemKind::otherwise: otherwise = &item; break;
         case ast::ItemKind::function:
             if (c.text(c[item.decl].name.name) == "domain") domain = &item;
+            blocks.note(c, item.decl);
             break;
         case ast::ItemKind::host:
         case ast::ItemKind::pipeline: c.error(Diag::item_not_here, item.span, {"a structure"}); break;
@@ -563,6 +566,7 @@ ir::TypeId make_structure(Context& c, ast::DeclId id, const Env& env) {
     // The translator has an error, which was reported there.
     if (has_via && c.program.structures[index].via.empty()) return c.types().error;
     if (c.diagnostics.error_count() == errors) finish_structure(body, index, domain, otherwise);
+    if (c.diagnostics.error_count() == errors) add_blocks(c, env, index, blocks);
     return c.diagnostics.error_count() == errors ? c.types().of_structure(index) : c.types().error;
 }
 

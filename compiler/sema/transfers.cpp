@@ -83,7 +83,10 @@ void require_transfers(Context& c, std::uint32_t index, Span use) {
         Meta element;
         element.kind = MetaKind::type;
         element.type = structure.element;
-        if (auto kernel = transfer_kernel(c, "write_box", {linear, self}, use)) write = *kernel;
+        if (auto kernel = transfer_kernel(c, "write_box", {linear, self}, use)) {
+            write = *kernel;
+            c.program.kernels[write].space.reset();  // a box is mostly a small part of what is there
+        }
         if (auto kernel = transfer_kernel(c, "fill_box", {self, element}, use)) fill = *kernel;
     }
     c.program.transfers.push_back({index, *read, write, fill, *box});

@@ -61,12 +61,21 @@ std::span<const Patch> Iteration::patches(std::initializer_list<std::size_t> off
     return {patches_.data(), patch_count_};
 }
 
+void Iteration::count_blocks(std::size_t offset) {
+    if (!block_count_) return;
+    if (patch_count_ == patches_.size()) throw_patches();
+    patches_[patch_count_++] = {*block_count_, static_cast<std::uint32_t>(offset + 4), visited_.y, 0, false};
+}
+
+void Iteration::throw_patches() const {
+    throw Error(ErrorCode::wrong_argument, "too many sizes that live on the device", place_of(kernel_),
+                "one call takes " + std::to_string(patches_.size()) + " numbers", "split the kernel");
+}
+
 /// Adds a patch for each axis and count.
 void Iteration::patch(const std::vector<detail::DeviceCount>& counts, std::size_t offset, const Extent& limits,
                       unsigned axes) {
-    if (patch_count_ + axes * counts.size() > patches_.size())
-        throw Error(ErrorCode::wrong_argument, "too many sizes that live on the device", place_of(kernel_),
-                    "one call takes " + std::to_string(patches_.size()) + " numbers", "split the kernel");
+    if (patch_count_ + axes * counts.size() > patches_.size()) throw_patches();
     for (unsigned axis = 0; axis < axes; ++axis)
         for (const detail::DeviceCount& count : counts)
             patches_[patch_count_++] = {{count.value.memory, count.value.offset + 4 * axis},

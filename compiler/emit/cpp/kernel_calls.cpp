@@ -1,6 +1,7 @@
 // Kernels as functions: what a program calls packs the parameters of one form and dispatches it.
 #include "emit/cpp/kernel_parts.h"
 #include "emit/cpp/sharing.h"
+#include "ir/chain.h"
 #include "ir/effects.h"
 #include "ir/walk.h"
 
@@ -74,22 +75,27 @@ const KernelParam* first_visited(const Kernel& kernel) {
     return nullptr;
 }
 
+/// A value that the host computes for each call.
+std::string uniform_text(Unit& unit, const Kernel& kernel, ir::ExprId value) {
+    Printer p(unit.globals);
+    for (const KernelParam& param : kernel.params) {
+        p.names.declare(param_name(unit, param));
+        if (param.pattern == Pattern::value) p.local_names[param.local] = param_name(unit, param);
+    }
+    p.outer_expression = [&](const ir::Expr& expr) -> Text {
+        const KernelParam& param = kernel.params[expr.place.root];
+        return structure_property(unit.globals, expr, param.structure, object_of(unit, param));
+    };
+    return print_any(p, value);
+}
+
 std::string value_of(Unit& unit, const Kernel& kernel, const PassParameter& parameter) {
     switch (parameter.source) {
     case ParameterSource::uniform: {
-        Printer p(unit.globals);
-        for (const KernelParam& param : kernel.params) {
-            p.names.declare(param_name(unit, param));
-            if (param.pattern == Pattern::value) p.local_names[param.local] = param_name(unit, param);
-        }
-        p.outer_expression = [&](const ir::Expr& expr) -> Text {
-            const KernelParam& param = kernel.params[expr.place.root];
-            return structure_property(unit.globals, expr, param.structure, object_of(unit, param));
-        };
-        std::string text = print_any(p, parameter.value);
-        if (is_bool_vector(unit.program, parameter.type))
-            text = storage_text(unit.globals, parameter.type) + "(" + text + ")";
-        return text;
+        const std::string text = uniform_text(unit, kernel, parameter.value);
+        return is_bool_vector(unit.program, parameter.type)
+                   ? storage_text(unit.globals, parameter.type) + "(" + text + ")"
+                   : text;
     }
     case ParameterSource::origin: {
         const KernelParam& param = kernel.params[parameter.param];
@@ -98,6 +104,7 @@ std::string value_of(Unit& unit, const Kernel& kernel, const PassParameter& para
     }
     case ParameterSource::size: {
         if (kernel.raster) return "iteration.counts()";
+        if (kernel.space) return "iteration.visited()";
         const KernelParam* first = first_visited(kernel);
         return first ? param_name(unit, *first) + ".size()" : "{}";
     }
@@ -123,10 +130,10 @@ void print_dispatch(Unit& unit, Writer& out, const Kernel& kernel, const Pass& p
     std::string call = std::string("{.form = glift::FormName::") + form +
                        ", .memories = " + (pass.bindings.empty() ? "{}" : "memories") +
                        ", .parameters = " + (ordered.empty() ? "{}" : "glift::bytes_of(parameters)") +
-                       ", .size = iteration.size()";
+                       ", .size = iteration." + (kernel.space ? "extent()" : "size()");
     std::string counted;
     bool counts_ranges = false;
-    if (pass.form != ir::Form::direct) {
+    if (pass.form != ir::Form::direct || kernel.space) {
         for (const auto& [parameter, member] : ordered) {
             const std::string offset = "offsetof(" + block + ", " + member + ")";
             if (parameter->source == ParameterSource::range_size &&
@@ -136,8 +143,11 @@ void print_dispatch(Unit& unit, Writer& out, const Kernel& kernel, const Pass& p
             }
             const bool of_first =
                 parameter->source == ParameterSource::range_size && ir::visits(kernel.params[parameter->param].pattern);
-            if (parameter->source == ParameterSource::size || of_first)
+            const bool of_blocks = kernel.space && parameter->source == ParameterSource::size;
+            if (of_blocks) out.line("iteration.count_blocks(" + offset + ");");
+            else if (parameter->source == ParameterSource::size || of_first)
                 counted += (counted.empty() ? "" : ", ") + offset;
+            counts_ranges = counts_ranges || of_blocks;
         }
     }
     if (!counted.empty() || counts_ranges) call += ", .patches = iteration.patches({" + counted + "})";
@@ -169,7 +179,7 @@ void print_choice(Unit& unit, Writer& out, const Kernel& kernel, const ir::Lower
     const bool shares = ir::has_one_place(forms.general);
     if (forms.wide.exists)
         choices.emplace_back(&forms.wide, "commands.needs_wide(" + name + "_kernel, " +
-                                              (forms.wide.bindings.empty() ? "{}" : "memories") + ", iteration.size()" +
+                                              (forms.wide.bindings.empty() ? "{}" : "memories") + (kernel.space ? ", iteration.extent()" : ", iteration.size()") +
                                               (shares ? ", iteration.sharing())" : ")"));
     if (forms.direct.exists)
         choices.emplace_back(&forms.direct, direct_condition(unit, kernel) +
@@ -264,6 +274,25 @@ static void print_iteration(const Unit& unit, Writer& out, const Kernel& kernel)
     }
 }
 
+/// How many blocks are visited, and how large they are.
+static void print_blocks_visited(Unit& unit, Writer& out, const Kernel& kernel, const Pass& pass) {
+    const KernelParam& param = kernel.params[*kernel.space];
+    const ir::Place owner =
+        *ir::blocks_of(unit.program, unit.program.structures[param.structure], {*kernel.space, {}});
+    std::string object = param_name(unit, param);
+    if (!owner.members.empty()) object += "->";
+    std::uint32_t structure = param.structure;
+    for (std::uint32_t member : owner.members) {
+        object += (object.ends_with("->") ? "" : ".") + unit.globals.class_names[structure].members[member] + "()";
+        structure = unit.program.structures[structure].members[member].structure;
+    }
+    const ir::Blocks& blocks = *unit.program.structures[structure].blocks;
+    const auto size = std::ranges::find(pass.parameters, ParameterSource::size, &PassParameter::source);
+    std::string text = "iteration.blocks(" + uniform_text(unit, kernel, size->value);
+    if (blocks.counter) text += ", " + unit.globals.pipeline_names.at(*blocks.counter) + "(commands, " + object + ")";
+    out.line(text + ");");
+}
+
 std::string kernel_function(Unit& unit, std::uint32_t index) {
     const Kernel& kernel = unit.program.kernels[index];
     const ir::Lowered::Forms& forms = unit.lowered.passes[index];
@@ -277,6 +306,7 @@ std::string kernel_function(Unit& unit, std::uint32_t index) {
     out.line((kernel.raster ? "glift::DrawIteration iteration(" : "glift::Iteration iteration(") + name + "_kernel);");
     if (kernel.raster) print_draw_arguments(unit, out, kernel);
     else print_iteration(unit, out, kernel);
+    if (kernel.space) print_blocks_visited(unit, out, kernel, any);
     if (!any.bindings.empty()) out.line("const glift::Memory memories[] = {" + memories_text(unit, kernel, any) + "};");
     if (may_share(any))
         out.line("if (iteration.is_shared(memories)) iteration.share(memories, {" + footprints_text(unit, kernel) +

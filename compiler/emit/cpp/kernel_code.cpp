@@ -218,6 +218,7 @@ static void print_rare_fields(Unit& unit, Writer& out, const Pass& any, const st
     if (items != std::array{1u, 1u, 1u})
         out.line(".items = {" + std::to_string(items[0]) + ", " + std::to_string(items[1]) + ", " +
                  std::to_string(items[2]) + "},");
+    if (any.of_blocks) out.line(".of_blocks = true,");
     if (any.has_status()) out.line(".reports = true,");
     if (any.shared_bytes) out.line(".shared_bytes = " + std::to_string(any.shared_bytes) + ",");
     if (any.loop_rounds != 0 && any.longest_loop)

@@ -3,6 +3,7 @@
 #include "emit/cpp/translators.h"
 #include "emit/cpp/unit.h"
 #include "ir/aliases.h"
+#include "ir/chain.h"
 #include "ir/evaluate.h"
 #include "ir/walk.h"
 
@@ -221,6 +222,8 @@ void Collector::kernel(std::uint32_t index, bool visible) {
     if (visible) reach.pub_kernels.insert(index);
     if (devices.host) reach.host_kernels.insert(index);
     if (devices.vulkan) reach.vulkan_kernels.insert(index);
+    if (const ir::Blocks* blocks = visited_blocks(program, program.kernels[index]); blocks && blocks->counter)
+        pipeline(*blocks->counter, false);
     const bool is_new = reach.kernels.insert(index).second;
     if (!is_new && !visible) return;
     for (const ir::KernelParam& param : program.kernels[index].params) {

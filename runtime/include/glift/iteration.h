@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <initializer_list>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -31,6 +32,21 @@ public:
     template <class S> void any(const char* name, const Range<S>& range) {
         add_any(detail::box_of(name, range), range.is_whole());
     }
+
+    /// {elements, blocks}: what is visited of the first range. `count` is how many blocks there are, at most those.
+    void blocks(uint2 visited) {
+        visited_ = visited;
+        if (visited_.x == 0 || visited_.y == 0) visited_ = {0, 0};
+    }
+    void blocks(uint2 visited, const DeviceScalar<uint>& count) {
+        blocks(visited);
+        block_count_ = count;
+    }
+    uint2 visited() const { return visited_; }
+    Extent extent() const { return {visited_.x, visited_.y, 1, 1}; }
+    /// A patch that writes the number of blocks into the iteration's size at `offset`, where it comes from the device.
+    /// Before `patches`.
+    GLIFT_API void count_blocks(std::size_t offset);
 
     /// The address of the first invocation's `near` neighbourhood.
     template <class S> typename S::Address centre(const Range<S>& range) const {
@@ -66,6 +82,7 @@ private:
     GLIFT_API void add_visited(const detail::Box& box, bool is_whole, const std::vector<detail::DeviceCount>& counts);
     GLIFT_API void add_near(detail::Box box, bool is_whole);
     GLIFT_API void add_any(const detail::Box& box, bool is_whole);
+    [[noreturn]] GLIFT_API void throw_patches() const;
     GLIFT_API void patch(const std::vector<detail::DeviceCount>& counts, std::size_t offset, const Extent& limits,
                          unsigned axes);
 
@@ -75,6 +92,8 @@ private:
     bool whole_ = true;
     Sharing sharing_ = Sharing::unknown;
     std::vector<detail::DeviceCount> counts_;  ///< of what is visited
+    uint2 visited_{0, 0};
+    std::optional<DeviceValue> block_count_;
     std::array<Patch, 24> patches_{};
     std::size_t patch_count_ = 0;
 };

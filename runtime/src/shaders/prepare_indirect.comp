@@ -40,6 +40,7 @@ layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer Arg
     uint patch_count;
     uint condition_count;
     uint draws;        // the command is a draw of size[0] corners and size[1] instances
+    uint limit_y;      // workgroups of blocks; all bits: of others, which are not folded
 };
 
 layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer List {
@@ -90,7 +91,11 @@ void main() {
     }
     uint x = div_ceil(size[0], arguments.per_group[0]);
     uint y = div_ceil(size[1], arguments.per_group[1]);
-    const uint z = div_ceil(size[2] * size[3], arguments.per_group[2]);
+    uint z = div_ceil(size[2] * size[3], arguments.per_group[2]);
+    if (y > arguments.limit_y) {
+        z = div_ceil(y, arguments.limit_y);
+        y = div_ceil(y, z);
+    }
     if (arguments.rank == 1u && x > arguments.limit_x) {
         y = 1u << (findMSB(div_ceil(x, arguments.limit_x) * 2u - 1u));
         x = div_ceil(x, y);

@@ -108,7 +108,7 @@ bool Encoder::needs_wide(const Kernel& kernel, std::span<const Memory> memories,
     check_memories(&device_, kernel, memories);
     const bool is_aliased = sharing == Sharing::one_place && !kernel.wide.spirv.empty();
     if (is_aliased || needs_addresses(kernel, memories)) return true;
-    if (kernel.drawing) return false;  // corners are no workgroups
+    if (kernel.drawing || kernel.of_blocks) return false;  // corners are no workgroups, blocks are folded
     return kernel.rank > 1 && !count_groups(kernel, size).within(context_.properties.max_workgroups);
 }
 
@@ -211,6 +211,7 @@ void Encoder::dispatch(const Kernel& kernel, const Call& call) {
     ++batch_->passes;
     const auto& limit = context_.properties.max_workgroups;
     if (kernel.rank == 1) fold(groups, limit[0]);
+    if (kernel.of_blocks) fold_blocks(groups, limit[1]);
     const bool fits = groups.within(limit);
     const bool is_sized = patches_size(pipeline, call);
     if (!fits && (is_sized || pipeline.form->base_offset == UINT32_MAX)) throw_too_many_groups(kernel, context_);

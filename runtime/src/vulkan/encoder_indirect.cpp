@@ -31,7 +31,8 @@ struct Encoder::PrepareArguments {
     VkDeviceAddress block, command, patches, conditions;
     std::array<std::uint32_t, 4> size;
     std::array<std::uint32_t, 3> per_group;
-    std::uint32_t limit_x, rank, size_word, patch_count, condition_count, draws, unused;
+    std::uint32_t limit_x, rank, size_word, patch_count, condition_count, draws;
+    std::uint32_t limit_y = UINT32_MAX;
 };
 
 bool Encoder::patches_size(const Pipeline& pipeline, const Call& call) const {
@@ -114,7 +115,8 @@ Slice Encoder::prepare(const Pipeline& pipeline, const Call& call, const Slice& 
                     .limit_x = context_.properties.max_workgroups[0],
                     .rank = kernel.rank,
                     .size_word = pipeline.form->size_offset / 4,
-                    .draws = kernel.drawing != nullptr},
+                    .draws = kernel.drawing != nullptr,
+                    .limit_y = kernel.of_blocks ? context_.properties.max_workgroups[1] : UINT32_MAX},
                    call.patches, call.conditions);
 }
 

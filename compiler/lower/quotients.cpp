@@ -1,0 +1,124 @@
+// Quotients and remainders of sums, where no sum wraps: the limits of locals are known (Make::limits). Of an address
+// that is a multiple of a page's size and an offset below it, the quotient and the remainder are known, whatever
+// translator divides; and what takes a position apart and puts it together again gives the position.
+#include "lower/make.h"
+
+#include <algorithm>
+
+namespace gliftc::lower {
+
+using namespace ir;
+
+namespace {
+
+constexpr std::uint64_t largest = 0xffffffffu;
+
+}  // namespace
+
+/// The largest value that a uint can have here; absent: any.
+std::optional<std::uint64_t> Make::limit_of(ExprId id) const {
+    const Expr& node = p.exprs[id];
+    if (node.type != p.types.uint) return std::nullopt;
+    if (node.op == Op::constant) return node.bits;
+    if (node.op == Op::local) {
+        const auto found = limits.find(node.local);
+        return found == limits.end() ? std::nullopt : std::optional(found->second);
+    }
+    if (node.op != Op::binary) return std::nullopt;
+    const auto a = limit_of(node.operands[0]), b = limit_of(node.operands[1]);
+    const auto fitting = [](std::uint64_t value) {
+        return value <= largest ? std::optional(value) : std::nullopt;
+    };
+    const auto divisor = bits_of(node.operands[1]);
+    switch (node.binary) {
+    case BinaryOp::add: return a && b ? fitting(*a + *b) : std::nullopt;
+    case BinaryOp::multiply: return a && b && (*b == 0 || *a <= largest / *b) ? fitting(*a * *b) : std::nullopt;
+    case BinaryOp::divide: return a && divisor && *divisor != 0 ? std::optional(*a / *divisor) : std::nullopt;
+    case BinaryOp::remainder:
+        if (!divisor || *divisor == 0) return std::nullopt;
+        return a ? std::min(*a, *divisor - 1) : *divisor - 1;
+    default: return std::nullopt;
+    }
+}
+
+/// The value over the divisor, where it is a multiple of it and does not wrap.
+std::optional<ExprId> Make::exact_quotient(ExprId value, std::uint64_t divisor) {
+    const Expr node = p.exprs[value];
+    if (const auto bits = bits_of(value); bits && *bits % divisor == 0) return uint(*bits / divisor);
+    if (node.op != Op::binary || !limit_of(value)) return std::nullopt;
+    if (node.binary == BinaryOp::multiply) {
+        const auto factor = bits_of(node.operands[1]);
+        if (!factor || *factor % divisor != 0) return std::nullopt;
+        return multiply(node.operands[0], uint(*factor / divisor));
+    }
+    if (node.binary != BinaryOp::add) return std::nullopt;
+    const auto a = exact_quotient(node.operands[0], divisor), b = exact_quotient(node.operands[1], divisor);
+    return a && b ? std::optional(add(*a, *b)) : std::nullopt;
+}
+
+bool Make::is_same(ExprId one, ExprId other) const {
+    if (one == other) return true;
+    const Expr &a = p.exprs[one], &b = p.exprs[other];
+    if (a.op != b.op || a.type != b.type || a.operands.size() != b.operands.size()) return false;
+    if (a.op == Op::constant) return a.bits == b.bits && a.number == b.number;
+    if (a.op == Op::local) return a.local == b.local && !p.locals[a.local].is_mutable;
+    if (a.op != Op::binary || a.binary != b.binary) return false;
+    return is_same(a.operands[0], b.operands[0]) && is_same(a.operands[1], b.operands[1]);
+}
+
+std::optional<ExprId> Make::simpler_quotient(ExprId value, std::uint64_t divisor) {
+    if (const auto limit = limit_of(value); limit && *limit < divisor) return uint(0);
+    const Expr node = p.exprs[value];
+    if (node.op != Op::binary) return std::nullopt;
+    if (node.binary == BinaryOp::divide) {
+        const auto inner = bits_of(node.operands[1]);
+        if (!inner || *inner == 0 || *inner * divisor > largest) return std::nullopt;
+        return binary(BinaryOp::divide, node.operands[0], uint(*inner * divisor));
+    }
+    if (auto exact = exact_quotient(value, divisor)) return exact;
+    if (node.binary != BinaryOp::add || !limit_of(value)) return std::nullopt;
+    for (std::size_t i : {0u, 1u}) {
+        const auto exact = exact_quotient(node.operands[i], divisor);
+        if (exact) return add(*exact, binary(BinaryOp::divide, node.operands[1 - i], uint(divisor)));
+    }
+    return std::nullopt;
+}
+
+std::optional<ExprId> Make::simpler_remainder(ExprId value, std::uint64_t divisor) {
+    if (const auto limit = limit_of(value); limit && *limit < divisor) return value;
+    const Expr node = p.exprs[value];
+    if (exact_quotient(value, divisor)) return uint(0);
+    if (node.op != Op::binary || node.binary != BinaryOp::add || !limit_of(value)) return std::nullopt;
+    for (std::size_t i : {0u, 1u})
+        if (exact_quotient(node.operands[i], divisor))
+            return binary(BinaryOp::remainder, node.operands[1 - i], uint(divisor));
+    return std::nullopt;
+}
+
+/// x / c * c + x % c is x.
+std::optional<ExprId> Make::put_together(ExprId quotients, ExprId rest) {
+    const Expr product = p.exprs[quotients], remainder = p.exprs[rest];
+    const bool fits = product.op == Op::binary && product.binary == BinaryOp::multiply && remainder.op == Op::binary &&
+                      remainder.binary == BinaryOp::remainder;
+    if (!fits) return std::nullopt;
+    const auto factor = bits_of(product.operands[1]), divisor = bits_of(remainder.operands[1]);
+    if (!factor || *factor == 0 || factor != divisor) return std::nullopt;
+    const ExprId whole = binary(BinaryOp::divide, remainder.operands[0], uint(*divisor));
+    return is_same(whole, product.operands[0]) ? std::optional(remainder.operands[0]) : std::nullopt;
+}
+
+/// Identities of uints that are sums of multiples and what is smaller.
+std::optional<ExprId> Make::simpler_number(const Expr& node, ExprId a, ExprId b) {
+    if (limits.empty() || node.type != p.types.uint || type(a) != p.types.uint) return std::nullopt;
+    const auto divisor = bits_of(b);
+    switch (node.binary) {
+    case BinaryOp::divide: return divisor && *divisor != 0 ? simpler_quotient(a, *divisor) : std::nullopt;
+    case BinaryOp::remainder: return divisor && *divisor != 0 ? simpler_remainder(a, *divisor) : std::nullopt;
+    case BinaryOp::add:
+        if (auto whole = put_together(a, b)) return whole;
+        return put_together(b, a);
+    default: return std::nullopt;
+    }
+}
+
+}  // namespace gliftc::lower
