@@ -28,6 +28,7 @@ struct ExplainedStructure {
     std::string name, type, place, addresses, elements;
     std::vector<std::pair<std::string, std::string>> memories;
     std::vector<Explained> via;
+    std::string blocks;  ///< or empty: the domain is one
 };
 
 std::string shape_of(const ir::Program& program, const ir::Memory& memory) {
@@ -94,12 +95,24 @@ private:
         if (!structure.base.empty())
             shown.memories.emplace_back(c_.names[structure.base_name],
                                         ir::structure_at(program_, structure, structure.base).display);
+        shown.blocks = blocks_of(structure);
         for (const ir::Stage& stage : structure.via) {
             shown_.insert(stage.translator);
             shown.via.push_back(
                 explained(program_.translators[stage.translator], try_translator(program_, structure, stage)));
         }
         structures.push_back(std::move(shown));
+    }
+
+    /// What of the domain is visited. That blocks do not overlap is the structure's promise.
+    std::string blocks_of(const ir::Structure& structure) const {
+        const auto place = ir::blocks_of(program_, structure, {});
+        if (!place) return "";
+        const ir::Structure& owner = ir::structure_at(program_, structure, place->members);
+        const auto size = ir::evaluate(program_, owner.blocks->extent);
+        return std::string(owner.blocks->is_known ? "counted by the host" : "counted on the device") +
+               (size ? ", each " + ir::to_text(program_, *size) : ", of one size") +
+               (&owner == &structure ? "" : ", those of " + owner.display);
     }
 
     Explained explained(const ir::Translator& translator, const Trial& trial) const {
@@ -148,6 +161,7 @@ std::string as_text(const Explainer& explainer) {
                 s.place + ")\n" + line("", "addresses", s.addresses) +
                 line("", "elements", s.elements + (s.is_view ? ", computed" : ""));
         for (const auto& [name, shape] : s.memories) text += line("", "memory " + name, shape);
+        if (!s.blocks.empty()) text += line("", "blocks", s.blocks);
         for (const Explained& translator : s.via) text += text_of(translator, "  ");
         text += "\n";
     }
@@ -185,6 +199,7 @@ void write(json::Text& out, const ExplainedStructure& s) {
         out.field("place", s.place);
         out.field("addresses", s.addresses);
         out.field("elements", s.elements);
+        if (!s.blocks.empty()) out.field("blocks", s.blocks);
         out.key("memories");
         out.array([&] {
             for (const auto& [name, shape] : s.memories)

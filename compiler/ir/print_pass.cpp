@@ -154,8 +154,10 @@ void Printer::pass(const std::vector<ExprId>& facts) {
     for (FunctionId of : pass.functions) function(of);
     for (ExprId fact : facts) line("fact " + expr(fact));
     if (!pass.prologue.empty()) nested("prologue", pass.prologue);
-    for (const Variant& variant : pass.variants)
+    for (const Variant& variant : pass.variants) {
+        if (variant.block) nested("block", *variant.block);
         if (pass.variants.size() > 1 || !variant.body.empty()) nested(title(variant), variant.body);
+    }
     --indent_;
     line("}");
 }

@@ -189,11 +189,17 @@ bool Reader::header() {
 }
 
 bool Reader::section() {
-    if (accept("prologue")) current().prologue = statements();
-    else if (accept("body")) current().variants.push_back(variant(Part::whole));
+    if (accept("prologue")) {
+        current().prologue = statements();
+        return true;
+    }
+    std::optional<std::vector<StmtId>> block;
+    if (accept("block")) block = statements();
+    if (accept("body")) current().variants.push_back(variant(Part::whole));
     else if (accept("vertex")) current().variants.push_back(variant(Part::vertex));
     else if (accept("fragment")) current().variants.push_back(variant(Part::fragment));
     else return false;
+    current().variants.back().block = std::move(block);
     return true;
 }
 

@@ -31,7 +31,7 @@ public:
     void declare(LocalId local) { known_.insert(local); }
     void body(const std::vector<StmtId>& body);
     void variant(const Variant& variant) {
-        body(variant.body);
+        body(statements_of(variant));
         if (variant.devices != Devices::host) no_cpu_level(variant.body);
     }
     std::vector<std::string> problems;

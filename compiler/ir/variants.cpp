@@ -8,12 +8,15 @@ namespace {
 
 /// As the first or only part of a pass.
 bool runs_on(const Variant& variant, Devices devices) {
-    return variant.part != Part::fragment && (variant.devices == Devices::any || variant.devices == devices);
+    return variant.part != Part::fragment && !variant.block && (variant.devices == Devices::any || variant.devices == devices);
 }
 
 template <class Bodies, class P> Bodies all_bodies(P& pass) {
     Bodies bodies{&pass.prologue};
-    for (auto& variant : pass.variants) bodies.push_back(&variant.body);
+    for (auto& variant : pass.variants) {
+        if (variant.block) bodies.push_back(&*variant.block);
+        bodies.push_back(&variant.body);
+    }
     return bodies;
 }
 
@@ -41,10 +44,23 @@ const Variant* interior_variant_for(const Pass& pass, Devices devices) {
     return found;
 }
 
+std::vector<StmtId> statements_of(const Variant& variant) {
+    std::vector<StmtId> all = variant.block.value_or(std::vector<StmtId>());
+    all.insert(all.end(), variant.body.begin(), variant.body.end());
+    return all;
+}
+
+const Variant* block_variant_for(const Pass& pass, Devices devices) {
+    for (const Variant& variant : pass.variants)
+        if (variant.block && variant.devices == devices && variant.assumes.bounds.empty()) return &variant;
+    return nullptr;
+}
+
 const Variant* bounded_variant_of(const Pass& pass, const Variant& variant) {
     for (const Variant& each : pass.variants)
         if (each.devices == variant.devices && !each.assumes.bounds.empty() &&
-            each.assumes.interior.has_value() == variant.assumes.interior.has_value())
+            each.assumes.interior.has_value() == variant.assumes.interior.has_value() &&
+            each.block.has_value() == variant.block.has_value())
             return &each;
     return nullptr;
 }

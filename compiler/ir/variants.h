@@ -48,6 +48,9 @@ struct Variant {
     Devices devices = Devices::any;
     Assumptions assumes;
     std::vector<StmtId> body;
+    /// Of blocks all of whose elements are visited: what is done once a block, before the body; the last statement
+    /// evaluates whether the block is such a one. Absent: of any element.
+    std::optional<std::vector<StmtId>> block;
     RowOrder order = RowOrder::ascending;  ///< the host device's, of kernels without a group
 };
 
@@ -58,11 +61,17 @@ const Variant& variant_for(const Pass& pass, Devices devices);
 /// The fragment part of a draw, if it has one.
 const Variant* fragment_for(const Pass& pass, Devices devices);
 
+/// What it may run for whole blocks instead, if there is such a variant.
+const Variant* block_variant_for(const Pass& pass, Devices devices);
+
 /// What it may run in the interior instead, if there is such a variant.
 const Variant* interior_variant_for(const Pass& pass, Devices devices);
 
 /// What it may run instead of a variant where bounds hold, if there is such a variant.
 const Variant* bounded_variant_of(const Pass& pass, const Variant& variant);
+
+/// What the variant does for an element, what it does once a block included.
+std::vector<StmtId> statements_of(const Variant& variant);
 
 /// The prologue, then the body of each variant.
 std::vector<std::vector<StmtId>*> bodies_of(Pass& pass);

@@ -72,7 +72,7 @@ ExprId Expander::quotient_of(ExprId value, std::uint64_t divisor) {
 
 /// One axis of the address of an element: that of the block's first one, and the offset in the block. Numbers of blocks
 /// are kept below 2^32 / size, so that no address of a block wraps: what lies beyond is in no domain.
-ExprId Expander::address_along(std::uint32_t axis, ExprId first, ExprId size, ExprId offset) {
+Expander::Along Expander::address_along(std::uint32_t axis, ExprId first, ExprId size, ExprId offset) {
     const std::string name = std::string("block_") + "xyzw"[axis];
     const auto width = make.bits_of(size);
     const ExprId number = width && *width != 0 ? quotient_of(first, *width) : ExprId{};
@@ -83,12 +83,13 @@ ExprId Expander::address_along(std::uint32_t axis, ExprId first, ExprId size, Ex
         if (*width != 1)
             block_.is_there = make.both(block_.is_there,
                                         make.binary(BinaryOp::less_equal, make.local(local), make.uint(most)));
-        return make.add(make.multiply(make.local(local), size), offset);
+        const ExprId begin = make.multiply(make.local(local), size);
+        return {make.add(begin, offset), make.add(begin, make.uint(*width - 1))};
     }
     const ExprId begin = make.local(let(name + "_begin", first, span_));
     const ExprId last = make.binary(BinaryOp::subtract, make.add(begin, size), make.uint(1));
     block_.is_there = make.both(block_.is_there, make.binary(BinaryOp::greater_equal, last, begin));
-    return make.add(begin, offset);
+    return {make.add(begin, offset), last};
 }
 
 /// Works out what the block's number decides, and from it the element's address.
@@ -105,15 +106,21 @@ void Expander::enter_block() {
     block_.size = inside(std::move(frame), [&] { return value_of(blocks.extent); });
     const std::uint32_t axes = p.types.components(cx.kernel.domain_type);
     ExprId rest = make.local(position);
-    Operands parts;
+    Operands parts, last;
     for (std::uint32_t axis = 0; axis < axes; ++axis) {
         const ExprId width = make.component(block_.size, axis);
         const bool is_last = axis + 1 == axes;
         const ExprId offset = is_last ? rest : make.binary(BinaryOp::remainder, rest, width);
-        parts.push_back(address_along(axis, make.component(first.value, axis), width, offset));
+        const Along along = address_along(axis, make.component(first.value, axis), width, offset);
+        parts.push_back(along.address);
+        last.push_back(along.last);
         if (!is_last) rest = make.binary(BinaryOp::divide, rest, width);
     }
-    block_.address = parts.size() == 1 ? parts[0] : make.construct(cx.kernel.domain_type, std::move(parts));
+    const auto whole = [&](Operands& of) {
+        return of.size() == 1 ? of[0] : make.construct(cx.kernel.domain_type, std::move(of));
+    };
+    block_.address = whole(parts);
+    block_.last = whole(last);
 }
 
 /// The address of the element in the structure whose blocks are visited.
@@ -151,6 +158,60 @@ ExprId Expander::is_element_there() {
     const ExprId inside = cx.is_direct() ? all_less(address, domain_of({space, {}}))
                                          : all_less(relative_address(), range_size(space));
     return make.both(block_.is_there, inside);
+}
+
+/// Whether all elements of the block are visited.
+ExprId Expander::is_block_there() {
+    const std::uint32_t space = *cx.kernel.space;
+    visited_address();
+    if (cx.is_direct()) return make.both(block_.is_there, all_less(block_.last, domain_of({space, {}})));
+    const ExprId origin = origin_of(space), size = range_size(space);
+    const ExprId last = make.binary(BinaryOp::subtract, block_.last, origin);
+    const ExprId extent = make.binary(BinaryOp::subtract, block_.size, make.construct(make.type(origin), {make.uint(1)}));
+    const ExprId first = make.binary(BinaryOp::subtract, last, extent);
+    return make.both(block_.is_there, make.both(all_less(first, size), all_less(last, size)));
+}
+
+/// Whether the value is the same for all elements of a block.
+bool Expander::is_of_block(ExprId id) {
+    const Expr& node = p.exprs[id];
+    if (node.op == Op::builtin || (node.op == Op::local && p.locals[node.local].is_mutable)) return false;
+    if (node.op == Op::local) {
+        if (node.local == block_.position || node.local == cx.pass.address) return false;
+        const ExprId* definition = cx.definitions.find(node.local);
+        return definition == nullptr || is_of_block(*definition);
+    }
+    if (node.op == Op::swizzle && p.exprs[node.operands[0]].op == Op::local &&
+        p.exprs[node.operands[0]].local == cx.pass.address)
+        return !p.types.is_vector(node.type) && node.lanes[0] == 1;
+    return std::ranges::all_of(node.operands, [&](ExprId operand) { return is_of_block(operand); });
+}
+
+/// The condition without what the block decides, which is asked once a block.
+ExprId Expander::without_block_tests(ExprId condition) {
+    if (!condition || guards_ != Guards::block) return condition;
+    if (is_of_block(condition)) {
+        block_.holds = make.both(block_.holds, condition);
+        return {};
+    }
+    const Expr node = p.exprs[condition];
+    if (node.op != Op::binary || node.binary != BinaryOp::logical_and) return condition;
+    return make.both(without_block_tests(node.operands[0]), without_block_tests(node.operands[1]));
+}
+
+/// The prelude and the body, where they are right.
+Expander::Block Expander::visited_block(Block body) {
+    return collect([&] {
+        if (guards_ != Guards::block) {
+            prelude_.insert(prelude_.end(), body.begin(), body.end());
+            return append_if(is_element_there(), std::move(prelude_), {});
+        }
+        out_->insert(out_->end(), prelude_.begin(), prelude_.end());
+        Stmt holds = statement(StmtOp::evaluate, span_);
+        holds.value = make.both(is_block_there(), block_.holds);
+        append(std::move(holds));
+        out_->insert(out_->end(), body.begin(), body.end());
+    });
 }
 
 }  // namespace gliftc::lower

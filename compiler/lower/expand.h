@@ -30,8 +30,9 @@ struct KernelTooLarge {
     Span span;  ///< the statement that it was at
 };
 
-/// Whether near accesses check that they stay in the domain: interior bodies know it.
-enum class Guards { checked, interior };
+/// Whether near accesses check that they stay in the domain: interior bodies know it. Those of whole blocks know that
+/// all elements of the block are visited, and what else they ask of a block is asked once.
+enum class Guards { checked, interior, block };
 
 /// A function that becomes statements and returns before its end: the value is in a variable, and what follows a return
 /// is left out by leaving loops and by asking whether it has been reached.
@@ -149,7 +150,9 @@ private:
     struct OwnBlock {
         ExprId address;   ///< of the element, in the structure whose blocks are visited; absent: not worked out yet
         ExprId size;      ///< of the block
+        ExprId last;      ///< the address of its last element
         ExprId is_there;  ///< or absent: it is
+        ExprId holds;     ///< Guards::block: what else the block must be for the body to be right
         LocalId position;
     };
 
@@ -226,13 +229,20 @@ private:
     ExprId visited_size();
     Pair of_owner(ir::FunctionId function, std::vector<Pair> arguments);
     ExprId quotient_of(ExprId value, std::uint64_t divisor);
-    ExprId address_along(std::uint32_t axis, ExprId first, ExprId size, ExprId offset);
+    struct Along {
+        ExprId address, last;
+    };
+    Along address_along(std::uint32_t axis, ExprId first, ExprId size, ExprId offset);
     void enter_block();
     ExprId visited_address();
     ExprId origin_of(std::uint32_t root);
     ExprId relative_address();
     ExprId address_in_block(std::uint32_t root);
     ExprId is_element_there();
+    ExprId is_block_there();
+    bool is_of_block(ExprId id);
+    ExprId without_block_tests(ExprId condition);
+    Block visited_block(Block body);
 
     // raster.cpp
     void declare_address(ir::Part part);

@@ -19,11 +19,12 @@ std::vector<StmtId> Expander::expanded_body(const std::vector<StmtId>& written) 
     if (cx.kernel.space) of_block = collect([&] { enter_block(); });
     read_arguments();
     expand_body(written);
-    prelude_.insert(prelude_.end(), body.begin(), body.end());
     if (cx.kernel.space) {
-        Block test = collect([&] { append_if(is_element_there(), std::move(prelude_), {}); });
-        of_block.insert(of_block.end(), test.begin(), test.end());
+        Block visited = visited_block(std::move(body));
+        of_block.insert(of_block.end(), visited.begin(), visited.end());
         prelude_ = std::move(of_block);
+    } else {
+        prelude_.insert(prelude_.end(), body.begin(), body.end());
     }
     top_ = out_ = nullptr;
     frame_ = nullptr;

@@ -27,6 +27,15 @@ bool evaluates_all(const Expr& node) {
     return node.op != Op::select && (node.op != Op::binary || !is_logical);
 }
 
+/// What is known before the body: values of the block are the same for all its elements.
+RowSlopes slopes_of(const Context& cx, const Variant& variant) {
+    RowSlopes slopes(cx.p, cx.pass.address);
+    if (!variant.block) return slopes;
+    for (StmtId id : *variant.block)
+        if (cx.p.stmts[id].op == StmtOp::let) slopes.learn_steady(cx.p.stmts[id].local);
+    return slopes;
+}
+
 /// A binding and an index in it.
 using RowPlace = std::pair<std::uint32_t, ExprId>;
 
@@ -34,7 +43,7 @@ using RowPlace = std::pair<std::uint32_t, ExprId>;
 /// not executed by every element.
 class Finder {
 public:
-    explicit Finder(const Context& context) : cx(context), slopes_(context.p, context.pass.address) {}
+    Finder(const Context& context, const Variant& variant) : cx(context), slopes_(slopes_of(context, variant)) {}
 
     void walk(const std::vector<StmtId>& body) {
         for (StmtId id : body)
@@ -116,8 +125,8 @@ private:
 };
 
 /// With the accesses of rows that are found in it, if there are any.
-std::optional<std::vector<StmtId>> marked(Context& cx, const std::vector<StmtId>& body) {
-    Finder finder(cx);
+std::optional<std::vector<StmtId>> marked(Context& cx, const Variant& variant, const std::vector<StmtId>& body) {
+    Finder finder(cx, variant);
     finder.walk(body);
     if (finder.places.empty()) return std::nullopt;
     return Marking(cx, finder.places).run(body);
@@ -130,13 +139,14 @@ bool is_clamp(const Program& program, const Expr& node) {
 
 /// Calls of clamp, min and max on a signed integer that advances by one along the row: in the middle of the row they
 /// change nothing, whatever translator they come from.
-std::set<ExprId> row_clamps(const Context& cx, const std::vector<StmtId>& body) {
+std::set<ExprId> row_clamps(const Context& cx, const Variant& variant) {
+    const std::vector<StmtId>& body = variant.body;
     std::set<ExprId> clamps;
     for_each_expression_of_trees(cx.p, body, [&](ExprId id) {
         if (is_clamp(cx.p, cx.p.exprs[id])) clamps.insert(id);
     });
     if (clamps.empty()) return clamps;
-    RowSlopes slopes(cx.p, cx.pass.address);
+    RowSlopes slopes = slopes_of(cx, variant);
     for (StmtId id : body) slopes.learn(cx.p.stmts[id]);
     std::erase_if(clamps, [&](ExprId id) {
         const Operands& operands = cx.p.exprs[id].operands;
@@ -212,11 +222,11 @@ RowOrder order_of(const Context& cx, const Variant& variant) {
 
 /// For where the clamps change nothing; none if that makes no access one of a row.
 std::optional<Variant> unclamped(Context& cx, const Variant& variant) {
-    const std::set<ExprId> clamps = row_clamps(cx, variant.body);
+    const std::set<ExprId> clamps = row_clamps(cx, variant);
     if (clamps.empty()) return std::nullopt;
-    std::optional<std::vector<StmtId>> body = marked(cx, Unclamping(cx, clamps).run(variant.body));
+    std::optional<std::vector<StmtId>> body = marked(cx, variant, Unclamping(cx, clamps).run(variant.body));
     if (!body) return std::nullopt;
-    Variant made{Part::whole, Devices::host, variant.assumes, std::move(*body)};
+    Variant made{Part::whole, Devices::host, variant.assumes, std::move(*body), variant.block};
     for (ExprId clamp : clamps) made.assumes.bounds.push_back(bounds_of(cx.p.exprs[clamp]));
     made.order = order_of(cx, made);
     return made;
@@ -226,8 +236,8 @@ std::optional<Variant> unclamped(Context& cx, const Variant& variant) {
 
 std::vector<Variant> find_rows(Context& cx, const Variant& variant) {
     std::optional<Variant> middle = unclamped(cx, variant);
-    std::optional<std::vector<StmtId>> body = marked(cx, variant.body);
-    Variant whole{Part::whole, Devices::host, variant.assumes, body ? std::move(*body) : variant.body};
+    std::optional<std::vector<StmtId>> body = marked(cx, variant, variant.body);
+    Variant whole{Part::whole, Devices::host, variant.assumes, body ? std::move(*body) : variant.body, variant.block};
     whole.order = order_of(cx, whole);
     if (whole.order == RowOrder::in_blocks && (middle || !body)) whole.order = RowOrder::any;
     std::vector<Variant> result{std::move(whole)};

@@ -14,6 +14,7 @@
 #include "lower/lower.h"
 #include "lower/one_place.h"
 #include "lower/passes.h"
+#include "lower/split_blocks.h"
 #include "lower/temporaries.h"
 #include "lower/uniforms.h"
 #include "lower/widen.h"
@@ -49,7 +50,7 @@ void check([[maybe_unused]] const Context& cx, [[maybe_unused]] const std::vecto
 /// After each pass: development builds look for what it broke, a trace writes down what it left.
 void finished(Context& cx, std::string_view pass, const std::vector<Variant>& variants,
               const std::vector<ExprId>& facts, std::string_view what) {
-    for (const Variant& variant : variants) check(cx, variant.body, pass);
+    for (const Variant& variant : variants) check(cx, statements_of(variant), pass);
     if (cx.trace == nullptr) return;
     cx.trace->note(pass, cx.p, cx.pass, variants, facts, what);
     cx.is_stopped |= pass == cx.trace->stop_after;
@@ -103,6 +104,18 @@ void reach_by_address(Context& cx) {
     }
 }
 
+/// The host's body for blocks all of whose elements are visited.
+void add_whole_block(Context& cx, const std::vector<ExprId>& facts) {
+    if (!cx.kernel.space) return;
+    Expander expander(cx, Guards::block);
+    std::vector<StmtId> body = expander.kernel_body();
+    cx.traits.clear();
+    Variant made{Part::whole, Devices::host, cx.pass.plain().assumes, {}};
+    made.body = simplified(cx, "whole block", std::move(body), facts);
+    made.block.emplace();
+    cx.pass.variants.push_back(std::move(made));
+}
+
 /// The host's body for centres whose neighbours all lie inside. Its domain is held in `holders` until it is a
 /// parameter.
 void add_interior(Context& cx, Expander& checked, const std::vector<ExprId>& facts, std::vector<StmtId>& holders) {
@@ -131,7 +144,7 @@ void settle_interior(Context& cx, const Expander& checked, const std::vector<Stm
 
 /// What the passes for the host device make of a body.
 std::vector<Variant> for_host(Context& cx, const Variant& variant) {
-    Variant made{variant.part, Devices::host, variant.assumes, variant.body};
+    Variant made{variant.part, Devices::host, variant.assumes, variant.body, variant.block};
     cx.part = variant.part;
     for (const BodyPass& pass : host_passes()) {
         if (cx.is_stopped || (pass.applies && !pass.applies(cx))) continue;
@@ -139,6 +152,12 @@ std::vector<Variant> for_host(Context& cx, const Variant& variant) {
         finished(cx, pass.name, std::vector{made}, {}, "host");
     }
     if (cx.is_stopped || cx.kernel.grouped() || cx.kernel.raster || cx.pass.items != 1) return {std::move(made)};
+    if (made.block) {
+        std::optional<Variant> split = split_blocks(cx, made);
+        if (!split) return {};
+        made = std::move(*split);
+        finished(cx, "split_blocks", std::vector{made}, {}, "whole block");
+    }
     std::vector<Variant> found = find_rows(cx, made);
     finished(cx, "find_rows", found, {}, "host");
     return found;
@@ -246,6 +265,7 @@ Pass lowered(Program& program, Diagnostics& diagnostics, std::uint32_t kernel, F
     }
     std::vector<StmtId> holders;
     add_interior(cx, expander, facts, holders);
+    add_whole_block(cx, facts);
     pass.prologue = std::move(expander.size_statements);
     for (StmtId id : dispatch_prologue(cx)) pass.prologue.push_back(id);
 

@@ -96,6 +96,8 @@ void RowSlopes::learn(const Stmt& stmt) {
         locals_[stmt.local] = of(stmt.value);
 }
 
+void RowSlopes::learn_steady(ir::LocalId local) { locals_[local] = steady(); }
+
 Slopes RowSlopes::of_construct(const Expr& expr) {
     const std::uint32_t count = program_.types.components(expr.type);
     if (!program_.types.is_vector(expr.type)) return unknown();

@@ -27,6 +27,8 @@ public:
 
     /// Takes note of a statement that every element executes, in order.
     void learn(const ir::Stmt& stmt);
+    /// The local has one value for the whole row.
+    void learn_steady(ir::LocalId local);
     Slopes of(ir::ExprId expr);
     /// True if the index is a scalar that advances by one.
     bool is_row(ir::ExprId index);

@@ -210,6 +210,7 @@ Pair Expander::centre(std::uint32_t root) {
             if (is_inside) known_.pop_back();
             bool asked = false;
             at.has = without_inside(root, at.has, address, asked);
+            if (cx.kernel.space) at.has = without_block_tests(at.has);
             result.value = named(name + "_at", at.value);
             if (at.has) result.has = named(name + "_found", at.has);
             return 0;

@@ -154,7 +154,10 @@ void Collector::function(ir::FunctionId id) {
 void Collector::passes(const ir::Lowered::Forms& forms) {
     for (const ir::Pass* pass : {&forms.direct, &forms.general, &forms.wide}) {
         for (const ir::Variant& variant : pass->variants)
-            if (variant.devices != ir::Devices::shaders) code(variant.body);
+            if (variant.devices != ir::Devices::shaders) {
+                if (variant.block) code(*variant.block);
+                code(variant.body);
+            }
         for (ir::LocalId local : pass->shared) type(program.locals[local].type, false);
         for (ir::FunctionId id : pass->functions) function(id);
         for (const ir::PassParameter& parameter : pass->parameters) value(parameter.value);

@@ -300,10 +300,36 @@ void Rows::print_loop(const ir::Variant& variant, const std::string& begin, cons
     close_sections();
 }
 
+/// Once a block, what its number decides; then the loop for whole blocks, or the one for any.
+void print_block(Rows& rows, const ir::Variant& whole, const ir::Variant& any) {
+    cpp::Printer& p = rows.p;
+    p.out.line("bool is_whole = false;");
+    p.out.open("");
+    p.names.enter();
+    const std::string name = p.names.declare("block");
+    rows.p.local_names[rows.pass.address] = name;
+    std::vector<StmtId> values = *whole.block;
+    const ExprId holds = rows.program.stmts[values.back()].value;
+    values.pop_back();
+    if (cpp::mentions(rows.program, *whole.block, rows.pass.address))
+        p.out.line("const uint2 " + name + "{row.begin, row.y};");
+    cpp::print_statements(p, values);
+    p.out.line("is_whole = " + cpp::print_any(p, holds) + ";");
+    p.out.open("if (is_whole)");
+    rows.print_loop(whole, "row.begin", "row.end");
+    p.out.close();
+    p.names.leave();
+    p.out.close();
+    p.out.open("if (!is_whole)");
+    rows.print_loop(any, "row.begin", "row.end");
+    p.out.close();
+}
+
 void print_parts(Rows& rows) {
     const ir::Pass& pass = rows.pass;
     cpp::Writer& out = rows.p.out;
     const ir::Variant& variant = variant_for(pass, ir::Devices::host);
+    if (const ir::Variant* whole = block_variant_for(pass, ir::Devices::host)) return print_block(rows, *whole, variant);
     const ir::Variant* inside = interior_variant_for(pass, ir::Devices::host);
     if (inside == nullptr) return rows.print_loop(variant, "row.begin", "row.end");
     const ir::Interior& assumed = *inside->assumes.interior;

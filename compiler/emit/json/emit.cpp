@@ -148,6 +148,14 @@ void Writer::structure(std::uint32_t index) {
         if (!s.base.empty()) out.field("memory", place_text(program, self, {0, s.base}));
         list("members", s.members, [&](const ir::MemberStructure& m) { member(m, self); });
         stages(s, self);
+        if (s.blocks) {
+            out.key("blocks");
+            out.object([&] {
+                out.field("size", expression_text(program, s.blocks->extent, self));
+                if (s.blocks->bound) out.field("most", expression_text(program, s.blocks->bound, self));
+                out.field("counted_on_device", !s.blocks->is_known);
+            });
+        }
         if (s.kind == ir::StructureKind::adaptor)
             list("host", s.host, [&](const ir::HostField& field) { named(name(field.name), type(field.type)); });
         document(s.doc);
@@ -307,6 +315,7 @@ void Writer::kernel(std::uint32_t index) {
         out.field("line", line(k.span));
         out.field("public", k.is_pub);
         out.field("domain", type(k.domain_type));
+        if (k.space) out.field("blocks_of", name(k.params[*k.space].name));
         if (k.grouped()) list("group", k.group, [&](std::uint32_t extent) { out.value(extent); });
         list("params", k.params, [&](const ir::KernelParam& p) { kernel_param(p); });
         if (k.raster) {
