@@ -19,8 +19,8 @@ const Structure& root_structure(const Program& program, const Structure& structu
 /// The memory of the root. Only of structures that have one: is_computed() is false.
 const Memory& root_memory(const Program& program, const Structure& structure);
 
-/// Where the structure's blocks are declared: by itself, or by its memory, where its addresses are the memory's. Absent:
-/// the whole domain is one block.
+/// Where the structure's blocks are declared: by itself, or by its memory, where its addresses are the memory's.
+/// Absent: the whole domain is one block.
 std::optional<Place> blocks_of(const Program& program, const Structure& structure, const Place& place);
 
 /// The blocks that a kernel visits; null: whole ranges.

@@ -370,10 +370,10 @@ struct Structure {
     RareVector<std::uint32_t> base;
     Name base_name;  ///< as declared
     Span base_span;
-    ExprId otherwise;  ///< value of an unmapped read; absent: zero
-    ExprId domain;     ///< extent of the virtual domain, over the structure (root 0)
+    ExprId otherwise;              ///< value of an unmapped read; absent: zero
+    ExprId domain;                 ///< extent of the virtual domain, over the structure (root 0)
     std::optional<Blocks> blocks;  ///< as declared here; see blocks_of() of ir/chain.h
-    FunctionId at;     ///< views: (address) -> element; structures[] of the function are [this structure]
+    FunctionId at;                 ///< views: (address) -> element; structures[] of the function are [this structure]
     std::vector<FunctionId> functions;     ///< other fns: structures[0] is this structure
     std::vector<HostField> host;           ///< adaptors
     std::vector<std::uint32_t> pipelines;  ///< adaptors: Program::pipelines

@@ -69,7 +69,7 @@ struct Pass {
     bool exists = true;  ///< false: the form is not available (a structure has no memory, say)
     std::array<std::uint32_t, 3> group = {64, 1, 1};
     std::uint32_t rank = 1;
-    bool of_blocks = false;  ///< it visits blocks: `address` is {position in the block, number of the block}
+    bool of_blocks = false;   ///< it visits blocks: `address` is {position in the block, number of the block}
     std::uint32_t items = 1;  ///< consecutive elements that the kernel visits at once; `address` is the first of them
     std::vector<PassBinding> bindings;
     std::vector<PassParameter> parameters;

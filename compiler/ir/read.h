@@ -10,7 +10,7 @@
 //               | "shared" name ":" type | "address" name ":" type | "in_range" name | "fact" expr ;
 //     function  = "fn" "@" name "(" [ name ":" type { "," name ":" type } ] ")" "->" type "{" { statement } "}" ;
 //     section   = ( "prologue" | variant ) { statement } ;
-//     variant   = ( "body" | "vertex" | "fragment" ) { "," assumption } ;
+//     variant   = [ "block" statements ] ( "body" | "vertex" | "fragment" ) { "," assumption } ;
 //     assumption = "on" ( "shaders" | "host" ) | "takes" n n n | "inside" n "of" parameter [ "from" parameter ]
 //               | "bounds" "(" expr "," ( expr | "any" ) "," ( expr | "any" ) ")" | "any order" | "in blocks" ;
 //     statement = ( "let" | "tmp" | "var" ) name ":" type [ "=" ( expr | "uninitialized" ) ] ";"

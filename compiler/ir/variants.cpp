@@ -8,7 +8,8 @@ namespace {
 
 /// As the first or only part of a pass.
 bool runs_on(const Variant& variant, Devices devices) {
-    return variant.part != Part::fragment && !variant.block && (variant.devices == Devices::any || variant.devices == devices);
+    return variant.part != Part::fragment && !variant.block &&
+           (variant.devices == Devices::any || variant.devices == devices);
 }
 
 template <class Bodies, class P> Bodies all_bodies(P& pass) {

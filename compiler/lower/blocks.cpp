@@ -81,8 +81,8 @@ Expander::Along Expander::address_along(std::uint32_t axis, ExprId first, ExprId
         const std::uint64_t most = two_to_32 / *width - 1;
         make.limits[local] = most;
         if (*width != 1)
-            block_.is_there = make.both(block_.is_there,
-                                        make.binary(BinaryOp::less_equal, make.local(local), make.uint(most)));
+            block_.is_there =
+                make.both(block_.is_there, make.binary(BinaryOp::less_equal, make.local(local), make.uint(most)));
         const ExprId begin = make.multiply(make.local(local), size);
         return {make.add(begin, offset), make.add(begin, make.uint(*width - 1))};
     }
@@ -133,8 +133,7 @@ ExprId Expander::visited_address() {
 
 ExprId Expander::origin_of(std::uint32_t root) {
     const TypeId type = cx.structure_at({root, {}}).domain_type;
-    return cx.parameter_expr(
-        cx.parameter(ParameterSource::origin, cx.name_of({root, {}}) + "_origin", type, root));
+    return cx.parameter_expr(cx.parameter(ParameterSource::origin, cx.name_of({root, {}}) + "_origin", type, root));
 }
 
 /// From the beginning of what is visited.
@@ -155,8 +154,8 @@ ExprId Expander::address_in_block(std::uint32_t root) {
 ExprId Expander::is_element_there() {
     const std::uint32_t space = *cx.kernel.space;
     const ExprId address = visited_address();
-    const ExprId inside = cx.is_direct() ? all_less(address, domain_of({space, {}}))
-                                         : all_less(relative_address(), range_size(space));
+    const ExprId inside =
+        cx.is_direct() ? all_less(address, domain_of({space, {}})) : all_less(relative_address(), range_size(space));
     return make.both(block_.is_there, inside);
 }
 
@@ -167,7 +166,8 @@ ExprId Expander::is_block_there() {
     if (cx.is_direct()) return make.both(block_.is_there, all_less(block_.last, domain_of({space, {}})));
     const ExprId origin = origin_of(space), size = range_size(space);
     const ExprId last = make.binary(BinaryOp::subtract, block_.last, origin);
-    const ExprId extent = make.binary(BinaryOp::subtract, block_.size, make.construct(make.type(origin), {make.uint(1)}));
+    const ExprId extent =
+        make.binary(BinaryOp::subtract, block_.size, make.construct(make.type(origin), {make.uint(1)}));
     const ExprId first = make.binary(BinaryOp::subtract, last, extent);
     return make.both(block_.is_there, make.both(all_less(first, size), all_less(last, size)));
 }

@@ -54,8 +54,8 @@ Pair Expander::call_instance(FunctionId function, std::vector<Pair> arguments, F
 
 /// A function that sees a window is told where it stands, and works out the addresses there for itself.
 Expander::Current Expander::enter_window(Function& made) {
-    Current outer{cx.pass.address, cx.pass.in_range, std::move(prelude_), std::move(centres_), std::move(addresses_),
-                  std::exchange(block_, {})};
+    Current outer{cx.pass.address,     cx.pass.in_range,      std::move(prelude_),
+                  std::move(centres_), std::move(addresses_), std::exchange(block_, {})};
     cx.pass.address = cx.new_local("address", p.locals[outer.address].type, made.span);
     made.params.push_back(cx.pass.address);
     if (cx.kernel.grouped())

@@ -26,9 +26,7 @@ std::optional<std::uint64_t> Make::limit_of(ExprId id) const {
     }
     if (node.op != Op::binary) return std::nullopt;
     const auto a = limit_of(node.operands[0]), b = limit_of(node.operands[1]);
-    const auto fitting = [](std::uint64_t value) {
-        return value <= largest ? std::optional(value) : std::nullopt;
-    };
+    const auto fitting = [](std::uint64_t value) { return value <= largest ? std::optional(value) : std::nullopt; };
     const auto divisor = bits_of(node.operands[1]);
     switch (node.binary) {
     case BinaryOp::add: return a && b ? fitting(*a + *b) : std::nullopt;

@@ -30,7 +30,8 @@ template <class Asks> Pair Expander::chained(const Place& place, ExprId address,
         at = {next.value, make.both(at.has, next.has)};
         const bool leads_to_view = structure.kind == StructureKind::view && structure.base.empty();
         if (!is_contained(p, structure) && !leads_to_view) {
-            at.value = named(at_link + "_place", at.value);
+            // Of blocks each part by itself: some are decided by the block.
+            if (!cx.kernel.space) at.value = named(at_link + "_place", at.value);
             at.has = make.both(at.has, asks(link, at.value));
         }
         if (structure.base.empty()) return at;

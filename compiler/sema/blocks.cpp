@@ -107,8 +107,7 @@ void add_blocks(Context& c, const Env& env, std::uint32_t index, const BlockItem
     const bool is_optional = returns_none(c, std::get<ast::Function>(c[items.block].body).body);
     ir::Blocks made;
     made.count = make_function(c, env, index, items.blocks, {}, uint);
-    made.first =
-        make_function(c, env, index, items.block, {uint}, is_optional ? c.types().optional(address) : address);
+    made.first = make_function(c, env, index, items.block, {uint}, is_optional ? c.types().optional(address) : address);
     made.size = make_function(c, env, index, items.block_size, {}, address);
     if (!made.count || !made.first || !made.size) return;
     made.extent = single_return(c.program, made.size);
@@ -123,8 +122,7 @@ void add_blocks(Context& c, const Env& env, std::uint32_t index, const BlockItem
     c.program.structures[index].blocks = made;
 }
 
-std::optional<Operand> call_of_blocks(Body& body, const Operand& self, ast::Identifier method,
-                                      const ast::Expr& call) {
+std::optional<Operand> call_of_blocks(Body& body, const Operand& self, ast::Identifier method, const ast::Expr& call) {
     Context& c = body.context;
     const std::string& name = c.text(method.name);
     const bool is_block = name == "block";
@@ -147,8 +145,7 @@ std::optional<Operand> call_of_blocks(Body& body, const Operand& self, ast::Iden
         if (name == "block_size")
             return value_operand(body, structure_operation(body, ir::Op::domain, address, self, call.span), call.span);
         ir::ExprId zero = make_uint(c.program, 0, call.span);
-        if (body.types().is_vector(address))
-            zero = add(c.program, ir::Op::construct, address, call.span, {zero});
+        if (body.types().is_vector(address)) zero = add(c.program, ir::Op::construct, address, call.span, {zero});
         return value_operand(body, zero, call.span);
     }
     Operand of = self;
@@ -158,8 +155,11 @@ std::optional<Operand> call_of_blocks(Body& body, const Operand& self, ast::Iden
         of.structure = c.program.structures[of.structure].members[owner->members[i]].structure;
     if (of.structure != self.structure) of.is_slice = false;
     const ir::Blocks& blocks = *c.program.structures[of.structure].blocks;
-    return call_of(body, is_block ? blocks.first : name == "blocks" ? blocks.count : blocks.size, of,
-                   std::move(values), call.span);
+    return call_of(body,
+                   is_block           ? blocks.first
+                   : name == "blocks" ? blocks.count
+                                      : blocks.size,
+                   of, std::move(values), call.span);
 }
 
 namespace {

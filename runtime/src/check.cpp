@@ -52,7 +52,8 @@ void check_condition(const DeviceObject* device, const Condition& condition) {
 }
 
 void check_patches(const DeviceObject* device, const Kernel& kernel, const Call& call) {
-    if (call.form == FormName::direct && !kernel.of_blocks) wrong("device values were passed to the direct form", kernel_text(kernel));
+    if (call.form == FormName::direct && !kernel.of_blocks)
+        wrong("device values were passed to the direct form", kernel_text(kernel));
     for (const Patch& patch : call.patches) {
         check_range(device, patch.value.memory, patch.value.offset, 4, "a device value");
         const std::size_t bytes = call.parameters.size();

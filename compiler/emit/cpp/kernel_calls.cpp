@@ -179,7 +179,8 @@ void print_choice(Unit& unit, Writer& out, const Kernel& kernel, const ir::Lower
     const bool shares = ir::has_one_place(forms.general);
     if (forms.wide.exists)
         choices.emplace_back(&forms.wide, "commands.needs_wide(" + name + "_kernel, " +
-                                              (forms.wide.bindings.empty() ? "{}" : "memories") + (kernel.space ? ", iteration.extent()" : ", iteration.size()") +
+                                              (forms.wide.bindings.empty() ? "{}" : "memories") +
+                                              (kernel.space ? ", iteration.extent()" : ", iteration.size()") +
                                               (shares ? ", iteration.sharing())" : ")"));
     if (forms.direct.exists)
         choices.emplace_back(&forms.direct, direct_condition(unit, kernel) +
@@ -277,8 +278,7 @@ static void print_iteration(const Unit& unit, Writer& out, const Kernel& kernel)
 /// How many blocks are visited, and how large they are.
 static void print_blocks_visited(Unit& unit, Writer& out, const Kernel& kernel, const Pass& pass) {
     const KernelParam& param = kernel.params[*kernel.space];
-    const ir::Place owner =
-        *ir::blocks_of(unit.program, unit.program.structures[param.structure], {*kernel.space, {}});
+    const ir::Place owner = *ir::blocks_of(unit.program, unit.program.structures[param.structure], {*kernel.space, {}});
     std::string object = param_name(unit, param);
     if (!owner.members.empty()) object += "->";
     std::uint32_t structure = param.structure;

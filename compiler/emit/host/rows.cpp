@@ -329,7 +329,8 @@ void print_parts(Rows& rows) {
     const ir::Pass& pass = rows.pass;
     cpp::Writer& out = rows.p.out;
     const ir::Variant& variant = variant_for(pass, ir::Devices::host);
-    if (const ir::Variant* whole = block_variant_for(pass, ir::Devices::host)) return print_block(rows, *whole, variant);
+    if (const ir::Variant* whole = block_variant_for(pass, ir::Devices::host))
+        return print_block(rows, *whole, variant);
     const ir::Variant* inside = interior_variant_for(pass, ir::Devices::host);
     if (inside == nullptr) return rows.print_loop(variant, "row.begin", "row.end");
     const ir::Interior& assumed = *inside->assumes.interior;

@@ -160,9 +160,9 @@ struct Parameter {
 /// one-dimensional iteration of more groups than the device allows along x is folded: the runtime dispatches (x, y, 1)
 /// groups with x * y >= groups.x, and a group's index is gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
 /// invocations beyond the size do nothing. Of blocks, groups along y are folded into z in the same way, and a group's
-/// index along y is gl_WorkGroupID.z * gl_NumWorkGroups.y + gl_WorkGroupID.y. In more dimensions an iteration beyond the device's limits (65535 groups
-/// along y and z on most) takes the wide form, split by the runtime into several dispatches through Form::base_offset;
-/// indirect ones are refused (ErrorCode::too_large).
+/// index along y is gl_WorkGroupID.z * gl_NumWorkGroups.y + gl_WorkGroupID.y. In more dimensions an iteration beyond
+/// the device's limits (65535 groups along y and z on most) takes the wide form, split by the runtime into several
+/// dispatches through Form::base_offset; indirect ones are refused (ErrorCode::too_large).
 struct Kernel {
     const char* name;
     const char* file;
@@ -178,7 +178,7 @@ struct Kernel {
     Form direct, general, wide;
     std::span<const Parameter> parameters = {};      ///< what Commands::specialised can fix
     std::array<std::uint32_t, 3> items = {1, 1, 1};  ///< elements that one invocation takes along each axis
-    bool of_blocks = false;  ///< rank 2: {elements of a block, blocks}
+    bool of_blocks = false;                          ///< rank 2: {elements of a block, blocks}
     bool reports = false;                           ///< has a StatusRecord: a storage buffer (scalar layout) at binding
                                                     ///< bindings.size() + 1 in every form
     std::uint32_t shared_bytes = 0;                 ///< workgroup memory

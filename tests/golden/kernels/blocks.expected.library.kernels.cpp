@@ -1,0 +1,895 @@
+// Made by gliftc from blocks.glift. Changes are lost when it is made again.
+#include "blocks.glift.types.hpp"
+
+#include <glift/host/math.h>
+#include <glift/host/parallel.h>
+#include <glift/kernel.h>
+
+namespace std_transfer {
+
+using namespace glift::types;
+
+// ----------------------------------------------------------------------------------------------------
+// transfer.glift:15: read_box<Listed, Box<3, float>>
+
+namespace {
+struct read_box_a23c245a_direct_parameters {
+    uint3 from_extent;
+    uint div_ceil_y;
+    uint div_ceil_x;
+    uint from_table_extent;
+    uint2 from_frames_extent;
+    uint3 to_extent;
+};
+static_assert(offsetof(read_box_a23c245a_direct_parameters, from_extent) == 0);
+static_assert(offsetof(read_box_a23c245a_direct_parameters, div_ceil_y) == 12);
+static_assert(offsetof(read_box_a23c245a_direct_parameters, div_ceil_x) == 16);
+static_assert(offsetof(read_box_a23c245a_direct_parameters, from_table_extent) == 20);
+static_assert(offsetof(read_box_a23c245a_direct_parameters, from_frames_extent) == 24);
+static_assert(offsetof(read_box_a23c245a_direct_parameters, to_extent) == 32);
+
+// transfer.glift:15: read_box<Listed, Box<3, float>>, some rows.
+GLIFT_HOST_KERNEL
+static void read_box_a23c245a_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const read_box_a23c245a_direct_parameters*>(call.parameters);
+    const uint div_ceil_y = parameters.div_ceil_y;
+    const uint div_ceil_x = parameters.div_ceil_x;
+    const uint from_table_extent = parameters.from_table_extent;
+    const uint2 from_frames_extent = parameters.from_frames_extent;
+    const uint3 to_extent = parameters.to_extent;
+    const uint* from_table_data = glift::host::elements<const uint>(call.memories[0]);
+    const float* from_frames_data = glift::host::elements<const float>(call.memories[1]);
+    float* to_data = glift::host::elements<float>(call.memories[2]);
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint3 address{row.begin, row.y, row.z};
+            // transfer.glift:15
+            const uint to_at = (address.z * to_extent.y + address.y) * to_extent.x + address.x;
+            float* to_data_row = glift::host::row_pointer(to_data + to_at);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                const uint3 address{row.begin + static_cast<uint>(i), row.y, row.z};
+                // transfer.glift:15
+                const uint from_table_address = (address.z / 8u * div_ceil_y + address.y / 8u) * div_ceil_x
+                    + address.x / 8u;
+                const bool from_table_value_inside = from_table_address < from_table_extent;
+                const uint from_table_value = from_table_data[from_table_value_inside ? from_table_address : 0u];
+                const uint from_entry = from_table_value_inside ? from_table_value : 0u;
+                const uint2 from_place = uint2((address.z % 8u * 8u + address.y % 8u) * 8u + address.x % 8u,
+                    from_entry - 1u);
+                const uint from_at = from_place.y * from_frames_extent.x + from_place.x;
+                const bool from_found = !(from_entry == 0u) && from_place.y < from_frames_extent.y;
+                // transfer.glift:16
+                const float from_value = from_frames_data[from_found ? from_at : 0u];
+                to_data_row[i] = from_found ? from_value : -1.0f;
+            }
+        }
+    }
+}
+
+static void read_box_a23c245a_direct(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { read_box_a23c245a_direct_rows(call, rows); });
+}
+
+struct read_box_a23c245a_general_parameters {
+    uint3 size;
+    uint3 from_origin;
+    uint3 to_origin;
+    uint div_ceil_y;
+    uint div_ceil_x;
+    uint from_table_extent;
+    uint2 from_frames_extent;
+    uint3 to_extent;
+};
+static_assert(offsetof(read_box_a23c245a_general_parameters, size) == 0);
+static_assert(offsetof(read_box_a23c245a_general_parameters, from_origin) == 12);
+static_assert(offsetof(read_box_a23c245a_general_parameters, to_origin) == 24);
+static_assert(offsetof(read_box_a23c245a_general_parameters, div_ceil_y) == 36);
+static_assert(offsetof(read_box_a23c245a_general_parameters, div_ceil_x) == 40);
+static_assert(offsetof(read_box_a23c245a_general_parameters, from_table_extent) == 44);
+static_assert(offsetof(read_box_a23c245a_general_parameters, from_frames_extent) == 48);
+static_assert(offsetof(read_box_a23c245a_general_parameters, to_extent) == 56);
+
+// transfer.glift:15: read_box<Listed, Box<3, float>>, some rows.
+GLIFT_HOST_KERNEL
+static void read_box_a23c245a_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const read_box_a23c245a_general_parameters*>(call.parameters);
+    const uint3 from_origin = parameters.from_origin;
+    const uint3 to_origin = parameters.to_origin;
+    const uint div_ceil_y = parameters.div_ceil_y;
+    const uint div_ceil_x = parameters.div_ceil_x;
+    const uint from_table_extent = parameters.from_table_extent;
+    const uint2 from_frames_extent = parameters.from_frames_extent;
+    const uint3 to_extent = parameters.to_extent;
+    const uint* from_table_data = glift::host::elements<const uint>(call.memories[0]);
+    const float* from_frames_data = glift::host::elements<const float>(call.memories[1]);
+    float* to_data = glift::host::elements<float>(call.memories[2]);
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint3 address{row.begin, row.y, row.z};
+            // transfer.glift:16
+            const uint3 to_address = to_origin + address;
+            // transfer.glift:15
+            const uint to_at = (to_address.z * to_extent.y + to_address.y) * to_extent.x + to_address.x;
+            float* to_data_row = glift::host::row_pointer(to_data + to_at);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                const uint3 address{row.begin + static_cast<uint>(i), row.y, row.z};
+                // transfer.glift:16
+                const uint3 from_address = from_origin + address;
+                // transfer.glift:15
+                const uint from_table_address = (from_address.z / 8u * div_ceil_y + from_address.y / 8u) * div_ceil_x
+                    + from_address.x / 8u;
+                const bool from_table_value_inside = from_table_address < from_table_extent;
+                const uint from_table_value = from_table_data[from_table_value_inside ? from_table_address : 0u];
+                const uint from_entry = from_table_value_inside ? from_table_value : 0u;
+                const uint2 from_place = uint2((from_address.z % 8u * 8u + from_address.y % 8u) * 8u
+                    + from_address.x % 8u, from_entry - 1u);
+                const uint from_at = from_place.y * from_frames_extent.x + from_place.x;
+                const bool from_found = !(from_entry == 0u) && from_place.y < from_frames_extent.y;
+                // transfer.glift:16
+                const float from_value = from_frames_data[from_found ? from_at : 0u];
+                to_data_row[i] = from_found ? from_value : -1.0f;
+            }
+        }
+    }
+}
+
+static void read_box_a23c245a_general(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { read_box_a23c245a_general_rows(call,
+        rows); });
+}
+
+struct read_box_a23c245a_wide_parameters {
+    uint3 size;
+    uint3 from_origin;
+    uint3 to_origin;
+    uint3 base;
+    uint div_ceil_y;
+    uint div_ceil_x;
+    uint from_table_extent;
+    std::uint64_t from_frames_extent_x;
+    uint from_frames_extent_y;
+    std::uint64_t to_extent_y;
+    std::uint64_t to_extent_x;
+    std::uint64_t from_table_data_address;
+    std::uint64_t from_frames_data_address;
+    std::uint64_t to_data_address;
+};
+static_assert(offsetof(read_box_a23c245a_wide_parameters, size) == 0);
+static_assert(offsetof(read_box_a23c245a_wide_parameters, from_origin) == 12);
+static_assert(offsetof(read_box_a23c245a_wide_parameters, to_origin) == 24);
+static_assert(offsetof(read_box_a23c245a_wide_parameters, base) == 36);
+static_assert(offsetof(read_box_a23c245a_wide_parameters, div_ceil_y) == 48);
+static_assert(offsetof(read_box_a23c245a_wide_parameters, div_ceil_x) == 52);
+static_assert(offsetof(read_box_a23c245a_wide_parameters, from_table_extent) == 56);
+static_assert(offsetof(read_box_a23c245a_wide_parameters, from_frames_extent_x) == 64);
+static_assert(offsetof(read_box_a23c245a_wide_parameters, from_frames_extent_y) == 72);
+static_assert(offsetof(read_box_a23c245a_wide_parameters, to_extent_y) == 80);
+static_assert(offsetof(read_box_a23c245a_wide_parameters, to_extent_x) == 88);
+static_assert(offsetof(read_box_a23c245a_wide_parameters, from_table_data_address) == 96);
+static_assert(offsetof(read_box_a23c245a_wide_parameters, from_frames_data_address) == 104);
+static_assert(offsetof(read_box_a23c245a_wide_parameters, to_data_address) == 112);
+
+// transfer.glift:15: read_box<Listed, Box<3, float>>, some rows.
+GLIFT_HOST_KERNEL
+static void read_box_a23c245a_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const read_box_a23c245a_wide_parameters*>(call.parameters);
+    const uint3 from_origin = parameters.from_origin;
+    const uint3 to_origin = parameters.to_origin;
+    const uint div_ceil_y = parameters.div_ceil_y;
+    const uint div_ceil_x = parameters.div_ceil_x;
+    const uint from_table_extent = parameters.from_table_extent;
+    const std::uint64_t from_frames_extent_x = parameters.from_frames_extent_x;
+    const uint from_frames_extent_y = parameters.from_frames_extent_y;
+    const std::uint64_t to_extent_y = parameters.to_extent_y;
+    const std::uint64_t to_extent_x = parameters.to_extent_x;
+    const uint* from_table_data = glift::host::elements<const uint>(call.memories[0]);
+    const float* from_frames_data = glift::host::elements<const float>(call.memories[1]);
+    float* to_data = glift::host::elements<float>(call.memories[2]);
+    for (const glift::host::Row row : rows) {
+        GLIFT_INDEPENDENT
+        for (uint x = row.begin; x < row.end; ++x) {
+            const uint3 address{x, row.y, row.z};
+            // transfer.glift:16
+            const uint3 from_address = from_origin + address;
+            // transfer.glift:15
+            const uint from_table_address = (from_address.z / 8u * div_ceil_y + from_address.y / 8u) * div_ceil_x
+                + from_address.x / 8u;
+            const bool from_table_value_inside = from_table_address < from_table_extent;
+            const std::uint64_t from_table_value_at = std::uint64_t(from_table_address);
+            const uint from_table_value = from_table_data[from_table_value_inside ? from_table_value_at
+                : std::uint64_t{0u}];
+            const uint from_entry = from_table_value_inside ? from_table_value : 0u;
+            const uint2 from_place = uint2((from_address.z % 8u * 8u + from_address.y % 8u) * 8u + from_address.x % 8u,
+                from_entry - 1u);
+            const std::uint64_t from_at = std::uint64_t(from_place.y) * from_frames_extent_x
+                + std::uint64_t(from_place.x);
+            const bool from_found = !(from_entry == 0u) && from_place.y < from_frames_extent_y;
+            // transfer.glift:16
+            const uint3 to_address = to_origin + address;
+            // transfer.glift:15
+            const std::uint64_t to_at = (std::uint64_t(to_address.z) * to_extent_y
+                + std::uint64_t(to_address.y)) * to_extent_x + std::uint64_t(to_address.x);
+            // transfer.glift:16
+            const float from_value = from_frames_data[from_found ? from_at : std::uint64_t{0u}];
+            to_data[to_at] = from_found ? from_value : -1.0f;
+        }
+    }
+}
+
+static void read_box_a23c245a_wide(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { read_box_a23c245a_wide_rows(call, rows); });
+}
+
+const glift::Binding read_box_a23c245a_bindings[] = {
+    {.name = "from.table.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 96,
+        .element_bytes = sizeof(uint)},
+    {.name = "from.frames.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read,
+        .address_offset = 104, .element_bytes = sizeof(float), .reach = glift::Reach::element},
+    {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 112,
+        .element_bytes = sizeof(float), .parameter = 1, .reach = glift::Reach::element},
+};
+constexpr glift::Parameter read_box_a23c245a_parameters[] = {
+    {"from_extent", 0, sizeof(read_box_a23c245a_direct_parameters::from_extent)},
+    {"div_ceil_y", 12, sizeof(read_box_a23c245a_direct_parameters::div_ceil_y)},
+    {"div_ceil_x", 16, sizeof(read_box_a23c245a_direct_parameters::div_ceil_x)},
+    {"from_table_extent", 20, sizeof(read_box_a23c245a_direct_parameters::from_table_extent)},
+    {"from_frames_extent", 24, sizeof(read_box_a23c245a_direct_parameters::from_frames_extent)},
+    {"to_extent", 32, sizeof(read_box_a23c245a_direct_parameters::to_extent)},
+};
+}  // namespace
+
+extern GLIFT_SHARED const glift::Kernel read_box_a23c245a_kernel;
+const glift::Kernel read_box_a23c245a_kernel = {
+    .name = "read_box",
+    .file = "transfer.glift",
+    .line = 15,
+    .rank = 3,
+    .group = {32, 4, 2},
+    .loop_rounds = 0,
+    .bindings = read_box_a23c245a_bindings,
+    .direct = {.host = &read_box_a23c245a_direct, .parameter_bytes = 44, .push_constants = true},
+    .general = {.host = &read_box_a23c245a_general, .parameter_bytes = 68},
+    .wide = {.host = &read_box_a23c245a_wide, .parameter_bytes = 120, .base_offset = 36},
+    .parameters = read_box_a23c245a_parameters,
+    .items = {1, 2, 1},
+};
+
+// ----------------------------------------------------------------------------------------------------
+// transfer.glift:20: write_box<Box<3, float>, Listed>
+
+namespace {
+struct write_box_93a8b595_direct_parameters {
+    uint3 from_extent;
+    uint div_ceil_y;
+    uint div_ceil_x;
+    uint to_table_extent;
+    uint2 to_frames_extent;
+};
+static_assert(offsetof(write_box_93a8b595_direct_parameters, from_extent) == 0);
+static_assert(offsetof(write_box_93a8b595_direct_parameters, div_ceil_y) == 12);
+static_assert(offsetof(write_box_93a8b595_direct_parameters, div_ceil_x) == 16);
+static_assert(offsetof(write_box_93a8b595_direct_parameters, to_table_extent) == 20);
+static_assert(offsetof(write_box_93a8b595_direct_parameters, to_frames_extent) == 24);
+
+// transfer.glift:20: write_box<Box<3, float>, Listed>, some rows.
+GLIFT_HOST_KERNEL
+static void write_box_93a8b595_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const write_box_93a8b595_direct_parameters*>(call.parameters);
+    const uint3 from_extent = parameters.from_extent;
+    const uint div_ceil_y = parameters.div_ceil_y;
+    const uint div_ceil_x = parameters.div_ceil_x;
+    const uint to_table_extent = parameters.to_table_extent;
+    const uint2 to_frames_extent = parameters.to_frames_extent;
+    const float* from_data = glift::host::elements<const float>(call.memories[0]);
+    const uint* to_table_data = glift::host::elements<const uint>(call.memories[1]);
+    float* to_frames_data = glift::host::elements<float>(call.memories[2]);
+    for (const glift::host::Row row : rows) {
+        GLIFT_INDEPENDENT
+        for (uint x = row.begin; x < row.end; ++x) {
+            const uint3 address{x, row.y, row.z};
+            // transfer.glift:20
+            const uint from_at = (address.z * from_extent.y + address.y) * from_extent.x + address.x;
+            const uint to_table_address = (address.z / 8u * div_ceil_y + address.y / 8u) * div_ceil_x + address.x / 8u;
+            const bool to_table_value_inside = to_table_address < to_table_extent;
+            const uint to_table_value = to_table_data[to_table_value_inside ? to_table_address : 0u];
+            const uint to_entry = to_table_value_inside ? to_table_value : 0u;
+            const uint2 to_place = uint2((address.z % 8u * 8u + address.y % 8u) * 8u + address.x % 8u, to_entry - 1u);
+            const uint to_at = to_place.y * to_frames_extent.x + to_place.x;
+            const bool to_found = !(to_entry == 0u) && to_place.y < to_frames_extent.y;
+            // transfer.glift:21
+            if (to_found) {
+                to_frames_data[to_at] = from_data[from_at];
+            }
+        }
+    }
+}
+
+static void write_box_93a8b595_direct(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { write_box_93a8b595_direct_rows(call,
+        rows); });
+}
+
+struct write_box_93a8b595_general_parameters {
+    uint3 size;
+    uint3 from_origin;
+    uint3 to_origin;
+    uint3 from_extent;
+    uint div_ceil_y;
+    uint div_ceil_x;
+    uint to_table_extent;
+    uint2 to_frames_extent;
+};
+static_assert(offsetof(write_box_93a8b595_general_parameters, size) == 0);
+static_assert(offsetof(write_box_93a8b595_general_parameters, from_origin) == 12);
+static_assert(offsetof(write_box_93a8b595_general_parameters, to_origin) == 24);
+static_assert(offsetof(write_box_93a8b595_general_parameters, from_extent) == 36);
+static_assert(offsetof(write_box_93a8b595_general_parameters, div_ceil_y) == 48);
+static_assert(offsetof(write_box_93a8b595_general_parameters, div_ceil_x) == 52);
+static_assert(offsetof(write_box_93a8b595_general_parameters, to_table_extent) == 56);
+static_assert(offsetof(write_box_93a8b595_general_parameters, to_frames_extent) == 60);
+
+// transfer.glift:20: write_box<Box<3, float>, Listed>, some rows.
+GLIFT_HOST_KERNEL
+static void write_box_93a8b595_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const write_box_93a8b595_general_parameters*>(call.parameters);
+    const uint3 from_origin = parameters.from_origin;
+    const uint3 to_origin = parameters.to_origin;
+    const uint3 from_extent = parameters.from_extent;
+    const uint div_ceil_y = parameters.div_ceil_y;
+    const uint div_ceil_x = parameters.div_ceil_x;
+    const uint to_table_extent = parameters.to_table_extent;
+    const uint2 to_frames_extent = parameters.to_frames_extent;
+    const float* from_data = glift::host::elements<const float>(call.memories[0]);
+    const uint* to_table_data = glift::host::elements<const uint>(call.memories[1]);
+    float* to_frames_data = glift::host::elements<float>(call.memories[2]);
+    for (const glift::host::Row row : rows) {
+        GLIFT_INDEPENDENT
+        for (uint x = row.begin; x < row.end; ++x) {
+            const uint3 address{x, row.y, row.z};
+            // transfer.glift:21
+            const uint3 from_address = from_origin + address;
+            // transfer.glift:20
+            const uint from_at = (from_address.z * from_extent.y + from_address.y) * from_extent.x + from_address.x;
+            // transfer.glift:21
+            const uint3 to_address = to_origin + address;
+            // transfer.glift:20
+            const uint to_table_address = (to_address.z / 8u * div_ceil_y + to_address.y / 8u) * div_ceil_x
+                + to_address.x / 8u;
+            const bool to_table_value_inside = to_table_address < to_table_extent;
+            const uint to_table_value = to_table_data[to_table_value_inside ? to_table_address : 0u];
+            const uint to_entry = to_table_value_inside ? to_table_value : 0u;
+            const uint2 to_place = uint2((to_address.z % 8u * 8u + to_address.y % 8u) * 8u + to_address.x % 8u,
+                to_entry - 1u);
+            const uint to_at = to_place.y * to_frames_extent.x + to_place.x;
+            const bool to_found = !(to_entry == 0u) && to_place.y < to_frames_extent.y;
+            // transfer.glift:21
+            if (to_found) {
+                to_frames_data[to_at] = from_data[from_at];
+            }
+        }
+    }
+}
+
+static void write_box_93a8b595_general(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { write_box_93a8b595_general_rows(call,
+        rows); });
+}
+
+struct write_box_93a8b595_wide_parameters {
+    uint3 size;
+    uint3 from_origin;
+    uint3 to_origin;
+    uint3 base;
+    std::uint64_t from_extent_y;
+    std::uint64_t from_extent_x;
+    uint div_ceil_y;
+    uint div_ceil_x;
+    uint to_table_extent;
+    std::uint64_t to_frames_extent_x;
+    uint to_frames_extent_y;
+    std::uint64_t from_data_address;
+    std::uint64_t to_table_data_address;
+    std::uint64_t to_frames_data_address;
+};
+static_assert(offsetof(write_box_93a8b595_wide_parameters, size) == 0);
+static_assert(offsetof(write_box_93a8b595_wide_parameters, from_origin) == 12);
+static_assert(offsetof(write_box_93a8b595_wide_parameters, to_origin) == 24);
+static_assert(offsetof(write_box_93a8b595_wide_parameters, base) == 36);
+static_assert(offsetof(write_box_93a8b595_wide_parameters, from_extent_y) == 48);
+static_assert(offsetof(write_box_93a8b595_wide_parameters, from_extent_x) == 56);
+static_assert(offsetof(write_box_93a8b595_wide_parameters, div_ceil_y) == 64);
+static_assert(offsetof(write_box_93a8b595_wide_parameters, div_ceil_x) == 68);
+static_assert(offsetof(write_box_93a8b595_wide_parameters, to_table_extent) == 72);
+static_assert(offsetof(write_box_93a8b595_wide_parameters, to_frames_extent_x) == 80);
+static_assert(offsetof(write_box_93a8b595_wide_parameters, to_frames_extent_y) == 88);
+static_assert(offsetof(write_box_93a8b595_wide_parameters, from_data_address) == 96);
+static_assert(offsetof(write_box_93a8b595_wide_parameters, to_table_data_address) == 104);
+static_assert(offsetof(write_box_93a8b595_wide_parameters, to_frames_data_address) == 112);
+
+// transfer.glift:20: write_box<Box<3, float>, Listed>, some rows.
+GLIFT_HOST_KERNEL
+static void write_box_93a8b595_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const write_box_93a8b595_wide_parameters*>(call.parameters);
+    const uint3 from_origin = parameters.from_origin;
+    const uint3 to_origin = parameters.to_origin;
+    const std::uint64_t from_extent_y = parameters.from_extent_y;
+    const std::uint64_t from_extent_x = parameters.from_extent_x;
+    const uint div_ceil_y = parameters.div_ceil_y;
+    const uint div_ceil_x = parameters.div_ceil_x;
+    const uint to_table_extent = parameters.to_table_extent;
+    const std::uint64_t to_frames_extent_x = parameters.to_frames_extent_x;
+    const uint to_frames_extent_y = parameters.to_frames_extent_y;
+    const float* from_data = glift::host::elements<const float>(call.memories[0]);
+    const uint* to_table_data = glift::host::elements<const uint>(call.memories[1]);
+    float* to_frames_data = glift::host::elements<float>(call.memories[2]);
+    for (const glift::host::Row row : rows) {
+        GLIFT_INDEPENDENT
+        for (uint x = row.begin; x < row.end; ++x) {
+            const uint3 address{x, row.y, row.z};
+            // transfer.glift:21
+            const uint3 from_address = from_origin + address;
+            // transfer.glift:20
+            const std::uint64_t from_at = (std::uint64_t(from_address.z) * from_extent_y
+                + std::uint64_t(from_address.y)) * from_extent_x + std::uint64_t(from_address.x);
+            // transfer.glift:21
+            const uint3 to_address = to_origin + address;
+            // transfer.glift:20
+            const uint to_table_address = (to_address.z / 8u * div_ceil_y + to_address.y / 8u) * div_ceil_x
+                + to_address.x / 8u;
+            const bool to_table_value_inside = to_table_address < to_table_extent;
+            const std::uint64_t to_table_value_at = std::uint64_t(to_table_address);
+            const uint to_table_value = to_table_data[to_table_value_inside ? to_table_value_at : std::uint64_t{0u}];
+            const uint to_entry = to_table_value_inside ? to_table_value : 0u;
+            const uint2 to_place = uint2((to_address.z % 8u * 8u + to_address.y % 8u) * 8u + to_address.x % 8u,
+                to_entry - 1u);
+            const std::uint64_t to_at = std::uint64_t(to_place.y) * to_frames_extent_x + std::uint64_t(to_place.x);
+            const bool to_found = !(to_entry == 0u) && to_place.y < to_frames_extent_y;
+            // transfer.glift:21
+            if (to_found) {
+                to_frames_data[to_at] = from_data[from_at];
+            }
+        }
+    }
+}
+
+static void write_box_93a8b595_wide(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { write_box_93a8b595_wide_rows(call, rows); });
+}
+
+const glift::Binding write_box_93a8b595_bindings[] = {
+    {.name = "from.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 96,
+        .element_bytes = sizeof(float), .reach = glift::Reach::element},
+    {.name = "to.table.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 104,
+        .element_bytes = sizeof(uint), .parameter = 1},
+    {.name = "to.frames.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 112,
+        .element_bytes = sizeof(float), .parameter = 1, .reach = glift::Reach::element},
+};
+constexpr glift::Parameter write_box_93a8b595_parameters[] = {
+    {"from_extent", 0, sizeof(write_box_93a8b595_direct_parameters::from_extent)},
+    {"div_ceil_y", 12, sizeof(write_box_93a8b595_direct_parameters::div_ceil_y)},
+    {"div_ceil_x", 16, sizeof(write_box_93a8b595_direct_parameters::div_ceil_x)},
+    {"to_table_extent", 20, sizeof(write_box_93a8b595_direct_parameters::to_table_extent)},
+    {"to_frames_extent", 24, sizeof(write_box_93a8b595_direct_parameters::to_frames_extent)},
+};
+}  // namespace
+
+extern GLIFT_SHARED const glift::Kernel write_box_93a8b595_kernel;
+const glift::Kernel write_box_93a8b595_kernel = {
+    .name = "write_box",
+    .file = "transfer.glift",
+    .line = 20,
+    .rank = 3,
+    .group = {32, 4, 2},
+    .loop_rounds = 0,
+    .bindings = write_box_93a8b595_bindings,
+    .direct = {.host = &write_box_93a8b595_direct, .parameter_bytes = 32, .push_constants = true},
+    .general = {.host = &write_box_93a8b595_general, .parameter_bytes = 68},
+    .wide = {.host = &write_box_93a8b595_wide, .parameter_bytes = 120, .base_offset = 36},
+    .parameters = write_box_93a8b595_parameters,
+    .items = {1, 2, 1},
+};
+
+// ----------------------------------------------------------------------------------------------------
+// transfer.glift:25: fill_box<Listed, float>
+
+namespace {
+struct fill_box_blocks_Listed_float_direct_parameters {
+    uint2 size;
+    uint to_active_extent;
+    uint div_ceil_x;
+    uint div_ceil_y;
+    uint3 to_extent;
+    uint div_ceil_y_2;
+    uint div_ceil_x_2;
+    uint to_table_extent;
+    uint2 to_frames_extent;
+    float value;
+};
+static_assert(offsetof(fill_box_blocks_Listed_float_direct_parameters, size) == 0);
+static_assert(offsetof(fill_box_blocks_Listed_float_direct_parameters, to_active_extent) == 8);
+static_assert(offsetof(fill_box_blocks_Listed_float_direct_parameters, div_ceil_x) == 12);
+static_assert(offsetof(fill_box_blocks_Listed_float_direct_parameters, div_ceil_y) == 16);
+static_assert(offsetof(fill_box_blocks_Listed_float_direct_parameters, to_extent) == 20);
+static_assert(offsetof(fill_box_blocks_Listed_float_direct_parameters, div_ceil_y_2) == 32);
+static_assert(offsetof(fill_box_blocks_Listed_float_direct_parameters, div_ceil_x_2) == 36);
+static_assert(offsetof(fill_box_blocks_Listed_float_direct_parameters, to_table_extent) == 40);
+static_assert(offsetof(fill_box_blocks_Listed_float_direct_parameters, to_frames_extent) == 44);
+static_assert(offsetof(fill_box_blocks_Listed_float_direct_parameters, value) == 52);
+
+// transfer.glift:25: fill_box<Listed, float>, some rows.
+GLIFT_HOST_KERNEL
+static void fill_box_blocks_Listed_float_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const fill_box_blocks_Listed_float_direct_parameters*>(call.parameters);
+    const uint to_active_extent = parameters.to_active_extent;
+    const uint div_ceil_x = parameters.div_ceil_x;
+    const uint div_ceil_y = parameters.div_ceil_y;
+    const uint3 to_extent = parameters.to_extent;
+    const uint div_ceil_y_2 = parameters.div_ceil_y_2;
+    const uint div_ceil_x_2 = parameters.div_ceil_x_2;
+    const uint to_table_extent = parameters.to_table_extent;
+    const uint2 to_frames_extent = parameters.to_frames_extent;
+    const float value = parameters.value;
+    const uint* to_active_data = glift::host::elements<const uint>(call.memories[0]);
+    const uint* to_table_data = glift::host::elements<const uint>(call.memories[1]);
+    float* to_frames_data = glift::host::elements<float>(call.memories[2]);
+    for (const glift::host::Row row : rows) {
+        bool is_whole = false;
+        {
+            const uint2 block_2{row.begin, row.y};
+            const bool to_active_value_inside = block_2.y < to_active_extent;
+            const uint to_active_value = to_active_data[to_active_value_inside ? block_2.y : 0u];
+            const uint rest = to_active_value_inside ? to_active_value : 0u;
+            const uint block_x = glift::remainder(rest, div_ceil_x);
+            const uint rest_2 = glift::divide(rest, div_ceil_x);
+            const uint block_y = glift::remainder(rest_2, div_ceil_y);
+            const uint block_z = glift::divide(rest_2, div_ceil_y);
+            // transfer.glift:25
+            const uint to_table_address = (block_z * div_ceil_y_2 + block_y) * div_ceil_x_2 + block_x;
+            const bool to_table_value_inside = to_table_address < to_table_extent;
+            const uint to_table_value = to_table_data[to_table_value_inside ? to_table_address : 0u];
+            const uint to_entry = to_table_value_inside ? to_table_value : 0u;
+            const uint to_frames_index = to_entry - 1u;
+            is_whole = block_x <= 536870911u && block_y <= 536870911u && block_z <= 536870911u
+                && glift::all(glift::lessThan(uint3(block_x * 8u + 7u, block_y * 8u + 7u, block_z * 8u + 7u),
+                to_extent)) && (!(to_entry == 0u) && to_frames_index < to_frames_extent.y);
+            if (is_whole) {
+                if (row.begin < row.end) {
+                    const uint2 address{row.begin, row.y};
+                    const uint in_block = address.x;
+                    // transfer.glift:25
+                    const uint to_at = to_frames_index * to_frames_extent.x + in_block;
+                    float* to_frames_data_row = glift::host::row_pointer(to_frames_data + to_at);
+                    GLIFT_INDEPENDENT
+                    for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                        // transfer.glift:26
+                        to_frames_data_row[i] = value;
+                    }
+                }
+            }
+        }
+        if (!is_whole) {
+            GLIFT_INDEPENDENT
+            for (uint x = row.begin; x < row.end; ++x) {
+                const uint2 address{x, row.y};
+                const uint in_block = address.x;
+                const bool to_active_value_inside = address.y < to_active_extent;
+                const uint to_active_value = to_active_data[to_active_value_inside ? address.y : 0u];
+                const uint rest = to_active_value_inside ? to_active_value : 0u;
+                const uint block_x = glift::remainder(rest, div_ceil_x);
+                const uint rest_2 = glift::divide(rest, div_ceil_x);
+                const uint block_y = glift::remainder(rest_2, div_ceil_y);
+                const uint block_z = glift::divide(rest_2, div_ceil_y);
+                if (block_x <= 536870911u && block_y <= 536870911u && block_z <= 536870911u
+                    && glift::all(glift::lessThan(uint3(block_x * 8u + in_block % 8u, block_y * 8u + in_block / 8u % 8u,
+                    block_z * 8u + in_block / 64u), to_extent))) {
+                    // transfer.glift:25
+                    const uint to_table_address = (block_z * div_ceil_y_2 + block_y) * div_ceil_x_2 + block_x;
+                    const bool to_table_value_inside = to_table_address < to_table_extent;
+                    const uint to_table_value = to_table_data[to_table_value_inside ? to_table_address : 0u];
+                    const uint to_entry = to_table_value_inside ? to_table_value : 0u;
+                    const uint to_frames_index = to_entry - 1u;
+                    const uint to_at = to_frames_index * to_frames_extent.x + in_block;
+                    const bool to_found = !(to_entry == 0u) && to_frames_index < to_frames_extent.y;
+                    // transfer.glift:26
+                    if (to_found) {
+                        to_frames_data[to_at] = value;
+                    }
+                }
+            }
+        }
+    }
+}
+
+static void fill_box_blocks_Listed_float_direct(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { fill_box_blocks_Listed_float_direct_rows(call,
+        rows); });
+}
+
+struct fill_box_blocks_Listed_float_general_parameters {
+    uint2 size;
+    uint3 to_size;
+    uint3 to_origin;
+    uint to_active_extent;
+    uint div_ceil_x;
+    uint div_ceil_y;
+    uint div_ceil_y_2;
+    uint div_ceil_x_2;
+    uint to_table_extent;
+    uint2 to_frames_extent;
+    float value;
+};
+static_assert(offsetof(fill_box_blocks_Listed_float_general_parameters, size) == 0);
+static_assert(offsetof(fill_box_blocks_Listed_float_general_parameters, to_size) == 8);
+static_assert(offsetof(fill_box_blocks_Listed_float_general_parameters, to_origin) == 20);
+static_assert(offsetof(fill_box_blocks_Listed_float_general_parameters, to_active_extent) == 32);
+static_assert(offsetof(fill_box_blocks_Listed_float_general_parameters, div_ceil_x) == 36);
+static_assert(offsetof(fill_box_blocks_Listed_float_general_parameters, div_ceil_y) == 40);
+static_assert(offsetof(fill_box_blocks_Listed_float_general_parameters, div_ceil_y_2) == 44);
+static_assert(offsetof(fill_box_blocks_Listed_float_general_parameters, div_ceil_x_2) == 48);
+static_assert(offsetof(fill_box_blocks_Listed_float_general_parameters, to_table_extent) == 52);
+static_assert(offsetof(fill_box_blocks_Listed_float_general_parameters, to_frames_extent) == 56);
+static_assert(offsetof(fill_box_blocks_Listed_float_general_parameters, value) == 64);
+
+// transfer.glift:25: fill_box<Listed, float>, some rows.
+GLIFT_HOST_KERNEL
+static void fill_box_blocks_Listed_float_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const fill_box_blocks_Listed_float_general_parameters*>(call.parameters);
+    const uint3 to_size = parameters.to_size;
+    const uint3 to_origin = parameters.to_origin;
+    const uint to_active_extent = parameters.to_active_extent;
+    const uint div_ceil_x = parameters.div_ceil_x;
+    const uint div_ceil_y = parameters.div_ceil_y;
+    const uint div_ceil_y_2 = parameters.div_ceil_y_2;
+    const uint div_ceil_x_2 = parameters.div_ceil_x_2;
+    const uint to_table_extent = parameters.to_table_extent;
+    const uint2 to_frames_extent = parameters.to_frames_extent;
+    const float value = parameters.value;
+    const uint* to_active_data = glift::host::elements<const uint>(call.memories[0]);
+    const uint* to_table_data = glift::host::elements<const uint>(call.memories[1]);
+    float* to_frames_data = glift::host::elements<float>(call.memories[2]);
+    for (const glift::host::Row row : rows) {
+        bool is_whole = false;
+        {
+            const uint2 block_2{row.begin, row.y};
+            const bool to_active_value_inside = block_2.y < to_active_extent;
+            const uint to_active_value = to_active_data[to_active_value_inside ? block_2.y : 0u];
+            const uint rest = to_active_value_inside ? to_active_value : 0u;
+            const uint block_x = glift::remainder(rest, div_ceil_x);
+            const uint rest_2 = glift::divide(rest, div_ceil_x);
+            const uint block_y = glift::remainder(rest_2, div_ceil_y);
+            const uint block_z = glift::divide(rest_2, div_ceil_y);
+            // transfer.glift:25
+            const uint to_table_address = (block_z * div_ceil_y_2 + block_y) * div_ceil_x_2 + block_x;
+            const bool to_table_value_inside = to_table_address < to_table_extent;
+            const uint to_table_value = to_table_data[to_table_value_inside ? to_table_address : 0u];
+            const uint to_entry = to_table_value_inside ? to_table_value : 0u;
+            const uint to_frames_index = to_entry - 1u;
+            const uint3 value_2 = uint3(block_x * 8u + 7u, block_y * 8u + 7u, block_z * 8u + 7u) - to_origin;
+            is_whole = block_x <= 536870911u && block_y <= 536870911u && block_z <= 536870911u
+                && (glift::all(glift::lessThan(value_2 - uint3(7u, 7u, 7u), to_size))
+                && glift::all(glift::lessThan(value_2, to_size)))
+                && (!(to_entry == 0u) && to_frames_index < to_frames_extent.y);
+            if (is_whole) {
+                if (row.begin < row.end) {
+                    const uint2 address{row.begin, row.y};
+                    const uint in_block = address.x;
+                    // transfer.glift:25
+                    const uint to_at = to_frames_index * to_frames_extent.x + in_block;
+                    float* to_frames_data_row = glift::host::row_pointer(to_frames_data + to_at);
+                    GLIFT_INDEPENDENT
+                    for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                        // transfer.glift:26
+                        to_frames_data_row[i] = value;
+                    }
+                }
+            }
+        }
+        if (!is_whole) {
+            GLIFT_INDEPENDENT
+            for (uint x = row.begin; x < row.end; ++x) {
+                const uint2 address{x, row.y};
+                const uint in_block = address.x;
+                const bool to_active_value_inside = address.y < to_active_extent;
+                const uint to_active_value = to_active_data[to_active_value_inside ? address.y : 0u];
+                const uint rest = to_active_value_inside ? to_active_value : 0u;
+                const uint block_x = glift::remainder(rest, div_ceil_x);
+                const uint rest_2 = glift::divide(rest, div_ceil_x);
+                const uint block_y = glift::remainder(rest_2, div_ceil_y);
+                const uint block_z = glift::divide(rest_2, div_ceil_y);
+                if (block_x <= 536870911u && block_y <= 536870911u && block_z <= 536870911u
+                    && glift::all(glift::lessThan(uint3(block_x * 8u + in_block % 8u, block_y * 8u + in_block / 8u % 8u,
+                    block_z * 8u + in_block / 64u) - to_origin, to_size))) {
+                    // transfer.glift:25
+                    const uint to_table_address = (block_z * div_ceil_y_2 + block_y) * div_ceil_x_2 + block_x;
+                    const bool to_table_value_inside = to_table_address < to_table_extent;
+                    const uint to_table_value = to_table_data[to_table_value_inside ? to_table_address : 0u];
+                    const uint to_entry = to_table_value_inside ? to_table_value : 0u;
+                    const uint to_frames_index = to_entry - 1u;
+                    const uint to_at = to_frames_index * to_frames_extent.x + in_block;
+                    const bool to_found = !(to_entry == 0u) && to_frames_index < to_frames_extent.y;
+                    // transfer.glift:26
+                    if (to_found) {
+                        to_frames_data[to_at] = value;
+                    }
+                }
+            }
+        }
+    }
+}
+
+static void fill_box_blocks_Listed_float_general(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { fill_box_blocks_Listed_float_general_rows(call, rows); });
+}
+
+struct fill_box_blocks_Listed_float_wide_parameters {
+    uint2 size;
+    uint3 to_size;
+    uint3 to_origin;
+    uint to_active_extent;
+    uint div_ceil_x;
+    uint div_ceil_y;
+    uint div_ceil_y_2;
+    uint div_ceil_x_2;
+    uint to_table_extent;
+    std::uint64_t to_frames_extent_x;
+    uint to_frames_extent_y;
+    float value;
+    std::uint64_t to_active_data_address;
+    std::uint64_t to_table_data_address;
+    std::uint64_t to_frames_data_address;
+};
+static_assert(offsetof(fill_box_blocks_Listed_float_wide_parameters, size) == 0);
+static_assert(offsetof(fill_box_blocks_Listed_float_wide_parameters, to_size) == 8);
+static_assert(offsetof(fill_box_blocks_Listed_float_wide_parameters, to_origin) == 20);
+static_assert(offsetof(fill_box_blocks_Listed_float_wide_parameters, to_active_extent) == 32);
+static_assert(offsetof(fill_box_blocks_Listed_float_wide_parameters, div_ceil_x) == 36);
+static_assert(offsetof(fill_box_blocks_Listed_float_wide_parameters, div_ceil_y) == 40);
+static_assert(offsetof(fill_box_blocks_Listed_float_wide_parameters, div_ceil_y_2) == 44);
+static_assert(offsetof(fill_box_blocks_Listed_float_wide_parameters, div_ceil_x_2) == 48);
+static_assert(offsetof(fill_box_blocks_Listed_float_wide_parameters, to_table_extent) == 52);
+static_assert(offsetof(fill_box_blocks_Listed_float_wide_parameters, to_frames_extent_x) == 56);
+static_assert(offsetof(fill_box_blocks_Listed_float_wide_parameters, to_frames_extent_y) == 64);
+static_assert(offsetof(fill_box_blocks_Listed_float_wide_parameters, value) == 68);
+static_assert(offsetof(fill_box_blocks_Listed_float_wide_parameters, to_active_data_address) == 72);
+static_assert(offsetof(fill_box_blocks_Listed_float_wide_parameters, to_table_data_address) == 80);
+static_assert(offsetof(fill_box_blocks_Listed_float_wide_parameters, to_frames_data_address) == 88);
+
+// transfer.glift:25: fill_box<Listed, float>, some rows.
+GLIFT_HOST_KERNEL
+static void fill_box_blocks_Listed_float_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const fill_box_blocks_Listed_float_wide_parameters*>(call.parameters);
+    const uint3 to_size = parameters.to_size;
+    const uint3 to_origin = parameters.to_origin;
+    const uint to_active_extent = parameters.to_active_extent;
+    const uint div_ceil_x = parameters.div_ceil_x;
+    const uint div_ceil_y = parameters.div_ceil_y;
+    const uint div_ceil_y_2 = parameters.div_ceil_y_2;
+    const uint div_ceil_x_2 = parameters.div_ceil_x_2;
+    const uint to_table_extent = parameters.to_table_extent;
+    const std::uint64_t to_frames_extent_x = parameters.to_frames_extent_x;
+    const uint to_frames_extent_y = parameters.to_frames_extent_y;
+    const float value = parameters.value;
+    const uint* to_active_data = glift::host::elements<const uint>(call.memories[0]);
+    const uint* to_table_data = glift::host::elements<const uint>(call.memories[1]);
+    float* to_frames_data = glift::host::elements<float>(call.memories[2]);
+    for (const glift::host::Row row : rows) {
+        bool is_whole = false;
+        {
+            const uint2 block_2{row.begin, row.y};
+            const bool to_active_value_inside = block_2.y < to_active_extent;
+            const std::uint64_t to_active_value_at = std::uint64_t(block_2.y);
+            const uint to_active_value = to_active_data[to_active_value_inside ? to_active_value_at
+                : std::uint64_t{0u}];
+            const uint rest = to_active_value_inside ? to_active_value : 0u;
+            const uint block_x = glift::remainder(rest, div_ceil_x);
+            const uint rest_2 = glift::divide(rest, div_ceil_x);
+            const uint block_y = glift::remainder(rest_2, div_ceil_y);
+            const uint block_z = glift::divide(rest_2, div_ceil_y);
+            // transfer.glift:25
+            const uint to_table_address = (block_z * div_ceil_y_2 + block_y) * div_ceil_x_2 + block_x;
+            const bool to_table_value_inside = to_table_address < to_table_extent;
+            const std::uint64_t to_table_value_at = std::uint64_t(to_table_address);
+            const uint to_table_value = to_table_data[to_table_value_inside ? to_table_value_at : std::uint64_t{0u}];
+            const uint to_entry = to_table_value_inside ? to_table_value : 0u;
+            const uint value_2 = to_entry - 1u;
+            const uint3 value_3 = uint3(block_x * 8u + 7u, block_y * 8u + 7u, block_z * 8u + 7u) - to_origin;
+            is_whole = block_x <= 536870911u && block_y <= 536870911u && block_z <= 536870911u
+                && (glift::all(glift::lessThan(value_3 - uint3(7u, 7u, 7u), to_size))
+                && glift::all(glift::lessThan(value_3, to_size)))
+                && (!(to_entry == 0u) && value_2 < to_frames_extent_y);
+            if (is_whole) {
+                GLIFT_INDEPENDENT
+                for (uint x = row.begin; x < row.end; ++x) {
+                    const uint2 address{x, row.y};
+                    const uint in_block = address.x;
+                    // transfer.glift:25
+                    const std::uint64_t to_at = std::uint64_t(value_2) * to_frames_extent_x + std::uint64_t(in_block);
+                    // transfer.glift:26
+                    to_frames_data[to_at] = value;
+                }
+            }
+        }
+        if (!is_whole) {
+            GLIFT_INDEPENDENT
+            for (uint x = row.begin; x < row.end; ++x) {
+                const uint2 address{x, row.y};
+                const uint in_block = address.x;
+                const bool to_active_value_inside = address.y < to_active_extent;
+                const std::uint64_t to_active_value_at = std::uint64_t(address.y);
+                const uint to_active_value = to_active_data[to_active_value_inside ? to_active_value_at
+                    : std::uint64_t{0u}];
+                const uint rest = to_active_value_inside ? to_active_value : 0u;
+                const uint block_x = glift::remainder(rest, div_ceil_x);
+                const uint rest_2 = glift::divide(rest, div_ceil_x);
+                const uint block_y = glift::remainder(rest_2, div_ceil_y);
+                const uint block_z = glift::divide(rest_2, div_ceil_y);
+                if (block_x <= 536870911u && block_y <= 536870911u && block_z <= 536870911u
+                    && glift::all(glift::lessThan(uint3(block_x * 8u + in_block % 8u, block_y * 8u + in_block / 8u % 8u,
+                    block_z * 8u + in_block / 64u) - to_origin, to_size))) {
+                    // transfer.glift:25
+                    const uint to_table_address = (block_z * div_ceil_y_2 + block_y) * div_ceil_x_2 + block_x;
+                    const bool to_table_value_inside = to_table_address < to_table_extent;
+                    const std::uint64_t to_table_value_at = std::uint64_t(to_table_address);
+                    const uint to_table_value = to_table_data[to_table_value_inside ? to_table_value_at
+                        : std::uint64_t{0u}];
+                    const uint to_entry = to_table_value_inside ? to_table_value : 0u;
+                    const uint value_2 = to_entry - 1u;
+                    const std::uint64_t to_at = std::uint64_t(value_2) * to_frames_extent_x + std::uint64_t(in_block);
+                    const bool to_found = !(to_entry == 0u) && value_2 < to_frames_extent_y;
+                    // transfer.glift:26
+                    if (to_found) {
+                        to_frames_data[to_at] = value;
+                    }
+                }
+            }
+        }
+    }
+}
+
+static void fill_box_blocks_Listed_float_wide(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { fill_box_blocks_Listed_float_wide_rows(call,
+        rows); });
+}
+
+const glift::Binding fill_box_blocks_Listed_float_bindings[] = {
+    {.name = "to.active.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 72,
+        .element_bytes = sizeof(uint)},
+    {.name = "to.table.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 80,
+        .element_bytes = sizeof(uint)},
+    {.name = "to.frames.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 88,
+        .element_bytes = sizeof(float), .reach = glift::Reach::element},
+};
+constexpr glift::Parameter fill_box_blocks_Listed_float_parameters[] = {
+    {"size", 0, sizeof(fill_box_blocks_Listed_float_direct_parameters::size)},
+    {"to_active_extent", 8, sizeof(fill_box_blocks_Listed_float_direct_parameters::to_active_extent)},
+    {"div_ceil_x", 12, sizeof(fill_box_blocks_Listed_float_direct_parameters::div_ceil_x)},
+    {"div_ceil_y", 16, sizeof(fill_box_blocks_Listed_float_direct_parameters::div_ceil_y)},
+    {"to_extent", 20, sizeof(fill_box_blocks_Listed_float_direct_parameters::to_extent)},
+    {"div_ceil_y_2", 32, sizeof(fill_box_blocks_Listed_float_direct_parameters::div_ceil_y_2)},
+    {"div_ceil_x_2", 36, sizeof(fill_box_blocks_Listed_float_direct_parameters::div_ceil_x_2)},
+    {"to_table_extent", 40, sizeof(fill_box_blocks_Listed_float_direct_parameters::to_table_extent)},
+    {"to_frames_extent", 44, sizeof(fill_box_blocks_Listed_float_direct_parameters::to_frames_extent)},
+    {"value", 52, sizeof(fill_box_blocks_Listed_float_direct_parameters::value)},
+};
+}  // namespace
+
+extern GLIFT_SHARED const glift::Kernel fill_box_blocks_Listed_float_kernel;
+const glift::Kernel fill_box_blocks_Listed_float_kernel = {
+    .name = "fill_box",
+    .file = "transfer.glift",
+    .line = 25,
+    .rank = 2,
+    .group = {256, 1, 1},
+    .loop_rounds = 0,
+    .bindings = fill_box_blocks_Listed_float_bindings,
+    .direct = {.host = &fill_box_blocks_Listed_float_direct, .parameter_bytes = 56},
+    .general = {.host = &fill_box_blocks_Listed_float_general, .parameter_bytes = 68},
+    .wide = {.host = &fill_box_blocks_Listed_float_wide, .parameter_bytes = 96},
+    .parameters = fill_box_blocks_Listed_float_parameters,
+    .of_blocks = true,
+};
+
+}  // namespace std_transfer
+
