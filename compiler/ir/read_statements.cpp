@@ -23,7 +23,7 @@ std::vector<StmtId> Reader::block() {
 /// Up to a brace, or to the next section of the pass.
 std::vector<StmtId> Reader::statements() {
     std::vector<StmtId> body;
-    while (!at("}") && !at("body") && !at("vertex") && !at("fragment") && !at("prologue"))
+    while (!at("}") && !at("block\n") && !at("body") && !at("vertex") && !at("fragment") && !at("prologue"))
         body.push_back(p.stmts.add(statement()));
     return body;
 }
