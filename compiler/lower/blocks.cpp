@@ -1,5 +1,7 @@
 // Kernels over blocks. An invocation's `address` is {position in its block, number of the block}. What follows from the
 // number comes first, then the test whether the element is there, then the body.
+#include "lower/blocks.h"
+
 #include "ir/chain.h"
 #include "ir/evaluate.h"
 #include "lower/expand.h"
@@ -16,6 +18,10 @@ namespace {
 constexpr std::uint64_t two_to_32 = 1ull << 32;
 
 }  // namespace
+
+TypeId iteration_type(Context& cx) {
+    return cx.kernel.space ? cx.p.types.vector(cx.p.types.uint, 2) : cx.kernel.domain_type;
+}
 
 Place block_owner(const Context& cx) {
     const Place place{*cx.kernel.space, {}};

@@ -62,10 +62,6 @@ std::string Context::name_of(const Place& place) const {
     return name;
 }
 
-TypeId iteration_type(Context& cx) {
-    return cx.kernel.space ? cx.p.types.vector(cx.p.types.uint, 2) : cx.kernel.domain_type;
-}
-
 namespace {
 
 /// Nodes of a uniform value, written out; 0 where it is not uniform.

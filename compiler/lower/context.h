@@ -97,18 +97,6 @@ std::uint32_t uniform_size(Context& cx, ExprId id);
 constexpr std::uint32_t largest_uniform = 1024;
 inline bool is_uniform(Context& cx, ExprId id) { return uniform_size(cx, id) != 0; }
 
-/// Of the invocation's address: the kernel's, or {position, block} where blocks are visited.
-TypeId iteration_type(Context& cx);
-
-/// The structure that declares the blocks which the kernel visits.
-ir::Place block_owner(const Context& cx);
-
-/// The number of a block's elements, where that is a constant.
-std::optional<std::uint64_t> block_volume(const Context& cx);
-
-/// As many blocks as two axes of a dispatch take on every device.
-constexpr std::uint64_t most_blocks = 65535ull * 65535ull;
-
 /// Whether it is a name or a number: worth no local of its own.
 bool is_trivial(const Context& cx, ExprId id);
 

@@ -1,5 +1,7 @@
 #include "lower/dispatch.h"
 
+#include "lower/blocks.h"
+
 #include <algorithm>
 #include <bit>
 

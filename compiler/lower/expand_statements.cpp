@@ -1,5 +1,6 @@
 #include "ir/effects.h"
 #include "ir/levels.h"
+#include "lower/blocks.h"
 #include "lower/expand.h"
 #include "lower/unroll.h"
 
