@@ -242,7 +242,11 @@ class Expressions:
 
     def converted(self, t, scope, depth):
         source = vector(size_of(t), self.random.choice([s for s in self.types.numbers if s != scalar_of(t)]))
-        return Node(t.text(), "(", self.of(source, scope, depth - 1), ")", type=t)
+        value = self.of(source, scope, depth - 1)
+        # Literals take the type that a conversion gives, which an operator of integers alone, as %, may not have.
+        if scalar_of(source) == INT:
+            value = Node(source.text(), "(", value, ")", type=source)
+        return Node(t.text(), "(", value, ")", type=t)
 
     # ------------------------------------------------------------------------------------------------ optionals
 
