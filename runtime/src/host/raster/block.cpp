@@ -28,11 +28,12 @@ std::uint64_t box(std::int32_t left, std::int32_t top, std::int32_t right, std::
     return all;
 }
 
-/// The sign bits of a block's edge values: set outside of an edge.
+/// The sign bits of a block's edge values, set outside of an edge, in the rows from `top` to `bottom`: most triangles
+/// of large meshes have few.
 GLIFT_HOST_KERNEL std::uint64_t outside(const std::int32_t (&start)[3], const std::int32_t (&a)[3],
-                                        const std::int32_t (&b)[3]) {
+                                        const std::int32_t (&b)[3], std::int32_t top, std::int32_t bottom) {
     std::uint64_t result = 0;
-    for (std::int32_t y = 0; y < block_side; ++y) {
+    for (std::int32_t y = top; y < bottom; ++y) {
         std::uint8_t signs[block_side];
         const std::int32_t row0 = start[0] + y * b[0], row1 = start[1] + y * b[1], row2 = start[2] + y * b[2];
         for (std::int32_t x = 0; x < block_side; ++x)
@@ -70,10 +71,10 @@ std::uint64_t coverage(const Triangle& triangle, std::int32_t x, std::int32_t y)
         a[i] = edge.a;
         b[i] = edge.b;
     }
+    const std::int32_t top = std::max(triangle.top - y, 0), bottom = std::min(triangle.bottom - y, block_side);
     const std::uint64_t inside =
-        box(std::max(triangle.left - x, 0), std::max(triangle.top - y, 0), std::min(triangle.right - x, block_side),
-            std::min(triangle.bottom - y, block_side));
-    return inside & ~outside(start, a, b);
+        box(std::max(triangle.left - x, 0), top, std::min(triangle.right - x, block_side), bottom);
+    return inside & ~outside(start, a, b, top, bottom);
 }
 
 GLIFT_HOST_KERNEL void interpolate(const Triangle& triangle, std::int32_t x, std::int32_t y, bool has_smooth,

@@ -29,10 +29,12 @@ float Clipper::distance(unsigned plane, const float* corner) const {
     }
 }
 
-/// False for NaN, too.
+/// False for NaN, too. The same as distances to all planes, without a choice for each: nearly all corners are inside.
 bool Clipper::is_inside(const float* corner) const {
-    bool inside = corner[3] > 0.0f;
-    for (unsigned plane = 0; plane < planes(); ++plane) inside &= distance(plane, corner) >= 0.0f;
+    const float x = corner[0], y = corner[1], z = corner[2], w = corner[3];
+    bool inside = (w > 0.0f) & (z >= 0.0f) & (w - z >= 0.0f) & (band_x_ * w - x >= 0.0f) & (band_x_ * w + x >= 0.0f) &
+                  (band_y_ * w - y >= 0.0f) & (band_y_ * w + y >= 0.0f);
+    for (unsigned plane = 6; plane < planes(); ++plane) inside &= distance(plane, corner) >= 0.0f;
     return inside;
 }
 
