@@ -14,12 +14,18 @@ struct Point {
 /// Rounds to the subpixel grid. The guard band keeps the result within 2^24.
 std::int64_t snapped(float window) { return std::llrint(static_cast<double>(window - 0.5f) * (1 << subpixel_bits)); }
 
+/// Scaled and moved with one rounding, as devices with fused arithmetic do it: the product is exact in a double.
+float in_viewport(float place, float half_size, float middle) {
+    return static_cast<float>(static_cast<double>(place) * static_cast<double>(half_size) +
+                              static_cast<double>(middle));
+}
+
 Point in_window(const Window& window, const float* corner) {
     const float inverse_w = 1.0f / corner[3];
     const float half_width = 0.5f * static_cast<float>(window.end.x - window.first.x);
     const float half_height = 0.5f * static_cast<float>(window.end.y - window.first.y);
-    return {snapped(corner[0] * inverse_w * half_width + half_width + static_cast<float>(window.first.x)),
-            snapped(corner[1] * inverse_w * half_height + half_height + static_cast<float>(window.first.y))};
+    return {snapped(in_viewport(corner[0] * inverse_w, half_width, half_width + static_cast<float>(window.first.x))),
+            snapped(in_viewport(corner[1] * inverse_w, half_height, half_height + static_cast<float>(window.first.y)))};
 }
 
 /// An edge with its inside to the right of its direction, y growing downwards. A pixel centre on it is inside if it is

@@ -1,0 +1,286 @@
+// Rasters of the language: which pixels triangles cover, on the host device and on Vulkan, under validation. Whole
+// meshes, and a soup of triangles that nobody should draw.
+#include "tests/device/guards/on_every_device.h"
+
+#include "coverage.glift.hpp"
+
+#include "examples/common/camera.h"
+#include "examples/common/mesh.h"
+#include "examples/common/scenes/scenes.h"
+
+#include <glift/host/math.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <limits>
+#include <random>
+
+namespace {
+
+using glift::float3;
+using glift::float4;
+using glift::uint2;
+
+struct Covered {
+    std::vector<std::uint32_t> counts, nearest;
+};
+
+bool leaves_the_view(const float4& p) {
+    return !(std::abs(p.x) <= p.w && std::abs(p.y) <= p.w && p.z >= 0 && p.z <= p.w);
+}
+
+/// Clip coordinates in double precision.
+using Place = std::array<double, 4>;
+
+Place place_of(const float4& p) {
+    return {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z), static_cast<double>(p.w)};
+}
+
+/// Of a pixel's centre to the line through two places, in pixels.
+double distance_to_line(const Place& a, const Place& b, uint2 size, std::uint32_t x, std::uint32_t y) {
+    const auto in_window = [&](const Place& p) {
+        return std::array<double, 3>{(p[0] + p[3]) * size.x / 2, (p[1] + p[3]) * size.y / 2, p[3]};
+    };
+    const auto p = in_window(a), q = in_window(b);
+    const double line[] = {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
+    return std::abs(line[0] * (x + 0.5) + line[1] * (y + 0.5) + line[2]) / std::hypot(line[0], line[1]);
+}
+
+/// Where the near or the far plane cuts a triangle's edges.
+std::vector<Place> cuts_of(const Place (&corners)[3], bool is_far) {
+    const auto height = [&](const Place& p) { return is_far ? p[3] - p[2] : p[2]; };
+    std::vector<Place> cuts;
+    for (int k = 0; k < 3; ++k) {
+        const Place &a = corners[k], &b = corners[(k + 1) % 3];
+        if ((height(a) < 0) == (height(b) < 0)) continue;
+        const double t = height(a) / (height(a) - height(b));
+        cuts.push_back({});
+        for (std::size_t i = 0; i < 4; ++i) cuts.back()[i] = a[i] + t * (b[i] - a[i]);
+    }
+    return cuts;
+}
+
+bool has_edge_at(const Place (&corners)[3], uint2 size, std::uint32_t x, std::uint32_t y) {
+    constexpr double rounding = 1.5 / 256;  // half a step in x and in y, twice: before clipping, and after
+    const auto is_near = [&](const Place& a, const Place& b) { return distance_to_line(a, b, size, x, y) <= rounding; };
+    for (int k = 0; k < 3; ++k)
+        if (is_near(corners[k], corners[(k + 1) % 3])) return true;
+    for (const bool is_far : {false, true}) {
+        const std::vector<Place> cuts = cuts_of(corners, is_far);
+        if (cuts.size() == 2 && is_near(cuts[0], cuts[1])) return true;
+    }
+    return false;
+}
+
+/// How many triangles that are clipped have an edge at the pixel's centre, as near as their corners are rounded.
+std::uint32_t clipped_edges_at(const std::vector<float4>& places, uint2 size, std::uint32_t x, std::uint32_t y) {
+    std::uint32_t found = 0;
+    for (std::size_t i = 0; i + 3 <= places.size(); i += 3) {
+        const Place corners[] = {place_of(places[i]), place_of(places[i + 1]), place_of(places[i + 2])};
+        const bool is_clipped =
+            leaves_the_view(places[i]) || leaves_the_view(places[i + 1]) || leaves_the_view(places[i + 2]);
+        found += is_clipped && has_edge_at(corners, size, x, y);
+    }
+    return found;
+}
+
+class Coverage : public testing::Test {
+protected:
+    glift::Device host = glift::Device::open("host");
+    glift::Device vulkan =
+        glift::Device::open(std::getenv("GLIFT_TEST_DEVICE") ? std::getenv("GLIFT_TEST_DEVICE") : "lavapipe");
+    ~Coverage() override {
+        for (const std::string& message : vulkan.validation_messages()) ADD_FAILURE() << message;
+    }
+
+    static std::vector<std::uint32_t> of_places(const glift::Device& device, const std::vector<float4>& list,
+                                                uint2 size) {
+        coverage::Places places(device, static_cast<std::uint32_t>(list.size()));
+        places.write(list);
+        const coverage::Counts counts(device, size);
+        coverage::overdraw(device, places, counts);
+        return counts.read();
+    }
+
+    static Covered of_mesh(const glift::Device& device, const mesh::Mesh& mesh, const camera::Camera& view,
+                           uint2 size) {
+        coverage::Corners corners(device, static_cast<std::uint32_t>(mesh.corners.size()));
+        coverage::Points points(device, static_cast<std::uint32_t>(mesh.points.size()));
+        corners.write(mesh.corners);
+        points.write(mesh.points);
+        const coverage::Counts counts(device, size);
+        const coverage::Nearest nearest(device, size);
+        const float aspect = static_cast<float>(size.x) / static_cast<float>(size.y);
+        coverage::overdraw_mesh(device, corners, points, camera::projection_of(view, aspect), counts, nearest);
+        return {counts.read(), nearest.read()};
+    }
+
+    /// Whether the pixels are the same, but for what clipping explains.
+    static void compare(const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& b,
+                        const std::vector<float4>& places, uint2 size) {
+        std::size_t differ = 0;
+        std::uint64_t fragments = 0;
+        ASSERT_EQ(a.size(), b.size());
+        for (std::uint32_t i = 0; i < a.size(); ++i) {
+            fragments += a[i];
+            if (a[i] == b[i]) continue;
+            ++differ;
+            const std::uint32_t apart = std::max(a[i], b[i]) - std::min(a[i], b[i]);
+            EXPECT_LE(apart, clipped_edges_at(places, size, i % size.x, i / size.x))
+                << "pixel " << i % size.x << ' ' << i / size.x << ": " << a[i] << " and " << b[i];
+        }
+        EXPECT_LE(differ, 1 + fragments / 10000);
+        std::printf("%zu triangles, %llu fragments, %zu pixels differ\n", places.size() / 3,
+                    static_cast<unsigned long long>(fragments), differ);
+    }
+
+    void same_mesh(const mesh::Mesh& mesh, const camera::Camera& view, uint2 size) const {
+        const Covered a = of_mesh(host, mesh, view, size), b = of_mesh(vulkan, mesh, view, size);
+        const auto camera = camera::projection_of(view, static_cast<float>(size.x) / static_cast<float>(size.y));
+        std::vector<float4> places;
+        for (const std::uint32_t corner : mesh.corners) {
+            const float3& p = mesh.points[corner];
+            places.push_back(camera[0] * p.x + camera[1] * p.y + camera[2] * p.z + camera[3]);
+        }
+        compare(a.counts, b.counts, places, size);
+        std::size_t others = 0, drawn = 0;
+        for (std::size_t i = 0; i < a.nearest.size(); ++i) {
+            others += a.nearest[i] != b.nearest[i];
+            drawn += a.nearest[i] != 0;
+        }
+        std::printf("%zu pixels show another triangle\n", others);
+        EXPECT_GT(drawn, a.nearest.size() / 20);
+        // Where depths are within their last bits, either triangle is in front.
+        EXPECT_LE(others, a.nearest.size() / 1000);
+    }
+    void same(const std::vector<float4>& places, uint2 size) const {
+        compare(of_places(host, places, size), of_places(vulkan, places, size), places, size);
+    }
+};
+
+/// Numbers of one seed.
+class Numbers {
+public:
+    explicit Numbers(unsigned seed) : random_(seed) {}
+    float between(float low, float high) { return low + (high - low) * static_cast<float>(random_() >> 8) * 0x1p-24f; }
+
+private:
+    std::mt19937 random_;
+};
+
+TEST_F(Coverage, OfAHundredThousandTriangles) {
+    Numbers number(5);
+    std::vector<float4> places;
+    for (int i = 0; i < 100000; ++i) {
+        const float x = number.between(-1, 1), y = number.between(-1, 1);
+        const float size = i % 50 == 0 ? 0.3f : i % 5 == 0 ? 0.05f : 0.008f;
+        for (int k = 0; k < 3; ++k) {
+            const float w = number.between(0.5f, 2);
+            places.emplace_back((x + number.between(-size, size)) * w, (y + number.between(-size, size)) * w,
+                                number.between(0.1f, 0.9f) * w, w);
+        }
+    }
+    same(places, {512, 384});
+}
+
+TEST_F(Coverage, OfScenes) {
+    for (const char* name : {"robot", "skeletons", "city", "trees"}) {
+        const scenes::Scene scene = scenes::make(name, 0.3f);
+        SCOPED_TRACE(name);
+        same_mesh(scene.mesh, scene.view, {241, 163});
+    }
+}
+
+/// Where the data is: beside the project, or where GLIFT_DATA says.
+TEST_F(Coverage, OfTheDragon) {
+    const char* named = std::getenv("GLIFT_DATA");
+    const std::filesystem::path file = std::filesystem::path(named ? named : GLIFT_DATA_BESIDE) / "dragon_vrip.ply.gz";
+    if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not there";
+    mesh::Mesh mesh = mesh::read(file);
+    mesh::normalise(mesh);
+    ASSERT_EQ(mesh.triangles(), 871414u);
+    const mesh::Box box = mesh::bounds_of(mesh);
+    const float3 middle = (box.low + box.high) * 0.5f;
+    same_mesh(mesh, {middle + float3(0.9f, 0.35f, 1.3f), middle, float3(0, 1, 0), 0.8f, 0.05f, 5}, {1024, 1024});
+}
+
+/// One of the kinds of triangles that should be harmless, with numbers of its own.
+std::vector<float4> odd_triangle(unsigned kind, Numbers& number) {
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
+    const auto corner = [&](float size, float w) {
+        return float4(number.between(-size, size) * w, number.between(-size, size) * w, number.between(0.1f, 0.9f) * w,
+                      w);
+    };
+    std::vector<float4> made{corner(1, 1), corner(1, 1), corner(1, 1)};
+    const unsigned k = static_cast<unsigned>(number.between(0, 2.99f));
+    switch (kind) {
+    case 0: made[1] = made[0]; break;                     // two corners in one place
+    case 1: made[2] = (made[0] + made[1]) * 0.5f; break;  // a line
+    case 2: made[1] = made[2] = made[0]; break;           // a point
+    case 3: made[k].x = nan; break;
+    case 4: made[k].w = nan; break;
+    case 5: made[k] = float4(nan, nan, nan, nan); break;
+    case 6: made[k].y = infinity; break;
+    case 7: made[k].z = nan; break;
+    case 8: made[k].w = 0; break;
+    case 9:
+        for (float4& p : made) p.w = -p.w;
+        break;  // behind the eye
+    case 10:
+        for (float4& p : made) p.z = 2;
+        break;  // beyond the far plane
+    case 11:
+        for (float4& p : made) p.z = -1;
+        break;  // before the near one
+    case 12:
+        for (float4& p : made) p = float4(p.x * 1e-30f, p.y * 1e-30f, p.z, p.w);
+        break;
+    default:
+        for (float4& p : made) p = float4(p.x * 0.002f, p.y * 0.002f, p.z, p.w);  // smaller than a pixel
+    }
+    return made;
+}
+constexpr unsigned odd_kinds = 14;
+
+TEST_F(Coverage, OfDegenerateTrianglesAndNaNs) {
+    for (unsigned kind = 0; kind < odd_kinds; ++kind) {
+        Numbers number(kind);
+        std::vector<float4> places;
+        for (int i = 0; i < 200; ++i)
+            for (const float4& place : odd_triangle(kind, number)) places.push_back(place);
+        SCOPED_TRACE(kind);
+        same(places, {97, 61});
+    }
+}
+
+/// Some corners far outside of the window, before the near plane, or behind the eye.
+TEST_F(Coverage, OfHugeAndClippedTriangles) {
+    for (const float reach : {3.0f, 50.0f, 1000.0f, 1e6f, 1e20f, 3e38f}) {
+        Numbers number(static_cast<unsigned>(std::log2(static_cast<double>(reach))));
+        std::vector<float4> places;
+        for (int i = 0; i < 300; ++i) {
+            const float w = number.between(0.5f, 2);
+            places.emplace_back(number.between(-1, 1) * w, number.between(-1, 1) * w, 0.5f * w, w);
+            places.emplace_back(number.between(-reach, reach), number.between(-reach, reach), number.between(-2, 2),
+                                number.between(-1, 2));
+            places.emplace_back(number.between(-reach, reach), number.between(-1, 1), 0.5f, 1.0f);
+        }
+        SCOPED_TRACE(reach);
+        same(places, {97, 61});
+    }
+}
+
+/// All at once, in any order: the next draw is whole, whatever came before.
+TEST_F(Coverage, OfASoup) {
+    Numbers number(99);
+    std::vector<float4> places;
+    for (int i = 0; i < 20000; ++i) {
+        for (const float4& place : odd_triangle(static_cast<unsigned>(i) % odd_kinds, number)) places.push_back(place);
+    }
+    same(places, {301, 203});
+}
+
+}  // namespace
