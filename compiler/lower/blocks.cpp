@@ -36,6 +36,36 @@ std::optional<std::uint64_t> block_volume(const Context& cx) {
     return volume;
 }
 
+std::uint32_t elements_in_block(std::uint64_t volume) {
+    constexpr std::uint32_t most = 8, least_width = 64, most_width = 256, subgroup = 32;
+    const auto divides = [&](std::uint32_t elements) {
+        const std::uint64_t width = volume / elements;
+        return volume % elements == 0 && width >= least_width &&
+               width % (width > most_width ? most_width : subgroup) == 0;
+    };
+    std::uint32_t elements = most;
+    while (elements > 1 && !divides(elements)) elements /= 2;
+    return elements;
+}
+
+bool BlockValues::has(ExprId id) {
+    const Expr& node = cx.p.exprs[id];
+    if (node.op == Op::builtin || !numbers_.is_fixed(id)) return false;
+    if (node.op == Op::local) return node.local != cx.pass.address && !varying_.contains(node.local);
+    // The address is {position in the block, number of the block}.
+    const bool is_part = node.op == Op::swizzle && cx.p.exprs[node.operands[0]].op == Op::local &&
+                         cx.p.exprs[node.operands[0]].local == cx.pass.address;
+    if (is_part) return !cx.p.types.is_vector(node.type) && node.lanes[0] == 1;
+    return std::ranges::all_of(node.operands, [&](ExprId operand) { return has(operand); });
+}
+
+bool BlockValues::has(const Stmt& stmt) {
+    if (stmt.op != StmtOp::let) return false;
+    const bool is_value = stmt.value && !cx.p.locals[stmt.local].is_mutable && has(stmt.value);
+    if (!is_value) varying_.insert(stmt.local);
+    return is_value;
+}
+
 /// {positions, blocks}: what the host knows of them, or at most.
 ExprId Expander::visited_size() {
     const Place owner = block_owner(cx);
@@ -205,12 +235,21 @@ ExprId Expander::without_block_tests(ExprId condition) {
     return make.both(without_block_tests(node.operands[0]), without_block_tests(node.operands[1]));
 }
 
+/// Whether the statement names what the block decides: it may stand before the test of the element.
+bool Expander::is_value_of_block(StmtId id) {
+    const Stmt& stmt = p.stmts[id];
+    return stmt.op == StmtOp::let && stmt.value && !p.locals[stmt.local].is_mutable && is_of_block(stmt.value) &&
+           numbers_.is_pure(stmt.value);
+}
+
 /// The prelude and the body, where they are right.
 Expander::Block Expander::visited_block(Block body) {
     return collect([&] {
         if (guards_ != Guards::block) {
-            prelude_.insert(prelude_.end(), body.begin(), body.end());
-            return append_if(is_element_there(), std::move(prelude_), {});
+            Block rest;
+            for (StmtId id : prelude_) (is_value_of_block(id) ? *out_ : rest).push_back(id);
+            rest.insert(rest.end(), body.begin(), body.end());
+            return append_if(is_element_there(), std::move(rest), {});
         }
         out_->insert(out_->end(), prelude_.begin(), prelude_.end());
         Stmt holds = statement(StmtOp::evaluate, span_);

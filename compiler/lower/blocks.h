@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lower/context.h"
+#include "lower/number.h"
 
 #include <optional>
 
@@ -18,5 +19,24 @@ std::optional<std::uint64_t> block_volume(const Context& cx);
 
 /// As many blocks as two axes of a dispatch take on every device.
 constexpr std::uint64_t most_blocks = 65535ull * 65535ull;
+
+/// How many elements of a block an invocation of a shader takes, where the body allows it: what the block decides is
+/// computed by each invocation. One where blocks do not divide so.
+std::uint32_t elements_in_block(std::uint64_t volume);
+
+/// Which values are the same for all elements of a block, and do not change in the pass.
+class BlockValues {
+public:
+    explicit BlockValues(Context& context) : cx(context), numbers_(context) {}
+
+    bool has(ExprId id);
+    /// Whether the statement names such a value. Of another `let` the local is noted, in order.
+    bool has(const ir::Stmt& stmt);
+
+private:
+    Context& cx;
+    Numbers numbers_;
+    IdSet<ir::Local> varying_;
+};
 
 }  // namespace gliftc::lower

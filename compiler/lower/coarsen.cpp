@@ -2,6 +2,7 @@
 
 #include "ir/effects.h"
 #include "ir/walk.h"
+#include "lower/blocks.h"
 #include "lower/dispatch.h"
 #include "lower/number.h"
 
@@ -297,6 +298,44 @@ private:
 Coarsened coarsened(Context& cx, const std::vector<StmtId>& body, const Expander& made) {
     if (!Eligibility(cx).holds(body)) return {};
     return Coarsening(cx).run(body, made);
+}
+
+namespace {
+
+/// Whether statements may stand in a loop of the invocation's.
+bool may_be_looped(const Context& cx, const std::vector<StmtId>& body) {
+    bool may = true;
+    for_each_statement(cx.p, body, [&](const Stmt& stmt) {
+        may = may && stmt.op != StmtOp::return_ && stmt.op != StmtOp::for_ && stmt.op != StmtOp::while_;
+    });
+    return may;
+}
+
+}  // namespace
+
+Coarsened coarsened_in_block(Context& cx, const std::vector<StmtId>& body) {
+    const std::optional<std::uint64_t> volume = block_volume(cx);
+    const std::uint32_t elements = volume ? elements_in_block(*volume) : 1;
+    if (elements == 1 || !may_be_looped(cx, body)) return {};
+    Coarsened made;
+    made.elements = {elements, 1, 1};
+    made.in_range = in_range_condition(cx);
+    Stmt loop = statement(StmtOp::for_, cx.kernel.span);
+    loop.local = cx.new_local("turn", cx.p.types.uint, cx.kernel.span);
+    loop.value = cx.make.uint(0);
+    loop.limit = cx.make.uint(elements);
+    loop.unrolled = true;
+    const ExprId address = cx.make.local(cx.pass.address);
+    const ExprId step = cx.make.multiply(cx.make.local(loop.local), cx.make.uint(cx.pass.group[0]));
+    const ExprId at = cx.make.add(cx.make.component(address, 0), step);
+    Copy copy(cx, cx.make.construct(cx.make.type(address), {at, cx.make.component(address, 1)}));
+    BlockValues values(cx);
+    for (StmtId id : body) {
+        if (values.has(cx.p.stmts[id])) made.body.push_back(id);
+        else loop.body.push_back(copy.of(id));
+    }
+    made.body.push_back(cx.add(std::move(loop)));
+    return made;
 }
 
 Coarsened coarsened_in_turn(Context& cx, const std::vector<StmtId>& body) { return Coarsening(cx).run_in_turn(body); }

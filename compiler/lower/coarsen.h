@@ -24,6 +24,9 @@ Coarsened coarsened(Context& cx, const std::vector<StmtId>& body, const Expander
 /// read and write.
 Coarsened coarsened_in_turn(Context& cx, const std::vector<StmtId>& body);
 
+/// Several elements of a block in a loop, a workgroup's width apart, after what the block decides.
+Coarsened coarsened_in_block(Context& cx, const std::vector<StmtId>& body);
+
 /// Whether an invocation of a shader takes two elements.
 bool is_coarsened(const ir::Pass& pass);
 

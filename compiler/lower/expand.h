@@ -241,6 +241,7 @@ private:
     ExprId is_element_there();
     ExprId is_block_there();
     bool is_of_block(ExprId id);
+    bool is_value_of_block(StmtId id);
     ExprId without_block_tests(ExprId condition);
     Block visited_block(Block body);
 

@@ -56,7 +56,14 @@ Pair Expander::written(const Place& place, ExprId address, const std::string& na
 /// Where the current element is written.
 Pair Expander::written_centre(std::uint32_t root) {
     const Place place{root, {}};
-    if (!leads_through_partial(p, cx.structure_at(place))) return centre(root);
+    Place link =
+        place;  // as long as the addresses are the memory's, and the domain, the element is one of the memory's
+    while (cx.structure_at(link).via.empty() && !cx.structure_at(link).base.empty()) {
+        const Place base = base_of(cx.structure_at(link), link);
+        if (numbers_.of(domain_of(link)) != numbers_.of(domain_of(base))) break;
+        link = base;
+    }
+    if (!leads_through_partial(p, cx.structure_at(link))) return centre(root);
     return written(place, centre_address(root), cx.name_of(place));
 }
 

@@ -113,7 +113,8 @@ std::string main_text(Printer& p) {
     if (p.raster()) print_fragment_start(p);
     const ir::Variant& variant = variant_for(p.pass, ir::Devices::shaders);
     const bool is_coarsened = variant.assumes.elements != p.pass.plain().assumes.elements;
-    if (is_coarsened && p.options.lines == LineMarks::comments) line(p, "// Two elements at once.");
+    if (is_coarsened && p.options.lines == LineMarks::comments)
+        line(p, p.pass.of_blocks ? "// Several elements of the block." : "// Two elements at once.");
     print_body(p, p.body());
     p.indent = 0;
     p.names.leave();

@@ -117,22 +117,22 @@ struct scale_direct_parameters {
     uint f_active_extent;
     uint div_ceil_x;
     uint div_ceil_y;
-    uint3 f_extent;
     uint div_ceil_y_2;
     uint div_ceil_x_2;
     uint f_table_extent;
     uint2 f_frames_extent;
+    uint3 f_extent;
     float by;
 };
 static_assert(offsetof(scale_direct_parameters, size) == 0);
 static_assert(offsetof(scale_direct_parameters, f_active_extent) == 8);
 static_assert(offsetof(scale_direct_parameters, div_ceil_x) == 12);
 static_assert(offsetof(scale_direct_parameters, div_ceil_y) == 16);
-static_assert(offsetof(scale_direct_parameters, f_extent) == 20);
-static_assert(offsetof(scale_direct_parameters, div_ceil_y_2) == 32);
-static_assert(offsetof(scale_direct_parameters, div_ceil_x_2) == 36);
-static_assert(offsetof(scale_direct_parameters, f_table_extent) == 40);
-static_assert(offsetof(scale_direct_parameters, f_frames_extent) == 44);
+static_assert(offsetof(scale_direct_parameters, div_ceil_y_2) == 20);
+static_assert(offsetof(scale_direct_parameters, div_ceil_x_2) == 24);
+static_assert(offsetof(scale_direct_parameters, f_table_extent) == 28);
+static_assert(offsetof(scale_direct_parameters, f_frames_extent) == 32);
+static_assert(offsetof(scale_direct_parameters, f_extent) == 40);
 static_assert(offsetof(scale_direct_parameters, by) == 52);
 struct scale_general_parameters {
     uint2 size;
@@ -144,12 +144,12 @@ struct scale_general_parameters {
     uint div_ceil_y;
     uint div_ceil_y_2;
     uint div_ceil_x_2;
-    uint f_table_extent;
-    uint2 f_frames_extent;
-    uint div_ceil_y_3;
-    uint div_ceil_x_3;
     uint g_table_extent;
     uint2 g_frames_extent;
+    uint div_ceil_y_3;
+    uint div_ceil_x_3;
+    uint f_table_extent;
+    uint2 f_frames_extent;
     float by;
 };
 static_assert(offsetof(scale_general_parameters, size) == 0);
@@ -161,12 +161,12 @@ static_assert(offsetof(scale_general_parameters, div_ceil_x) == 48);
 static_assert(offsetof(scale_general_parameters, div_ceil_y) == 52);
 static_assert(offsetof(scale_general_parameters, div_ceil_y_2) == 56);
 static_assert(offsetof(scale_general_parameters, div_ceil_x_2) == 60);
-static_assert(offsetof(scale_general_parameters, f_table_extent) == 64);
-static_assert(offsetof(scale_general_parameters, f_frames_extent) == 68);
+static_assert(offsetof(scale_general_parameters, g_table_extent) == 64);
+static_assert(offsetof(scale_general_parameters, g_frames_extent) == 68);
 static_assert(offsetof(scale_general_parameters, div_ceil_y_3) == 76);
 static_assert(offsetof(scale_general_parameters, div_ceil_x_3) == 80);
-static_assert(offsetof(scale_general_parameters, g_table_extent) == 84);
-static_assert(offsetof(scale_general_parameters, g_frames_extent) == 88);
+static_assert(offsetof(scale_general_parameters, f_table_extent) == 84);
+static_assert(offsetof(scale_general_parameters, f_frames_extent) == 88);
 static_assert(offsetof(scale_general_parameters, by) == 96);
 struct scale_wide_parameters {
     uint2 size;
@@ -178,14 +178,14 @@ struct scale_wide_parameters {
     uint div_ceil_y;
     uint div_ceil_y_2;
     uint div_ceil_x_2;
+    uint g_table_extent;
+    uint g_frames_extent_y;
+    uint div_ceil_y_3;
+    uint div_ceil_x_3;
     uint f_table_extent;
     std::uint64_t f_frames_extent_x;
     uint f_frames_extent_y;
-    uint div_ceil_y_3;
-    uint div_ceil_x_3;
-    uint g_table_extent;
     std::uint64_t g_frames_extent_x;
-    uint g_frames_extent_y;
     float by;
     std::uint64_t g_active_data_address;
     std::uint64_t f_table_data_address;
@@ -202,20 +202,20 @@ static_assert(offsetof(scale_wide_parameters, div_ceil_x) == 48);
 static_assert(offsetof(scale_wide_parameters, div_ceil_y) == 52);
 static_assert(offsetof(scale_wide_parameters, div_ceil_y_2) == 56);
 static_assert(offsetof(scale_wide_parameters, div_ceil_x_2) == 60);
-static_assert(offsetof(scale_wide_parameters, f_table_extent) == 64);
-static_assert(offsetof(scale_wide_parameters, f_frames_extent_x) == 72);
-static_assert(offsetof(scale_wide_parameters, f_frames_extent_y) == 80);
-static_assert(offsetof(scale_wide_parameters, div_ceil_y_3) == 84);
-static_assert(offsetof(scale_wide_parameters, div_ceil_x_3) == 88);
-static_assert(offsetof(scale_wide_parameters, g_table_extent) == 92);
-static_assert(offsetof(scale_wide_parameters, g_frames_extent_x) == 96);
-static_assert(offsetof(scale_wide_parameters, g_frames_extent_y) == 104);
-static_assert(offsetof(scale_wide_parameters, by) == 108);
-static_assert(offsetof(scale_wide_parameters, g_active_data_address) == 112);
-static_assert(offsetof(scale_wide_parameters, f_table_data_address) == 120);
-static_assert(offsetof(scale_wide_parameters, f_frames_data_address) == 128);
-static_assert(offsetof(scale_wide_parameters, g_table_data_address) == 136);
-static_assert(offsetof(scale_wide_parameters, g_frames_data_address) == 144);
+static_assert(offsetof(scale_wide_parameters, g_table_extent) == 64);
+static_assert(offsetof(scale_wide_parameters, g_frames_extent_y) == 68);
+static_assert(offsetof(scale_wide_parameters, div_ceil_y_3) == 72);
+static_assert(offsetof(scale_wide_parameters, div_ceil_x_3) == 76);
+static_assert(offsetof(scale_wide_parameters, f_table_extent) == 80);
+static_assert(offsetof(scale_wide_parameters, f_frames_extent_x) == 88);
+static_assert(offsetof(scale_wide_parameters, f_frames_extent_y) == 96);
+static_assert(offsetof(scale_wide_parameters, g_frames_extent_x) == 104);
+static_assert(offsetof(scale_wide_parameters, by) == 112);
+static_assert(offsetof(scale_wide_parameters, g_active_data_address) == 120);
+static_assert(offsetof(scale_wide_parameters, f_table_data_address) == 128);
+static_assert(offsetof(scale_wide_parameters, f_frames_data_address) == 136);
+static_assert(offsetof(scale_wide_parameters, g_table_data_address) == 144);
+static_assert(offsetof(scale_wide_parameters, g_frames_data_address) == 152);
 }  // namespace
 
 extern const glift::Kernel scale_kernel;
@@ -237,16 +237,16 @@ void scale(const glift::Commands& commands, const glift::Range<Listed>& f, float
             .g_active_extent = g->active().extent(),
             .div_ceil_x = glift::max(div_ceil(g->extent(), uint3(8u, 8u, 8u)).x, 1u),
             .div_ceil_y = glift::max(div_ceil(g->extent(), uint3(8u, 8u, 8u)).y, 1u),
-            .div_ceil_y_2 = div_ceil(f->extent(), uint3(8u, 8u, 8u)).y,
-            .div_ceil_x_2 = div_ceil(f->extent(), uint3(8u, 8u, 8u)).x,
+            .div_ceil_y_2 = div_ceil(g->extent(), uint3(8u, 8u, 8u)).y,
+            .div_ceil_x_2 = div_ceil(g->extent(), uint3(8u, 8u, 8u)).x,
+            .g_table_extent = g->table().extent(),
+            .g_frames_extent_y = g->frames().extent().y,
+            .div_ceil_y_3 = div_ceil(f->extent(), uint3(8u, 8u, 8u)).y,
+            .div_ceil_x_3 = div_ceil(f->extent(), uint3(8u, 8u, 8u)).x,
             .f_table_extent = f->table().extent(),
             .f_frames_extent_x = std::uint64_t(f->frames().extent().x),
             .f_frames_extent_y = f->frames().extent().y,
-            .div_ceil_y_3 = div_ceil(g->extent(), uint3(8u, 8u, 8u)).y,
-            .div_ceil_x_3 = div_ceil(g->extent(), uint3(8u, 8u, 8u)).x,
-            .g_table_extent = g->table().extent(),
             .g_frames_extent_x = std::uint64_t(g->frames().extent().x),
-            .g_frames_extent_y = g->frames().extent().y,
             .by = by,
             .g_active_data_address = 0u,
             .f_table_data_address = 0u,
@@ -265,11 +265,11 @@ void scale(const glift::Commands& commands, const glift::Range<Listed>& f, float
             .f_active_extent = f->active().extent(),
             .div_ceil_x = glift::max(div_ceil(f->extent(), uint3(8u, 8u, 8u)).x, 1u),
             .div_ceil_y = glift::max(div_ceil(f->extent(), uint3(8u, 8u, 8u)).y, 1u),
-            .f_extent = f->extent(),
             .div_ceil_y_2 = div_ceil(f->extent(), uint3(8u, 8u, 8u)).y,
             .div_ceil_x_2 = div_ceil(f->extent(), uint3(8u, 8u, 8u)).x,
             .f_table_extent = f->table().extent(),
             .f_frames_extent = f->frames().extent(),
+            .f_extent = f->extent(),
             .by = by,
         };
         iteration.count_blocks(offsetof(scale_direct_parameters, size));
@@ -285,14 +285,14 @@ void scale(const glift::Commands& commands, const glift::Range<Listed>& f, float
             .g_active_extent = g->active().extent(),
             .div_ceil_x = glift::max(div_ceil(g->extent(), uint3(8u, 8u, 8u)).x, 1u),
             .div_ceil_y = glift::max(div_ceil(g->extent(), uint3(8u, 8u, 8u)).y, 1u),
-            .div_ceil_y_2 = div_ceil(f->extent(), uint3(8u, 8u, 8u)).y,
-            .div_ceil_x_2 = div_ceil(f->extent(), uint3(8u, 8u, 8u)).x,
-            .f_table_extent = f->table().extent(),
-            .f_frames_extent = f->frames().extent(),
-            .div_ceil_y_3 = div_ceil(g->extent(), uint3(8u, 8u, 8u)).y,
-            .div_ceil_x_3 = div_ceil(g->extent(), uint3(8u, 8u, 8u)).x,
+            .div_ceil_y_2 = div_ceil(g->extent(), uint3(8u, 8u, 8u)).y,
+            .div_ceil_x_2 = div_ceil(g->extent(), uint3(8u, 8u, 8u)).x,
             .g_table_extent = g->table().extent(),
             .g_frames_extent = g->frames().extent(),
+            .div_ceil_y_3 = div_ceil(f->extent(), uint3(8u, 8u, 8u)).y,
+            .div_ceil_x_3 = div_ceil(f->extent(), uint3(8u, 8u, 8u)).x,
+            .f_table_extent = f->table().extent(),
+            .f_frames_extent = f->frames().extent(),
             .by = by,
         };
         iteration.count_blocks(offsetof(scale_general_parameters, size));

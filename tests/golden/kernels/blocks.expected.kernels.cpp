@@ -180,22 +180,22 @@ struct scale_direct_parameters {
     uint f_active_extent;
     uint div_ceil_x;
     uint div_ceil_y;
-    uint3 f_extent;
     uint div_ceil_y_2;
     uint div_ceil_x_2;
     uint f_table_extent;
     uint2 f_frames_extent;
+    uint3 f_extent;
     float by;
 };
 static_assert(offsetof(scale_direct_parameters, size) == 0);
 static_assert(offsetof(scale_direct_parameters, f_active_extent) == 8);
 static_assert(offsetof(scale_direct_parameters, div_ceil_x) == 12);
 static_assert(offsetof(scale_direct_parameters, div_ceil_y) == 16);
-static_assert(offsetof(scale_direct_parameters, f_extent) == 20);
-static_assert(offsetof(scale_direct_parameters, div_ceil_y_2) == 32);
-static_assert(offsetof(scale_direct_parameters, div_ceil_x_2) == 36);
-static_assert(offsetof(scale_direct_parameters, f_table_extent) == 40);
-static_assert(offsetof(scale_direct_parameters, f_frames_extent) == 44);
+static_assert(offsetof(scale_direct_parameters, div_ceil_y_2) == 20);
+static_assert(offsetof(scale_direct_parameters, div_ceil_x_2) == 24);
+static_assert(offsetof(scale_direct_parameters, f_table_extent) == 28);
+static_assert(offsetof(scale_direct_parameters, f_frames_extent) == 32);
+static_assert(offsetof(scale_direct_parameters, f_extent) == 40);
 static_assert(offsetof(scale_direct_parameters, by) == 52);
 
 // blocks.glift:21: scale, some rows.
@@ -205,11 +205,11 @@ static void scale_direct_rows(const glift::HostCall& call, const glift::host::Ro
     const uint f_active_extent = parameters.f_active_extent;
     const uint div_ceil_x = parameters.div_ceil_x;
     const uint div_ceil_y = parameters.div_ceil_y;
-    const uint3 f_extent = parameters.f_extent;
     const uint div_ceil_y_2 = parameters.div_ceil_y_2;
     const uint div_ceil_x_2 = parameters.div_ceil_x_2;
     const uint f_table_extent = parameters.f_table_extent;
     const uint2 f_frames_extent = parameters.f_frames_extent;
+    const uint3 f_extent = parameters.f_extent;
     const float by = parameters.by;
     const uint* g_active_data = glift::host::elements<const uint>(call.memories[0]);
     const uint* f_table_data = glift::host::elements<const uint>(call.memories[1]);
@@ -270,23 +270,23 @@ static void scale_direct_rows(const glift::HostCall& call, const glift::host::Ro
                 const uint rest_2 = glift::divide(rest, div_ceil_x);
                 const uint block_y = glift::remainder(rest_2, div_ceil_y);
                 const uint block_z = glift::divide(rest_2, div_ceil_y);
+                // blocks.glift:21
+                const uint f_table_address = (block_z * div_ceil_y_2 + block_y) * div_ceil_x_2 + block_x;
+                const bool f_table_value_inside = f_table_address < f_table_extent;
+                const uint value = f_table_value_inside ? f_table_address : 0u;
+                const uint f_table_value = f_table_data[value];
+                const uint f_entry = f_table_value_inside ? f_table_value : 0u;
+                const uint f_frames_index = f_entry - 1u;
+                const bool f_found = !(f_entry == 0u) && f_frames_index < f_frames_extent.y;
+                const uint g_table_value = g_table_data[value];
+                const uint g_entry = f_table_value_inside ? g_table_value : 0u;
+                const uint g_frames_index = g_entry - 1u;
+                const bool g_found = !(g_entry == 0u) && g_frames_index < f_frames_extent.y;
                 if (block_x <= 536870911u && block_y <= 536870911u && block_z <= 536870911u
                     && glift::all(glift::lessThan(uint3(block_x * 8u + in_block % 8u, block_y * 8u + in_block / 8u % 8u,
                     block_z * 8u + in_block / 64u), f_extent))) {
-                    // blocks.glift:21
-                    const uint f_table_address = (block_z * div_ceil_y_2 + block_y) * div_ceil_x_2 + block_x;
-                    const bool f_table_value_inside = f_table_address < f_table_extent;
-                    const uint value = f_table_value_inside ? f_table_address : 0u;
-                    const uint f_table_value = f_table_data[value];
-                    const uint f_entry = f_table_value_inside ? f_table_value : 0u;
-                    const uint f_frames_index = f_entry - 1u;
                     const uint f_at = f_frames_index * f_frames_extent.x + in_block;
-                    const bool f_found = !(f_entry == 0u) && f_frames_index < f_frames_extent.y;
-                    const uint g_table_value = g_table_data[value];
-                    const uint g_entry = f_table_value_inside ? g_table_value : 0u;
-                    const uint g_frames_index = g_entry - 1u;
                     const uint g_at = g_frames_index * f_frames_extent.x + in_block;
-                    const bool g_found = !(g_entry == 0u) && g_frames_index < f_frames_extent.y;
                     const float f_value = f_frames_data[f_found ? f_at : 0u];
                     if (g_found) {
                         g_frames_data[g_at] = by * (f_found ? f_value : -1.0f);
@@ -311,12 +311,12 @@ struct scale_general_parameters {
     uint div_ceil_y;
     uint div_ceil_y_2;
     uint div_ceil_x_2;
-    uint f_table_extent;
-    uint2 f_frames_extent;
-    uint div_ceil_y_3;
-    uint div_ceil_x_3;
     uint g_table_extent;
     uint2 g_frames_extent;
+    uint div_ceil_y_3;
+    uint div_ceil_x_3;
+    uint f_table_extent;
+    uint2 f_frames_extent;
     float by;
 };
 static_assert(offsetof(scale_general_parameters, size) == 0);
@@ -328,12 +328,12 @@ static_assert(offsetof(scale_general_parameters, div_ceil_x) == 48);
 static_assert(offsetof(scale_general_parameters, div_ceil_y) == 52);
 static_assert(offsetof(scale_general_parameters, div_ceil_y_2) == 56);
 static_assert(offsetof(scale_general_parameters, div_ceil_x_2) == 60);
-static_assert(offsetof(scale_general_parameters, f_table_extent) == 64);
-static_assert(offsetof(scale_general_parameters, f_frames_extent) == 68);
+static_assert(offsetof(scale_general_parameters, g_table_extent) == 64);
+static_assert(offsetof(scale_general_parameters, g_frames_extent) == 68);
 static_assert(offsetof(scale_general_parameters, div_ceil_y_3) == 76);
 static_assert(offsetof(scale_general_parameters, div_ceil_x_3) == 80);
-static_assert(offsetof(scale_general_parameters, g_table_extent) == 84);
-static_assert(offsetof(scale_general_parameters, g_frames_extent) == 88);
+static_assert(offsetof(scale_general_parameters, f_table_extent) == 84);
+static_assert(offsetof(scale_general_parameters, f_frames_extent) == 88);
 static_assert(offsetof(scale_general_parameters, by) == 96);
 
 // blocks.glift:21: scale, some rows.
@@ -348,12 +348,12 @@ static void scale_general_rows(const glift::HostCall& call, const glift::host::R
     const uint div_ceil_y = parameters.div_ceil_y;
     const uint div_ceil_y_2 = parameters.div_ceil_y_2;
     const uint div_ceil_x_2 = parameters.div_ceil_x_2;
-    const uint f_table_extent = parameters.f_table_extent;
-    const uint2 f_frames_extent = parameters.f_frames_extent;
-    const uint div_ceil_y_3 = parameters.div_ceil_y_3;
-    const uint div_ceil_x_3 = parameters.div_ceil_x_3;
     const uint g_table_extent = parameters.g_table_extent;
     const uint2 g_frames_extent = parameters.g_frames_extent;
+    const uint div_ceil_y_3 = parameters.div_ceil_y_3;
+    const uint div_ceil_x_3 = parameters.div_ceil_x_3;
+    const uint f_table_extent = parameters.f_table_extent;
+    const uint2 f_frames_extent = parameters.f_frames_extent;
     const float by = parameters.by;
     const uint* g_active_data = glift::host::elements<const uint>(call.memories[0]);
     const uint* f_table_data = glift::host::elements<const uint>(call.memories[1]);
@@ -375,7 +375,7 @@ static void scale_general_rows(const glift::HostCall& call, const glift::host::R
             const uint value = block_z * 8u;
             const uint value_2 = block_y * 8u;
             const uint value_3 = block_x * 8u;
-            const uint g_table_address = (block_z * div_ceil_y_3 + block_y) * div_ceil_x_3 + block_x;
+            const uint g_table_address = (block_z * div_ceil_y_2 + block_y) * div_ceil_x_2 + block_x;
             const bool g_table_value_inside = g_table_address < g_table_extent;
             const uint g_table_value = g_table_data[g_table_value_inside ? g_table_address : 0u];
             const uint g_entry = g_table_value_inside ? g_table_value : 0u;
@@ -400,7 +400,7 @@ static void scale_general_rows(const glift::HostCall& call, const glift::host::R
                         const uint value_5 = value + in_block_2 / 64u + (f_origin.z - g_origin.z);
                         const uint value_6 = value_2 + in_block_2 / 8u % 8u + (f_origin.y - g_origin.y);
                         const uint value_7 = value_3 + in_block_2 % 8u + (f_origin.x - g_origin.x);
-                        const uint f_table_address = (value_5 / 8u * div_ceil_y_2 + value_6 / 8u) * div_ceil_x_2
+                        const uint f_table_address = (value_5 / 8u * div_ceil_y_3 + value_6 / 8u) * div_ceil_x_3
                             + value_7 / 8u;
                         const bool f_table_value_inside = f_table_address < f_table_extent;
                         const uint f_table_value = f_table_data[f_table_value_inside ? f_table_address : 0u];
@@ -427,16 +427,22 @@ static void scale_general_rows(const glift::HostCall& call, const glift::host::R
                 const uint rest_2 = glift::divide(rest, div_ceil_x);
                 const uint block_y = glift::remainder(rest_2, div_ceil_y);
                 const uint block_z = glift::divide(rest_2, div_ceil_y);
+                // blocks.glift:21
+                const uint g_table_address = (block_z * div_ceil_y_2 + block_y) * div_ceil_x_2 + block_x;
+                const bool g_table_value_inside = g_table_address < g_table_extent;
+                const uint g_table_value = g_table_data[g_table_value_inside ? g_table_address : 0u];
+                const uint g_entry = g_table_value_inside ? g_table_value : 0u;
+                const uint g_frames_index = g_entry - 1u;
+                const bool g_found = !(g_entry == 0u) && g_frames_index < g_frames_extent.y;
                 const uint value = block_x * 8u + in_block % 8u;
                 const uint value_2 = block_y * 8u + in_block / 8u % 8u;
                 const uint value_3 = block_z * 8u + in_block / 64u;
                 if (block_x <= 536870911u && block_y <= 536870911u && block_z <= 536870911u
                     && glift::all(glift::lessThan(uint3(value, value_2, value_3) - g_origin, g_size))) {
-                    // blocks.glift:21
                     const uint value_4 = value_3 + (f_origin.z + g_origin.z * 4294967295u);
                     const uint value_5 = value_2 + (f_origin.y + g_origin.y * 4294967295u);
                     const uint value_6 = value + (f_origin.x + g_origin.x * 4294967295u);
-                    const uint f_table_address = (value_4 / 8u * div_ceil_y_2 + value_5 / 8u) * div_ceil_x_2
+                    const uint f_table_address = (value_4 / 8u * div_ceil_y_3 + value_5 / 8u) * div_ceil_x_3
                         + value_6 / 8u;
                     const bool f_table_value_inside = f_table_address < f_table_extent;
                     const uint f_table_value = f_table_data[f_table_value_inside ? f_table_address : 0u];
@@ -445,13 +451,7 @@ static void scale_general_rows(const glift::HostCall& call, const glift::host::R
                     const uint f_at = f_frames_index * f_frames_extent.x
                         + ((value_4 % 8u * 8u + value_5 % 8u) * 8u + value_6 % 8u);
                     const bool f_found = !(f_entry == 0u) && f_frames_index < f_frames_extent.y;
-                    const uint g_table_address = (block_z * div_ceil_y_3 + block_y) * div_ceil_x_3 + block_x;
-                    const bool g_table_value_inside = g_table_address < g_table_extent;
-                    const uint g_table_value = g_table_data[g_table_value_inside ? g_table_address : 0u];
-                    const uint g_entry = g_table_value_inside ? g_table_value : 0u;
-                    const uint g_frames_index = g_entry - 1u;
                     const uint g_at = g_frames_index * g_frames_extent.x + in_block;
-                    const bool g_found = !(g_entry == 0u) && g_frames_index < g_frames_extent.y;
                     const float f_value = f_frames_data[f_found ? f_at : 0u];
                     if (g_found) {
                         g_frames_data[g_at] = by * (f_found ? f_value : -1.0f);
@@ -476,14 +476,14 @@ struct scale_wide_parameters {
     uint div_ceil_y;
     uint div_ceil_y_2;
     uint div_ceil_x_2;
+    uint g_table_extent;
+    uint g_frames_extent_y;
+    uint div_ceil_y_3;
+    uint div_ceil_x_3;
     uint f_table_extent;
     std::uint64_t f_frames_extent_x;
     uint f_frames_extent_y;
-    uint div_ceil_y_3;
-    uint div_ceil_x_3;
-    uint g_table_extent;
     std::uint64_t g_frames_extent_x;
-    uint g_frames_extent_y;
     float by;
     std::uint64_t g_active_data_address;
     std::uint64_t f_table_data_address;
@@ -500,20 +500,20 @@ static_assert(offsetof(scale_wide_parameters, div_ceil_x) == 48);
 static_assert(offsetof(scale_wide_parameters, div_ceil_y) == 52);
 static_assert(offsetof(scale_wide_parameters, div_ceil_y_2) == 56);
 static_assert(offsetof(scale_wide_parameters, div_ceil_x_2) == 60);
-static_assert(offsetof(scale_wide_parameters, f_table_extent) == 64);
-static_assert(offsetof(scale_wide_parameters, f_frames_extent_x) == 72);
-static_assert(offsetof(scale_wide_parameters, f_frames_extent_y) == 80);
-static_assert(offsetof(scale_wide_parameters, div_ceil_y_3) == 84);
-static_assert(offsetof(scale_wide_parameters, div_ceil_x_3) == 88);
-static_assert(offsetof(scale_wide_parameters, g_table_extent) == 92);
-static_assert(offsetof(scale_wide_parameters, g_frames_extent_x) == 96);
-static_assert(offsetof(scale_wide_parameters, g_frames_extent_y) == 104);
-static_assert(offsetof(scale_wide_parameters, by) == 108);
-static_assert(offsetof(scale_wide_parameters, g_active_data_address) == 112);
-static_assert(offsetof(scale_wide_parameters, f_table_data_address) == 120);
-static_assert(offsetof(scale_wide_parameters, f_frames_data_address) == 128);
-static_assert(offsetof(scale_wide_parameters, g_table_data_address) == 136);
-static_assert(offsetof(scale_wide_parameters, g_frames_data_address) == 144);
+static_assert(offsetof(scale_wide_parameters, g_table_extent) == 64);
+static_assert(offsetof(scale_wide_parameters, g_frames_extent_y) == 68);
+static_assert(offsetof(scale_wide_parameters, div_ceil_y_3) == 72);
+static_assert(offsetof(scale_wide_parameters, div_ceil_x_3) == 76);
+static_assert(offsetof(scale_wide_parameters, f_table_extent) == 80);
+static_assert(offsetof(scale_wide_parameters, f_frames_extent_x) == 88);
+static_assert(offsetof(scale_wide_parameters, f_frames_extent_y) == 96);
+static_assert(offsetof(scale_wide_parameters, g_frames_extent_x) == 104);
+static_assert(offsetof(scale_wide_parameters, by) == 112);
+static_assert(offsetof(scale_wide_parameters, g_active_data_address) == 120);
+static_assert(offsetof(scale_wide_parameters, f_table_data_address) == 128);
+static_assert(offsetof(scale_wide_parameters, f_frames_data_address) == 136);
+static_assert(offsetof(scale_wide_parameters, g_table_data_address) == 144);
+static_assert(offsetof(scale_wide_parameters, g_frames_data_address) == 152);
 
 // blocks.glift:21: scale, some rows.
 GLIFT_HOST_KERNEL
@@ -527,14 +527,14 @@ static void scale_wide_rows(const glift::HostCall& call, const glift::host::Rows
     const uint div_ceil_y = parameters.div_ceil_y;
     const uint div_ceil_y_2 = parameters.div_ceil_y_2;
     const uint div_ceil_x_2 = parameters.div_ceil_x_2;
+    const uint g_table_extent = parameters.g_table_extent;
+    const uint g_frames_extent_y = parameters.g_frames_extent_y;
+    const uint div_ceil_y_3 = parameters.div_ceil_y_3;
+    const uint div_ceil_x_3 = parameters.div_ceil_x_3;
     const uint f_table_extent = parameters.f_table_extent;
     const std::uint64_t f_frames_extent_x = parameters.f_frames_extent_x;
     const uint f_frames_extent_y = parameters.f_frames_extent_y;
-    const uint div_ceil_y_3 = parameters.div_ceil_y_3;
-    const uint div_ceil_x_3 = parameters.div_ceil_x_3;
-    const uint g_table_extent = parameters.g_table_extent;
     const std::uint64_t g_frames_extent_x = parameters.g_frames_extent_x;
-    const uint g_frames_extent_y = parameters.g_frames_extent_y;
     const float by = parameters.by;
     const uint* g_active_data = glift::host::elements<const uint>(call.memories[0]);
     const uint* f_table_data = glift::host::elements<const uint>(call.memories[1]);
@@ -557,7 +557,7 @@ static void scale_wide_rows(const glift::HostCall& call, const glift::host::Rows
             const uint value = block_z * 8u;
             const uint value_2 = block_y * 8u;
             const uint value_3 = block_x * 8u;
-            const uint g_table_address = (block_z * div_ceil_y_3 + block_y) * div_ceil_x_3 + block_x;
+            const uint g_table_address = (block_z * div_ceil_y_2 + block_y) * div_ceil_x_2 + block_x;
             const bool g_table_value_inside = g_table_address < g_table_extent;
             const std::uint64_t g_table_value_at = std::uint64_t(g_table_address);
             const uint g_table_value = g_table_data[g_table_value_inside ? g_table_value_at : std::uint64_t{0u}];
@@ -576,7 +576,7 @@ static void scale_wide_rows(const glift::HostCall& call, const glift::host::Rows
                     const uint value_6 = value + in_block / 64u + (f_origin.z - g_origin.z);
                     const uint value_7 = value_2 + in_block / 8u % 8u + (f_origin.y - g_origin.y);
                     const uint value_8 = value_3 + in_block % 8u + (f_origin.x - g_origin.x);
-                    const uint f_table_address = (value_6 / 8u * div_ceil_y_2 + value_7 / 8u) * div_ceil_x_2
+                    const uint f_table_address = (value_6 / 8u * div_ceil_y_3 + value_7 / 8u) * div_ceil_x_3
                         + value_8 / 8u;
                     const bool f_table_value_inside = f_table_address < f_table_extent;
                     const std::uint64_t f_table_value_at = std::uint64_t(f_table_address);
@@ -607,35 +607,34 @@ static void scale_wide_rows(const glift::HostCall& call, const glift::host::Rows
                 const uint rest_2 = glift::divide(rest, div_ceil_x);
                 const uint block_y = glift::remainder(rest_2, div_ceil_y);
                 const uint block_z = glift::divide(rest_2, div_ceil_y);
-                const uint value = block_x * 8u + in_block % 8u;
-                const uint value_2 = block_y * 8u + in_block / 8u % 8u;
-                const uint value_3 = block_z * 8u + in_block / 64u;
+                // blocks.glift:21
+                const uint g_table_address = (block_z * div_ceil_y_2 + block_y) * div_ceil_x_2 + block_x;
+                const bool g_table_value_inside = g_table_address < g_table_extent;
+                const std::uint64_t g_table_value_at = std::uint64_t(g_table_address);
+                const uint g_table_value = g_table_data[g_table_value_inside ? g_table_value_at : std::uint64_t{0u}];
+                const uint g_entry = g_table_value_inside ? g_table_value : 0u;
+                const uint value = g_entry - 1u;
+                const bool g_found = !(g_entry == 0u) && value < g_frames_extent_y;
+                const uint value_2 = block_x * 8u + in_block % 8u;
+                const uint value_3 = block_y * 8u + in_block / 8u % 8u;
+                const uint value_4 = block_z * 8u + in_block / 64u;
                 if (block_x <= 536870911u && block_y <= 536870911u && block_z <= 536870911u
-                    && glift::all(glift::lessThan(uint3(value, value_2, value_3) - g_origin, g_size))) {
-                    // blocks.glift:21
-                    const uint value_4 = value_3 + (f_origin.z + g_origin.z * 4294967295u);
-                    const uint value_5 = value_2 + (f_origin.y + g_origin.y * 4294967295u);
-                    const uint value_6 = value + (f_origin.x + g_origin.x * 4294967295u);
-                    const uint f_table_address = (value_4 / 8u * div_ceil_y_2 + value_5 / 8u) * div_ceil_x_2
-                        + value_6 / 8u;
+                    && glift::all(glift::lessThan(uint3(value_2, value_3, value_4) - g_origin, g_size))) {
+                    const uint value_5 = value_4 + (f_origin.z + g_origin.z * 4294967295u);
+                    const uint value_6 = value_3 + (f_origin.y + g_origin.y * 4294967295u);
+                    const uint value_7 = value_2 + (f_origin.x + g_origin.x * 4294967295u);
+                    const uint f_table_address = (value_5 / 8u * div_ceil_y_3 + value_6 / 8u) * div_ceil_x_3
+                        + value_7 / 8u;
                     const bool f_table_value_inside = f_table_address < f_table_extent;
                     const std::uint64_t f_table_value_at = std::uint64_t(f_table_address);
                     const uint f_table_value = f_table_data[f_table_value_inside ? f_table_value_at
                         : std::uint64_t{0u}];
                     const uint f_entry = f_table_value_inside ? f_table_value : 0u;
-                    const uint value_7 = f_entry - 1u;
-                    const std::uint64_t f_at = std::uint64_t(value_7) * f_frames_extent_x
-                        + std::uint64_t((value_4 % 8u * 8u + value_5 % 8u) * 8u + value_6 % 8u);
-                    const bool f_found = !(f_entry == 0u) && value_7 < f_frames_extent_y;
-                    const uint g_table_address = (block_z * div_ceil_y_3 + block_y) * div_ceil_x_3 + block_x;
-                    const bool g_table_value_inside = g_table_address < g_table_extent;
-                    const std::uint64_t g_table_value_at = std::uint64_t(g_table_address);
-                    const uint g_table_value = g_table_data[g_table_value_inside ? g_table_value_at
-                        : std::uint64_t{0u}];
-                    const uint g_entry = g_table_value_inside ? g_table_value : 0u;
-                    const uint value_8 = g_entry - 1u;
-                    const std::uint64_t g_at = std::uint64_t(value_8) * g_frames_extent_x + std::uint64_t(in_block);
-                    const bool g_found = !(g_entry == 0u) && value_8 < g_frames_extent_y;
+                    const uint value_8 = f_entry - 1u;
+                    const std::uint64_t f_at = std::uint64_t(value_8) * f_frames_extent_x
+                        + std::uint64_t((value_5 % 8u * 8u + value_6 % 8u) * 8u + value_7 % 8u);
+                    const bool f_found = !(f_entry == 0u) && value_8 < f_frames_extent_y;
+                    const std::uint64_t g_at = std::uint64_t(value) * g_frames_extent_x + std::uint64_t(in_block);
                     const float f_value = f_frames_data[f_found ? f_at : std::uint64_t{0u}];
                     if (g_found) {
                         g_frames_data[g_at] = by * (f_found ? f_value : -1.0f);
@@ -651,15 +650,15 @@ static void scale_wide(const glift::HostCall& call) {
 }
 
 const glift::Binding scale_bindings[] = {
-    {.name = "g.active.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 112,
+    {.name = "g.active.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 120,
         .element_bytes = sizeof(uint), .parameter = 1},
-    {.name = "f.table.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 120,
+    {.name = "f.table.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 128,
         .element_bytes = sizeof(uint)},
-    {.name = "f.frames.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 128,
+    {.name = "f.frames.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 136,
         .element_bytes = sizeof(float), .reach = glift::Reach::element},
-    {.name = "g.table.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 136,
+    {.name = "g.table.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 144,
         .element_bytes = sizeof(uint), .parameter = 1},
-    {.name = "g.frames.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 144,
+    {.name = "g.frames.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 152,
         .element_bytes = sizeof(float), .parameter = 1, .reach = glift::Reach::element},
 };
 constexpr glift::Parameter scale_parameters[] = {
@@ -667,11 +666,11 @@ constexpr glift::Parameter scale_parameters[] = {
     {"f_active_extent", 8, sizeof(scale_direct_parameters::f_active_extent)},
     {"div_ceil_x", 12, sizeof(scale_direct_parameters::div_ceil_x)},
     {"div_ceil_y", 16, sizeof(scale_direct_parameters::div_ceil_y)},
-    {"f_extent", 20, sizeof(scale_direct_parameters::f_extent)},
-    {"div_ceil_y_2", 32, sizeof(scale_direct_parameters::div_ceil_y_2)},
-    {"div_ceil_x_2", 36, sizeof(scale_direct_parameters::div_ceil_x_2)},
-    {"f_table_extent", 40, sizeof(scale_direct_parameters::f_table_extent)},
-    {"f_frames_extent", 44, sizeof(scale_direct_parameters::f_frames_extent)},
+    {"div_ceil_y_2", 20, sizeof(scale_direct_parameters::div_ceil_y_2)},
+    {"div_ceil_x_2", 24, sizeof(scale_direct_parameters::div_ceil_x_2)},
+    {"f_table_extent", 28, sizeof(scale_direct_parameters::f_table_extent)},
+    {"f_frames_extent", 32, sizeof(scale_direct_parameters::f_frames_extent)},
+    {"f_extent", 40, sizeof(scale_direct_parameters::f_extent)},
     {"by", 52, sizeof(scale_direct_parameters::by)},
 };
 }  // namespace
@@ -682,14 +681,16 @@ const glift::Kernel scale_kernel = {
     .file = "blocks.glift",
     .line = 21,
     .rank = 2,
-    .group = {256, 1, 1},
-    .loop_rounds = 0,
+    .group = {64, 1, 1},
+    .loop_rounds = 9,
     .bindings = scale_bindings,
     .direct = {.host = &scale_direct, .parameter_bytes = 56},
     .general = {.host = &scale_general, .parameter_bytes = 100},
-    .wide = {.host = &scale_wide, .parameter_bytes = 152},
+    .wide = {.host = &scale_wide, .parameter_bytes = 160},
     .parameters = scale_parameters,
+    .items = {8, 1, 1},
     .of_blocks = true,
+    .longest_loop = {"blocks.glift", 21},
 };
 
 }  // namespace blocks

@@ -453,22 +453,22 @@ struct fill_box_blocks_Listed_float_direct_parameters {
     uint to_active_extent;
     uint div_ceil_x;
     uint div_ceil_y;
-    uint3 to_extent;
     uint div_ceil_y_2;
     uint div_ceil_x_2;
     uint to_table_extent;
     uint2 to_frames_extent;
+    uint3 to_extent;
     float value;
 };
 static_assert(offsetof(fill_box_blocks_Listed_float_direct_parameters, size) == 0);
 static_assert(offsetof(fill_box_blocks_Listed_float_direct_parameters, to_active_extent) == 8);
 static_assert(offsetof(fill_box_blocks_Listed_float_direct_parameters, div_ceil_x) == 12);
 static_assert(offsetof(fill_box_blocks_Listed_float_direct_parameters, div_ceil_y) == 16);
-static_assert(offsetof(fill_box_blocks_Listed_float_direct_parameters, to_extent) == 20);
-static_assert(offsetof(fill_box_blocks_Listed_float_direct_parameters, div_ceil_y_2) == 32);
-static_assert(offsetof(fill_box_blocks_Listed_float_direct_parameters, div_ceil_x_2) == 36);
-static_assert(offsetof(fill_box_blocks_Listed_float_direct_parameters, to_table_extent) == 40);
-static_assert(offsetof(fill_box_blocks_Listed_float_direct_parameters, to_frames_extent) == 44);
+static_assert(offsetof(fill_box_blocks_Listed_float_direct_parameters, div_ceil_y_2) == 20);
+static_assert(offsetof(fill_box_blocks_Listed_float_direct_parameters, div_ceil_x_2) == 24);
+static_assert(offsetof(fill_box_blocks_Listed_float_direct_parameters, to_table_extent) == 28);
+static_assert(offsetof(fill_box_blocks_Listed_float_direct_parameters, to_frames_extent) == 32);
+static_assert(offsetof(fill_box_blocks_Listed_float_direct_parameters, to_extent) == 40);
 static_assert(offsetof(fill_box_blocks_Listed_float_direct_parameters, value) == 52);
 struct fill_box_blocks_Listed_float_general_parameters {
     uint2 size;
@@ -504,8 +504,8 @@ struct fill_box_blocks_Listed_float_wide_parameters {
     uint div_ceil_y_2;
     uint div_ceil_x_2;
     uint to_table_extent;
-    std::uint64_t to_frames_extent_x;
     uint to_frames_extent_y;
+    std::uint64_t to_frames_extent_x;
     float value;
     std::uint64_t to_active_data_address;
     std::uint64_t to_table_data_address;
@@ -520,12 +520,12 @@ static_assert(offsetof(fill_box_blocks_Listed_float_wide_parameters, div_ceil_y)
 static_assert(offsetof(fill_box_blocks_Listed_float_wide_parameters, div_ceil_y_2) == 44);
 static_assert(offsetof(fill_box_blocks_Listed_float_wide_parameters, div_ceil_x_2) == 48);
 static_assert(offsetof(fill_box_blocks_Listed_float_wide_parameters, to_table_extent) == 52);
-static_assert(offsetof(fill_box_blocks_Listed_float_wide_parameters, to_frames_extent_x) == 56);
-static_assert(offsetof(fill_box_blocks_Listed_float_wide_parameters, to_frames_extent_y) == 64);
-static_assert(offsetof(fill_box_blocks_Listed_float_wide_parameters, value) == 68);
-static_assert(offsetof(fill_box_blocks_Listed_float_wide_parameters, to_active_data_address) == 72);
-static_assert(offsetof(fill_box_blocks_Listed_float_wide_parameters, to_table_data_address) == 80);
-static_assert(offsetof(fill_box_blocks_Listed_float_wide_parameters, to_frames_data_address) == 88);
+static_assert(offsetof(fill_box_blocks_Listed_float_wide_parameters, to_frames_extent_y) == 56);
+static_assert(offsetof(fill_box_blocks_Listed_float_wide_parameters, to_frames_extent_x) == 64);
+static_assert(offsetof(fill_box_blocks_Listed_float_wide_parameters, value) == 72);
+static_assert(offsetof(fill_box_blocks_Listed_float_wide_parameters, to_active_data_address) == 80);
+static_assert(offsetof(fill_box_blocks_Listed_float_wide_parameters, to_table_data_address) == 88);
+static_assert(offsetof(fill_box_blocks_Listed_float_wide_parameters, to_frames_data_address) == 96);
 }  // namespace
 
 extern const glift::Kernel fill_box_blocks_Listed_float_kernel;
@@ -548,8 +548,8 @@ GLIFT_SHARED void fill_box_blocks_Listed_float(const glift::Commands& commands,
             .div_ceil_y_2 = div_ceil(to->extent(), uint3(8u, 8u, 8u)).y,
             .div_ceil_x_2 = div_ceil(to->extent(), uint3(8u, 8u, 8u)).x,
             .to_table_extent = to->table().extent(),
-            .to_frames_extent_x = std::uint64_t(to->frames().extent().x),
             .to_frames_extent_y = to->frames().extent().y,
+            .to_frames_extent_x = std::uint64_t(to->frames().extent().x),
             .value = value,
             .to_active_data_address = 0u,
             .to_table_data_address = 0u,
@@ -565,11 +565,11 @@ GLIFT_SHARED void fill_box_blocks_Listed_float(const glift::Commands& commands,
             .to_active_extent = to->active().extent(),
             .div_ceil_x = glift::max(div_ceil(to->extent(), uint3(8u, 8u, 8u)).x, 1u),
             .div_ceil_y = glift::max(div_ceil(to->extent(), uint3(8u, 8u, 8u)).y, 1u),
-            .to_extent = to->extent(),
             .div_ceil_y_2 = div_ceil(to->extent(), uint3(8u, 8u, 8u)).y,
             .div_ceil_x_2 = div_ceil(to->extent(), uint3(8u, 8u, 8u)).x,
             .to_table_extent = to->table().extent(),
             .to_frames_extent = to->frames().extent(),
+            .to_extent = to->extent(),
             .value = value,
         };
         iteration.count_blocks(offsetof(fill_box_blocks_Listed_float_direct_parameters, size));

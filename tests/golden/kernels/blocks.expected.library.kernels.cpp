@@ -500,22 +500,22 @@ struct fill_box_blocks_Listed_float_direct_parameters {
     uint to_active_extent;
     uint div_ceil_x;
     uint div_ceil_y;
-    uint3 to_extent;
     uint div_ceil_y_2;
     uint div_ceil_x_2;
     uint to_table_extent;
     uint2 to_frames_extent;
+    uint3 to_extent;
     float value;
 };
 static_assert(offsetof(fill_box_blocks_Listed_float_direct_parameters, size) == 0);
 static_assert(offsetof(fill_box_blocks_Listed_float_direct_parameters, to_active_extent) == 8);
 static_assert(offsetof(fill_box_blocks_Listed_float_direct_parameters, div_ceil_x) == 12);
 static_assert(offsetof(fill_box_blocks_Listed_float_direct_parameters, div_ceil_y) == 16);
-static_assert(offsetof(fill_box_blocks_Listed_float_direct_parameters, to_extent) == 20);
-static_assert(offsetof(fill_box_blocks_Listed_float_direct_parameters, div_ceil_y_2) == 32);
-static_assert(offsetof(fill_box_blocks_Listed_float_direct_parameters, div_ceil_x_2) == 36);
-static_assert(offsetof(fill_box_blocks_Listed_float_direct_parameters, to_table_extent) == 40);
-static_assert(offsetof(fill_box_blocks_Listed_float_direct_parameters, to_frames_extent) == 44);
+static_assert(offsetof(fill_box_blocks_Listed_float_direct_parameters, div_ceil_y_2) == 20);
+static_assert(offsetof(fill_box_blocks_Listed_float_direct_parameters, div_ceil_x_2) == 24);
+static_assert(offsetof(fill_box_blocks_Listed_float_direct_parameters, to_table_extent) == 28);
+static_assert(offsetof(fill_box_blocks_Listed_float_direct_parameters, to_frames_extent) == 32);
+static_assert(offsetof(fill_box_blocks_Listed_float_direct_parameters, to_extent) == 40);
 static_assert(offsetof(fill_box_blocks_Listed_float_direct_parameters, value) == 52);
 
 // transfer.glift:25: fill_box<Listed, float>, some rows.
@@ -525,11 +525,11 @@ static void fill_box_blocks_Listed_float_direct_rows(const glift::HostCall& call
     const uint to_active_extent = parameters.to_active_extent;
     const uint div_ceil_x = parameters.div_ceil_x;
     const uint div_ceil_y = parameters.div_ceil_y;
-    const uint3 to_extent = parameters.to_extent;
     const uint div_ceil_y_2 = parameters.div_ceil_y_2;
     const uint div_ceil_x_2 = parameters.div_ceil_x_2;
     const uint to_table_extent = parameters.to_table_extent;
     const uint2 to_frames_extent = parameters.to_frames_extent;
+    const uint3 to_extent = parameters.to_extent;
     const float value = parameters.value;
     const uint* to_active_data = glift::host::elements<const uint>(call.memories[0]);
     const uint* to_table_data = glift::host::elements<const uint>(call.memories[1]);
@@ -581,17 +581,17 @@ static void fill_box_blocks_Listed_float_direct_rows(const glift::HostCall& call
                 const uint rest_2 = glift::divide(rest, div_ceil_x);
                 const uint block_y = glift::remainder(rest_2, div_ceil_y);
                 const uint block_z = glift::divide(rest_2, div_ceil_y);
+                // transfer.glift:25
+                const uint to_table_address = (block_z * div_ceil_y_2 + block_y) * div_ceil_x_2 + block_x;
+                const bool to_table_value_inside = to_table_address < to_table_extent;
+                const uint to_table_value = to_table_data[to_table_value_inside ? to_table_address : 0u];
+                const uint to_entry = to_table_value_inside ? to_table_value : 0u;
+                const uint to_frames_index = to_entry - 1u;
+                const bool to_found = !(to_entry == 0u) && to_frames_index < to_frames_extent.y;
                 if (block_x <= 536870911u && block_y <= 536870911u && block_z <= 536870911u
                     && glift::all(glift::lessThan(uint3(block_x * 8u + in_block % 8u, block_y * 8u + in_block / 8u % 8u,
                     block_z * 8u + in_block / 64u), to_extent))) {
-                    // transfer.glift:25
-                    const uint to_table_address = (block_z * div_ceil_y_2 + block_y) * div_ceil_x_2 + block_x;
-                    const bool to_table_value_inside = to_table_address < to_table_extent;
-                    const uint to_table_value = to_table_data[to_table_value_inside ? to_table_address : 0u];
-                    const uint to_entry = to_table_value_inside ? to_table_value : 0u;
-                    const uint to_frames_index = to_entry - 1u;
                     const uint to_at = to_frames_index * to_frames_extent.x + in_block;
-                    const bool to_found = !(to_entry == 0u) && to_frames_index < to_frames_extent.y;
                     // transfer.glift:26
                     if (to_found) {
                         to_frames_data[to_at] = value;
@@ -698,17 +698,17 @@ static void fill_box_blocks_Listed_float_general_rows(const glift::HostCall& cal
                 const uint rest_2 = glift::divide(rest, div_ceil_x);
                 const uint block_y = glift::remainder(rest_2, div_ceil_y);
                 const uint block_z = glift::divide(rest_2, div_ceil_y);
+                // transfer.glift:25
+                const uint to_table_address = (block_z * div_ceil_y_2 + block_y) * div_ceil_x_2 + block_x;
+                const bool to_table_value_inside = to_table_address < to_table_extent;
+                const uint to_table_value = to_table_data[to_table_value_inside ? to_table_address : 0u];
+                const uint to_entry = to_table_value_inside ? to_table_value : 0u;
+                const uint to_frames_index = to_entry - 1u;
+                const bool to_found = !(to_entry == 0u) && to_frames_index < to_frames_extent.y;
                 if (block_x <= 536870911u && block_y <= 536870911u && block_z <= 536870911u
                     && glift::all(glift::lessThan(uint3(block_x * 8u + in_block % 8u, block_y * 8u + in_block / 8u % 8u,
                     block_z * 8u + in_block / 64u) - to_origin, to_size))) {
-                    // transfer.glift:25
-                    const uint to_table_address = (block_z * div_ceil_y_2 + block_y) * div_ceil_x_2 + block_x;
-                    const bool to_table_value_inside = to_table_address < to_table_extent;
-                    const uint to_table_value = to_table_data[to_table_value_inside ? to_table_address : 0u];
-                    const uint to_entry = to_table_value_inside ? to_table_value : 0u;
-                    const uint to_frames_index = to_entry - 1u;
                     const uint to_at = to_frames_index * to_frames_extent.x + in_block;
-                    const bool to_found = !(to_entry == 0u) && to_frames_index < to_frames_extent.y;
                     // transfer.glift:26
                     if (to_found) {
                         to_frames_data[to_at] = value;
@@ -733,8 +733,8 @@ struct fill_box_blocks_Listed_float_wide_parameters {
     uint div_ceil_y_2;
     uint div_ceil_x_2;
     uint to_table_extent;
-    std::uint64_t to_frames_extent_x;
     uint to_frames_extent_y;
+    std::uint64_t to_frames_extent_x;
     float value;
     std::uint64_t to_active_data_address;
     std::uint64_t to_table_data_address;
@@ -749,12 +749,12 @@ static_assert(offsetof(fill_box_blocks_Listed_float_wide_parameters, div_ceil_y)
 static_assert(offsetof(fill_box_blocks_Listed_float_wide_parameters, div_ceil_y_2) == 44);
 static_assert(offsetof(fill_box_blocks_Listed_float_wide_parameters, div_ceil_x_2) == 48);
 static_assert(offsetof(fill_box_blocks_Listed_float_wide_parameters, to_table_extent) == 52);
-static_assert(offsetof(fill_box_blocks_Listed_float_wide_parameters, to_frames_extent_x) == 56);
-static_assert(offsetof(fill_box_blocks_Listed_float_wide_parameters, to_frames_extent_y) == 64);
-static_assert(offsetof(fill_box_blocks_Listed_float_wide_parameters, value) == 68);
-static_assert(offsetof(fill_box_blocks_Listed_float_wide_parameters, to_active_data_address) == 72);
-static_assert(offsetof(fill_box_blocks_Listed_float_wide_parameters, to_table_data_address) == 80);
-static_assert(offsetof(fill_box_blocks_Listed_float_wide_parameters, to_frames_data_address) == 88);
+static_assert(offsetof(fill_box_blocks_Listed_float_wide_parameters, to_frames_extent_y) == 56);
+static_assert(offsetof(fill_box_blocks_Listed_float_wide_parameters, to_frames_extent_x) == 64);
+static_assert(offsetof(fill_box_blocks_Listed_float_wide_parameters, value) == 72);
+static_assert(offsetof(fill_box_blocks_Listed_float_wide_parameters, to_active_data_address) == 80);
+static_assert(offsetof(fill_box_blocks_Listed_float_wide_parameters, to_table_data_address) == 88);
+static_assert(offsetof(fill_box_blocks_Listed_float_wide_parameters, to_frames_data_address) == 96);
 
 // transfer.glift:25: fill_box<Listed, float>, some rows.
 GLIFT_HOST_KERNEL
@@ -768,8 +768,8 @@ static void fill_box_blocks_Listed_float_wide_rows(const glift::HostCall& call, 
     const uint div_ceil_y_2 = parameters.div_ceil_y_2;
     const uint div_ceil_x_2 = parameters.div_ceil_x_2;
     const uint to_table_extent = parameters.to_table_extent;
-    const std::uint64_t to_frames_extent_x = parameters.to_frames_extent_x;
     const uint to_frames_extent_y = parameters.to_frames_extent_y;
+    const std::uint64_t to_frames_extent_x = parameters.to_frames_extent_x;
     const float value = parameters.value;
     const uint* to_active_data = glift::host::elements<const uint>(call.memories[0]);
     const uint* to_table_data = glift::host::elements<const uint>(call.memories[1]);
@@ -825,19 +825,19 @@ static void fill_box_blocks_Listed_float_wide_rows(const glift::HostCall& call, 
                 const uint rest_2 = glift::divide(rest, div_ceil_x);
                 const uint block_y = glift::remainder(rest_2, div_ceil_y);
                 const uint block_z = glift::divide(rest_2, div_ceil_y);
+                // transfer.glift:25
+                const uint to_table_address = (block_z * div_ceil_y_2 + block_y) * div_ceil_x_2 + block_x;
+                const bool to_table_value_inside = to_table_address < to_table_extent;
+                const std::uint64_t to_table_value_at = std::uint64_t(to_table_address);
+                const uint to_table_value = to_table_data[to_table_value_inside ? to_table_value_at
+                    : std::uint64_t{0u}];
+                const uint to_entry = to_table_value_inside ? to_table_value : 0u;
+                const uint value_2 = to_entry - 1u;
+                const bool to_found = !(to_entry == 0u) && value_2 < to_frames_extent_y;
                 if (block_x <= 536870911u && block_y <= 536870911u && block_z <= 536870911u
                     && glift::all(glift::lessThan(uint3(block_x * 8u + in_block % 8u, block_y * 8u + in_block / 8u % 8u,
                     block_z * 8u + in_block / 64u) - to_origin, to_size))) {
-                    // transfer.glift:25
-                    const uint to_table_address = (block_z * div_ceil_y_2 + block_y) * div_ceil_x_2 + block_x;
-                    const bool to_table_value_inside = to_table_address < to_table_extent;
-                    const std::uint64_t to_table_value_at = std::uint64_t(to_table_address);
-                    const uint to_table_value = to_table_data[to_table_value_inside ? to_table_value_at
-                        : std::uint64_t{0u}];
-                    const uint to_entry = to_table_value_inside ? to_table_value : 0u;
-                    const uint value_2 = to_entry - 1u;
                     const std::uint64_t to_at = std::uint64_t(value_2) * to_frames_extent_x + std::uint64_t(in_block);
-                    const bool to_found = !(to_entry == 0u) && value_2 < to_frames_extent_y;
                     // transfer.glift:26
                     if (to_found) {
                         to_frames_data[to_at] = value;
@@ -854,11 +854,11 @@ static void fill_box_blocks_Listed_float_wide(const glift::HostCall& call) {
 }
 
 const glift::Binding fill_box_blocks_Listed_float_bindings[] = {
-    {.name = "to.active.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 72,
+    {.name = "to.active.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 80,
         .element_bytes = sizeof(uint)},
-    {.name = "to.table.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 80,
+    {.name = "to.table.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 88,
         .element_bytes = sizeof(uint)},
-    {.name = "to.frames.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 88,
+    {.name = "to.frames.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 96,
         .element_bytes = sizeof(float), .reach = glift::Reach::element},
 };
 constexpr glift::Parameter fill_box_blocks_Listed_float_parameters[] = {
@@ -866,11 +866,11 @@ constexpr glift::Parameter fill_box_blocks_Listed_float_parameters[] = {
     {"to_active_extent", 8, sizeof(fill_box_blocks_Listed_float_direct_parameters::to_active_extent)},
     {"div_ceil_x", 12, sizeof(fill_box_blocks_Listed_float_direct_parameters::div_ceil_x)},
     {"div_ceil_y", 16, sizeof(fill_box_blocks_Listed_float_direct_parameters::div_ceil_y)},
-    {"to_extent", 20, sizeof(fill_box_blocks_Listed_float_direct_parameters::to_extent)},
-    {"div_ceil_y_2", 32, sizeof(fill_box_blocks_Listed_float_direct_parameters::div_ceil_y_2)},
-    {"div_ceil_x_2", 36, sizeof(fill_box_blocks_Listed_float_direct_parameters::div_ceil_x_2)},
-    {"to_table_extent", 40, sizeof(fill_box_blocks_Listed_float_direct_parameters::to_table_extent)},
-    {"to_frames_extent", 44, sizeof(fill_box_blocks_Listed_float_direct_parameters::to_frames_extent)},
+    {"div_ceil_y_2", 20, sizeof(fill_box_blocks_Listed_float_direct_parameters::div_ceil_y_2)},
+    {"div_ceil_x_2", 24, sizeof(fill_box_blocks_Listed_float_direct_parameters::div_ceil_x_2)},
+    {"to_table_extent", 28, sizeof(fill_box_blocks_Listed_float_direct_parameters::to_table_extent)},
+    {"to_frames_extent", 32, sizeof(fill_box_blocks_Listed_float_direct_parameters::to_frames_extent)},
+    {"to_extent", 40, sizeof(fill_box_blocks_Listed_float_direct_parameters::to_extent)},
     {"value", 52, sizeof(fill_box_blocks_Listed_float_direct_parameters::value)},
 };
 }  // namespace
@@ -881,14 +881,16 @@ const glift::Kernel fill_box_blocks_Listed_float_kernel = {
     .file = "transfer.glift",
     .line = 25,
     .rank = 2,
-    .group = {256, 1, 1},
-    .loop_rounds = 0,
+    .group = {64, 1, 1},
+    .loop_rounds = 9,
     .bindings = fill_box_blocks_Listed_float_bindings,
     .direct = {.host = &fill_box_blocks_Listed_float_direct, .parameter_bytes = 56},
     .general = {.host = &fill_box_blocks_Listed_float_general, .parameter_bytes = 68},
-    .wide = {.host = &fill_box_blocks_Listed_float_wide, .parameter_bytes = 96},
+    .wide = {.host = &fill_box_blocks_Listed_float_wide, .parameter_bytes = 104},
     .parameters = fill_box_blocks_Listed_float_parameters,
+    .items = {8, 1, 1},
     .of_blocks = true,
+    .longest_loop = {"transfer.glift", 25},
 };
 
 }  // namespace std_transfer

@@ -1,19 +1,20 @@
 #version 460
 // scale, blocks.glift:21: whole ranges, shared state.
+#extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_scalar_block_layout : require
 
-layout(local_size_x = 256) in;
+layout(local_size_x = 64) in;
 
 layout(scalar, set = 0, binding = 0) readonly buffer Parameters {
     uvec2 size;
     uint f_active_extent;
     uint div_ceil_x;
     uint div_ceil_y;
-    uvec3 f_extent;
     uint div_ceil_y_2;
     uint div_ceil_x_2;
     uint f_table_extent;
     uvec2 f_frames_extent;
+    uvec3 f_extent;
     float by;
 } parameters;
 
@@ -23,11 +24,11 @@ uvec2 size;
 uint f_active_extent;
 uint div_ceil_x;
 uint div_ceil_y;
-uvec3 f_extent;
 uint div_ceil_y_2;
 uint div_ceil_x_2;
 uint f_table_extent;
 uvec2 f_frames_extent;
+uvec3 f_extent;
 float by;
 
 layout(scalar, set = 0, binding = 1) readonly buffer G_active_data { uint g_active_data[]; };
@@ -42,18 +43,18 @@ void main() {
         f_active_extent = parameters.f_active_extent;
         div_ceil_x = parameters.div_ceil_x;
         div_ceil_y = parameters.div_ceil_y;
-        f_extent = parameters.f_extent;
         div_ceil_y_2 = parameters.div_ceil_y_2;
         div_ceil_x_2 = parameters.div_ceil_x_2;
         f_table_extent = parameters.f_table_extent;
         f_frames_extent = parameters.f_frames_extent;
+        f_extent = parameters.f_extent;
         by = parameters.by;
     }
     // blocks.glift:21
-    uvec2 address = uvec2(gl_GlobalInvocationID.x, gl_WorkGroupID.z * gl_NumWorkGroups.y
-        + gl_GlobalInvocationID.y);
+    uvec2 address = uvec2(gl_WorkGroupID.x * 512u + gl_LocalInvocationID.x, gl_WorkGroupID.z
+        * gl_NumWorkGroups.y + gl_GlobalInvocationID.y);
     if (any(greaterThanEqual(address, parameter(size)))) return;
-    uint in_block = address.x;
+    // Several elements of the block.
     bool g_active_value_inside = address.y < parameter(f_active_extent);
     uint g_active_value = g_active_data[g_active_value_inside ? address.y : 0u];
     uint rest = g_active_value_inside ? g_active_value : 0u;
@@ -61,26 +62,28 @@ void main() {
     uint rest_1 = rest / parameter(div_ceil_x);
     uint block_y = rest_1 % parameter(div_ceil_y);
     uint block_z = rest_1 / parameter(div_ceil_y);
-    if (block_x <= 536870911u && block_y <= 536870911u && block_z <= 536870911u
-        && all(lessThan(uvec3(block_x * 8u + in_block % 8u, block_y * 8u + in_block / 8u % 8u, block_z * 8u
-        + in_block / 64u), parameter(f_extent)))) {
-        uint f_table_address = (block_z * parameter(div_ceil_y_2) + block_y) * parameter(div_ceil_x_2)
-            + block_x;
-        bool f_table_value_inside = f_table_address < parameter(f_table_extent);
-        uint value = f_table_value_inside ? f_table_address : 0u;
-        uint f_table_value = f_table_data[value];
-        uint f_entry = f_table_value_inside ? f_table_value : 0u;
-        uint f_frames_index = f_entry - 1u;
-        uint f_at = f_frames_index * parameter(f_frames_extent).x + in_block;
-        bool f_found = !(f_entry == 0u) && f_frames_index < parameter(f_frames_extent).y;
-        uint g_table_value = g_table_data[value];
-        uint g_entry = f_table_value_inside ? g_table_value : 0u;
-        uint g_frames_index = g_entry - 1u;
-        uint g_at = g_frames_index * parameter(f_frames_extent).x + in_block;
-        bool g_found = !(g_entry == 0u) && g_frames_index < parameter(f_frames_extent).y;
-        float f_value = f_frames_data[f_found ? f_at : 0u];
-        if (g_found) {
-            g_frames_data[g_at] = parameter(by) * (f_found ? f_value : -1.0);
+    uint f_table_address = (block_z * parameter(div_ceil_y_2) + block_y) * parameter(div_ceil_x_2) + block_x;
+    bool f_table_value_inside = f_table_address < parameter(f_table_extent);
+    uint value = f_table_value_inside ? f_table_address : 0u;
+    uint f_table_value = f_table_data[value];
+    uint f_entry = f_table_value_inside ? f_table_value : 0u;
+    uint f_frames_index = f_entry - 1u;
+    bool f_found = !(f_entry == 0u) && f_frames_index < parameter(f_frames_extent).y;
+    uint g_table_value = g_table_data[value];
+    uint g_entry = f_table_value_inside ? g_table_value : 0u;
+    uint g_frames_index = g_entry - 1u;
+    bool g_found = !(g_entry == 0u) && g_frames_index < parameter(f_frames_extent).y;
+    [[unroll]] for (uint turn = 0u; turn < 8u; ++turn) {
+        uint in_block = address.x + turn * 64u;
+        if (block_x <= 536870911u && block_y <= 536870911u && block_z <= 536870911u
+            && all(lessThan(uvec3(block_x * 8u + in_block % 8u, block_y * 8u + in_block / 8u % 8u, block_z
+            * 8u + in_block / 64u), parameter(f_extent)))) {
+            uint f_at = f_frames_index * parameter(f_frames_extent).x + in_block;
+            uint g_at = g_frames_index * parameter(f_frames_extent).x + in_block;
+            float f_value = f_frames_data[f_found ? f_at : 0u];
+            if (g_found) {
+                g_frames_data[g_at] = parameter(by) * (f_found ? f_value : -1.0);
+            }
         }
     }
 }

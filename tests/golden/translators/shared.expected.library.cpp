@@ -632,8 +632,8 @@ struct write_box_416982b9_wide_parameters {
     uint to_origin;
     uint to_field_extent;
     uint to_field_table_extent;
-    uint2 to_field_frames_extent;
     std::uint64_t to_field_frames_extent_x;
+    uint to_field_frames_extent_y;
     std::uint64_t from_data_address;
     std::uint64_t to_field_table_data_address;
     std::uint64_t to_field_frames_data_address;
@@ -643,8 +643,8 @@ static_assert(offsetof(write_box_416982b9_wide_parameters, from_origin) == 4);
 static_assert(offsetof(write_box_416982b9_wide_parameters, to_origin) == 8);
 static_assert(offsetof(write_box_416982b9_wide_parameters, to_field_extent) == 12);
 static_assert(offsetof(write_box_416982b9_wide_parameters, to_field_table_extent) == 16);
-static_assert(offsetof(write_box_416982b9_wide_parameters, to_field_frames_extent) == 20);
-static_assert(offsetof(write_box_416982b9_wide_parameters, to_field_frames_extent_x) == 32);
+static_assert(offsetof(write_box_416982b9_wide_parameters, to_field_frames_extent_x) == 24);
+static_assert(offsetof(write_box_416982b9_wide_parameters, to_field_frames_extent_y) == 32);
 static_assert(offsetof(write_box_416982b9_wide_parameters, from_data_address) == 40);
 static_assert(offsetof(write_box_416982b9_wide_parameters, to_field_table_data_address) == 48);
 static_assert(offsetof(write_box_416982b9_wide_parameters, to_field_frames_data_address) == 56);
@@ -666,8 +666,8 @@ GLIFT_SHARED void write_box_416982b9(const glift::Commands& commands, const glif
             .to_origin = to.origin(),
             .to_field_extent = to->field().extent(),
             .to_field_table_extent = to->field().table().extent(),
-            .to_field_frames_extent = to->field().frames().extent(),
             .to_field_frames_extent_x = std::uint64_t(to->field().frames().extent().x),
+            .to_field_frames_extent_y = to->field().frames().extent().y,
             .from_data_address = 0u,
             .to_field_table_data_address = 0u,
             .to_field_frames_data_address = 0u,
@@ -732,9 +732,9 @@ struct fill_box_shared_Same_float_wide_parameters {
     uint to_origin;
     uint to_field_extent;
     uint to_field_table_extent;
-    uint2 to_field_frames_extent;
-    float value;
     std::uint64_t to_field_frames_extent_x;
+    uint to_field_frames_extent_y;
+    float value;
     std::uint64_t to_field_table_data_address;
     std::uint64_t to_field_frames_data_address;
 };
@@ -742,11 +742,11 @@ static_assert(offsetof(fill_box_shared_Same_float_wide_parameters, size) == 0);
 static_assert(offsetof(fill_box_shared_Same_float_wide_parameters, to_origin) == 4);
 static_assert(offsetof(fill_box_shared_Same_float_wide_parameters, to_field_extent) == 8);
 static_assert(offsetof(fill_box_shared_Same_float_wide_parameters, to_field_table_extent) == 12);
-static_assert(offsetof(fill_box_shared_Same_float_wide_parameters, to_field_frames_extent) == 16);
-static_assert(offsetof(fill_box_shared_Same_float_wide_parameters, value) == 24);
-static_assert(offsetof(fill_box_shared_Same_float_wide_parameters, to_field_frames_extent_x) == 32);
-static_assert(offsetof(fill_box_shared_Same_float_wide_parameters, to_field_table_data_address) == 40);
-static_assert(offsetof(fill_box_shared_Same_float_wide_parameters, to_field_frames_data_address) == 48);
+static_assert(offsetof(fill_box_shared_Same_float_wide_parameters, to_field_frames_extent_x) == 16);
+static_assert(offsetof(fill_box_shared_Same_float_wide_parameters, to_field_frames_extent_y) == 24);
+static_assert(offsetof(fill_box_shared_Same_float_wide_parameters, value) == 28);
+static_assert(offsetof(fill_box_shared_Same_float_wide_parameters, to_field_table_data_address) == 32);
+static_assert(offsetof(fill_box_shared_Same_float_wide_parameters, to_field_frames_data_address) == 40);
 }  // namespace
 
 extern const glift::Kernel fill_box_shared_Same_float_kernel;
@@ -763,9 +763,9 @@ GLIFT_SHARED void fill_box_shared_Same_float(const glift::Commands& commands, co
             .to_origin = to.origin(),
             .to_field_extent = to->field().extent(),
             .to_field_table_extent = to->field().table().extent(),
-            .to_field_frames_extent = to->field().frames().extent(),
-            .value = value,
             .to_field_frames_extent_x = std::uint64_t(to->field().frames().extent().x),
+            .to_field_frames_extent_y = to->field().frames().extent().y,
+            .value = value,
             .to_field_table_data_address = 0u,
             .to_field_frames_data_address = 0u,
         };

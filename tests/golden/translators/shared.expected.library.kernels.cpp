@@ -1049,7 +1049,7 @@ static void write_box_416982b9_direct_rows(const glift::HostCall& call, const gl
         GLIFT_INDEPENDENT
         for (uint x = row.begin; x < row.end; ++x) {
             const uint address = x;
-            // transfer.glift:21
+            // transfer.glift:20
             bool to_field_either = address >= to_field_extent;
             if (!to_field_either) {
                 const uint to_field_table_address = address / 16u;
@@ -1072,9 +1072,11 @@ static void write_box_416982b9_direct_rows(const glift::HostCall& call, const gl
                 to_field_found = true;
             }
             const uint2 to_field_place = to_field_result;
-            if (to_field_found && glift::all(glift::lessThan(to_field_place, to_field_frames_extent))) {
-                to_field_frames_data[to_field_place.y * to_field_frames_extent.x
-                    + to_field_place.x] = from_data[address];
+            const uint to_at = to_field_place.y * to_field_frames_extent.x + to_field_place.x;
+            const bool to_found = to_field_found && to_field_place.y < to_field_frames_extent.y;
+            // transfer.glift:21
+            if (to_found) {
+                to_field_frames_data[to_at] = from_data[address];
             }
         }
     }
@@ -1119,6 +1121,7 @@ static void write_box_416982b9_general_rows(const glift::HostCall& call, const g
             // transfer.glift:21
             const uint from_address = from_origin + address;
             const uint to_address = to_origin + address;
+            // transfer.glift:20
             bool to_field_either = to_address >= to_field_extent;
             if (!to_field_either) {
                 const uint to_field_table_address = to_address / 16u;
@@ -1142,9 +1145,11 @@ static void write_box_416982b9_general_rows(const glift::HostCall& call, const g
                 to_field_found = true;
             }
             const uint2 to_field_place = to_field_result;
-            if (to_field_found && glift::all(glift::lessThan(to_field_place, to_field_frames_extent))) {
-                to_field_frames_data[to_field_place.y * to_field_frames_extent.x
-                    + to_field_place.x] = from_data[from_address];
+            const uint to_at = to_field_place.y * to_field_frames_extent.x + to_field_place.x;
+            const bool to_found = to_field_found && to_field_place.y < to_field_frames_extent.y;
+            // transfer.glift:21
+            if (to_found) {
+                to_field_frames_data[to_at] = from_data[from_address];
             }
         }
     }
@@ -1161,8 +1166,8 @@ struct write_box_416982b9_wide_parameters {
     uint to_origin;
     uint to_field_extent;
     uint to_field_table_extent;
-    uint2 to_field_frames_extent;
     std::uint64_t to_field_frames_extent_x;
+    uint to_field_frames_extent_y;
     std::uint64_t from_data_address;
     std::uint64_t to_field_table_data_address;
     std::uint64_t to_field_frames_data_address;
@@ -1172,8 +1177,8 @@ static_assert(offsetof(write_box_416982b9_wide_parameters, from_origin) == 4);
 static_assert(offsetof(write_box_416982b9_wide_parameters, to_origin) == 8);
 static_assert(offsetof(write_box_416982b9_wide_parameters, to_field_extent) == 12);
 static_assert(offsetof(write_box_416982b9_wide_parameters, to_field_table_extent) == 16);
-static_assert(offsetof(write_box_416982b9_wide_parameters, to_field_frames_extent) == 20);
-static_assert(offsetof(write_box_416982b9_wide_parameters, to_field_frames_extent_x) == 32);
+static_assert(offsetof(write_box_416982b9_wide_parameters, to_field_frames_extent_x) == 24);
+static_assert(offsetof(write_box_416982b9_wide_parameters, to_field_frames_extent_y) == 32);
 static_assert(offsetof(write_box_416982b9_wide_parameters, from_data_address) == 40);
 static_assert(offsetof(write_box_416982b9_wide_parameters, to_field_table_data_address) == 48);
 static_assert(offsetof(write_box_416982b9_wide_parameters, to_field_frames_data_address) == 56);
@@ -1186,8 +1191,8 @@ static void write_box_416982b9_wide_rows(const glift::HostCall& call, const glif
     const uint to_origin = parameters.to_origin;
     const uint to_field_extent = parameters.to_field_extent;
     const uint to_field_table_extent = parameters.to_field_table_extent;
-    const uint2 to_field_frames_extent = parameters.to_field_frames_extent;
     const std::uint64_t to_field_frames_extent_x = parameters.to_field_frames_extent_x;
+    const uint to_field_frames_extent_y = parameters.to_field_frames_extent_y;
     const float* from_data = glift::host::elements<const float>(call.memories[0]);
     const uint* to_field_table_data = glift::host::elements<const uint>(call.memories[1]);
     float* to_field_frames_data = glift::host::elements<float>(call.memories[2]);
@@ -1201,6 +1206,7 @@ static void write_box_416982b9_wide_rows(const glift::HostCall& call, const glif
             const std::uint64_t from_at = std::uint64_t(from_address);
             // transfer.glift:21
             const uint to_address = to_origin + address;
+            // transfer.glift:20
             bool to_field_either = to_address >= to_field_extent;
             if (!to_field_either) {
                 const uint to_field_table_address = to_address / 16u;
@@ -1226,9 +1232,12 @@ static void write_box_416982b9_wide_rows(const glift::HostCall& call, const glif
                 to_field_found = true;
             }
             const uint2 to_field_place = to_field_result;
-            if (to_field_found && glift::all(glift::lessThan(to_field_place, to_field_frames_extent))) {
-                to_field_frames_data[std::uint64_t(to_field_place.y) * to_field_frames_extent_x
-                    + std::uint64_t(to_field_place.x)] = from_data[from_at];
+            const std::uint64_t to_at = std::uint64_t(to_field_place.y) * to_field_frames_extent_x
+                + std::uint64_t(to_field_place.x);
+            const bool to_found = to_field_found && to_field_place.y < to_field_frames_extent_y;
+            // transfer.glift:21
+            if (to_found) {
+                to_field_frames_data[to_at] = from_data[from_at];
             }
         }
     }
@@ -1267,6 +1276,7 @@ const glift::Kernel write_box_416982b9_kernel = {
     .general = {.host = &write_box_416982b9_general, .parameter_bytes = 28},
     .wide = {.host = &write_box_416982b9_wide, .parameter_bytes = 64},
     .parameters = write_box_416982b9_parameters,
+    .items = {2, 1, 1},
 };
 
 // ----------------------------------------------------------------------------------------------------
@@ -1298,7 +1308,7 @@ static void fill_box_shared_Same_float_direct_rows(const glift::HostCall& call, 
         GLIFT_INDEPENDENT
         for (uint x = row.begin; x < row.end; ++x) {
             const uint address = x;
-            // transfer.glift:26
+            // transfer.glift:25
             bool to_field_either = address >= to_field_extent;
             if (!to_field_either) {
                 const uint to_field_table_address = address / 16u;
@@ -1321,8 +1331,11 @@ static void fill_box_shared_Same_float_direct_rows(const glift::HostCall& call, 
                 to_field_found = true;
             }
             const uint2 to_field_place = to_field_result;
-            if (to_field_found && glift::all(glift::lessThan(to_field_place, to_field_frames_extent))) {
-                to_field_frames_data[to_field_place.y * to_field_frames_extent.x + to_field_place.x] = value;
+            const uint to_at = to_field_place.y * to_field_frames_extent.x + to_field_place.x;
+            const bool to_found = to_field_found && to_field_place.y < to_field_frames_extent.y;
+            // transfer.glift:26
+            if (to_found) {
+                to_field_frames_data[to_at] = value;
             }
         }
     }
@@ -1365,6 +1378,7 @@ static void fill_box_shared_Same_float_general_rows(const glift::HostCall& call,
             const uint address = x;
             // transfer.glift:26
             const uint to_address = to_origin + address;
+            // transfer.glift:25
             bool to_field_either = to_address >= to_field_extent;
             if (!to_field_either) {
                 const uint to_field_table_address = to_address / 16u;
@@ -1388,8 +1402,11 @@ static void fill_box_shared_Same_float_general_rows(const glift::HostCall& call,
                 to_field_found = true;
             }
             const uint2 to_field_place = to_field_result;
-            if (to_field_found && glift::all(glift::lessThan(to_field_place, to_field_frames_extent))) {
-                to_field_frames_data[to_field_place.y * to_field_frames_extent.x + to_field_place.x] = value;
+            const uint to_at = to_field_place.y * to_field_frames_extent.x + to_field_place.x;
+            const bool to_found = to_field_found && to_field_place.y < to_field_frames_extent.y;
+            // transfer.glift:26
+            if (to_found) {
+                to_field_frames_data[to_at] = value;
             }
         }
     }
@@ -1405,9 +1422,9 @@ struct fill_box_shared_Same_float_wide_parameters {
     uint to_origin;
     uint to_field_extent;
     uint to_field_table_extent;
-    uint2 to_field_frames_extent;
-    float value;
     std::uint64_t to_field_frames_extent_x;
+    uint to_field_frames_extent_y;
+    float value;
     std::uint64_t to_field_table_data_address;
     std::uint64_t to_field_frames_data_address;
 };
@@ -1415,11 +1432,11 @@ static_assert(offsetof(fill_box_shared_Same_float_wide_parameters, size) == 0);
 static_assert(offsetof(fill_box_shared_Same_float_wide_parameters, to_origin) == 4);
 static_assert(offsetof(fill_box_shared_Same_float_wide_parameters, to_field_extent) == 8);
 static_assert(offsetof(fill_box_shared_Same_float_wide_parameters, to_field_table_extent) == 12);
-static_assert(offsetof(fill_box_shared_Same_float_wide_parameters, to_field_frames_extent) == 16);
-static_assert(offsetof(fill_box_shared_Same_float_wide_parameters, value) == 24);
-static_assert(offsetof(fill_box_shared_Same_float_wide_parameters, to_field_frames_extent_x) == 32);
-static_assert(offsetof(fill_box_shared_Same_float_wide_parameters, to_field_table_data_address) == 40);
-static_assert(offsetof(fill_box_shared_Same_float_wide_parameters, to_field_frames_data_address) == 48);
+static_assert(offsetof(fill_box_shared_Same_float_wide_parameters, to_field_frames_extent_x) == 16);
+static_assert(offsetof(fill_box_shared_Same_float_wide_parameters, to_field_frames_extent_y) == 24);
+static_assert(offsetof(fill_box_shared_Same_float_wide_parameters, value) == 28);
+static_assert(offsetof(fill_box_shared_Same_float_wide_parameters, to_field_table_data_address) == 32);
+static_assert(offsetof(fill_box_shared_Same_float_wide_parameters, to_field_frames_data_address) == 40);
 
 // transfer.glift:25: fill_box<Same, float>, some rows.
 GLIFT_HOST_KERNEL
@@ -1428,9 +1445,9 @@ static void fill_box_shared_Same_float_wide_rows(const glift::HostCall& call, co
     const uint to_origin = parameters.to_origin;
     const uint to_field_extent = parameters.to_field_extent;
     const uint to_field_table_extent = parameters.to_field_table_extent;
-    const uint2 to_field_frames_extent = parameters.to_field_frames_extent;
-    const float value = parameters.value;
     const std::uint64_t to_field_frames_extent_x = parameters.to_field_frames_extent_x;
+    const uint to_field_frames_extent_y = parameters.to_field_frames_extent_y;
+    const float value = parameters.value;
     const uint* to_field_table_data = glift::host::elements<const uint>(call.memories[0]);
     float* to_field_frames_data = glift::host::elements<float>(call.memories[1]);
     for (const glift::host::Row row : rows) {
@@ -1439,6 +1456,7 @@ static void fill_box_shared_Same_float_wide_rows(const glift::HostCall& call, co
             const uint address = x;
             // transfer.glift:26
             const uint to_address = to_origin + address;
+            // transfer.glift:25
             bool to_field_either = to_address >= to_field_extent;
             if (!to_field_either) {
                 const uint to_field_table_address = to_address / 16u;
@@ -1464,9 +1482,12 @@ static void fill_box_shared_Same_float_wide_rows(const glift::HostCall& call, co
                 to_field_found = true;
             }
             const uint2 to_field_place = to_field_result;
-            if (to_field_found && glift::all(glift::lessThan(to_field_place, to_field_frames_extent))) {
-                to_field_frames_data[std::uint64_t(to_field_place.y) * to_field_frames_extent_x
-                    + std::uint64_t(to_field_place.x)] = value;
+            const std::uint64_t to_at = std::uint64_t(to_field_place.y) * to_field_frames_extent_x
+                + std::uint64_t(to_field_place.x);
+            const bool to_found = to_field_found && to_field_place.y < to_field_frames_extent_y;
+            // transfer.glift:26
+            if (to_found) {
+                to_field_frames_data[to_at] = value;
             }
         }
     }
@@ -1479,9 +1500,9 @@ static void fill_box_shared_Same_float_wide(const glift::HostCall& call) {
 
 const glift::Binding fill_box_shared_Same_float_bindings[] = {
     {.name = "to.field.table.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read,
-        .address_offset = 40, .element_bytes = sizeof(uint)},
+        .address_offset = 32, .element_bytes = sizeof(uint)},
     {.name = "to.field.frames.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write,
-        .address_offset = 48, .element_bytes = sizeof(float), .reach = glift::Reach::element},
+        .address_offset = 40, .element_bytes = sizeof(float), .reach = glift::Reach::element},
 };
 constexpr glift::Parameter fill_box_shared_Same_float_parameters[] = {
     {"to_field_extent", 0, sizeof(fill_box_shared_Same_float_direct_parameters::to_field_extent)},
@@ -1502,8 +1523,9 @@ const glift::Kernel fill_box_shared_Same_float_kernel = {
     .bindings = fill_box_shared_Same_float_bindings,
     .direct = {.host = &fill_box_shared_Same_float_direct, .parameter_bytes = 20, .push_constants = true},
     .general = {.host = &fill_box_shared_Same_float_general, .parameter_bytes = 28},
-    .wide = {.host = &fill_box_shared_Same_float_wide, .parameter_bytes = 56},
+    .wide = {.host = &fill_box_shared_Same_float_wide, .parameter_bytes = 48},
     .parameters = fill_box_shared_Same_float_parameters,
+    .items = {2, 1, 1},
 };
 
 // ----------------------------------------------------------------------------------------------------
