@@ -37,12 +37,13 @@ struct Part {
     bool is_inside = false;                 ///< of a loop over pixels
     bool has_helpers = false;               ///< pixels beside the triangle take part, for their neighbours' derivatives
     bool is_split = false;                  ///< several loops, between which some fragments may have ended
+    const Stmt* last = nullptr;             ///< the last loop, if nothing follows it
 
     Part(cpp::Globals& globals, const ir::Pass& pass);
 
     void declare_array(LocalId local);
     void print_varyings(const std::vector<StmtId>& list, Reads reads);
-    void print_invocations(const std::vector<StmtId>& list);
+    void print_invocations(const Stmt& loop);
     void print_leave(bool returns_in_loop);
     void print_statement(const Stmt& stmt, const std::function<void(const Stmt&)>& print_other);
     cpp::Text derivative(const ir::Expr& expr);
@@ -98,8 +99,11 @@ void Part::print_leave(bool in_loop) {
     p.out.line(in_loop ? "return;" : "continue;");
 }
 
-void Part::print_invocations(const std::vector<StmtId>& list) {
-    p.out.open("for (std::uint64_t left = running; left != 0; left &= left - 1)");
+/// In the last loop no neighbour needs what a helper has, so that helpers take no part in it.
+void Part::print_invocations(const Stmt& loop) {
+    const std::vector<StmtId>& list = loop.body;
+    const std::string pixels = has_helpers && &loop == last ? "running & drawn" : "running";
+    p.out.open("for (std::uint64_t left = " + pixels + "; left != 0; left &= left - 1)");
     p.out.line("[[maybe_unused]] const std::uint32_t pixel = glift::host::first_of(left);");
     p.names.enter();
     is_inside = true;
@@ -121,7 +125,7 @@ void Part::print_invocations(const std::vector<StmtId>& list) {
 
 void Part::print_statement(const Stmt& stmt, const std::function<void(const Stmt&)>& print_other) {
     if (stmt.op == StmtOp::keep) return declare_array(stmt.local);
-    if (stmt.op == StmtOp::invocations) return print_invocations(stmt.body);
+    if (stmt.op == StmtOp::invocations) return print_invocations(stmt);
     if (stmt.op == StmtOp::barrier) return p.out.line("// all pixels of a quad");
     if (stmt.op == StmtOp::discard) {
         p.out.line("drawn &= ~(std::uint64_t{1} << pixel);");
@@ -171,7 +175,10 @@ std::string fragment_part(cpp::Globals& globals, const ir::Pass& pass, const std
                            [&](const Stmt& stmt) { part.has_helpers |= stmt.op == StmtOp::barrier; });
     // Who leaves in the last loop is missed by none.
     std::vector<StmtId> before = statements;
-    if (!before.empty() && globals.program.stmts[before.back()].op == StmtOp::invocations) before.pop_back();
+    if (!before.empty() && globals.program.stmts[before.back()].op == StmtOp::invocations) {
+        part.last = &globals.program.stmts[before.back()];
+        before.pop_back();
+    }
     part.is_split = has_leave(globals.program, before);
 
     p.out.indent();

@@ -64,7 +64,7 @@ static void draw_mesh_direct_fragment(const void* pointer, const glift::host::Fr
         derived[pixel] = world;
     }
     // all pixels of a quad
-    for (std::uint64_t left = running; left != 0; left &= left - 1) {
+    for (std::uint64_t left = running & drawn; left != 0; left &= left - 1) {
         [[maybe_unused]] const std::uint32_t pixel = glift::host::first_of(left);
         const float3 normal = glift::normalize(glift::cross(glift::host::dFdx(derived, pixel),
             glift::host::dFdy(derived, pixel)));
@@ -161,7 +161,7 @@ static void draw_mesh_general_fragment(const void* pointer, const glift::host::F
         derived[pixel] = world;
     }
     // all pixels of a quad
-    for (std::uint64_t left = running; left != 0; left &= left - 1) {
+    for (std::uint64_t left = running & drawn; left != 0; left &= left - 1) {
         [[maybe_unused]] const std::uint32_t pixel = glift::host::first_of(left);
         const float3 normal = glift::normalize(glift::cross(glift::host::dFdx(derived, pixel),
             glift::host::dFdy(derived, pixel)));
@@ -266,7 +266,7 @@ static void draw_mesh_wide_fragment(const void* pointer, const glift::host::Frag
         derived[pixel] = world;
     }
     // all pixels of a quad
-    for (std::uint64_t left = running; left != 0; left &= left - 1) {
+    for (std::uint64_t left = running & drawn; left != 0; left &= left - 1) {
         [[maybe_unused]] const std::uint32_t pixel = glift::host::first_of(left);
         const float3 normal = glift::normalize(glift::cross(glift::host::dFdx(derived, pixel),
             glift::host::dFdy(derived, pixel)));
