@@ -25,7 +25,7 @@ struct Drawing {
 
     explicit Drawing(const glift::Device& device) : corners(device, 6), count(device, 1), picture(device, size) {
         corners.write(joined(everything(0.5f), left_half(0.25f)));
-        count.write({6});
+        count.fill(6);
     }
     void show(const glift::Commands& commands) const { draws::show(commands, corners, count, picture); }
     /// Of the first row: at the left, at the right.
@@ -43,8 +43,8 @@ TEST(Draws, AreReplayedWithOneSubmission) {
     const auto device = glift::vulkan::adopt(mine.objects());
     Drawing drawing(device);
     const auto recording = device.record([&](const glift::Commands& commands) { drawing.show(commands); });
-    device.wait();
     const auto replayed = [&] {
+        device.wait();  // what was written before
         const auto before = device.statistics().submissions;
         recording.submit();
         EXPECT_EQ(device.statistics().submissions - before, 1u);
@@ -55,9 +55,9 @@ TEST(Draws, AreReplayedWithOneSubmission) {
     drawing.corners.write(joined(everything(0.75f), left_half(0.875f)));
     EXPECT_EQ(replayed(), Ends(shade_of(0.75f), shade_of(0.75f)));
     drawing.corners.write(joined(left_half(0.125f), everything(0.5f)));
-    drawing.count.write({5});  // one triangle, and two corners of none
+    drawing.count.fill(5);  // one triangle, and two corners of none
     EXPECT_EQ(replayed(), Ends(shade_of(0.125f), 0));
-    drawing.count.write({0});
+    drawing.count.fill(0);
     EXPECT_EQ(replayed(), Ends(0, 0));
     for (const std::string& message : device.validation_messages()) ADD_FAILURE() << message;
 }
@@ -68,7 +68,7 @@ TEST(Draws, AreReplayedOnTheHost) {
     const auto recording = device.record([&](const glift::Commands& commands) { drawing.show(commands); });
     recording.submit();
     EXPECT_EQ(drawing.ends(), Ends(shade_of(0.25f), shade_of(0.5f)));
-    drawing.count.write({3});
+    drawing.count.fill(3);
     recording.submit();
     EXPECT_EQ(drawing.ends(), Ends(shade_of(0.5f), shade_of(0.5f)));
 }
