@@ -2,9 +2,11 @@
 
 #include "ir/walk.h"
 #include "lower/rewrite.h"
+#include "lower/share.h"
 #include "lower/slopes.h"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <set>
 #include <utility>
@@ -133,42 +135,66 @@ std::optional<std::vector<StmtId>> marked(Context& cx, const Variant& variant, c
 }
 
 bool is_clamp(const Program& program, const Expr& node) {
-    return node.op == Op::intrinsic && node.type == program.types.int_ &&
+    if (node.op != Op::intrinsic) return false;
+    if (node.type == program.types.uint) return node.intrinsic == Intrinsic::min;
+    return node.type == program.types.int_ &&
            (node.intrinsic == Intrinsic::clamp || node.intrinsic == Intrinsic::min || node.intrinsic == Intrinsic::max);
 }
 
-/// Calls of clamp, min and max on a signed integer that advances by one along the row: in the middle of the row they
-/// change nothing, whatever translator they come from.
-std::set<ExprId> row_clamps(const Context& cx, const Variant& variant) {
-    const std::vector<StmtId>& body = variant.body;
-    std::set<ExprId> clamps;
+/// x < n ? x : …, as what leads back into a domain has it.
+bool is_choice_of_inside(const Program& program, const Expr& node) {
+    if (node.op != Op::select || node.type != program.types.uint) return false;
+    const Expr& condition = program.exprs[node.operands[0]];
+    return condition.op == Op::binary && condition.binary == BinaryOp::less &&
+           program.exprs[condition.operands[0]].type == program.types.uint;
+}
+
+/// What changes nothing in the middle of a row, whatever translator it comes from: clamp, min and max of an integer
+/// that advances by one along the row, and choices of what is inside. With the operand that each of them is there.
+using Identities = std::map<ExprId, ExprId>;
+
+Identities row_identities(const Context& cx, const Variant& variant, const std::vector<StmtId>& body) {
+    Identities found;
     for_each_expression_of_trees(cx.p, body, [&](ExprId id) {
-        if (is_clamp(cx.p, cx.p.exprs[id])) clamps.insert(id);
+        const Expr& node = cx.p.exprs[id];
+        if (is_clamp(cx.p, node)) found.emplace(id, node.operands[0]);
+        else if (is_choice_of_inside(cx.p, node)) found.emplace(id, node.operands[1]);
     });
-    if (clamps.empty()) return clamps;
+    if (found.empty()) return found;
     RowSlopes slopes = slopes_of(cx, variant);
     for (StmtId id : body) slopes.learn(cx.p.stmts[id]);
-    std::erase_if(clamps, [&](ExprId id) {
-        const Operands& operands = cx.p.exprs[id].operands;
-        bool is_known = slopes.is_row(operands[0]);
+    std::erase_if(found, [&](const auto& identity) {
+        const Expr& node = cx.p.exprs[identity.first];
+        const bool is_choice = node.op == Op::select;
+        const Operands& operands = is_choice ? cx.p.exprs[node.operands[0]].operands : node.operands;
+        bool is_known = slopes.is_row(operands[0]) && slopes.is_row(identity.second);
         for (std::size_t i = 1; i < operands.size(); ++i) is_known = is_known && slopes.is_steady(operands[i]);
         return !is_known;
     });
-    return clamps;
+    return found;
 }
 
-/// What holds where a clamp changes nothing.
-Bounds bounds_of(const Expr& clamp) {
-    const Operands& operands = clamp.operands;
-    if (clamp.intrinsic == Intrinsic::clamp) return {operands[0], operands[1], operands[2]};
-    return clamp.intrinsic == Intrinsic::min ? Bounds{operands[0], {}, operands[1]}
-                                             : Bounds{operands[0], operands[1], {}};
+/// What holds where it changes nothing.
+Bounds bounds_of(Context& cx, const Expr& identity) {
+    const Operands& operands = identity.operands;
+    const TypeId signed_type = cx.p.types.int_;
+    const auto as_signed = [&](ExprId id) { return cx.make.convert(signed_type, id); };
+    const ExprId zero = cx.make.integer(signed_type, 0);
+    if (identity.op == Op::select) {
+        const Operands compared = cx.p.exprs[operands[0]].operands;
+        const ExprId last = cx.make.binary(BinaryOp::subtract, as_signed(compared[1]), cx.make.integer(signed_type, 1));
+        return {as_signed(compared[0]), zero, last};
+    }
+    if (identity.type == cx.p.types.uint) return {as_signed(operands[0]), zero, as_signed(operands[1])};
+    if (identity.intrinsic == Intrinsic::clamp) return {operands[0], operands[1], operands[2]};
+    return identity.intrinsic == Intrinsic::min ? Bounds{operands[0], {}, operands[1]}
+                                                : Bounds{operands[0], operands[1], {}};
 }
 
-/// The statements with the first operand in place of each clamp.
+/// The statements with the operand in place of each identity.
 class Unclamping {
 public:
-    Unclamping(Context& context, const std::set<ExprId>& identities) : cx(context), clamps_(identities) {}
+    Unclamping(Context& context, const Identities& identities) : cx(context), identities_(identities) {}
 
     std::vector<StmtId> run(const std::vector<StmtId>& body) {
         std::vector<StmtId> result;
@@ -185,12 +211,12 @@ public:
 
 private:
     ExprId visited(ExprId id) {
-        if (clamps_.contains(id)) return visited(cx.p.exprs[id].operands[0]);
+        if (const auto found = identities_.find(id); found != identities_.end()) return visited(found->second);
         return with_operands_visited(cx, id, [&](ExprId operand) { return visited(operand); });
     }
 
     Context& cx;
-    const std::set<ExprId>& clamps_;
+    const Identities& identities_;
 };
 
 bool is_independent(const Context& cx, const std::vector<StmtId>& body) {
@@ -220,14 +246,21 @@ RowOrder order_of(const Context& cx, const Variant& variant) {
     return is_of_middle && may_be_repeated(cx, variant.body) ? RowOrder::in_blocks : RowOrder::any;
 }
 
-/// For where the clamps change nothing; none if that makes no access one of a row.
+/// For where clamps and choices change nothing; none if that makes no access one of a row.
 std::optional<Variant> unclamped(Context& cx, const Variant& variant) {
-    const std::set<ExprId> clamps = row_clamps(cx, variant);
-    if (clamps.empty()) return std::nullopt;
-    std::optional<std::vector<StmtId>> body = marked(cx, variant, Unclamping(cx, clamps).run(variant.body));
-    if (!body) return std::nullopt;
-    Variant made{Part::whole, Devices::host, variant.assumes, std::move(*body), variant.block};
-    for (ExprId clamp : clamps) made.assumes.bounds.push_back(bounds_of(cx.p.exprs[clamp]));
+    std::vector<StmtId> body = variant.body;
+    Variant made{Part::whole, Devices::host, variant.assumes, {}, variant.block};
+    // What is clamped on one side and then on the other.
+    for (int round = 0; round < 2; ++round) {
+        const Identities identities = row_identities(cx, variant, body);
+        for (const auto& [identity, inner] : identities)
+            made.assumes.bounds.push_back(bounds_of(cx, Expr(cx.p.exprs[identity])));
+        body = Unclamping(cx, identities).run(body);
+    }
+    if (made.assumes.bounds.size() == variant.assumes.bounds.size()) return std::nullopt;
+    std::optional<std::vector<StmtId>> rows = marked(cx, variant, body);
+    if (!rows) return std::nullopt;
+    made.body = drop_dead(cx, *rows);
     made.order = order_of(cx, made);
     return made;
 }
