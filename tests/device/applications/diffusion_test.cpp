@@ -272,7 +272,7 @@ TEST_P(Diffusion, SpreadsAPointAsWideAsItsCircle) {
 
 /// Both are measured in turns until the shortest times of both agree: others use this machine, too.
 TEST_P(Diffusion, TakesAsLongForEveryBlur) {
-    const Images narrow(device, random_input({384, 384}, 2, 1)), wide(device, random_input({384, 384}, 200, 1));
+    const Images narrow(device, random_input({256, 256}, 2, 1)), wide(device, random_input({256, 256}, 200, 1));
     const auto seconds = [&](const Images& images) {
         const auto start = std::chrono::steady_clock::now();
         blur(images, Layers::two);
