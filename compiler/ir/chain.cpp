@@ -1,5 +1,7 @@
 #include "ir/chain.h"
 
+#include "ir/walk.h"
+
 #include <algorithm>
 
 namespace gliftc::ir {
@@ -46,6 +48,36 @@ std::optional<Place> blocks_of(const Program& program, const Structure& structur
         link = &structure_at(program, *link, link->base);
     }
     return at;
+}
+
+namespace {
+
+/// The places that a function reads, or hands on, where its structures are at these.
+void add_places(const Program& program, FunctionId function, const std::vector<Place>& at, std::vector<Place>& found) {
+    const auto resolved = [&](const Place& place) {
+        Place whole = at[place.root];
+        whole.members.append(place.members);
+        return whole;
+    };
+    for_each_expression(program, program.functions[function].body, [&](ExprId id) {
+        const Expr& node = program.exprs[id];
+        if (node.op == Op::read || node.op == Op::sample || node.op == Op::translate) {
+            Place place = resolved(node.place);
+            if (std::ranges::find(found, place) == found.end()) found.push_back(std::move(place));
+        }
+        if (node.op != Op::call || node.places.empty()) return;
+        std::vector<Place> handed;
+        for (const Place& place : node.places) handed.push_back(resolved(place));
+        add_places(program, node.function, handed, found);
+    });
+}
+
+}  // namespace
+
+std::vector<Place> places_of_blocks(const Program& program, const Blocks& blocks) {
+    std::vector<Place> found;
+    for (FunctionId function : {blocks.count, blocks.first}) add_places(program, function, {Place{}}, found);
+    return found;
 }
 
 const Blocks* visited_blocks(const Program& program, const Kernel& kernel) {

@@ -23,6 +23,9 @@ const Memory& root_memory(const Program& program, const Structure& structure);
 /// Absent: the whole domain is one block.
 std::optional<Place> blocks_of(const Program& program, const Structure& structure, const Place& place);
 
+/// What the functions of blocks read: places over the structure that declares them.
+std::vector<Place> places_of_blocks(const Program& program, const Blocks& blocks);
+
 /// The blocks that a kernel visits; null: whole ranges.
 const Blocks* visited_blocks(const Program& program, const Kernel& kernel);
 

@@ -417,6 +417,7 @@ struct Kernel {
     std::optional<Raster> raster;  ///< of a draw, whose body is the vertex part
     /// The parameter whose blocks are visited; none: the whole range is.
     std::optional<std::uint32_t> space;
+    std::vector<std::uint32_t> same_space;  ///< parameters whose blocks must be the same ones in every call
     std::string doc;
     bool grouped() const { return group[0] != 0; }
 };

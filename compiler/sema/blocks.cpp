@@ -212,6 +212,7 @@ void find_space(Context& c, ir::Kernel& kernel) {
         return;
     }
     kernel.space = params[0];
+    kernel.same_space.assign(params.begin() + 1, params.end());
     const ir::Blocks& blocks = *c.program.structures[owner].blocks;
     if (blocks.is_known || blocks.counter) return;
     const auto counter = pipeline_of_function(c, blocks.count, kernel.span);  // may add structures

@@ -61,6 +61,17 @@ std::span<const Patch> Iteration::patches(std::initializer_list<std::size_t> off
     return {patches_.data(), patch_count_};
 }
 
+void Iteration::same_blocks(const char* first, const char* other,
+                            std::initializer_list<std::pair<Memory, Memory>> memories) const {
+    for (const auto& [one, two] : memories) {
+        if (one == two) continue;
+        throw Error(ErrorCode::wrong_argument, "structures with different blocks", place_of(kernel_),
+                    std::string(first) + " and " + other +
+                        " are visited together, and have lists of their own of what is there",
+                    "pass two structures over one list, or write one of them by its address");
+    }
+}
+
 void Iteration::count_blocks(std::size_t offset) {
     if (!block_count_) return;
     if (patch_count_ == patches_.size()) throw_patches();

@@ -47,6 +47,22 @@ std::string object_of(const Unit& unit, const KernelParam& param) {
     return param_name(unit, param) + (is_container(unit, param) ? "." : "->");
 }
 
+/// The memory that holds the elements at a place of a structure passed for a parameter; empty: they are computed.
+std::string memory_text(Unit& unit, const KernelParam& param, const ir::Place& place) {
+    const ir::Structure& whole = unit.program.structures[param.structure];
+    const ir::Structure& at = ir::structure_at(unit.program, whole, place.members);
+    if (ir::is_computed(unit.program, at)) return "";
+    const ir::Place root = ir::root_of(unit.program, at, place);
+    std::string object = object_of(unit, param);
+    std::uint32_t structure = param.structure;
+    for (std::uint32_t member : root.members) {
+        object += unit.globals.class_names[structure].members[member] + "().";
+        structure = unit.program.structures[structure].members[member].structure;
+    }
+    const std::uint32_t memory = unit.program.structures[structure].via_memory;
+    return object + unit.globals.class_names[structure].memories[memory] + "()";
+}
+
 std::string memories_text(Unit& unit, const Kernel& kernel, const Pass& pass) {
     std::string text;
     for (const PassBinding& binding : pass.bindings) {
@@ -293,6 +309,27 @@ static void print_blocks_visited(Unit& unit, Writer& out, const Kernel& kernel, 
     out.line(text + ");");
 }
 
+/// What is visited by the blocks of one parameter must have the same blocks: those that the same memories say.
+static void print_same_blocks(Unit& unit, Writer& out, const Kernel& kernel) {
+    const KernelParam& first = kernel.params[*kernel.space];
+    for (std::uint32_t index : kernel.same_space) {
+        const KernelParam& other = kernel.params[index];
+        std::string pairs;
+        for (const ir::Place& place : ir::places_of_blocks(unit.program, *ir::visited_blocks(unit.program, kernel))) {
+            const auto in = [&](const KernelParam& param) {
+                ir::Place whole = *ir::blocks_of(unit.program, unit.program.structures[param.structure], {});
+                whole.members.append(place.members);
+                return memory_text(unit, param, whole);
+            };
+            if (const std::string memory = in(first); !memory.empty())
+                pairs += (pairs.empty() ? "{" : ", {") + memory + ", " + in(other) + "}";
+        }
+        if (!pairs.empty())
+            out.line("iteration.same_blocks(\"" + unit.name(first.name) + "\", \"" + unit.name(other.name) + "\", {" +
+                     pairs + "});");
+    }
+}
+
 std::string kernel_function(Unit& unit, std::uint32_t index) {
     const Kernel& kernel = unit.program.kernels[index];
     const ir::Lowered::Forms& forms = unit.lowered.passes[index];
@@ -306,6 +343,7 @@ std::string kernel_function(Unit& unit, std::uint32_t index) {
     out.line((kernel.raster ? "glift::DrawIteration iteration(" : "glift::Iteration iteration(") + name + "_kernel);");
     if (kernel.raster) print_draw_arguments(unit, out, kernel);
     else print_iteration(unit, out, kernel);
+    if (kernel.space) print_same_blocks(unit, out, kernel);
     if (kernel.space) print_blocks_visited(unit, out, kernel, any);
     if (!any.bindings.empty()) out.line("const glift::Memory memories[] = {" + memories_text(unit, kernel, any) + "};");
     if (may_share(any))

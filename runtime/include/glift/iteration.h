@@ -9,6 +9,7 @@
 #include <initializer_list>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace glift {
@@ -42,6 +43,9 @@ public:
         blocks(visited);
         block_count_ = count;
     }
+    /// Throws where two structures that are visited by the same blocks say otherwise what is there: in other memories.
+    GLIFT_API void same_blocks(const char* first, const char* other,
+                               std::initializer_list<std::pair<Memory, Memory>> memories) const;
     uint2 visited() const { return visited_; }
     Extent extent() const { return {visited_.x, visited_.y, 1, 1}; }
     /// A patch that writes the number of blocks into the iteration's size at `offset`, where it comes from the device.
