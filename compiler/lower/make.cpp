@@ -232,7 +232,11 @@ std::optional<ExprId> Make::simpler_binary(const Expr& node, ExprId a, ExprId b)
         if (is_number(b, 1)) return zero(node.type);
         break;
     case BinaryOp::less_equal:
+        if (is_number(a, 0) && p.types.scalar_of(type(a)) == p.types.uint) return truth(true);
+        break;
     case BinaryOp::greater:
+        if (is_number(a, 0) && p.types.scalar_of(type(a)) == p.types.uint) return truth(false);
+        break;
     case BinaryOp::equal:
     case BinaryOp::not_equal:
     case BinaryOp::bit_and: break;
