@@ -11,6 +11,7 @@ TEST(GlslNames, TakenOnesAreNumbered) {
     EXPECT_EQ(scopes.declare("height"), "height");
     EXPECT_EQ(scopes.declare("height"), "height_1");
     EXPECT_EQ(scopes.declare("sample"), "sample_1");  // a keyword
+    EXPECT_EQ(scopes.declare("set"), "set_1");        // of a struct: layout(set = 0) would not parse
 }
 
 TEST(GlslNames, ThatStayReservedWithANumberGetAnotherBeginning) {
