@@ -266,7 +266,9 @@ TEST(Raster, ClipDistancesCut) {
     draw(half);
     for (int y = 0; y < 64; ++y)
         for (int x = 0; x < 64; ++x)
-            if (x + y != 63) ASSERT_EQ(body.count[static_cast<std::size_t>(y * 64 + x)], x + y > 63) << x << ' ' << y;
+            if (x + y != 63) {
+                ASSERT_EQ(body.count[static_cast<std::size_t>(y * 64 + x)], x + y > 63) << x << ' ' << y;
+            }
 }
 
 TEST(Raster, FacesAreCulled) {
