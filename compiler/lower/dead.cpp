@@ -39,6 +39,14 @@ bool is_dead_assignment(const Program& p, const Stmt& stmt, const Live& live) {
     return target.op == Op::local && live.declared.contains(target.local) && !live.used.contains(target.local);
 }
 
+/// The value of a let, whose result nothing reads.
+StmtId effect_alone(Context& cx, const Stmt& let, Live& live) {
+    Stmt alone = statement(StmtOp::evaluate, let.span);
+    alone.value = let.value;
+    use(cx.p, alone.value, live.used);
+    return cx.add(std::move(alone));
+}
+
 /// Backwards, so that what only a dropped let used is dropped too.
 std::vector<StmtId> kept(Context& cx, const std::vector<StmtId>& body, Live& live) {
     std::vector<StmtId> result;
@@ -51,8 +59,10 @@ std::vector<StmtId> kept(Context& cx, const std::vector<StmtId>& body, Live& liv
             result.insert(result.end(), always.rbegin(), always.rend());
             continue;
         }
-        if (stmt.op == StmtOp::let && !live.used.contains(stmt.local) && !(stmt.value && has_effect(cx.p, stmt.value)))
+        if (stmt.op == StmtOp::let && !live.used.contains(stmt.local)) {
+            if (stmt.value && has_effect(cx.p, stmt.value)) result.push_back(effect_alone(cx, stmt, live));
             continue;
+        }
         if (is_dead_assignment(cx.p, stmt, live)) continue;
         Make::Parts parts{stmt.target, stmt.value, stmt.limit, {}, {}};
         parts.body = kept(cx, stmt.body, live);

@@ -88,7 +88,10 @@ void Expander::expand_statement(StmtId id) {
     case StmtOp::evaluate: {
         Stmt copy = statement(StmtOp::evaluate, stmt.span);
         copy.value = value_of(stmt.value);
-        if (copy.value) append(std::move(copy));  // else the call has become statements
+        // A call may become statements, which leave its result in a local that nothing reads.
+        const Op source = p.exprs[stmt.value].op;
+        const bool is_call = source == Op::call || source == Op::intrinsic;
+        if (copy.value && !(is_call && p.exprs[copy.value].op == Op::local)) append(std::move(copy));
         break;
     }
     case StmtOp::break_:
