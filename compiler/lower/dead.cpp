@@ -78,13 +78,27 @@ std::vector<StmtId> kept(Context& cx, const std::vector<StmtId>& body, Live& liv
     return result;
 }
 
-/// Locals that an earlier round of a loop may leave for a later one are used wherever the loop names them.
+/// Notes the locals whose value some statement takes.
+void note_read(const Program& p, const std::vector<StmtId>& body, IdSet<Local>& read) {
+    for_each_statement(p, body, [&](const Stmt& stmt) {
+        const bool is_whole = stmt.op == StmtOp::assign && p.exprs[stmt.target].op == Op::local;
+        for_each_root(stmt, [&](ExprId root) {
+            if (!is_whole || root != stmt.target) use(p, root, read);
+        });
+    });
+}
+
+/// Locals that an earlier round of a loop may leave for a later one are used wherever the loop names them, if anything
+/// takes their value.
 void use_in_loops(const Program& p, const std::vector<StmtId>& body, IdSet<Local>& used) {
+    IdSet<Local> read;
+    note_read(p, body, read);
     for_each_statement(p, body, [&](const Stmt& stmt) {
         if (stmt.op != StmtOp::for_ && stmt.op != StmtOp::while_) return;
         for_each_statement(p, stmt.body, [&](const Stmt& inner) {
             if (inner.op != StmtOp::assign) return;
-            use(p, inner.target, used);
+            const Expr& target = p.exprs[inner.target];
+            if (target.op != Op::local || read.contains(target.local)) use(p, inner.target, used);
         });
     });
 }
