@@ -34,15 +34,15 @@ struct Live {
 
 /// Whether the statement gives a local of the body a value that nothing reads.
 bool is_dead_assignment(const Program& p, const Stmt& stmt, const Live& live) {
-    if (stmt.op != StmtOp::assign || has_effect(p, stmt.value)) return false;
+    if (stmt.op != StmtOp::assign) return false;
     const Expr& target = p.exprs[stmt.target];
     return target.op == Op::local && live.declared.contains(target.local) && !live.used.contains(target.local);
 }
 
-/// The value of a let, whose result nothing reads.
-StmtId effect_alone(Context& cx, const Stmt& let, Live& live) {
-    Stmt alone = statement(StmtOp::evaluate, let.span);
-    alone.value = let.value;
+/// The value that a statement gives to what nothing reads.
+StmtId effect_alone(Context& cx, const Stmt& stmt, Live& live) {
+    Stmt alone = statement(StmtOp::evaluate, stmt.span);
+    alone.value = stmt.value;
     use(cx.p, alone.value, live.used);
     return cx.add(std::move(alone));
 }
@@ -59,11 +59,11 @@ std::vector<StmtId> kept(Context& cx, const std::vector<StmtId>& body, Live& liv
             result.insert(result.end(), always.rbegin(), always.rend());
             continue;
         }
-        if (stmt.op == StmtOp::let && !live.used.contains(stmt.local)) {
+        const bool is_dead_let = stmt.op == StmtOp::let && !live.used.contains(stmt.local);
+        if (is_dead_let || is_dead_assignment(cx.p, stmt, live)) {
             if (stmt.value && has_effect(cx.p, stmt.value)) result.push_back(effect_alone(cx, stmt, live));
             continue;
         }
-        if (is_dead_assignment(cx.p, stmt, live)) continue;
         Make::Parts parts{stmt.target, stmt.value, stmt.limit, {}, {}};
         parts.body = kept(cx, stmt.body, live);
         parts.otherwise = kept(cx, stmt.otherwise, live);
