@@ -6,6 +6,7 @@ namespace gliftc::glsl {
 
 namespace {
 
+// long: a list
 const std::unordered_set<std::string_view>& reserved_words() {
     static const std::unordered_set<std::string_view> words = {
 #include "emit/glsl/words.inc"
