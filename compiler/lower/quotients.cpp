@@ -1,5 +1,5 @@
 // Quotients and remainders of sums, where no sum wraps: the limits of locals are known (Make::limits). Of an address
-// that is a multiple of a page's size and an offset below it, the quotient and the remainder are known, whatever
+// that is a multiple of a number and an offset below it, the quotient and the remainder are known, whatever
 // translator divides; and what takes a position apart and puts it together again gives the position.
 #include "lower/make.h"
 
