@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <sstream>
 #include <utility>
 
 namespace glift {
@@ -154,7 +155,10 @@ private:
 
     void report(const TestCase& test, const char* how, const std::vector<std::string>& failures) {
         std::printf("%s  %s%s (%s)\n", failures.empty() ? "pass" : "FAIL", test.title, how, test.place);
-        for (const std::string& failure : failures) std::printf("      %s\n", failure.c_str());
+        for (const std::string& failure : failures) {
+            std::istringstream lines(failure);
+            for (std::string line; std::getline(lines, line);) std::printf("      %s\n", line.c_str());
+        }
         failed_ += !failures.empty();
     }
 

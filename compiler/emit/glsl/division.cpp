@@ -2,9 +2,10 @@
 //
 // Devices may be 2.5 units in the last place off (Vulkan, "Precision of core SPIR-V instructions"). From an
 // approximation and a fused multiply-add the right result is found by Markstein's corrections; operands are brought
-// near 1 first, so that nothing overflows or is flushed. tests/device/probe_exact measures this: no difference from the
-// CPU in 5 million pairs on an H200. Where the device's own are exact (lavapipe, whose fma is not fused), the runtime
-// says so by constant 100.
+// near 1 first, so that nothing overflows or is flushed. Those of halves are rounded once more from those of floats,
+// which have more than twice their digits, so that it is as if they were rounded once. tests/device/probe_exact
+// measures this: no difference from the CPU in 5 million pairs on an H200. Where the device's own are exact (lavapipe,
+// whose fma is not fused), the runtime says so by constant 100.
 #include "emit/glsl/printer.h"
 
 namespace gliftc::glsl {
@@ -93,13 +94,24 @@ constexpr const char* root_text = R"(float square_root(float x) {
 }
 )";
 
+constexpr const char* half_quotient_text = R"(float16_t divide(float16_t a, float16_t b) {
+    return exact_division ? a / b : to_half(divide(float(a), float(b)));
+}
+)";
+
+constexpr const char* half_root_text = R"(float16_t square_root(float16_t x) {
+    return exact_division ? sqrt(x) : to_half(square_root(float(x)));
+}
+)";
+
 }  // namespace
 
-std::string division_definition(Helper helper) {
-    switch (helper) {
+std::string division_definition(const Printer& p, const HelperUse& use) {
+    const bool half = use.a == p.program.types.half;
+    switch (use.helper) {
     case Helper::split_float: return common;
-    case Helper::divide: return quotient_text;
-    default: return root_text;
+    case Helper::divide: return half ? half_quotient_text : quotient_text;
+    default: return half ? half_root_text : root_text;
     }
 }
 
@@ -111,15 +123,17 @@ bool is_power_of_two(const Printer& p, ir::ExprId id) {
         return true;
     }
     if (expr.op != ir::Op::constant) return false;
-    double magnitude = expr.number < 0 ? -expr.number : expr.number;
-    for (double power = 0x1p-60; power <= 0x1p60; power *= 2)
+    const bool half = p.program.types.scalar_of(expr.type) == p.program.types.half;
+    const double magnitude = expr.number < 0 ? -expr.number : expr.number, largest = half ? 0x1p14 : 0x1p60;
+    for (double power = 1 / largest; power <= largest; power *= 2)
         if (magnitude == power) return true;
     return false;
 }
 
 bool corrects_division(const Printer& p, ir::TypeId type) {
-    return p.options.rounding == Rounding::correct &&
-           p.program.types.kind(p.program.types.scalar_of(type)) == ir::TypeKind::float_;
+    const ir::Types& types = p.program.types;
+    const ir::TypeId scalar = types.scalar_of(type);
+    return p.options.rounding == Rounding::correct && (scalar == types.float_ || scalar == types.half);
 }
 
 std::string quotient_of(Printer& p, ir::TypeId type, const std::string& a, const std::string& b) {

@@ -184,6 +184,8 @@ Text print_convert(Printer& p, const Expr& expr) {
                                             : Helper::to_uint64;
         return {need(p, helper, p.program.exprs[operand].type) + "(" + print_any(p, operand) + ")"};
     }
+    if (to == types.half)
+        return {need(p, Helper::to_half, p.program.exprs[operand].type) + "(" + print_any(p, operand) + ")"};
     return {type_text(p, expr.type) + "(" + print_any(p, operand) + ")"};
 }
 

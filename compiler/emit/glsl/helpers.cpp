@@ -20,6 +20,7 @@ const char* name_of(Helper helper) {
     case Helper::to_uint: return "to_uint";
     case Helper::to_int64: return "to_int64";
     case Helper::to_uint64: return "to_uint64";
+    case Helper::to_half: return "to_half";
     case Helper::ordered_dot: return "ordered_dot";
     case Helper::cross_product: return "cross_product";
     case Helper::blend: return "blend";
@@ -140,6 +141,12 @@ std::string saturating_conversion(Printer& p, const HelperUse& use) {
     return text;
 }
 
+std::string half_conversion(Printer& p, const HelperUse& use) {
+    std::string half = vector_text(p, p.program.types.half, p.program.types.components(use.a));
+    return "// Some drivers leave out a conversion to half and back, but not one of a half that was computed.\n" +
+           one_line(half + " to_half(" + type_text(p, use.a) + " x)", half + "(x) + float16_t(-0.0)");
+}
+
 std::string dot_definition(Printer& p, const HelperUse& use) {
     const ir::Types& types = p.program.types;
     std::string scalar = type_text(p, types.scalar_of(use.a)), type = type_text(p, use.a), sum = "a.x * b.x";
@@ -245,6 +252,7 @@ std::string definition(Printer& p, const HelperUse& use) {
     case Helper::to_uint:
     case Helper::to_int64:
     case Helper::to_uint64: return saturating_conversion(p, use);
+    case Helper::to_half: return half_conversion(p, use);
     case Helper::ordered_dot: return dot_definition(p, use);
     case Helper::matrix_vector:
     case Helper::vector_matrix:
@@ -263,11 +271,11 @@ std::string definition(Printer& p, const HelperUse& use) {
     case Helper::insert_bits: return bits_definition(p, use);
     case Helper::far_index:
         return "// GLSL takes no constant from 2^31 on for an index.\nuint far_index(uint i) { return i; }\n";
-    case Helper::split_float: return division_definition(use.helper);
+    case Helper::split_float: return division_definition(p, use);
     case Helper::divide:
     case Helper::square_root: {
         std::uint32_t count = p.program.types.components(use.a);
-        if (count == 1) return division_definition(use.helper);
+        if (count == 1) return division_definition(p, use);
         return by_component(type_text(p, use.a), name_of(use.helper), type_text(p, use.a), count,
                             use.helper == Helper::divide);
     }
@@ -302,8 +310,14 @@ void need_inner(Printer& p, const HelperUse& use) {
     case Helper::reflection: need(p, Helper::ordered_dot, use.a); break;
     case Helper::divide:
     case Helper::square_root:
-        if (types.components(use.a) > 1) need(p, use.helper, scalar);
-        else need(p, Helper::split_float, {});
+        if (types.components(use.a) > 1) {
+            need(p, use.helper, scalar);
+        } else if (use.a == types.half) {
+            need(p, use.helper, types.float_);
+            need(p, Helper::to_half, types.float_);
+        } else {
+            need(p, Helper::split_float, {});
+        }
         break;
     case Helper::modulo:
     case Helper::smooth_step:
@@ -321,6 +335,7 @@ void need_inner(Printer& p, const HelperUse& use) {
     case Helper::broadcast:
     case Helper::broadcast_first: need_inner_of_subgroup(p, use); break;
     case Helper::split_float:
+    case Helper::to_half:
     case Helper::ordered_dot:
     case Helper::matrix_vector:
     case Helper::cross_product:

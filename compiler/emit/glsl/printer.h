@@ -42,6 +42,7 @@ enum class Helper : std::uint8_t {
     to_uint,
     to_int64,
     to_uint64,
+    to_half,
     ordered_dot,
     cross_product,
     blend,
@@ -216,7 +217,7 @@ std::string subgroup_barrier(Printer& p, const std::string& memory);
 std::string order_definitions(const Printer& p);
 
 // division.cpp
-std::string division_definition(Helper helper);
+std::string division_definition(const Printer& p, const HelperUse& use);
 bool is_power_of_two(const Printer& p, ir::ExprId expr);  ///< dividing by it is exact however the device does it
 bool corrects_division(const Printer& p, ir::TypeId type);
 std::string quotient_of(Printer& p, ir::TypeId type, const std::string& a, const std::string& b);

@@ -1,5 +1,6 @@
 #include "emit/spirv/emit.h"
 
+#include "emit/spirv/alignment.h"
 #include "emit/spirv/exact.h"
 
 #include <glslang/Public/ResourceLimits.h>
@@ -115,6 +116,7 @@ Spirv spirv_of(const std::string& glsl, Optimise optimise, Stage stage) {
     Spirv result = compile(glsl, language_of(stage));
     if (!result.error.empty()) return result;
     result.words = made_exact(without_source(result.words));
+    correct_alignments(result.words);
     if (optimise == Optimise::performance) result.words = optimised(result.words);
     result.error = validated(result.words);
     if (!result.error.empty()) result.words.clear();

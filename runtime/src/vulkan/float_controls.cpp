@@ -1,5 +1,8 @@
 #include "float_controls.h"
 
+#include <array>
+#include <set>
+
 namespace glift::detail {
 
 namespace {
@@ -10,12 +13,20 @@ constexpr std::uint32_t denorm_preserve = 4464, signed_zero_inf_nan_preserve = 4
                         rounding_mode_rte = 4467;  // capabilities
 constexpr std::uint32_t mode_of(std::uint32_t capability) { return capability - 5; }
 
-std::vector<std::uint32_t> capabilities_of(const FloatControls& controls) {
-    std::vector<std::uint32_t> capabilities;
-    if (controls.keep_subnormals) capabilities.push_back(denorm_preserve);
-    if (controls.keep_special_values) capabilities.push_back(signed_zero_inf_nan_preserve);
-    if (controls.round_to_even) capabilities.push_back(rounding_mode_rte);
-    return capabilities;
+/// Whether a device has a mode for floats of 16, 32 and 64 bits.
+using Widths = std::array<bool, 3>;
+
+/// Without the widths that must have the same mode as others that have none.
+Widths allowed(Widths widths, VkShaderFloatControlsIndependence independence) {
+    auto& [half, single, full] = widths;
+    if (independence == VK_SHADER_FLOAT_CONTROLS_INDEPENDENCE_NONE && !(half && single && full)) return {};
+    if (independence == VK_SHADER_FLOAT_CONTROLS_INDEPENDENCE_32_BIT_ONLY && half != full) half = full = false;
+    return widths;
+}
+
+void add(std::vector<FloatMode>& modes, std::uint32_t capability, Widths widths) {
+    for (std::uint32_t i = 0; i < widths.size(); ++i)
+        if (widths[i]) modes.push_back({capability, 16u << i});
 }
 
 std::uint32_t first_word(std::uint32_t op, std::uint32_t words) { return words << 16 | op; }
@@ -23,17 +34,27 @@ std::uint32_t first_word(std::uint32_t op, std::uint32_t words) { return words <
 }  // namespace
 
 FloatControls FloatControls::of(const VkPhysicalDeviceVulkan12Properties& properties) {
-    // Where the device ties the widths together, the modes would have to be set for 64-bit floats as well.
-    const bool subnormals = properties.denormBehaviorIndependence != VK_SHADER_FLOAT_CONTROLS_INDEPENDENCE_NONE;
-    const bool rounding = properties.roundingModeIndependence != VK_SHADER_FLOAT_CONTROLS_INDEPENDENCE_NONE;
-    return {.keep_subnormals = subnormals && properties.shaderDenormPreserveFloat32,
-            .keep_special_values = properties.shaderSignedZeroInfNanPreserveFloat32 == VK_TRUE,
-            .round_to_even = rounding && properties.shaderRoundingModeRTEFloat32,
-            .hides_zeros = properties.driverID == VK_DRIVER_ID_MESA_LLVMPIPE};
+    auto has = [](VkBool32 half, VkBool32 single, VkBool32 full) { return Widths{half != 0, single != 0, full != 0}; };
+    FloatControls controls{.modes = {}, .hides_zeros = properties.driverID == VK_DRIVER_ID_MESA_LLVMPIPE};
+    // NVIDIA's driver has the first for 16 bits only; with it, it keeps subnormal numbers of 32 bits, too: without it,
+    // comparisons, `sign` and conversions take them for zeros (seen on an H200, driver 580).
+    add(controls.modes, denorm_preserve,
+        allowed(has(properties.shaderDenormPreserveFloat16, properties.shaderDenormPreserveFloat32,
+                    properties.shaderDenormPreserveFloat64),
+                properties.denormBehaviorIndependence));
+    add(controls.modes, signed_zero_inf_nan_preserve,
+        has(properties.shaderSignedZeroInfNanPreserveFloat16, properties.shaderSignedZeroInfNanPreserveFloat32,
+            properties.shaderSignedZeroInfNanPreserveFloat64));
+    add(controls.modes, rounding_mode_rte,
+        allowed(has(properties.shaderRoundingModeRTEFloat16, properties.shaderRoundingModeRTEFloat32,
+                    properties.shaderRoundingModeRTEFloat64),
+                properties.roundingModeIndependence));
+    return controls;
 }
 
-std::vector<std::uint32_t> with_float_controls(std::span<const std::uint32_t> spirv, const FloatControls& controls) {
-    const std::vector<std::uint32_t> capabilities = capabilities_of(controls);
+std::vector<std::uint32_t> with_float_modes(std::span<const std::uint32_t> spirv, std::span<const FloatMode> modes) {
+    std::set<std::uint32_t> capabilities;
+    for (const FloatMode& mode : modes) capabilities.insert(mode.capability);
     std::vector<std::uint32_t> module(spirv.begin(), spirv.begin() + header_words);
     std::vector<std::uint32_t> entry_points;
     bool capabilities_done = false, modes_done = false;
@@ -49,8 +70,9 @@ std::vector<std::uint32_t> with_float_controls(std::span<const std::uint32_t> sp
         if (!entry_points.empty() && op != op_entry_point && op != op_execution_mode && op != op_execution_mode_id &&
             !modes_done) {
             for (std::uint32_t entry : entry_points)
-                for (std::uint32_t capability : capabilities)
-                    module.insert(module.end(), {first_word(op_execution_mode, 4), entry, mode_of(capability), 32});
+                for (const FloatMode& mode : modes)
+                    module.insert(module.end(),
+                                  {first_word(op_execution_mode, 4), entry, mode_of(mode.capability), mode.width});
             modes_done = true;
         }
         module.insert(module.end(), spirv.begin() + static_cast<std::ptrdiff_t>(at),

@@ -9,17 +9,20 @@
 
 namespace glift::detail {
 
-/// What a device offers for 32-bit floats.
+/// A mode for floats of one width.
+struct FloatMode {
+    std::uint32_t capability;  ///< DenormPreserve, SignedZeroInfNanPreserve or RoundingModeRTE
+    std::uint32_t width;       ///< 16, 32 or 64
+};
+
 struct FloatControls {
-    bool keep_subnormals = false;      ///< shaderDenormPreserveFloat32
-    bool keep_special_values = false;  ///< shaderSignedZeroInfNanPreserveFloat32: zeros have signs, infinities stay
-    bool round_to_even = false;        ///< shaderRoundingModeRTEFloat32
-    bool hides_zeros = false;          ///< the driver simplifies constant zeros even so: see hidden_zeros.h
+    std::vector<FloatMode> modes;  ///< that the device has: keep subnormals, keep special values, round to even
+    bool hides_zeros = false;      ///< the driver simplifies constant zeros even so: see hidden_zeros.h
 
     static FloatControls of(const VkPhysicalDeviceVulkan12Properties& properties);
 };
 
 /// Adds these modes to each entry point of the module. SPIR-V 1.4 or later.
-std::vector<std::uint32_t> with_float_controls(std::span<const std::uint32_t> spirv, const FloatControls& controls);
+std::vector<std::uint32_t> with_float_modes(std::span<const std::uint32_t> spirv, std::span<const FloatMode> modes);
 
 }  // namespace glift::detail

@@ -19,7 +19,7 @@ enum Constant : std::uint32_t {
 
 VkShaderModule make_module(Context& context, const Pipeline& pipeline, const Spirv& spirv) {
     std::vector<std::uint32_t> code =
-        with_fixed_parameters(with_float_controls(words_of(spirv), context.float_controls), pipeline.fixed);
+        with_fixed_parameters(with_float_modes(words_of(spirv), context.float_controls.modes), pipeline.fixed);
     if (context.float_controls.hides_zeros) code = with_hidden_zeros(code);
     const VkShaderModuleCreateInfo info = {.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
                                            .codeSize = code.size() * sizeof(std::uint32_t),

@@ -52,6 +52,25 @@ TEST(Spirv, KeepsExactnessThroughTheOptimiser) {
     EXPECT_EQ(count(disassembled(made.words), " NoContraction"), 2u);
 }
 
+TEST(Spirv, StatesTheAlignmentOfScalarsForPartsOfStructsAtAnAddress) {
+    const std::string reference =
+        "#extension GL_EXT_buffer_reference : require\n"
+        "#extension GL_EXT_shader_explicit_arithmetic_types_int64 : require\n"
+        "struct S { ivec4 a; bool b; vec4 c; dvec2 d; };\n"
+        "layout(buffer_reference, scalar, buffer_reference_align = 8) buffer R { S at; };\n"
+        "layout(buffer_reference, scalar, buffer_reference_align = 16) buffer Row { vec4 at; };\n"
+        "layout(scalar, set = 0, binding = 2) buffer P { uint64_t address; };\n";
+    Spirv made = spirv_of(head + reference +
+                          "void main() {\n    S s = R(address).at;\n    s.b = !s.b;\n    R(address + 64ul).at = s;\n"
+                          "    Row(address).at = Row(address + 16ul).at;\n}\n");
+    ASSERT_EQ(made.error, "");
+    const std::string text = disassembled(made.words);
+    EXPECT_THAT(text, HasSubstr("v4int"));
+    for (const char* wrong : {"Aligned 0", "Aligned 20", "Aligned 1\n"}) EXPECT_THAT(text, Not(HasSubstr(wrong)));
+    EXPECT_EQ(count(text, "Aligned 16"), 2u) << "the rows\n" << text;
+    EXPECT_GE(count(text, "Aligned 4"), 3u) << text;
+}
+
 TEST(Spirv, KeepsLinesButNotTheTextOfTheGlsl) {
     Spirv made = spirv_of(head + "void main() {\n#line 9 \"laplacian.glift\"\n    f[0] = f[1];\n}\n");
     ASSERT_EQ(made.error, "");
