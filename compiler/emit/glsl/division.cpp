@@ -8,6 +8,8 @@
 // whose fma is not fused), the runtime says so by constant 100.
 #include "emit/glsl/printer.h"
 
+#include <bit>
+
 namespace gliftc::glsl {
 
 namespace {
@@ -123,6 +125,7 @@ bool is_power_of_two(const Printer& p, ir::ExprId id) {
         return true;
     }
     if (expr.op != ir::Op::constant) return false;
+    if (p.program.types.is_integer(p.program.types.scalar_of(expr.type))) return std::has_single_bit(expr.bits);
     const bool half = p.program.types.scalar_of(expr.type) == p.program.types.half;
     const double magnitude = expr.number < 0 ? -expr.number : expr.number, largest = half ? 0x1p14 : 0x1p60;
     for (double power = 1 / largest; power <= largest; power *= 2)

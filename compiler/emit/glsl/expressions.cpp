@@ -105,14 +105,14 @@ Text print_division(Printer& p, const Expr& expr) {
         return plain_binary(p, expr.binary, a, b);
     }
     bool safe = divisor_is_safe(p, b);
+    if (scalar == types.uint64 && !is_power_of_two(p, b))
+        return helper_call(p, remainder ? Helper::remainder : Helper::quotient, expr, expr.type);
     if (types.is_signed(scalar)) {
         if (safe && !remainder) return plain_binary(p, expr.binary, a, b);
         return helper_call(p, remainder ? Helper::remainder : Helper::quotient, expr, expr.type);
     }
     if (safe) return plain_binary(p, expr.binary, a, b);
-    std::string one = types.kind(scalar) == TypeKind::uint64 ? "1ul" : "1u";
-    return {operand_text(p, a, Level::term, false) + (remainder ? " % " : " / ") + "max(" + print_any(p, b) + ", " +
-                one + ")",
+    return {operand_text(p, a, Level::term, false) + (remainder ? " % " : " / ") + "max(" + print_any(p, b) + ", 1u)",
             Level::term};
 }
 

@@ -81,10 +81,25 @@ std::string one_line(const std::string& head, const std::string& value) {
     return head + " {\n    return " + value + ";\n}\n";
 }
 
+/// Of numbers of 64 bits without a sign.
+std::string long_division(Helper helper) {
+    const std::string op = helper == Helper::quotient ? "/" : "%";
+    return "// In 32 bits where both are small: GPUs divide 64 bits slowly, and NVIDIA's driver (580) takes two "
+           "addresses\n"
+           "// for one where each has such a remainder in it.\n"
+           "uint64_t " +
+           (name_of(helper) + ("(uint64_t a, uint64_t b) {\n"
+                               "    b = max(b, 1ul);\n"
+                               "    if (uint((a | b) >> 32) == 0u) return uint64_t(uint(a) " +
+                               op)) +
+           " uint(b));\n    return a " + op + " b;\n}\n";
+}
+
 std::string integer_division(Printer& p, const HelperUse& use) {
     std::string type = type_text(p, use.a);
     std::uint32_t count = p.program.types.components(use.a);
     if (count > 1) return by_component(type, name_of(use.helper), type, count, true);
+    if (use.a == p.program.types.uint64) return long_division(use.helper);
     bool wide = type == "int64_t";
     std::string lowest = wide ? "int64_t(0x8000000000000000ul)" : "int(0x80000000u)", l = wide ? "l" : "";
     std::string safe = "b == 0" + l + " || (a == " + lowest + " && b == -1" + l + ") ? 1" + l + " : b";
@@ -197,6 +212,7 @@ std::string matrix_definition(Printer& p, const HelperUse& use) {
 }
 
 std::string arithmetic(Printer& p, const HelperUse& use) {
+    const ir::Types& types = p.program.types;
     std::string t = type_text(p, use.a), zero_text = t + "(0.0)", one = t + "(1.0)", two = t + "(2.0)",
                 three = t + "(3.0)";
     switch (use.helper) {
@@ -214,10 +230,12 @@ std::string arithmetic(Printer& p, const HelperUse& use) {
                ", " + zero_text + "), " + one + ");\n    return s * s * (" + three + " - " + two + " * s);\n}\n";
     case Helper::fraction: return one_line(t + " fraction(" + t + " x)", "x - floor(x)");
     case Helper::sign_of: {
-        std::uint32_t count = p.program.types.components(use.a);
+        std::uint32_t count = types.components(use.a);
         if (count > 1) return by_component(t, "sign_of", t, count, false);
+        const std::string nothing = types.is_floating(use.a) ? zero_text : "0l",
+                          unit = types.is_floating(use.a) ? one : "1l";
         return one_line(t + " sign_of(" + t + " x)",
-                        "x > " + zero_text + " ? " + one + " : x < " + zero_text + " ? -" + one + " : " + zero_text);
+                        "x > " + nothing + " ? " + unit + " : x < " + nothing + " ? -" + unit + " : " + nothing);
     }
     case Helper::reflection:
         return one_line(t + " reflection(" + t + " i, " + t + " n)",
@@ -304,7 +322,7 @@ void need_inner(Printer& p, const HelperUse& use) {
         break;
     case Helper::remainder:
         if (types.components(use.a) > 1) need(p, use.helper, scalar);
-        else need(p, Helper::quotient, use.a);
+        else if (types.is_signed(use.a)) need(p, Helper::quotient, use.a);
         break;
     case Helper::vector_matrix:
     case Helper::reflection: need(p, Helper::ordered_dot, use.a); break;

@@ -90,9 +90,13 @@ Text atomic(Printer& p, const char* name, const Expr& expr) {
 Text print_intrinsic(Printer& p, const Expr& expr) {
     switch (expr.intrinsic) {
     case Intrinsic::abs: return call(p, "abs", expr);
-    case Intrinsic::sign:
-        return p.program.types.is_floating(p.program.types.scalar_of(expr.type)) ? shaped(p, Helper::sign_of, expr)
-                                                                                 : call(p, "sign", expr);
+    case Intrinsic::sign: {
+        // NVIDIA's driver (580) fails to compile GLSL's of 64-bit integers beside other arithmetic.
+        const ir::Types& types = p.program.types;
+        const TypeId scalar = types.scalar_of(expr.type);
+        return types.is_floating(scalar) || scalar == types.int64 ? shaped(p, Helper::sign_of, expr)
+                                                                  : call(p, "sign", expr);
+    }
     case Intrinsic::floor: return call(p, "floor", expr);
     case Intrinsic::ceil: return call(p, "ceil", expr);
     case Intrinsic::round: return call(p, "roundEven", expr);

@@ -13,9 +13,11 @@ constexpr std::size_t header_words = 5, bound_word = 3;
 enum Op : std::uint32_t {
     line = 8,
     ext_inst = 12,
+    type_void = 19,
     type_int = 21,
     type_float = 22,
     type_vector = 23,
+    type_forward_pointer = 39,
     constant = 43,
     constant_composite = 44,
     function = 54,
@@ -213,7 +215,8 @@ void Hiding::read(Words w) {
     case constant_composite: read_composite(w); break;
     default: break;
     }
-    const bool has_result = w.size() > 2 && op != decorate && op != store;
+    const bool declares_type = op >= type_void && op <= type_forward_pointer;  // its id comes first, then numbers
+    const bool has_result = w.size() > 2 && op != decorate && op != store && !declares_type;
     if (has_result && count_of(w[1]) != 0) types_.emplace(w[2], w[1]);
 }
 

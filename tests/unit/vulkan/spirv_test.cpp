@@ -1,0 +1,96 @@
+#include "float_controls.h"
+#include "hidden_zeros.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <spirv-tools/libspirv.hpp>
+
+namespace glift::detail {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+std::vector<std::uint32_t> assembled(const std::string& text) {
+    std::vector<std::uint32_t> words;
+    spvtools::SpirvTools tools(SPV_ENV_VULKAN_1_3);
+    EXPECT_TRUE(tools.Assemble(text, &words, SPV_TEXT_TO_BINARY_OPTION_PRESERVE_NUMERIC_IDS));
+    return words;
+}
+
+std::string disassembled(const std::vector<std::uint32_t>& words) {
+    std::string text;
+    spvtools::SpirvTools(SPV_ENV_VULKAN_1_3).Disassemble(words, &text);
+    return text;
+}
+
+std::string error_of(const std::vector<std::uint32_t>& words) {
+    std::string error;
+    spvtools::SpirvTools tools(SPV_ENV_VULKAN_1_3);
+    tools.SetMessageConsumer(
+        [&](spv_message_level_t, const char*, const spv_position_t&, const char* message) { error = message; });
+    return tools.Validate(words) ? "" : error;
+}
+
+/// A shader with integers of 32 and 64 bits, whose value number 64 has 32.
+const std::string shader = R"(
+    OpCapability Shader
+    OpCapability Int64
+    OpMemoryModel Logical GLSL450
+    OpEntryPoint GLCompute %4 "main" %20
+    OpExecutionMode %4 LocalSize 1 1 1
+    OpDecorate %20 BuiltIn GlobalInvocationId
+    %2 = OpTypeVoid
+    %3 = OpTypeFunction %2
+    %7 = OpTypeInt 64 0
+    %8 = OpTypeInt 32 0
+    %9 = OpTypeVector %8 3
+    %10 = OpTypeFloat 32
+    %11 = OpConstant %10 0
+    %12 = OpTypePointer Input %9
+    %20 = OpVariable %12 Input
+    %4 = OpFunction %2 None %3
+    %21 = OpLabel
+    %22 = OpLoad %9 %20
+    %64 = OpCompositeExtract %8 %22 1
+    %65 = OpConvertUToF %10 %64
+    %66 = OpFMul %10 %65 %11
+    OpReturn
+    OpFunctionEnd
+)";
+
+TEST(HiddenZeros, TellTheWidthOfATypeFromAValue) {
+    const std::vector<std::uint32_t> hidden = with_hidden_zeros(assembled(shader));
+    EXPECT_EQ(error_of(hidden), "") << disassembled(hidden);
+    EXPECT_THAT(disassembled(hidden), HasSubstr("OpBitwiseOr %uint %64"));
+    EXPECT_THAT(disassembled(hidden), Not(HasSubstr("OpFMul %float %65 %float_0")));
+}
+
+TEST(FloatControls, SetEachModeThatTheDeviceHasForEachWidth) {
+    VkPhysicalDeviceVulkan12Properties properties{};
+    properties.denormBehaviorIndependence = VK_SHADER_FLOAT_CONTROLS_INDEPENDENCE_ALL;
+    properties.roundingModeIndependence = VK_SHADER_FLOAT_CONTROLS_INDEPENDENCE_ALL;
+    properties.shaderDenormPreserveFloat16 = VK_TRUE;
+    properties.shaderSignedZeroInfNanPreserveFloat32 = properties.shaderSignedZeroInfNanPreserveFloat64 = VK_TRUE;
+    const std::string text = disassembled(with_float_modes(assembled(shader), FloatControls::of(properties).modes));
+    for (const char* mode : {"OpCapability DenormPreserve", "DenormPreserve 16", "SignedZeroInfNanPreserve 32",
+                             "SignedZeroInfNanPreserve 64"})
+        EXPECT_THAT(text, HasSubstr(mode));
+    for (const char* mode : {"DenormPreserve 32", "SignedZeroInfNanPreserve 16", "RoundingModeRTE"})
+        EXPECT_THAT(text, Not(HasSubstr(mode)));
+}
+
+TEST(FloatControls, KeepToWhatTheDeviceTiesTogether) {
+    VkPhysicalDeviceVulkan12Properties properties{};
+    properties.denormBehaviorIndependence = VK_SHADER_FLOAT_CONTROLS_INDEPENDENCE_32_BIT_ONLY;
+    properties.roundingModeIndependence = VK_SHADER_FLOAT_CONTROLS_INDEPENDENCE_NONE;
+    properties.shaderDenormPreserveFloat16 = properties.shaderDenormPreserveFloat32 = VK_TRUE;
+    properties.shaderRoundingModeRTEFloat16 = properties.shaderRoundingModeRTEFloat32 = VK_TRUE;
+    const std::string text = disassembled(with_float_modes(assembled(shader), FloatControls::of(properties).modes));
+    EXPECT_THAT(text, HasSubstr("DenormPreserve 32"));
+    for (const char* mode : {"DenormPreserve 16", "RoundingModeRTE"}) EXPECT_THAT(text, Not(HasSubstr(mode)));
+}
+
+}  // namespace
+}  // namespace glift::detail
