@@ -9,11 +9,11 @@ import statistics
 OURS = "Glift"
 
 
-def load(file):
-    """The groups of a file: one that a bench wrote, or that of `run.py --json`."""
+def load(file, part="algorithms"):
+    """The groups of a file: one that a bench wrote, or that of `run.py --json`, of which a part."""
     with open(file, encoding="utf-8") as text:
         found = json.load(text)
-    return found["algorithms"] if isinstance(found, dict) else found
+    return found[part] if isinstance(found, dict) else found
 
 
 def key_of(row):

@@ -15,6 +15,7 @@ import tempfile
 import algorithm_tables
 import algorithms
 import compile_speed
+import depth_of_field
 import plot
 
 DISPATCH_ROWS = {
@@ -82,17 +83,31 @@ def print_algorithms(bench, options, folder):
             if part:
                 print(part + "\n")
     if options.plots:
-        draw(groups, options.plots)
+        draw_or_say(lambda: draw(groups, options.plots), options.plots)
     return groups, True
 
 
 def draw(groups, folder):
+    for group in groups:
+        plot.draw(group, os.path.join(folder, plot.file_name(group["device"]) + ".svg"))
+
+
+def draw_or_say(drawing, folder):
     os.makedirs(folder, exist_ok=True)
     try:
-        for group in groups:
-            plot.draw(group, os.path.join(folder, plot.file_name(group["device"]) + ".svg"))
+        drawing()
     except plot.NothingToDrawWith as error:
-        print(f"\nNothing is drawn: {error}. The figures of --json can be drawn elsewhere: bench/plot.py.")
+        print(f"\nNothing is drawn: {error}. The figures of --json can be drawn elsewhere: bench/plot.py, bench/depth_of_field.py.")
+
+
+def print_depth_of_field(bench, options, folder):
+    print("\n## Two layers of depth of field beside a copy of the bytes that have to be moved\n")
+    groups = depth_of_field.measure(bench, options, folder)
+    for group in groups:
+        print(f"{group['device']}:\n\n{depth_of_field.table(group)}\n")
+    if options.plots:
+        draw_or_say(lambda: depth_of_field.draw(groups, os.path.join(options.plots, "depth_of_field.png")), options.plots)
+    return groups, True
 
 
 def print_compiler(bench, *_):
@@ -103,7 +118,7 @@ def print_compiler(bench, *_):
 
 
 PARTS = {"twins": print_twins, "dispatch": print_dispatch, "host": print_host, "algorithms": print_algorithms,
-         "compiler": print_compiler}
+         "depth_of_field": print_depth_of_field, "compiler": print_compiler}
 
 
 def main():

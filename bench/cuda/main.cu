@@ -20,7 +20,8 @@ struct Family {
 constexpr Family families[] = {
     {"copy", rivals::copy},           {"scan", rivals::scan},     {"reduce", rivals::reduce},
     {"select", rivals::select},       {"unique", rivals::unique}, {"radix_sort", rivals::radix_sort},
-    {"histogram", rivals::histogram}, {"merge", rivals::merge},   {"tridiagonal", rivals::tridiagonal}};
+    {"histogram", rivals::histogram}, {"merge", rivals::merge},   {"tridiagonal", rivals::tridiagonal},
+    {"diffusion", rivals::diffusion}};
 
 struct Options {
     std::vector<std::size_t> sizes = {1u << 20, 1u << 22, 1u << 24, 1u << 26, 1u << 28};
@@ -64,7 +65,8 @@ Options parse(int count, char** arguments) {
 
 const char* rival_of(const std::string& algorithm) {
     if (algorithm == "copy" || algorithm == "move_equations") return "CUDA";
-    return algorithm == "tridiagonal" ? "cuSPARSE" : "CUB";
+    const bool is_diffusion = algorithm.rfind("rows_", 0) == 0 || algorithm.rfind("columns_", 0) == 0;
+    return is_diffusion || algorithm == "tridiagonal" ? "cuSPARSE" : "CUB";
 }
 
 /// In the format that bench/figures.py reads.

@@ -168,5 +168,6 @@ void radix_sort(Bench& bench);
 void histogram(Bench& bench);
 void merge(Bench& bench);
 void tridiagonal(Bench& bench);
+void diffusion(Bench& bench);
 
 }  // namespace rivals

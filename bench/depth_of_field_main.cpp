@@ -1,0 +1,126 @@
+// bench_depth_of_field: all passes of two layers of examples/depth_of_field, beside a copy of the bytes that they have
+// to move.
+//
+//     bench_depth_of_field [--device NAME] [--sizes 512x512,1920x1080] [--runs N] [--json FILE]
+#include "figures.h"
+#include "median.h"
+#include "timing.h"
+
+#include "dof.glift.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <chrono>
+#include <cstdio>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace {
+
+/// Of a pixel, whatever the passes are: rows read colour (16) and distance (4) and write two layers (32); columns,
+/// which need whole rows before, read these (32) and the distance (4) and write the picture (16).
+constexpr std::uint64_t bytes_a_pixel = 104;
+
+struct Options {
+    std::string device, json;
+    std::vector<std::string> sizes = {"256x256", "512x512", "1024x1024", "1920x1080", "2048x2048", "4096x4096"};
+    int runs = 11;
+    double seconds = 0.02;
+};
+
+glift::uint2 size_of(const std::string& text) {
+    unsigned width = 0, height = 0;
+    char beyond = 0;
+    if (std::sscanf(text.c_str(), "%ux%u%c", &width, &height, &beyond) != 2 || width == 0 || height == 0)
+        throw std::runtime_error("a size is WIDTHxHEIGHT, not " + text);
+    return {width, height};
+}
+
+/// 50 mm at f/0.7 on 36 mm of film, focused at 4 m.
+dof::Lens lens_of(std::uint32_t width) { return {0.05f, 0.05f / 0.7f, 4.0f, static_cast<float>(width) / 0.036f}; }
+
+/// Colours without a pattern, and stripes of several distances.
+struct Input {
+    dof::Picture colour, result;
+    dof::Distances distances;
+
+    Input(const glift::Device& device, glift::uint2 size)
+        : colour(device, size), result(device, size), distances(device, size) {
+        std::vector<glift::float4> colours;
+        std::vector<float> z;
+        const std::size_t count = std::size_t{size.x} * size.y;
+        colours.reserve(count);
+        z.reserve(count);
+        std::uint32_t x = 1;
+        for (std::size_t i = 0; i < count; ++i) {
+            x = x * 1664525 + 1013904223;
+            const auto part = [&](unsigned shift) { return static_cast<float>(x >> shift & 255) / 255.0f; };
+            colours.emplace_back(part(8), part(16), part(24), 1.0f);
+            z.push_back(2.0f + static_cast<float>(i % size.x * 16 / size.x % 5));
+        }
+        colour.write(colours);
+        distances.write(z);
+    }
+};
+
+void photograph(const glift::Commands& commands, const Input& input) {
+    dof::two_layers(commands, input.colour, input.distances, lens_of(input.colour.extent().x), 0.5f, dof::Holes::raised,
+                    input.result);
+}
+
+/// Seconds from the call to the picture, one after the other; each is one submission, on the host device none.
+double alone(const glift::Device& device, const Input& input, int runs) {
+    std::vector<double> seconds;
+    const std::uint64_t before = device.statistics().submissions;
+    for (int run = 0; run < runs; ++run) {
+        const auto start = std::chrono::steady_clock::now();
+        photograph(device, input);
+        device.wait();
+        seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    }
+    if (device.statistics().submissions - before > static_cast<std::uint64_t>(runs))
+        throw std::runtime_error("a picture took more than one submission");
+    return bench::median(seconds);
+}
+
+void run(const Options& options) {
+    const glift::Device device = glift::Device::open(options.device);
+    bench::DeviceFigures figures{device.properties().name, {}};
+    for (const std::string& text : options.sizes) {
+        const glift::uint2 size = size_of(text);
+        const Input input(device, size);
+        const std::uint64_t pixels = std::uint64_t{size.x} * size.y, bytes = bytes_a_pixel * pixels;
+        const glift::MemoryDescription half{.name = "copied", .bytes = bytes / 2};
+        const glift::Memory from = device.allocate(half), to = device.allocate(half);
+        const auto add = [&](const char* by, const char* what, double seconds) {
+            figures.rows.push_back({by, what, text, pixels, seconds, bytes, options.runs, -1});
+            bench::print(figures.rows.back());
+        };
+        const auto time = [&](const auto& work) { return bench::time_of(device, work, options.runs, options.seconds); };
+        add("Glift", "two_layers", time([&](const glift::Commands& commands) { photograph(commands, input); }));
+        add("Glift", "one_image", alone(device, input, options.runs));
+        add("copy", "two_layers",
+            time([&](const glift::Commands& commands) { commands.copy(from, 0, to, 0, bytes / 2); }));
+    }
+    if (!options.json.empty()) bench::write_json(options.json, {figures});
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+    CLI::App app("Two layers of depth of field beside a copy of the bytes that have to be moved");
+    Options options;
+    app.add_option("--device", options.device, "as Device::open takes it");
+    app.add_option("--sizes", options.sizes, "WIDTHxHEIGHT")->delimiter(',');
+    app.add_option("--runs", options.runs, "of which the median is taken")->check(CLI::PositiveNumber);
+    app.add_option("--seconds", options.seconds, "of a run");
+    app.add_option("--json", options.json, "where the figures go");
+    CLI11_PARSE(app, count, arguments);
+    try {
+        run(options);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "bench_depth_of_field: %s\n", error.what());
+        return 1;
+    }
+}
