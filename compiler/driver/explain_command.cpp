@@ -39,6 +39,7 @@ std::string shape_of(const ir::Program& program, const ir::Memory& memory) {
     case ir::MemoryShape::image2d: return "2-D image of " + element;
     case ir::MemoryShape::image3d: return "3-D image of " + element;
     case ir::MemoryShape::imagecube: return "cube image of " + element;
+    case ir::MemoryShape::image2darray: return "layers of 2-D images of " + element;
     }
     return element;
 }

@@ -267,7 +267,8 @@ struct Stage {
     std::vector<Place> structures;  ///< a nested structure for each structure of its state (root 0 is the structure)
 };
 
-enum class MemoryShape : std::uint8_t { buffer, image1d, image2d, image3d, imagecube };
+/// image2darray: the third component of addresses and extents is the layer.
+enum class MemoryShape : std::uint8_t { buffer, image1d, image2d, image3d, imagecube, image2darray };
 
 /// Texel formats; same names as the language's. `none` for buffers.
 enum class Format : std::uint8_t {
@@ -293,13 +294,22 @@ enum class Format : std::uint8_t {
     d32,
 };
 
+/// What an image that is not made anew is a part of.
+struct ImagePart {
+    enum class Kind : std::uint8_t { mip, layer } kind = Kind::mip;
+    Place of;                ///< the structure that has the image, over the structure that has the part (root 0)
+    std::uint32_t slot = 0;  ///< which of its memories
+    ExprId number;           ///< of the level or the layer
+};
+
 struct Memory {
     Name name;
     MemoryShape shape = MemoryShape::buffer;
     TypeId element;  ///< the value type that loads give (float for r8, float4 for rgba8)
     Format format = Format::none;
-    ExprId extent;        ///< uint, uint2, uint3, over the structure (root 0); in 64 bits after lower/widen
-    ExprId mips;          ///< or absent
+    ExprId extent;  ///< uint, uint2, uint3, over the structure (root 0); in 64 bits after lower/widen
+    ExprId mips;    ///< or absent
+    std::optional<ImagePart> part;
     bool linear = false;  ///< filter linear
     Name compare;         ///< or empty
     Span span;

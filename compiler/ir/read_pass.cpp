@@ -66,7 +66,7 @@ void Reader::binding() {
     PassBinding made;
     made.name = name();
     expect(":");
-    const auto shape = spelled(word(), MemoryShape::imagecube);
+    const auto shape = spelled(word(), MemoryShape::image2darray);
     if (!shape) fail("expected a kind of memory before this");
     made.shape = *shape;
     expect("<");

@@ -51,7 +51,9 @@ std::string_view spelling(Access access) {
 }
 
 std::string_view spelling(MemoryShape shape) {
-    return text_of(std::to_array<std::string_view>({"buffer", "image1d", "image2d", "image3d", "imagecube"}), shape);
+    return text_of(
+        std::to_array<std::string_view>({"buffer", "image1d", "image2d", "image3d", "imagecube", "image2darray"}),
+        shape);
 }
 
 std::string_view spelling(Format format) {

@@ -35,7 +35,21 @@ ExprId Expander::sample(const Expr& node) {
     sampled.slot = binding(place, Access::read);
     if (is_range(place))
         at = make.add(at, make.convert(make.type(at), from_origin(place, make.zero(structure.domain_type))));
-    sampled.operands = {make.binary(BinaryOp::divide, at, size)};
+    ExprId point = make.binary(BinaryOp::divide, at, size);
+    if (root_memory(p, structure).shape == MemoryShape::image2darray) {
+        // Devices take the nearest layer, by its number.
+        Expr half;
+        half.type = p.types.float_;
+        half.number = 0.5;
+        const ExprId layer = make.binary(BinaryOp::subtract, make.component(at, 2), p.exprs.add(std::move(half)));
+        Operands parts;
+        parts.push_back(make.component(point, 0));
+        parts.push_back(make.component(point, 1));
+        parts.push_back(layer);
+        point = make.construct(make.type(at), std::move(parts));
+    }
+    sampled.operands = {point};
+    if (node.operands.size() > 1) sampled.operands.push_back(make.convert(p.types.float_, value_of(node.operands[1])));
     return p.exprs.add(std::move(sampled));
 }
 

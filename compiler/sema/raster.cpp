@@ -3,6 +3,7 @@
 #include "ir/effects.h"
 #include "sema/components.h"
 #include "sema/generics.h"
+#include "sema/image_parts.h"
 #include "sema/typing.h"
 
 #include <algorithm>
@@ -56,14 +57,7 @@ Span operation_span(const Context& c, const ast::Param& param) {
 
 /// Whether elements lie in a 2-D image at their own addresses.
 bool is_image(const Context& c, const ir::Structure& structure) {
-    if (structure.kind != ir::StructureKind::stored || structure.memories.empty()) return false;
-    if (structure.memories[structure.via_memory].shape != ir::MemoryShape::image2d) return false;
-    return std::ranges::all_of(structure.via, [&](const ir::Stage& stage) {
-        const ir::FunctionId translate = c.program.translators[stage.translator].translate;
-        const ir::ExprId value = single_return(c.program, translate);
-        return value && c.program.exprs[value].op == ir::Op::local &&
-               c.program.exprs[value].local == c.program.functions[translate].params[0];
-    });
+    return keeps_texels(c, structure) && structure.memories[structure.via_memory].shape == ir::MemoryShape::image2d;
 }
 
 void check_blend(Context& c, const ast::Param& param, const ir::Structure& structure, ir::Blend blend) {

@@ -7,6 +7,7 @@
 #include "sema/components.h"
 #include "sema/constructors.h"
 #include "sema/generics.h"
+#include "sema/image_parts.h"
 #include "sema/instances.h"
 #include "sema/typing.h"
 
@@ -61,30 +62,33 @@ ir::TypeId address_type(ir::Types& types, ir::MemoryShape shape) {
     case ir::MemoryShape::image1d: return types.uint;
     case ir::MemoryShape::image2d: return types.vector(types.uint, 2);
     case ir::MemoryShape::image3d:
+    case ir::MemoryShape::image2darray:
     case ir::MemoryShape::imagecube: return types.vector(types.uint, 3);
     }
     return types.uint;
 }
 
-constexpr const char* memory_remedy =
-    "write buffer<T>[n], image1d<F>(n), image2d<F>(extent), image3d<F>(extent), a structure with its arguments, or the "
-    "name of one";
+constexpr const char* memory_remedy = "write buffer<T>[n], image1d<F>(n), image2d<F>(extent), image2d<F>(extent, "
+                                      "layers), image3d<F>(extent), a structure "
+                                      "with its arguments, or the name of one";
 
-/// The parts of `buffer<T>[n]` or `image2d<F>(extent)`: shape, element, extent.
+/// The parts of `buffer<T>[n]` or `image2d<F>(extent, layers)`: shape, element, extent, layers or none.
 struct MemoryText {
     Name shape;
     Span shape_span;
-    ast::ExprId element, extent;
+    ast::ExprId element, extent, layers;
 };
 
 std::optional<MemoryText> read_memory(Context& c, ast::ExprId id) {
     const ast::Expr& expr = c[id];
-    bool form = (expr.kind == ast::ExprKind::index || expr.kind == ast::ExprKind::call) && expr.operands.size() == 2;
+    const bool is_call = expr.kind == ast::ExprKind::call;
+    const std::size_t count = expr.operands.size();
+    const bool form = (expr.kind == ast::ExprKind::index && count == 2) || (is_call && (count == 2 || count == 3));
     if (form && c[expr.operands[0]].kind == ast::ExprKind::generic) {
         const ast::Expr& generic = c[expr.operands[0]];
         if (generic.operands.size() == 2 && c[generic.operands[0]].kind == ast::ExprKind::name)
             return MemoryText{c[generic.operands[0]].name, c[generic.operands[0]].span, generic.operands[1],
-                              expr.operands[1]};
+                              expr.operands[1], count == 3 ? expr.operands[2] : ast::ExprId{}};
     }
     if (expr.kind != ast::ExprKind::error) note(c.error(Diag::memory_form, expr.span), expr.span, memory_remedy);
     return std::nullopt;
@@ -100,12 +104,18 @@ bool is_generic_name(const Body& body, ast::ExprId type) {
 void add_memory(Body& body, std::uint32_t index, const ast::Item& item) {
     Context& c = body.context;
     if (has_memory(body, index, item)) return;
+    if (is_image_part(body, item.value)) return add_image_part(body, index, item);
     if (is_structure_memory(body, item.value)) return add_base(body, index, item);
     auto text = read_memory(c, item.value);
     if (!text) return;
     Meta shape = find_meta(c, body.env, {text->shape, text->shape_span});
     if (shape.kind != MetaKind::memory_shape) {
         note(c.error(Diag::memory_form, text->shape_span), text->shape_span, memory_remedy);
+        return;
+    }
+    if (text->layers && shape.shape != ir::MemoryShape::image2d) {
+        note(c.error(Diag::memory_form, c[text->layers].span), c[text->layers].span,
+             "layers are those of a 2-D image: image2d<F>(extent, layers)");
         return;
     }
     ir::Memory memory;
@@ -151,13 +161,14 @@ void add_memory(Body& body, std::uint32_t index, const ast::Item& item) {
     ir::TypeId extent = memory.shape == ir::MemoryShape::imagecube ? c.types().vector(c.types().uint, 2)
                                                                    : address_type(c.types(), memory.shape);
     memory.extent = check_value(body, text->extent, extent);
+    if (text->layers) {
+        memory.shape = ir::MemoryShape::image2darray;
+        const ir::ExprId layers = check_value(body, text->layers, c.types().uint);
+        memory.extent = add(c.program, ir::Op::construct, c.types().vector(c.types().uint, 3), memory.span,
+                            {memory.extent, layers});
+    }
     if (item.mips) memory.mips = check_value(body, item.mips, c.types().uint);
-    c.program.structures[index].memories.push_back(memory);
-    Symbol symbol;
-    symbol.kind = SymbolKind::memory;
-    symbol.structure = index;
-    symbol.slot = static_cast<std::uint32_t>(c.program.structures[index].memories.size() - 1);
-    declare(body, item.name, symbol);
+    declare_memory(body, index, memory);
 }
 
 void declare_member(Body& body, std::uint32_t index, std::uint32_t member, ast::Identifier name) {

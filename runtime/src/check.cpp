@@ -73,12 +73,13 @@ void check_description(const MemoryDescription& d) {
     }
     if (buffer) return;
     const auto e = d.extent;
-    const std::uint32_t largest = std::max(e[0], std::max(e[1], e[2]));
+    const bool has_layers = d.kind == MemoryKind::image2darray;
+    const std::uint32_t largest = std::max(e[0], std::max(e[1], has_layers ? 1 : e[2]));
     if (e[0] == 0 || e[1] == 0 || e[2] == 0) wrong("an image has no texels", memory_text(d));
     if (d.mips == 0 || d.mips > 32 || (d.mips > 1 && (largest >> (d.mips - 1)) == 0)) {
         wrong("an image has more levels than its extent can halve, or none", memory_text(d));
     }
-    const bool flat = d.kind != MemoryKind::image3d;
+    const bool flat = d.kind != MemoryKind::image3d && !has_layers;
     if ((flat && e[2] != 1) || (d.kind == MemoryKind::image1d && e[1] != 1) ||
         (d.kind == MemoryKind::imagecube && e[0] != e[1])) {
         wrong("the extent does not fit the kind of image", memory_text(d));
@@ -112,7 +113,7 @@ void check_call(const DeviceObject* device, const Kernel& kernel, const Call& ca
         const MemoryObject* object = call.memories[k].object();
         const Binding& binding = kernel.bindings[k];
         for (std::size_t j = 0; j < k; ++j) {
-            if (call.sharing != Sharing::unknown || call.memories[j].object() != object) continue;
+            if (call.sharing != Sharing::unknown || !shares_texels(call.memories[j].object(), object)) continue;
             const Access other = kernel.bindings[j].access;
             if (other != binding.access || binding.access == Access::write) aliased(kernel, call, j, k);
         }

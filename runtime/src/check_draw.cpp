@@ -30,8 +30,9 @@ void check_target(const DeviceObject* device, const Kernel& kernel, const char* 
     const MemoryDescription& d = object.description();
     if (object.device().get() != device)
         wrong(kernel, what + " is of another device", memory_text(d), "allocate it on the device that draws");
-    if (d.kind != MemoryKind::image2d && d.kind != MemoryKind::imagecube)
-        wrong(kernel, what + " is no 2-D image", memory_text(d), "draw to a 2-D image or to a face of a cube");
+    if (d.kind != MemoryKind::image2d && d.kind != MemoryKind::imagecube && d.kind != MemoryKind::image2darray)
+        wrong(kernel, what + " is no 2-D image", memory_text(d),
+              "draw to a 2-D image, to a layer or to a face of a cube");
     if (d.format != format)
         wrong(kernel, what + " has another texel format than the kernel draws", memory_text(d),
               "pass an image of the target's format");
@@ -59,11 +60,12 @@ void check_apart(const Kernel& kernel, const Call& call) {
                     "read a copy, or draw to another image, level or face");
     };
     const auto same = [](const Attachment& a, const Attachment& b) {
-        return a.memory.object() == b.memory.object() && a.mip == b.mip && a.face == b.face;
+        const bool is_one = a.memory.object() == b.memory.object();
+        return is_one ? a.mip == b.mip && a.face == b.face : shares_texels(a.memory.object(), b.memory.object());
     };
     for_each_target(*kernel.drawing, targets, [&](const char* name, const Attachment& target) {
         for (std::size_t k = 0; k < call.memories.size(); ++k)
-            if (call.memories[k].object() == target.memory.object()) refuse(name, kernel.bindings[k].name);
+            if (shares_texels(call.memories[k].object(), target.memory.object())) refuse(name, kernel.bindings[k].name);
         for_each_target(*kernel.drawing, targets, [&](const char* other, const Attachment& second) {
             if (&second != &target && same(target, second)) refuse(name, other);
         });

@@ -1,5 +1,6 @@
 // Alias analysis of a call's arguments: for parameters that share a memory, whether what they access is disjoint, the
 // same element in each invocation, or a race.
+#include "objects.h"
 #include "text.h"
 
 #include <glift/error.h>
@@ -212,7 +213,7 @@ struct Pair {
 bool is_shared(const Kernel& kernel, std::span<const Memory> memories) {
     for (std::size_t k = 1; k < memories.size(); ++k) {
         for (std::size_t j = 0; j < k; ++j) {
-            const bool is_one = memories[j].object() && memories[j].object() == memories[k].object();
+            const bool is_one = memories[j].object() && shares_texels(memories[j].object(), memories[k].object());
             if (is_one && (writes(kernel.bindings[j]) || writes(kernel.bindings[k]))) return true;
         }
     }
@@ -225,7 +226,8 @@ Sharing compare_footprints(const Kernel& kernel, std::span<const Memory> memorie
     for (std::size_t k = 1; k < memories.size(); ++k) {
         for (std::size_t j = 0; j < k; ++j) {
             const Binding &one = kernel.bindings[j], &other = kernel.bindings[k];
-            if (memories[j].object() != memories[k].object() || (!writes(one) && !writes(other))) continue;
+            if (!writes(one) && !writes(other)) continue;
+            if (!shares_texels(memories[j].object(), memories[k].object())) continue;
             if (one.combine != Combine::none && one.combine == other.combine) continue;
             if (one.apart_from >> other.parameter & 1) continue;
             const Pair pair{kernel, memories, one, other, footprints[one.parameter], footprints[other.parameter],

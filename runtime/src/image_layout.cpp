@@ -35,11 +35,14 @@ std::uint32_t texel_bytes(Format format) {
 namespace glift::detail {
 
 std::array<std::uint32_t, 3> mip_extent(const MemoryDescription& image, std::uint32_t mip) {
-    return {std::max(image.extent[0] >> mip, 1u), std::max(image.extent[1] >> mip, 1u),
-            std::max(image.extent[2] >> mip, 1u)};
+    const std::uint32_t depth = image.kind == MemoryKind::image2darray ? 1 : image.extent[2];
+    return {std::max(image.extent[0] >> mip, 1u), std::max(image.extent[1] >> mip, 1u), std::max(depth >> mip, 1u)};
 }
 
-std::uint32_t face_count(const MemoryDescription& image) { return image.kind == MemoryKind::imagecube ? 6 : 1; }
+std::uint32_t face_count(const MemoryDescription& image) {
+    if (image.kind == MemoryKind::image2darray) return image.extent[2];
+    return image.kind == MemoryKind::imagecube ? 6 : 1;
+}
 
 std::uint64_t face_bytes(const MemoryDescription& image, std::uint32_t mip) {
     const auto extent = mip_extent(image, mip);

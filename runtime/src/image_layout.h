@@ -1,11 +1,14 @@
-// Where the texels of an image lie when they are packed: level after level, in each level face after face, row-major.
+// Where the texels of an image lie when they are packed: level after level, in each level face after face (layer after
+// layer), row-major.
 #pragma once
 
 #include <glift/memory.h>
 
 namespace glift::detail {
 
+/// Of one face or layer.
 std::array<std::uint32_t, 3> mip_extent(const MemoryDescription& image, std::uint32_t mip);
+/// Faces or layers.
 std::uint32_t face_count(const MemoryDescription& image);
 std::uint64_t face_bytes(const MemoryDescription& image, std::uint32_t mip);
 std::uint64_t mip_offset(const MemoryDescription& image, std::uint32_t mip);

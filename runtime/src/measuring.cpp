@@ -51,6 +51,12 @@ private:
 class PlannedMemory final : public MemoryObject {
 public:
     using MemoryObject::MemoryObject;
+    PlannedMemory(std::shared_ptr<MemoryObject> whole, const MemoryDescription& description, const Texels& texels)
+        : MemoryObject(std::move(whole), description, texels) {}
+
+    std::shared_ptr<MemoryObject> part(const MemoryDescription& description, const Texels& texels) override {
+        return std::make_shared<PlannedMemory>(shared_from_this(), description, texels);
+    }
 };
 
 }  // namespace

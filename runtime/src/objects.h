@@ -13,6 +13,12 @@
 
 namespace glift::detail {
 
+/// The levels and layers (faces) of an image that a part of it has.
+struct Texels {
+    std::uint32_t mip = 0, mips = 1, layer = 0, layers = 1;
+    bool operator==(const Texels&) const = default;
+};
+
 class MemoryObject : public std::enable_shared_from_this<MemoryObject> {
 public:
     MemoryObject(std::shared_ptr<DeviceObject> device, const MemoryDescription& description);
@@ -23,15 +29,30 @@ public:
     const std::shared_ptr<DeviceObject>& device() const { return device_; }
 
     /// Notes that the container which had it has other memory now: what was recorded with it is out of date.
-    void note_replaced() { is_replaced_ = true; }
-    bool is_replaced() const { return is_replaced_; }
+    void note_replaced() { (whole_ ? whole_->is_replaced_ : is_replaced_) = true; }
+    bool is_replaced() const { return whole_ ? whole_->is_replaced_ : is_replaced_; }
+
+    /// The image that this is a part of; null: it is none.
+    const std::shared_ptr<MemoryObject>& whole() const { return whole_; }
+    const Texels& texels() const { return texels_; }
+    /// A part of this image, which is none itself, of this description.
+    virtual std::shared_ptr<MemoryObject> part(const MemoryDescription& description, const Texels& texels) = 0;
+
+protected:
+    /// A part of `whole`.
+    MemoryObject(std::shared_ptr<MemoryObject> whole, const MemoryDescription& description, const Texels& texels);
 
 private:
     std::shared_ptr<DeviceObject> device_;
     std::string name_;
     MemoryDescription description_;
     std::atomic<bool> is_replaced_{false};
+    std::shared_ptr<MemoryObject> whole_;
+    Texels texels_;
 };
+
+/// Whether two memories are one, or are parts of one that have a level and a layer in common.
+bool shares_texels(const MemoryObject* one, const MemoryObject* other);
 
 class DownloadObject {
 public:

@@ -28,6 +28,7 @@ const char* kind_text(MemoryKind kind) {
     case MemoryKind::image2d: return "image2d";
     case MemoryKind::image3d: return "image3d";
     case MemoryKind::imagecube: return "imagecube";
+    case MemoryKind::image2darray: return "image2darray";
     }
     return "memory";
 }

@@ -159,14 +159,17 @@ std::string memory_parameters(const Unit& unit, std::uint32_t index, const Class
         if (structure.members[i].by_reference) continue;
         text += ", " + unit.class_name(structure.members[i].structure) + " " + names.members[i];
     }
-    for (std::size_t i = 0; i < structure.memories.size(); ++i) text += ", glift::Memory " + names.memories[i];
+    for (std::size_t i = 0; i < structure.memories.size(); ++i)
+        if (!structure.memories[i].part) text += ", glift::Memory " + names.memories[i];
     return text;
 }
+
+bool is_own(const ir::Memory& memory) { return !memory.part; }
 
 bool has_parts(const Structure& structure) {
     const auto is_made_here = [](const ir::MemberStructure& member) { return !member.by_reference; };
     return structure.kind == StructureKind::stored &&
-           (!structure.memories.empty() || std::ranges::any_of(structure.members, is_made_here));
+           (std::ranges::any_of(structure.memories, is_own) || std::ranges::any_of(structure.members, is_made_here));
 }
 
 /// What a memory is to be, as a glift::MemoryDescription.
@@ -183,6 +186,7 @@ std::string memory_description(Unit& unit, Printer& p, std::uint32_t index, std:
     case ir::MemoryShape::image2d: text += ", .kind = glift::MemoryKind::image2d"; break;
     case ir::MemoryShape::image3d: text += ", .kind = glift::MemoryKind::image3d"; break;
     case ir::MemoryShape::imagecube: text += ", .kind = glift::MemoryKind::imagecube"; break;
+    case ir::MemoryShape::image2darray: text += ", .kind = glift::MemoryKind::image2darray"; break;
     }
     return text + ", .format = glift::Format::" + std::string(format_name(memory.format)) +
            ", .extent = glift::image_extent(" + extent + ")" + mips + "}";
@@ -196,6 +200,23 @@ Printer own_printer(Unit& unit, std::uint32_t index) {
         return structure_property(unit.globals, expr, index, "");
     };
     return p;
+}
+
+/// The memory of a structure that is made: a new one, one that exists already, or a part of another structure's.
+std::string memory_value(Unit& unit, Printer& p, std::uint32_t index, std::size_t i, const ClassNames& names,
+                         bool adopts) {
+    const ir::Memory& memory = unit.program.structures[index].memories[i];
+    if (!memory.part)
+        return std::string("commands.") + (adopts ? "adopt(std::move(" + names.memories[i] + "), " : "allocate(") +
+               memory_description(unit, p, index, i, names) + ")";
+    ir::Expr whole;
+    whole.op = ir::Op::structure_value;
+    whole.place = memory.part->of;
+    std::uint32_t of = index;
+    for (std::uint32_t member : whole.place.members) of = unit.program.structures[of].members[member].structure;
+    const char* const part = memory.part->kind == ir::ImagePart::Kind::mip ? "mip" : "layer";
+    return p.outer_expression(whole).text + "." + unit.globals.class_names[of].memories[memory.part->slot] + "()." +
+           part + "(" + print_any(p, memory.part->number) + ")";
 }
 
 /// An argument that a structure gives to one of its parts: where its value is exact in 64 bits, cut where it fits.
@@ -268,9 +289,7 @@ void print_constructors(Unit& unit, Writer& out, std::uint32_t index, const Clas
         for (std::size_t i = 0; i < structure.memories.size(); ++i) {
             initialisers.push_back(names.extent_fields[i] + "(" + extent_value(unit, p, type, structure.memories[i]) +
                                    ")");
-            initialisers.push_back(names.memory_fields[i] + "(commands." +
-                                   (adopts ? "adopt(std::move(" + names.memories[i] + "), " : "allocate(") +
-                                   memory_description(unit, p, index, i, names) + "))");
+            initialisers.push_back(names.memory_fields[i] + "(" + memory_value(unit, p, index, i, names, adopts) + ")");
         }
         for (std::size_t i = 0; i < structure.host.size(); ++i) {
             if (structure.host[i].initial)

@@ -53,6 +53,7 @@ const char* shape_text(MemoryShape shape) {
     case MemoryShape::image2d: return "2D";
     case MemoryShape::image3d: return "3D";
     case MemoryShape::imagecube: return "Cube";
+    case MemoryShape::image2darray: return "2DArray";
     }
     throw std::logic_error("emit/glsl: an image that is a buffer");
 }

@@ -16,6 +16,7 @@ const char* word(ir::MemoryShape shape) {
     case ir::MemoryShape::image2d: return "image2d";
     case ir::MemoryShape::image3d: return "image3d";
     case ir::MemoryShape::imagecube: return "imagecube";
+    case ir::MemoryShape::image2darray: return "image2darray";
     }
     return "";
 }

@@ -18,8 +18,9 @@ struct MemoryDescription {
     const char* name = "";  ///< shown by debuggers and in errors, `f.data`; copied
     MemoryKind kind = MemoryKind::buffer;
     Format format = Format::none;
-    std::uint64_t bytes = 0;                          ///< buffers: size; images: 0, derived from extent and format
-    std::array<std::uint32_t, 3> extent = {1, 1, 1};  ///< images: texels (cubes: of a face); buffers: unused
+    std::uint64_t bytes = 0;  ///< buffers: size; images: 0, derived from extent and format
+    /// Images: texels (cubes: of a face; image2darray: of a layer, and the number of layers); buffers: unused.
+    std::array<std::uint32_t, 3> extent = {1, 1, 1};
     std::uint32_t mips = 1;
     bool zeroed = true;  ///< false: contents start undefined (temporaries written whole)
 };
@@ -38,6 +39,13 @@ public:
 
     const MemoryDescription& description() const;  ///< images: bytes is filled in, all mips and faces together
     std::array<std::uint32_t, 3> extent() const { return description().extent; }
+
+    /// One level of an image, as an image of its own over the same texels: it may be read, written and drawn to while
+    /// other levels are. Throws wrong_argument where there is none.
+    Memory mip(std::uint32_t level) const;
+    /// One layer of an image2darray or one face of a cube, of level 0, as an image2d over the same texels.
+    Memory layer(std::uint32_t layer) const;
+
     explicit operator bool() const { return bool(object_); }
     bool operator==(const Memory&) const = default;
 

@@ -1,5 +1,6 @@
 #include "host_memory.h"
 
+#include "../image_layout.h"
 #include "../text.h"
 
 #include <glift/error.h>
@@ -70,6 +71,20 @@ HostMemoryObject::HostMemoryObject(std::shared_ptr<DeviceObject> device, const M
     ++counters_.memories;
 }
 
+HostMemoryObject::HostMemoryObject(const std::shared_ptr<HostMemoryObject>& whole, const MemoryDescription& description,
+                                   const Texels& texels)
+    : MemoryObject(whole, description, texels), storage_(whole->storage_),
+      data_(whole->data_ + mip_offset(whole->description(), texels.mip) +
+            texels.layer * face_bytes(whole->description(), texels.mip)),
+      counters_(whole->counters_) {
+    ++counters_.memories;
+}
+
 HostMemoryObject::~HostMemoryObject() { --counters_.memories; }
+
+std::shared_ptr<MemoryObject> HostMemoryObject::part(const MemoryDescription& description, const Texels& texels) {
+    const auto whole = std::static_pointer_cast<HostMemoryObject>(shared_from_this());
+    return std::shared_ptr<MemoryObject>(new HostMemoryObject(whole, description, texels));
+}
 
 }  // namespace glift::detail

@@ -43,10 +43,14 @@ public:
     std::byte* data() const { return data_; }
     HostMemory view() const {
         const MemoryDescription& d = description();
-        return {data_, d.bytes, d.extent, d.format, d.mips};
+        return {data_, d.bytes, d.extent, d.format, d.mips, d.kind == MemoryKind::image2darray};
     }
+    std::shared_ptr<MemoryObject> part(const MemoryDescription& description, const Texels& texels) override;
 
 private:
+    HostMemoryObject(const std::shared_ptr<HostMemoryObject>& whole, const MemoryDescription& description,
+                     const Texels& texels);
+
     std::shared_ptr<HostStorage> storage_;
     std::byte* data_;
     HostCounters& counters_;

@@ -10,9 +10,20 @@ namespace glift::detail {
 
 namespace {
 
-VkBufferImageCopy image_copy(const MemoryDescription& d, const ImageRegion& region, VkDeviceSize buffer_offset) {
+/// A level and a face, of a memory that may be a part of an image.
+VkImageSubresourceLayers subresource(const VulkanMemory& image, std::uint32_t mip, std::uint32_t face) {
+    const Texels& part = image.texels();
+    return {vulkan_aspect(image.description().format), part.mip + mip, part.layer + face, 1};
+}
+
+VkImageSubresourceRange all_of(const VulkanMemory& image) {
+    const MemoryDescription& d = image.description();
+    return {vulkan_aspect(d.format), image.texels().mip, d.mips, image.texels().layer, face_count(d)};
+}
+
+VkBufferImageCopy image_copy(const VulkanMemory& image, const ImageRegion& region, VkDeviceSize buffer_offset) {
     return {.bufferOffset = buffer_offset,
-            .imageSubresource = {vulkan_aspect(d.format), region.mip, region.face, 1},
+            .imageSubresource = subresource(image, region.mip, region.face),
             .imageOffset = {static_cast<std::int32_t>(region.origin[0]), static_cast<std::int32_t>(region.origin[1]),
                             static_cast<std::int32_t>(region.origin[2])},
             .imageExtent = {region.extent[0], region.extent[1], region.extent[2]}};
@@ -20,11 +31,11 @@ VkBufferImageCopy image_copy(const MemoryDescription& d, const ImageRegion& regi
 
 bool empty(const ImageRegion& region) { return !region.extent[0] || !region.extent[1] || !region.extent[2]; }
 
-std::vector<VkBufferImageCopy> image_copies(const MemoryDescription& d, std::span<const ImageRegion> regions,
+std::vector<VkBufferImageCopy> image_copies(const VulkanMemory& image, std::span<const ImageRegion> regions,
                                             VkDeviceSize base) {
     std::vector<VkBufferImageCopy> result;
     for (const ImageRegion& region : regions) {
-        if (!empty(region)) result.push_back(image_copy(d, region, base + region.offset));
+        if (!empty(region)) result.push_back(image_copy(image, region, base + region.offset));
     }
     return result;
 }
@@ -90,7 +101,7 @@ void Encoder::clear_new(const VulkanMemory& memory) {
         return;
     }
     ++batch_->operations;
-    const VkImageSubresourceRange all = {vulkan_aspect(d.format), 0, d.mips, 0, face_count(d)};
+    const VkImageSubresourceRange all = all_of(memory);
     // The storage may have belonged to a freed memory: wait for its last accesses.
     const VkImageMemoryBarrier2 first = {.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2,
                                          .srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
@@ -119,7 +130,7 @@ void Encoder::clear(const VulkanMemory& memory) {
 
 void Encoder::clear_image(const VulkanMemory& memory) {
     const MemoryDescription& d = memory.description();
-    const VkImageSubresourceRange all = {vulkan_aspect(d.format), 0, d.mips, 0, face_count(d)};
+    const VkImageSubresourceRange all = all_of(memory);
     if (d.format == Format::d32) {
         const VkClearDepthStencilValue zero = {};
         context_.vk.vkCmdClearDepthStencilImage(commands_, memory.parts.image, VK_IMAGE_LAYOUT_GENERAL, &zero, 1, &all);
@@ -138,7 +149,7 @@ void Encoder::copy(const VulkanMemory& from, const VulkanMemory& to, std::span<c
 
 void Encoder::copy_to_image(const VulkanMemory& buffer, const VulkanMemory& image,
                             std::span<const ImageRegion> regions) {
-    const auto copies = image_copies(image.description(), regions, 0);
+    const auto copies = image_copies(image, regions, 0);
     if (copies.empty()) return;
     touch(buffer, image);
     context_.vk.vkCmdCopyBufferToImage(commands_, buffer.parts.buffer, image.parts.image, VK_IMAGE_LAYOUT_GENERAL,
@@ -147,7 +158,7 @@ void Encoder::copy_to_image(const VulkanMemory& buffer, const VulkanMemory& imag
 
 void Encoder::copy_from_image(const VulkanMemory& image, const VulkanMemory& buffer,
                               std::span<const ImageRegion> regions) {
-    const auto copies = image_copies(image.description(), regions, 0);
+    const auto copies = image_copies(image, regions, 0);
     if (copies.empty()) return;
     touch(image, buffer);
     context_.vk.vkCmdCopyImageToBuffer(commands_, image.parts.image, VK_IMAGE_LAYOUT_GENERAL, buffer.parts.buffer,
@@ -156,12 +167,11 @@ void Encoder::copy_from_image(const VulkanMemory& image, const VulkanMemory& buf
 
 void Encoder::copy_images(const VulkanMemory& from, const VulkanMemory& to, std::span<const ImageCopyRegion> regions) {
     std::vector<VkImageCopy> copies;
-    const VkImageAspectFlags aspect = vulkan_aspect(from.description().format);
     for (const ImageCopyRegion& r : regions) {
         if (!r.extent[0] || !r.extent[1] || !r.extent[2]) continue;
-        copies.push_back({{aspect, r.from_mip, r.from_face, 1},
+        copies.push_back({subresource(from, r.from_mip, r.from_face),
                           offset3d(r.from),
-                          {aspect, r.to_mip, r.to_face, 1},
+                          subresource(to, r.to_mip, r.to_face),
                           offset3d(r.to),
                           {r.extent[0], r.extent[1], r.extent[2]}});
     }
@@ -205,7 +215,7 @@ void Encoder::upload_image(const VulkanMemory& image, std::span<const ImageRegio
     for (const ImageRegion& region : regions) {
         if (empty(region)) continue;
         std::memcpy(staging.data + at, bytes + region.offset, packed(region));
-        copies.push_back(image_copy(d, region, staging.offset + at));
+        copies.push_back(image_copy(image, region, staging.offset + at));
         at += (packed(region) + alignment - 1) / alignment * alignment;
     }
     touch(image, Access::write);
@@ -224,7 +234,7 @@ Slice Encoder::download(const VulkanMemory& from, std::span<const CopyRegion> re
 
 Slice Encoder::download_image(const VulkanMemory& image, std::span<const ImageRegion> regions, std::uint64_t bytes) {
     const Slice staging = batch_->readback.take(std::max<std::uint64_t>(bytes, 4));
-    const auto copies = image_copies(image.description(), regions, staging.offset);
+    const auto copies = image_copies(image, regions, staging.offset);
     if (copies.empty()) return staging;
     touch(image, Access::read);
     context_.vk.vkCmdCopyImageToBuffer(commands_, image.parts.image, VK_IMAGE_LAYOUT_GENERAL, staging.buffer(),

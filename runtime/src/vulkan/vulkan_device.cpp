@@ -244,6 +244,10 @@ void VulkanDevice::destroy(Retired& retired) {
     const MemoryParts& parts = retired.parts;
     for (const MemoryParts::AttachmentView& attachment : parts.attachment_views)
         vk.vkDestroyImageView(context_->device, attachment.view, nullptr);
+    for (const MemoryParts::PartViews& part : parts.part_views) {
+        vk.vkDestroyImageView(context_->device, part.sampled_view, nullptr);
+        vk.vkDestroyImageView(context_->device, part.storage_view, nullptr);
+    }
     vk.vkDestroyImageView(context_->device, parts.sampled_view, nullptr);
     vk.vkDestroyImageView(context_->device, parts.storage_view, nullptr);
     vk.vkDestroyImage(context_->device, parts.image, nullptr);

@@ -24,6 +24,7 @@ VkImageType image_type(MemoryKind kind) {
     case MemoryKind::image3d: return VK_IMAGE_TYPE_3D;
     case MemoryKind::buffer:
     case MemoryKind::image2d:
+    case MemoryKind::image2darray:
     case MemoryKind::imagecube: return VK_IMAGE_TYPE_2D;
     }
     return VK_IMAGE_TYPE_2D;
@@ -34,6 +35,7 @@ VkImageViewType view_type(MemoryKind kind) {
     case MemoryKind::image1d: return VK_IMAGE_VIEW_TYPE_1D;
     case MemoryKind::image3d: return VK_IMAGE_VIEW_TYPE_3D;
     case MemoryKind::imagecube: return VK_IMAGE_VIEW_TYPE_CUBE;
+    case MemoryKind::image2darray: return VK_IMAGE_VIEW_TYPE_2D_ARRAY;
     case MemoryKind::buffer:
     case MemoryKind::image2d: return VK_IMAGE_VIEW_TYPE_2D;
     }
@@ -56,6 +58,21 @@ VkImageView make_view(Context& context, VkImage image, const MemoryDescription& 
     return view;
 }
 
+VkImageUsageFlags image_usage(Context& context, const MemoryDescription& d);
+
+/// Of the sampled texels all levels, of those that are stored to the first one.
+MemoryParts::PartViews made_views(Context& context, VkImage image, const MemoryDescription& d, const Texels& texels) {
+    const auto range = [&](std::uint32_t mips) {
+        return VkImageSubresourceRange{vulkan_aspect(d.format), texels.mip, mips, texels.layer, texels.layers};
+    };
+    const VkImageViewType type = view_type(d.kind);
+    MemoryParts::PartViews views{texels, d.kind, VK_NULL_HANDLE, VK_NULL_HANDLE};
+    views.sampled_view = make_view(context, image, d, type, range(texels.mips), VK_IMAGE_USAGE_SAMPLED_BIT);
+    if (image_usage(context, d) & VK_IMAGE_USAGE_STORAGE_BIT)
+        views.storage_view = make_view(context, image, d, type, range(1), VK_IMAGE_USAGE_STORAGE_BIT);
+    return views;
+}
+
 // The usages of images that the format supports on this device.
 VkImageUsageFlags image_usage(Context& context, const MemoryDescription& d) {
     VkFormatProperties format;
@@ -64,7 +81,7 @@ VkImageUsageFlags image_usage(Context& context, const MemoryDescription& d) {
     const VkFormatFeatureFlags features = format.optimalTilingFeatures;
     if (features & VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT) usage |= VK_IMAGE_USAGE_SAMPLED_BIT;
     if (features & VK_FORMAT_FEATURE_STORAGE_IMAGE_BIT) usage |= VK_IMAGE_USAGE_STORAGE_BIT;
-    const bool flat = d.kind == MemoryKind::image2d || d.kind == MemoryKind::imagecube;
+    const bool flat = image_type(d.kind) == VK_IMAGE_TYPE_2D;
     if (flat && features & VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BIT) usage |= VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
     if (flat && features & VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT) {
         usage |= VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
@@ -89,11 +106,12 @@ VkBufferCreateInfo buffer_info(const VulkanDevice& owner, const MemoryDescriptio
 
 VkImageCreateInfo image_info(VulkanDevice& owner, const MemoryDescription& d) {
     if (d.bytes > owner.max_piece_bytes()) owner.throw_too_large(d);
+    const auto extent = mip_extent(d, 0);
     return {.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
             .flags = d.kind == MemoryKind::imagecube ? VkImageCreateFlags(VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT) : 0,
             .imageType = image_type(d.kind),
             .format = vulkan_format(d.format),
-            .extent = {d.extent[0], d.extent[1], d.extent[2]},
+            .extent = {extent[0], extent[1], extent[2]},
             .mipLevels = d.mips,
             .arrayLayers = face_count(d),
             .samples = VK_SAMPLE_COUNT_1_BIT,
@@ -111,11 +129,12 @@ void check_image_limits(Context& context, const MemoryDescription& d, const VkIm
     }
     context.check(result, "vkGetPhysicalDeviceImageFormatProperties");
     const VkExtent3D most = limits.maxExtent;
-    if (d.extent[0] > most.width || d.extent[1] > most.height || d.extent[2] > most.depth ||
-        d.mips > limits.maxMipLevels) {
+    if (info.extent.width > most.width || info.extent.height > most.height || info.extent.depth > most.depth ||
+        d.mips > limits.maxMipLevels || info.arrayLayers > limits.maxArrayLayers) {
         throw Error(ErrorCode::too_large, "an image is larger than the device allows", memory_text(d),
                     context.properties.name + " allows " + std::to_string(most.width) + " x " +
-                        std::to_string(most.height) + " x " + std::to_string(most.depth) + " texels",
+                        std::to_string(most.height) + " x " + std::to_string(most.depth) + " texels and " +
+                        std::to_string(limits.maxArrayLayers) + " layers",
                     "use a smaller one, or a buffer");
     }
 }
@@ -157,7 +176,24 @@ VulkanMemory::VulkanMemory(std::shared_ptr<DeviceObject> device, const MemoryDes
 
 VulkanDevice& VulkanMemory::owner() const { return static_cast<VulkanDevice&>(*device()); }
 
-VulkanMemory::~VulkanMemory() { owner().retire(parts, id); }
+VulkanMemory::VulkanMemory(const std::shared_ptr<VulkanMemory>& whole, const MemoryDescription& description,
+                           const Texels& texels)
+    : MemoryObject(whole, description, texels), id(whole->id) {
+    const MemoryParts::PartViews& views = whole->views_of(description, texels);
+    parts.image = whole->parts.image;
+    parts.sampled_view = views.sampled_view;
+    parts.storage_view = views.storage_view;
+}
+
+VulkanMemory::~VulkanMemory() {
+    if (!whole()) owner().retire(parts, id);
+}
+
+std::shared_ptr<MemoryObject> VulkanMemory::part(const MemoryDescription& description, const Texels& texels) {
+    const std::lock_guard lock(owner().mutex());
+    return std::make_shared<VulkanMemory>(std::static_pointer_cast<VulkanMemory>(shared_from_this()), description,
+                                          texels);
+}
 
 VkMemoryRequirements VulkanMemory::needs_of(VulkanDevice& owner, const MemoryDescription& d) {
     Context& context = owner.context();
@@ -201,18 +237,23 @@ void VulkanMemory::bind(VkDeviceMemory memory, VkDeviceSize offset) {
         return read_address();
     }
     context.check(context.vk.vkBindImageMemory(context.device, parts.image, memory, offset), "vkBindImageMemory");
-    const auto levels = [&](std::uint32_t mips) {
-        return VkImageSubresourceRange{vulkan_aspect(d.format), 0, mips, 0, face_count(d)};
-    };
-    parts.sampled_view =
-        make_view(context, parts.image, d, view_type(d.kind), levels(d.mips), VK_IMAGE_USAGE_SAMPLED_BIT);
-    if (image_usage(context, d) & VK_IMAGE_USAGE_STORAGE_BIT) {
-        parts.storage_view =
-            make_view(context, parts.image, d, view_type(d.kind), levels(1), VK_IMAGE_USAGE_STORAGE_BIT);
-    }
+    const MemoryParts::PartViews views = made_views(context, parts.image, d, {0, d.mips, 0, face_count(d)});
+    parts.sampled_view = views.sampled_view;
+    parts.storage_view = views.storage_view;
+}
+
+const MemoryParts::PartViews& VulkanMemory::views_of(const MemoryDescription& description, const Texels& texels) {
+    for (const MemoryParts::PartViews& known : parts.part_views)
+        if (known.texels == texels && known.kind == description.kind) return known;
+    parts.part_views.push_back(made_views(owner().context(), parts.image, description, texels));
+    return parts.part_views.back();
 }
 
 VkImageView VulkanMemory::attachment_view(std::uint32_t mip, std::uint32_t face) {
+    if (whole()) {
+        VulkanMemory& image = static_cast<VulkanMemory&>(*whole());
+        return image.attachment_view(texels().mip + mip, texels().layer + face);
+    }
     for (const MemoryParts::AttachmentView& known : parts.attachment_views)
         if (known.mip == mip && known.face == face) return known.view;
     Context& context = owner().context();

@@ -21,6 +21,13 @@ struct MemoryParts {
         VkImageView view;
     };
     std::vector<AttachmentView> attachment_views;
+    /// Of parts of the image.
+    struct PartViews {
+        Texels texels;
+        MemoryKind kind;
+        VkImageView sampled_view, storage_view;
+    };
+    std::vector<PartViews> part_views;
     Allocation allocation;
     std::vector<Allocation> pieces;  ///< of a buffer larger than one allocation, in place of it
 };
@@ -28,7 +35,12 @@ struct MemoryParts {
 class VulkanMemory final : public MemoryObject {
 public:
     VulkanMemory(std::shared_ptr<DeviceObject> device, const MemoryDescription& description);
+    /// A part of an image, which has the views: command buffers that use them hold the image.
+    VulkanMemory(const std::shared_ptr<VulkanMemory>& whole, const MemoryDescription& description,
+                 const Texels& texels);
     ~VulkanMemory() override;
+
+    std::shared_ptr<MemoryObject> part(const MemoryDescription& description, const Texels& texels) override;
 
     /// The requirements of a memory of this description; throws too_large, missing_feature.
     static VkMemoryRequirements needs_of(VulkanDevice& owner, const MemoryDescription& description);
@@ -55,6 +67,7 @@ public:
 
 private:
     void bind(VkDeviceMemory memory, VkDeviceSize offset);
+    const MemoryParts::PartViews& views_of(const MemoryDescription& description, const Texels& texels);
     void read_address();
 
     std::shared_ptr<VulkanMemory> block_;  ///< null: the storage is its own

@@ -1,4 +1,4 @@
-// Image<rgba8>, image.glift:8.
+// Image<rgba8>, image.glift:9.
 // Define before including: COLOUR_BINDING (the state; memory k follows at + 1 + k). Where wanted: COLOUR_SET, COLOUR_STATE, COLOUR_READONLY.
 #ifndef GLIFT_COLOUR
 #define GLIFT_COLOUR 1468926147

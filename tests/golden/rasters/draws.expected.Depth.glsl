@@ -1,4 +1,4 @@
-// Image<d32>, image.glift:8.
+// Image<d32>, image.glift:9.
 // Define before including: DEPTH_BINDING (the state; memory k follows at + 1 + k). Where wanted: DEPTH_SET, DEPTH_STATE, DEPTH_READONLY.
 #ifndef GLIFT_DEPTH
 #define GLIFT_DEPTH 119172645

@@ -5,6 +5,7 @@
 #include <glift/host/math.h>
 #include <glift/host/memory.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -81,7 +82,9 @@ inline Level level_of(const HostMemory& memory, std::uint32_t level) {
     Level result{0, {memory.extent[0], memory.extent[1], memory.extent[2]}};
     for (std::uint32_t i = 0; i < level; ++i) {
         result.first += static_cast<std::size_t>(result.extent[0] * result.extent[1] * result.extent[2]);
-        for (std::int64_t& n : result.extent) n = n > 1 ? n / 2 : 1;
+        const unsigned halved = memory.has_layers ? 2 : 3;
+        for (unsigned axis = 0; axis < halved; ++axis)
+            result.extent[axis] = std::max<std::int64_t>(result.extent[axis] / 2, 1);
     }
     return result;
 }
@@ -187,15 +190,16 @@ template <Format F, class T, class At> T sample_nearest(const HostMemory& memory
     std::array<std::int64_t, 3> texel;
     for (unsigned axis = 0; axis < 3; ++axis)
         texel[axis] = convert<std::int32_t>(floor(point[axis] * static_cast<float>(extent[axis])));
+    if (detail::components<At> == 3 && memory.has_layers) texel[2] = convert<std::int32_t>(round(point[2]));
     return detail::clamped_texel<F, T>(memory, texel, mip);
 }
 
-/// Linear interpolation between texel centres along each axis, x first.
+/// Linear interpolation between texel centres along each axis, x first; of layers the nearest.
 template <Format F, class T, class At> T sample_linear(const HostMemory& memory, const At& at, float level = 0.0f) {
     const std::array<float, 3> point = detail::as_array(at);
     const std::uint32_t mip = detail::nearest_level(memory, level);
     const auto extent = detail::level_of(memory, mip).extent;
-    constexpr unsigned axes = detail::components<At>;
+    const unsigned axes = detail::components<At> == 3 && memory.has_layers ? 2 : detail::components<At>;
     std::array<std::int64_t, 3> low{};
     std::array<float, 3> weight{};
     for (unsigned axis = 0; axis < axes; ++axis) {
@@ -203,6 +207,7 @@ template <Format F, class T, class At> T sample_linear(const HostMemory& memory,
         low[axis] = convert<std::int32_t>(floor(texel));
         weight[axis] = texel - floor(texel);
     }
+    if (axes < detail::components<At>) low[2] = convert<std::int32_t>(round(point[2]));
     std::array<T, 8> corners;
     for (unsigned i = 0; i < (1u << axes); ++i)
         corners[i] =

@@ -7,7 +7,7 @@
 
 namespace glift {
 
-enum class MemoryKind : std::uint8_t { buffer, image1d, image2d, image3d, imagecube };
+enum class MemoryKind : std::uint8_t { buffer, image1d, image2d, image3d, imagecube, image2darray };
 
 /// How a texel is stored. Names are those of the language.
 enum class Format : std::uint8_t {
@@ -37,9 +37,10 @@ enum class Format : std::uint8_t {
 struct HostMemory {
     std::byte* data;  ///< buffers: elements in scalar layout; images: texels, row-major, no padding
     std::uint64_t bytes;
-    std::array<std::uint32_t, 3> extent;  ///< images
+    std::array<std::uint32_t, 3> extent;  ///< images; the third of image2darray is how many layers there are
     Format format;
     std::uint32_t mips;  ///< one level after the other, level 0 first; cubes: six faces in each level
+    bool has_layers = false;
 };
 
 }  // namespace glift

@@ -1,0 +1,46 @@
+// ImageLevels<r32f>, image.glift:36.
+// Define before including: LEVELS_BINDING (the state; memory k follows at + 1 + k). Where wanted: LEVELS_SET, LEVELS_STATE, LEVELS_READONLY.
+#ifndef GLIFT_LEVELS
+#define GLIFT_LEVELS 1433708555
+#extension GL_EXT_scalar_block_layout : require
+
+#ifndef LEVELS_SET
+#define LEVELS_SET 0
+#endif
+#ifndef LEVELS_BINDING
+#error define LEVELS_BINDING before this file is included
+#endif
+#ifdef LEVELS_READONLY
+#define LEVELS_ACCESS readonly
+#else
+#define LEVELS_ACCESS
+#endif
+
+#ifndef LEVELS_STATE  // define it where the members below are declared in a block of your own
+layout(scalar, set = LEVELS_SET, binding = LEVELS_BINDING) readonly buffer Levels_state {
+    uvec2 Levels_extent;
+};
+#endif
+
+layout(set = LEVELS_SET, binding = LEVELS_BINDING + 1, r32f) uniform LEVELS_ACCESS image2D Levels_data;
+
+uvec2 Levels_translate(uvec2 address) {
+    return address;
+}
+
+float Levels_read(uvec2 address) {
+    bool Levels_value_inside = all(lessThan(address, Levels_extent));
+    float Levels_value = imageLoad(Levels_data, ivec2(Levels_value_inside ? address : uvec2(0u))).x;
+    return Levels_value_inside ? Levels_value : 0.0;
+}
+
+#ifndef LEVELS_READONLY
+void Levels_write(uvec2 address, float value) {
+    if (all(lessThan(address, Levels_extent))) {
+        imageStore(Levels_data, ivec2(address), vec4(value));
+    }
+}
+#endif
+#elif GLIFT_LEVELS != 1433708555
+#error the functions of another structure called Levels are included already
+#endif
