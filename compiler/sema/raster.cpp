@@ -124,9 +124,6 @@ void read_states(Context& c, const ast::Raster& written, ir::Raster& raster) {
                      written.states[k].span, "this is the first one");
         if (state.word == Word::cull) read(state, culls, raster.cull);
         else read(state, topologies, raster.topology);
-        if (raster.topology != ir::Topology::triangles && state.word == Word::draw)
-            c.error(Diag::reserved_name, state.value.span,
-                    {c.text(state.value.name), "draws of lines and points come in a later version"});
     }
 }
 

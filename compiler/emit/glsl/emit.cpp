@@ -110,7 +110,7 @@ std::string main_text(Printer& p) {
     print_round_start(p);
     print_parameter_copies(p);
     print_prologue(p, grouped);
-    if (p.raster()) print_fragment_start(p);
+    if (p.raster()) print_part_start(p);
     const ir::Variant& variant = variant_for(p.pass, ir::Devices::shaders);
     const bool is_coarsened = variant.assumes.elements != p.pass.plain().assumes.elements;
     if (is_coarsened && p.options.lines == LineMarks::comments)

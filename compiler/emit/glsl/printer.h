@@ -230,7 +230,7 @@ void need_inner_of_subgroup(Printer& p, const HelperUse& use);
 // raster.cpp: what the shaders of a draw are given, and give on
 void name_interface(Printer& p);
 std::string interface_text(Printer& p);
-void print_fragment_start(Printer& p);
+void print_part_start(Printer& p);
 /// Of a draw: its shaders declare what they use. All that a compute shader has is used.
 bool is_used(const Printer& p, std::size_t binding);
 

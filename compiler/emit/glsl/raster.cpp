@@ -85,7 +85,8 @@ std::string interface_text(Printer& p) {
 }
 
 /// Where only some paths give another depth, the others keep the triangle's.
-void print_fragment_start(Printer& p) {
+void print_part_start(Printer& p) {
+    if (p.options.part == Part::vertex && p.raster()->topology == ir::Topology::points) line(p, "gl_PointSize = 1.0;");
     if (p.options.part == Part::fragment && p.raster()->depth && p.raster()->depth->is_set)
         line(p, "gl_FragDepth = gl_FragCoord.z;");
 }

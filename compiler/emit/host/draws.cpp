@@ -43,6 +43,8 @@ std::string draw_kernel(cpp::Globals& globals, const ir::Pass& pass, const std::
     out.line("draw.body = &call;");
     out.line("draw.vertex = " + name + "_vertex;");
     if (has_fragment) out.line("draw.fragment = " + name + "_fragment;");
+    if (raster.topology != ir::Topology::triangles)
+        out.line("draw.topology = glift::Topology::" + std::string(ir::spelling(raster.topology)) + ";");
     out.line("draw.corners = call.size[0];");
     out.line("draw.instances = call.size[1];");
     std::uint32_t floats = 0;

@@ -1,5 +1,5 @@
-// Rasters of the language: which pixels triangles cover, on the host device and on Vulkan, under validation. Whole
-// meshes, and a soup of triangles that nobody should draw.
+// Rasters of the language: which pixels triangles, lines and points cover, on the host device and on Vulkan, under
+// validation. Whole meshes, and a soup of triangles that nobody should draw.
 #include "tests/device/guards/on_every_device.h"
 
 #include "coverage.glift.hpp"
@@ -87,6 +87,41 @@ std::uint32_t clipped_edges_at(const std::vector<float4>& places, uint2 size, st
     return found;
 }
 
+/// Between the near and the far plane, in the window; none where nothing is between them.
+std::vector<std::array<double, 2>> ends_of(const Place& a, const Place& b, uint2 size) {
+    double from = 0, to = 1;
+    const auto cut = [&](double first, double second) {
+        if (first < 0 && second < 0) to = -1;
+        else if (first < 0) from = std::max(from, first / (first - second));
+        else if (second < 0) to = std::min(to, first / (first - second));
+    };
+    cut(a[2], b[2]);
+    cut(a[3] - a[2], b[3] - b[2]);
+    std::vector<std::array<double, 2>> ends;
+    for (const double t : {from, to}) {
+        Place p;
+        for (std::size_t i = 0; i < 4; ++i) p[i] = a[i] + t * (b[i] - a[i]);
+        if (from <= to && p[3] > 0) ends.push_back({(p[0] / p[3] + 1) * size.x / 2, (p[1] / p[3] + 1) * size.y / 2});
+    }
+    return ends;
+}
+
+/// Whether the pixel's centre lies where the border of some line is, as near as that is rounded.
+bool is_beside_a_line(const std::vector<float4>& places, uint2 size, uint2 pixel) {
+    constexpr double rounding = 2.0 / 256;
+    for (std::size_t i = 0; i + 2 <= places.size(); i += 2) {
+        const auto ends = ends_of(place_of(places[i]), place_of(places[i + 1]), size);
+        if (ends.size() < 2) continue;
+        const double dx = ends[1][0] - ends[0][0], dy = ends[1][1] - ends[0][1], length = std::hypot(dx, dy);
+        const double x = pixel.x + 0.5 - ends[0][0], y = pixel.y + 0.5 - ends[0][1];
+        const double aside = std::abs(x * dy - y * dx) / length, along = (x * dx + y * dy) / length;
+        const bool is_within = along > -rounding && along < length + rounding && aside < 0.5 + rounding;
+        const bool is_at_end = std::min(std::abs(along), std::abs(along - length)) < rounding;
+        if (is_within && (is_at_end || std::abs(aside - 0.5) < rounding)) return true;
+    }
+    return false;
+}
+
 class Coverage : public testing::Test {
 protected:
     glift::Device host = glift::Device::open("host");
@@ -96,13 +131,33 @@ protected:
         for (const std::string& message : vulkan.validation_messages()) ADD_FAILURE() << message;
     }
 
-    static std::vector<std::uint32_t> of_places(const glift::Device& device, const std::vector<float4>& list,
-                                                uint2 size) {
+    template <class Draw> static std::vector<std::uint32_t> drawn(const glift::Device& device, const Draw& draw,
+                                                                  const std::vector<float4>& list, uint2 size) {
         coverage::Places places(device, static_cast<std::uint32_t>(list.size()));
         places.write(list);
         const coverage::Counts counts(device, size);
-        coverage::overdraw(device, places, counts);
+        draw(device, places, counts);
         return counts.read();
+    }
+    static std::vector<std::uint32_t> of_places(const glift::Device& device, const std::vector<float4>& list,
+                                                uint2 size) {
+        return drawn(
+            device, [](auto&&... all) { coverage::overdraw(all...); }, list, size);
+    }
+    /// The pixels that differ; there must be some that do not.
+    template <class Draw>
+    std::vector<uint2> differing(const Draw& draw, const std::vector<float4>& list, uint2 size) const {
+        const auto a = drawn(host, draw, list, size), b = drawn(vulkan, draw, list, size);
+        std::vector<uint2> differ;
+        std::uint64_t fragments = 0;
+        for (std::uint32_t i = 0; i < a.size(); ++i) {
+            if (a[i] != b[i]) differ.emplace_back(i % size.x, i / size.x);
+            fragments += a[i];
+        }
+        std::printf("%zu places, %llu fragments, %zu pixels differ\n", list.size(),
+                    static_cast<unsigned long long>(fragments), differ.size());
+        EXPECT_GT(fragments, differ.size() * 500);
+        return differ;
     }
 
     static Covered of_mesh(const glift::Device& device, const mesh::Mesh& mesh, const camera::Camera& view,
@@ -184,6 +239,64 @@ TEST_F(Coverage, OfAHundredThousandTriangles) {
         }
     }
     same(places, {512, 384});
+}
+
+void draw_lines(const glift::Device& device, const coverage::Places& places, const coverage::Counts& counts) {
+    coverage::lines_over(device, places, counts);
+}
+void draw_points(const glift::Device& device, const coverage::Places& places, const coverage::Counts& counts) {
+    coverage::points_over(device, places, counts);
+}
+
+/// In any direction, of any length, in perspective; some level, upright or diagonal, from centre to centre of pixels.
+TEST_F(Coverage, OfLines) {
+    constexpr uint2 size(301, 203);
+    Numbers number(11);
+    std::vector<float4> inside, grid, across;
+    for (int i = 0; i < 20000; ++i) {
+        const float length = i % 50 == 0 ? 1.0f : i % 3 == 0 ? 0.1f : 0.01f;
+        const float x = number.between(-0.9f, 0.9f), y = number.between(-0.9f, 0.9f);
+        for (int k = 0; k < 2; ++k) {
+            const float w = number.between(0.5f, 2);
+            inside.emplace_back(std::clamp(x + number.between(-length, length), -1.0f, 1.0f) * w,
+                                std::clamp(y + number.between(-length, length), -1.0f, 1.0f) * w, 0.5f * w, w);
+        }
+    }
+    constexpr uint2 square(64, 64);  // whose pixels' centres are exact
+    for (int i = 0; i < 2000; ++i) {
+        const auto cell = [&] { return std::floor(number.between(0, 63.99f)); };
+        const float x = cell(), y = cell(), length = cell();
+        const float way_x = i % 4 == 1 ? 0.0f : 1.0f, way_y = i % 4 == 0 ? 0.0f : i % 4 == 3 ? -1.0f : 1.0f;
+        const auto at = [&](float column, float row) {
+            grid.emplace_back((column + 0.5f) / 32 - 1, (row + 0.5f) / 32 - 1, 0.5f, 1.0f);
+        };
+        at(x, y);
+        at(x + way_x * length, y + way_y * length);
+    }
+    for (int i = 0; i < 2000; ++i)
+        for (int k = 0; k < 2; ++k)
+            across.emplace_back(number.between(-5, 5), number.between(-5, 5), number.between(-0.5f, 1.5f),
+                                number.between(-0.2f, 2));
+    EXPECT_TRUE(differing(draw_lines, grid, square).empty());
+    for (const std::vector<float4>& list : {inside, across})
+        for (const uint2 pixel : differing(draw_lines, list, size))
+            EXPECT_TRUE(is_beside_a_line(list, size, pixel)) << pixel.x << ' ' << pixel.y;
+}
+
+TEST_F(Coverage, OfPoints) {
+    Numbers number(12);
+    std::vector<float4> places, grid;
+    for (int i = 0; i < 20000; ++i) {
+        const float w = number.between(0.5f, 2);
+        places.emplace_back(number.between(-1.1f, 1.1f) * w, number.between(-1.1f, 1.1f) * w,
+                            number.between(-0.1f, 1.1f) * w, w);
+    }
+    // Corners, sides and centres of pixels.
+    for (int i = 0; i <= 128; ++i)
+        for (int k = 0; k <= 128; ++k)
+            grid.emplace_back(static_cast<float>(i) / 64 - 1, static_cast<float>(k) / 64 - 1, 0.5f, 1.0f);
+    EXPECT_TRUE(differing(draw_points, places, {301, 203}).empty());
+    EXPECT_TRUE(differing(draw_points, grid, {64, 64}).empty());
 }
 
 TEST_F(Coverage, OfScenes) {

@@ -168,21 +168,21 @@ void draw_marks(const glift::Commands& commands, const glift::Range<Points>& cor
     }
 }
 
-// draws.glift:67: frame
+// draws.glift:76: frame
 void frame(const glift::Commands& commands, const Corners& corners, const Points& points, float4x4 camera,
     const Points& marks, const Corners& number, const Colour& image) {
-    // draws.glift:69
+    // draws.glift:78
     Depth z(commands, image.extent());
-    // draws.glift:70
+    // draws.glift:79
     ::std_image::clear_depth_89866a9c(commands, z, 1.0f);
-    // draws.glift:71
+    // draws.glift:80
     draw_mesh(commands, corners, points, camera, image, z);
-    // draws.glift:72
+    // draws.glift:81
     const glift::DeviceScalar<uint> n = number.element(commands, 0u);
-    // draws.glift:73
-    draw_marks(commands, glift::slice(points, 0u, 3u, "draws.glift:73"), marks.first(n),
-        glift::slice(image, uint2(0u, 0u), uint2(8u, 8u), "draws.glift:73"),
-        glift::slice(z, uint2(0u, 0u), uint2(8u, 8u), "draws.glift:73"));
+    // draws.glift:82
+    draw_marks(commands, glift::slice(points, 0u, 3u, "draws.glift:82"), marks.first(n),
+        glift::slice(image, uint2(0u, 0u), uint2(8u, 8u), "draws.glift:82"),
+        glift::slice(z, uint2(0u, 0u), uint2(8u, 8u), "draws.glift:82"));
     z = {};
 }
 

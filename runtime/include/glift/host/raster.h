@@ -1,8 +1,9 @@
 // The software rasteriser of the host device: generated code describes a draw and shades fragments block by block.
 //
 // Coverage is that of Vulkan with 8 bits of subpixel precision: window coordinates are rounded to 1/256 of a pixel, a
-// pixel is covered if its centre lies inside a triangle or on a top or left edge. Vertex and fragment shaders run in
-// parallel; within a tile of the target, triangles keep their order.
+// pixel is covered if its centre lies inside a triangle or on a top or left edge. A line is a rectangle one pixel wide
+// (Vulkan's strict lines), a point a square of one pixel; both are drawn as two triangles, seen from before. Vertex and
+// fragment shaders run in parallel; within a tile of the target, triangles keep their order.
 #pragma once
 
 #include <glift/api.h>
@@ -32,7 +33,8 @@ struct Fragments {
     int2 first;  ///< the block's first pixel, relative to the viewport's. Even in the framebuffer, so it may be -1
     std::uint64_t covered;  ///< a bit for each pixel
     bool is_front;
-    const float* corner[3];  ///< the varyings of the triangle's vertices, in the order of the draw
+    const float* corner[3];  ///< the varyings of the triangle's vertices, where it was clipped new ones
+    const float* flat;       ///< those of the first vertex of the draw's triangle, line or point
     const DepthTarget* depth_target;
     alignas(64) float depth[side * side];
     /// Barycentric weights of vertices 1 and 2 in the window, for `linear` varyings; that of vertex 0 is 1 - both.
@@ -54,8 +56,8 @@ struct Draw {
     /// Null: only depth is written.
     void (*fragment)(const void* body, const Fragments& fragments) = nullptr;
 
-    std::uint64_t corners =
-        0;  ///< number of vertices, three per triangle; an incomplete triangle at the end is not drawn
+    Topology topology = Topology::triangles;
+    std::uint64_t corners = 0;  ///< number of vertices; an incomplete triangle or line at the end is not drawn
     std::uint32_t instances = 1;
     std::uint32_t clip_distances = 0, varyings = 0;  ///< floats of a vertex after its position
     uint2 viewport;                                  ///< size, at most 16384 along each axis

@@ -3,6 +3,7 @@
 #include "host/raster/block.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace glift::host::raster {
 
@@ -50,12 +51,22 @@ struct BlockDraw {
         if (covered == 0 || draw.fragment == nullptr) return;
         fragments.covered = covered;
         fragments.is_front = triangle.is_front;
+        fragments.flat = triangle.flat;
         std::copy(std::begin(triangle.corner), std::end(triangle.corner), std::begin(fragments.corner));
         draw.fragment(draw.body, fragments);
     }
 };
 
 }  // namespace
+
+std::uint32_t corners_of(Topology topology) {
+    switch (topology) {
+    case Topology::triangles: return 3;
+    case Topology::lines: return 2;
+    case Topology::points: return 1;
+    }
+    return 3;
+}
 
 Tiles tiles_of(uint2 size) {
     Tiles tiles{smallest_tile, 0, 0};
@@ -75,18 +86,61 @@ void Chunk::make(const Draw& draw, const Window& window, const Clipper& clipper,
     made_.clear();
     triangles_.clear();
     draw.vertex(draw.body, first, count, instance, corners_.data());
-    for (std::uint32_t i = 0; i + 3 <= count; i += 3) {
+    const std::uint32_t step = corners_of(draw.topology);
+    for (std::uint32_t i = 0; i + step <= count; i += step) {
         const float* corner = corners_.data() + std::size_t{i} * stride;
-        add(window, clipper.clipped(corner, corner + stride, corner + 2 * stride, made_));
+        const std::size_t before = triangles_.size();
+        switch (draw.topology) {
+        case Topology::triangles:
+            add(window, clipper.clipped(corner, corner + stride, corner + 2 * stride, made_));
+            break;
+        case Topology::lines: add_line(window, clipper, corner, corner + stride); break;
+        case Topology::points: add_point(window, clipper, corner); break;
+        }
+        for (std::size_t k = before; k < triangles_.size(); ++k) {
+            triangles_[k].flat = corner + window.layout.varyings_at();
+            triangles_[k].is_front |= draw.topology != Topology::triangles;
+        }
     }
     sort(tiles);
+}
+
+void Chunk::add(const Window& window, const Corner& corner0, const Corner& corner1, const Corner& corner2) {
+    if (auto triangle = triangle_of(window, corner0, corner1, corner2)) triangles_.push_back(*triangle);
+}
+
+/// A rectangle around the line, half a pixel to both sides. The offset is rounded as vertices are, as llvmpipe does it.
+void Chunk::add_line(const Window& window, const Clipper& clipper, const float* from, const float* to) {
+    if (!clipper.clip_line(from, to, made_)) return;
+    const float2 begin = place_of(window, from), end = place_of(window, to), way = end - begin;
+    const Corner a{snapped(begin), from}, b{snapped(end), to};
+    const float length = std::sqrt(way.x * way.x + way.y * way.y);
+    if (!(length > 0.0f)) return;
+    const float scale = 0.5f / length;
+    const auto rounded = [](float x) { return std::llrint(static_cast<double>(x) * (1 << subpixel_bits)); };
+    const Point aside{rounded(-way.y * scale), rounded(way.x * scale)};
+    const auto beside = [](const Corner& corner, const Point& by, int sign) {
+        return Corner{{corner.point.x + sign * by.x, corner.point.y + sign * by.y}, corner.vertex};
+    };
+    add(window, beside(a, aside, -1), beside(b, aside, -1), beside(b, aside, 1));
+    add(window, beside(a, aside, -1), beside(b, aside, 1), beside(a, aside, 1));
+}
+
+/// A square around the point, half a pixel to each side.
+void Chunk::add_point(const Window& window, const Clipper& clipper, const float* vertex) {
+    if (!clipper.is_inside(vertex)) return;
+    constexpr std::int64_t half = 1 << (subpixel_bits - 1);
+    const Point middle = corner_of(window, vertex).point;
+    const auto at = [&](std::int64_t x, std::int64_t y) { return Corner{{middle.x + x, middle.y + y}, vertex}; };
+    add(window, at(-half, -half), at(half, -half), at(half, half));
+    add(window, at(-half, -half), at(half, half), at(-half, half));
 }
 
 /// Splits a polygon into a fan around its first vertex.
 void Chunk::add(const Window& window, const Polygon& polygon) {
     for (unsigned i = 2; i < polygon.count; ++i)
-        if (auto triangle = triangle_of(window, polygon.corners[0], polygon.corners[i - 1], polygon.corners[i]))
-            triangles_.push_back(*triangle);
+        add(window, corner_of(window, polygon.corners[0]), corner_of(window, polygon.corners[i - 1]),
+            corner_of(window, polygon.corners[i]));
 }
 
 /// A counting sort: the number of triangles of each tile, prefix sums, then the triangles' indices.

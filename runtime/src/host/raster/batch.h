@@ -17,10 +17,14 @@ struct Tiles {
 };
 Tiles tiles_of(uint2 size);
 
+/// Vertices of a triangle, a line, a point.
+std::uint32_t corners_of(Topology topology);
+
 /// Consecutive triangles of the draw, and for each tile those that touch it, in order.
 class Chunk {
 public:
-    /// Runs the vertex shader for `count` vertices, a multiple of three, from `first` on, and sets up their triangles.
+    /// Runs the vertex shader for `count` vertices from `first` on, and sets up the triangles that their primitives
+    /// are.
     void make(const Draw& draw, const Window& window, const Clipper& clipper, const Tiles& tiles, std::uint64_t first,
               std::uint32_t count, std::uint32_t instance);
     const std::vector<Triangle>& triangles() const { return triangles_; }
@@ -31,6 +35,9 @@ public:
 
 private:
     void add(const Window& window, const Polygon& polygon);
+    void add(const Window& window, const Corner& corner0, const Corner& corner1, const Corner& corner2);
+    void add_line(const Window& window, const Clipper& clipper, const float* from, const float* to);
+    void add_point(const Window& window, const Clipper& clipper, const float* vertex);
     void sort(const Tiles& tiles);
 
     std::vector<float> corners_;

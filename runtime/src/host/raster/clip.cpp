@@ -59,6 +59,17 @@ Polygon Clipper::cut(const Polygon& polygon, unsigned plane, MadeCorners& made) 
     return result;
 }
 
+bool Clipper::clip_line(const float*& from, const float*& to, MadeCorners& made) const {
+    if (is_inside(from) && is_inside(to)) return true;
+    for (unsigned plane = 0; plane < planes(); ++plane) {
+        const float a = distance(plane, from), b = distance(plane, to);
+        if (!(a >= 0.0f) && !(b >= 0.0f)) return false;
+        if (!(b >= 0.0f)) to = between(from, to, a / (a - b), made);
+        if (!(a >= 0.0f)) from = between(to, from, b / (b - a), made);
+    }
+    return from[3] > 0.0f && to[3] > 0.0f;
+}
+
 Polygon Clipper::clipped(const float* corner0, const float* corner1, const float* corner2, MadeCorners& made) const {
     Polygon polygon{{corner0, corner1, corner2}, 3};
     if (is_inside(corner0) && is_inside(corner1) && is_inside(corner2)) return polygon;

@@ -24,13 +24,17 @@ class Clipper {
 public:
     explicit Clipper(const Window& window);
 
+    /// Moves the ends of a line to the planes, as far as it lies outside; false where nothing is left.
+    bool clip_line(const float*& from, const float*& to, MadeCorners& made) const;
+    /// Whether a vertex lies inside all planes, with w > 0.
+    bool is_inside(const float* corner) const;
+
     /// The part of a triangle inside all planes: the triangle itself, a polygon with new vertices, or nothing.
     Polygon clipped(const float* corner0, const float* corner1, const float* corner2, MadeCorners& made) const;
 
 private:
     unsigned planes() const { return 6 + layout_.clip_distances; }
     float distance(unsigned plane, const float* corner) const;
-    bool is_inside(const float* corner) const;
     Polygon cut(const Polygon& polygon, unsigned plane, MadeCorners& made) const;
     const float* between(const float* in, const float* out, float t, MadeCorners& made) const;
 

@@ -9,7 +9,7 @@ namespace glift::host {
 
 namespace {
 
-constexpr std::uint32_t chunk_corners = 3 * 512;
+constexpr std::uint32_t chunk_corners = 6 * 256;  // whole triangles, lines and points
 constexpr std::size_t batch_chunks = 64;
 
 }  // namespace
@@ -17,10 +17,11 @@ constexpr std::size_t batch_chunks = 64;
 void draw(const Draw& draw) {
     using namespace raster;
     const uint2 begin = draw.framebuffer % 2u;  // the quads of derivatives are aligned as on a GPU
-    const Window window{begin, begin + draw.viewport, draw.cull, {draw.clip_distances, draw.varyings}};
+    const Cull cull = draw.topology == Topology::triangles ? draw.cull : Cull::none;
+    const Window window{begin, begin + draw.viewport, cull, {draw.clip_distances, draw.varyings}};
     const Clipper clipper(window);
     const Tiles tiles = tiles_of(window.end);
-    const std::uint64_t corners = draw.corners / 3 * 3;
+    const std::uint64_t corners = draw.corners / corners_of(draw.topology) * corners_of(draw.topology);
     const std::uint64_t chunks_of_instance = (corners + chunk_corners - 1) / chunk_corners;
     const std::uint64_t chunk_count = chunks_of_instance * draw.instances;
     std::vector<Chunk> chunks(std::min<std::uint64_t>(batch_chunks, chunk_count));

@@ -7,25 +7,10 @@ namespace glift::host::raster {
 
 namespace {
 
-struct Point {
-    std::int64_t x, y;  ///< in 1/256 of a pixel; pixel centres are multiples of 256
-};
-
-/// Rounds to the subpixel grid. The guard band keeps the result within 2^24.
-std::int64_t snapped(float window) { return std::llrint(static_cast<double>(window - 0.5f) * (1 << subpixel_bits)); }
-
 /// Scaled and moved with one rounding, as devices with fused arithmetic do it: the product is exact in a double.
 float in_viewport(float place, float half_size, float middle) {
     return static_cast<float>(static_cast<double>(place) * static_cast<double>(half_size) +
                               static_cast<double>(middle));
-}
-
-Point in_window(const Window& window, const float* corner) {
-    const float inverse_w = 1.0f / corner[3];
-    const float half_width = 0.5f * static_cast<float>(window.end.x - window.first.x);
-    const float half_height = 0.5f * static_cast<float>(window.end.y - window.first.y);
-    return {snapped(in_viewport(corner[0] * inverse_w, half_width, half_width + static_cast<float>(window.first.x))),
-            snapped(in_viewport(corner[1] * inverse_w, half_height, half_height + static_cast<float>(window.first.y)))};
 }
 
 /// An edge with its inside to the right of its direction, y growing downwards. A pixel centre on it is inside if it is
@@ -50,11 +35,24 @@ bool is_culled(Cull cull, bool is_front) {
 
 }  // namespace
 
-std::optional<Triangle> triangle_of(const Window& window, const float* corner0, const float* corner1,
-                                    const float* corner2) {
-    const float* corners[3] = {corner0, corner1, corner2};
-    Point points[3];
-    for (int i = 0; i < 3; ++i) points[i] = in_window(window, corners[i]);
+float2 place_of(const Window& window, const float* vertex) {
+    const float inverse_w = 1.0f / vertex[3];
+    const float half_width = 0.5f * static_cast<float>(window.end.x - window.first.x);
+    const float half_height = 0.5f * static_cast<float>(window.end.y - window.first.y);
+    return {in_viewport(vertex[0] * inverse_w, half_width, half_width + static_cast<float>(window.first.x)),
+            in_viewport(vertex[1] * inverse_w, half_height, half_height + static_cast<float>(window.first.y))};
+}
+
+/// Rounds to the subpixel grid. The guard band keeps the result within 2^24.
+Point snapped(float2 place) {
+    const auto rounded = [](float x) { return std::llrint(static_cast<double>(x - 0.5f) * (1 << subpixel_bits)); };
+    return {rounded(place.x), rounded(place.y)};
+}
+
+std::optional<Triangle> triangle_of(const Window& window, const Corner& corner0, const Corner& corner1,
+                                    const Corner& corner2) {
+    const float* corners[3] = {corner0.vertex, corner1.vertex, corner2.vertex};
+    const Point points[3] = {corner0.point, corner1.point, corner2.point};
     const std::int64_t area = (points[1].x - points[0].x) * (points[2].y - points[0].y) -
                               (points[2].x - points[0].x) * (points[1].y - points[0].y);
     Triangle triangle;

@@ -29,6 +29,7 @@ struct Triangle {
     float offset[3];            ///< what the top-left rule subtracted from the edge functions
     float z[3], inverse_w[3];
     const float* corner[3];                 ///< varyings
+    const float* flat = nullptr;            ///< those of the draw's first vertex: clipping changes none
     std::int32_t left, top, right, bottom;  ///< pixels that may be covered, the last ones exclusive
     bool is_front;
 };
@@ -41,8 +42,26 @@ struct Window {
     CornerLayout layout;
 };
 
-/// Sets up a triangle of three vertices inside the guard band, with w > 0; none if it covers no pixel or is culled.
-std::optional<Triangle> triangle_of(const Window& window, const float* corner0, const float* corner1,
-                                    const float* corner2);
+/// In the window, in 1/256 of a pixel; pixel centres are multiples of 256.
+struct Point {
+    std::int64_t x, y;
+};
+
+/// A vertex where it is in the window, or beside that: those of lines and points.
+struct Corner {
+    Point point;
+    const float* vertex;
+};
+
+/// Where a vertex inside the guard band, with w > 0, is in the window, in pixels.
+float2 place_of(const Window& window, const float* vertex);
+Point snapped(float2 place);
+inline Corner corner_of(const Window& window, const float* vertex) {
+    return {snapped(place_of(window, vertex)), vertex};
+}
+
+/// Sets up a triangle; none if it covers no pixel or is culled.
+std::optional<Triangle> triangle_of(const Window& window, const Corner& corner0, const Corner& corner1,
+                                    const Corner& corner2);
 
 }  // namespace glift::host::raster
