@@ -24,6 +24,7 @@ TypeId implied_type(const Program& program, const Pass* pass, const Expr& node, 
         if (node.binary >= BinaryOp::less && node.binary <= BinaryOp::not_equal) return types.bool_;
         return types.is_vector(type(1)) && !types.is_matrix(type(0)) ? type(1) : type(0);
     case Op::select: return type(1);
+    case Op::row_item:
     case Op::index: {
         const Type& whole = types[type(0)];
         return whole.kind == TypeKind::matrix ? vector(whole.element, whole.rows) : whole.element;

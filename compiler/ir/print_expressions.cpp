@@ -173,6 +173,7 @@ std::string Printer::bare(ExprId id) {
 #define MEMORY_OPERATION(name) case Op::name:
 #include "ir/operations.def"
         return memory(node);
+    case Op::row_item: return operand(o[0]) + ".row[" + expr(o[1]) + "]";
     case Op::row_load: return binding(node.slot) + ".row[" + list(node.operands) + "]";
     }
     return "?";

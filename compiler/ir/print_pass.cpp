@@ -127,7 +127,7 @@ std::string Printer::title(const Variant& variant) {
     std::string text = variant.part == Part::vertex ? "vertex" : variant.part == Part::fragment ? "fragment" : "body";
     if (variant.devices == Devices::shaders) text += ", on shaders";
     if (variant.devices == Devices::host) text += ", on host";
-    const auto& [elements, interior, bounds] = variant.assumes;
+    const auto& [elements, interior, bounds, row] = variant.assumes;
     if (elements != std::array{pass_->items, 1u, 1u}) text += ", takes " + three(elements);
     const auto parameter = [&](std::uint32_t slot) { return "$" + pass_->parameters.at(slot).name; };
     if (interior) text += ", inside " + std::to_string(interior->radius) + " of " + parameter(interior->domain);
@@ -135,6 +135,7 @@ std::string Printer::title(const Variant& variant) {
     const auto limit = [&](ExprId id) { return id ? expr(id) : std::string("any"); };
     for (const Bounds& of : bounds)
         text += ", bounds(" + expr(of.value) + ", " + limit(of.low) + ", " + limit(of.high) + ")";
+    if (row != 0) text += ", rows of " + std::to_string(row);
     if (variant.order == RowOrder::any) text += ", any order";
     return variant.order == RowOrder::in_blocks ? text + ", in blocks" : text;
 }

@@ -97,6 +97,10 @@ void Printer::cpu_stmt(const Stmt& stmt) {
     case StmtOp::store_rows:
         line("store_rows(" + binding(stmt.slot) + ", " + expr(stmt.target) + ", " + expr(stmt.value) + ");");
         break;
+    case StmtOp::copy_row:
+        line("copy_row(" + binding(stmt.slot) + ", " + expr(stmt.value) + ", " + expr(stmt.target) + ", " +
+             expr(stmt.limit) + ");");
+        break;
     case StmtOp::keep: line("keep " + declaration(stmt.local) + ";"); break;
     default: nested("invocations {", stmt.body); line("}");
     }

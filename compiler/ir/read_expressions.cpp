@@ -62,7 +62,11 @@ ExprId Reader::operand() {
 ExprId Reader::postfix(ExprId whole) {
     while (true) {
         if (at("..")) return whole;
-        if (accept("[")) {
+        if (accept(".row[")) {
+            const ExprId at = expr();
+            expect("]");
+            whole = implied({.op = Op::row_item, .operands = {whole, at}});
+        } else if (accept("[")) {
             const ExprId at = expr();
             expect("]");
             whole = implied({.op = Op::index, .operands = {whole, at}});

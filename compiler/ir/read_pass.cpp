@@ -214,6 +214,8 @@ Variant Reader::variant(Part part) {
             made.devices = Devices::host;
         } else if (accept("takes")) {
             made.assumes.elements = three();
+        } else if (accept("rows of")) {
+            made.assumes.row = static_cast<std::uint32_t>(number());
         } else if (accept("any order")) {
             made.order = RowOrder::any;
         } else if (accept("in blocks")) {

@@ -73,6 +73,23 @@ Stmt Reader::move_of_rows(StmtOp op) {
     return stmt;
 }
 
+/// copy_row(binding, first, array[first], count);
+Stmt Reader::copy_of_row() {
+    Stmt stmt;
+    stmt.op = StmtOp::copy_row;
+    expect("(");
+    const auto found = bindings_.find(name());
+    if (found == bindings_.end()) fail("no such binding before this");
+    stmt.slot = found->second;
+    for (ExprId* part : {&stmt.value, &stmt.target, &stmt.limit}) {
+        expect(",");
+        *part = expr();
+    }
+    expect(")");
+    expect(";");
+    return stmt;
+}
+
 /// keep var name: type;
 Stmt Reader::keep() {
     const bool is_mutable = accept("var"), is_temporary = !is_mutable && accept("tmp");
@@ -178,6 +195,7 @@ Stmt Reader::statement() {
         stmt.body = block();
         return stmt;
     }
+    if (accept("copy_row")) return copy_of_row();
     if (accept("load_rows")) return move_of_rows(StmtOp::load_rows);
     if (accept("store_rows")) return move_of_rows(StmtOp::store_rows);
     if (accept("image_store")) return memory_statement(StmtOp::image_store, Combine::replace);

@@ -70,6 +70,7 @@ private:
     Stmt conditional();
     Stmt counted_loop();
     Stmt move_of_rows(StmtOp op);
+    Stmt copy_of_row();
     Stmt keep();
     Stmt memory_statement(StmtOp op, Combine combine);
     Stmt assignment();

@@ -86,7 +86,8 @@ void Validator::low_level(ExprId id) {
 #define HOST_OPERATION(name) case Op::name:
 #include "ir/operations.def"
         return fail("high-level operation in a lowered kernel", id);
-    case Op::builtin: return;
+    case Op::builtin:
+    case Op::row_item: return;
 #define VALUE_OPERATION(name) case Op::name:
 #include "ir/operations.def"
         return;
@@ -158,6 +159,9 @@ void Validator::stmt(const Stmt& stmt) {
         if (stmt.slot >= pass_.bindings.size()) return fail("no such binding");
         if (p.exprs[stmt.target].op != Op::local) fail("rows are loaded into what is no local array", stmt.target);
         return;
+    case StmtOp::copy_row:
+        if (stmt.slot >= pass_.bindings.size()) return fail("no such binding");
+        return expect_type(stmt.target, pass_.bindings[stmt.slot].element, "a copied row");
     case StmtOp::store_rows:
         if (stmt.slot >= pass_.bindings.size()) return fail("no such binding");
         if (pass_.bindings[stmt.slot].access == Access::read) fail("a store to memory that is only read");

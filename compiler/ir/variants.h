@@ -34,6 +34,9 @@ struct Assumptions {
     /// Of values that advance by one from each element of a row to the next, while their limits stay the same. They
     /// name locals of the variant that assumes the same but for them.
     std::vector<Bounds> bounds;
+    /// Of blocks: elements are done in rows of so many, which begin at positions that are multiples of it; 0: the
+    /// block is one row.
+    std::uint32_t row = 0;
 };
 
 /// How the elements of a row may be done.
@@ -48,8 +51,8 @@ struct Variant {
     Devices devices = Devices::any;
     Assumptions assumes;
     std::vector<StmtId> body;
-    /// Of blocks all of whose elements are visited: what is done once a block, before the body; the last statement
-    /// evaluates whether the block is such a one. Absent: of any element.
+    /// Of blocks all of whose elements are visited: what is done once a block, before the body. A statement evaluates
+    /// whether the block is such a one; what follows it is done where it is. Absent: of any element.
     std::optional<std::vector<StmtId>> block;
     RowOrder order = RowOrder::ascending;  ///< the host device's, of kernels without a group
 };

@@ -106,26 +106,29 @@ ExprId Expander::quotient_of(ExprId value, std::uint64_t divisor) {
     return {};
 }
 
-/// One axis of the address of an element: that of the block's first one, and the offset in the block. Numbers of blocks
-/// are kept below 2^32 / size, so that no address of a block wraps: what lies beyond is in no domain.
-Expander::Along Expander::address_along(std::uint32_t axis, ExprId first, ExprId size, ExprId offset) {
+/// One axis of a block. Numbers of blocks are kept below 2^32 / size, so that no address of a block wraps: what lies
+/// beyond is in no domain.
+Expander::OwnBlock::Axis Expander::block_along(std::uint32_t axis, ExprId first, ExprId size) {
     const std::string name = std::string("block_") + "xyzw"[axis];
     const auto width = make.bits_of(size);
     const ExprId number = width && *width != 0 ? quotient_of(first, *width) : ExprId{};
+    OwnBlock::Axis along;
     if (number) {
         const LocalId local = let(name, number, span_);
-        const std::uint64_t most = two_to_32 / *width - 1;
-        make.limits[local] = most;
+        along.most = two_to_32 / *width - 1;
+        along.number = make.local(local);
+        make.limits[local] = along.most;
         if (*width != 1)
             block_.is_there =
-                make.both(block_.is_there, make.binary(BinaryOp::less_equal, make.local(local), make.uint(most)));
-        const ExprId begin = make.multiply(make.local(local), size);
-        return {make.add(begin, offset), make.add(begin, make.uint(*width - 1))};
+                make.both(block_.is_there, make.binary(BinaryOp::less_equal, along.number, make.uint(along.most)));
+        along.begin = make.multiply(along.number, size);
+        along.last = make.add(along.begin, make.uint(*width - 1));
+        return along;
     }
-    const ExprId begin = make.local(let(name + "_begin", first, span_));
-    const ExprId last = make.binary(BinaryOp::subtract, make.add(begin, size), make.uint(1));
-    block_.is_there = make.both(block_.is_there, make.binary(BinaryOp::greater_equal, last, begin));
-    return {make.add(begin, offset), last};
+    along.begin = make.local(let(name + "_begin", first, span_));
+    along.last = make.binary(BinaryOp::subtract, make.add(along.begin, size), make.uint(1));
+    block_.is_there = make.both(block_.is_there, make.binary(BinaryOp::greater_equal, along.last, along.begin));
+    return along;
 }
 
 /// Works out what the block's number decides, and from it the element's address.
@@ -146,11 +149,12 @@ void Expander::enter_block() {
     for (std::uint32_t axis = 0; axis < axes; ++axis) {
         const ExprId width = make.component(block_.size, axis);
         const bool is_last = axis + 1 == axes;
-        const ExprId offset = is_last ? rest : make.binary(BinaryOp::remainder, rest, width);
-        const Along along = address_along(axis, make.component(first.value, axis), width, offset);
-        parts.push_back(along.address);
+        OwnBlock::Axis along = block_along(axis, make.component(first.value, axis), width);
+        along.offset = is_last ? rest : make.binary(BinaryOp::remainder, rest, width);
+        parts.push_back(make.add(along.begin, along.offset));
         last.push_back(along.last);
         if (!is_last) rest = make.binary(BinaryOp::divide, rest, width);
+        block_.axes.push_back(along);
     }
     const auto whole = [&](Operands& of) {
         return of.size() == 1 ? of[0] : make.construct(cx.kernel.domain_type, std::move(of));
@@ -252,9 +256,13 @@ Expander::Block Expander::visited_block(Block body) {
             return append_if(is_element_there(), std::move(rest), {});
         }
         out_->insert(out_->end(), prelude_.begin(), prelude_.end());
+        const Block copies = collect([&] {
+            for (Halo& halo : halos) fill(halo);
+        });
         Stmt holds = statement(StmtOp::evaluate, span_);
         holds.value = make.both(is_block_there(), block_.holds);
         append(std::move(holds));
+        out_->insert(out_->end(), copies.begin(), copies.end());
         out_->insert(out_->end(), body.begin(), body.end());
     });
 }

@@ -8,6 +8,7 @@
 
 #include "ir/empty.h"
 #include "lower/context.h"
+#include "lower/halos.h"
 #include "lower/inline_size.h"
 #include "lower/number.h"
 #include "lower/tree_size.h"
@@ -82,6 +83,9 @@ public:
         ExprId value;
     };
     std::vector<NearValue> near_values;
+    /// Of each near parameter, what was asked for; absent where a function that is no part of the body asks.
+    std::optional<NearOffsets> near_offsets = NearOffsets();
+    std::vector<Halo> halos;  ///< Guards::block: what near reads from copies
     /// The guards of rows further down: at + distance < extent.
     struct RowGuard {
         ExprId condition, at, extent;
@@ -154,6 +158,13 @@ private:
         ExprId is_there;  ///< or absent: it is
         ExprId holds;     ///< Guards::block: what else the block must be for the body to be right
         LocalId position;
+        struct Axis {
+            ExprId offset;       ///< of the element, in the block
+            ExprId begin, last;  ///< addresses of the block
+            ExprId number;       ///< that times the size is `begin`, if such a one is known
+            std::uint64_t most = 0;
+        };
+        std::vector<Axis> axes;
     };
 
     // instances.cpp
@@ -229,10 +240,7 @@ private:
     ExprId visited_size();
     Pair of_owner(ir::FunctionId function, std::vector<Pair> arguments);
     ExprId quotient_of(ExprId value, std::uint64_t divisor);
-    struct Along {
-        ExprId address, last;
-    };
-    Along address_along(std::uint32_t axis, ExprId first, ExprId size, ExprId offset);
+    OwnBlock::Axis block_along(std::uint32_t axis, ExprId first, ExprId size);
     void enter_block();
     ExprId visited_address();
     ExprId origin_of(std::uint32_t root);
@@ -244,6 +252,22 @@ private:
     bool is_value_of_block(StmtId id);
     ExprId without_block_tests(ExprId condition);
     Block visited_block(Block body);
+
+    // halos.cpp
+    Halo* halo_of(std::uint32_t root);
+    ExprId in_halo(Halo& halo, const std::vector<std::int64_t>& offset);
+    struct NextBlock {
+        ExprId begin, exists, room;
+    };
+    NextBlock next_block(const Halo& halo, std::uint32_t axis, int step);
+    struct Neighbours {
+        std::vector<std::array<NextBlock, 3>> axes;  ///< by step + 1
+        ExprId all;                                  ///< whether everything that is copied is there
+        Block copies;
+    };
+    void copy_from(const Halo& halo, const Halo::Part& part, Neighbours& found);
+    void fill(const Halo& halo);
+    bool depends_on(ExprId id, const std::vector<LocalId>& locals);
 
     // raster.cpp
     void declare_address(ir::Part part);

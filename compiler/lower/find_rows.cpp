@@ -31,7 +31,7 @@ bool evaluates_all(const Expr& node) {
 
 /// What is known before the body: values of the block are the same for all its elements.
 RowSlopes slopes_of(const Context& cx, const Variant& variant) {
-    RowSlopes slopes(cx.p, cx.pass.address);
+    RowSlopes slopes(cx.p, cx.pass.address, variant.assumes.row);
     if (!variant.block) return slopes;
     for (StmtId id : *variant.block)
         if (cx.p.stmts[id].op == StmtOp::let) slopes.learn_steady(cx.p.stmts[id].local);
@@ -41,17 +41,29 @@ RowSlopes slopes_of(const Context& cx, const Variant& variant) {
 /// A binding and an index in it.
 using RowPlace = std::pair<std::uint32_t, ExprId>;
 
+/// What elements of a row come by.
+struct RowPlaces {
+    std::set<RowPlace> memory;
+    std::set<ExprId> items;  ///< of arrays of the block's own: what `index` takes
+};
+
 /// Places that every element of a row comes by, in the order of memory. Ends at the first early return: what follows is
 /// not executed by every element.
 class Finder {
 public:
-    Finder(const Context& context, const Variant& variant) : cx(context), slopes_(slopes_of(context, variant)) {}
+    Finder(const Context& context, const Variant& variant) : cx(context), slopes_(slopes_of(context, variant)) {
+        if (!variant.block) return;
+        for (StmtId id : *variant.block) {
+            const Stmt& stmt = cx.p.stmts[id];
+            if (stmt.op == StmtOp::let && stmt.uninitialized) arrays_.insert(stmt.local);
+        }
+    }
 
     void walk(const std::vector<StmtId>& body) {
         for (StmtId id : body)
             if (all_come_by_) visit(cx.p.stmts[id]);
     }
-    std::set<RowPlace> places;
+    RowPlaces places;
 
 private:
     void visit(const Stmt& stmt) {
@@ -66,25 +78,36 @@ private:
     void visit(ExprId id) {
         const Expr& node = cx.p.exprs[id];
         if (node.op == Op::load && note(node.slot, node.operands[0], node.type)) return;
+        if (node.op == Op::index && is_of_block(node.operands[0]) && slopes_.is_row(node.operands[1])) {
+            places.items.insert(id);
+            return;
+        }
         for (std::size_t i = 0; i < node.operands.size() && (i == 0 || evaluates_all(node)); ++i)
             visit(node.operands[i]);
     }
 
     bool note(std::uint32_t binding, ExprId index, TypeId type) {
         if (is_row(cx.p.types, cx.pass.bindings[binding], type) || !slopes_.is_row(index)) return false;
-        places.insert({binding, index});
+        places.memory.insert({binding, index});
         return true;
+    }
+
+    /// Arrays that are filled once a block: indices lie inside.
+    bool is_of_block(ExprId array) const {
+        const Expr& node = cx.p.exprs[array];
+        return node.op == Op::local && arrays_.contains(node.local);
     }
 
     const Context& cx;
     RowSlopes slopes_;
+    IdSet<Local> arrays_;
     bool all_come_by_ = true;
 };
 
 /// The statements with accesses of rows at the places.
 class Marking {
 public:
-    Marking(Context& context, const std::set<RowPlace>& places) : cx(context), places_(places) {}
+    Marking(Context& context, const RowPlaces& places) : cx(context), places_(places) {}
 
     std::vector<StmtId> run(const std::vector<StmtId>& body) {
         std::vector<StmtId> result;
@@ -115,22 +138,27 @@ private:
             copy.op = Op::row_load;
             return cx.p.exprs.add(std::move(copy));
         }
+        if (places_.items.contains(id)) {
+            Expr copy = node;
+            copy.op = Op::row_item;
+            return cx.p.exprs.add(std::move(copy));
+        }
         return with_operands_visited(cx, id, [&](ExprId operand) { return visited(operand); });
     }
 
     bool is_marked(std::uint32_t binding, ExprId index, TypeId type) const {
-        return places_.contains({binding, index}) && !is_row(cx.p.types, cx.pass.bindings[binding], type);
+        return places_.memory.contains({binding, index}) && !is_row(cx.p.types, cx.pass.bindings[binding], type);
     }
 
     Context& cx;
-    const std::set<RowPlace>& places_;
+    const RowPlaces& places_;
 };
 
 /// With the accesses of rows that are found in it, if there are any.
 std::optional<std::vector<StmtId>> marked(Context& cx, const Variant& variant, const std::vector<StmtId>& body) {
     Finder finder(cx, variant);
     finder.walk(body);
-    if (finder.places.empty()) return std::nullopt;
+    if (finder.places.memory.empty() && finder.places.items.empty()) return std::nullopt;
     return Marking(cx, finder.places).run(body);
 }
 

@@ -63,6 +63,7 @@ Expander::Current Expander::enter_window(Function& made) {
     prelude_ = {};
     centres_ = {};
     addresses_ = {};
+    near_offsets.reset();
     return outer;
 }
 

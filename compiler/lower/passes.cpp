@@ -68,6 +68,8 @@ constexpr KernelPass kernels[] = {
     {"move_uniforms", "all bodies of the pass", "uniform values are parameters that the host computes"},
     {"split_blocks", "the host device's body for blocks all of whose elements are visited",
      "values that depend on the block alone are computed once a block"},
+    {"copy_rows", "split blocks",
+     "loops that copy a row of memory to an array that is filled once a block are one statement"},
     {"find_rows", "variants for the host device of a kernel without a group",
      "accesses that move along memory with the elements of a row are those of a row; in the middle of a row none of "
      "them is clamped; the order in which elements may be done"},

@@ -7,6 +7,7 @@
 #include "lower/coarsen.h"
 #include "lower/compact.h"
 #include "lower/contained.h"
+#include "lower/copy_rows.h"
 #include "lower/dispatch.h"
 #include "lower/expand.h"
 #include "lower/find_rows.h"
@@ -105,12 +106,15 @@ void reach_by_address(Context& cx) {
 }
 
 /// The host's body for blocks all of whose elements are visited.
-void add_whole_block(Context& cx, const std::vector<ExprId>& facts) {
+void add_whole_block(Context& cx, const Expander& checked, const std::vector<ExprId>& facts) {
     if (!cx.kernel.space) return;
     Expander expander(cx, Guards::block);
+    if (checked.near_offsets) expander.halos = halos_of(cx, *checked.near_offsets);
+    const bool has_halos = !expander.halos.empty();
     std::vector<StmtId> body = expander.kernel_body();
     cx.traits.clear();
     Variant made{Part::whole, Devices::host, cx.pass.plain().assumes, {}};
+    if (has_halos) made.assumes.row = expander.halos[0].block[0];
     made.body = simplified(cx, "whole block", std::move(body), facts);
     made.block.emplace();
     cx.pass.variants.push_back(std::move(made));
@@ -157,6 +161,8 @@ std::vector<Variant> for_host(Context& cx, const Variant& variant) {
         if (!split) return {};
         made = std::move(*split);
         finished(cx, "split_blocks", std::vector{made}, {}, "whole block");
+        made.block = copy_rows(cx, *made.block);
+        finished(cx, "copy_rows", std::vector{made}, {}, "whole block");
     }
     std::vector<Variant> found = find_rows(cx, made);
     finished(cx, "find_rows", found, {}, "host");
@@ -265,7 +271,7 @@ Pass lowered(Program& program, Diagnostics& diagnostics, std::uint32_t kernel, F
     }
     std::vector<StmtId> holders;
     add_interior(cx, expander, facts, holders);
-    add_whole_block(cx, facts);
+    add_whole_block(cx, expander, facts);
     pass.prologue = std::move(expander.size_statements);
     for (StmtId id : dispatch_prologue(cx)) pass.prologue.push_back(id);
 

@@ -18,7 +18,7 @@ Slopes unknown() { return {}; }
 
 Slopes steady() {
     Slopes slopes;
-    slopes.fill({true, 0, std::nullopt});
+    slopes.fill({true, 0, std::nullopt, 0});
     return slopes;
 }
 
@@ -33,22 +33,32 @@ std::int64_t times(std::int64_t a, std::int64_t b) {
     return static_cast<std::int64_t>(static_cast<std::uint64_t>(a) * static_cast<std::uint64_t>(b));
 }
 
+/// Whether the divisor is a multiple of a row's length, and the row begins at such a multiple: the quotient is one for
+/// all of the row.
+bool is_by_rows(const Slope& a, const Slope& b) {
+    return a.step == 1 && a.aligned != 0 && b.constant && *b.constant > 0 && *b.constant % a.aligned == 0;
+}
+
 Slope combine(BinaryOp op, const Slope& a, const Slope& b) {
     if (!a.known || !b.known) return {};
     switch (op) {
     case BinaryOp::add:
         return {true, plus(a.step, b.step),
-                a.constant && b.constant ? std::optional(plus(*a.constant, *b.constant)) : std::nullopt};
+                a.constant && b.constant ? std::optional(plus(*a.constant, *b.constant)) : std::nullopt, 0};
     case BinaryOp::subtract:
         return {true, minus(a.step, b.step),
-                a.constant && b.constant ? std::optional(minus(*a.constant, *b.constant)) : std::nullopt};
+                a.constant && b.constant ? std::optional(minus(*a.constant, *b.constant)) : std::nullopt, 0};
     case BinaryOp::multiply:
-        if (a.constant && b.constant) return {true, 0, times(*a.constant, *b.constant)};
-        if (a.constant) return {true, times(*a.constant, b.step), std::nullopt};
-        if (b.constant) return {true, times(a.step, *b.constant), std::nullopt};
+        if (a.constant && b.constant) return {true, 0, times(*a.constant, *b.constant), 0};
+        if (a.constant) return {true, times(*a.constant, b.step), std::nullopt, 0};
+        if (b.constant) return {true, times(a.step, *b.constant), std::nullopt, 0};
         break;
     case BinaryOp::divide:
+        if (is_by_rows(a, b)) return {true, 0, std::nullopt, 0};
+        break;
     case BinaryOp::remainder:
+        if (is_by_rows(a, b)) return a;
+        break;
     case BinaryOp::shift_left:
     case BinaryOp::shift_right:
     case BinaryOp::less:
@@ -63,7 +73,7 @@ Slope combine(BinaryOp op, const Slope& a, const Slope& b) {
     case BinaryOp::logical_and:
     case BinaryOp::logical_or: break;
     }
-    if (a.step == 0 && b.step == 0) return {true, 0, std::nullopt};
+    if (a.step == 0 && b.step == 0) return {true, 0, std::nullopt, 0};
     return {};
 }
 
@@ -76,9 +86,10 @@ bool all_steady(const Slopes& slopes, std::uint32_t count) {
 
 }  // namespace
 
-RowSlopes::RowSlopes(const ir::Program& program, ir::LocalId address) : program_(program) {
+RowSlopes::RowSlopes(const ir::Program& program, ir::LocalId address, std::uint32_t row) : program_(program) {
     Slopes slopes = steady();
     slopes[0].step = 1;
+    slopes[0].aligned = row;
     locals_[address] = slopes;
 }
 
@@ -157,7 +168,7 @@ Slopes RowSlopes::of(ExprId id) {
     case Op::unary:
         if (expr.unary == ir::UnaryOp::minus) {
             Slopes result = of(expr.operands[0]);
-            for (Slope& slope : result) slope = combine(BinaryOp::subtract, {true, 0, 0}, slope);
+            for (Slope& slope : result) slope = combine(BinaryOp::subtract, {true, 0, 0, 0}, slope);
             return result;
         }
         break;

@@ -14,6 +14,7 @@ struct Slope {
     bool known = false;
     std::int64_t step = 0;                 ///< known: added for each element, modulo 2^32
     std::optional<std::int64_t> constant;  ///< known with step 0: its value, where that is a constant
+    std::uint32_t aligned = 0;             ///< step 1: rows of so many elements begin where it is a multiple of that
 };
 
 /// Of the parts of a scalar or vector; others are never known.
@@ -22,8 +23,9 @@ using Slopes = std::array<Slope, 4>;
 /// The slopes of values within one function or kernel body.
 class RowSlopes {
 public:
-    /// `address` is the local that holds the element's address: its x advances by one.
-    RowSlopes(const ir::Program& program, ir::LocalId address);
+    /// `address` is the local that holds the element's address: its x advances by one. `row`: how many elements a row
+    /// has, which begins at a multiple of that; 0: not known.
+    RowSlopes(const ir::Program& program, ir::LocalId address, std::uint32_t row = 0);
 
     /// Takes note of a statement that every element executes, in order.
     void learn(const ir::Stmt& stmt);

@@ -1,28 +1,92 @@
 #include "lower/split_blocks.h"
 
+#include "ir/walk.h"
 #include "lower/blocks.h"
+
+#include <algorithm>
 
 namespace gliftc::lower {
 
 using namespace ir;
+
+namespace {
+
+/// Arrays that are filled with what the block decides: by statements `block` of loops, conditions and assignments, and
+/// by nothing else.
+class Filling {
+public:
+    Filling(Context& context, const std::vector<StmtId>& body) : cx(context), values_(context) {
+        for (StmtId id : body) {
+            const Stmt& stmt = cx.p.stmts[id];
+            values_.has(stmt);
+            if (stmt.op == StmtOp::block && are_of_block(stmt.body)) statements_.insert(id);
+        }
+        for (StmtId id : body)
+            if (!statements_.contains(id)) note_assigned(id);
+    }
+
+    /// Whether the statement declares such an array, or fills some.
+    bool has(StmtId id) const {
+        const Stmt& stmt = cx.p.stmts[id];
+        if (stmt.op == StmtOp::let)
+            return stmt.uninitialized && filled_.contains(stmt.local) && !others_.contains(stmt.local);
+        bool has = statements_.contains(id);
+        for_each_statement(cx.p, stmt.body, [&](const Stmt& inner) {
+            has = has && (inner.op != StmtOp::assign || !others_.contains(place_of(cx.p, inner.target).local));
+        });
+        return has;
+    }
+
+private:
+    void note_assigned(StmtId id) {
+        for_each_statement(cx.p, {id}, [&](const Stmt& stmt) {
+            if (stmt.op == StmtOp::assign) others_.insert(place_of(cx.p, stmt.target).local);
+        });
+    }
+
+    bool are_of_block(const std::vector<StmtId>& body) {
+        return std::ranges::all_of(body, [&](StmtId id) { return is_of_block(cx.p.stmts[id]); });
+    }
+
+    bool is_of_block(const Stmt& stmt) {
+        if (stmt.op == StmtOp::let) return values_.has(stmt);
+        if (stmt.op == StmtOp::assign) return is_item(stmt.target) && values_.has(stmt.value);
+        if (stmt.op != StmtOp::for_ && stmt.op != StmtOp::if_) return false;
+        return values_.has(stmt.value) && (!stmt.limit || values_.has(stmt.limit)) && are_of_block(stmt.body) &&
+               are_of_block(stmt.otherwise);
+    }
+
+    bool is_item(ExprId target) {
+        const Expr& index = cx.p.exprs[target];
+        if (index.op != Op::index || cx.p.exprs[index.operands[0]].op != Op::local) return false;
+        filled_.insert(cx.p.exprs[index.operands[0]].local);
+        return values_.has(index.operands[1]);
+    }
+
+    Context& cx;
+    BlockValues values_;
+    IdSet<Stmt> statements_;
+    IdSet<Local> filled_, others_;
+};
+
+}  // namespace
 
 std::optional<Variant> split_blocks(Context& cx, const Variant& variant) {
     Variant made = variant;
     made.body.clear();
     made.block.emplace();
     BlockValues values(cx);
+    const Filling filling(cx, variant.body);
     StmtId holds;
     for (StmtId id : variant.body) {
         const Stmt& stmt = cx.p.stmts[id];
-        if (!holds && stmt.op == StmtOp::evaluate && cx.make.type(stmt.value) == cx.p.types.bool_) {
-            if (!values.has(stmt.value)) return std::nullopt;
-            holds = id;
-            continue;
-        }
-        (values.has(stmt) ? *made.block : made.body).push_back(id);
+        const bool is_condition = !holds && stmt.op == StmtOp::evaluate && cx.make.type(stmt.value) == cx.p.types.bool_;
+        if (is_condition && !values.has(stmt.value)) return std::nullopt;
+        if (is_condition) holds = id;
+        const bool is_of_block = is_condition || values.has(stmt) || filling.has(id);
+        (is_of_block ? *made.block : made.body).push_back(id);
     }
     if (!holds) return std::nullopt;
-    made.block->push_back(holds);
     return made;
 }
 

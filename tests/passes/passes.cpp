@@ -124,7 +124,8 @@ std::string run_pass(const std::filesystem::path& path, const std::string& befor
     if (is_source(path)) return dumped(path, name);
     Lowering lowering(before);
     run(lowering, name);
-    for (const std::string& problem : ir::validate(lowering.program, lowering.pass, lowering.pass.plain().body, {}))
+    for (const std::string& problem :
+         ir::validate(lowering.program, lowering.pass, ir::statements_of(lowering.pass.plain()), {}))
         throw std::runtime_error(problem);
     return ir::print(lowering.program, lowering.pass);
 }

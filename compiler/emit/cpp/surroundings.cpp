@@ -82,6 +82,7 @@ Text structure_property(const Globals& globals, const ir::Expr& expr, std::uint3
     case ir::Op::guarded_load:
     case ir::Op::load:
     case ir::Op::row_load:
+    case ir::Op::row_item:
     case ir::Op::image_load:
     case ir::Op::image_sample:
     case ir::Op::builtin: break;

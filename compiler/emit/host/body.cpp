@@ -35,6 +35,8 @@ Text print_outer(Body& body, const Expr& expr) {
     cpp::Printer& p = body.p;
     switch (expr.op) {
     case Op::parameter: body.used_parameters.insert(expr.slot); return {body.parameter_names[expr.slot]};
+    case Op::row_item:
+        return {body.item_pointers.at({p.program.exprs[expr.operands[0]].local, expr.operands[1]}) + "[i]"};
     case Op::row_load:
     case Op::load: {
         if (is_row(p.program.types, body.pass.bindings[expr.slot], expr.type))
@@ -103,6 +105,18 @@ std::string report_text(Body& body, const Stmt& stmt) {
     return "glift::host::report_outside(call, {" + record + "}, " + cpp::print_any(body.p, stmt.target) + ");";
 }
 
+/// A row of memory to a row of an array.
+void print_copy(Body& body, const Stmt& stmt) {
+    cpp::Printer& p = body.p;
+    body.used_bindings.insert(stmt.slot);
+    const Expr& to = p.program.exprs[stmt.target];
+    const std::string from = body.binding_names[stmt.slot] + " + " + cpp::print(p, stmt.value, Level::postfix);
+    const std::string at =
+        cpp::print(p, to.operands[0], Level::postfix) + ".values + " + cpp::print(p, to.operands[1], Level::postfix);
+    p.out.line(
+        concat("glift::host::copy_row<", std::to_string(p.program.exprs[stmt.limit].bits), ">(", from, ", ", at, ");"));
+}
+
 void print_outer(Body& body, const Stmt& stmt) {
     cpp::Printer& p = body.p;
     switch (stmt.op) {
@@ -144,6 +158,7 @@ void print_outer(Body& body, const Stmt& stmt) {
     case StmtOp::store_rows:
         return p.out.line(concat("glift::host::store_rows(", row_arguments(body, stmt.slot, stmt.target), ", ",
                                  cpp::print_any(p, stmt.value), ");"));
+    case StmtOp::copy_row: return print_copy(body, stmt);
     case StmtOp::keep:
     case StmtOp::discard:
     case StmtOp::invocations:

@@ -17,6 +17,8 @@ struct Body {
     std::set<std::uint32_t> used_bindings, used_parameters;
     /// Accesses, as binding and index operand, that go through a pointer to the row, and its name.
     std::map<std::pair<std::uint32_t, ir::ExprId>, std::string> row_pointers;
+    /// The same of arrays of a block's own, by the local and the index operand.
+    std::map<std::pair<ir::LocalId, ir::ExprId>, std::string> item_pointers;
     bool first_only = false;  ///< workgroups: what is printed runs once, for the first invocation
     std::string group_text;   ///< the workgroup's size
 

@@ -20,17 +20,20 @@ using ir::StmtOp;
 struct RowAccess {
     std::uint32_t binding;
     ExprId index;
+    ir::LocalId array;  ///< or absent: of the binding
 };
 
 std::vector<RowAccess> row_accesses(const ir::Program& program, const std::vector<StmtId>& body) {
     std::vector<RowAccess> found;
     const auto add_load = [&](ExprId id) {
         const ir::Expr& expr = program.exprs[id];
-        if (expr.op == Op::row_load) found.push_back({expr.slot, expr.operands[0]});
+        if (expr.op == Op::row_load) found.push_back({expr.slot, expr.operands[0], {}});
+        if (expr.op == Op::row_item)
+            found.push_back({ir::no_binding, expr.operands[1], program.exprs[expr.operands[0]].local});
     };
     ir::for_each_statement(program, body, [&](const Stmt& stmt) {
         ir::for_each_root(stmt, [&](ExprId root) { ir::for_each_node(program, root, add_load); });
-        if (stmt.op == StmtOp::row_store) found.push_back({stmt.slot, stmt.target});
+        if (stmt.op == StmtOp::row_store) found.push_back({stmt.slot, stmt.target, {}});
     });
     return found;
 }
@@ -53,6 +56,7 @@ struct Rows {
         : body(globals, pass), program(globals.program), pass(pass), p(body.p) {}
 
     void print_address(const std::string& x);
+    std::string type_of(const RowAccess& access);
     void print_row_pointers(const std::vector<StmtId>& statements, const std::vector<RowAccess>& accesses,
                             const std::string& begin);
     std::vector<StmtId> without_unused(const std::vector<StmtId>& statements, IdSet<ir::Local>& read) const;
@@ -106,6 +110,14 @@ void Rows::print_values_at(const std::vector<StmtId>& statements, const std::vec
     for (std::size_t i = needed.size(); i-- > 0;) cpp::print_statement(p, needed[i]);
 }
 
+/// Of the elements of what a row pointer leads to.
+std::string Rows::type_of(const RowAccess& access) {
+    if (access.array) return cpp::type_text(p.globals, program.types[program.locals[access.array].type].element);
+    const ir::PassBinding& binding = pass.bindings[access.binding];
+    body.used_bindings.insert(access.binding);
+    return (binding.access == ir::Access::read ? "const " : "") + cpp::storage_text(p.globals, binding.element);
+}
+
 /// Pointers to the first element in the row of all memory that is run through in order, with the values they need.
 void Rows::print_row_pointers(const std::vector<StmtId>& statements, const std::vector<RowAccess>& accesses,
                               const std::string& begin) {
@@ -113,19 +125,18 @@ void Rows::print_row_pointers(const std::vector<StmtId>& statements, const std::
     wanted.reserve(accesses.size());
     for (const RowAccess& access : accesses) wanted.push_back(access.index);
     print_values_at(statements, wanted, begin);
-    std::map<std::pair<std::uint32_t, std::string>, std::string> pointers;
+    std::map<std::pair<std::string, std::string>, std::string> pointers;
     for (const RowAccess& access : accesses) {
         const std::string index = cpp::print(p, access.index, cpp::Level::postfix);
-        std::string& name = pointers[{access.binding, index}];
+        const std::string of = access.array ? p.local_names.at(access.array) : body.binding_names[access.binding];
+        std::string& name = pointers[{of, index}];
         if (name.empty()) {
-            const ir::PassBinding& binding = pass.bindings[access.binding];
-            name = p.names.declare(body.binding_names[access.binding] + "_row");
-            body.used_bindings.insert(access.binding);
-            p.out.line(concat(binding.access == ir::Access::read ? "const " : "",
-                              cpp::storage_text(p.globals, binding.element), "* ", name, " = glift::host::row_pointer(",
-                              body.binding_names[access.binding], " + ", index, ");"));
+            name = p.names.declare(of + "_row");
+            const std::string begin = access.array ? of + ".values" : of;
+            p.out.line(concat(type_of(access), "* ", name, " = glift::host::row_pointer(", begin, " + ", index, ");"));
         }
-        body.row_pointers[{access.binding, access.index}] = name;
+        if (access.array) body.item_pointers[{access.array, access.index}] = name;
+        else body.row_pointers[{access.binding, access.index}] = name;
     }
 }
 
@@ -135,7 +146,7 @@ std::vector<StmtId> Rows::without_unused(const std::vector<StmtId>& statements, 
         if (!id) return;
         const ir::Expr& expr = program.exprs[id];
         if (expr.op == Op::local) read.insert(expr.local);
-        if (expr.op == Op::row_load) return;
+        if (expr.op == Op::row_load || expr.op == Op::row_item) return;
         for (ExprId operand : expr.operands) self(self, operand);
     };
     std::vector<StmtId> kept;
@@ -181,6 +192,7 @@ void Rows::print_plain_loop(const ir::Variant& variant, const std::string& begin
     const std::vector<StmtId>& statements = variant.body;
     const std::vector<RowAccess> accesses = row_accesses(program, statements);
     body.row_pointers.clear();
+    body.item_pointers.clear();
     p.marked_line = 0;
     p.names.enter();
     if (!accesses.empty()) {
@@ -189,7 +201,9 @@ void Rows::print_plain_loop(const ir::Variant& variant, const std::string& begin
     }
     IdSet<ir::Local> read;
     const std::vector<StmtId> kept = without_unused(statements, read);
-    if (variant.order != ir::RowOrder::ascending) p.out.line("GLIFT_INDEPENDENT");
+    // Short rows stay loops, or there would be nothing to make vectors of.
+    if (variant.order != ir::RowOrder::ascending)
+        p.out.line(variant.assumes.row != 0 ? "GLIFT_BLOCK" : "GLIFT_INDEPENDENT");
     if (accesses.empty()) {
         p.out.open("for (uint x = " + begin + "; x < " + end + "; ++x)");
         if (read.contains(pass.address)) print_address("x");
@@ -209,6 +223,7 @@ void Rows::print_blocks(const ir::Variant& variant, const std::string& begin, co
     const std::vector<StmtId>& statements = variant.body;
     const std::vector<RowAccess> accesses = row_accesses(program, statements);
     body.row_pointers.clear();
+    body.item_pointers.clear();
     p.marked_line = 0;
     p.names.enter();
     p.out.open("if (" + begin + " < " + end + ")");
@@ -300,6 +315,26 @@ void Rows::print_loop(const ir::Variant& variant, const std::string& begin, cons
     close_sections();
 }
 
+/// An array that is filled once a block. What is not written has no value.
+void print_array(Rows& rows, const Stmt& let) {
+    cpp::Printer& p = rows.p;
+    const ir::Type& type = rows.program.types[rows.program.locals[let.local].type];
+    p.out.line(concat("glift::host::Scratch<", cpp::type_text(p.globals, type.element), ", ",
+                      std::to_string(type.count), "> ", cpp::declare_local(p, let.local), ";"));
+}
+
+/// The loop for whole blocks: one, or one for each row of the block.
+void print_rows_of_block(Rows& rows, const ir::Variant& whole) {
+    if (whole.assumes.row == 0) return rows.print_loop(whole, "row.begin", "row.end");
+    const std::string width = std::to_string(whole.assumes.row) + "u";
+    rows.p.names.enter();
+    const std::string first = rows.p.names.declare("first");
+    rows.p.out.open(concat("for (uint ", first, " = row.begin; ", first, " < row.end; ", first, " += ", width, ")"));
+    rows.print_loop(whole, first, first + " + " + width);
+    rows.p.out.close();
+    rows.p.names.leave();
+}
+
 /// Once a block, what its number decides; then the loop for whole blocks, or the one for any.
 void print_block(Rows& rows, const ir::Variant& whole, const ir::Variant& any) {
     cpp::Printer& p = rows.p;
@@ -308,15 +343,22 @@ void print_block(Rows& rows, const ir::Variant& whole, const ir::Variant& any) {
     p.names.enter();
     const std::string name = p.names.declare("block");
     rows.p.local_names[rows.pass.address] = name;
-    std::vector<StmtId> values = *whole.block;
-    const ExprId holds = rows.program.stmts[values.back()].value;
-    values.pop_back();
-    if (cpp::mentions(rows.program, *whole.block, rows.pass.address))
+    const std::vector<StmtId>& values = *whole.block;
+    const auto holds =
+        std::ranges::find(values, StmtOp::evaluate, [&](StmtId id) { return rows.program.stmts[id].op; });
+    if (cpp::mentions(rows.program, values, rows.pass.address))
         p.out.line("const uint2 " + name + "{row.begin, row.y};");
-    cpp::print_statements(p, values);
-    p.out.line("is_whole = " + cpp::print_any(p, holds) + ";");
+    cpp::print_statements(p, {values.begin(), holds});
+    p.out.line("is_whole = " + cpp::print_any(p, rows.program.stmts[*holds].value) + ";");
     p.out.open("if (is_whole)");
-    rows.print_loop(whole, "row.begin", "row.end");
+    p.names.enter();
+    for (auto id = holds + 1; id != values.end(); ++id) {
+        const Stmt& stmt = rows.program.stmts[*id];
+        if (stmt.op == StmtOp::let && stmt.uninitialized) print_array(rows, stmt);
+        else cpp::print_statement(p, *id);
+    }
+    print_rows_of_block(rows, whole);
+    p.names.leave();
     p.out.close();
     p.names.leave();
     p.out.close();

@@ -262,6 +262,20 @@ private:
     std::int64_t from_ = 0, to_ = INT64_MAX;
 };
 
+/// An array of a block's own. What is not written has no value; indices lie inside.
+template <class T, std::size_t N> struct Scratch {
+    alignas(64) T values[N];
+
+    T& operator[](std::size_t i) { return values[i]; }
+    const T& operator[](std::size_t i) const { return values[i]; }
+};
+
+/// The next numbers in a row from memory to an array: at least as fast as any loop, whatever the compiler knows of
+/// them.
+template <std::size_t N, class T> void copy_row(const T* from, T* to) {
+    std::memcpy(static_cast<void*>(to), from, N * sizeof(T));
+}
+
 /// Elements of a block, which is computed with one vector of the widest kind or a few narrow ones. There is no scalar
 /// remainder: the last block of a part overlaps the one before it.
 inline constexpr std::size_t block_elements = 16;

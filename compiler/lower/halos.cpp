@@ -1,0 +1,340 @@
+// Windows over blocks. What `near` reads of a block and around it is copied once a block: each neighbour that the
+// offsets reach is looked up once, by the algebra of quotients that serves the block itself, and elements read the
+// copy, whose rows lie at constant distances. Ghost cells of block-structured grids; block-local storage of Taichi.
+#include "lower/halos.h"
+
+#include "ir/chain.h"
+#include "lower/blocks.h"
+#include "lower/expand.h"
+
+#include <algorithm>
+#include <string>
+
+namespace gliftc::lower {
+
+using namespace ir;
+
+namespace {
+
+/// Numbers of the copies of a block: they stay in the cache that is closest, or the next one. Blocks of few elements
+/// have more around them than in them.
+constexpr std::uint64_t most_numbers = 1u << 15, least_volume = 8;
+
+/// Whether the elements at the place are in memory that the pass only reads.
+bool is_only_read(const Context& cx, const Place& of) {
+    const Place place = root_of(cx.p, cx.structure_at(of), of);
+    const auto& bindings = cx.pass.bindings;
+    const auto found = std::ranges::find_if(bindings, [&](const PassBinding& one) { return one.place == place; });
+    return found != bindings.end() && std::ranges::all_of(bindings, [&](const PassBinding& other) {
+               return other.one_place != found->one_place || (other.access == Access::read && !other.coherent);
+           });
+}
+
+bool is_centre(const std::vector<std::int64_t>& offset) {
+    return std::ranges::all_of(offset, [](std::int64_t part) { return part == 0; });
+}
+
+/// The neighbours that an offset reaches: along each axis the block itself, or the next one on the offset's side.
+std::set<std::vector<int>> steps_of(const std::vector<std::int64_t>& offset) {
+    std::set<std::vector<int>> steps{{}};
+    for (std::int64_t part : offset) {
+        std::set<std::vector<int>> longer;
+        for (const std::vector<int>& step : steps)
+            for (int next : {0, part < 0 ? -1 : part > 0 ? 1 : 0}) {
+                longer.insert(step);
+                auto node = longer.extract(step);
+                node.value().push_back(next);
+                longer.insert(std::move(node));
+            }
+        steps = std::move(longer);
+    }
+    return steps;
+}
+
+/// How far offsets go beyond the block along an axis, on one side, on the way to a neighbour.
+std::uint32_t thickness(const std::set<std::vector<std::int64_t>>& offsets, const std::vector<int>& step,
+                        std::size_t axis) {
+    std::int64_t most = 0;
+    for (const auto& offset : offsets)
+        if (steps_of(offset).contains(step)) most = std::max(most, offset[axis] * step[axis]);
+    return static_cast<std::uint32_t>(most);
+}
+
+Halo halo_of_block(std::uint32_t root, const std::vector<std::uint32_t>& block,
+                   const std::set<std::vector<std::int64_t>>& offsets) {
+    Halo halo;
+    halo.root = root;
+    halo.block = block;
+    halo.below.resize(block.size());
+    halo.extent = block;
+    std::set<std::vector<int>> steps;
+    for (const auto& offset : offsets) steps.merge(steps_of(offset));
+    for (const std::vector<int>& step : steps) {
+        Halo::Part part{step, {}, {}};
+        for (std::size_t axis = 0; axis < block.size(); ++axis) {
+            const std::uint32_t count = step[axis] == 0 ? block[axis] : thickness(offsets, step, axis);
+            part.low.push_back(step[axis] < 0 ? block[axis] - count : 0);
+            part.count.push_back(count);
+        }
+        halo.parts.push_back(std::move(part));
+    }
+    for (std::size_t axis = 0; axis < block.size(); ++axis) {
+        std::int64_t low = 0, high = 0;
+        for (const auto& offset : offsets) {
+            low = std::min(low, offset[axis]);
+            high = std::max(high, offset[axis]);
+        }
+        halo.below[axis] = static_cast<std::uint32_t>(-low);
+        halo.extent[axis] += static_cast<std::uint32_t>(high - low);
+    }
+    return halo;
+}
+
+/// Whether all offsets end in the block or beside it.
+bool are_in_reach(const std::set<std::vector<std::int64_t>>& offsets, const std::vector<std::uint32_t>& block) {
+    return std::ranges::all_of(offsets, [&](const auto& offset) {
+        for (std::size_t axis = 0; axis < block.size(); ++axis)
+            if (offset[axis] > block[axis] || -offset[axis] > block[axis]) return false;
+        return true;
+    });
+}
+
+}  // namespace
+
+std::vector<Halo> halos_of(Context& cx, const NearOffsets& offsets) {
+    std::vector<Halo> halos;
+    const auto volume = block_volume(cx);
+    if (!volume || *volume < least_volume || *volume > most_numbers) return halos;
+    const auto size = evaluate(cx.p, cx.structure_at(block_owner(cx)).blocks->extent);
+    std::vector<std::uint32_t> block;
+    for (const Lane& lane : size->lanes) block.push_back(static_cast<std::uint32_t>(lane.bits));
+    std::uint64_t numbers = 0;
+    for (const auto& [root, of] : offsets) {
+        const Place place{root, {}};
+        const Structure& structure = cx.structure_at(place);
+        const TypeId element = structure.element;
+        const bool is_number = cx.p.types.is_scalar(element) || cx.p.types.is_vector(element);
+        const bool is_stored = !structure.at && !is_computed(cx.p, structure) && is_only_read(cx, place);
+        if (!is_number || cx.p.types.scalar_of(element) == cx.p.types.bool_ || !is_stored) continue;
+        if (std::ranges::all_of(of, is_centre) || !are_in_reach(of, block)) continue;
+        Halo halo = halo_of_block(root, block, of);
+        numbers += std::uint64_t{halo.elements()} * cx.p.types.components(element);
+        if (numbers <= most_numbers) halos.push_back(std::move(halo));
+    }
+    return halos;
+}
+
+Halo* Expander::halo_of(std::uint32_t root) {
+    const auto found = std::ranges::find(halos, root, &Halo::root);
+    return found == halos.end() ? nullptr : &*found;
+}
+
+/// The element at an offset from the current one.
+ExprId Expander::in_halo(Halo& halo, const std::vector<std::int64_t>& offset) {
+    const TypeId element = cx.structure_at({halo.root, {}}).element;
+    if (!halo.copy) {
+        const std::string name = cx.name_of({halo.root, {}}) + "_around";
+        const TypeId type = p.types.array(element, halo.elements());
+        halo.copy = cx.new_local(name, type, cx.kernel.params[halo.root].span, true);
+        Block made = collect([&] {
+            ExprId at;
+            std::uint32_t pitch = 1;
+            for (std::size_t axis = 0; axis < halo.block.size(); ++axis) {
+                const ExprId along = make.multiply(block_.axes[axis].offset, make.uint(pitch));
+                at = at ? make.add(at, along) : along;
+                pitch *= halo.extent[axis];
+            }
+            halo.at = named(name + "_at", at);
+        });
+        prelude_.insert(prelude_.end(), made.begin(), made.end());
+    }
+    std::int64_t distance = 0, pitch = 1;
+    for (std::size_t axis = 0; axis < halo.block.size(); ++axis) {
+        distance += (halo.below[axis] + offset[axis]) * pitch;
+        pitch *= halo.extent[axis];
+    }
+    const ExprId at = make.add(halo.at, make.uint(static_cast<std::uint64_t>(distance)));
+    return make.index(make.local(halo.copy), at);
+}
+
+/// A block's neighbour along one axis, or the block. Where there is none it is the block, so that looking it up is
+/// harmless.
+Expander::NextBlock Expander::next_block(const Halo& halo, std::uint32_t axis, int step) {
+    const OwnBlock::Axis& own = block_.axes[axis];
+    if (step == 0) return {own.begin, {}, {}};
+    NextBlock next;
+    const ExprId size = make.uint(halo.block[axis]), one = make.uint(1);
+    const std::string name = std::string("block_") + "xyzw"[axis] + (step < 0 ? "_before" : "_after");
+    if (step > 0) {
+        const ExprId domain = make.component(domain_of({halo.root, {}}), axis);
+        next.room = named(name + "_room", make.binary(BinaryOp::subtract, domain, make.add(own.last, one)));
+        next.exists = make.binary(BinaryOp::greater, next.room, make.uint(0));
+        if (own.number)
+            next.exists = make.both(next.exists, make.binary(BinaryOp::less, own.number, make.uint(own.most)));
+    } else {
+        next.exists = own.number ? make.binary(BinaryOp::greater_equal, own.number, one)
+                                 : make.binary(BinaryOp::greater_equal, own.begin, size);
+    }
+    next.exists = named(name + "_exists", next.exists);
+    const ExprId from = own.number ? own.number : own.begin, by = own.number ? one : size;
+    const ExprId moved = make.binary(step < 0 ? BinaryOp::subtract : BinaryOp::add, from, by);
+    const LocalId number = let(name, make.select(next.exists, moved, from), span_);
+    if (own.number) make.limits[number] = own.most;
+    next.begin = own.number ? make.multiply(make.local(number), size) : make.local(number);
+    return next;
+}
+
+bool Expander::depends_on(ExprId id, const std::vector<LocalId>& locals) {
+    const Expr& node = p.exprs[id];
+    if (node.op == Op::local) {
+        if (p.locals[node.local].is_mutable || std::ranges::find(locals, node.local) != locals.end()) return true;
+        const ExprId* definition = cx.definitions.find(node.local);
+        return definition != nullptr && depends_on(*definition, locals);
+    }
+    return std::ranges::any_of(node.operands, [&](ExprId operand) { return depends_on(operand, locals); });
+}
+
+namespace {
+
+/// The parts of a conjunction, sorted by a question.
+template <class Asks> void divide(Make& make, ExprId condition, ExprId& yes, ExprId& no, const Asks& asks) {
+    if (!condition) return;
+    const Expr node = make.p.exprs[condition];
+    if (node.op == Op::binary && node.binary == BinaryOp::logical_and && asks(condition) != 1) {
+        divide(make, node.operands[0], yes, no, asks);
+        divide(make, node.operands[1], yes, no, asks);
+        return;
+    }
+    ExprId& to = asks(condition) == 1 ? yes : no;
+    to = make.both(to, condition);
+}
+
+}  // namespace
+
+/// Looks a neighbour up, and copies what is read of it where it is there.
+void Expander::copy_from(const Halo& halo, const Halo::Part& part, Neighbours& found) {
+    const Place place{halo.root, {}};
+    std::string name = cx.name_of(place);
+    ExprId exists, index;
+    Operands parts;
+    std::vector<LocalId> loops;
+    std::vector<ExprId> limits;
+    std::uint32_t pitch = 1;
+    for (std::uint32_t axis = 0; axis < part.step.size(); ++axis) {
+        const int step = part.step[axis];
+        if (step != 0) name += std::string("_") + "xyzw"[axis] + (step < 0 ? "m" : "p");
+        const NextBlock& next = found.axes[axis][static_cast<std::size_t>(step + 1)];
+        exists = make.both(exists, next.exists);
+        const LocalId local = cx.new_local(std::string(1, "xyzw"[axis]), p.types.uint, span_);
+        make.limits[local] = part.count[axis] - 1;
+        const ExprId round = part.count[axis] == 1 ? make.uint(0) : make.local(local);
+        loops.push_back(local);
+        ExprId limit = make.uint(part.count[axis]);
+        if (step > 0 && part.count[axis] > 1) {  // the domain may end in the neighbour
+            found.all = make.both(found.all, make.binary(BinaryOp::greater_equal, next.room, limit));
+            limit = make.intrinsic(Intrinsic::min, p.types.uint, {limit, next.room});
+        }
+        limits.push_back(limit);
+        const ExprId at = make.add(round, make.uint(part.low[axis]));
+        parts.push_back(make.add(next.begin, at));
+        const std::int64_t begin =
+            std::int64_t{part.low[axis]} + step * std::int64_t{halo.block[axis]} + halo.below[axis];
+        const ExprId along = make.add(round, make.uint(static_cast<std::uint64_t>(begin)));
+        const ExprId term = make.multiply(along, make.uint(pitch));
+        index = index ? make.add(index, term) : term;
+        pitch *= halo.extent[axis];
+    }
+    const ExprId address = parts.size() == 1 ? parts[0] : make.construct(cx.kernel.domain_type, std::move(parts));
+    Pair physical;
+    Block made = collect([&] {
+        known_.push_back(numbers_.of(inside_domain(place, address)));
+        physical = translated(place, address, name);
+        known_.pop_back();
+        bool asked = false;
+        physical.has = without_inside(halo.root, physical.has, address, asked);
+    });
+    Block inner;
+    for (StmtId id : made) {
+        const Stmt& stmt = p.stmts[id];
+        const bool is_of_block = stmt.op == StmtOp::let && stmt.value && !p.locals[stmt.local].is_mutable &&
+                                 !depends_on(stmt.value, loops) && numbers_.is_pure(stmt.value);
+        (is_of_block ? *out_ : inner).push_back(id);
+    }
+    ExprId is_there = exists, of_element;
+    divide(make, physical.has, is_there, of_element, [&](ExprId id) { return depends_on(id, loops) ? 0 : 1; });
+    if (is_there) is_there = named(name + "_found", is_there);
+    found.all = make.both(found.all, is_there);
+    if (of_element) found.all = make.truth(false);
+    Block copies = collect([&] {
+        out_->insert(out_->end(), inner.begin(), inner.end());
+        Stmt one = statement(StmtOp::assign, span_);
+        one.target = make.index(make.local(halo.copy), index);
+        Block element = collect([&] {
+            one.value = load(place, physical.value);
+            append(std::move(one));
+        });
+        if (of_element) append_if(of_element, std::move(element), {});
+        else out_->insert(out_->end(), element.begin(), element.end());
+    });
+    for (std::size_t axis = 0; axis < loops.size(); ++axis) {
+        if (part.count[axis] == 1) continue;
+        Stmt loop = statement(StmtOp::for_, span_);
+        loop.local = loops[axis];
+        loop.value = make.uint(0);
+        loop.limit = limits[axis];
+        loop.body = std::move(copies);
+        copies = {cx.add(std::move(loop))};
+    }
+    Block there = collect([&] {
+        if (is_there && !make.is_true(is_there)) append_if(is_there, std::move(copies), {});
+        else out_->insert(out_->end(), copies.begin(), copies.end());
+    });
+    found.copies.insert(found.copies.end(), there.begin(), there.end());
+}
+
+/// The statements that fill a copy, for blocks all of whose elements are visited.
+void Expander::fill(const Halo& halo) {
+    if (!halo.copy) return;
+    const Place place{halo.root, {}};
+    if (!cx.is_direct() && halo.root != *cx.kernel.space) {  // ranges that begin elsewhere have other blocks
+        const ExprId own = origin_of(halo.root), of_space = origin_of(*cx.kernel.space);
+        for (std::uint32_t axis = 0; axis < halo.block.size(); ++axis)
+            block_.holds = make.both(
+                block_.holds, make.binary(BinaryOp::equal, make.component(own, axis), make.component(of_space, axis)));
+    }
+    Stmt array = statement(StmtOp::let, span_);
+    array.local = halo.copy;
+    array.uninitialized = true;
+    append(std::move(array));
+    Neighbours found;
+    for (std::uint32_t axis = 0; axis < halo.block.size(); ++axis) {
+        std::array<NextBlock, 3> steps;
+        for (int step : {-1, 0, 1}) {
+            const bool is_reached =
+                std::ranges::any_of(halo.parts, [&](const Halo::Part& part) { return part.step[axis] == step; });
+            if (is_reached) steps[static_cast<std::size_t>(step + 1)] = next_block(halo, axis, step);
+        }
+        found.axes.push_back(steps);
+    }
+    for (const Halo::Part& part : halo.parts) copy_from(halo, part, found);
+    Stmt copies = statement(StmtOp::block, span_);
+    copies.body = collect([&] {
+        if (found.all && !make.is_true(found.all)) {
+            Stmt loop = statement(StmtOp::for_, span_);
+            loop.local = cx.new_local("i", p.types.uint, span_);
+            loop.value = make.uint(0);
+            loop.limit = make.uint(halo.elements());
+            loop.body = collect([&] {
+                Stmt one = statement(StmtOp::assign, span_);
+                one.target = make.index(make.local(halo.copy), make.local(loop.local));
+                one.value = otherwise_of(place);
+                append(std::move(one));
+            });
+            append_if(make.negate(found.all), {cx.add(std::move(loop))}, {});
+        }
+        out_->insert(out_->end(), found.copies.begin(), found.copies.end());
+    });
+    append(std::move(copies));
+}
+
+}  // namespace gliftc::lower

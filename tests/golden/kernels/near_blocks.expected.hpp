@@ -1,0 +1,154 @@
+// Made by gliftc from near_blocks.glift. Changes are lost when it is made again.
+#pragma once
+
+#include "near_blocks.glift.types.hpp"
+
+#include <glift/glift.h>
+#include <glift/structure.h>
+
+/// Windows over blocks: what they read is copied once a block on the host device.
+
+namespace std_array {
+
+#ifndef GLIFT_std_array_HAS_Array_1_uint_none_buffer
+#define GLIFT_std_array_HAS_Array_1_uint_none_buffer
+/// Array<1, uint, none, buffer>. A dense N-D array. Memory: one element an address. What lies outside is up to
+/// `edge`: by default reads give zero and
+/// writes go nowhere. Thesis section 9.1.
+class Array_1_uint_none_buffer : public glift::Structure<Array_1_uint_none_buffer, glift::uint, glift::uint> {
+public:
+    static constexpr const char* type_name = "Array<1, uint, none, buffer>";
+
+    Array_1_uint_none_buffer() = default;
+    Array_1_uint_none_buffer(const glift::Commands& commands, glift::uint extent);
+    /// Over parts that exist already.
+    Array_1_uint_none_buffer(const glift::Commands& commands, glift::uint extent, glift::Memory data);
+
+    /// The extent of the virtual domain.
+    glift::uint domain() const;
+    glift::uint extent() const { return extent_; }
+    const glift::Memory& data() const { return data_; }
+    std::uint64_t data_extent() const { return data_extent_; }
+    /// True if the two were made with equal arguments.
+    bool same_state(const Array_1_uint_none_buffer& other) const;
+
+    /// Gives every element, or those of a box, one value.
+    void fill(glift::uint value);
+    void fill(glift::uint value, const glift::Range<Array_1_uint_none_buffer>& range);
+    /// Where an element lies in row_memory(), in elements; the address is an affine function of the virtual one.
+    std::uint64_t place(glift::uint address) const;
+    const glift::Memory& row_memory() const { return data_; }
+    /// Elements of a box to a linear buffer, and back.
+    void copy_out(const glift::Commands& commands, const glift::Range<Array_1_uint_none_buffer>& range,
+        const glift::Memory& box) const;
+    void copy_in(const glift::Commands& commands, const glift::Range<Array_1_uint_none_buffer>& range,
+        const glift::Memory& box) const;
+
+private:
+    glift::uint extent_{};
+    std::uint64_t data_extent_{};
+    glift::Memory data_;
+};
+#endif
+
+}  // namespace std_array
+
+namespace near_blocks {
+
+using Numbers = ::std_array::Array_1_uint_none_buffer;
+
+}  // namespace near_blocks
+
+namespace std_array {
+
+#ifndef GLIFT_std_array_HAS_Array_2_float_none_buffer
+#define GLIFT_std_array_HAS_Array_2_float_none_buffer
+/// Array<2, float, none, buffer>. A dense N-D array. Memory: one element an address. What lies outside is up to
+/// `edge`: by default reads give zero and
+/// writes go nowhere. Thesis section 9.1.
+class Array_2_float_none_buffer : public glift::Structure<Array_2_float_none_buffer, glift::uint2, float> {
+public:
+    static constexpr const char* type_name = "Array<2, float, none, buffer>";
+
+    Array_2_float_none_buffer() = default;
+    Array_2_float_none_buffer(const glift::Commands& commands, glift::uint2 extent);
+    /// Over parts that exist already.
+    Array_2_float_none_buffer(const glift::Commands& commands, glift::uint2 extent, glift::Memory data);
+
+    /// The extent of the virtual domain.
+    glift::uint2 domain() const;
+    glift::uint2 extent() const { return extent_; }
+    const glift::Memory& data() const { return data_; }
+    std::uint64_t data_extent() const { return data_extent_; }
+    /// True if the two were made with equal arguments.
+    bool same_state(const Array_2_float_none_buffer& other) const;
+
+    /// Gives every element, or those of a box, one value.
+    void fill(float value);
+    void fill(float value, const glift::Range<Array_2_float_none_buffer>& range);
+    /// Where an element lies in row_memory(), in elements; the address is an affine function of the virtual one.
+    std::uint64_t place(glift::uint2 address) const;
+    const glift::Memory& row_memory() const { return data_; }
+    /// Elements of a box to a linear buffer, and back.
+    void copy_out(const glift::Commands& commands, const glift::Range<Array_2_float_none_buffer>& range,
+        const glift::Memory& box) const;
+    void copy_in(const glift::Commands& commands, const glift::Range<Array_2_float_none_buffer>& range,
+        const glift::Memory& box) const;
+
+private:
+    glift::uint2 extent_{};
+    std::uint64_t data_extent_{};
+    glift::Memory data_;
+};
+#endif
+
+}  // namespace std_array
+
+namespace near_blocks {
+
+#ifndef GLIFT_near_blocks_HAS_Listed
+#define GLIFT_near_blocks_HAS_Listed
+/// Pages that are in a list.
+class Listed : public glift::Structure<Listed, glift::uint2, float> {
+public:
+    static constexpr const char* type_name = "Listed";
+
+    Listed() = default;
+    Listed(const glift::Commands& commands, const Numbers& table, const Numbers& active, glift::uint2 extent,
+        glift::uint capacity);
+    /// Over parts that exist already.
+    Listed(const glift::Commands& commands, const Numbers& table, const Numbers& active, glift::uint2 extent,
+        glift::uint capacity, ::std_array::Array_2_float_none_buffer frames);
+
+    /// The extent of the virtual domain.
+    glift::uint2 domain() const;
+    glift::uint2 extent() const { return extent_; }
+    glift::uint capacity() const { return capacity_; }
+    const Numbers& table() const { return table_; }
+    Numbers& table() { return table_; }
+    const Numbers& active() const { return active_; }
+    Numbers& active() { return active_; }
+    const ::std_array::Array_2_float_none_buffer& frames() const { return frames_; }
+    ::std_array::Array_2_float_none_buffer& frames() { return frames_; }
+    /// True if the two were made with equal arguments.
+    bool same_state(const Listed& other) const;
+
+    /// Gives every element, or those of a box, one value.
+    void fill(float value);
+    void fill(float value, const glift::Range<Listed>& range);
+    /// Elements of a box to a linear buffer, and back.
+    void copy_out(const glift::Commands& commands, const glift::Range<Listed>& range, const glift::Memory& box) const;
+    void copy_in(const glift::Commands& commands, const glift::Range<Listed>& range, const glift::Memory& box) const;
+
+private:
+    glift::uint2 extent_{};
+    glift::uint capacity_{};
+    Numbers table_;
+    Numbers active_;
+    ::std_array::Array_2_float_none_buffer frames_;
+};
+#endif
+
+void right(const glift::Commands& commands, const glift::Range<Listed>& f, const glift::Range<Listed>& g);
+
+}  // namespace near_blocks

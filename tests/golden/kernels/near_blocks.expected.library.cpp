@@ -1,0 +1,565 @@
+// Made by gliftc from near_blocks.glift. Changes are lost when it is made again.
+#include "near_blocks.glift.internal.hpp"
+
+#include <glift/host/math.h>
+
+#include <cstddef>
+#include <optional>
+
+namespace std_array {
+
+using namespace glift::types;
+
+namespace {
+
+// address.glift:18: volume<1> in 64 bits
+inline std::uint64_t volume_64(uint extent) {
+    // address.glift:19
+    std::uint64_t product = std::uint64_t(extent);
+    // address.glift:20
+    for (uint axis = 1u; axis < 1u; ++axis) {
+        // address.glift:21
+        product = glift::saturated_product(product, std::uint64_t(extent));
+    }
+    // address.glift:23
+    return product;
+}
+
+// address.glift:27: linearize<1> in 64 bits
+inline std::uint64_t linearize_64(uint address, uint extent) {
+    // address.glift:28
+    std::uint64_t index = std::uint64_t(address);
+    // address.glift:29
+    for (uint back = 1u; back < 1u; ++back) {
+        // address.glift:30
+        index = index * std::uint64_t(extent) + std::uint64_t(address);
+    }
+    // address.glift:32
+    return index;
+}
+
+// address.glift:18: volume<2> in 64 bits
+inline std::uint64_t volume_64_2(uint2 extent) {
+    // address.glift:19
+    std::uint64_t product = std::uint64_t(extent.x);
+    // address.glift:20
+    for (uint axis = 1u; axis < 2u; ++axis) {
+        // address.glift:21
+        product = glift::saturated_product(product, std::uint64_t(extent[axis]));
+    }
+    // address.glift:23
+    return product;
+}
+
+// address.glift:27: linearize<2> in 64 bits
+inline std::uint64_t linearize_64_2(uint2 address, uint2 extent) {
+    // address.glift:28
+    std::uint64_t index = std::uint64_t(address.y);
+    // address.glift:29
+    for (uint back = 1u; back < 2u; ++back) {
+        // address.glift:30
+        index = index * std::uint64_t(extent[2u - 1u - back]) + std::uint64_t(address[2u - 1u - back]);
+    }
+    // address.glift:32
+    return index;
+}
+
+}  // namespace
+
+GLIFT_SHARED Array_1_uint_none_buffer::Array_1_uint_none_buffer(const glift::Commands& commands, uint extent)
+    : Structure(commands.device()),
+      extent_(extent),
+      data_extent_(volume_64(extent_)),
+      data_(commands.allocate({.name = "Array<1, uint, none, buffer>.data",
+        .bytes = glift::buffer_bytes<uint>(data_extent_)})) {}
+
+GLIFT_SHARED Array_1_uint_none_buffer::Array_1_uint_none_buffer(const glift::Commands& commands, uint extent,
+    glift::Memory data)
+    : Structure(commands.device()),
+      extent_(extent),
+      data_extent_(volume_64(extent_)),
+      data_(commands.adopt(std::move(data),
+        {.name = "Array<1, uint, none, buffer>.data", .bytes = glift::buffer_bytes<uint>(data_extent_)})) {}
+
+GLIFT_SHARED uint Array_1_uint_none_buffer::domain() const {
+    return extent_;
+}
+
+GLIFT_SHARED bool Array_1_uint_none_buffer::same_state(const Array_1_uint_none_buffer& other) const {
+    return extent_ == other.extent_;
+}
+
+GLIFT_SHARED std::uint64_t Array_1_uint_none_buffer::place(uint address) const {
+    [[maybe_unused]] const uint extent = extent_;
+    const auto translate = [&](uint va) -> std::uint64_t {
+        // linear.glift:12
+        return linearize_64(va, extent);
+    };
+    return translate(address);
+}
+
+GLIFT_SHARED Array_2_float_none_buffer::Array_2_float_none_buffer(const glift::Commands& commands, uint2 extent)
+    : Structure(commands.device()),
+      extent_(extent),
+      data_extent_(volume_64_2(extent_)),
+      data_(commands.allocate({.name = "Array<2, float, none, buffer>.data",
+        .bytes = glift::buffer_bytes<float>(data_extent_)})) {}
+
+GLIFT_SHARED Array_2_float_none_buffer::Array_2_float_none_buffer(const glift::Commands& commands, uint2 extent,
+    glift::Memory data)
+    : Structure(commands.device()),
+      extent_(extent),
+      data_extent_(volume_64_2(extent_)),
+      data_(commands.adopt(std::move(data),
+        {.name = "Array<2, float, none, buffer>.data", .bytes = glift::buffer_bytes<float>(data_extent_)})) {}
+
+GLIFT_SHARED uint2 Array_2_float_none_buffer::domain() const {
+    return extent_;
+}
+
+GLIFT_SHARED bool Array_2_float_none_buffer::same_state(const Array_2_float_none_buffer& other) const {
+    return extent_ == other.extent_;
+}
+
+GLIFT_SHARED std::uint64_t Array_2_float_none_buffer::place(uint2 address) const {
+    [[maybe_unused]] const uint2 extent = extent_;
+    const auto translate = [&](uint2 va) -> std::uint64_t {
+        // linear.glift:12
+        return linearize_64_2(va, extent);
+    };
+    return translate(address);
+}
+
+}  // namespace std_array
+
+namespace std_transfer {
+
+using namespace glift::types;
+
+namespace {
+
+// address.glift:53: div_ceil<2>
+inline uint2 div_ceil(uint2 a, uint2 b) {
+    // address.glift:54
+    const uint2 any = glift::min(a, uint2(1u));
+    // address.glift:55
+    return (a - any) / b + any;
+}
+
+// address.glift:18: volume<2> in 64 bits
+inline std::uint64_t volume_64(uint2 extent) {
+    // address.glift:19
+    std::uint64_t product = std::uint64_t(extent.x);
+    // address.glift:20
+    for (uint axis = 1u; axis < 2u; ++axis) {
+        // address.glift:21
+        product = glift::saturated_product(product, std::uint64_t(extent[axis]));
+    }
+    // address.glift:23
+    return product;
+}
+
+// address.glift:27: linearize<2> in 64 bits
+inline std::uint64_t linearize_64(uint2 address, uint2 extent) {
+    // address.glift:28
+    std::uint64_t index = std::uint64_t(address.y);
+    // address.glift:29
+    for (uint back = 1u; back < 2u; ++back) {
+        // address.glift:30
+        index = index * std::uint64_t(extent[2u - 1u - back]) + std::uint64_t(address[2u - 1u - back]);
+    }
+    // address.glift:32
+    return index;
+}
+
+}  // namespace
+
+namespace {
+struct read_box_9bb01b1e_direct_parameters {
+    uint2 from_extent;
+    uint div_ceil_x;
+    uint from_table_extent;
+    uint2 from_frames_extent;
+    uint to_extent_x;
+};
+static_assert(offsetof(read_box_9bb01b1e_direct_parameters, from_extent) == 0);
+static_assert(offsetof(read_box_9bb01b1e_direct_parameters, div_ceil_x) == 8);
+static_assert(offsetof(read_box_9bb01b1e_direct_parameters, from_table_extent) == 12);
+static_assert(offsetof(read_box_9bb01b1e_direct_parameters, from_frames_extent) == 16);
+static_assert(offsetof(read_box_9bb01b1e_direct_parameters, to_extent_x) == 24);
+struct read_box_9bb01b1e_general_parameters {
+    uint2 size;
+    uint2 from_origin;
+    uint2 to_origin;
+    uint div_ceil_x;
+    uint from_table_extent;
+    uint2 from_frames_extent;
+    uint to_extent_x;
+};
+static_assert(offsetof(read_box_9bb01b1e_general_parameters, size) == 0);
+static_assert(offsetof(read_box_9bb01b1e_general_parameters, from_origin) == 8);
+static_assert(offsetof(read_box_9bb01b1e_general_parameters, to_origin) == 16);
+static_assert(offsetof(read_box_9bb01b1e_general_parameters, div_ceil_x) == 24);
+static_assert(offsetof(read_box_9bb01b1e_general_parameters, from_table_extent) == 28);
+static_assert(offsetof(read_box_9bb01b1e_general_parameters, from_frames_extent) == 32);
+static_assert(offsetof(read_box_9bb01b1e_general_parameters, to_extent_x) == 40);
+struct read_box_9bb01b1e_wide_parameters {
+    uint2 size;
+    uint2 from_origin;
+    uint2 to_origin;
+    uint3 base;
+    uint div_ceil_x;
+    uint from_table_extent;
+    std::uint64_t from_frames_extent_x;
+    uint from_frames_extent_y;
+    std::uint64_t to_extent_x;
+    std::uint64_t from_table_data_address;
+    std::uint64_t from_frames_data_address;
+    std::uint64_t to_data_address;
+};
+static_assert(offsetof(read_box_9bb01b1e_wide_parameters, size) == 0);
+static_assert(offsetof(read_box_9bb01b1e_wide_parameters, from_origin) == 8);
+static_assert(offsetof(read_box_9bb01b1e_wide_parameters, to_origin) == 16);
+static_assert(offsetof(read_box_9bb01b1e_wide_parameters, base) == 24);
+static_assert(offsetof(read_box_9bb01b1e_wide_parameters, div_ceil_x) == 36);
+static_assert(offsetof(read_box_9bb01b1e_wide_parameters, from_table_extent) == 40);
+static_assert(offsetof(read_box_9bb01b1e_wide_parameters, from_frames_extent_x) == 48);
+static_assert(offsetof(read_box_9bb01b1e_wide_parameters, from_frames_extent_y) == 56);
+static_assert(offsetof(read_box_9bb01b1e_wide_parameters, to_extent_x) == 64);
+static_assert(offsetof(read_box_9bb01b1e_wide_parameters, from_table_data_address) == 72);
+static_assert(offsetof(read_box_9bb01b1e_wide_parameters, from_frames_data_address) == 80);
+static_assert(offsetof(read_box_9bb01b1e_wide_parameters, to_data_address) == 88);
+}  // namespace
+
+extern const glift::Kernel read_box_9bb01b1e_kernel;
+
+GLIFT_SHARED void read_box_9bb01b1e(const glift::Commands& commands, const glift::Range<::near_blocks::Listed>& from,
+    const glift::Range<Box_2_float>& to) {
+    glift::Iteration iteration(read_box_9bb01b1e_kernel);
+    iteration.each("from", from);
+    iteration.each("to", to);
+    const glift::Memory memories[] = {from->table().data(), from->frames().data(), to->data()};
+    if (iteration.is_shared(memories)) iteration.share(memories, {from, to});
+    if (commands.needs_wide(read_box_9bb01b1e_kernel, memories, iteration.size())) {
+        const read_box_9bb01b1e_wide_parameters parameters = {
+            .size = from.size(),
+            .from_origin = from.origin(),
+            .to_origin = to.origin(),
+            .base = {},
+            .div_ceil_x = div_ceil(from->extent(), uint2(8u, 8u)).x,
+            .from_table_extent = from->table().extent(),
+            .from_frames_extent_x = std::uint64_t(from->frames().extent().x),
+            .from_frames_extent_y = from->frames().extent().y,
+            .to_extent_x = std::uint64_t(to->extent().x),
+            .from_table_data_address = 0u,
+            .from_frames_data_address = 0u,
+            .to_data_address = 0u,
+        };
+        commands.dispatch(read_box_9bb01b1e_kernel,
+            {.form = glift::FormName::wide, .memories = memories, .parameters = glift::bytes_of(parameters),
+            .size = iteration.size(), .patches = iteration.patches({offsetof(read_box_9bb01b1e_wide_parameters, size)}),
+            .sharing = iteration.sharing()});
+    } else if (iteration.is_whole()) {
+        const read_box_9bb01b1e_direct_parameters parameters = {
+            .from_extent = from->extent(),
+            .div_ceil_x = div_ceil(from->extent(), uint2(8u, 8u)).x,
+            .from_table_extent = from->table().extent(),
+            .from_frames_extent = from->frames().extent(),
+            .to_extent_x = to->extent().x,
+        };
+        commands.dispatch(read_box_9bb01b1e_kernel,
+            {.form = glift::FormName::direct, .memories = memories, .parameters = glift::bytes_of(parameters),
+            .size = iteration.size(), .sharing = iteration.sharing()});
+    } else {
+        const read_box_9bb01b1e_general_parameters parameters = {
+            .size = from.size(),
+            .from_origin = from.origin(),
+            .to_origin = to.origin(),
+            .div_ceil_x = div_ceil(from->extent(), uint2(8u, 8u)).x,
+            .from_table_extent = from->table().extent(),
+            .from_frames_extent = from->frames().extent(),
+            .to_extent_x = to->extent().x,
+        };
+        commands.dispatch(read_box_9bb01b1e_kernel,
+            {.form = glift::FormName::general, .memories = memories, .parameters = glift::bytes_of(parameters),
+            .size = iteration.size(), .patches = iteration.patches({offsetof(read_box_9bb01b1e_general_parameters,
+            size)}), .sharing = iteration.sharing()});
+    }
+}
+
+namespace {
+struct write_box_bdc9234f_direct_parameters {
+    uint2 from_extent;
+    uint div_ceil_x;
+    uint to_table_extent;
+    uint2 to_frames_extent;
+};
+static_assert(offsetof(write_box_bdc9234f_direct_parameters, from_extent) == 0);
+static_assert(offsetof(write_box_bdc9234f_direct_parameters, div_ceil_x) == 8);
+static_assert(offsetof(write_box_bdc9234f_direct_parameters, to_table_extent) == 12);
+static_assert(offsetof(write_box_bdc9234f_direct_parameters, to_frames_extent) == 16);
+struct write_box_bdc9234f_general_parameters {
+    uint2 size;
+    uint2 from_origin;
+    uint2 to_origin;
+    uint from_extent_x;
+    uint div_ceil_x;
+    uint to_table_extent;
+    uint2 to_frames_extent;
+};
+static_assert(offsetof(write_box_bdc9234f_general_parameters, size) == 0);
+static_assert(offsetof(write_box_bdc9234f_general_parameters, from_origin) == 8);
+static_assert(offsetof(write_box_bdc9234f_general_parameters, to_origin) == 16);
+static_assert(offsetof(write_box_bdc9234f_general_parameters, from_extent_x) == 24);
+static_assert(offsetof(write_box_bdc9234f_general_parameters, div_ceil_x) == 28);
+static_assert(offsetof(write_box_bdc9234f_general_parameters, to_table_extent) == 32);
+static_assert(offsetof(write_box_bdc9234f_general_parameters, to_frames_extent) == 36);
+struct write_box_bdc9234f_wide_parameters {
+    uint2 size;
+    uint2 from_origin;
+    uint2 to_origin;
+    uint3 base;
+    std::uint64_t from_extent_x;
+    uint div_ceil_x;
+    uint to_table_extent;
+    std::uint64_t to_frames_extent_x;
+    uint to_frames_extent_y;
+    std::uint64_t from_data_address;
+    std::uint64_t to_table_data_address;
+    std::uint64_t to_frames_data_address;
+};
+static_assert(offsetof(write_box_bdc9234f_wide_parameters, size) == 0);
+static_assert(offsetof(write_box_bdc9234f_wide_parameters, from_origin) == 8);
+static_assert(offsetof(write_box_bdc9234f_wide_parameters, to_origin) == 16);
+static_assert(offsetof(write_box_bdc9234f_wide_parameters, base) == 24);
+static_assert(offsetof(write_box_bdc9234f_wide_parameters, from_extent_x) == 40);
+static_assert(offsetof(write_box_bdc9234f_wide_parameters, div_ceil_x) == 48);
+static_assert(offsetof(write_box_bdc9234f_wide_parameters, to_table_extent) == 52);
+static_assert(offsetof(write_box_bdc9234f_wide_parameters, to_frames_extent_x) == 56);
+static_assert(offsetof(write_box_bdc9234f_wide_parameters, to_frames_extent_y) == 64);
+static_assert(offsetof(write_box_bdc9234f_wide_parameters, from_data_address) == 72);
+static_assert(offsetof(write_box_bdc9234f_wide_parameters, to_table_data_address) == 80);
+static_assert(offsetof(write_box_bdc9234f_wide_parameters, to_frames_data_address) == 88);
+}  // namespace
+
+extern const glift::Kernel write_box_bdc9234f_kernel;
+
+GLIFT_SHARED void write_box_bdc9234f(const glift::Commands& commands, const glift::Range<Box_2_float>& from,
+    const glift::Range<::near_blocks::Listed>& to) {
+    glift::Iteration iteration(write_box_bdc9234f_kernel);
+    iteration.each("from", from);
+    iteration.each("to", to);
+    const glift::Memory memories[] = {from->data(), to->table().data(), to->frames().data()};
+    if (iteration.is_shared(memories)) iteration.share(memories, {from, to});
+    if (commands.needs_wide(write_box_bdc9234f_kernel, memories, iteration.size())) {
+        const write_box_bdc9234f_wide_parameters parameters = {
+            .size = from.size(),
+            .from_origin = from.origin(),
+            .to_origin = to.origin(),
+            .base = {},
+            .from_extent_x = std::uint64_t(from->extent().x),
+            .div_ceil_x = div_ceil(to->extent(), uint2(8u, 8u)).x,
+            .to_table_extent = to->table().extent(),
+            .to_frames_extent_x = std::uint64_t(to->frames().extent().x),
+            .to_frames_extent_y = to->frames().extent().y,
+            .from_data_address = 0u,
+            .to_table_data_address = 0u,
+            .to_frames_data_address = 0u,
+        };
+        commands.dispatch(write_box_bdc9234f_kernel,
+            {.form = glift::FormName::wide, .memories = memories, .parameters = glift::bytes_of(parameters),
+            .size = iteration.size(), .patches = iteration.patches({offsetof(write_box_bdc9234f_wide_parameters,
+            size)}), .sharing = iteration.sharing()});
+    } else if (iteration.is_whole()) {
+        const write_box_bdc9234f_direct_parameters parameters = {
+            .from_extent = from->extent(),
+            .div_ceil_x = div_ceil(to->extent(), uint2(8u, 8u)).x,
+            .to_table_extent = to->table().extent(),
+            .to_frames_extent = to->frames().extent(),
+        };
+        commands.dispatch(write_box_bdc9234f_kernel,
+            {.form = glift::FormName::direct, .memories = memories, .parameters = glift::bytes_of(parameters),
+            .size = iteration.size(), .sharing = iteration.sharing()});
+    } else {
+        const write_box_bdc9234f_general_parameters parameters = {
+            .size = from.size(),
+            .from_origin = from.origin(),
+            .to_origin = to.origin(),
+            .from_extent_x = from->extent().x,
+            .div_ceil_x = div_ceil(to->extent(), uint2(8u, 8u)).x,
+            .to_table_extent = to->table().extent(),
+            .to_frames_extent = to->frames().extent(),
+        };
+        commands.dispatch(write_box_bdc9234f_kernel,
+            {.form = glift::FormName::general, .memories = memories, .parameters = glift::bytes_of(parameters),
+            .size = iteration.size(), .patches = iteration.patches({offsetof(write_box_bdc9234f_general_parameters,
+            size)}), .sharing = iteration.sharing()});
+    }
+}
+
+namespace {
+struct fill_box_c2b13d34_direct_parameters {
+    uint2 size;
+    uint to_active_extent;
+    uint div_ceil_x;
+    uint div_ceil_x_2;
+    uint to_table_extent;
+    uint2 to_frames_extent;
+    uint2 to_extent;
+    float value;
+};
+static_assert(offsetof(fill_box_c2b13d34_direct_parameters, size) == 0);
+static_assert(offsetof(fill_box_c2b13d34_direct_parameters, to_active_extent) == 8);
+static_assert(offsetof(fill_box_c2b13d34_direct_parameters, div_ceil_x) == 12);
+static_assert(offsetof(fill_box_c2b13d34_direct_parameters, div_ceil_x_2) == 16);
+static_assert(offsetof(fill_box_c2b13d34_direct_parameters, to_table_extent) == 20);
+static_assert(offsetof(fill_box_c2b13d34_direct_parameters, to_frames_extent) == 24);
+static_assert(offsetof(fill_box_c2b13d34_direct_parameters, to_extent) == 32);
+static_assert(offsetof(fill_box_c2b13d34_direct_parameters, value) == 40);
+struct fill_box_c2b13d34_general_parameters {
+    uint2 size;
+    uint2 to_size;
+    uint2 to_origin;
+    uint to_active_extent;
+    uint div_ceil_x;
+    uint div_ceil_x_2;
+    uint to_table_extent;
+    uint2 to_frames_extent;
+    float value;
+};
+static_assert(offsetof(fill_box_c2b13d34_general_parameters, size) == 0);
+static_assert(offsetof(fill_box_c2b13d34_general_parameters, to_size) == 8);
+static_assert(offsetof(fill_box_c2b13d34_general_parameters, to_origin) == 16);
+static_assert(offsetof(fill_box_c2b13d34_general_parameters, to_active_extent) == 24);
+static_assert(offsetof(fill_box_c2b13d34_general_parameters, div_ceil_x) == 28);
+static_assert(offsetof(fill_box_c2b13d34_general_parameters, div_ceil_x_2) == 32);
+static_assert(offsetof(fill_box_c2b13d34_general_parameters, to_table_extent) == 36);
+static_assert(offsetof(fill_box_c2b13d34_general_parameters, to_frames_extent) == 40);
+static_assert(offsetof(fill_box_c2b13d34_general_parameters, value) == 48);
+struct fill_box_c2b13d34_wide_parameters {
+    uint2 size;
+    uint2 to_size;
+    uint2 to_origin;
+    uint to_active_extent;
+    uint div_ceil_x;
+    uint div_ceil_x_2;
+    uint to_table_extent;
+    uint to_frames_extent_y;
+    std::uint64_t to_frames_extent_x;
+    float value;
+    std::uint64_t to_active_data_address;
+    std::uint64_t to_table_data_address;
+    std::uint64_t to_frames_data_address;
+};
+static_assert(offsetof(fill_box_c2b13d34_wide_parameters, size) == 0);
+static_assert(offsetof(fill_box_c2b13d34_wide_parameters, to_size) == 8);
+static_assert(offsetof(fill_box_c2b13d34_wide_parameters, to_origin) == 16);
+static_assert(offsetof(fill_box_c2b13d34_wide_parameters, to_active_extent) == 24);
+static_assert(offsetof(fill_box_c2b13d34_wide_parameters, div_ceil_x) == 28);
+static_assert(offsetof(fill_box_c2b13d34_wide_parameters, div_ceil_x_2) == 32);
+static_assert(offsetof(fill_box_c2b13d34_wide_parameters, to_table_extent) == 36);
+static_assert(offsetof(fill_box_c2b13d34_wide_parameters, to_frames_extent_y) == 40);
+static_assert(offsetof(fill_box_c2b13d34_wide_parameters, to_frames_extent_x) == 48);
+static_assert(offsetof(fill_box_c2b13d34_wide_parameters, value) == 56);
+static_assert(offsetof(fill_box_c2b13d34_wide_parameters, to_active_data_address) == 64);
+static_assert(offsetof(fill_box_c2b13d34_wide_parameters, to_table_data_address) == 72);
+static_assert(offsetof(fill_box_c2b13d34_wide_parameters, to_frames_data_address) == 80);
+}  // namespace
+
+extern const glift::Kernel fill_box_c2b13d34_kernel;
+
+GLIFT_SHARED void fill_box_c2b13d34(const glift::Commands& commands, const glift::Range<::near_blocks::Listed>& to,
+    float value) {
+    glift::Iteration iteration(fill_box_c2b13d34_kernel);
+    iteration.each("to", to);
+    iteration.blocks(uint2(64u, to->capacity()));
+    const glift::Memory memories[] = {to->active().data(), to->table().data(), to->frames().data()};
+    if (iteration.is_shared(memories)) iteration.share(memories, {to});
+    if (commands.needs_wide(fill_box_c2b13d34_kernel, memories, iteration.extent())) {
+        const fill_box_c2b13d34_wide_parameters parameters = {
+            .size = iteration.visited(),
+            .to_size = to.size(),
+            .to_origin = to.origin(),
+            .to_active_extent = to->active().extent(),
+            .div_ceil_x = glift::max(div_ceil(to->extent(), uint2(8u, 8u)).x, 1u),
+            .div_ceil_x_2 = div_ceil(to->extent(), uint2(8u, 8u)).x,
+            .to_table_extent = to->table().extent(),
+            .to_frames_extent_y = to->frames().extent().y,
+            .to_frames_extent_x = std::uint64_t(to->frames().extent().x),
+            .value = value,
+            .to_active_data_address = 0u,
+            .to_table_data_address = 0u,
+            .to_frames_data_address = 0u,
+        };
+        iteration.count_blocks(offsetof(fill_box_c2b13d34_wide_parameters, size));
+        commands.dispatch(fill_box_c2b13d34_kernel,
+            {.form = glift::FormName::wide, .memories = memories, .parameters = glift::bytes_of(parameters),
+            .size = iteration.extent(), .patches = iteration.patches({offsetof(fill_box_c2b13d34_wide_parameters,
+            to_size)}), .sharing = iteration.sharing()});
+    } else if (iteration.is_whole()) {
+        const fill_box_c2b13d34_direct_parameters parameters = {
+            .size = iteration.visited(),
+            .to_active_extent = to->active().extent(),
+            .div_ceil_x = glift::max(div_ceil(to->extent(), uint2(8u, 8u)).x, 1u),
+            .div_ceil_x_2 = div_ceil(to->extent(), uint2(8u, 8u)).x,
+            .to_table_extent = to->table().extent(),
+            .to_frames_extent = to->frames().extent(),
+            .to_extent = to->extent(),
+            .value = value,
+        };
+        iteration.count_blocks(offsetof(fill_box_c2b13d34_direct_parameters, size));
+        commands.dispatch(fill_box_c2b13d34_kernel,
+            {.form = glift::FormName::direct, .memories = memories, .parameters = glift::bytes_of(parameters),
+            .size = iteration.extent(), .patches = iteration.patches({}), .sharing = iteration.sharing()});
+    } else {
+        const fill_box_c2b13d34_general_parameters parameters = {
+            .size = iteration.visited(),
+            .to_size = to.size(),
+            .to_origin = to.origin(),
+            .to_active_extent = to->active().extent(),
+            .div_ceil_x = glift::max(div_ceil(to->extent(), uint2(8u, 8u)).x, 1u),
+            .div_ceil_x_2 = div_ceil(to->extent(), uint2(8u, 8u)).x,
+            .to_table_extent = to->table().extent(),
+            .to_frames_extent = to->frames().extent(),
+            .value = value,
+        };
+        iteration.count_blocks(offsetof(fill_box_c2b13d34_general_parameters, size));
+        commands.dispatch(fill_box_c2b13d34_kernel,
+            {.form = glift::FormName::general, .memories = memories, .parameters = glift::bytes_of(parameters),
+            .size = iteration.extent(), .patches = iteration.patches({offsetof(fill_box_c2b13d34_general_parameters,
+            to_size)}), .sharing = iteration.sharing()});
+    }
+}
+
+GLIFT_SHARED Box_2_float::Box_2_float(const glift::Commands& commands, uint2 extent)
+    : Structure(commands.device()),
+      extent_(extent),
+      data_extent_(volume_64(extent_)),
+      data_(commands.allocate({.name = "Box<2, float>.data", .bytes = glift::buffer_bytes<float>(data_extent_)})) {}
+
+GLIFT_SHARED Box_2_float::Box_2_float(const glift::Commands& commands, uint2 extent, glift::Memory data)
+    : Structure(commands.device()),
+      extent_(extent),
+      data_extent_(volume_64(extent_)),
+      data_(commands.adopt(std::move(data),
+        {.name = "Box<2, float>.data", .bytes = glift::buffer_bytes<float>(data_extent_)})) {}
+
+GLIFT_SHARED uint2 Box_2_float::domain() const {
+    return extent_;
+}
+
+GLIFT_SHARED bool Box_2_float::same_state(const Box_2_float& other) const {
+    return extent_ == other.extent_;
+}
+
+GLIFT_SHARED std::uint64_t Box_2_float::place(uint2 address) const {
+    [[maybe_unused]] const uint2 extent = extent_;
+    const auto translate = [&](uint2 va) -> std::uint64_t {
+        // linear.glift:12
+        return linearize_64(va, extent);
+    };
+    return translate(address);
+}
+
+}  // namespace std_transfer
+
