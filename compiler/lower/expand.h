@@ -265,7 +265,19 @@ private:
         ExprId all;                                  ///< whether everything that is copied is there
         Block copies;
     };
+    struct Copied {
+        std::string name;
+        std::vector<LocalId> loops;  ///< over the elements, one an axis
+        std::vector<ExprId> limits;
+        ExprId address, index, exists;
+    };
+    Copied places_of(const Halo& halo, const Halo::Part& part, Neighbours& found);
+    Pair looked_up(const Halo& halo, const Copied& copied, Block& inner);
+    Block loops_over(const Halo::Part& part, const Copied& copied, Block body);
     void copy_from(const Halo& halo, const Halo::Part& part, Neighbours& found);
+    void append_where(ExprId condition, Block statements);
+    void ask_for_one_origin(const Halo& halo);
+    StmtId every_element(const Halo& halo, ExprId value);
     void fill(const Halo& halo);
     bool depends_on(ExprId id, const std::vector<LocalId>& locals);
 

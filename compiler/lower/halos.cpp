@@ -200,108 +200,142 @@ namespace {
 template <class Asks> void divide(Make& make, ExprId condition, ExprId& yes, ExprId& no, const Asks& asks) {
     if (!condition) return;
     const Expr node = make.p.exprs[condition];
-    if (node.op == Op::binary && node.binary == BinaryOp::logical_and && asks(condition) != 1) {
+    const bool holds = asks(condition);
+    if (!holds && node.op == Op::binary && node.binary == BinaryOp::logical_and) {
         divide(make, node.operands[0], yes, no, asks);
         divide(make, node.operands[1], yes, no, asks);
         return;
     }
-    ExprId& to = asks(condition) == 1 ? yes : no;
+    ExprId& to = holds ? yes : no;
     to = make.both(to, condition);
 }
 
 }  // namespace
 
-/// Looks a neighbour up, and copies what is read of it where it is there.
-void Expander::copy_from(const Halo& halo, const Halo::Part& part, Neighbours& found) {
-    const Place place{halo.root, {}};
-    std::string name = cx.name_of(place);
-    ExprId exists, index;
+/// Where the elements of a part are: in their structure, and in the copy.
+Expander::Copied Expander::places_of(const Halo& halo, const Halo::Part& part, Neighbours& found) {
+    Copied copied;
+    copied.name = cx.name_of({halo.root, {}});
     Operands parts;
-    std::vector<LocalId> loops;
-    std::vector<ExprId> limits;
     std::uint32_t pitch = 1;
     for (std::uint32_t axis = 0; axis < part.step.size(); ++axis) {
         const int step = part.step[axis];
-        if (step != 0) name += std::string("_") + "xyzw"[axis] + (step < 0 ? "m" : "p");
+        const std::uint32_t count = part.count[axis];
+        if (step != 0) copied.name += std::string("_") + "xyzw"[axis] + (step < 0 ? "m" : "p");
         const NextBlock& next = found.axes[axis][static_cast<std::size_t>(step + 1)];
-        exists = make.both(exists, next.exists);
+        copied.exists = make.both(copied.exists, next.exists);
         const LocalId local = cx.new_local(std::string(1, "xyzw"[axis]), p.types.uint, span_);
-        make.limits[local] = part.count[axis] - 1;
-        const ExprId round = part.count[axis] == 1 ? make.uint(0) : make.local(local);
-        loops.push_back(local);
-        ExprId limit = make.uint(part.count[axis]);
-        if (step > 0 && part.count[axis] > 1) {  // the domain may end in the neighbour
+        make.limits[local] = count - 1;
+        const ExprId round = count == 1 ? make.uint(0) : make.local(local);
+        copied.loops.push_back(local);
+        ExprId limit = make.uint(count);
+        if (step > 0 && count > 1) {  // the domain may end in the neighbour
             found.all = make.both(found.all, make.binary(BinaryOp::greater_equal, next.room, limit));
             limit = make.intrinsic(Intrinsic::min, p.types.uint, {limit, next.room});
         }
-        limits.push_back(limit);
-        const ExprId at = make.add(round, make.uint(part.low[axis]));
-        parts.push_back(make.add(next.begin, at));
+        copied.limits.push_back(limit);
+        parts.push_back(make.add(next.begin, make.add(round, make.uint(part.low[axis]))));
         const std::int64_t begin =
             std::int64_t{part.low[axis]} + step * std::int64_t{halo.block[axis]} + halo.below[axis];
         const ExprId along = make.add(round, make.uint(static_cast<std::uint64_t>(begin)));
         const ExprId term = make.multiply(along, make.uint(pitch));
-        index = index ? make.add(index, term) : term;
+        copied.index = copied.index ? make.add(copied.index, term) : term;
         pitch *= halo.extent[axis];
     }
-    const ExprId address = parts.size() == 1 ? parts[0] : make.construct(cx.kernel.domain_type, std::move(parts));
+    copied.address = parts.size() == 1 ? parts[0] : make.construct(cx.kernel.domain_type, std::move(parts));
+    return copied;
+}
+
+/// The address in memory. What does not depend on the loops is said before them, `inner` is the rest.
+Pair Expander::looked_up(const Halo& halo, const Copied& copied, Block& inner) {
+    const Place place{halo.root, {}};
     Pair physical;
-    Block made = collect([&] {
-        known_.push_back(numbers_.of(inside_domain(place, address)));
-        physical = translated(place, address, name);
+    const Block made = collect([&] {
+        known_.push_back(numbers_.of(inside_domain(place, copied.address)));
+        physical = translated(place, copied.address, copied.name);
         known_.pop_back();
         bool asked = false;
-        physical.has = without_inside(halo.root, physical.has, address, asked);
+        physical.has = without_inside(halo.root, physical.has, copied.address, asked);
     });
-    Block inner;
     for (StmtId id : made) {
         const Stmt& stmt = p.stmts[id];
         const bool is_of_block = stmt.op == StmtOp::let && stmt.value && !p.locals[stmt.local].is_mutable &&
-                                 !depends_on(stmt.value, loops) && numbers_.is_pure(stmt.value);
+                                 !depends_on(stmt.value, copied.loops) && numbers_.is_pure(stmt.value);
         (is_of_block ? *out_ : inner).push_back(id);
     }
-    ExprId is_there = exists, of_element;
-    divide(make, physical.has, is_there, of_element, [&](ExprId id) { return depends_on(id, loops) ? 0 : 1; });
-    if (is_there) is_there = named(name + "_found", is_there);
-    found.all = make.both(found.all, is_there);
-    if (of_element) found.all = make.truth(false);
-    Block copies = collect([&] {
-        out_->insert(out_->end(), inner.begin(), inner.end());
-        Stmt one = statement(StmtOp::assign, span_);
-        one.target = make.index(make.local(halo.copy), index);
-        Block element = collect([&] {
-            one.value = load(place, physical.value);
-            append(std::move(one));
-        });
-        if (of_element) append_if(of_element, std::move(element), {});
-        else out_->insert(out_->end(), element.begin(), element.end());
-    });
-    for (std::size_t axis = 0; axis < loops.size(); ++axis) {
+    return physical;
+}
+
+/// The loops over a part, around what is done for each element.
+Expander::Block Expander::loops_over(const Halo::Part& part, const Copied& copied, Block body) {
+    for (std::size_t axis = 0; axis < copied.loops.size(); ++axis) {
         if (part.count[axis] == 1) continue;
         Stmt loop = statement(StmtOp::for_, span_);
-        loop.local = loops[axis];
+        loop.local = copied.loops[axis];
         loop.value = make.uint(0);
-        loop.limit = limits[axis];
-        loop.body = std::move(copies);
-        copies = {cx.add(std::move(loop))};
+        loop.limit = copied.limits[axis];
+        loop.body = std::move(body);
+        body = {cx.add(std::move(loop))};
     }
-    Block there = collect([&] {
-        if (is_there && !make.is_true(is_there)) append_if(is_there, std::move(copies), {});
-        else out_->insert(out_->end(), copies.begin(), copies.end());
+    return body;
+}
+
+/// Looks a neighbour up, and copies what is read of it where it is there.
+void Expander::copy_from(const Halo& halo, const Halo::Part& part, Neighbours& found) {
+    const Copied copied = places_of(halo, part, found);
+    Block inner;
+    const Pair physical = looked_up(halo, copied, inner);
+    ExprId is_there = copied.exists, of_element;
+    divide(make, physical.has, is_there, of_element, [&](ExprId id) { return !depends_on(id, copied.loops); });
+    if (is_there) is_there = named(copied.name + "_found", is_there);
+    found.all = of_element ? make.truth(false) : make.both(found.all, is_there);
+    const Block assigned = collect([&] {
+        Stmt one = statement(StmtOp::assign, span_);
+        one.target = make.index(make.local(halo.copy), copied.index);
+        one.value = load({halo.root, {}}, physical.value);
+        append(std::move(one));
     });
-    found.copies.insert(found.copies.end(), there.begin(), there.end());
+    Block body = collect([&] {
+        out_->insert(out_->end(), inner.begin(), inner.end());
+        append_where(of_element, assigned);
+    });
+    const Block copies = collect([&] { append_where(is_there, loops_over(part, copied, std::move(body))); });
+    found.copies.insert(found.copies.end(), copies.begin(), copies.end());
+}
+
+/// An absent condition holds.
+void Expander::append_where(ExprId condition, Block statements) {
+    if (condition && !make.is_true(condition)) return append_if(condition, std::move(statements), {});
+    out_->insert(out_->end(), statements.begin(), statements.end());
+}
+
+/// Ranges that begin elsewhere have other blocks: nothing is copied then.
+void Expander::ask_for_one_origin(const Halo& halo) {
+    if (cx.is_direct() || halo.root == *cx.kernel.space) return;
+    const ExprId own = origin_of(halo.root), of_space = origin_of(*cx.kernel.space);
+    for (std::uint32_t axis = 0; axis < halo.block.size(); ++axis)
+        block_.holds = make.both(
+            block_.holds, make.binary(BinaryOp::equal, make.component(own, axis), make.component(of_space, axis)));
+}
+
+/// A loop that gives all of a copy one value.
+StmtId Expander::every_element(const Halo& halo, ExprId value) {
+    Stmt loop = statement(StmtOp::for_, span_);
+    loop.local = cx.new_local("i", p.types.uint, span_);
+    loop.value = make.uint(0);
+    loop.limit = make.uint(halo.elements());
+    Stmt one = statement(StmtOp::assign, span_);
+    one.target = make.index(make.local(halo.copy), make.local(loop.local));
+    one.value = value;
+    loop.body = {cx.add(std::move(one))};
+    return cx.add(std::move(loop));
 }
 
 /// The statements that fill a copy, for blocks all of whose elements are visited.
 void Expander::fill(const Halo& halo) {
     if (!halo.copy) return;
     const Place place{halo.root, {}};
-    if (!cx.is_direct() && halo.root != *cx.kernel.space) {  // ranges that begin elsewhere have other blocks
-        const ExprId own = origin_of(halo.root), of_space = origin_of(*cx.kernel.space);
-        for (std::uint32_t axis = 0; axis < halo.block.size(); ++axis)
-            block_.holds = make.both(
-                block_.holds, make.binary(BinaryOp::equal, make.component(own, axis), make.component(of_space, axis)));
-    }
+    ask_for_one_origin(halo);
     Stmt array = statement(StmtOp::let, span_);
     array.local = halo.copy;
     array.uninitialized = true;
@@ -319,19 +353,8 @@ void Expander::fill(const Halo& halo) {
     for (const Halo::Part& part : halo.parts) copy_from(halo, part, found);
     Stmt copies = statement(StmtOp::block, span_);
     copies.body = collect([&] {
-        if (found.all && !make.is_true(found.all)) {
-            Stmt loop = statement(StmtOp::for_, span_);
-            loop.local = cx.new_local("i", p.types.uint, span_);
-            loop.value = make.uint(0);
-            loop.limit = make.uint(halo.elements());
-            loop.body = collect([&] {
-                Stmt one = statement(StmtOp::assign, span_);
-                one.target = make.index(make.local(halo.copy), make.local(loop.local));
-                one.value = otherwise_of(place);
-                append(std::move(one));
-            });
-            append_if(make.negate(found.all), {cx.add(std::move(loop))}, {});
-        }
+        if (found.all && !make.is_true(found.all))
+            append_if(make.negate(found.all), {every_element(halo, otherwise_of(place))}, {});
         out_->insert(out_->end(), found.copies.begin(), found.copies.end());
     });
     append(std::move(copies));
