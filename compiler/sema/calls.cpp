@@ -292,7 +292,6 @@ Operand call_method(Body& body, const Operand& self, ast::Identifier method, con
     std::vector<ast::ExprId> arguments = arguments_of(call);
     const std::string& name = c.text(method.name);
     ir::TypeId domain = body.program().structures[self.structure].domain_type;
-    ir::TypeId element = body.program().structures[self.structure].element;
     auto address = [&](ir::TypeId type) -> ir::ExprId {
         if (arguments.size() == 1) return check_value(body, arguments[0], type);
         c.error(Diag::argument_count, call.span, {name, "1", std::to_string(arguments.size())});
