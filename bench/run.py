@@ -110,6 +110,12 @@ def print_depth_of_field(bench, options, folder):
     return groups, True
 
 
+def print_moving_band(bench, options, folder):
+    print("\n## A moving band: pages come and go, two stencils over what is there\n")
+    file = os.path.join(folder, "moving_band.json")
+    return run_bench([os.path.join(bench, "bench_moving_band"), "--json", file], file)
+
+
 def print_compiler(bench, *_):
     print("\n## Compiling, all outputs but SPIR-V\n")
     compiling = compile_speed.measure(os.path.join(bench, "..", "bin", "gliftc"))
@@ -118,7 +124,8 @@ def print_compiler(bench, *_):
 
 
 PARTS = {"twins": print_twins, "dispatch": print_dispatch, "host": print_host, "algorithms": print_algorithms,
-         "depth_of_field": print_depth_of_field, "compiler": print_compiler}
+         "depth_of_field": print_depth_of_field, "moving_band": print_moving_band,
+         "compiler": print_compiler}
 
 
 def main():

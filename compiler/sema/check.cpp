@@ -73,10 +73,11 @@ void check_pipeline(Context& c, ast::DeclId id, const Env& env, std::optional<st
     for (const auto& choice : choices) instantiate_pipeline(c, id, env, choice, owner, decl.name.span);
 }
 
+/// Those with generic parameters are instantiated where they are called.
 void check_adaptor_pipelines(Context& c, std::uint32_t index) {
     const auto& adaptor = std::get<ast::Adaptor>(c[c.structure_decl.at(index)].body);
     for_each_item(c, *c.structure_env.at(index), adaptor.items, [&](const ast::Item& item) {
-        if (item.kind == ast::ItemKind::pipeline)
+        if (item.kind == ast::ItemKind::pipeline && c[item.decl].generics.empty())
             check_pipeline(c, item.decl, *c.structure_env.at(index), index, makers_of(c, index));
     });
 }

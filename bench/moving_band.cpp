@@ -1,0 +1,161 @@
+// bench_moving_band [--seconds S] [--steps N] [--json FILE]: the shell of examples/narrow_band in domains of three
+// sizes with the same surface, and that of 1024^3 whose radius follows the domain. Times are of replayed recordings, by
+// device timestamps.
+//
+// What grows with the domain is apart: `tables` is the change of a domain in which no page is wanted, so that bit sets
+// and scans over all pages are all that it does. `ask` is part of the topology; `everywhere` would be the same question
+// to all pages.
+#include "moving_shell.glift.hpp"
+#include "timing.h"
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <numbers>
+#include <string>
+
+namespace {
+
+struct Case {
+    std::uint32_t side;
+    float radius;
+};
+
+constexpr Case cases[] = {{256, 0.39f * 256}, {512, 0.39f * 256}, {1024, 0.39f * 256}, {1024, 0.39f * 1024}};
+constexpr std::uint32_t same_surface = 3;  ///< the first cases
+constexpr float largest_growth = 16;       ///< of the radius, over a period
+
+struct Times {
+    std::uint32_t pages = 0;
+    std::uint64_t passes = 0;  ///< of a change
+    double ask = 0, everywhere = 0, tables = 0, change = 0, stencils = 0, step = 0;
+};
+
+struct Options {
+    double seconds = 0.2;
+    int runs = 5;
+    std::uint32_t steps = 64;
+    std::string json;
+};
+
+std::uint32_t capacity_of(float radius) {
+    const float r = radius + largest_growth;
+    return static_cast<std::uint32_t>(4 * std::numbers::pi_v<float> * r * r * 2 * 9.6f / 512 * 1.1f) + 256;
+}
+
+Times measure(const glift::Device& device, const Case& one, const Options& options) {
+    const glift::uint3 extent{one.side, one.side, one.side};
+    band::Band band(device, extent, capacity_of(one.radius), 0.0f), nothing(device, extent, 1, 0.0f);
+    moving_shell::Clock clock(device, 1);
+    moving_shell::begin(device, band, clock, one.radius);
+    const auto time = [&](const std::function<void(const glift::Commands&)>& work) {
+        return bench::time_of(device, work, options.runs, options.seconds);
+    };
+    Times times;
+    const auto once =
+        device.record([&](const glift::Commands& c) { moving_shell::change(c, band, clock, one.radius); });
+    const std::uint64_t before = device.statistics().passes;
+    once.submit();
+    device.wait();
+    times.passes = device.statistics().passes - before;
+    // Every run the same steps, about the middle of the period: its last radius is its first one.
+    const auto time_steps = [&](const std::function<void(const glift::Commands&)>& work) {
+        moving_shell::set(device, clock, 32 - options.steps / 2);
+        moving_shell::ask_everywhere(device, band, clock, one.radius);
+        band.update(device);
+        return time([&](const glift::Commands& c) {
+                   moving_shell::set(c, clock, 32 - options.steps / 2);
+                   for (std::uint32_t step = 0; step < options.steps; ++step) work(c);
+               }) /
+               options.steps;
+    };
+    times.step = time_steps([&](const glift::Commands& c) { moving_shell::step(c, band, clock, one.radius); });
+    times.change = time_steps([&](const glift::Commands& c) {
+        moving_shell::change(c, band, clock, one.radius);
+        moving_shell::tick(c, clock);
+    });
+    times.tables = time([&](const glift::Commands& c) { nothing.update(c); });
+    // As many pages as at the middle of a period.
+    moving_shell::set(device, clock, 32);
+    moving_shell::ask_everywhere(device, band, clock, one.radius);
+    band.update(device);
+    times.stencils = time([&](const glift::Commands& c) { moving_shell::stencils(c, band); });
+    const auto status = band.status(device);
+    if (status.refused) throw std::runtime_error("the pool is too small");
+    times.pages = status.resident;
+    times.ask = time([&](const glift::Commands& c) { moving_shell::ask(c, band, clock, one.radius); });
+    times.everywhere =
+        time([&](const glift::Commands& c) { moving_shell::ask_everywhere(c, band, clock, one.radius); });
+    return times;
+}
+
+void print(const Case& one, const Times& times) {
+    std::printf("| %u^3, r %.0f | %u | %llu | %.3f | %.3f | %.3f | %.3f | %.3f | %.3f | %.3f |\n", one.side, one.radius,
+                times.pages, times.everywhere * 1e3, times.ask * 1e3, times.tables * 1e3, times.change * 1e3,
+                times.stencils * 1e3, times.step * 1e3, (times.step - times.tables) * 1e3);
+    std::fflush(stdout);
+}
+
+/// The largest of the cases with the same surface over the smallest.
+double spread(const std::vector<Times>& all, double Times::*part, double Times::*without) {
+    double least = 1e9, most = 0;
+    for (std::size_t i = 0; i < same_surface; ++i) {
+        const double time = all[i].*part - (without ? all[i].*without : 0);
+        least = std::min(least, time);
+        most = std::max(most, time);
+    }
+    return most / least;
+}
+
+nlohmann::ordered_json run_on(const glift::Device& device, const Options& options) {
+    std::printf("%s, ms:\n\n| domain | pages | passes of topology | everywhere | ask | tables | topology | two "
+                "stencils | step | without tables |\n"
+                "| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n",
+                device.properties().name.c_str());
+    nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+    std::vector<Times> all;
+    for (const Case& one : cases) {
+        const Times times = measure(device, one, options);
+        print(one, times);
+        all.push_back(times);
+        rows.push_back({{"side", one.side},
+                        {"radius", one.radius},
+                        {"pages", times.pages},
+                        {"topology_passes", times.passes},
+                        {"ask_seconds", times.ask},
+                        {"everywhere_seconds", times.everywhere},
+                        {"tables_seconds", times.tables},
+                        {"topology_seconds", times.change},
+                        {"stencils_seconds", times.stencils},
+                        {"step_seconds", times.step}});
+    }
+    const double with = spread(all, &Times::step, nullptr), without = spread(all, &Times::step, &Times::tables);
+    std::printf("\nSame surface, largest over smallest: %.2f; without tables %.2f\n\n", with, without);
+    return {{"device", device.properties().name}, {"rows", rows}, {"spread", with}, {"spread_without_tables", without}};
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app("A moving band: topology and stencils by the size of the domain");
+    Options options;
+    app.add_option("--seconds", options.seconds, "of a run, about")->capture_default_str();
+    app.add_option("--steps", options.steps, "of a run, at least")->check(CLI::Range(2u, 64u))->capture_default_str();
+    app.add_option("--runs", options.runs, "of which the median counts")->capture_default_str();
+    app.add_option("--json", options.json, "where the figures go");
+    CLI11_PARSE(app, argc, argv);
+    try {
+        nlohmann::ordered_json all = nlohmann::ordered_json::array();
+        const glift::Device device = glift::Device::open();
+        all.push_back(run_on(device, options));
+        if (!device.is_host()) all.push_back(run_on(glift::Device::open("host"), options));
+        if (!options.json.empty()) std::ofstream(options.json) << all.dump(2) << "\n";
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "bench_moving_band: %s\n", error.what());
+        return 1;
+    }
+    return 0;
+}

@@ -1,0 +1,62 @@
+// The narrow band as a user runs it: pages follow a front, the same on both devices, and the front is where it has to
+// be.
+#include "run_example.h"
+
+#include "examples/common/picture.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <filesystem>
+
+namespace {
+
+using picture::Picture;
+using testing::HasSubstr;
+
+struct NarrowBand : testing::Test {
+    glift::test::TemporaryFolder folder;
+
+    glift::test::ProcessResult run(const std::string& device, const std::vector<std::string>& options) {
+        std::vector<std::string> all = {"--extent", "96", "--size", "96",
+                                        "--every",  "0",  "--out",  folder.path() / device};
+        all.insert(all.end(), options.begin(), options.end());
+        return run_example(GLIFT_NARROW_BAND, all, {"GLIFT_DEVICE=" + device});
+    }
+    Picture picture_of(const std::string& device, const std::string& name) const {
+        return picture::read(std::filesystem::path(folder.path()) / device / name);
+    }
+};
+
+/// What is inside the front is warm.
+std::size_t inside(const Picture& slice) {
+    std::size_t n = 0;
+    for (const glift::float4& pixel : slice.pixels) n += pixel.x > 2 * pixel.z;
+    return n;
+}
+
+TEST_F(NarrowBand, MovesAlikeOnBothDevices) {
+    const std::vector<std::string> options = {"--balls", "9", "--steps", "24", "--seed", "2"};
+    const auto host = run("host", options), vulkan = run("lavapipe", options);
+    ASSERT_EQ(host.exit_code, 0) << host.err;
+    ASSERT_EQ(vulkan.exit_code, 0) << vulkan.err;
+    EXPECT_THAT(vulkan.out, HasSubstr("24 steps, 24 submissions, 0 waits"));
+    for (const std::string name : {"front_0024.png", "slice_0024.png"}) {
+        const Picture a = picture_of("host", name), b = picture_of("lavapipe", name);
+        ASSERT_EQ(a.pixels.size(), b.pixels.size());
+        std::size_t differ = 0;
+        for (std::size_t i = 0; i < a.pixels.size(); ++i) differ += std::abs(a.pixels[i].x - b.pixels[i].x) > 0.02f;
+        EXPECT_LE(differ, a.pixels.size() / 500) << name;
+    }
+    const Picture before = picture_of("host", "slice_0000.png"), after = picture_of("host", "slice_0024.png");
+    EXPECT_GT(inside(before), 20u);
+    EXPECT_GT(inside(after), inside(before));  // what is inside grows
+}
+
+TEST_F(NarrowBand, SaysWhenThePoolIsTooSmall) {
+    const auto result = run("host", {"--balls", "9", "--steps", "2", "--pages", "20"});
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_THAT(result.err, HasSubstr("--pages"));
+}
+
+}  // namespace
