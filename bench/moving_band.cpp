@@ -93,9 +93,12 @@ Times measure(const glift::Device& device, const Case& one, const Options& optio
 }
 
 void print(const Case& one, const Times& times) {
-    std::printf("| %u^3, r %.0f | %u | %llu | %.3f | %.3f | %.3f | %.3f | %.3f | %.3f | %.3f |\n", one.side, one.radius,
-                times.pages, times.everywhere * 1e3, times.ask * 1e3, times.tables * 1e3, times.change * 1e3,
-                times.stencils * 1e3, times.step * 1e3, (times.step - times.tables) * 1e3);
+    std::printf("| %u^3, r %.0f | %u | %llu |", one.side, one.radius, times.pages,
+                static_cast<unsigned long long>(times.passes));
+    for (const double seconds : {times.everywhere, times.ask, times.tables, times.change, times.stencils, times.step,
+                                 times.step - times.tables})
+        std::printf(" %.3f |", seconds * 1e3);
+    std::printf("\n");
     std::fflush(stdout);
 }
 
