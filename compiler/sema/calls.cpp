@@ -408,6 +408,7 @@ static Operand call_named(Body& body, ast::Identifier name, const std::vector<as
     bool shape = c.text(name.name) == "vec" || c.text(name.name) == "mat";
     if (!generics.empty() && (shape || meta.kind != MetaKind::none))
         meta = meta_of(c, env_for(body, call.operands[0]), call.operands[0]);
+    meta = as_type(c, meta);
     if (meta.kind == MetaKind::type) return call_type(body, meta.type, call);
     if (meta.kind == MetaKind::none) report_unknown(c, body.env, name);
     else note_functions(c, c.error(Diag::not_callable, name.span, {"'" + c.text(name.name) + "'"}), meta, name.span);

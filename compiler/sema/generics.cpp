@@ -295,6 +295,8 @@ bool Arguments::finish(bool quiet) {
             return false;
         }
         std::string why;
+        if (found[i]->kind == MetaKind::format && !satisfies(c, env, param.constraint, *found[i], why))
+            found[i] = as_type(c, *found[i]);
         if (!satisfies(c, env, param.constraint, *found[i], why)) {
             if (!quiet) {
                 Diagnostic& diagnostic =

@@ -322,9 +322,39 @@ Meta meta_of(Context& c, const Env& env, ast::ExprId id) {
     return meta;
 }
 
+ir::TypeId value_of_format(ir::Types& types, ir::Format format) {
+    switch (format) {
+    case ir::Format::none: return types.error;
+    case ir::Format::r8:
+    case ir::Format::r16f:
+    case ir::Format::r32f:
+    case ir::Format::d32: return types.float_;
+    case ir::Format::rg8:
+    case ir::Format::rg16f:
+    case ir::Format::rg32f: return types.vector(types.float_, 2);
+    case ir::Format::rgba8:
+    case ir::Format::rgba16f:
+    case ir::Format::rgba32f: return types.vector(types.float_, 4);
+    case ir::Format::r8ui:
+    case ir::Format::r16ui:
+    case ir::Format::r32ui: return types.uint;
+    case ir::Format::rg32ui: return types.vector(types.uint, 2);
+    case ir::Format::rgba32ui:
+    case ir::Format::rgba8ui: return types.vector(types.uint, 4);
+    case ir::Format::r32i: return types.int_;
+    case ir::Format::rg32i: return types.vector(types.int_, 2);
+    case ir::Format::rgba32i: return types.vector(types.int_, 4);
+    }
+    return types.error;
+}
+
+Meta as_type(Context& c, const Meta& meta) {
+    return meta.kind == MetaKind::format ? of_type(value_of_format(c.types(), meta.format)) : meta;
+}
+
 ir::TypeId type_of(Context& c, const Env& env, ast::ExprId id) {
     if (!id) return c.types().error;
-    Meta meta = meta_of(c, env, id);
+    const Meta meta = as_type(c, meta_of(c, env, id));
     if (meta.kind == MetaKind::type) return meta.type;
     if (meta.kind != MetaKind::none) c.error(Diag::not_a_type, c[id].span);
     return c.types().error;

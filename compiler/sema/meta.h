@@ -17,6 +17,12 @@ Meta meta_of_alias(Context&, ast::DeclId, const Env&, Span use);
 /// The meaning of a type expression; reports an invalid one and returns none.
 Meta meta_of(Context&, const Env&, ast::ExprId);
 
+/// The type of a texel's value: float4 of rgba8.
+ir::TypeId value_of_format(ir::Types&, ir::Format);
+
+/// Where a type is wanted, a texel format means that of its values.
+Meta as_type(Context&, const Meta&);
+
 /// The concrete type that an expression denotes; else reports and returns the error type.
 ir::TypeId type_of(Context&, const Env&, ast::ExprId);
 

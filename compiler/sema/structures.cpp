@@ -30,32 +30,6 @@ ir::Format format_of(const ir::Types& types, ir::TypeId type) {
     return ir::Format::none;
 }
 
-ir::TypeId element_of(ir::Types& types, ir::Format format) {
-    switch (format) {
-    case ir::Format::none: return types.error;
-    case ir::Format::r8:
-    case ir::Format::r16f:
-    case ir::Format::r32f:
-    case ir::Format::d32: return types.float_;
-    case ir::Format::rg8:
-    case ir::Format::rg16f:
-    case ir::Format::rg32f: return types.vector(types.float_, 2);
-    case ir::Format::rgba8:
-    case ir::Format::rgba16f:
-    case ir::Format::rgba32f: return types.vector(types.float_, 4);
-    case ir::Format::r8ui:
-    case ir::Format::r16ui:
-    case ir::Format::r32ui: return types.uint;
-    case ir::Format::rg32ui: return types.vector(types.uint, 2);
-    case ir::Format::rgba32ui:
-    case ir::Format::rgba8ui: return types.vector(types.uint, 4);
-    case ir::Format::r32i: return types.int_;
-    case ir::Format::rg32i: return types.vector(types.int_, 2);
-    case ir::Format::rgba32i: return types.vector(types.int_, 4);
-    }
-    return types.error;
-}
-
 ir::TypeId address_type(ir::Types& types, ir::MemoryShape shape) {
     switch (shape) {
     case ir::MemoryShape::buffer:
@@ -156,7 +130,7 @@ void add_memory(Body& body, std::uint32_t index, const ast::Item& item) {
                  "images hold a texel format (r8, rgba8, r16f, r32f …) or one, two or four floats, ints or uints");
             return;
         }
-        memory.element = element_of(c.types(), memory.format);
+        memory.element = value_of_format(c.types(), memory.format);
     }
     ir::TypeId extent = memory.shape == ir::MemoryShape::imagecube ? c.types().vector(c.types().uint, 2)
                                                                    : address_type(c.types(), memory.shape);
