@@ -57,6 +57,7 @@ TEST(Division, OfIntsGoesThroughAFunction) {
     std::string text =
         stored([](Builder& b, ExprId a) { return b.binary(BinaryOp::remainder, as_int(b, a), b.i(-3)); });
     EXPECT_THAT(text, HasSubstr("int quotient(int a, int b)"));
+    EXPECT_THAT(text, HasSubstr("a / (b == 0 || (a == int(0x80000000u) && b == -1) ? 1 : b)"));
     EXPECT_THAT(text, HasSubstr("= remainder(int(address), -3);"));
     EXPECT_THAT(stored([](Builder& b, ExprId a) { return b.binary(BinaryOp::divide, as_int(b, a), b.i(3)); }),
                 HasSubstr("= int(address) / 3;"));
