@@ -80,6 +80,14 @@ const char* access_text(ir::Access access) {
     return "";
 }
 
+/// What a call may write through another binding is not read through a cache for what nobody writes, as GPUs read
+/// `readonly` buffers.
+bool may_alias(const Printer& p, const PassBinding& binding) {
+    return std::ranges::any_of(p.pass.bindings, [&](const PassBinding& other) {
+        return &other != &binding && other.one_place == binding.one_place;
+    });
+}
+
 void note_storage(Printer& p, TypeId type) {
     if (p.program.types.kind(p.program.types.scalar_of(type)) == TypeKind::half)
         p.extensions.insert("GL_EXT_shader_16bit_storage");
@@ -87,7 +95,8 @@ void note_storage(Printer& p, TypeId type) {
 
 std::string buffer_text(Printer& p, std::size_t index) {
     const PassBinding& binding = p.pass.bindings[index];
-    std::string qualifiers = (is_coherent(p, binding) ? "coherent " : "") + std::string(access_text(binding.access));
+    const char* access = may_alias(p, binding) ? "" : access_text(binding.access);
+    std::string qualifiers = (is_coherent(p, binding) ? "coherent " : "") + std::string(access);
     note_storage(p, binding.element);
     std::string element = stored_as_bits(p, binding) ? "uint" : "";
     const bool is_wide = p.pass.form == ir::Form::wide;

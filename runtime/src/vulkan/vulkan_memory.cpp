@@ -68,8 +68,13 @@ MemoryParts::PartViews made_views(Context& context, VkImage image, const MemoryD
     const VkImageViewType type = view_type(d.kind);
     MemoryParts::PartViews views{texels, d.kind, VK_NULL_HANDLE, VK_NULL_HANDLE};
     views.sampled_view = make_view(context, image, d, type, range(texels.mips), VK_IMAGE_USAGE_SAMPLED_BIT);
-    if (image_usage(context, d) & VK_IMAGE_USAGE_STORAGE_BIT)
-        views.storage_view = make_view(context, image, d, type, range(1), VK_IMAGE_USAGE_STORAGE_BIT);
+    try {
+        if (image_usage(context, d) & VK_IMAGE_USAGE_STORAGE_BIT)
+            views.storage_view = make_view(context, image, d, type, range(1), VK_IMAGE_USAGE_STORAGE_BIT);
+    } catch (...) {
+        context.vk.vkDestroyImageView(context.device, views.sampled_view, nullptr);
+        throw;
+    }
     return views;
 }
 

@@ -179,6 +179,13 @@ TEST_P(Misuse, OfBoxes) {
     EXPECT_NE(around.find("the domain of f is {4}"), std::string::npos) << around;
 }
 
+/// What a window reads beside its range counts: the elements 9 to 20 of these.
+TEST_P(Misuse, WindowsReachBeyondTheirRange) {
+    const Line line(device, 100);
+    expect_error("'f' reads windows in", [&] { misuse::around(device, line.range(10, 10), line.range(20, 10)); });
+    misuse::around(device, line.range(10, 10), line.range(21, 10));
+}
+
 TEST_P(Misuse, OfSlices) {
     Line line(device, 10);
     misuse::add_to_part(device, line, 2, 7);
