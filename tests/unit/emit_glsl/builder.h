@@ -154,6 +154,7 @@ struct Builder {
         binding.name = name;
         binding.element = element;
         binding.access = access;
+        binding.one_place = static_cast<std::uint32_t>(pass.bindings.size());
         pass.bindings.push_back(binding);
         return static_cast<std::uint32_t>(pass.bindings.size() - 1);
     }
