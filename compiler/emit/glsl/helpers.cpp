@@ -84,15 +84,12 @@ std::string one_line(const std::string& head, const std::string& value) {
 /// Of numbers of 64 bits without a sign.
 std::string long_division(Helper helper) {
     const std::string op = helper == Helper::quotient ? "/" : "%";
-    return "// In 32 bits where both are small: GPUs divide 64 bits slowly, and NVIDIA's driver (580) takes two "
-           "addresses\n"
-           "// for one where each has such a remainder in it.\n"
-           "uint64_t " +
-           (name_of(helper) + ("(uint64_t a, uint64_t b) {\n"
-                               "    b = max(b, 1ul);\n"
-                               "    if (uint((a | b) >> 32) == 0u) return uint64_t(uint(a) " +
-                               op)) +
-           " uint(b));\n    return a " + op + " b;\n}\n";
+    std::string text =
+        "// In 32 bits where both are small: GPUs divide 64 bits slowly, and NVIDIA's driver (580) takes\n"
+        "// two addresses for one where each has such a remainder in it.\n";
+    text += std::string("uint64_t ") + name_of(helper) + "(uint64_t a, uint64_t b) {\n    b = max(b, 1ul);\n";
+    text += "    if (uint((a | b) >> 32) == 0u) return uint64_t(uint(a) " + op + " uint(b));\n";
+    return text + "    return a " + op + " b;\n}\n";
 }
 
 std::string integer_division(Printer& p, const HelperUse& use) {
