@@ -116,6 +116,12 @@ def print_moving_band(bench, options, folder):
     return run_bench([os.path.join(bench, "bench_moving_band"), "--json", file], file)
 
 
+def print_neighbours(bench, options, folder):
+    print("\n## A million points: a grid of lists, and what lies within a radius of each\n")
+    file = os.path.join(folder, "neighbours.json")
+    return run_bench([os.path.join(bench, "bench_neighbours"), "--json", file], file)
+
+
 def print_compiler(bench, *_):
     print("\n## Compiling, all outputs but SPIR-V\n")
     compiling = compile_speed.measure(os.path.join(bench, "..", "bin", "gliftc"))
@@ -125,7 +131,7 @@ def print_compiler(bench, *_):
 
 PARTS = {"twins": print_twins, "dispatch": print_dispatch, "host": print_host, "algorithms": print_algorithms,
          "depth_of_field": print_depth_of_field, "moving_band": print_moving_band,
-         "compiler": print_compiler}
+         "neighbours": print_neighbours, "compiler": print_compiler}
 
 
 def main():

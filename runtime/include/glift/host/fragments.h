@@ -60,7 +60,7 @@ template <class T> T linear(const Fragments& fragments, std::uint32_t pixel, std
 }
 template <class T> T flat(const Fragments& fragments, std::uint32_t at) {
     T value;
-    std::memcpy(&value, fragments.flat + at, sizeof(T));
+    std::memcpy(static_cast<void*>(&value), fragments.flat + at, sizeof(T));
     return value;
 }
 
