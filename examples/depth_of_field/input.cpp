@@ -65,10 +65,14 @@ void check(const Camera& camera) {
                                  " m, has to be larger than the focal length, " + std::to_string(camera.focal) + " m");
 }
 
-scenes::Scene scene(const std::string& name, float time, const Camera& camera, float aspect) {
-    scenes::Scene made = name.find('.') == std::string::npos ? scenes::make(name, time) : scene_of_file(name);
-    made.view.height_angle = 2 * std::atan(0.5f * camera.film_width / aspect / camera.image_distance());
-    return made;
+scenes::Scene scene(const std::string& name, float time) {
+    return name.find('.') == std::string::npos ? scenes::make(name, time) : scene_of_file(name);
+}
+
+camera::Camera seen_through(const camera::Camera& view, const Camera& camera, float aspect) {
+    camera::Camera seen = view;
+    seen.height_angle = 2 * std::atan(0.5f * camera.film_width / aspect / camera.image_distance());
+    return seen;
 }
 
 Pictures pictures(const std::string& colour, const std::string& depth, const std::string& front) {

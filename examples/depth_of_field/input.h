@@ -25,9 +25,11 @@ struct Camera {
 /// Throws std::runtime_error where no lens is so.
 void check(const Camera& camera);
 
-/// A generated scene, or a mesh file on a table, seen through the camera: its angle is that of the film behind the
-/// lens.
-scenes::Scene scene(const std::string& name, float time, const Camera& camera, float aspect);
+/// A generated scene, or a mesh file on a table.
+scenes::Scene scene(const std::string& name, float time);
+
+/// A view through the camera: its angle is that of the film behind the lens.
+camera::Camera seen_through(const camera::Camera& view, const Camera& camera, float aspect);
 
 /// A picture with distances, and perhaps a foreground with alpha and distances of its own.
 struct Pictures {

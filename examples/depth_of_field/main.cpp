@@ -1,9 +1,6 @@
 // Photographs of scenes, and of pinhole pictures with distances: photograph.glift and dof.glift from C++.
-#include "dof.glift.hpp"
-#include "input.h"
-#include "photograph.glift.hpp"
-
-#include <glift/host/math.h>
+#include "at_window.h"
+#include "subject.h"
 
 #include <CLI/CLI.hpp>
 
@@ -13,7 +10,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <stdexcept>
 
 namespace {
 
@@ -23,136 +19,15 @@ struct Arguments {
     std::string scene = "fence", colour, depth, foreground;
     float time = 0.4f;
     std::vector<std::uint32_t> size = {960, 640};
-    input::Camera camera;
-    photograph::Cuts cuts{0.1f, 0.5f};
-    unsigned layers = 2, reference = 0;
-    bool blurred = false;
+    Settings settings;
+    unsigned reference = 0;
+    bool window = false;
     std::string visualise, out = "depth_of_field.png", pinhole;
-
-    glift::uint holes() const { return blurred ? dof::Holes::blurred : dof::Holes::raised; }
 };
 
-/// A picture on a device.
-struct Images {
-    dof::Picture colour;
-    dof::Distances distances;
-
-    Images(const glift::Device& device, glift::uint2 size) : colour(device, size), distances(device, size) {}
-    Images(const glift::Device& device, const Picture& picture)
-        : Images(device, glift::uint2(picture.width, picture.height)) {
-        colour.write(picture.pixels);
-        distances.write(picture.depth);
-    }
-    Picture read() const { return {colour.extent().x, colour.extent().y, colour.read(), distances.read()}; }
-};
-
-Picture read(const dof::Picture& made) { return {made.extent().x, made.extent().y, made.read(), {}}; }
-
-dof::Lens lens_of(const input::Camera& camera, std::uint32_t width) {
-    return {camera.focal, camera.aperture(), camera.focus, static_cast<float>(width) / camera.film_width};
-}
-
-/// What is in front of the lens: pinhole pictures, and photographs of them.
-class Subject {
-public:
-    Subject(const Arguments& arguments, glift::Device device, glift::uint2 size)
-        : arguments_(arguments), device_(std::move(device)), lens_(lens_of(arguments.camera, size.x)),
-          result_(device_, size) {}
-    virtual ~Subject() = default;
-
-    /// One submission for each call.
-    virtual void photograph() = 0;
-    virtual const Images& pinhole() const = 0;
-    /// Of so many pinholes all over the lens.
-    virtual Picture reference(unsigned places) = 0;
-
-    Picture result() const { return read(result_); }
-    Picture circles() const {
-        photograph::circle_picture(device_, pinhole().distances, lens_, result_);
-        return result();
-    }
-    Picture layers() const {
-        photograph::layer_picture(device_, pinhole().colour, pinhole().distances, lens_, arguments_.cuts, result_);
-        return result();
-    }
-    const glift::Device& device() const { return device_; }
-
-protected:
-    const Arguments& arguments_;
-    glift::Device device_;
-    dof::Lens lens_;
-    dof::Picture result_;
-};
-
-/// Triangles, which are drawn for each photograph.
-class Scene : public Subject {
-public:
-    Scene(const Arguments& arguments, glift::Device device, const scenes::Scene& scene)
-        : Subject(arguments, std::move(device), {arguments.size[0], arguments.size[1]}),
-          corners_(device_, static_cast<std::uint32_t>(scene.mesh.corners.size())),
-          points_(device_, static_cast<std::uint32_t>(scene.mesh.points.size())),
-          colours_(device_, static_cast<std::uint32_t>(scene.mesh.points.size())), pinhole_(device_, result_.extent()) {
-        corners_.write(scene.mesh.corners);
-        points_.write(scene.mesh.points);
-        colours_.write(scene.mesh.colours);
-        view_ = {camera::projection_of(scene.view, aspect_of(arguments)), scene.view.eye,
-                 glift::normalize(scene.light.eye - scene.light.target), scene.sky, scene.view.far};
-    }
-    static float aspect_of(const Arguments& arguments) {
-        return static_cast<float>(arguments.size[0]) / static_cast<float>(arguments.size[1]);
-    }
-
-    void photograph() override {
-        photograph::photograph(device_, corners_, points_, colours_, view_, lens_, arguments_.layers, arguments_.cuts,
-                               arguments_.holes(), pinhole_.colour, pinhole_.distances, result_);
-    }
-    const Images& pinhole() const override { return pinhole_; }
-    Picture reference(unsigned places) override {
-        const dof::Picture mean(device_, result_.extent());
-        photograph::many_pinholes(device_, corners_, points_, colours_, view_, lens_, places, mean);
-        return read(mean);
-    }
-
-private:
-    photograph::Corners corners_;
-    photograph::Points points_, colours_;
-    photograph::Viewpoint view_;
-    Images pinhole_;
-};
-
-/// Pictures from files.
-class Files : public Subject {
-public:
-    Files(const Arguments& arguments, glift::Device device, const input::Pictures& pictures)
-        : Subject(arguments, std::move(device), {pictures.all.width, pictures.all.height}), all_(device_, pictures.all),
-          without_front_(device_, result_.extent()) {
-        if (pictures.front) front_.emplace(device_, *pictures.front);
-        else if (arguments.layers == 3) throw std::runtime_error("a third layer of a picture needs --foreground");
-    }
-
-    void photograph() override {
-        const dof::Picture& to = front_ ? without_front_ : result_;
-        if (arguments_.layers == 1) dof::one_layer(device_, all_.colour, all_.distances, lens_, to);
-        else dof::two_layers(device_, all_.colour, all_.distances, lens_, arguments_.cuts.back, arguments_.holes(), to);
-        if (front_)
-            dof::foreground(device_, front_->colour, front_->distances, lens_, arguments_.cuts.front, to, result_);
-    }
-    const Images& pinhole() const override { return all_; }
-    Picture reference(unsigned) override {
-        throw std::runtime_error("--reference needs a scene: many pinholes are drawn of it");
-    }
-
-private:
-    Images all_;
-    std::optional<Images> front_;
-    dof::Picture without_front_;
-};
-
-std::unique_ptr<Subject> subject_of(const Arguments& a) {
-    if (!a.colour.empty())
-        return std::make_unique<Files>(a, glift::Device::open(), input::pictures(a.colour, a.depth, a.foreground));
-    return std::make_unique<Scene>(a, glift::Device::open(),
-                                   input::scene(a.scene, a.time, a.camera, Scene::aspect_of(a)));
+std::unique_ptr<Subject> subject_of(const Arguments& a, const glift::Device& device) {
+    if (!a.colour.empty()) return picture_subject(a.settings, device, input::pictures(a.colour, a.depth, a.foreground));
+    return scene_subject(a.settings, device, input::scene(a.scene, a.time), {a.size[0], a.size[1]});
 }
 
 void time(Subject& subject) {
@@ -208,9 +83,38 @@ void compare(const Arguments& a, const Picture& result, const Picture& reference
                 difference(result, reference));
 }
 
+/// The options that make the picture again.
+std::string words_of(const Arguments& a, glift::uint2 size) {
+    const auto number = [](const char* name, float value) {
+        char text[64];
+        std::snprintf(text, sizeof text, " %s %.9g", name, static_cast<double>(value));
+        return std::string(text);
+    };
+    const input::Camera& camera = a.settings.camera;
+    std::string words = "depth_of_field";
+    if (a.colour.empty()) {
+        words += " --scene " + a.scene + number("--time", a.time) + " --size " + std::to_string(size.x) + " " +
+                 std::to_string(size.y);
+    } else {
+        words += " --colour " + a.colour;
+        if (!a.depth.empty()) words += " --depth " + a.depth;
+        if (!a.foreground.empty()) words += " --foreground " + a.foreground;
+    }
+    words += number("--focal", camera.focal) + number("--f-stop", camera.f_stop) + number("--focus", camera.focus) +
+             number("--film", camera.film_width) + " --layers " + std::to_string(a.settings.layers) +
+             number("--front-cut", a.settings.cuts.front) + number("--back-cut", a.settings.cuts.back);
+    return words + (a.settings.blurred ? " --blurred" : "") + " --out " + a.out;
+}
+
+void run_window(Arguments& a) {
+    window::Window window("Depth of field", {a.size[0], a.size[1]});
+    const std::unique_ptr<Subject> subject = subject_of(a, window.device());
+    show_at(window, *subject, a.settings, [&] { save(a.out, subject->result()); });
+    std::printf("the same picture: %s\n", words_of(a, subject->image().extent()).c_str());
+}
+
 void run(const Arguments& a) {
-    input::check(a.camera);
-    const std::unique_ptr<Subject> subject = subject_of(a);
+    const std::unique_ptr<Subject> subject = subject_of(a, glift::Device::open());
     time(*subject);
     const Picture result = subject->result();
     if (!a.pinhole.empty()) save(a.pinhole, subject->pinhole().read());
@@ -232,24 +136,26 @@ void add_options(CLI::App& app, Arguments& a) {
     app.add_option("--colour", a.colour, "A picture instead of a scene: PNG or EXR");
     app.add_option("--depth", a.depth, "Its distances in metres: EXR, channel Z or Y");
     app.add_option("--foreground", a.foreground, "A layer before it: EXR with R, G, B, A, Z");
-    app.add_option("--focal", a.camera.focal, "Focal length in metres")->capture_default_str();
-    app.add_option("--f-stop", a.camera.f_stop, "Focal length / aperture")->capture_default_str();
-    app.add_option("--focus", a.camera.focus, "Distance of what is sharp, in metres")->capture_default_str();
-    app.add_option("--film", a.camera.film_width, "Width of the film in metres")->capture_default_str();
-    app.add_option("--layers", a.layers, "1; 2: the background by itself; 3: the foreground, too")
+    app.add_option("--focal", a.settings.camera.focal, "Focal length in metres")->capture_default_str();
+    app.add_option("--f-stop", a.settings.camera.f_stop, "Focal length / aperture")->capture_default_str();
+    app.add_option("--focus", a.settings.camera.focus, "Distance of what is sharp, in metres")->capture_default_str();
+    app.add_option("--film", a.settings.camera.film_width, "Width of the film in metres")->capture_default_str();
+    app.add_option("--layers", a.settings.layers, "1; 2: the background by itself; 3: the foreground, too")
         ->check(CLI::Range(1, 3))
         ->capture_default_str();
-    app.add_option("--front-cut", a.cuts.front, "Where the foreground ends, as a part of the largest circle")
+    app.add_option("--front-cut", a.settings.cuts.front, "Where the foreground ends, as a part of the largest circle")
         ->check(CLI::Range(0.0, 100.0))
         ->capture_default_str();
-    app.add_option("--back-cut", a.cuts.back, "Where the background begins, likewise")
+    app.add_option("--back-cut", a.settings.cuts.back, "Where the background begins, likewise")
         ->check(CLI::Range(0.01, 0.99))
         ->capture_default_str();
-    app.add_flag("--blurred", a.blurred, "Two layers: blur the background's circles instead of raising them");
+    app.add_flag("--blurred", a.settings.blurred, "Two layers: blur the background's circles instead of raising them");
     app.add_option("--visualise", a.visualise, "Write circles or layers instead")
         ->check(CLI::IsMember({"circles", "layers"}));
     app.add_option("--pinhole", a.pinhole, "Also write the picture that is begun with, PNG or EXR");
     app.add_option("--reference", a.reference, "Also draw the scene through so many points of the lens, and compare");
+    app.add_flag("--window", a.window,
+                 "Show it in a window: sliders, a click sets the focus, S writes the picture, Tab hides the sliders");
     app.add_option("--out", a.out, "The picture to write, PNG or EXR")->capture_default_str();
     app.footer("GLIFT_DEVICE=gpu|lavapipe|host|NAME chooses the device.");
 }
@@ -262,7 +168,9 @@ int main(int argc, char** argv) {
     add_options(app, arguments);
     CLI11_PARSE(app, argc, argv);
     try {
-        run(arguments);
+        input::check(arguments.settings.camera);
+        if (arguments.window) run_window(arguments);
+        else run(arguments);
         return 0;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "depth_of_field: %s\n", error.what());

@@ -9,6 +9,7 @@
 
 #include <memory>
 #include <span>
+#include <string_view>
 
 namespace glift::vulkan {
 
@@ -49,6 +50,18 @@ struct Objects {
 /// not tell which features a VkDevice was made with: the physical device's are queried, and assumed to have been
 /// enabled (DeviceFeatures).
 GLIFT_API Device adopt(const Objects& objects);
+
+/// Extensions to enable beside those that Glift uses itself; the names are copied. A window wants those of its surface
+/// (glfwGetRequiredInstanceExtensions), and VK_KHR_swapchain on the device.
+struct Extensions {
+    std::span<const char*const> instance = {}, device = {};
+};
+
+/// As Device::open, on an instance and a device with these extensions. For programs that use the queue of
+/// `objects(device)` themselves, between calls of Glift: what Glift submits is ordered after what they submitted
+/// before, and what they submit later after Glift's. Throws missing_feature where no driver, or not the device, has an
+/// extension, and wrong_argument for `host`, which has no Vulkan.
+GLIFT_API Device open(const Extensions& extensions, std::string_view which = {});
 
 /// Records into the user's command buffer, which is in the recording state. A barrier against everything earlier on the
 /// queue comes first; `finish` records a barrier that makes the results visible to everything later. Glift's own

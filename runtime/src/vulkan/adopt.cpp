@@ -7,6 +7,8 @@
 // The public header wants the prototypes' types only.
 #include <glift/vulkan.h>
 
+#include <cstdlib>
+
 namespace glift::vulkan {
 
 namespace {
@@ -61,6 +63,18 @@ Device adopt(const Objects& objects) {
                                            {objects.extensions.begin(), objects.extensions.end()},
                                            objects.get_instance_proc_addr});
     return Device(std::make_shared<detail::VulkanDevice>(std::move(context)));
+}
+
+Device open(const Extensions& extensions, std::string_view which) {
+    if (which.empty()) {
+        if (const char* wanted = std::getenv("GLIFT_DEVICE")) which = wanted;
+    }
+    if (which == "host") {
+        throw Error(ErrorCode::wrong_argument, "the host device has no Vulkan extensions", "glift::vulkan::open", {},
+                    "choose a Vulkan device, with GLIFT_DEVICE=lavapipe for example");
+    }
+    return Device(detail::open_vulkan_device(which, {{extensions.instance.begin(), extensions.instance.end()},
+                                                     {extensions.device.begin(), extensions.device.end()}}));
 }
 
 Commands record_into(const Device& device, VkCommandBuffer commands) {

@@ -54,15 +54,18 @@ std::uint64_t max_sparse_bytes(const Instance& instance, VkPhysicalDevice physic
 
 }  // namespace
 
-std::unique_ptr<Context> Context::open(std::string_view which) {
+std::unique_ptr<Context> Context::open(std::string_view which, Wanted wanted) {
     std::unique_ptr<Context> context(new Context);
-    context->instance = Instance::create();
+    context->shares_queue = !wanted.instance.empty() || !wanted.device.empty();
+    context->wanted_ = std::move(wanted);
+    context->instance = Instance::create(context->wanted_.instance);
     context->owned = true;
-    context->physical = select_physical_device(*context->instance, which);
+    context->physical = select_physical_device(*context->instance, which, context->wanted_.device);
     context->queue_family = choose_queue_family(*context->instance, context->physical);
     const FeatureChain features(*context->instance, context->physical);
     features.require();
     context->extensions = features.extensions;
+    for (const std::string& name : context->wanted_.device) context->extensions.push_back(name.c_str());
     context->make_device(features);
     context->read_limits(features);
     return context;
@@ -77,6 +80,7 @@ std::unique_ptr<Context> Context::adopt(const Adopted& objects) {
     context->queue = objects.queue;
     context->queue_family = objects.queue_family;
     context->extensions = objects.extensions;
+    context->shares_queue = true;
     const FeatureChain features(*context->instance, context->physical);
     features.require();
     check_queue_family(*context->instance, objects);

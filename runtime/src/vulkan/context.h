@@ -13,7 +13,11 @@ namespace glift::detail {
 
 class Context {
 public:
-    static std::unique_ptr<Context> open(std::string_view which);
+    /// Extensions that the user wants, beside those that Glift uses.
+    struct Wanted {
+        std::vector<std::string> instance, device;
+    };
+    static std::unique_ptr<Context> open(std::string_view which, Wanted wanted);
     struct Adopted {
         VkInstance instance;
         VkPhysicalDevice physical;
@@ -46,6 +50,7 @@ public:
     std::uint32_t queue_family = 0;
     std::uint32_t timestamp_bits = 0;
     bool owned = false;
+    bool shares_queue = false;  ///< with the program that Glift is in
     DeviceTable vk;
     DeviceProperties properties;
     VkPhysicalDeviceProperties core = {};
@@ -58,6 +63,7 @@ public:
 
 private:
     Context() = default;
+    Wanted wanted_;  ///< has the names that `extensions` points to
     void make_device(const FeatureChain& features);
     void read_limits(const FeatureChain& features);
 };

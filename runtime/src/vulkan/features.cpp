@@ -14,17 +14,28 @@ bool contains(const std::vector<const char*>& names, const char* name) {
     return std::any_of(names.begin(), names.end(), [&](const char* n) { return std::strcmp(n, name) == 0; });
 }
 
+class PresentExtensions {
+public:
+    PresentExtensions(const Instance& instance, VkPhysicalDevice physical)
+        : all_(listed<VkExtensionProperties>(
+              "vkEnumerateDeviceExtensionProperties", [&](std::uint32_t* count, VkExtensionProperties* values) {
+                  return instance.vk().vkEnumerateDeviceExtensionProperties(physical, nullptr, count, values);
+              })) {}
+    bool has(const char* name) const {
+        return std::any_of(all_.begin(), all_.end(),
+                           [&](const VkExtensionProperties& e) { return std::strcmp(e.extensionName, name) == 0; });
+    }
+
+private:
+    std::vector<VkExtensionProperties> all_;
+};
+
 std::vector<const char*> usable_extensions(const Instance& instance, VkPhysicalDevice physical) {
-    const auto present = listed<VkExtensionProperties>(
-        "vkEnumerateDeviceExtensionProperties", [&](std::uint32_t* count, VkExtensionProperties* values) {
-            return instance.vk().vkEnumerateDeviceExtensionProperties(physical, nullptr, count, values);
-        });
+    const PresentExtensions present(instance, physical);
     std::vector<const char*> result;
     for (const char* wanted : {VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME, VK_EXT_SHADER_ATOMIC_FLOAT_EXTENSION_NAME,
                                VK_EXT_SHADER_ATOMIC_FLOAT_2_EXTENSION_NAME}) {
-        for (const VkExtensionProperties& extension : present) {
-            if (std::strcmp(extension.extensionName, wanted) == 0) result.push_back(wanted);
-        }
+        if (present.has(wanted)) result.push_back(wanted);
     }
     return result;
 }
@@ -91,6 +102,16 @@ void FeatureChain::require() const {
                     "missing: " + names,
                     "update its driver, or choose another device with GLIFT_DEVICE=lavapipe or GLIFT_DEVICE=host");
     }
+}
+
+std::string lacking_extensions(const Instance& instance, VkPhysicalDevice physical,
+                               std::span<const std::string> wanted) {
+    if (wanted.empty()) return {};
+    const PresentExtensions present(instance, physical);
+    std::string names;
+    for (const std::string& name : wanted)
+        if (!present.has(name.c_str())) names += (names.empty() ? "" : ", ") + name;
+    return names;
 }
 
 // long: a line for each property

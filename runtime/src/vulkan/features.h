@@ -5,6 +5,7 @@
 
 #include <glift/device.h>
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,10 @@ struct FeatureChain {
     std::string missing() const;  ///< names of required features that are absent, empty if none
     void require() const;         ///< throws unsupported_version or missing_feature
 };
+
+/// Those of the extensions that the physical device lacks, as text; empty if none.
+std::string lacking_extensions(const Instance& instance, VkPhysicalDevice physical,
+                               std::span<const std::string> wanted);
 
 /// Properties of a physical device; `extensions` are those that the device is made with.
 DeviceProperties read_properties(const Instance& instance, VkPhysicalDevice physical, const FeatureChain& features,

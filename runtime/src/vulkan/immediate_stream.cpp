@@ -76,7 +76,7 @@ void ImmediateStream::open_batch() {
     batch_ = std::move(batch);
     encoder_.target(batch_->commands, *batch_);
     // Our batches are ordered by our own barriers; this one orders them against the user's work on the queue.
-    if (!device_.context().owned) encoder_.full_barrier();
+    if (device_.context().shares_queue) encoder_.full_barrier();
     device_.set_retire_value(open_value());
 }
 

@@ -46,16 +46,31 @@ void require_layer(PFN_vkGetInstanceProcAddr entry) {
                 "install it (Debian: apt install vulkan-validationlayers), or unset GLIFT_VALIDATE");
 }
 
-bool has_debug_utils(PFN_vkGetInstanceProcAddr entry) {
+bool has_extension(PFN_vkGetInstanceProcAddr entry, const char* name) {
     const auto enumerate =
         global<PFN_vkEnumerateInstanceExtensionProperties>(entry, "vkEnumerateInstanceExtensionProperties");
     const auto extensions = listed<VkExtensionProperties>(
         "vkEnumerateInstanceExtensionProperties",
         [&](std::uint32_t* count, VkExtensionProperties* values) { return enumerate(nullptr, count, values); });
     for (const VkExtensionProperties& extension : extensions) {
-        if (std::strcmp(extension.extensionName, VK_EXT_DEBUG_UTILS_EXTENSION_NAME) == 0) return true;
+        if (std::strcmp(extension.extensionName, name) == 0) return true;
     }
     return false;
+}
+
+/// The user's, each of which has to be there, and the one that names objects, where that is there.
+std::vector<const char*> usable_extensions(PFN_vkGetInstanceProcAddr entry, std::span<const std::string> wanted) {
+    std::vector<const char*> names;
+    for (const std::string& name : wanted) {
+        if (!has_extension(entry, name.c_str())) {
+            throw Error(ErrorCode::missing_feature, "Vulkan lacks an extension that was asked for",
+                        "glift::vulkan::open", "no driver on this machine has " + name,
+                        "install a driver that has it (Debian, on the CPU: apt install mesa-vulkan-drivers)");
+        }
+        names.push_back(name.c_str());
+    }
+    if (has_extension(entry, VK_EXT_DEBUG_UTILS_EXTENSION_NAME)) names.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
+    return names;
 }
 
 VKAPI_ATTR VkBool32 VKAPI_CALL on_message(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
@@ -96,14 +111,14 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Instance> Instance::create() {
+std::unique_ptr<Instance> Instance::create(std::span<const std::string> extensions) {
     std::unique_ptr<Instance> instance(new Instance);
     instance->entry_ = load_vulkan();
     instance->owned_ = true;
     require_version(instance->entry_);
     const bool validate = wants_validation();
     if (validate) require_layer(instance->entry_);
-    const bool debug_utils = has_debug_utils(instance->entry_);
+    const std::vector<const char*> names = usable_extensions(instance->entry_, extensions);
 
     const VkApplicationInfo application = {
         .sType = VK_STRUCTURE_TYPE_APPLICATION_INFO, .pEngineName = "glift", .apiVersion = VK_API_VERSION_1_3};
@@ -111,14 +126,13 @@ std::unique_ptr<Instance> Instance::create() {
     VkValidationFeaturesEXT validation = {.sType = VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT,
                                           .enabledValidationFeatureCount = 1,
                                           .pEnabledValidationFeatures = checks};
-    const char* extension = VK_EXT_DEBUG_UTILS_EXTENSION_NAME;
     const VkInstanceCreateInfo info = {.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO,
                                        .pNext = validate ? &validation : nullptr,
                                        .pApplicationInfo = &application,
                                        .enabledLayerCount = validate ? 1u : 0u,
                                        .ppEnabledLayerNames = &validation_layer,
-                                       .enabledExtensionCount = debug_utils ? 1u : 0u,
-                                       .ppEnabledExtensionNames = &extension};
+                                       .enabledExtensionCount = static_cast<std::uint32_t>(names.size()),
+                                       .ppEnabledExtensionNames = names.data()};
     const ScopedLayerEnables enables(validate);
     const auto create = global<PFN_vkCreateInstance>(instance->entry_, "vkCreateInstance");
     const VkResult result = create(&info, nullptr, &instance->handle_);

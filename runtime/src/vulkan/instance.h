@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <mutex>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -12,8 +13,9 @@ namespace glift::detail {
 
 class Instance {
 public:
-    /// With the validation layer if GLIFT_VALIDATE=1. Throws no_loader, unsupported_version, missing_layer, no_device.
-    static std::unique_ptr<Instance> create();
+    /// With the user's extensions, and with the validation layer if GLIFT_VALIDATE=1. Throws no_loader,
+    /// unsupported_version, missing_layer, missing_feature, no_device.
+    static std::unique_ptr<Instance> create(std::span<const std::string> extensions);
     static std::unique_ptr<Instance> adopt(VkInstance instance, PFN_vkGetInstanceProcAddr get);
     ~Instance();
     Instance(const Instance&) = delete;

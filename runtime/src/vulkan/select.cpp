@@ -45,6 +45,14 @@ bool matches(const Candidate& candidate, const std::string& which) {
     return name.find(which) != std::string::npos;
 }
 
+void require_extensions(const Instance& instance, const Candidate& candidate, std::span<const std::string> extensions) {
+    const std::string names = lacking_extensions(instance, candidate.physical, extensions);
+    if (names.empty()) return;
+    throw Error(ErrorCode::missing_feature, "the device lacks an extension that was asked for",
+                candidate.properties.deviceName, "missing: " + names,
+                "choose another device, with GLIFT_DEVICE=lavapipe for example");
+}
+
 [[noreturn]] void throw_none(const std::vector<Candidate>& all, std::string_view which) {
     std::string present;
     for (const Candidate& c : all) present += (present.empty() ? "" : ", ") + std::string(c.properties.deviceName);
@@ -69,11 +77,14 @@ std::vector<VkQueueFamilyProperties> queue_families(const Instance& instance, Vk
     return families;
 }
 
-VkPhysicalDevice select_physical_device(const Instance& instance, std::string_view which) {
+VkPhysicalDevice select_physical_device(const Instance& instance, std::string_view which,
+                                        std::span<const std::string> extensions) {
     std::vector<Candidate> all;
     for (VkPhysicalDevice physical : instance.physical_devices()) {
         const FeatureChain features(instance, physical);
-        all.push_back({physical, features.properties, !features.old() && features.missing().empty()});
+        all.push_back({physical, features.properties,
+                       !features.old() && features.missing().empty() &&
+                           lacking_extensions(instance, physical, extensions).empty()});
     }
     const std::string wanted = lower(which);
     const Candidate* best = nullptr;
@@ -83,7 +94,10 @@ VkPhysicalDevice select_physical_device(const Instance& instance, std::string_vi
         if (!best || order(candidate) > order(*best)) best = &candidate;
     }
     if (!best) throw_none(all, which);
-    if (!best->usable) FeatureChain(instance, best->physical).require();
+    if (!best->usable) {
+        FeatureChain(instance, best->physical).require();
+        require_extensions(instance, *best, extensions);
+    }
     return best->physical;
 }
 

@@ -3,14 +3,17 @@
 
 #include "instance.h"
 
+#include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
 namespace glift::detail {
 
 /// Throws no_device with a list of what is there, or unsupported_version / missing_feature if the one asked for is
-/// there but cannot be used.
-VkPhysicalDevice select_physical_device(const Instance& instance, std::string_view which);
+/// there but cannot be used, for example because it lacks one of the extensions.
+VkPhysicalDevice select_physical_device(const Instance& instance, std::string_view which,
+                                        std::span<const std::string> extensions);
 
 std::vector<VkQueueFamilyProperties> queue_families(const Instance& instance, VkPhysicalDevice physical);
 

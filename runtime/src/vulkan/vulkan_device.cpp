@@ -20,8 +20,8 @@ constexpr std::size_t most_idle_batches = 40;  // as many as may be in flight, a
 
 }  // namespace
 
-std::shared_ptr<DeviceObject> open_vulkan_device(std::string_view which) {
-    return std::make_shared<VulkanDevice>(Context::open(which));
+std::shared_ptr<DeviceObject> open_vulkan_device(std::string_view which, Context::Wanted extensions) {
+    return std::make_shared<VulkanDevice>(Context::open(which, std::move(extensions)));
 }
 
 VulkanDevice::VulkanDevice(std::unique_ptr<Context> context)

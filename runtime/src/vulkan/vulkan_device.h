@@ -12,7 +12,7 @@
 
 namespace glift::detail {
 
-std::shared_ptr<DeviceObject> open_vulkan_device(std::string_view which);
+std::shared_ptr<DeviceObject> open_vulkan_device(std::string_view which, Context::Wanted extensions = {});
 
 struct VulkanCounters {
     std::uint64_t submissions = 0, passes = 0, barriers = 0;

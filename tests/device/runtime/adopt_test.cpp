@@ -141,6 +141,33 @@ TEST(Adopt, TheHostDeviceHasNoVulkanObjects) {
               glift::ErrorCode::wrong_argument);
 }
 
+// What windows need: surfaces on the instance, swapchains on the device.
+TEST(Open, WithExtensionsOfTheUsers) {
+    const char *const surface[] = {VK_KHR_SURFACE_EXTENSION_NAME}, *const swapchain[] = {
+                                                                       VK_KHR_SWAPCHAIN_EXTENSION_NAME};
+    const auto device = glift::vulkan::open({surface, swapchain}, vulkan_name());
+    const auto objects = glift::vulkan::objects(device);
+    const std::vector<std::string> names(objects.extensions.begin(), objects.extensions.end());
+    EXPECT_EQ(std::count(names.begin(), names.end(), VK_KHR_SWAPCHAIN_EXTENSION_NAME), 1);
+    EXPECT_NE(vkGetDeviceProcAddr(objects.device, "vkCreateSwapchainKHR"), nullptr);
+    const auto g = buffer(device, "g.data", 256);
+    run_store(device, g, 64, 5);
+    EXPECT_EQ(read<std::uint32_t>(device, g, 64)[63], 5u);
+    expect_no_messages(device);
+}
+
+TEST(Open, ExtensionsThatAreNotThereAreNamed) {
+    const char* const none[] = {"VK_GLIFT_none"};
+    for (const glift::vulkan::Extensions& extensions :
+         {glift::vulkan::Extensions{.instance = none}, glift::vulkan::Extensions{.device = none}}) {
+        const auto error = error_of([&] { glift::vulkan::open(extensions, vulkan_name()); });
+        EXPECT_EQ(error.code(), glift::ErrorCode::missing_feature) << error.what();
+        EXPECT_NE(error.why().find("VK_GLIFT_none"), std::string::npos) << error.what();
+        EXPECT_FALSE(error.remedy().empty());
+    }
+    EXPECT_EQ(error_of([] { glift::vulkan::open({}, "host"); }).code(), glift::ErrorCode::wrong_argument);
+}
+
 // That the layer is on and its messages arrive: the other tests rely on it.
 TEST(Validation, ReportsAMistake) {
     if (!std::getenv("GLIFT_VALIDATE")) GTEST_SKIP() << "GLIFT_VALIDATE is not set";

@@ -1,0 +1,47 @@
+// A display without a screen (Xvfb), and a person in front of it: pointer and keys by XTest, the window manager's
+// messages, what is seen.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+/// Eight bits a channel, row by row.
+struct Seen {
+    std::uint32_t width = 0, height = 0;
+    struct Colour {
+        std::uint8_t red, green, blue;
+        bool operator==(const Colour&) const = default;
+    };
+    std::vector<Colour> pixels;
+};
+
+class VirtualDisplay {
+public:
+    /// Starts Xvfb with a screen of 1000 x 700. Throws std::runtime_error where that fails.
+    VirtualDisplay();
+    ~VirtualDisplay();
+    VirtualDisplay(const VirtualDisplay&) = delete;
+
+    const std::string& name() const { return name_; }  ///< for DISPLAY
+
+    /// Whether a window of this title is there; the other calls are about the last one that was found.
+    bool has_window(const std::string& title);
+    Seen seen() const;
+    void move_to(int x, int y) const;
+    void press() const;
+    void release() const;
+    void type(const std::string& key) const;  ///< as X names it: `Tab`
+    void resize(unsigned width, unsigned height) const;
+    void minimise() const;
+    void restore() const;
+    void ask_to_close() const;
+    void end();  ///< the display goes away
+
+private:
+    struct Connection;
+    std::string name_;
+    int process_ = 0;
+    Connection* connection_ = nullptr;
+    unsigned long window_ = 0;
+};
