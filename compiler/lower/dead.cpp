@@ -2,6 +2,7 @@
 #include "lower/share.h"
 
 #include <algorithm>
+#include <functional>
 
 namespace gliftc::lower {
 
@@ -78,21 +79,41 @@ std::vector<StmtId> kept(Context& cx, const std::vector<StmtId>& body, Live& liv
     return result;
 }
 
-/// Notes the locals whose value some statement takes.
-void note_read(const Program& p, const std::vector<StmtId>& body, IdSet<Local>& read) {
-    for_each_statement(p, body, [&](const Stmt& stmt) {
-        const bool is_whole = stmt.op == StmtOp::assign && p.exprs[stmt.target].op == Op::local;
-        for_each_root(stmt, [&](ExprId root) {
-            if (!is_whole || root != stmt.target) use(p, root, read);
+/// The local of the body that a statement gives a value, and does nothing else; none otherwise.
+LocalId given(const Program& p, const Stmt& stmt, const IdSet<Local>& declared) {
+    if (stmt.value && has_effect(p, stmt.value)) return {};
+    if (stmt.op == StmtOp::let) return stmt.local;
+    if (stmt.op != StmtOp::assign) return {};
+    const Expr& target = p.exprs[stmt.target];
+    return target.op == Op::local && declared.contains(target.local) ? target.local : LocalId{};
+}
+
+/// Notes the locals whose value some statement takes, other than to give it to what nothing reads.
+void note_read(const Program& p, const std::vector<StmtId>& body, const IdSet<Local>& declared, IdSet<Local>& read) {
+    bool grows = true;
+    const std::function<void(ExprId)> note = [&](ExprId id) {
+        const Expr& node = p.exprs[id];
+        if (node.op == Op::local) grows |= read.insert(node.local);
+        for (ExprId operand : node.operands) note(operand);
+    };
+    while (grows) {
+        grows = false;
+        for_each_statement(p, body, [&](const Stmt& stmt) {
+            const LocalId to = given(p, stmt, declared);
+            if (to && !read.contains(to)) return;
+            const bool is_whole = stmt.op == StmtOp::assign && p.exprs[stmt.target].op == Op::local;
+            for_each_root(stmt, [&](ExprId root) {
+                if (!is_whole || root != stmt.target) note(root);
+            });
         });
-    });
+    }
 }
 
 /// Locals that an earlier round of a loop may leave for a later one are used wherever the loop names them, if anything
 /// takes their value.
-void use_in_loops(const Program& p, const std::vector<StmtId>& body, IdSet<Local>& used) {
+void use_in_loops(const Program& p, const std::vector<StmtId>& body, const IdSet<Local>& declared, IdSet<Local>& used) {
     IdSet<Local> read;
-    note_read(p, body, read);
+    note_read(p, body, declared, read);
     for_each_statement(p, body, [&](const Stmt& stmt) {
         if (stmt.op != StmtOp::for_ && stmt.op != StmtOp::while_) return;
         for_each_statement(p, stmt.body, [&](const Stmt& inner) {
@@ -107,10 +128,10 @@ void use_in_loops(const Program& p, const std::vector<StmtId>& body, IdSet<Local
 
 std::vector<StmtId> drop_dead(Context& cx, const std::vector<StmtId>& body) {
     Live live;
-    use_in_loops(cx.p, body, live.used);
     for_each_statement(cx.p, body, [&](const Stmt& stmt) {
         if (stmt.op == StmtOp::let) live.declared.insert(stmt.local);
     });
+    use_in_loops(cx.p, body, live.declared, live.used);
     return kept(cx, body, live);
 }
 

@@ -79,6 +79,7 @@ public:
         return moves;
     }
 
+    Number bound() const { return bound_; }
     const Status& status() const { return status_; }
     const std::map<Number, Number>& frames() const { return frames_; }
     const std::vector<Number>& free() const { return free_; }

@@ -1,5 +1,6 @@
-// Random requests, releases, writes, refinements and reads of sparse arrays with pools of many sizes, compared with a
-// model after each change: status, table, frames, free list, and every element of every page.
+// Random requests, releases, writes, refinements and reads of sparse arrays with pools of many sizes and with tables of
+// one and two levels, compared with a model after each change: status, table, frames, free list, and every element of
+// every page.
 #include "model.h"
 #include "property.h"
 
@@ -14,6 +15,7 @@ using property::Round;
 GLIFT_PROPERTY_SUITE(Sparse);
 
 constexpr Number background = 77, page_x = 4, page_y = 2, page_volume = page_x * page_y, unmapped = 0xffffffff;
+constexpr Number leaf_entries = 5;  ///< of a table of two levels
 
 template <class Grid> class Sequence {
 public:
@@ -22,7 +24,8 @@ public:
           round_(round), extent_{1 + round.below(60), 1 + round.below(40)}, along_{(extent_.x + page_x - 1) / page_x,
                                                                                    (extent_.y + page_y - 1) / page_y},
           capacity_(std::max(1u, along_.x * along_.y >> 1 >> round.below(4) >> round.below(2))),
-          pages_(policy, along_.x * along_.y, capacity_), grid_(device, extent_, capacity_, background) {
+          pages_(policy, along_.x * along_.y, capacity_), leaves_(leaves_of(policy)),
+          grid_(device, extent_, capacity_, background) {
         round_.about(std::string("extent ") + std::to_string(extent_.x) + " x " + std::to_string(extent_.y) +
                      ", capacity " + std::to_string(capacity_));
     }
@@ -40,6 +43,12 @@ public:
     }
 
 private:
+    /// One for each page at most, and no more than there are.
+    model::Pages leaves_of(model::Overflow policy) const {
+        const Number all = (along_.x * along_.y + leaf_entries - 1) / leaf_entries;
+        return {model::Overflow::drop, all, policy == model::Overflow::grow ? all : std::min(all, capacity_)};
+    }
+
     Number page_of(uint2 place) const { return place.y / page_y * along_.x + place.x / page_x; }
     bool is_inside(uint2 place) const { return place.x < extent_.x && place.y < extent_.y; }
     static Number element_of(uint2 place) { return place.y % page_y * page_x + place.x % page_x; }
@@ -81,6 +90,8 @@ private:
         if (releases) grid_.update(device_);
         else grid_.allocate(device_);
         std::vector<Number> granted = pages_.change(releases);
+        for (const auto& [page, frame] : pages_.frames()) leaves_.request(page / leaf_entries);
+        leaves_.change(true);
         const bool refines = round_.chance(2);
         const Number by = round_.below(1000000);
         if (refines) sparse::refine(device_, grid_, by);
@@ -139,10 +150,31 @@ private:
         if (auto same = property::equal(round_, owners, pages.owners().read(), "owners"); !same) return same;
         if (auto same = property::equal(round_, active, start(pages.active().read(), active.size()), "active"); !same)
             return same;
+        if (auto same = tables_are_right(); !same) return same;
         const std::vector<Number>& free = pages_.free();
         if (auto same = property::equal(round_, free, start(pages.free().read(), free.size()), "free"); !same)
             return same;
         return property::equal(round_, contents_, grid_.field().frames().read(), "frames");
+    }
+
+    /// Of a table of two levels: there are the parts of the lower one in which pages are, and what the upper one says
+    /// of them.
+    testing::AssertionResult tables_are_right() {
+        if constexpr (requires { grid_.leaves(); }) {
+            std::vector<Number> top(leaves_.bound()), owners(leaves_.status().capacity), active;
+            for (const auto& [leaf, frame] : leaves_.frames()) {
+                top[leaf] = frame + 1;
+                owners[frame] = leaf + 1;
+                active.push_back(leaf);
+            }
+            if (auto same = property::equal(round_, top, grid_.top().read(), "upper table"); !same) return same;
+            if (auto same = property::equal(round_, owners, grid_.leaves().owners().read(), "owners of parts"); !same)
+                return same;
+            std::vector<Number> found = grid_.leaves().active().read();
+            found.resize(active.size());
+            return property::equal(round_, active, found, "parts that are there");
+        }
+        return testing::AssertionSuccess();
     }
 
     testing::AssertionResult reads_are_right() {
@@ -167,6 +199,7 @@ private:
     uint2 extent_, along_;
     Number capacity_;
     model::Pages pages_;
+    model::Pages leaves_;  ///< the parts of the table's lower level, where there are two
     Grid grid_;
     std::vector<Number> contents_ = std::vector<Number>(capacity_ * page_volume);  ///< of all frames
 };
@@ -222,6 +255,26 @@ TEST_P(Sparse, Evict) {
 TEST_P(Sparse, Grow) {
     for_all("sparse array, grow",
             [&](Round& round) { Sequence<sparse::Grow>(device(), round, model::Overflow::grow).run(); });
+}
+
+TEST_P(Sparse, TwoLevelsDrop) {
+    for_all("sparse array of two levels, drop",
+            [&](Round& round) { Sequence<sparse::TwoLevelDrop>(device(), round, model::Overflow::drop).run(); });
+}
+
+TEST_P(Sparse, TwoLevelsFail) {
+    for_all("sparse array of two levels, fail",
+            [&](Round& round) { Sequence<sparse::TwoLevelFail>(device(), round, model::Overflow::fail).run(); });
+}
+
+TEST_P(Sparse, TwoLevelsEvict) {
+    for_all("sparse array of two levels, evict",
+            [&](Round& round) { Sequence<sparse::TwoLevelEvict>(device(), round, model::Overflow::evict).run(); });
+}
+
+TEST_P(Sparse, TwoLevelsGrow) {
+    for_all("sparse array of two levels, grow",
+            [&](Round& round) { Sequence<sparse::TwoLevelGrow>(device(), round, model::Overflow::grow).run(); });
 }
 
 }  // namespace
