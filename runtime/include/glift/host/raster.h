@@ -25,8 +25,9 @@ struct DepthTarget {
     bool is_early = true;  ///< tested before the fragment shader; else the fragment shader calls Fragments::test
 };
 
-/// The fragments of one triangle in a block of 8 x 8 pixels. Arrays have an entry for every pixel of the block, covered
-/// or not, so that derivatives can be computed from neighbours: pixel (x, y) of the block is entry 8 * y + x.
+/// The fragments of one triangle in a block of 8 x 8 pixels: pixel (x, y) of the block is entry 8 * y + x of each
+/// array. Entries are set for all pixels of the quads that have a covered one, so that derivatives can be computed from
+/// neighbours; others hold any number.
 struct Fragments {
     static constexpr unsigned side = 8;
 

@@ -37,18 +37,20 @@ struct BlockDraw {
     int2 viewport;  ///< its first pixel, in the coordinates of blocks
     Fragments fragments;
 
-    explicit BlockDraw(const Draw& draw) : draw(draw), viewport(int2(draw.framebuffer % 2u)) {
+    explicit BlockDraw(const Draw& draw) : draw(draw), viewport(int2(draw.framebuffer % 2u)), fragments() {
         fragments.depth_target = &draw.depth;
     }
 
     void run(const Triangle& triangle, std::int32_t x, std::int32_t y) {
         std::uint64_t covered = coverage(triangle, x, y);
         if (covered == 0) return;
-        interpolate(triangle, x, y, draw.has_smooth, fragments);
+        const Rows rows = rows_of(covered);
+        interpolate_depth(triangle, x, y, rows, fragments);
         fragments.first = int2(x, y) - viewport;
         if (draw.depth.texels != nullptr && draw.depth.is_early)
             covered = test_depth(draw.depth, fragments.first, fragments.depth, covered);
         if (covered == 0 || draw.fragment == nullptr) return;
+        if (draw.has_smooth) interpolate_smooth(triangle, rows, fragments);
         fragments.covered = covered;
         fragments.is_front = triangle.is_front;
         fragments.flat = triangle.flat;
@@ -82,27 +84,44 @@ Tiles tiles_of(uint2 size) {
 void Chunk::make(const Draw& draw, const Window& window, const Clipper& clipper, const Tiles& tiles,
                  std::uint64_t first, std::uint32_t count, std::uint32_t instance) {
     const std::uint32_t stride = window.layout.stride();
-    corners_.resize(std::size_t{count} * stride);
+    vertices_.resize(std::size_t{count} * stride);
     made_.clear();
     triangles_.clear();
-    draw.vertex(draw.body, first, count, instance, corners_.data());
-    const std::uint32_t step = corners_of(draw.topology);
-    for (std::uint32_t i = 0; i + step <= count; i += step) {
-        const float* corner = corners_.data() + std::size_t{i} * stride;
+    draw.vertex(draw.body, first, count, instance, vertices_.data());
+    if (draw.topology == Topology::triangles) add_triangles(window, clipper, count);
+    else add_others(draw.topology, window, clipper, count);
+    sort(tiles);
+}
+
+void Chunk::add_triangles(const Window& window, const Clipper& clipper, std::uint32_t count) {
+    const std::size_t stride = window.layout.stride();
+    corners_.resize(count);
+    corners_of(window, vertices_.data(), count, corners_.data());
+    for (std::uint32_t i = 0; i + 3 <= count; i += 3) {
+        const float* vertex = vertices_.data() + i * stride;
         const std::size_t before = triangles_.size();
-        switch (draw.topology) {
-        case Topology::triangles:
-            add(window, clipper.clipped(corner, corner + stride, corner + 2 * stride, made_));
-            break;
-        case Topology::lines: add_line(window, clipper, corner, corner + stride); break;
-        case Topology::points: add_point(window, clipper, corner); break;
-        }
+        if (clipper.is_inside(vertex) && clipper.is_inside(vertex + stride) && clipper.is_inside(vertex + 2 * stride))
+            add(window, corners_[i], corners_[i + 1], corners_[i + 2]);
+        else add(window, clipper.clipped(vertex, vertex + stride, vertex + 2 * stride, made_));
+        for (std::size_t k = before; k < triangles_.size(); ++k)
+            triangles_[k].flat = vertex + window.layout.varyings_at();
+    }
+}
+
+/// Both sides of what lines and points become are seen from before.
+void Chunk::add_others(Topology topology, const Window& window, const Clipper& clipper, std::uint32_t count) {
+    const std::size_t stride = window.layout.stride();
+    const std::uint32_t step = corners_of(topology);
+    for (std::uint32_t i = 0; i + step <= count; i += step) {
+        const float* vertex = vertices_.data() + i * stride;
+        const std::size_t before = triangles_.size();
+        if (topology == Topology::lines) add_line(window, clipper, vertex, vertex + stride);
+        else add_point(window, clipper, vertex);
         for (std::size_t k = before; k < triangles_.size(); ++k) {
-            triangles_[k].flat = corner + window.layout.varyings_at();
-            triangles_[k].is_front |= draw.topology != Topology::triangles;
+            triangles_[k].flat = vertex + window.layout.varyings_at();
+            triangles_[k].is_front = true;
         }
     }
-    sort(tiles);
 }
 
 void Chunk::add(const Window& window, const Corner& corner0, const Corner& corner1, const Corner& corner2) {
@@ -113,14 +132,16 @@ void Chunk::add(const Window& window, const Corner& corner0, const Corner& corne
 void Chunk::add_line(const Window& window, const Clipper& clipper, const float* from, const float* to) {
     if (!clipper.clip_line(from, to, made_)) return;
     const float2 begin = place_of(window, from), end = place_of(window, to), way = end - begin;
-    const Corner a{snapped(begin), from}, b{snapped(end), to};
+    const Corner a = corner_of(window, from), b = corner_of(window, to);
     const float length = std::sqrt(way.x * way.x + way.y * way.y);
     if (!(length > 0.0f)) return;
     const float scale = 0.5f / length;
-    const auto rounded = [](float x) { return std::llrint(static_cast<double>(x) * (1 << subpixel_bits)); };
+    const auto rounded = [](float x) {
+        return static_cast<std::int32_t>(std::llrint(static_cast<double>(x) * (1 << subpixel_bits)));
+    };
     const Point aside{rounded(-way.y * scale), rounded(way.x * scale)};
     const auto beside = [](const Corner& corner, const Point& by, int sign) {
-        return Corner{{corner.point.x + sign * by.x, corner.point.y + sign * by.y}, corner.vertex};
+        return Corner{{corner.point.x + sign * by.x, corner.point.y + sign * by.y}, corner.inverse_w, corner.vertex};
     };
     add(window, beside(a, aside, -1), beside(b, aside, -1), beside(b, aside, 1));
     add(window, beside(a, aside, -1), beside(b, aside, 1), beside(a, aside, 1));
@@ -129,9 +150,11 @@ void Chunk::add_line(const Window& window, const Clipper& clipper, const float* 
 /// A square around the point, half a pixel to each side.
 void Chunk::add_point(const Window& window, const Clipper& clipper, const float* vertex) {
     if (!clipper.is_inside(vertex)) return;
-    constexpr std::int64_t half = 1 << (subpixel_bits - 1);
-    const Point middle = corner_of(window, vertex).point;
-    const auto at = [&](std::int64_t x, std::int64_t y) { return Corner{{middle.x + x, middle.y + y}, vertex}; };
+    constexpr std::int32_t half = 1 << (subpixel_bits - 1);
+    const Corner middle = corner_of(window, vertex);
+    const auto at = [&](std::int32_t x, std::int32_t y) {
+        return Corner{{middle.point.x + x, middle.point.y + y}, middle.inverse_w, vertex};
+    };
     add(window, at(-half, -half), at(half, -half), at(half, half));
     add(window, at(-half, -half), at(half, half), at(-half, half));
 }
@@ -160,17 +183,18 @@ void Chunk::sort(const Tiles& tiles) {
         for_each_tile(triangles_[i], [&](std::uint32_t tile) { sorted_[next[tile]++] = i; });
 }
 
-void draw_tile(const Draw& draw, const Chunk& chunk, const Tiles& tiles, std::uint32_t tile) {
+void draw_tile(const Draw& draw, std::span<const Chunk> chunks, const Tiles& tiles, std::uint32_t tile) {
     const std::int32_t blocks = tiles.side / block_side;
     const auto x = static_cast<std::int32_t>(tile % tiles.across), y = static_cast<std::int32_t>(tile / tiles.across);
     const Box inside{x * blocks, y * blocks, (x + 1) * blocks, (y + 1) * blocks};
     BlockDraw block(draw);
-    for (std::uint32_t i : chunk.in_tile(tile)) {
-        const Triangle& triangle = chunk.triangles()[i];
-        for_each(common(squares_of(triangle, block_side), inside), [&](std::int32_t column, std::int32_t row) {
-            block.run(triangle, column * block_side, row * block_side);
-        });
-    }
+    for (const Chunk& chunk : chunks)
+        for (const std::uint32_t i : chunk.in_tile(tile)) {
+            const Triangle& triangle = chunk.triangles()[i];
+            for_each(common(squares_of(triangle, block_side), inside), [&](std::int32_t column, std::int32_t row) {
+                block.run(triangle, column * block_side, row * block_side);
+            });
+        }
 }
 
 }  // namespace glift::host::raster

@@ -35,18 +35,21 @@ public:
 
 private:
     void add(const Window& window, const Polygon& polygon);
+    void add_others(Topology topology, const Window& window, const Clipper& clipper, std::uint32_t count);
+    void add_triangles(const Window& window, const Clipper& clipper, std::uint32_t count);
     void add(const Window& window, const Corner& corner0, const Corner& corner1, const Corner& corner2);
     void add_line(const Window& window, const Clipper& clipper, const float* from, const float* to);
     void add_point(const Window& window, const Clipper& clipper, const float* vertex);
     void sort(const Tiles& tiles);
 
-    std::vector<float> corners_;
+    std::vector<float> vertices_;
+    std::vector<Corner> corners_;  ///< of triangles
     MadeCorners made_;
     std::vector<Triangle> triangles_;
     std::vector<std::uint32_t> begins_, sorted_;
 };
 
-/// Draws a chunk's triangles in one tile.
-void draw_tile(const Draw& draw, const Chunk& chunk, const Tiles& tiles, std::uint32_t tile);
+/// Draws the chunks' triangles in one tile, one chunk after the other.
+void draw_tile(const Draw& draw, std::span<const Chunk> chunks, const Tiles& tiles, std::uint32_t tile);
 
 }  // namespace glift::host::raster

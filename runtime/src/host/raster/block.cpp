@@ -10,8 +10,6 @@ namespace glift::host::raster {
 
 namespace {
 
-constexpr int pixels = block_side * block_side;
-
 /// An edge function at a block's first pixel, in units in which a step of one pixel is `a` or `b`. Clamped to 32 bits,
 /// where that changes the sign at no pixel of the block.
 std::int32_t start_of(const Edge& edge, std::int32_t x, std::int32_t y) {
@@ -46,6 +44,19 @@ GLIFT_HOST_KERNEL std::uint64_t outside(const std::int32_t (&start)[3], const st
     return result;
 }
 
+/// The pixels of a few columns and rows that no edge value is negative at.
+std::uint64_t few_inside(const std::int32_t (&start)[3], const std::int32_t (&a)[3], const std::int32_t (&b)[3],
+                         std::int32_t left, std::int32_t top, std::int32_t right, std::int32_t bottom) {
+    std::uint64_t result = 0;
+    for (std::int32_t y = top; y < bottom; ++y)
+        for (std::int32_t x = left; x < right; ++x) {
+            const std::int32_t signs =
+                (start[0] + x * a[0] + y * b[0]) | (start[1] + x * a[1] + y * b[1]) | (start[2] + x * a[2] + y * b[2]);
+            result |= std::uint64_t{signs >= 0} << (block_side * y + x);
+        }
+    return result;
+}
+
 template <class Compare> std::uint64_t tested(const DepthTarget& target, int2 first, const float* depth,
                                               std::uint64_t pixels_left, Compare passes) {
     std::uint64_t passed = 0;
@@ -72,39 +83,52 @@ std::uint64_t coverage(const Triangle& triangle, std::int32_t x, std::int32_t y)
         b[i] = edge.b;
     }
     const std::int32_t top = std::max(triangle.top - y, 0), bottom = std::min(triangle.bottom - y, block_side);
-    const std::uint64_t inside =
-        box(std::max(triangle.left - x, 0), top, std::min(triangle.right - x, block_side), bottom);
+    const std::int32_t left = std::max(triangle.left - x, 0), right = std::min(triangle.right - x, block_side);
+    constexpr std::int32_t few = 6;  // pixels that take no longer one by one
+    if ((right - left) * (bottom - top) <= few) return few_inside(start, a, b, left, top, right, bottom);
+    const std::uint64_t inside = box(left, top, right, bottom);
     return inside & ~outside(start, a, b, top, bottom);
 }
 
-GLIFT_HOST_KERNEL void interpolate(const Triangle& triangle, std::int32_t x, std::int32_t y, bool has_smooth,
-                                   Fragments& fragments) {
+Rows rows_of(std::uint64_t covered) {
+    return {std::countr_zero(covered) / block_side & ~1, ((63 - std::countl_zero(covered)) / block_side | 1) + 1};
+}
+
+GLIFT_HOST_KERNEL void interpolate_depth(const Triangle& triangle, std::int32_t left, std::int32_t top,
+                                         const Rows& rows, Fragments& fragments) {
     // Weights are interpolated from the block's first pixel, where they are exact: large triangles lose no precision.
     float start[3], right[3], down[3];
     for (int i = 1; i < 3; ++i) {
         const Edge& edge = triangle.edges[static_cast<std::size_t>(i)];
-        const double value = static_cast<double>(edge.c + (std::int64_t{edge.a} * x + std::int64_t{edge.b} * y) * 256);
+        const double value =
+            static_cast<double>(edge.c + (std::int64_t{edge.a} * left + std::int64_t{edge.b} * top) * 256);
         start[i] = static_cast<float>((value + triangle.offset[i]) * triangle.inverse_area);
         right[i] = static_cast<float>(edge.a) * 256.0f * triangle.inverse_area;
         down[i] = static_cast<float>(edge.b) * 256.0f * triangle.inverse_area;
     }
     const float z0 = triangle.z[0], z1 = triangle.z[1] - z0, z2 = triangle.z[2] - z0;
-    for (int i = 0; i < pixels; ++i) {
-        const float column = static_cast<float>(i % block_side), row = static_cast<float>(i / block_side);
-        const float weight1 = start[1] + column * right[1] + row * down[1];
-        const float weight2 = start[2] + column * right[2] + row * down[2];
-        fragments.linear1[i] = weight1;
-        fragments.linear2[i] = weight2;
-        fragments.depth[i] = z0 + weight1 * z1 + weight2 * z2;
+    for (int y = rows.first; y < rows.end; ++y) {
+        const float row = static_cast<float>(y);
+        for (int x = 0; x < block_side; ++x) {
+            const float column = static_cast<float>(x);
+            const float weight1 = start[1] + column * right[1] + row * down[1];
+            const float weight2 = start[2] + column * right[2] + row * down[2];
+            fragments.linear1[y * block_side + x] = weight1;
+            fragments.linear2[y * block_side + x] = weight2;
+            fragments.depth[y * block_side + x] = z0 + weight1 * z1 + weight2 * z2;
+        }
     }
-    if (!has_smooth) return;
+}
+
+GLIFT_HOST_KERNEL void interpolate_smooth(const Triangle& triangle, const Rows& rows, Fragments& fragments) {
     const float w0 = triangle.inverse_w[0], w1 = triangle.inverse_w[1], w2 = triangle.inverse_w[2];
-    for (int i = 0; i < pixels; ++i) {
-        const float inverse_w = w0 + fragments.linear1[i] * (w1 - w0) + fragments.linear2[i] * (w2 - w0);
-        fragments.w[i] = inverse_w;
-        fragments.smooth1[i] = fragments.linear1[i] * w1 / inverse_w;
-        fragments.smooth2[i] = fragments.linear2[i] * w2 / inverse_w;
-    }
+    for (int y = rows.first; y < rows.end; ++y)
+        for (int i = y * block_side; i < (y + 1) * block_side; ++i) {
+            const float inverse_w = w0 + fragments.linear1[i] * (w1 - w0) + fragments.linear2[i] * (w2 - w0);
+            fragments.w[i] = inverse_w;
+            fragments.smooth1[i] = fragments.linear1[i] * w1 / inverse_w;
+            fragments.smooth2[i] = fragments.linear2[i] * w2 / inverse_w;
+        }
 }
 
 std::uint64_t test_depth(const DepthTarget& target, int2 first, const float* depth, std::uint64_t pixels_left) {

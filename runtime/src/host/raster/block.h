@@ -10,8 +10,18 @@ inline constexpr std::int32_t block_side = Fragments::side;
 /// The pixels of the block at (x, y) that a triangle covers, within its bounding box.
 std::uint64_t coverage(const Triangle& triangle, std::int32_t x, std::int32_t y);
 
-/// Depth and weights of all pixels of the block at (x, y). `has_smooth`: also the perspective-correct weights.
-void interpolate(const Triangle& triangle, std::int32_t x, std::int32_t y, bool has_smooth, Fragments& fragments);
+/// Rows of a block, whole quads: the first one is even, `end` too.
+struct Rows {
+    int first, end;
+};
+/// Of the quads that have one of these pixels, of which there is one.
+Rows rows_of(std::uint64_t covered);
+
+/// Depth and linear weights in these rows of the block at (x, y).
+void interpolate_depth(const Triangle& triangle, std::int32_t x, std::int32_t y, const Rows& rows,
+                       Fragments& fragments);
+/// After that, the perspective-correct weights.
+void interpolate_smooth(const Triangle& triangle, const Rows& rows, Fragments& fragments);
 
 /// Tests the depths of a block against the stored ones, and stores and returns those of the pixels that pass.
 std::uint64_t test_depth(const DepthTarget& target, int2 first, const float* depth, std::uint64_t pixels);

@@ -37,8 +37,7 @@ void draw(const Draw& draw) {
         });
         detail::spread(tiles.count(), 1, [&](std::size_t begin, std::size_t end) {
             for (std::size_t tile = begin; tile < end; ++tile)
-                for (std::size_t i = 0; i < count; ++i)
-                    draw_tile(draw, chunks[i], tiles, static_cast<std::uint32_t>(tile));
+                draw_tile(draw, {chunks.data(), count}, tiles, static_cast<std::uint32_t>(tile));
         });
     }
 }

@@ -1,7 +1,9 @@
 #include "host/raster/triangle.h"
 
+#include <glift/host/parallel.h>
+
 #include <algorithm>
-#include <cmath>
+#include <bit>
 
 namespace glift::host::raster {
 
@@ -16,7 +18,7 @@ float in_viewport(float place, float half_size, float middle) {
 /// An edge with its inside to the right of its direction, y growing downwards. A pixel centre on it is inside if it is
 /// a top edge (level, to the right) or a left one (upwards).
 Edge edge_of(const Point& from, const Point& to) {
-    const std::int64_t dx = to.x - from.x, dy = to.y - from.y;
+    const std::int64_t dx = std::int64_t{to.x} - from.x, dy = std::int64_t{to.y} - from.y;
     const bool is_top_left = dy < 0 || (dy == 0 && dx > 0);
     // dx * (y - from.y) - dy * (x - from.x), with x and y in subpixels.
     const std::int64_t c = dy * from.x - dx * from.y - (is_top_left ? 0 : 1);
@@ -24,10 +26,8 @@ Edge edge_of(const Point& from, const Point& to) {
 }
 
 /// The first pixel whose centre is at or beyond a coordinate, and the first one beyond it.
-std::int32_t first_from(std::int64_t place) {
-    return static_cast<std::int32_t>((place + (1 << subpixel_bits) - 1) >> subpixel_bits);
-}
-std::int32_t first_beyond(std::int64_t place) { return static_cast<std::int32_t>((place >> subpixel_bits) + 1); }
+std::int32_t first_from(std::int32_t place) { return (place + (1 << subpixel_bits) - 1) >> subpixel_bits; }
+std::int32_t first_beyond(std::int32_t place) { return (place >> subpixel_bits) + 1; }
 
 bool is_culled(Cull cull, bool is_front) {
     return (cull == Cull::back && !is_front) || (cull == Cull::front && is_front);
@@ -43,29 +43,38 @@ float2 place_of(const Window& window, const float* vertex) {
             in_viewport(vertex[1] * inverse_w, half_height, half_height + static_cast<float>(window.first.y))};
 }
 
-/// Rounds to the subpixel grid. The guard band keeps the result within 2^24.
+/// Rounds to the subpixel grid, halves to even: the sum is rounded to whole numbers, which are its last bits.
 Point snapped(float2 place) {
-    const auto rounded = [](float x) { return std::llrint(static_cast<double>(x - 0.5f) * (1 << subpixel_bits)); };
+    const auto rounded = [](float x) {
+        constexpr double whole = 0x1.8p52;
+        const double sum = static_cast<double>(x - 0.5f) * (1 << subpixel_bits) + whole;
+        return static_cast<std::int32_t>(std::bit_cast<std::int64_t>(sum));
+    };
     return {rounded(place.x), rounded(place.y)};
+}
+
+GLIFT_HOST_KERNEL void corners_of(const Window& window, const float* vertices, std::uint32_t count, Corner* corners) {
+    const std::size_t stride = window.layout.stride();
+    for (std::uint32_t i = 0; i < count; ++i) corners[i] = corner_of(window, vertices + i * stride);
 }
 
 std::optional<Triangle> triangle_of(const Window& window, const Corner& corner0, const Corner& corner1,
                                     const Corner& corner2) {
-    const float* corners[3] = {corner0.vertex, corner1.vertex, corner2.vertex};
+    const Corner* corners[3] = {&corner0, &corner1, &corner2};
     const Point points[3] = {corner0.point, corner1.point, corner2.point};
-    const std::int64_t area = (points[1].x - points[0].x) * (points[2].y - points[0].y) -
-                              (points[2].x - points[0].x) * (points[1].y - points[0].y);
     Triangle triangle;
-    triangle.is_front = area < 0;  // y grows downwards
-    if (area == 0 || is_culled(window.cull, triangle.is_front)) return std::nullopt;
-
     const auto [left, right] = std::minmax({points[0].x, points[1].x, points[2].x});
     const auto [top, bottom] = std::minmax({points[0].y, points[1].y, points[2].y});
     triangle.left = std::max(first_from(left), static_cast<std::int32_t>(window.first.x));
     triangle.top = std::max(first_from(top), static_cast<std::int32_t>(window.first.y));
     triangle.right = std::min(first_beyond(right), static_cast<std::int32_t>(window.end.x));
     triangle.bottom = std::min(first_beyond(bottom), static_cast<std::int32_t>(window.end.y));
-    if (triangle.left >= triangle.right || triangle.top >= triangle.bottom) return std::nullopt;
+    if (triangle.left >= triangle.right || triangle.top >= triangle.bottom) return std::nullopt;  // most small ones
+    const auto minus = [](std::int32_t a, std::int32_t b) { return std::int64_t{a} - b; };
+    const std::int64_t area = minus(points[1].x, points[0].x) * minus(points[2].y, points[0].y) -
+                              minus(points[2].x, points[0].x) * minus(points[1].y, points[0].y);
+    triangle.is_front = area < 0;  // y grows downwards
+    if (area == 0 || is_culled(window.cull, triangle.is_front)) return std::nullopt;
 
     // Clockwise in the window: the inside is to the right of every edge.
     const bool is_clockwise = area > 0;
@@ -76,9 +85,9 @@ std::optional<Triangle> triangle_of(const Window& window, const Corner& corner0,
         const Edge& edge = triangle.edges[static_cast<std::size_t>(i)];
         const bool is_top_left = edge.a > 0 || (edge.a == 0 && edge.b > 0);
         triangle.offset[i] = is_top_left ? 0.0f : 1.0f;
-        triangle.inverse_w[i] = 1.0f / corners[i][3];
-        triangle.z[i] = corners[i][2] * triangle.inverse_w[i];
-        triangle.corner[i] = corners[i] + varyings;
+        triangle.inverse_w[i] = corners[i]->inverse_w;
+        triangle.z[i] = corners[i]->vertex[2] * corners[i]->inverse_w;
+        triangle.corner[i] = corners[i]->vertex + varyings;
     }
     triangle.inverse_area = static_cast<float>(1.0 / static_cast<double>(is_clockwise ? area : -area));
     return triangle;

@@ -42,14 +42,15 @@ struct Window {
     CornerLayout layout;
 };
 
-/// In the window, in 1/256 of a pixel; pixel centres are multiples of 256.
+/// In the window, in 1/256 of a pixel; pixel centres are multiples of 256. The guard band keeps it within 2^24.
 struct Point {
-    std::int64_t x, y;
+    std::int32_t x, y;
 };
 
 /// A vertex where it is in the window, or beside that: those of lines and points.
 struct Corner {
     Point point;
+    float inverse_w;
     const float* vertex;
 };
 
@@ -57,8 +58,10 @@ struct Corner {
 float2 place_of(const Window& window, const float* vertex);
 Point snapped(float2 place);
 inline Corner corner_of(const Window& window, const float* vertex) {
-    return {snapped(place_of(window, vertex)), vertex};
+    return {snapped(place_of(window, vertex)), 1.0f / vertex[3], vertex};
 }
+/// The same for `count` vertices in a row, wherever they are. Of those outside the guard band any point comes out.
+void corners_of(const Window& window, const float* vertices, std::uint32_t count, Corner* corners);
 
 /// Sets up a triangle; none if it covers no pixel or is culled.
 std::optional<Triangle> triangle_of(const Window& window, const Corner& corner0, const Corner& corner1,
