@@ -42,6 +42,7 @@ enum class Builtin : std::uint8_t {
     instance,        // uint
     fragment_place,  // float4: the pixel's centre in the framebuffer, depth, 1 / w
     is_front,        // bool
+    skips_branches,  // bool, of the device: a branch that no lane takes costs nothing
 };
 
 }  // namespace gliftc::ir

@@ -282,7 +282,7 @@ ExprId Reader::of_binding(Op op) {
 }
 
 TypeId Reader::type_of(Builtin builtin) {
-    if (builtin == Builtin::is_front) return p.types.bool_;
+    if (builtin >= Builtin::is_front) return p.types.bool_;
     if (builtin == Builtin::fragment_place) return p.types.vector(p.types.float_, 4);
     return builtin <= Builtin::group_count ? p.types.vector(p.types.uint, 3) : p.types.uint;
 }
@@ -292,7 +292,7 @@ ExprId Reader::primary() {
     if (accept("$")) return parameter();
     if (accept("@")) return call();
     if (accept("%")) {
-        const auto found = spelled(word(), Builtin::is_front);
+        const auto found = spelled(word(), Builtin::skips_branches);
         if (!found) fail("expected a builtin before this");
         return add({.op = Op::builtin, .builtin = *found, .type = type_of(*found)});
     }

@@ -290,6 +290,8 @@ ExprId Expander::neighbour(const Place& place, const std::vector<std::int64_t>& 
     const Structure& structure = cx.structure_at(place);
     if (structure.at) return view_around(place, address);
     std::string name = cx.name_of(place) + offset_name(offset);
+    if (const std::optional<Pair> found = beside(place, offset))
+        return guarded_load(place, *found, {}, {}, otherwise_around(place), name);
     Pair middle = centre(place.root);
     Pair physical = translated(place, address, name);
     bool asks = is_total(structure);

@@ -36,6 +36,14 @@ std::optional<std::uint64_t> block_volume(const Context& cx) {
     return volume;
 }
 
+std::optional<std::vector<std::uint32_t>> block_widths(const Context& cx) {
+    const auto extent = evaluate(cx.p, cx.structure_at(block_owner(cx)).blocks->extent);
+    if (!extent) return std::nullopt;
+    std::vector<std::uint32_t> widths;
+    for (const Lane& lane : extent->lanes) widths.push_back(static_cast<std::uint32_t>(lane.bits));
+    return widths;
+}
+
 std::uint32_t elements_in_block(std::uint64_t volume) {
     constexpr std::uint32_t most = 8, least_width = 64, most_width = 256, subgroup = 32;
     const auto divides = [&](std::uint32_t elements) {

@@ -5,6 +5,7 @@
 #include "lower/number.h"
 
 #include <optional>
+#include <vector>
 
 namespace gliftc::lower {
 
@@ -16,6 +17,9 @@ ir::Place block_owner(const Context& cx);
 
 /// The number of a block's elements, where that is a constant.
 std::optional<std::uint64_t> block_volume(const Context& cx);
+
+/// Its size along each axis, where that is constant.
+std::optional<std::vector<std::uint32_t>> block_widths(const Context& cx);
 
 /// As many blocks as two axes of a dispatch take on every device.
 constexpr std::uint64_t most_blocks = 65535ull * 65535ull;

@@ -2,7 +2,7 @@
 
 #include "ir/effects.h"
 #include "ir/walk.h"
-#include "lower/blocks.h"
+#include "lower/copy_statements.h"
 #include "lower/dispatch.h"
 #include "lower/number.h"
 
@@ -14,15 +14,19 @@ using namespace ir;
 
 namespace {
 
-/// Beyond these a kernel has enough to do with one element, and two would take many registers.
-constexpr std::size_t most_loads = 16, most_nodes = 600;
-
 bool is_store(const Stmt& stmt) { return stmt.op == StmtOp::store || stmt.op == StmtOp::image_store; }
+
+}  // namespace
 
 bool has_store(const Program& program, const Stmt& stmt) {
     const auto has = [&](StmtId id) { return has_store(program, program.stmts[id]); };
     return is_store(stmt) || std::ranges::any_of(stmt.body, has) || std::ranges::any_of(stmt.otherwise, has);
 }
+
+namespace {
+
+/// Beyond these a kernel has enough to do with one element, and two would take many registers.
+constexpr std::size_t most_loads = 16, most_of_one = 600;
 
 /// A loop is work enough, and devices bound the rounds of an invocation.
 bool has_loop(const Program& program, FunctionId function) {
@@ -38,19 +42,19 @@ bool has_loop(const Program& program, FunctionId function) {
     return found;
 }
 
-/// Whether two elements may be computed before either is stored.
+/// Whether several elements may be computed before any is stored.
 class Eligibility {
 public:
     explicit Eligibility(Context& context) : cx(context), numbers_(context) {}
 
-    bool holds(const std::vector<StmtId>& body) {
-        if (cx.kernel.grouped() || cx.kernel.items != 1) return false;
+    StoredLast of(const std::vector<StmtId>& body) {
+        if (cx.kernel.grouped() || cx.kernel.items != 1) return {};
         for (StmtId id : body) {
             const Stmt& stmt = cx.p.stmts[id];
             if (has_store(cx.p, stmt)) visit_store(stmt);
             else visit(stmt);
         }
-        return fits_ && stores_ && loads_ <= most_loads && nodes_ <= most_nodes;
+        return {fits_ && stores_, loads_, nodes_};
     }
 
 private:
@@ -117,59 +121,12 @@ private:
     std::size_t loads_ = 0, nodes_ = 0;
 };
 
-/// The statements once more, for another address and with locals of their own.
-class Copy {
-public:
-    Copy(Context& context, ExprId address) : cx(context) { locals_[context.pass.address] = address; }
-
-    void replace(ExprId id, ExprId by) { made_.emplace(id, by); }
-
-    ExprId of(ExprId id) {
-        if (!id) return id;
-        if (const ExprId* found = made_.find(id)) return *found;
-        const ExprId copy = again(id);
-        made_.emplace(id, copy);
-        return copy;
-    }
-
-    StmtId of(StmtId id) {
-        Stmt stmt = cx.p.stmts[id];
-        stmt.value = of(stmt.value);
-        stmt.target = of(stmt.target);
-        stmt.limit = of(stmt.limit);
-        if (stmt.op == StmtOp::let) declare(stmt);
-        for (StmtId& inner : stmt.body) inner = of(inner);
-        for (StmtId& inner : stmt.otherwise) inner = of(inner);
-        return cx.add(std::move(stmt));
-    }
-
-private:
-    ExprId again(ExprId id) {
-        const Expr node = cx.p.exprs[id];
-        if (node.op == Op::local) {
-            const ExprId* found = locals_.find(node.local);
-            return found == nullptr ? id : *found;
-        }
-        Operands operands;
-        for (ExprId operand : node.operands) operands.push_back(of(operand));
-        if (operands == node.operands) return id;
-        const ExprId copy = cx.make.again(node, std::move(operands));
-        if (const Name* name = cx.names.find(id)) cx.names.emplace(copy, *name);
-        return copy;
-    }
-
-    void declare(Stmt& stmt) {
-        const Local local = cx.p.locals[stmt.local];
-        const LocalId copy = cx.new_local(local.name, local.type, local.span, local.is_mutable);
-        if (cx.definitions.find(stmt.local) != nullptr) cx.definitions[copy] = stmt.value;
-        locals_[stmt.local] = cx.make.local(copy);
-        stmt.local = copy;
-    }
-
-    Context& cx;
-    NodeMap<LocalId, ExprId> locals_{cx.first_local};
-    NodeMap<ExprId, ExprId> made_{cx.first_expr};
-};
+/// Whether a value that will be stored needs no name until then.
+bool keeps(const Context& cx, ExprId value, bool ends_in_stores) {
+    const Expr& node = cx.p.exprs[value];
+    if (node.op != Op::local) return is_trivial(cx, value);
+    return ends_in_stores || !cx.p.locals[node.local].is_mutable;
+}
 
 class Coarsening {
 public:
@@ -178,7 +135,7 @@ public:
     Coarsened run(const std::vector<StmtId>& body, const Expander& made) {
         const auto computes = [&](StmtId id) { return !has_store(cx.p, cx.p.stmts[id]); };
         ends_in_stores_ = std::ranges::is_partitioned(body, computes);
-        Copy second(cx, next_address());
+        StatementCopy second(cx, next_address());
         const bool shares = cx.pass.rank > 1 && share_rows(second, made.near_values);
         if (shares) share_guards(second, made.row_guards);
         std::vector<StmtId> stores, next_stores;
@@ -191,7 +148,7 @@ public:
     }
 
     Coarsened run_in_turn(const std::vector<StmtId>& body) {
-        Copy second(cx, next_address());
+        StatementCopy second(cx, next_address());
         result_.insert(result_.end(), body.begin(), body.end());
         std::vector<StmtId> again;
         for (StmtId id : body) again.push_back(second.of(id));
@@ -232,7 +189,7 @@ private:
     }
 
     /// What lies a row further from the first element is the same distance less from the second.
-    static bool share_rows(Copy& second, const std::vector<Expander::NearValue>& near) {
+    static bool share_rows(StatementCopy& second, const std::vector<Expander::NearValue>& near) {
         bool found_any = false;
         for (const Expander::NearValue& one : near) {
             const auto is_same = [&](const Expander::NearValue& other) {
@@ -249,7 +206,7 @@ private:
     }
 
     /// Where there is no second element, its rows further down count as outside.
-    void share_guards(Copy& second, const std::vector<Expander::RowGuard>& guards) {
+    void share_guards(StatementCopy& second, const std::vector<Expander::RowGuard>& guards) {
         for (const Expander::RowGuard& guard : guards) {
             const ExprId distance = cx.make.uint(static_cast<std::uint64_t>(guard.distance + 1));
             second.replace(guard.condition,
@@ -267,23 +224,8 @@ private:
 
     /// A store waits until both elements are known.
     void add(StmtId id, std::vector<StmtId>& stores) {
-        if (!has_store(cx.p, cx.p.stmts[id])) {
-            result_.push_back(id);
-            return;
-        }
-        Stmt stmt = cx.p.stmts[id];
-        if (is_store(stmt) && !keeps(stmt.value)) {
-            const KernelParam& param = cx.kernel.params[cx.pass.bindings[stmt.slot].place.root];
-            stmt.value = cx.make.local(let((*cx.p.names)[param.name], stmt.value, stmt.span));
-        }
-        stores.push_back(cx.add(std::move(stmt)));
-    }
-
-    /// Whether the value needs no name until the stores.
-    bool keeps(ExprId value) const {
-        const Expr& node = cx.p.exprs[value];
-        if (node.op != Op::local) return is_trivial(cx, value);
-        return ends_in_stores_ || !cx.p.locals[node.local].is_mutable;
+        if (!has_store(cx.p, cx.p.stmts[id])) return result_.push_back(id);
+        stores.push_back(with_named_value(cx, id, ends_in_stores_, result_));
     }
 
     Context& cx;
@@ -295,47 +237,25 @@ private:
 
 }  // namespace
 
+StoredLast stored_last(Context& cx, const std::vector<StmtId>& body) { return Eligibility(cx).of(body); }
+
+StmtId with_named_value(Context& cx, StmtId id, bool ends_in_stores, std::vector<StmtId>& before) {
+    Stmt stmt = cx.p.stmts[id];
+    if (!is_store(stmt) || keeps(cx, stmt.value, ends_in_stores)) return id;
+    const KernelParam& param = cx.kernel.params[cx.pass.bindings[stmt.slot].place.root];
+    Stmt let = statement(StmtOp::let, stmt.span);
+    let.local = cx.new_local((*cx.p.names)[param.name], cx.make.type(stmt.value), stmt.span);
+    let.value = stmt.value;
+    cx.definitions[let.local] = stmt.value;
+    stmt.value = cx.make.local(let.local);
+    before.push_back(cx.add(std::move(let)));
+    return cx.add(std::move(stmt));
+}
+
 Coarsened coarsened(Context& cx, const std::vector<StmtId>& body, const Expander& made) {
-    if (!Eligibility(cx).holds(body)) return {};
+    const StoredLast last = stored_last(cx, body);
+    if (!last.holds || last.loads > most_loads || last.nodes > most_of_one) return {};
     return Coarsening(cx).run(body, made);
-}
-
-namespace {
-
-/// Whether statements may stand in a loop of the invocation's.
-bool may_be_looped(const Context& cx, const std::vector<StmtId>& body) {
-    bool may = true;
-    for_each_statement(cx.p, body, [&](const Stmt& stmt) {
-        may = may && stmt.op != StmtOp::return_ && stmt.op != StmtOp::for_ && stmt.op != StmtOp::while_;
-    });
-    return may;
-}
-
-}  // namespace
-
-Coarsened coarsened_in_block(Context& cx, const std::vector<StmtId>& body) {
-    const std::optional<std::uint64_t> volume = block_volume(cx);
-    const std::uint32_t elements = volume ? elements_in_block(*volume) : 1;
-    if (elements == 1 || !may_be_looped(cx, body)) return {};
-    Coarsened made;
-    made.elements = {elements, 1, 1};
-    made.in_range = in_range_condition(cx);
-    Stmt loop = statement(StmtOp::for_, cx.kernel.span);
-    loop.local = cx.new_local("turn", cx.p.types.uint, cx.kernel.span);
-    loop.value = cx.make.uint(0);
-    loop.limit = cx.make.uint(elements);
-    loop.unrolled = true;
-    const ExprId address = cx.make.local(cx.pass.address);
-    const ExprId step = cx.make.multiply(cx.make.local(loop.local), cx.make.uint(cx.pass.group[0]));
-    const ExprId at = cx.make.add(cx.make.component(address, 0), step);
-    Copy copy(cx, cx.make.construct(cx.make.type(address), {at, cx.make.component(address, 1)}));
-    BlockValues values(cx);
-    for (StmtId id : body) {
-        if (values.has(cx.p.stmts[id])) made.body.push_back(id);
-        else loop.body.push_back(copy.of(id));
-    }
-    made.body.push_back(cx.add(std::move(loop)));
-    return made;
 }
 
 Coarsened coarsened_in_turn(Context& cx, const std::vector<StmtId>& body) { return Coarsening(cx).run_in_turn(body); }

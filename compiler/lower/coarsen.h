@@ -24,8 +24,22 @@ Coarsened coarsened(Context& cx, const std::vector<StmtId>& body, const Expander
 /// read and write.
 Coarsened coarsened_in_turn(Context& cx, const std::vector<StmtId>& body);
 
-/// Several elements of a block in a loop, a workgroup's width apart, after what the block decides.
-Coarsened coarsened_in_block(Context& cx, const std::vector<StmtId>& body);
+/// Several elements of a block, a workgroup's width apart, after what the block decides: in a loop; or without one, for
+/// blocks all of whose elements are visited. `whole` is the body for these.
+Coarsened coarsened_in_block(Context& cx, const std::vector<StmtId>& body, const std::vector<StmtId>& whole);
+
+/// Whether what statements store may wait until other elements have loaded what they need.
+struct StoredLast {
+    bool holds = false;
+    std::size_t loads = 0, nodes = 0;
+};
+StoredLast stored_last(Context& cx, const std::vector<StmtId>& body);
+
+/// Whether memory is written by the statement or in it.
+bool has_store(const ir::Program& program, const ir::Stmt& stmt);
+
+/// A store whose value is named in `before`, so that it may wait. `ends_in_stores`: no other statements follow.
+StmtId with_named_value(Context& cx, StmtId id, bool ends_in_stores, std::vector<StmtId>& before);
 
 /// Whether an invocation of a shader takes two elements.
 bool is_coarsened(const ir::Pass& pass);

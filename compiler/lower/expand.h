@@ -13,7 +13,9 @@
 #include "lower/number.h"
 #include "lower/tree_size.h"
 
+#include <map>
 #include <optional>
+#include <tuple>
 
 namespace gliftc::lower {
 
@@ -150,6 +152,19 @@ private:
     bool expand_past(const ir::Stmt& stmt, const std::vector<StmtId>& rest);
     bool asks_whether_left(const std::vector<StmtId>& body, bool is_in_loop) const;
 
+    /// A neighbour of a block along one axis.
+    struct NextBlock {
+        ExprId begin, exists, room;
+    };
+    /// Where an offset along one axis leads: into the own block, or into the next one.
+    struct Way {
+        NextBlock next;
+        ExprId offset;   ///< of the element, in whichever block it is
+        ExprId crosses;  ///< whether that is the next one
+        ExprId inside;   ///< Guards::block: whether the next one has it
+        std::string name;
+    };
+
     /// The block that the invocation's element is one of.
     struct OwnBlock {
         ExprId address;   ///< of the element, in the structure whose blocks are visited; absent: not worked out yet
@@ -165,6 +180,8 @@ private:
             std::uint64_t most = 0;
         };
         std::vector<Axis> axes;
+        bool is_of_kernel = false;  ///< not of a function that is told where it stands
+        std::map<std::tuple<std::uint32_t, std::uint32_t, std::int64_t>, Way> ways;  ///< by parameter, axis, offset
     };
 
     // instances.cpp
@@ -256,10 +273,7 @@ private:
     // halos.cpp
     Halo* halo_of(std::uint32_t root);
     ExprId in_halo(Halo& halo, const std::vector<std::int64_t>& offset);
-    struct NextBlock {
-        ExprId begin, exists, room;
-    };
-    NextBlock next_block(const Halo& halo, std::uint32_t axis, int step);
+    NextBlock next_block(std::uint32_t root, std::uint32_t width, std::uint32_t axis, int step);
     struct Neighbours {
         std::vector<std::array<NextBlock, 3>> axes;  ///< by step + 1
         ExprId all;                                  ///< whether everything that is copied is there
@@ -280,6 +294,21 @@ private:
     StmtId every_element(const Halo& halo, ExprId value);
     void fill(const Halo& halo);
     bool depends_on(ExprId id, const std::vector<LocalId>& locals);
+
+    // beside.cpp
+    using Ways = std::vector<const Way*>;  ///< along each axis; null: no offset
+    /// A block that an offset may reach, as far as it is chosen.
+    struct Beside {
+        Operands address;
+        std::string name;
+        bool is_own;
+    };
+    std::optional<Pair> beside(const ir::Place& place, const std::vector<std::int64_t>& offset);
+    const Way& way_along(std::uint32_t root, std::uint32_t axis, std::int64_t offset);
+    std::optional<Pair> choose_block(const ir::Place& place, const Ways& ways, Beside at);
+    std::optional<Pair> place_in_block(const ir::Place& place, ExprId address, const std::string& name);
+    bool is_loaded_by_element(ExprId id);
+    ExprId chosen(ExprId condition, ExprId yes, ExprId no);
 
     // raster.cpp
     void declare_address(ir::Part part);

@@ -18,6 +18,7 @@ std::vector<StmtId> Expander::expanded_body(const std::vector<StmtId>& written) 
     top_ = out_ = &body;
     Block of_block;
     if (cx.kernel.space) of_block = collect([&] { enter_block(); });
+    block_.is_of_kernel = cx.kernel.space.has_value();
     read_arguments();
     expand_body(written);
     if (cx.kernel.space) {

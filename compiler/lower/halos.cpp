@@ -105,9 +105,7 @@ std::vector<Halo> halos_of(Context& cx, const NearOffsets& offsets) {
     std::vector<Halo> halos;
     const auto volume = block_volume(cx);
     if (!volume || *volume < least_volume || *volume > most_numbers) return halos;
-    const auto size = evaluate(cx.p, cx.structure_at(block_owner(cx)).blocks->extent);
-    std::vector<std::uint32_t> block;
-    for (const Lane& lane : size->lanes) block.push_back(static_cast<std::uint32_t>(lane.bits));
+    const std::vector<std::uint32_t> block = *block_widths(cx);
     std::uint64_t numbers = 0;
     for (const auto& [root, of] : offsets) {
         const Place place{root, {}};
@@ -159,14 +157,14 @@ ExprId Expander::in_halo(Halo& halo, const std::vector<std::int64_t>& offset) {
 
 /// A block's neighbour along one axis, or the block. Where there is none it is the block, so that looking it up is
 /// harmless.
-Expander::NextBlock Expander::next_block(const Halo& halo, std::uint32_t axis, int step) {
+Expander::NextBlock Expander::next_block(std::uint32_t root, std::uint32_t width, std::uint32_t axis, int step) {
     const OwnBlock::Axis& own = block_.axes[axis];
     if (step == 0) return {own.begin, {}, {}};
     NextBlock next;
-    const ExprId size = make.uint(halo.block[axis]), one = make.uint(1);
+    const ExprId size = make.uint(width), one = make.uint(1);
     const std::string name = std::string("block_") + "xyzw"[axis] + (step < 0 ? "_before" : "_after");
     if (step > 0) {
-        const ExprId domain = make.component(domain_of({halo.root, {}}), axis);
+        const ExprId domain = make.component(domain_of({root, {}}), axis);
         next.room = named(name + "_room", make.binary(BinaryOp::subtract, domain, make.add(own.last, one)));
         next.exists = make.binary(BinaryOp::greater, next.room, make.uint(0));
         if (own.number)
@@ -346,7 +344,8 @@ void Expander::fill(const Halo& halo) {
         for (int step : {-1, 0, 1}) {
             const bool is_reached =
                 std::ranges::any_of(halo.parts, [&](const Halo::Part& part) { return part.step[axis] == step; });
-            if (is_reached) steps[static_cast<std::size_t>(step + 1)] = next_block(halo, axis, step);
+            if (is_reached)
+                steps[static_cast<std::size_t>(step + 1)] = next_block(halo.root, halo.block[axis], axis, step);
         }
         found.axes.push_back(steps);
     }

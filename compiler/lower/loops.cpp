@@ -107,7 +107,8 @@ private:
         case Builtin::corner:
         case Builtin::instance:
         case Builtin::fragment_place:
-        case Builtin::is_front: return unknown;
+        case Builtin::is_front:
+        case Builtin::skips_branches: return unknown;
         }
         return unknown;
     }

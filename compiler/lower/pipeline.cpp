@@ -260,8 +260,10 @@ Pass lowered(Program& program, Diagnostics& diagnostics, std::uint32_t kernel, F
     finished(cx, "expand", body, facts, "body");
     cx.traits.clear();
     Coarsened pair;
-    if (elements != Elements::one && cx.kernel.space) pair = coarsened_in_block(cx, body);
-    else if (elements == Elements::two_where_it_helps) pair = coarsened(cx, body, expander);
+    if (elements != Elements::one && cx.kernel.space) {
+        pair = coarsened_in_block(cx, body, Expander(cx, Guards::block).kernel_body());
+        cx.traits.clear();
+    } else if (elements == Elements::two_where_it_helps) pair = coarsened(cx, body, expander);
     else if (elements == Elements::two_in_turn) pair = coarsened_in_turn(cx, body);
     if (!pair.body.empty()) finished(cx, "coarsen", pair.body, facts, "two elements");
     pass.plain().body = simplified(cx, "body", std::move(body), facts);

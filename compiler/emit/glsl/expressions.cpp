@@ -220,6 +220,7 @@ Text print_builtin(Printer& p, const Expr& expr) {
     case ir::Builtin::instance: return {"uint(gl_InstanceIndex)"};
     case ir::Builtin::fragment_place: return {"gl_FragCoord"};
     case ir::Builtin::is_front: return {"gl_FrontFacing"};
+    case ir::Builtin::skips_branches: return {need(p, Helper::skips_branches, expr.type)};
     }
     throw std::logic_error("emit/glsl: unknown builtin");
 }

@@ -46,6 +46,7 @@ const char* name_of(Helper helper) {
     case Helper::shuffled_down: return "shuffled_down";
     case Helper::broadcast: return "broadcast";
     case Helper::broadcast_first: return "broadcast_first";
+    case Helper::skips_branches: return "skips_branches";
     }
     throw std::logic_error("emit/glsl: unknown helper");
 }
@@ -300,6 +301,8 @@ std::string definition(Printer& p, const HelperUse& use) {
     case Helper::shuffled_down:
     case Helper::broadcast:
     case Helper::broadcast_first: return subgroup_definition(p, use);
+    case Helper::skips_branches:
+        return "layout(constant_id = 104) const bool skips_branches = true;   // what no lane does costs nothing\n";
     }
     throw std::logic_error("emit/glsl: unknown helper");
 }
@@ -359,7 +362,8 @@ void need_inner(Printer& p, const HelperUse& use) {
     case Helper::pack_unorm:
     case Helper::extract_bits:
     case Helper::insert_bits:
-    case Helper::far_index: break;
+    case Helper::far_index:
+    case Helper::skips_branches: break;
     }
 }
 

@@ -31,6 +31,7 @@ const std::unordered_set<std::string_view>& reserved_words() {
         "shuffled_down",
         "broadcast",
         "broadcast_first",
+        "skips_branches",
         "cross_product",
         "blend",
         "smooth_step",

@@ -68,6 +68,7 @@ enum class Helper : std::uint8_t {
     shuffled_down,
     broadcast,
     broadcast_first,
+    skips_branches,
 };
 
 /// A helper for one type, or an atomic update by compare-and-swap of one binding.

@@ -134,41 +134,42 @@ static void right_direct_rows(const glift::HostCall& call, const glift::host::Ro
                 const uint block_x = glift::remainder(rest, div_ceil_x);
                 const uint block_y = glift::divide(rest, div_ceil_x);
                 // near_blocks.glift:20
-                const uint value = block_y * div_ceil_x_2;
-                const uint f_table_address = value + block_x;
+                const uint f_table_address = block_y * div_ceil_x_2 + block_x;
                 const bool f_table_value_inside = f_table_address < f_table_extent;
-                const uint value_2 = f_table_value_inside ? f_table_address : 0u;
-                const uint f_table_value = f_table_data[value_2];
+                const uint value = f_table_value_inside ? f_table_address : 0u;
+                const uint f_table_value = f_table_data[value];
                 const uint f_entry = f_table_value_inside ? f_table_value : 0u;
                 const uint f_frames_index = f_entry - 1u;
                 const bool f_found = !(f_entry == 0u) && f_frames_index < f_frames_extent.y;
-                const uint g_table_value = g_table_data[value_2];
+                // near_blocks.glift:21
+                const uint value_2 = block_x * 8u;
+                const uint block_x_after_room = f_extent.x - (value_2 + 8u);
+                const bool block_x_after_exists = block_x_after_room > 0u && block_x < 536870911u;
+                const uint f_table_address_2 = f_table_address + (block_x_after_exists ? 1u : 0u);
+                const bool f_table_value_inside_2 = f_table_address_2 < f_table_extent;
+                const uint f_table_value_2 = f_table_data[f_table_value_inside_2 ? f_table_address_2 : 0u];
+                const uint f_xp_entry = f_table_value_inside_2 ? f_table_value_2 : 0u;
+                // near_blocks.glift:20
+                const uint g_table_value = g_table_data[value];
                 const uint g_entry = f_table_value_inside ? g_table_value : 0u;
                 const uint g_frames_index = g_entry - 1u;
                 const bool g_found = !(g_entry == 0u) && g_frames_index < f_frames_extent.y;
-                const uint value_3 = block_x * 8u + in_block % 8u;
+                const uint value_3 = in_block % 8u;
+                const uint value_4 = value_2 + value_3;
                 const uint f_index = in_block / 8u;
-                const uint2 value_4 = uint2(value_3, block_y * 8u + f_index);
-                if (block_x <= 536870911u && block_y <= 536870911u && glift::all(glift::lessThan(value_4, f_extent))) {
+                if (block_x <= 536870911u && block_y <= 536870911u
+                    && glift::all(glift::lessThan(uint2(value_4, block_y * 8u + f_index), f_extent))) {
                     const uint f_at = f_frames_index * f_frames_extent.x + in_block;
+                    // near_blocks.glift:21
+                    const uint in_block_xp2 = (value_3 + 2u) % 8u;
+                    const bool xp2_crosses = value_3 >= 6u;
+                    // near_blocks.glift:20
                     const uint g_at = g_frames_index * f_frames_extent.x + in_block;
                     // near_blocks.glift:21
-                    uint2 f_xp2_result{};
-                    bool f_xp2_found{};
-                    if (!glift::all(glift::lessThan(value_4 + uint2(2u, 0u), f_extent))) {
-                        f_xp2_result = uint2(0u);
-                        f_xp2_found = false;
-                    } else {
-                        const uint value_5 = value_3 + 2u;
-                        const uint f_table_address_2 = value + value_5 / 8u;
-                        const bool f_table_value_inside_2 = f_table_address_2 < f_table_extent;
-                        const uint f_table_value_2 = f_table_data[f_table_value_inside_2 ? f_table_address_2 : 0u];
-                        const uint f_xp2_entry = f_table_value_inside_2 ? f_table_value_2 : 0u;
-                        f_xp2_result = uint2(f_index * 8u + value_5 % 8u, f_xp2_entry - 1u);
-                        f_xp2_found = !(f_xp2_entry == 0u);
-                    }
-                    const bool f_xp2_inside = f_xp2_found && f_xp2_result.y < f_frames_extent.y;
-                    const uint f_xp2_at = f_xp2_result.y * f_frames_extent.x + f_xp2_result.x;
+                    const bool f_xp2_inside = value_4 + 2u < f_extent.x
+                        && (xp2_crosses ? !(f_xp_entry == 0u) && f_xp_entry - 1u < f_frames_extent.y : f_found);
+                    const uint f_xp2_at = ((xp2_crosses ? f_xp_entry : f_entry) - 1u) * f_frames_extent.x
+                        + (f_index * 8u + in_block_xp2);
                     const float f_xp2 = f_frames_data[f_xp2_inside ? f_xp2_at : 0u];
                     // near_blocks.glift:22
                     const float f_value = f_frames_data[f_found ? f_at : 0u];

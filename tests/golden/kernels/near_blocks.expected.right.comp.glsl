@@ -50,41 +50,43 @@ void main() {
     uint rest = g_active_value_inside ? g_active_value : 0u;
     uint block_x = rest % parameter(div_ceil_x);
     uint block_y = rest / parameter(div_ceil_x);
-    uint value = block_y * parameter(div_ceil_x_2);
-    uint f_table_address = value + block_x;
+    uint f_table_address = block_y * parameter(div_ceil_x_2) + block_x;
     bool f_table_value_inside = f_table_address < parameter(f_table_extent);
-    uint value_1 = f_table_value_inside ? f_table_address : 0u;
-    uint f_table_value = f_table_data[value_1];
+    uint value = f_table_value_inside ? f_table_address : 0u;
+    uint f_table_value = f_table_data[value];
     uint f_entry = f_table_value_inside ? f_table_value : 0u;
     uint f_frames_index = f_entry - 1u;
     bool f_found = !(f_entry == 0u) && f_frames_index < parameter(f_frames_extent).y;
-    uint g_table_value = g_table_data[value_1];
+    // near_blocks.glift:21
+    uint value_1 = block_x * 8u;
+    uint block_x_after_room = parameter(f_extent).x - (value_1 + 8u);
+    bool block_x_after_exists = block_x_after_room > 0u && block_x < 536870911u;
+    uint f_table_address_1 = f_table_address + (block_x_after_exists ? 1u : 0u);
+    bool f_table_value_inside_1 = f_table_address_1 < parameter(f_table_extent);
+    uint f_table_value_1 = f_table_data[f_table_value_inside_1 ? f_table_address_1 : 0u];
+    uint f_xp_entry = f_table_value_inside_1 ? f_table_value_1 : 0u;
+    // near_blocks.glift:20
+    uint g_table_value = g_table_data[value];
     uint g_entry = f_table_value_inside ? g_table_value : 0u;
     uint g_frames_index = g_entry - 1u;
     bool g_found = !(g_entry == 0u) && g_frames_index < parameter(f_frames_extent).y;
-    uint value_2 = block_x * 8u + in_block % 8u;
+    uint value_2 = in_block % 8u;
+    uint value_3 = value_1 + value_2;
     uint f_index = in_block / 8u;
-    uvec2 value_3 = uvec2(value_2, block_y * 8u + f_index);
-    if (block_x <= 536870911u && block_y <= 536870911u && all(lessThan(value_3, parameter(f_extent)))) {
+    if (block_x <= 536870911u && block_y <= 536870911u
+        && all(lessThan(uvec2(value_3, block_y * 8u + f_index), parameter(f_extent)))) {
         uint f_at = f_frames_index * parameter(f_frames_extent).x + in_block;
+        // near_blocks.glift:21
+        uint in_block_xp2 = (value_2 + 2u) % 8u;
+        bool xp2_crosses = value_2 >= 6u;
+        // near_blocks.glift:20
         uint g_at = g_frames_index * parameter(f_frames_extent).x + in_block;
         // near_blocks.glift:21
-        uvec2 f_xp2_result = uvec2(0u);
-        bool f_xp2_found = false;
-        if (!all(lessThan(value_3 + uvec2(2u, 0u), parameter(f_extent)))) {
-            f_xp2_result = uvec2(0u);
-            f_xp2_found = false;
-        } else {
-            uint value_4 = value_2 + 2u;
-            uint f_table_address_1 = value + value_4 / 8u;
-            bool f_table_value_inside_1 = f_table_address_1 < parameter(f_table_extent);
-            uint f_table_value_1 = f_table_data[f_table_value_inside_1 ? f_table_address_1 : 0u];
-            uint f_xp2_entry = f_table_value_inside_1 ? f_table_value_1 : 0u;
-            f_xp2_result = uvec2(f_index * 8u + value_4 % 8u, f_xp2_entry - 1u);
-            f_xp2_found = !(f_xp2_entry == 0u);
-        }
-        bool f_xp2_inside = f_xp2_found && f_xp2_result.y < parameter(f_frames_extent).y;
-        uint f_xp2_at = f_xp2_result.y * parameter(f_frames_extent).x + f_xp2_result.x;
+        bool f_xp2_inside = value_3 + 2u < parameter(f_extent).x
+            && (xp2_crosses ? !(f_xp_entry == 0u) && f_xp_entry - 1u < parameter(f_frames_extent).y
+            : f_found);
+        uint f_xp2_at = ((xp2_crosses ? f_xp_entry : f_entry) - 1u) * parameter(f_frames_extent).x
+            + (f_index * 8u + in_block_xp2);
         float f_xp2 = f_frames_data[f_xp2_inside ? f_xp2_at : 0u];
         // near_blocks.glift:22
         float f_value = f_frames_data[f_found ? f_at : 0u];

@@ -1,0 +1,157 @@
+// Neighbours in the blocks beside. An element at a constant offset, no further than a block is wide, lies in the own
+// block or in one of those that the offset reaches. They are looked up once a block, by the algebra of quotients that
+// serves the block itself, and each access chooses: no barrier, no copy, and nothing is asked of what the pass writes.
+#include "ir/effects.h"
+#include "lower/blocks.h"
+#include "lower/expand.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <string>
+#include <utility>
+
+namespace gliftc::lower {
+
+using namespace ir;
+
+namespace {
+
+bool is_in_reach(const std::vector<std::int64_t>& offset, const std::vector<std::uint32_t>& widths) {
+    for (std::size_t axis = 0; axis < widths.size(); ++axis)
+        if (std::abs(offset[axis]) > std::int64_t{widths[axis]}) return false;
+    return true;
+}
+
+}  // namespace
+
+/// Where an offset along one axis leads.
+const Expander::Way& Expander::way_along(std::uint32_t root, std::uint32_t axis, std::int64_t offset) {
+    const auto [found, is_new] = block_.ways.try_emplace({root, axis, offset});
+    Way& way = found->second;
+    if (!is_new) return way;
+    const std::uint32_t width = (*block_widths(cx))[axis];
+    const ExprId own = block_.axes[axis].offset;
+    const std::uint64_t distance = static_cast<std::uint64_t>(std::abs(offset));
+    way.name = std::string("_") + "xyzw"[axis] + (offset < 0 ? "m" : "p");
+    const std::string name = way.name.substr(1) + std::to_string(distance);
+    const Block made = collect([&] {
+        way.next = next_block(root, width, axis, offset < 0 ? -1 : 1);
+        way.offset = own;
+        way.crosses = make.truth(true);
+        if (distance == width) return;
+        const std::uint64_t moved = offset < 0 ? width - distance : distance;
+        const ExprId sum = make.add(own, make.uint(moved));
+        const LocalId local = let("in_block_" + name, make.binary(BinaryOp::remainder, sum, make.uint(width)), span_);
+        make.limits[local] = width - 1;
+        way.offset = make.local(local);
+        way.crosses = named(name + "_crosses",
+                            offset < 0 ? make.binary(BinaryOp::less, own, make.uint(distance))
+                                       : make.binary(BinaryOp::greater_equal, own, make.uint(width - distance)));
+    });
+    prelude_.insert(prelude_.end(), made.begin(), made.end());
+    if (guards_ != Guards::block) return way;
+    // All of the own block is in the domain; of the next one what the domain has.
+    way.inside = way.next.exists;
+    if (offset > 1) way.inside = make.both(way.inside, make.binary(BinaryOp::less, way.offset, way.next.room));
+    return way;
+}
+
+/// Whether the value has to be loaded for each element.
+bool Expander::is_loaded_by_element(ExprId id) {
+    const Expr& node = p.exprs[id];
+    if (node.op == Op::local) {
+        if (p.locals[node.local].is_mutable) return true;
+        const ExprId* definition = cx.definitions.find(node.local);
+        return definition != nullptr && is_loaded_by_element(*definition);
+    }
+    const bool loads = is_load(node.op) || node.op == Op::call;
+    if (loads && !(is_of_block(id) && numbers_.is_fixed(id))) return true;
+    return std::ranges::any_of(node.operands, [&](ExprId operand) { return is_loaded_by_element(operand); });
+}
+
+/// The place in memory of an address in a block that is known; absent: there is more to it than the block decides.
+std::optional<Pair> Expander::place_in_block(const Place& place, ExprId address, const std::string& name) {
+    Pair physical;
+    Block made = collect([&] {
+        const std::vector<ValueNumber> known = std::exchange(known_, {numbers_.of(inside_domain(place, address))});
+        physical = inside(Frame{}, [&] { return translated(place, address, name); });
+        known_ = known;
+        bool asked = false;
+        physical.has = without_inside(place.root, physical.has, address, asked);
+    });
+    if (is_loaded_by_element(physical.value) || (physical.has && is_loaded_by_element(physical.has)))
+        return std::nullopt;
+    prelude_.insert(prelude_.end(), made.begin(), made.end());
+    return physical;
+}
+
+/// One of two values; what both have in common is not chosen.
+ExprId Expander::chosen(ExprId condition, ExprId yes, ExprId no) {
+    if (numbers_.of(yes) == numbers_.of(no)) return no;
+    const Expr a = p.exprs[yes], b = p.exprs[no];
+    const bool is_alike = a.op == b.op && a.type == b.type && a.operands.size() == b.operands.size() &&
+                          (a.op == Op::construct || (a.op == Op::binary && a.binary == b.binary));
+    if (!is_alike) return make.select(condition, yes, no);
+    Operands operands;
+    unsigned differ = 0;
+    for (std::size_t i = 0; i < a.operands.size(); ++i) {
+        const bool is_same = numbers_.of(a.operands[i]) == numbers_.of(b.operands[i]);
+        if (!is_same && make.type(a.operands[i]) != make.type(b.operands[i])) return make.select(condition, yes, no);
+        differ += is_same ? 0 : 1;
+    }
+    if (a.op == Op::binary && differ > 1) return make.select(condition, yes, no);
+    for (std::size_t i = 0; i < a.operands.size(); ++i)
+        operands.push_back(chosen(condition, a.operands[i], b.operands[i]));
+    return make.again(a, std::move(operands));
+}
+
+/// Where the ways along the axes from `axis` on lead, the address in the axes before it being known.
+std::optional<Pair> Expander::choose_block(const Place& place, const Ways& ways, Beside at) {
+    const std::size_t axis = at.address.size();
+    if (axis == ways.size()) {
+        const ExprId address = axis == 1 ? at.address[0] : make.construct(cx.kernel.domain_type, std::move(at.address));
+        std::optional<Pair> found = place_in_block(place, address, at.name);
+        if (found && at.is_own) found->has = without_block_tests(found->has);
+        return found;
+    }
+    const OwnBlock::Axis& own = block_.axes[axis];
+    const Way* way = ways[axis];
+    Beside stay = at;
+    stay.address.push_back(make.add(own.begin, way == nullptr ? own.offset : way->offset));
+    if (way == nullptr) return choose_block(place, ways, std::move(stay));
+    Beside next = std::move(at);
+    next.address.push_back(make.add(way->next.begin, way->offset));
+    next.name += way->name;
+    next.is_own = false;
+    std::optional<Pair> here;
+    if (!make.is_true(way->crosses) && !(here = choose_block(place, ways, std::move(stay)))) return here;
+    std::optional<Pair> there = choose_block(place, ways, std::move(next));
+    if (!there) return there;
+    there->has = make.both(way->inside, there->has);
+    if (!here) return there;
+    Pair result{chosen(way->crosses, there->value, here->value), {}};
+    if (there->has || here->has) {
+        const ExprId yes = there->has ? there->has : make.truth(true), no = here->has ? here->has : make.truth(true);
+        result.has = chosen(way->crosses, yes, no);
+    }
+    return result;
+}
+
+/// Where the element at an offset is; absent: it is looked up by its address.
+std::optional<Pair> Expander::beside(const Place& place, const std::vector<std::int64_t>& offset) {
+    if (!block_.is_of_kernel || !(cx.is_direct() || place.root == *cx.kernel.space)) return std::nullopt;
+    const auto widths = block_widths(cx);
+    if (!widths || !is_in_reach(offset, *widths)) return std::nullopt;
+    // Where an invocation has one element, looking up two places for it is worth it, four are not.
+    const auto axes = std::ranges::count_if(offset, [](std::int64_t part) { return part != 0; });
+    if (axes > 1 && elements_in_block(*block_volume(cx)) == 1) return std::nullopt;
+    centre(place.root);  // first what all accesses share
+    Ways ways;
+    for (std::uint32_t axis = 0; axis < offset.size(); ++axis)
+        ways.push_back(offset[axis] == 0 ? nullptr : &way_along(place.root, axis, offset[axis]));
+    std::optional<Pair> found = choose_block(place, ways, {{}, cx.name_of(place), true});
+    if (found && guards_ != Guards::block) found->has = make.both(near_guard(place.root, offset), found->has);
+    return found;
+}
+
+}  // namespace gliftc::lower

@@ -1,0 +1,163 @@
+// Several elements of a block in one invocation of a shader: what the block decides is computed by each invocation, so
+// that it is computed less often. A workgroup's width lies between two elements of an invocation.
+//
+// Blocks all of whose elements are visited have a way of their own, on devices that skip branches: the elements follow
+// each other without a loop, with constant places in the block, and a few of them load before any is stored. GPUs wait
+// for memory: a loop that stores before it loads again waits once a round.
+#include "ir/walk.h"
+#include "lower/blocks.h"
+#include "lower/coarsen.h"
+#include "lower/copy_statements.h"
+#include "lower/dispatch.h"
+
+#include <algorithm>
+
+namespace gliftc::lower {
+
+using namespace ir;
+
+namespace {
+
+/// Of all elements that load before one is stored: more take many registers.
+constexpr std::size_t most_loads_together = 64, most_nodes_together = 4096;
+
+/// Whether statements may stand in a loop of the invocation's.
+bool may_be_looped(const Context& cx, const std::vector<StmtId>& body) {
+    bool may = true;
+    for_each_statement(cx.p, body, [&](const Stmt& stmt) {
+        may = may && stmt.op != StmtOp::return_ && stmt.op != StmtOp::for_ && stmt.op != StmtOp::while_;
+    });
+    return may;
+}
+
+/// A body for any block, part by part.
+struct Parts {
+    std::vector<StmtId> of_block, of_element;
+    ExprId holds;  ///< whether all elements of the block are visited; absent: nothing says so
+};
+
+Parts divided(Context& cx, const std::vector<StmtId>& body) {
+    Parts parts;
+    BlockValues values(cx);
+    for (StmtId id : body) {
+        const Stmt& stmt = cx.p.stmts[id];
+        const bool is_condition =
+            !parts.holds && stmt.op == StmtOp::evaluate && cx.make.type(stmt.value) == cx.p.types.bool_;
+        if (is_condition && values.has(stmt.value)) parts.holds = stmt.value;
+        else (values.has(stmt) ? parts.of_block : parts.of_element).push_back(id);
+    }
+    return parts;
+}
+
+class BlockCoarsening {
+public:
+    BlockCoarsening(Context& context, std::uint64_t volume, std::uint32_t elements)
+        : cx(context), volume_(volume), elements_(elements), width_(context.pass.group[0]) {}
+
+    /// A loop over the elements, each of which is asked for.
+    StmtId loop_over(const std::vector<StmtId>& body) {
+        Stmt loop = statement(StmtOp::for_, cx.kernel.span);
+        loop.local = cx.new_local("turn", cx.p.types.uint, cx.kernel.span);
+        loop.value = cx.make.uint(0);
+        loop.limit = cx.make.uint(elements_);
+        loop.unrolled = true;
+        const ExprId step = cx.make.multiply(cx.make.local(loop.local), cx.make.uint(width_));
+        StatementCopy copy(cx, address_at(cx.make.add(first_position(), step)));
+        for (StmtId id : body) loop.body.push_back(copy.of(id));
+        return cx.add(std::move(loop));
+    }
+
+    /// The elements one after the other, `together` of which load before any is stored.
+    std::vector<StmtId> whole(const std::vector<StmtId>& body, std::uint32_t together) {
+        Stmt first = statement(StmtOp::let, cx.kernel.span);
+        first.local = cx.new_local("first", cx.p.types.uint, cx.kernel.span);
+        first.value = first_position();
+        cx.make.limits[first.local] = volume_ - std::uint64_t{elements_ - 1} * width_ - 1;
+        cx.definitions[first.local] = first.value;
+        const ExprId start = cx.make.local(first.local);
+        result_ = {cx.add(std::move(first))};
+        for (std::uint32_t turn = 0; turn < elements_; turn += together) {
+            std::vector<StmtId> stores;
+            for (std::uint32_t i = turn; i < turn + together; ++i) {
+                const ExprId at = cx.make.add(start, cx.make.uint(i * width_));
+                StatementCopy copy(cx, address_at(at));
+                for (StmtId id : body) add(copy, id, at, stores);
+            }
+            result_.insert(result_.end(), stores.begin(), stores.end());
+        }
+        return std::move(result_);
+    }
+
+private:
+    ExprId first_position() { return cx.make.component(cx.make.local(cx.pass.address), 0); }
+
+    ExprId address_at(ExprId position) {
+        const ExprId address = cx.make.local(cx.pass.address);
+        return cx.make.construct(cx.make.type(address), {position, cx.make.component(address, 1)});
+    }
+
+    /// The position stands as the sum that it is wherever it is named: its quotients are then known.
+    void add(StatementCopy& copy, StmtId id, ExprId at, std::vector<StmtId>& stores) {
+        const Stmt& stmt = cx.p.stmts[id];
+        if (stmt.op == StmtOp::let && stmt.value && stmt.value == first_of(stmt.value) &&
+            !cx.p.locals[stmt.local].is_mutable)
+            return copy.replace(stmt.local, at);
+        const StmtId made = copy.of(id);
+        if (!has_store(cx.p, cx.p.stmts[made])) return result_.push_back(made);
+        stores.push_back(with_named_value(cx, made, false, result_));
+    }
+
+    /// The value, if it is the invocation's position.
+    ExprId first_of(ExprId value) const {
+        const Expr& node = cx.p.exprs[value];
+        const bool is_position = node.op == Op::swizzle && !cx.p.types.is_vector(node.type) && node.lanes[0] == 0 &&
+                                 cx.p.exprs[node.operands[0]].op == Op::local &&
+                                 cx.p.exprs[node.operands[0]].local == cx.pass.address;
+        return is_position ? value : ExprId{};
+    }
+
+    Context& cx;
+    std::uint64_t volume_;
+    std::uint32_t elements_, width_;
+    std::vector<StmtId> result_;
+};
+
+/// How many elements may load before any is stored; one: there is no gain.
+std::uint32_t elements_together(const StoredLast& body, std::uint32_t elements) {
+    if (!body.holds) return 1;
+    const auto is_much = [&](std::uint32_t together) {
+        return together * body.loads > most_loads_together || together * body.nodes > most_nodes_together;
+    };
+    while (elements > 1 && is_much(elements)) elements /= 2;
+    return elements;
+}
+
+}  // namespace
+
+Coarsened coarsened_in_block(Context& cx, const std::vector<StmtId>& body, const std::vector<StmtId>& whole) {
+    const std::optional<std::uint64_t> volume = block_volume(cx);
+    const std::uint32_t elements = volume ? elements_in_block(*volume) : 1;
+    if (elements == 1 || !may_be_looped(cx, body)) return {};
+    BlockCoarsening coarsening(cx, *volume, elements);
+    Parts any = divided(cx, body);
+    Coarsened made;
+    made.elements = {elements, 1, 1};
+    made.in_range = in_range_condition(cx);
+    made.body = std::move(any.of_block);
+    const StmtId loop = coarsening.loop_over(any.of_element);
+    const Parts parts = divided(cx, whole);
+    const std::uint32_t together = parts.holds ? elements_together(stored_last(cx, parts.of_element), elements) : 1;
+    if (together == 1) {
+        made.body.push_back(loop);
+        return made;
+    }
+    made.body.insert(made.body.end(), parts.of_block.begin(), parts.of_block.end());
+    Stmt choice = statement(StmtOp::if_, cx.kernel.span);
+    choice.value = cx.make.both(cx.make.builtin(Builtin::skips_branches, cx.p.types.bool_), parts.holds);
+    choice.body = coarsening.whole(parts.of_element, together);
+    choice.otherwise = {loop};
+    made.body.push_back(cx.add(std::move(choice)));
+    return made;
+}
+
+}  // namespace gliftc::lower
