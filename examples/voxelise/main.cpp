@@ -23,6 +23,8 @@ namespace {
 
 using glift::float3;
 
+constexpr std::uint32_t most_columns = 1u << 30;  ///< the constant of this name of voxels.glift
+
 struct Arguments {
     std::string what = "robot";
     std::uint32_t extent = 512, voxel_pages = 40000, tree_pages = 50000, size = 640;
@@ -87,7 +89,11 @@ public:
         corners.write(mesh.corners);
         points.write(mesh.points);
         const voxels::Placement place = placement_of(mesh, arguments_.extent);
-        const double seconds = timed([&] { voxels::voxelise(device_, corners, points, place, grid_); });
+        std::uint32_t columns = 0;
+        const double seconds =
+            timed([&] { columns = voxels::voxelise(device_, corners, points, place, grid_).await(device_); });
+        if (columns > most_columns)
+            throw std::runtime_error("the triangles are too large and too many: choose a smaller --extent");
         const auto status = grid_.status(device_);
         std::printf("%s: %zu triangles in %u^3: %u voxels in %u pages (%.2f %% of the domain), %.1f ms\n",
                     device_.properties().name.c_str(), mesh.triangles(), arguments_.extent,
