@@ -230,10 +230,12 @@ std::string arithmetic(Printer& p, const HelperUse& use) {
     case Helper::sign_of: {
         std::uint32_t count = types.components(use.a);
         if (count > 1) return by_component(t, "sign_of", t, count, false);
-        const std::string nothing = types.is_floating(use.a) ? zero_text : "0l",
-                          unit = types.is_floating(use.a) ? one : "1l";
-        return one_line(t + " sign_of(" + t + " x)",
-                        "x > " + nothing + " ? " + unit + " : x < " + nothing + " ? -" + unit + " : " + nothing);
+        if (types.is_floating(use.a))
+            return one_line(t + " sign_of(" + t + " x)", "x > " + zero_text + " ? " + one + " : x < " + zero_text +
+                                                             " ? -" + one + " : " + zero_text);
+        // By halves: lavapipe takes int64_t(k) > 0 for true where it unrolls a loop over k from 0u on.
+        return "int64_t sign_of(int64_t x) {\n    int high = int(x >> 32l);\n"
+               "    return high < 0 ? -1l : (high | int(x)) != 0 ? 1l : 0l;\n}\n";
     }
     case Helper::reflection:
         return one_line(t + " reflection(" + t + " i, " + t + " n)",

@@ -1,13 +1,13 @@
 #include "fixed_parameters.h"
 
+#include "spirv_module.h"
+
 #include <optional>
 #include <unordered_map>
 
 namespace glift::detail {
 
 namespace {
-
-constexpr std::size_t header_words = 5, bound_word = 3;
 
 enum Op : std::uint32_t {
     type_int = 21,
@@ -28,14 +28,7 @@ enum Op : std::uint32_t {
 
 constexpr std::uint32_t storage_push_constant = 9, storage_buffer = 12, decoration_binding = 33, decoration_offset = 35;
 
-using Words = std::span<const std::uint32_t>;
-
-std::uint32_t first_word(std::uint32_t op, std::uint32_t words) { return words << 16 | op; }
-
-template <class Visit> void for_each_instruction(Words spirv, Visit&& visit) {
-    for (std::size_t at = header_words; at < spirv.size(); at += spirv[at] >> 16)
-        visit(spirv[at] & 0xffffu, spirv.subspan(at, spirv[at] >> 16));
-}
+using Words = SpirvWords;
 
 /// The parts of a module that are needed to find the loads of its parameters.
 struct Module {
@@ -109,12 +102,13 @@ private:
 
 class Rewriter {
 public:
-    Rewriter(Words spirv, std::span<const FixedWord> fixed) : spirv_(spirv), module_(spirv), bound_(spirv[bound_word]) {
+    Rewriter(Words spirv, std::span<const FixedWord> fixed)
+        : spirv_(spirv), module_(spirv), bound_(spirv[spirv_bound_word]) {
         for (const FixedWord& word : fixed) values_[word.offset] = word.value;
     }
 
     std::vector<std::uint32_t> run() {
-        std::vector<std::uint32_t> functions, result(spirv_.begin(), spirv_.begin() + header_words);
+        std::vector<std::uint32_t> functions, result(spirv_.begin(), spirv_.begin() + spirv_header_words);
         bool inside = false;
         for_each_instruction(spirv_, [&](std::uint32_t op, Words w) {
             inside = inside || op == function;
@@ -125,7 +119,7 @@ public:
         });
         result.insert(result.end(), constants_.begin(), constants_.end());
         result.insert(result.end(), functions.begin(), functions.end());
-        result[bound_word] = bound_;
+        result[spirv_bound_word] = bound_;
         return result;
     }
 

@@ -1,5 +1,7 @@
 #include "float_controls.h"
 
+#include "spirv_module.h"
+
 #include <array>
 #include <set>
 
@@ -7,7 +9,6 @@ namespace glift::detail {
 
 namespace {
 
-constexpr std::size_t header_words = 5;
 constexpr std::uint32_t op_entry_point = 15, op_execution_mode = 16, op_capability = 17, op_execution_mode_id = 331;
 constexpr std::uint32_t denorm_preserve = 4464, signed_zero_inf_nan_preserve = 4466,
                         rounding_mode_rte = 4467;  // capabilities
@@ -29,13 +30,13 @@ void add(std::vector<FloatMode>& modes, std::uint32_t capability, Widths widths)
         if (widths[i]) modes.push_back({capability, 16u << i});
 }
 
-std::uint32_t first_word(std::uint32_t op, std::uint32_t words) { return words << 16 | op; }
-
 }  // namespace
 
 FloatControls FloatControls::of(const VkPhysicalDeviceVulkan12Properties& properties) {
     auto has = [](VkBool32 half, VkBool32 single, VkBool32 full) { return Widths{half != 0, single != 0, full != 0}; };
-    FloatControls controls{.modes = {}, .hides_zeros = properties.driverID == VK_DRIVER_ID_MESA_LLVMPIPE};
+    FloatControls controls{.modes = {},
+                           .hides_zeros = properties.driverID == VK_DRIVER_ID_MESA_LLVMPIPE,
+                           .keeps_sums = properties.driverID == VK_DRIVER_ID_NVIDIA_PROPRIETARY};
     // NVIDIA's driver has the first for 16 bits only; with it, it keeps subnormal numbers of 32 bits, too: without it,
     // comparisons, `sign` and conversions take them for zeros (seen on an H200, driver 580).
     add(controls.modes, denorm_preserve,
@@ -55,10 +56,10 @@ FloatControls FloatControls::of(const VkPhysicalDeviceVulkan12Properties& proper
 std::vector<std::uint32_t> with_float_modes(std::span<const std::uint32_t> spirv, std::span<const FloatMode> modes) {
     std::set<std::uint32_t> capabilities;
     for (const FloatMode& mode : modes) capabilities.insert(mode.capability);
-    std::vector<std::uint32_t> module(spirv.begin(), spirv.begin() + header_words);
+    std::vector<std::uint32_t> module(spirv.begin(), spirv.begin() + spirv_header_words);
     std::vector<std::uint32_t> entry_points;
     bool capabilities_done = false, modes_done = false;
-    for (std::size_t at = header_words; at < spirv.size();) {
+    for (std::size_t at = spirv_header_words; at < spirv.size();) {
         const std::uint32_t op = spirv[at] & 0xffffu, words = spirv[at] >> 16;
         // A module's layout: capabilities first, execution modes after the entry points.
         if (op != op_capability && !capabilities_done) {

@@ -1,5 +1,7 @@
 #include "hidden_zeros.h"
 
+#include "spirv_module.h"
+
 #include <algorithm>
 #include <map>
 #include <unordered_map>
@@ -7,8 +9,6 @@
 namespace glift::detail {
 
 namespace {
-
-constexpr std::size_t header_words = 5, bound_word = 3;
 
 enum Op : std::uint32_t {
     line = 8,
@@ -66,13 +66,8 @@ constexpr std::uint32_t decoration_built_in = 11, workgroup_id = 26, global_invo
 
 constexpr std::size_t value_of_atomic = 6;  ///< index of an atomic operation's value operand
 
-using Words = std::span<const std::uint32_t>;
+using Words = SpirvWords;
 using Module = std::vector<std::uint32_t>;
-
-void append(Module& module, std::uint32_t op, std::initializer_list<std::uint32_t> operands) {
-    module.push_back(static_cast<std::uint32_t>(operands.size() + 1) << 16 | op);
-    module.insert(module.end(), operands);
-}
 
 /// How an instruction uses a constant.
 enum class Use : std::uint8_t {
@@ -120,17 +115,13 @@ Operands values_of(Words w) {
 
 class Hiding {
 public:
-    explicit Hiding(Words spirv) : spirv_(spirv), next_id_(spirv[bound_word]) {
-        for_each([&](Words w) { read(w); });
+    explicit Hiding(Words spirv) : spirv_(spirv), next_id_(spirv[spirv_bound_word]) {
+        for_each_instruction(spirv, [&](std::uint32_t, Words w) { read(w); });
     }
 
     Module hidden();
 
 private:
-    template <class Visit> void for_each(Visit&& visit) const {
-        for (std::size_t at = header_words; at < spirv_.size(); at += spirv_[at] >> 16)
-            visit(spirv_.subspan(at, spirv_[at] >> 16));
-    }
     void read(Words w);
     void read_constant(Words w);
     void read_composite(Words w);
@@ -370,9 +361,8 @@ void Hiding::write_constants(Module& module) {
 
 Module Hiding::hidden() {
     if (invocation_ == 0 || uint3_ == 0) return {spirv_.begin(), spirv_.end()};
-    Module module(spirv_.begin(), spirv_.begin() + header_words);
-    for_each([&](Words w) {
-        const std::uint32_t op = w[0] & 0xffffu;
+    Module module(spirv_.begin(), spirv_.begin() + spirv_header_words);
+    for_each_instruction(spirv_, [&](std::uint32_t op, Words w) {
         if (op == function) {
             if (shift_ == 0) write_constants(module);
             function_.clear();
@@ -381,7 +371,7 @@ Module Hiding::hidden() {
         else function_.push_back(w);
         if (op == function_end) write_function(module);
     });
-    module[bound_word] = next_id_;
+    module[spirv_bound_word] = next_id_;
     return module;
 }
 

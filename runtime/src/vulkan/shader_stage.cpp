@@ -3,6 +3,7 @@
 #include "fixed_parameters.h"
 #include "float_controls.h"
 #include "hidden_zeros.h"
+#include "kept_sums.h"
 #include "spirv_words.h"
 
 namespace glift::detail {
@@ -21,6 +22,7 @@ VkShaderModule make_module(Context& context, const Pipeline& pipeline, const Spi
     std::vector<std::uint32_t> code =
         with_fixed_parameters(with_float_modes(words_of(spirv), context.float_controls.modes), pipeline.fixed);
     if (context.float_controls.hides_zeros) code = with_hidden_zeros(code);
+    if (context.float_controls.keeps_sums) code = with_kept_sums(code);
     const VkShaderModuleCreateInfo info = {.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
                                            .codeSize = code.size() * sizeof(std::uint32_t),
                                            .pCode = code.data()};

@@ -1,5 +1,6 @@
 #include "float_controls.h"
 #include "hidden_zeros.h"
+#include "kept_sums.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -65,6 +66,57 @@ TEST(HiddenZeros, TellTheWidthOfATypeFromAValue) {
     EXPECT_EQ(error_of(hidden), "") << disassembled(hidden);
     EXPECT_THAT(disassembled(hidden), HasSubstr("OpBitwiseOr %uint %64"));
     EXPECT_THAT(disassembled(hidden), Not(HasSubstr("OpFMul %float %65 %float_0")));
+}
+
+/// Sums and differences of a constant and: a constant (40), a loaded number (41), what a variable holds, which a
+/// constant is stored to after the load (43), what a loaded number is stored to (45); and of vectors of constants (46).
+const std::string sums = R"(
+    OpCapability Shader
+    OpMemoryModel Logical GLSL450
+    OpEntryPoint GLCompute %4 "main" %20
+    OpExecutionMode %4 LocalSize 1 1 1
+    OpDecorate %20 BuiltIn GlobalInvocationId
+    %2 = OpTypeVoid
+    %3 = OpTypeFunction %2
+    %8 = OpTypeInt 32 0
+    %9 = OpTypeVector %8 3
+    %10 = OpTypeFloat 32
+    %11 = OpConstant %10 22642620
+    %12 = OpTypePointer Input %9
+    %13 = OpTypePointer Function %10
+    %14 = OpTypeVector %10 2
+    %15 = OpConstantComposite %14 %11 %11
+    %20 = OpVariable %12 Input
+    %4 = OpFunction %2 None %3
+    %21 = OpLabel
+    %30 = OpVariable %13 Function
+    %31 = OpVariable %13 Function
+    %22 = OpLoad %9 %20
+    %23 = OpCompositeExtract %8 %22 1
+    %24 = OpConvertUToF %10 %23
+    %40 = OpFSub %10 %11 %11
+    %41 = OpFAdd %10 %11 %24
+    %42 = OpLoad %10 %30
+    %43 = OpFSub %10 %42 %11
+    OpStore %30 %43
+    OpStore %30 %11
+    OpStore %31 %24
+    %44 = OpLoad %10 %31
+    %45 = OpFSub %10 %44 %11
+    %46 = OpFAdd %14 %15 %15
+    OpReturn
+    OpFunctionEnd
+)";
+
+TEST(KeptSums, CombineConstantsWithWhatTheDriverDoesNotKnow) {
+    const std::vector<std::uint32_t> kept = with_kept_sums(assembled(sums));
+    const std::string text = disassembled(kept), before = disassembled(assembled(sums));
+    EXPECT_EQ(error_of(kept), "") << text;
+    for (const char* gone : {"%40 = OpFSub %float %float_22642620 %float_22642620", "%43 = OpFSub %float %42",
+                             "%46 = OpFAdd %v2float %15 %15"})
+        EXPECT_THAT(std::make_pair(text, before), testing::Pair(Not(HasSubstr(gone)), HasSubstr(gone)));
+    for (const char* stays : {"%41 = OpFAdd %float %float_22642620 %24", "%45 = OpFSub %float %44 %float_22642620"})
+        EXPECT_THAT(text, HasSubstr(stays));
 }
 
 TEST(FloatControls, SetEachModeThatTheDeviceHasForEachWidth) {

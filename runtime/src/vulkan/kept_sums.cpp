@@ -1,0 +1,244 @@
+#include "kept_sums.h"
+
+#include "spirv_module.h"
+
+#include <algorithm>
+#include <unordered_map>
+#include <vector>
+
+namespace glift::detail {
+
+namespace {
+
+enum Op : std::uint32_t {
+    undefined = 1,
+    ext_inst = 12,
+    type_int = 21,
+    type_float = 22,
+    type_vector = 23,
+    constant_true = 41,
+    constant = 43,
+    spec_constant_op = 52,
+    function = 54,
+    function_parameter = 55,
+    function_call = 57,
+    variable = 59,
+    load = 61,
+    store = 62,
+    copy_memory = 63,
+    access_chain = 65,
+    in_bounds_access_chain = 66,
+    decorate = 71,
+    vector_extract_dynamic = 77,
+    vector_insert_dynamic = 78,
+    vector_shuffle = 79,
+    composite_construct = 80,
+    composite_extract = 81,
+    composite_insert = 82,
+    copy_object = 83,
+    transpose = 84,
+    convert_f_to_u = 109,
+    f_convert = 115,
+    bitcast = 124,
+    s_negate = 126,
+    f_add = 129,
+    f_sub = 131,
+    select = 169,
+    shift_right = 194,
+    bit_or = 197,
+    bit_count = 205,
+    phi = 245,
+    copy_logical = 400,
+};
+
+constexpr std::uint32_t decoration_built_in = 11, global_invocation_id = 28;
+constexpr std::uint32_t storage_private = 6, storage_function = 7;
+constexpr std::uint32_t negative_zero = 0x80000000u;
+
+using Module = std::vector<std::uint32_t>;
+
+/// The operands of an instruction that are values, by their first and last word; none: its result is not computed from
+/// values alone.
+struct Values {
+    std::size_t first = 0, last = 0;
+};
+
+Values values_of(std::uint32_t op, SpirvWords w) {
+    switch (op) {
+    case ext_inst: return {5, w.size()};
+    case composite_extract: return {3, 4};
+    case vector_shuffle:
+    case composite_insert: return {3, 5};
+    case vector_extract_dynamic:
+    case vector_insert_dynamic:
+    case composite_construct:
+    case copy_object:
+    case transpose:
+    case copy_logical: return {3, w.size()};
+    default:
+        const bool computes =
+            (op >= convert_f_to_u && op <= bitcast) || (op >= s_negate && op <= bit_count && op != select);
+        return computes ? Values{3, w.size()} : Values{};
+    }
+}
+
+/// Which values of a module a driver may know when it has unrolled its loops and inlined its functions.
+class Known {
+public:
+    explicit Known(SpirvWords spirv) : known_(spirv[spirv_bound_word]), variable_of_(spirv[spirv_bound_word]) {
+        // What a loop stores is known after the loads that precede the store in the text.
+        do {
+            has_changed_ = false;
+            for_each_instruction(spirv, [&](std::uint32_t op, SpirvWords w) { read(op, w); });
+        } while (has_changed_);
+    }
+
+    bool contains(std::uint32_t id) const { return known_[id]; }
+
+private:
+    void mark(std::uint32_t id) {
+        has_changed_ = has_changed_ || !known_[id];
+        known_[id] = true;
+    }
+    void mark_if(std::uint32_t id, bool is_known) {
+        if (is_known) mark(id);
+    }
+
+    void read(std::uint32_t op, SpirvWords w) {
+        switch (op) {
+        case undefined:
+        case function_parameter: return mark(w[2]);
+        case function_call:
+            return mark_if(w[2], std::ranges::all_of(w.subspan(4), [&](auto id) { return holds_known(id); }));
+        case variable:
+            if (w[3] != storage_function && w[3] != storage_private) return;
+            variable_of_[w[2]] = w[2];
+            return mark_if(w[2], w.size() > 4);
+        case access_chain:
+        case in_bounds_access_chain: variable_of_[w[2]] = place(w[3]); return;
+        case load: return mark_if(w[2], known_[place(w[3])]);
+        case store: return store_to(w[1], known_[w[2]]);
+        case copy_memory: return store_to(w[1], known_[place(w[2])]);
+        case select: return mark_if(w[2], known_[w[4]] || known_[w[5]]);
+        case phi:
+            for (std::size_t i = 3; i < w.size(); i += 2) mark_if(w[2], known_[w[i]]);
+            return;
+        default: break;
+        }
+        if (op >= constant_true && op <= spec_constant_op) return mark(w[2]);
+        const Values values = values_of(op, w);
+        const SpirvWords operands = w.subspan(values.first, values.last - values.first);
+        if (!operands.empty()) mark_if(w[2], std::ranges::all_of(operands, [&](auto id) { return known_[id]; }));
+    }
+
+    /// The variable of this shader that a pointer leads into; of a function's parameter, itself; 0: other memory.
+    std::uint32_t place(std::uint32_t pointer) const {
+        const std::uint32_t of = variable_of_[pointer];
+        return of == 0 && known_[pointer] ? pointer : of;
+    }
+    /// Of an argument: a value, or the variable that it leads into.
+    bool holds_known(std::uint32_t argument) const {
+        const std::uint32_t variable = variable_of_[argument];
+        return known_[variable == 0 ? argument : variable];
+    }
+    void store_to(std::uint32_t pointer, bool is_known) {
+        if (const std::uint32_t to = place(pointer); to != 0) mark_if(to, is_known);
+    }
+
+    std::vector<bool> known_;                 ///< values; variables that hold such values
+    std::vector<std::uint32_t> variable_of_;  ///< pointers into this shader's own variables
+    bool has_changed_ = false;
+};
+
+class Keeping {
+public:
+    explicit Keeping(SpirvWords spirv) : spirv_(spirv), next_id_(spirv[spirv_bound_word]) {
+        for_each_instruction(spirv, [&](std::uint32_t op, SpirvWords w) { read(op, w); });
+    }
+
+    Module kept() {
+        if (invocation_ == 0 || uint3_ == 0 || float_ == 0) return {spirv_.begin(), spirv_.end()};
+        const Known known(spirv_);
+        Module module(spirv_.begin(), spirv_.begin() + spirv_header_words);
+        for_each_instruction(spirv_, [&](std::uint32_t op, SpirvWords w) {
+            if (op == function && shift_ == 0) write_constants(module);
+            const bool adds = (op == f_add || op == f_sub) && known.contains(w[3]) && known.contains(w[4]);
+            const std::uint32_t left = adds ? hide(module, w[1], w[3]) : 0;
+            const std::size_t at = module.size();
+            module.insert(module.end(), w.begin(), w.end());
+            if (adds) module[at + 3] = left;
+        });
+        module[spirv_bound_word] = next_id_;
+        return module;
+    }
+
+private:
+    void read(std::uint32_t op, SpirvWords w) {
+        switch (op) {
+        case decorate:
+            if (w.size() == 4 && w[2] == decoration_built_in && w[3] == global_invocation_id) invocation_ = w[1];
+            break;
+        case type_int:
+            if (w[2] == 32 && w[3] == 0) uint_ = w[1];
+            break;
+        case type_float:
+            if (w[2] == 32) float_ = w[1];
+            break;
+        case type_vector:
+            vectors_.emplace(w[1], Vector{w[2], w[3]});
+            if (w[2] == uint_ && w[3] == 3) uint3_ = w[1];
+            break;
+        default: break;
+        }
+    }
+
+    void write_constants(Module& module) {
+        shift_ = fresh();
+        sign_ = fresh();
+        append(module, constant, {uint_, shift_, 31});
+        append(module, constant, {uint_, sign_, negative_zero});
+    }
+
+    /// -0, or a vector of it, which the driver does not know: its sign is combined with the top bit of the invocation's
+    /// global number, never set. (The lowest bit of x * (x + 1) it knows to be 0.)
+    std::uint32_t unknown_zero(Module& module, std::uint32_t type) {
+        if (const auto vector = vectors_.find(type); vector != vectors_.end()) {
+            const std::uint32_t part = unknown_zero(module, vector->second.component), result = fresh();
+            module.push_back(first_word(composite_construct, vector->second.count + 3));
+            module.insert(module.end(), {type, result});
+            module.insert(module.end(), vector->second.count, part);
+            return result;
+        }
+        const std::uint32_t all = fresh(), first = fresh(), bit = fresh(), bits = fresh(), single = fresh();
+        append(module, load, {uint3_, all, invocation_});
+        append(module, composite_extract, {uint_, first, all, 0});
+        append(module, shift_right, {uint_, bit, first, shift_});
+        append(module, bit_or, {uint_, bits, bit, sign_});
+        append(module, bitcast, {float_, single, bits});
+        if (type == float_) return single;
+        const std::uint32_t result = fresh();
+        append(module, f_convert, {type, result, single});
+        return result;
+    }
+
+    std::uint32_t hide(Module& module, std::uint32_t type, std::uint32_t operand) {
+        const std::uint32_t zero = unknown_zero(module, type), result = fresh();
+        append(module, f_add, {type, result, operand, zero});
+        return result;
+    }
+
+    std::uint32_t fresh() { return next_id_++; }
+
+    struct Vector {
+        std::uint32_t component, count;
+    };
+    SpirvWords spirv_;
+    std::uint32_t next_id_, uint_ = 0, uint3_ = 0, float_ = 0, invocation_ = 0, shift_ = 0, sign_ = 0;
+    std::unordered_map<std::uint32_t, Vector> vectors_;
+};
+
+}  // namespace
+
+std::vector<std::uint32_t> with_kept_sums(std::span<const std::uint32_t> spirv) { return Keeping(spirv).kept(); }
+
+}  // namespace glift::detail
