@@ -1,5 +1,6 @@
 #include "shader_stage.h"
 
+#include "branches.h"
 #include "fixed_parameters.h"
 #include "float_controls.h"
 #include "hidden_zeros.h"
@@ -16,6 +17,7 @@ enum Constant : std::uint32_t {
     loop_rounds = 101,     ///< rounds of loops that an invocation may run; 0: any number
     fences_are_barriers = 102,
     is_cpu = 103,
+    branches_are_skipped = 104,  ///< a branch that no lane takes costs nothing
 };
 
 VkShaderModule make_module(Context& context, const Pipeline& pipeline, const Spirv& spirv) {
@@ -38,8 +40,8 @@ ShaderStage::ShaderStage(Context& context, const Pipeline& pipeline, const Spirv
     const std::uint64_t rounds = context.properties.loop_round_limit;
     const VkBool32 cpu = context.properties.kind == DeviceKind::cpu;
     constants_ = {cpu, rounds == unlimited ? 0 : static_cast<std::uint32_t>(rounds),
-                  context.properties.fences_are_barriers, cpu};
-    constexpr std::uint32_t ids[] = {exact_division, loop_rounds, fences_are_barriers, is_cpu};
+                  context.properties.fences_are_barriers, cpu, skips_branches(context.properties.kind)};
+    constexpr std::uint32_t ids[] = {exact_division, loop_rounds, fences_are_barriers, is_cpu, branches_are_skipped};
     for (std::uint32_t i = 0; i < entries_.size(); ++i)
         entries_[i] = {ids[i], i * static_cast<std::uint32_t>(sizeof constants_[0]), sizeof constants_[0]};
     special_ = {static_cast<std::uint32_t>(entries_.size()), entries_.data(), sizeof constants_, constants_.data()};

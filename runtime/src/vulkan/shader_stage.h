@@ -16,8 +16,8 @@ public:
 
 private:
     Context& context_;
-    std::array<std::uint32_t, 4> constants_;
-    std::array<VkSpecializationMapEntry, 4> entries_;
+    std::array<std::uint32_t, 5> constants_;
+    std::array<VkSpecializationMapEntry, 5> entries_;
     VkSpecializationInfo special_ = {};
     VkPipelineShaderStageCreateInfo info_ = {};
 };
