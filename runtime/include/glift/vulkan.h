@@ -4,6 +4,7 @@
 #include <glift/commands.h>
 #include <glift/device.h>
 #include <glift/memory.h>
+#include <glift/vector.h>
 
 #include <vulkan/vulkan.h>
 
@@ -86,6 +87,23 @@ struct ImageHandle {
 /// The Vulkan objects of a memory, for descriptors of the user's own. Call flush() before the user's commands use it.
 GLIFT_API BufferHandle buffer(const Memory& memory);
 GLIFT_API ImageHandle image(const Memory& memory);
+
+/// An image of the user's: two-dimensional, not multisampled, on the device. It must outlive the Memory and everything
+/// recorded with it.
+struct UserImage {
+    VkImage image = VK_NULL_HANDLE;
+    VkFormat format = VK_FORMAT_UNDEFINED;  ///< that of one of Glift's formats (host/memory.h)
+    uint2 extent;
+    std::uint32_t mips = 1, layers = 1;  ///< one layer: image2d, more: image2darray
+    VkImageUsageFlags usage = 0;         ///< that it was made with: what Glift may do with it
+    const char* name = "image";          ///< in errors; copied
+};
+
+/// A memory over the user's image, which a structure is made with in place of its own: `Film(device, extent, memory)`.
+/// Draws to it then go into the image, or into one of its levels and layers. It has to be in VK_IMAGE_LAYOUT_GENERAL
+/// whenever commands of Glift that use it run, and is left in it; its texels stay what they are. Commands throw
+/// missing_feature where the usage lacks what they need. Throws wrong_argument.
+GLIFT_API Memory adopt_image(const Device& device, const UserImage& image);
 
 /// The Vulkan objects of a device, opened or adopted.
 GLIFT_API Objects objects(const Device& device);

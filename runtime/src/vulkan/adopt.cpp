@@ -1,4 +1,5 @@
 // glift/vulkan.h
+#include "../check.h"
 #include "../text.h"
 #include "vulkan_device.h"
 
@@ -106,6 +107,38 @@ ImageHandle image(const Memory& memory) {
     const detail::VulkanMemory& object = memory_of(memory, MemoryKind::image2d, "glift::vulkan::image");
     return {object.parts.image, object.parts.sampled_view, detail::vulkan_format(memory.description().format),
             VK_IMAGE_LAYOUT_GENERAL};
+}
+
+namespace {
+
+[[noreturn]] void refuse_image(const UserImage& image, std::string why, std::string remedy) {
+    throw Error(ErrorCode::wrong_argument, "this image cannot be adopted",
+                std::string("glift::vulkan::adopt_image, ") + image.name, std::move(why), std::move(remedy));
+}
+
+Format format_of(const UserImage& image) {
+    for (std::uint8_t i = 1; i <= static_cast<std::uint8_t>(Format::d32); ++i)
+        if (detail::vulkan_format(static_cast<Format>(i)) == image.format) return static_cast<Format>(i);
+    refuse_image(image, "Glift has no texel format like VkFormat " + std::to_string(image.format),
+                 "make it with the format of one of Glift's: VK_FORMAT_R8G8B8A8_UNORM for rgba8, for example");
+}
+
+}  // namespace
+
+Memory adopt_image(const Device& device, const UserImage& image) {
+    const auto object = vulkan_device(detail::shared_device(device, "Device, glift::vulkan::adopt_image"),
+                                      "glift::vulkan::adopt_image");
+    if (!image.image) refuse_image(image, "the handle is null", "pass the VkImage");
+    if (!image.extent.x || !image.extent.y || !image.mips || !image.layers)
+        refuse_image(image, "it has no texels", "name its extent, levels and layers");
+    const MemoryDescription description =
+        detail::whole_description({.name = image.name,
+                                   .kind = image.layers == 1 ? MemoryKind::image2d : MemoryKind::image2darray,
+                                   .format = format_of(image),
+                                   .extent = {image.extent.x, image.extent.y, image.layers},
+                                   .mips = image.mips});
+    const std::lock_guard lock(object->mutex());
+    return Memory(object->adopted_image(description, image.image, image.usage));
 }
 
 Objects objects(const Device& device) {

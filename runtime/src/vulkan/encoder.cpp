@@ -170,9 +170,11 @@ void Encoder::push_descriptors(const Pipeline& pipeline, const Call& call, const
         if (binding.kind == MemoryKind::buffer) {
             if (pipeline.name != FormName::wide) (next++)->buffer = {memory.parts.buffer, 0, memory.range};
         } else if (binding.sampled) {
+            memory.require(VK_IMAGE_USAGE_SAMPLED_BIT);
             (next++)->image = {device_.pipelines().sampler(binding.sampler), memory.parts.sampled_view,
                                VK_IMAGE_LAYOUT_GENERAL};
         } else {
+            memory.require(VK_IMAGE_USAGE_STORAGE_BIT);
             (next++)->image = {VK_NULL_HANDLE, memory.parts.storage_view, VK_IMAGE_LAYOUT_GENERAL};
         }
     }

@@ -129,6 +129,7 @@ void Encoder::clear(const VulkanMemory& memory) {
 }
 
 void Encoder::clear_image(const VulkanMemory& memory) {
+    memory.require(VK_IMAGE_USAGE_TRANSFER_DST_BIT);
     const MemoryDescription& d = memory.description();
     const VkImageSubresourceRange all = all_of(memory);
     if (d.format == Format::d32) {
@@ -149,6 +150,7 @@ void Encoder::copy(const VulkanMemory& from, const VulkanMemory& to, std::span<c
 
 void Encoder::copy_to_image(const VulkanMemory& buffer, const VulkanMemory& image,
                             std::span<const ImageRegion> regions) {
+    image.require(VK_IMAGE_USAGE_TRANSFER_DST_BIT);
     const auto copies = image_copies(image, regions, 0);
     if (copies.empty()) return;
     touch(buffer, image);
@@ -158,6 +160,7 @@ void Encoder::copy_to_image(const VulkanMemory& buffer, const VulkanMemory& imag
 
 void Encoder::copy_from_image(const VulkanMemory& image, const VulkanMemory& buffer,
                               std::span<const ImageRegion> regions) {
+    image.require(VK_IMAGE_USAGE_TRANSFER_SRC_BIT);
     const auto copies = image_copies(image, regions, 0);
     if (copies.empty()) return;
     touch(image, buffer);
@@ -166,6 +169,8 @@ void Encoder::copy_from_image(const VulkanMemory& image, const VulkanMemory& buf
 }
 
 void Encoder::copy_images(const VulkanMemory& from, const VulkanMemory& to, std::span<const ImageCopyRegion> regions) {
+    from.require(VK_IMAGE_USAGE_TRANSFER_SRC_BIT);
+    to.require(VK_IMAGE_USAGE_TRANSFER_DST_BIT);
     std::vector<VkImageCopy> copies;
     for (const ImageCopyRegion& r : regions) {
         if (!r.extent[0] || !r.extent[1] || !r.extent[2]) continue;
@@ -201,6 +206,7 @@ void Encoder::upload(const VulkanMemory& to, std::span<const CopyRegion> regions
 }
 
 void Encoder::upload_image(const VulkanMemory& image, std::span<const ImageRegion> regions, const std::byte* bytes) {
+    image.require(VK_IMAGE_USAGE_TRANSFER_DST_BIT);
     const MemoryDescription& d = image.description();
     const auto packed = [&](const ImageRegion& r) {
         return std::uint64_t(r.extent[0]) * r.extent[1] * r.extent[2] * texel_bytes(d.format);
@@ -233,6 +239,7 @@ Slice Encoder::download(const VulkanMemory& from, std::span<const CopyRegion> re
 }
 
 Slice Encoder::download_image(const VulkanMemory& image, std::span<const ImageRegion> regions, std::uint64_t bytes) {
+    image.require(VK_IMAGE_USAGE_TRANSFER_SRC_BIT);
     const Slice staging = batch_->readback.take(std::max<std::uint64_t>(bytes, 4));
     const auto copies = image_copies(image, regions, staging.offset);
     if (copies.empty()) return staging;

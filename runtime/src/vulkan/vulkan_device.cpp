@@ -83,13 +83,25 @@ std::shared_ptr<VulkanMemory> VulkanDevice::new_memory(const MemoryDescription& 
     return memory;
 }
 
-std::shared_ptr<VulkanMemory> VulkanDevice::new_object(const MemoryDescription& description) {
+std::shared_ptr<VulkanMemory> VulkanDevice::unmade_object(const MemoryDescription& description) {
     context_->require_not_lost();
     collect();
     auto memory = std::make_shared<VulkanMemory>(shared_from_this(), description);
     memory->id = new_id();
     ++memories_;
+    return memory;
+}
+
+std::shared_ptr<VulkanMemory> VulkanDevice::new_object(const MemoryDescription& description) {
+    auto memory = unmade_object(description);
     memory->make();
+    return memory;
+}
+
+std::shared_ptr<VulkanMemory> VulkanDevice::adopted_image(const MemoryDescription& description, VkImage image,
+                                                          VkImageUsageFlags usage) {
+    auto memory = unmade_object(description);
+    memory->adopt(image, usage);
     return memory;
 }
 
@@ -250,7 +262,7 @@ void VulkanDevice::destroy(Retired& retired) {
     }
     vk.vkDestroyImageView(context_->device, parts.sampled_view, nullptr);
     vk.vkDestroyImageView(context_->device, parts.storage_view, nullptr);
-    vk.vkDestroyImage(context_->device, parts.image, nullptr);
+    if (!parts.is_users) vk.vkDestroyImage(context_->device, parts.image, nullptr);
     vk.vkDestroyBuffer(context_->device, parts.buffer, nullptr);
     allocator_->free(parts.allocation);
     for (const Allocation& piece : parts.pieces) allocator_->free(piece);

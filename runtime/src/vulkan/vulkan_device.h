@@ -43,6 +43,9 @@ public:
     /// The lock is held in these.
     std::shared_ptr<VulkanMemory> new_object(const MemoryDescription& description);  ///< without storage
     std::shared_ptr<VulkanMemory> new_memory(const MemoryDescription& description);
+    /// Over an image of the user's.
+    std::shared_ptr<VulkanMemory> adopted_image(const MemoryDescription& description, VkImage image,
+                                                VkImageUsageFlags usage);
     ChunkPool& chunks() { return *chunks_; }
     Pipelines& pipelines() { return *pipelines_; }
     Queries& queries() { return *queries_; }
@@ -74,6 +77,7 @@ public:
     void retire(Query query);
 
 private:
+    std::shared_ptr<VulkanMemory> unmade_object(const MemoryDescription& description);
     struct Retired {
         std::uint64_t value;
         MemoryParts parts;

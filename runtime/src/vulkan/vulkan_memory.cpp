@@ -58,18 +58,19 @@ VkImageView make_view(Context& context, VkImage image, const MemoryDescription& 
     return view;
 }
 
-VkImageUsageFlags image_usage(Context& context, const MemoryDescription& d);
-
-/// Of the sampled texels all levels, of those that are stored to the first one.
-MemoryParts::PartViews made_views(Context& context, VkImage image, const MemoryDescription& d, const Texels& texels) {
+/// Of the sampled texels all levels, of those that are stored to the first one, as far as the image's usage goes.
+MemoryParts::PartViews made_views(Context& context, const MemoryParts& parts, const MemoryDescription& d,
+                                  const Texels& texels) {
+    const VkImage image = parts.image;
     const auto range = [&](std::uint32_t mips) {
         return VkImageSubresourceRange{vulkan_aspect(d.format), texels.mip, mips, texels.layer, texels.layers};
     };
     const VkImageViewType type = view_type(d.kind);
     MemoryParts::PartViews views{texels, d.kind, VK_NULL_HANDLE, VK_NULL_HANDLE};
-    views.sampled_view = make_view(context, image, d, type, range(texels.mips), VK_IMAGE_USAGE_SAMPLED_BIT);
+    if (parts.usage & VK_IMAGE_USAGE_SAMPLED_BIT)
+        views.sampled_view = make_view(context, image, d, type, range(texels.mips), VK_IMAGE_USAGE_SAMPLED_BIT);
     try {
-        if (image_usage(context, d) & VK_IMAGE_USAGE_STORAGE_BIT)
+        if (parts.usage & VK_IMAGE_USAGE_STORAGE_BIT)
             views.storage_view = make_view(context, image, d, type, range(1), VK_IMAGE_USAGE_STORAGE_BIT);
     } catch (...) {
         context.vk.vkDestroyImageView(context.device, views.sampled_view, nullptr);
@@ -186,6 +187,7 @@ VulkanMemory::VulkanMemory(const std::shared_ptr<VulkanMemory>& whole, const Mem
     : MemoryObject(whole, description, texels), id(whole->id) {
     const MemoryParts::PartViews& views = whole->views_of(description, texels);
     parts.image = whole->parts.image;
+    parts.usage = whole->parts.usage;
     parts.sampled_view = views.sampled_view;
     parts.storage_view = views.storage_view;
 }
@@ -229,28 +231,64 @@ void VulkanMemory::make() {
     }
     const VkImageCreateInfo info = image_info(owner(), d);
     check_image_limits(context, d, info);
+    parts.usage = info.usage;
     context.check(context.vk.vkCreateImage(context.device, &info, nullptr, &parts.image), "vkCreateImage");
     context.set_name(VK_OBJECT_TYPE_IMAGE, reinterpret_cast<std::uint64_t>(parts.image), d.name);
 }
 
 void VulkanMemory::bind(VkDeviceMemory memory, VkDeviceSize offset) {
     Context& context = owner().context();
-    const MemoryDescription& d = description();
     if (is_buffer()) {
         context.check(context.vk.vkBindBufferMemory(context.device, parts.buffer, memory, offset),
                       "vkBindBufferMemory");
         return read_address();
     }
     context.check(context.vk.vkBindImageMemory(context.device, parts.image, memory, offset), "vkBindImageMemory");
-    const MemoryParts::PartViews views = made_views(context, parts.image, d, {0, d.mips, 0, face_count(d)});
+    make_views();
+}
+
+void VulkanMemory::make_views() {
+    const MemoryDescription& d = description();
+    const MemoryParts::PartViews views = made_views(owner().context(), parts, d, {0, d.mips, 0, face_count(d)});
     parts.sampled_view = views.sampled_view;
     parts.storage_view = views.storage_view;
+}
+
+void VulkanMemory::adopt(VkImage image, VkImageUsageFlags usage) {
+    parts.image = image;
+    parts.usage = usage;
+    parts.is_users = true;
+    make_views();
+}
+
+namespace {
+
+const char* usage_text(VkImageUsageFlagBits usage) {
+    switch (usage) {
+    case VK_IMAGE_USAGE_TRANSFER_SRC_BIT: return "VK_IMAGE_USAGE_TRANSFER_SRC_BIT";
+    case VK_IMAGE_USAGE_TRANSFER_DST_BIT: return "VK_IMAGE_USAGE_TRANSFER_DST_BIT";
+    case VK_IMAGE_USAGE_SAMPLED_BIT: return "VK_IMAGE_USAGE_SAMPLED_BIT";
+    case VK_IMAGE_USAGE_STORAGE_BIT: return "VK_IMAGE_USAGE_STORAGE_BIT";
+    case VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT: return "VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT";
+    case VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT: return "VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT";
+    default: return "another usage";
+    }
+}
+
+}  // namespace
+
+void VulkanMemory::require(VkImageUsageFlagBits usage) const {
+    const MemoryParts& all = whole() ? static_cast<const VulkanMemory&>(*whole()).parts : parts;
+    if (!all.is_users || all.usage & usage) return;
+    throw Error(ErrorCode::missing_feature, "an adopted image was made without a usage that is needed",
+                memory_text(description()), std::string("missing: ") + usage_text(usage),
+                "make the image with it, and name it in glift::vulkan::UserImage::usage");
 }
 
 const MemoryParts::PartViews& VulkanMemory::views_of(const MemoryDescription& description, const Texels& texels) {
     for (const MemoryParts::PartViews& known : parts.part_views)
         if (known.texels == texels && known.kind == description.kind) return known;
-    parts.part_views.push_back(made_views(owner().context(), parts.image, description, texels));
+    parts.part_views.push_back(made_views(owner().context(), parts, description, texels));
     return parts.part_views.back();
 }
 
@@ -263,8 +301,10 @@ VkImageView VulkanMemory::attachment_view(std::uint32_t mip, std::uint32_t face)
         if (known.mip == mip && known.face == face) return known.view;
     Context& context = owner().context();
     const MemoryDescription& d = description();
+    require(d.format == Format::d32 ? VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT
+                                    : VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT);
     const VkImageUsageFlags usage =
-        image_usage(context, d) & (VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT);
+        parts.usage & (VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT);
     if (!usage)
         throw Error(ErrorCode::missing_feature, "the device cannot draw to images of this kind and format",
                     memory_text(d), context.properties.name, "use another texel format, and a 2-D image or a cube");

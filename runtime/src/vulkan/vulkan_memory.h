@@ -13,7 +13,9 @@ class VulkanDevice;
 struct MemoryParts {
     VkBuffer buffer = VK_NULL_HANDLE;
     VkImage image = VK_NULL_HANDLE;
-    VkImageView sampled_view = VK_NULL_HANDLE;  ///< all mips
+    VkImageUsageFlags usage = 0;                ///< of the image
+    bool is_users = false;                      ///< the image is destroyed by the user
+    VkImageView sampled_view = VK_NULL_HANDLE;  ///< all mips; null where the usage lacks it
     VkImageView storage_view = VK_NULL_HANDLE;  ///< mip 0; null for formats that cannot be stored to
     /// What has been drawn to.
     struct AttachmentView {
@@ -47,6 +49,10 @@ public:
 
     /// Creates the buffer or the image, without storage; throws as needs_of.
     void make();
+    /// Takes the user's image, with its storage, instead.
+    void adopt(VkImage image, VkImageUsageFlags usage);
+    /// Throws missing_feature where the image was made without this usage: a user's.
+    void require(VkImageUsageFlagBits usage) const;
     /// Binds storage: its own, or a part of another memory's, which is kept alive.
     void place(const Allocation& own);
     void place(std::vector<Allocation> pieces);
@@ -67,6 +73,7 @@ public:
 
 private:
     void bind(VkDeviceMemory memory, VkDeviceSize offset);
+    void make_views();
     const MemoryParts::PartViews& views_of(const MemoryDescription& description, const Texels& texels);
     void read_address();
 

@@ -1,6 +1,7 @@
 // Draws of the language in recordings, and in a program's own command buffer.
 #include "draws.glift.hpp"
 #include "plain_vulkan.h"
+#include "user_image.h"
 
 namespace {
 
@@ -86,6 +87,99 @@ TEST(Draws, GoIntoTheProgramsCommandBuffer) {
         mine.run(commands);
     }
     EXPECT_EQ(drawing.ends(), Ends(shade_of(0.25f), shade_of(0.5f)));
+    for (const std::string& message : device.validation_messages()) ADD_FAILURE() << message;
+}
+
+/// Draws the left half into images of the program's own, in its own command buffer, after its own clears and before its
+/// own copy: one layer of one level, with the program's depths.
+TEST(Draws, GoIntoTheProgramsImages) {
+    const PlainVulkan mine;
+    const auto device = glift::vulkan::adopt(mine.objects());
+    const uint2 level(20, 12);
+    const UserImage colours(mine, {.format = VK_FORMAT_R32_UINT,
+                                   .extent = size,
+                                   .mips = 2,
+                                   .layers = 3,
+                                   .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
+                                            VK_IMAGE_USAGE_TRANSFER_DST_BIT});
+    const UserImage depths(mine,
+                           {.format = VK_FORMAT_D32_SFLOAT,
+                            .extent = level,
+                            .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT});
+    const glift::Memory image = glift::vulkan::adopt_image(device, colours.description());
+    const draws::Picture part(device, level, image.mip(1).layer(2));
+    const draws::Depth depth(device, level, glift::vulkan::adopt_image(device, depths.description()));
+    draws::Corners corners(device, 6);
+    corners.write(joined(left_half(0.25f), everything(0.75f)));  // the second is behind the program's depths
+    device.commands().flush();
+    const VkCommandBuffer commands = mine.begin();
+    {
+        colours.clear(commands, VkClearColorValue{.uint32 = {77, 0, 0, 0}});
+        depths.clear(commands, VkClearDepthStencilValue{0.5f, 0});
+        const glift::Commands into = glift::vulkan::record_into(device, commands);
+        draws::show_over(into, corners, part, depth);
+        glift::vulkan::finish(into);
+        mine.run(commands);
+    }
+    const auto ends = [](const std::vector<std::uint32_t>& texels, std::uint32_t width) {
+        return Ends(texels.front(), texels[width - 1]);
+    };
+    EXPECT_EQ(ends(colours.texels(mine, 1, 2), level.x), Ends(shade_of(0.25f), 77));
+    EXPECT_EQ(ends(colours.texels(mine, 1, 1), level.x), Ends(77, 77));
+    EXPECT_EQ(ends(colours.texels(mine, 0, 2), size.x), Ends(77, 77));
+    // Glift's own stream sees the same texels.
+    const glift::ImageRegion first[] = {{.extent = {1, 1, 1}}};
+    EXPECT_EQ(kernels::values_of<std::uint32_t>(device.commands().download_image(part.data(), first, 4).get()).front(),
+              shade_of(0.25f));
+    for (const std::string& message : device.validation_messages()) ADD_FAILURE() << message;
+}
+
+TEST(Draws, ToTheProgramsImagesNeedWhatTheyAreMadeFor) {
+    const PlainVulkan mine;
+    const auto device = glift::vulkan::adopt(mine.objects());
+    const UserImage colours(mine, {.format = VK_FORMAT_R32_UINT,
+                                   .extent = size,
+                                   .usage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT});
+    const UserImage drawn(mine, {.format = VK_FORMAT_R32_UINT,
+                                 .extent = size,
+                                 .usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT});
+    const VkCommandBuffer commands = mine.begin();
+    for (const UserImage* image : {&colours, &drawn}) image->clear(commands, VkClearColorValue{.uint32 = {3, 0, 0, 0}});
+    mine.run(commands);
+    const draws::Picture stored(device, size, glift::vulkan::adopt_image(device, colours.description())),
+        target(device, size, glift::vulkan::adopt_image(device, drawn.description()));
+    const draws::Depth depth(device, size);
+    const draws::Corners corners(device, 3);
+    const auto refused = [](const glift::Error& error, const char* why) {
+        EXPECT_EQ(error.code(), glift::ErrorCode::missing_feature) << error.what();
+        EXPECT_NE(error.why().find(why), std::string::npos) << error.what();
+        EXPECT_NE(error.remedy().find("UserImage::usage"), std::string::npos);
+    };
+    draws::make_double(device, stored);
+    refused(error_of([&] { draws::show_over(device, corners, stored, depth); }), "COLOR_ATTACHMENT_BIT");
+    refused(error_of([&] { draws::make_double(device, target); }), "STORAGE_BIT");
+    draws::show_over(device, corners, target, depth);
+    refused(error_of([&] { (void)device.commands().download_image(target.data(), {}, 4).get(); }), "TRANSFER_SRC_BIT");
+    const auto wrong = [&](glift::vulkan::UserImage image, const char* why) {
+        const auto error = error_of([&] { glift::vulkan::adopt_image(device, image); });
+        EXPECT_EQ(error.code(), glift::ErrorCode::wrong_argument) << error.what();
+        EXPECT_NE(error.why().find(why), std::string::npos) << error.what();
+    };
+    glift::vulkan::UserImage other = colours.description();
+    other.format = VK_FORMAT_B8G8R8A8_UNORM;
+    wrong(other, "no texel format");
+    other = colours.description();
+    other.image = VK_NULL_HANDLE;
+    wrong(other, "null");
+    other = colours.description();
+    other.extent.y = 0;
+    wrong(other, "no texels");
+    // A structure of another size does not take it.
+    EXPECT_EQ(error_of([&] {
+                  draws::Picture(device, {41, 24}, glift::vulkan::adopt_image(device, colours.description()));
+              }).code(),
+              glift::ErrorCode::wrong_argument);
+    device.wait();
     for (const std::string& message : device.validation_messages()) ADD_FAILURE() << message;
 }
 

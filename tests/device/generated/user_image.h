@@ -1,0 +1,28 @@
+// An image of a program's own, in VK_IMAGE_LAYOUT_GENERAL once it was cleared.
+#pragma once
+
+#include "plain_vulkan.h"
+
+#include <vector>
+
+class UserImage {
+public:
+    /// The handle is filled in.
+    UserImage(const PlainVulkan& vulkan, const glift::vulkan::UserImage& wanted);
+    ~UserImage();
+    UserImage(const UserImage&) = delete;
+
+    const glift::vulkan::UserImage& description() const { return description_; }
+    void clear(VkCommandBuffer commands, const VkClearColorValue& value) const;
+    void clear(VkCommandBuffer commands, const VkClearDepthStencilValue& value) const;
+    /// Of four bytes each, of one layer of a level. Waits.
+    std::vector<std::uint32_t> texels(const PlainVulkan& vulkan, std::uint32_t mip, std::uint32_t layer) const;
+
+private:
+    VkImageSubresourceRange all() const;
+    void order(VkCommandBuffer commands, VkImageLayout before, VkPipelineStageFlags2 stage) const;
+
+    VkDevice device_;
+    glift::vulkan::UserImage description_;
+    VkDeviceMemory memory_ = VK_NULL_HANDLE;
+};
