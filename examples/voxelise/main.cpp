@@ -90,15 +90,18 @@ public:
         points.write(mesh.points);
         const voxels::Placement place = placement_of(mesh, arguments_.extent);
         std::uint32_t columns = 0;
-        const double seconds =
-            timed([&] { columns = voxels::voxelise(device_, corners, points, place, grid_).await(device_); });
+        const double seconds = timed([&] {
+            const auto recorded = voxels::voxelise(device_, corners, points, place, grid_);
+            columns = recorded.await(device_);
+        });
         if (columns > most_columns)
             throw std::runtime_error("the triangles are too large and too many: choose a smaller --extent");
         const auto status = grid_.status(device_);
-        std::printf("%s: %zu triangles in %u^3: %u voxels in %u pages (%.2f %% of the domain), %.1f ms\n",
-                    device_.properties().name.c_str(), mesh.triangles(), arguments_.extent,
-                    voxels::touched(device_, grid_).await(device_), status.resident, percent(status.resident),
-                    1e3 * seconds);
+        std::printf(
+            "%s: %zu triangles in %u^3: %u voxels in %u pages (%.2f %% of the domain), %.1f ms, submissions: %llu\n",
+            device_.properties().name.c_str(), mesh.triangles(), arguments_.extent,
+            voxels::touched(device_, grid_).await(device_), status.resident, percent(status.resident), 1e3 * seconds,
+            static_cast<unsigned long long>(submissions_));
         if (status.refused != 0)
             throw std::runtime_error(std::to_string(status.refused) +
                                      " pages found no room: give more of them by --pages");
@@ -107,7 +110,8 @@ public:
     void measure() {
         const double seconds = timed([&] { distances::measure(device_, grid_, tree_); });
         const auto status = tree_.status(device_);
-        std::printf("octree of distances: %u pages, %.1f ms\n", status.resident, 1e3 * seconds);
+        std::printf("octree of distances: %u pages, %.1f ms, submissions: %llu\n", status.resident, 1e3 * seconds,
+                    static_cast<unsigned long long>(submissions_));
         if (status.refused != 0)
             throw std::runtime_error(std::to_string(status.refused) +
                                      " pages found no room: give more of them by --tree-pages");
@@ -130,9 +134,11 @@ public:
 private:
     template <class Work> double timed(const Work& work) {
         device_.wait();
+        const std::uint64_t before = device_.statistics().submissions;
         const auto start = std::chrono::steady_clock::now();
         work();
         device_.wait();
+        submissions_ = device_.statistics().submissions - before;
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     }
 
@@ -149,6 +155,7 @@ private:
     voxels::Grid grid_;
     distances::Tree tree_;
     voxel_pictures::Picture picture_;
+    std::uint64_t submissions_ = 0;  ///< of the work that was timed last
 };
 
 }  // namespace

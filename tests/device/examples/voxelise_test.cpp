@@ -117,6 +117,9 @@ TEST_F(Voxelise, TouchesWhatTrianglesTouch) {
         const auto result = run(device, {file});
         ASSERT_EQ(result.exit_code, 0) << result.err;
         EXPECT_THAT(result.out, HasSubstr(wanted)) << device;
+        if (device == "lavapipe") {
+            EXPECT_THAT(result.out, testing::ContainsRegex("submissions: 1\noctree.*submissions: 1\n"));
+        }
     }
 }
 
