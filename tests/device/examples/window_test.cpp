@@ -7,6 +7,7 @@
 
 #include <gmock/gmock.h>
 
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -38,6 +39,7 @@ public:
     Running(const std::string& out, const std::string& err, std::vector<std::string> words)
         : out_(out), err_(err), process_(fork()) {
         if (process_ != 0) return;
+        prctl(PR_SET_PDEATHSIG, SIGKILL);
         if (!std::freopen(out_.c_str(), "w", stdout) || !std::freopen(err_.c_str(), "w", stderr)) _exit(126);
         std::vector<char*> arguments;
         for (std::string& word : words) arguments.push_back(word.data());
