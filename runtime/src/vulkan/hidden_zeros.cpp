@@ -40,6 +40,7 @@ enum Op : std::uint32_t {
     u_convert = 113,
     s_convert = 114,
     bitcast = 124,
+    s_negate = 126,
     negate = 127,
     add = 129,
     subtract = 131,
@@ -64,6 +65,7 @@ enum Op : std::uint32_t {
 /// The range of three-component built-in inputs: WorkgroupId, LocalInvocationId, GlobalInvocationId.
 constexpr std::uint32_t decoration_built_in = 11, workgroup_id = 26, global_invocation_id = 28;
 
+constexpr std::uint32_t unpack_snorm_2x16 = 60, unpack_unorm_4x8 = 64;  ///< of GLSL.std.450, with halves between them
 constexpr std::size_t value_of_atomic = 6;  ///< index of an atomic operation's value operand
 
 using Words = SpirvWords;
@@ -92,13 +94,13 @@ Operands values_of(Words w) {
     case divide:
     case remainder:
     case modulo:
-    case select:
     case transpose:
     case vector_extract: return {3, count, Use::computes};
     case ext_inst: return {5, count, Use::computes};
     case composite_extract: return {3, 4, Use::computes};
     case vector_shuffle: return {3, 5, Use::computes};
     case phi:
+    case select:
     case composite_construct:
     case copy_object:
     case vector_insert: return {3, count, Use::passes_on};
@@ -128,7 +130,8 @@ private:
     bool is_hidden(std::uint32_t id, Use use) const;
     std::uint32_t hide(Module& module, std::uint32_t id);
     std::uint32_t hide_scalar(Module& module, Words w);
-    std::uint32_t with_bit(Module& module, Words conversion);
+    std::uint32_t with_bit(Module& module, std::uint32_t operand);
+    std::uint32_t with_all_bits(Module& module, std::uint32_t operand);
     std::uint32_t bit_as(Module& module, std::uint32_t type);
     std::uint32_t zeros(Module& module, std::uint32_t type);
     void widen(Module& module, Words conversion);
@@ -152,7 +155,7 @@ private:
     };
 
     Words spirv_;
-    std::uint32_t next_id_, uint_ = 0, uint3_ = 0, invocation_ = 0, shift_ = 0;
+    std::uint32_t next_id_, uint_ = 0, uint2_ = 0, uint3_ = 0, invocation_ = 0, shift_ = 0;
     std::unordered_map<std::uint32_t, std::uint32_t> floats_;      ///< types: their width
     std::unordered_map<std::uint32_t, std::uint32_t> integers_;    ///< types: their width
     std::unordered_map<std::uint32_t, std::uint32_t> counts_;      ///< types of 32-bit and 64-bit integers: components
@@ -200,6 +203,7 @@ void Hiding::read(Words w) {
         break;
     case type_vector:
         if (count_of(w[2]) == 1) counts_.emplace(w[1], w[3]), components_.emplace(w[1], w[2]);
+        if (w[2] == uint_ && w[3] == 2) uint2_ = w[1];
         if (w[2] == uint_ && w[3] == 3) uint3_ = w[1];
         break;
     case constant: read_constant(w); break;
@@ -251,11 +255,15 @@ std::uint32_t Hiding::hide(Module& module, std::uint32_t id) {
     return result;
 }
 
-/// The hidden zero as a number of an integer type.
+/// The hidden zero as a number of an integer type. One of 64 bits is made of two halves: of one that is converted, as
+/// of every 32-bit integer that is, Mesa gets comparisons wrong.
 std::uint32_t Hiding::bit_as(Module& module, std::uint32_t type) {
     if (type == uint_) return bit_;
+    const std::uint32_t width = integers_.at(type);
+    std::uint32_t from = bit_;
+    if (width == 64) append(module, composite_construct, {uint2_, from = fresh(), bit_, bit_});
     const std::uint32_t result = fresh();
-    append(module, integers_.at(type) == 32 ? bitcast : s_convert, {type, result, bit_});
+    append(module, width < 32 ? s_convert : bitcast, {type, result, from});
     return result;
 }
 
@@ -278,13 +286,20 @@ void Hiding::widen(Module& module, Words conversion) {
     append(module, bit_or, {conversion[1], conversion[2], widened, bits});
 }
 
-/// Combines the operand of a conversion from integers, which may become constant by unrolling, with the hidden zero.
-std::uint32_t Hiding::with_bit(Module& module, Words conversion) {
-    const std::uint32_t operand = conversion[3];
+/// Combines an integer that becomes a float, which may become constant by unrolling, with the hidden zero.
+std::uint32_t Hiding::with_bit(Module& module, std::uint32_t operand) {
     const auto type = types_.find(operand);
     if (type == types_.end()) return operand;
     const std::uint32_t bits = zeros(module, type->second), result = fresh();
     append(module, bit_or, {type->second, result, operand, bits});
+    return result;
+}
+
+/// The same for each of its bits: parts of it become floats.
+std::uint32_t Hiding::with_all_bits(Module& module, std::uint32_t operand) {
+    const std::uint32_t bits = fresh(), result = fresh();
+    append(module, s_negate, {uint_, bits, bit_});
+    append(module, bit_or, {uint_, result, operand, bits});
     return result;
 }
 
@@ -312,17 +327,27 @@ bool is_atomic(std::uint32_t op) { return op == atomic_exchange || (op >= atomic
 
 bool is_widening(std::uint32_t op) { return op == s_convert || op == u_convert; }
 
-bool is_from_integers(std::uint32_t op) { return op == convert_s_to_f || op == convert_u_to_f || op == bitcast; }
+/// The place of an integer that becomes a float, of whose bits a driver may know all; 0: this instruction has none.
+std::size_t place_of_integer(Words w) {
+    const std::uint32_t op = w[0] & 0xffffu;
+    if (op == convert_s_to_f || op == convert_u_to_f || op == bitcast) return 3;
+    return op == ext_inst && w[4] >= unpack_snorm_2x16 && w[4] <= unpack_unorm_4x8 ? 5 : 0;
+}
 
 void Hiding::write(Module& module, Words w) {
     if (is_widening(w[0] & 0xffffu) && count_of(w[1]) != 0) return widen(module, w);
     const Operands values = values_of(w);
-    const bool converts = is_from_integers(w[0] & 0xffffu) && types_.contains(w[3]) && !types_.contains(w[2]);
+    const std::size_t place = place_of_integer(w);
+    const bool converts = place != 0 && types_.contains(w[place]) && !types_.contains(w[2]);
     const bool combines = is_atomic(w[0] & 0xffffu) && integers_.contains(w[1]);
-    const std::uint32_t operand = converts ? with_bit(module, w) : combines ? as_integer(module, w) : 0;
+    const bool unpacks = converts && (w[0] & 0xffffu) == ext_inst;
+    const std::uint32_t operand = unpacks    ? with_all_bits(module, w[place])
+                                  : converts ? with_bit(module, w[place])
+                                  : combines ? as_integer(module, w)
+                                             : 0;
     const std::size_t at = module.size();
     module.insert(module.end(), w.begin(), w.end());
-    if (converts) module[at + 3] = operand;
+    if (converts) module[at + place] = operand;
     if (combines) module[at + value_of_atomic] = operand;
     for (std::size_t i = values.first; i < values.last; ++i)
         if (is_hidden(w[i], values.use)) module[at + i] = replaced_.at(w[i]);
@@ -336,7 +361,7 @@ void Hiding::write_function(Module& module) {
         for (std::size_t i = values.first; i < values.last; ++i)
             if (is_hidden(w[i], values.use)) used.push_back(w[i]);
         const std::uint32_t op = w[0] & 0xffffu;
-        if (!used.empty() || is_from_integers(op) || is_widening(op) || is_atomic(op)) has_begun = false;
+        if (!used.empty() || place_of_integer(w) != 0 || is_widening(op) || is_atomic(op)) has_begun = false;
     }
     replaced_.clear();
     for (Words w : function_) {
@@ -351,8 +376,9 @@ void Hiding::write_function(Module& module) {
     }
 }
 
-/// Declares the constants that the hidden zeros are computed with.
+/// Declares the constants that the hidden zeros are computed with, and the type of two halves where it is missing.
 void Hiding::write_constants(Module& module) {
+    if (uint2_ == 0) append(module, type_vector, {uint2_ = fresh(), uint_, 2});
     shift_ = fresh();
     append(module, constant, {uint_, shift_, 31});
     for (const auto& [id, made] : constants_)
