@@ -84,8 +84,13 @@ public:
     /// large to read: then the caller keeps its memories and tables.
     template <class S> bool keep(const char* name, const S& structure, std::string_view scalars) {
         if (!structure) return true;
-        if constexpr (!requires { structure.row_memory(); }) {
-            const Extent domain = detail::extent_of(structure.domain());
+        const Extent domain = detail::extent_of(structure.domain());
+        if constexpr (requires { structure.row_memory(); }) {
+            if (detail::volume_of(domain) > largest_compared / sizeof(typename S::Element)) {
+                notes.push_back(std::string("not compared: ") + name + ", which has more than 4 GiB");
+                return true;
+            }
+        } else {
             if (detail::volume_of(domain) > largest_kept / sizeof(typename S::Element)) {
                 notes.push_back(std::string(name) + ": its domain is " +
                                 detail::text_of(domain, detail::Axes<typename S::Address>::count) +
@@ -123,7 +128,8 @@ public:
     }
 
 private:
-    static constexpr std::uint64_t largest_kept = 1u << 28;  ///< bytes
+    static constexpr std::uint64_t largest_kept = 1u << 28;                    ///< bytes, read address by address
+    static constexpr std::uint64_t largest_compared = std::uint64_t{4} << 30;  ///< bytes, of memory
 
     GLIFT_API void expect_numbers_near(double a, double b, double tolerance, const char* place);
     /// The check, with failures of its own.

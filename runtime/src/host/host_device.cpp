@@ -1,5 +1,6 @@
 #include "host_device.h"
 
+#include "../machine_memory.h"
 #include "host_memory.h"
 #include "host_stream.h"
 
@@ -13,7 +14,7 @@ public:
         properties_.name = "host";
         properties_.driver = "compiled C++";
         properties_.kind = DeviceKind::host;
-        properties_.memory_bytes = host_memory_bytes();
+        properties_.memory_bytes = machine_memory_bytes();
         properties_.max_push_constant_bytes = UINT32_MAX;
         properties_.int8 = properties_.int16 = properties_.int64 = properties_.float64 = true;
         properties_.int64_atomics = properties_.float32_atomic_add = properties_.float32_atomic_min_max = true;

@@ -1,15 +1,13 @@
 #include "host_memory.h"
 
 #include "../image_layout.h"
+#include "../machine_memory.h"
 #include "../text.h"
 
 #include <glift/error.h>
 
 #include <algorithm>
 #include <cstdlib>
-#include <fstream>
-
-#include <unistd.h>
 
 namespace glift::detail {
 
@@ -17,40 +15,19 @@ namespace {
 
 constexpr std::uint64_t alignment = 64;
 
-/// Bytes that the machine can commit at this moment. Pages that were allocated but never touched are not subtracted, so
-/// the bytes that Glift holds are checked as well.
-std::uint64_t available_bytes() {
-    std::ifstream info("/proc/meminfo");
-    std::string word;
-    std::uint64_t kilobytes = 0;
-    while (info >> word)
-        if (word == "MemAvailable:" && info >> kilobytes) return kilobytes * 1024;
-    return unlimited;
-}
-
-/// More than that the kernel would overcommit, and kill the process when the pages are touched.
-bool fits_machine(std::uint64_t bytes, std::uint64_t held) {
-    constexpr std::uint64_t small = std::uint64_t(64) << 20;  // not worth reading the file
-    const std::uint64_t machine = host_memory_bytes();
-    return bytes <= machine && held <= machine - bytes && (bytes <= small || bytes <= available_bytes());
-}
-
 }  // namespace
-
-std::uint64_t host_memory_bytes() {
-    return std::uint64_t(sysconf(_SC_PHYS_PAGES)) * static_cast<std::uint64_t>(sysconf(_SC_PAGE_SIZE));
-}
 
 HostStorage::HostStorage(std::uint64_t bytes, const MemoryDescription& description, HostCounters& counters)
     : bytes_(bytes), counters_(counters) {
     // calloc returns large blocks as untouched zero pages; an aligned allocation and memset would touch them all.
     const std::uint64_t used = counters_.bytes, most = std::min(counters_.limit, UINT64_MAX - 2 * alignment);
-    const bool fits = used <= most && bytes <= most - used && fits_machine(bytes, used);
+    const bool fits = used <= most && bytes <= most - used && hold_machine_memory(bytes);
     if (fits) allocated_ = std::calloc(1, bytes + 2 * alignment);
     if (!allocated_) {
+        if (fits) release_machine_memory(bytes);
         throw Error(ErrorCode::out_of_memory, "the host has no memory left for a structure", memory_text(description),
-                    size_text(bytes) + " asked for; the machine has " + size_text(host_memory_bytes()) + ", of which " +
-                        size_text(used) + " are in use by Glift" +
+                    size_text(bytes) + " asked for; the machine has " + size_text(machine_memory_bytes()) +
+                        ", of which " + size_text(used) + " are in use by Glift" +
                         (counters_.limit == unlimited ? "" : "; GLIFT_MEMORY_LIMIT is " + size_text(counters_.limit)),
                     "free structures that are no longer used, or make them smaller");
     }
@@ -61,6 +38,7 @@ HostStorage::HostStorage(std::uint64_t bytes, const MemoryDescription& descripti
 
 HostStorage::~HostStorage() {
     std::free(allocated_);
+    release_machine_memory(bytes_);
     counters_.bytes -= bytes_;
 }
 

@@ -8,9 +8,6 @@
 
 namespace glift::detail {
 
-/// The machine's physical memory.
-std::uint64_t host_memory_bytes();
-
 struct HostCounters {
     std::atomic<std::uint64_t> passes{0}, memories{0}, bytes{0};
     const std::uint64_t limit = memory_limit();  ///< of bytes

@@ -2,6 +2,7 @@
 
 #include "../environment.h"
 #include "../free_ranges.h"
+#include "../machine_memory.h"
 
 #include <algorithm>
 
@@ -31,7 +32,8 @@ constexpr VkDeviceSize largest_block = VkDeviceSize(256) << 20;
 
 }  // namespace
 
-Allocator::Allocator(Context& context) : context_(context), limit_(memory_limit()) {}
+Allocator::Allocator(Context& context)
+    : context_(context), limit_(memory_limit()), is_cpu_(context.properties.kind == DeviceKind::cpu) {}
 
 Allocator::~Allocator() {
     for (auto& pool : pools_) {
@@ -82,6 +84,13 @@ Allocator::Pool& Allocator::pool(std::uint32_t type, bool linear) {
 
 Block* Allocator::add_block(Pool& pool, VkDeviceSize bytes) {
     if (reserved_ + bytes > limit_) return nullptr;
+    if (is_cpu_ && !hold_machine_memory(bytes)) return nullptr;
+    Block* const made = allocate_block(pool, bytes);
+    if (is_cpu_ && !made) release_machine_memory(bytes);
+    return made;
+}
+
+Block* Allocator::allocate_block(Pool& pool, VkDeviceSize bytes) {
     const VkMemoryAllocateFlagsInfo flags = {.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_FLAGS_INFO,
                                              .flags = VK_MEMORY_ALLOCATE_DEVICE_ADDRESS_BIT};
     const VkMemoryAllocateInfo info = {.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO,
@@ -113,6 +122,7 @@ Block* Allocator::add_block(Pool& pool, VkDeviceSize bytes) {
 void Allocator::release_block(Pool& pool, std::size_t index) {
     Block& block = *pool.blocks[index];
     reserved_ -= block.bytes;
+    if (is_cpu_) release_machine_memory(block.bytes);
     context_.vk.vkFreeMemory(context_.device, block.memory, nullptr);
     pool.blocks.erase(pool.blocks.begin() + static_cast<std::ptrdiff_t>(index));
 }

@@ -45,6 +45,7 @@ private:
 
     Pool& pool(std::uint32_t type, bool linear);
     Block* add_block(Pool& pool, VkDeviceSize bytes);
+    Block* allocate_block(Pool& pool, VkDeviceSize bytes);
     void release_block(Pool& pool, std::size_t index);
     bool release_empty_blocks();
     bool choose_type(std::uint32_t allowed, MemoryUse use, std::uint32_t& type) const;
@@ -52,6 +53,7 @@ private:
     Context& context_;
     std::vector<std::unique_ptr<Pool>> pools_;
     std::uint64_t used_ = 0, reserved_ = 0, limit_;
+    bool is_cpu_;  ///< its memory is the machine's
 };
 
 }  // namespace glift::detail
