@@ -321,6 +321,11 @@ Operand call_method(Body& body, const Operand& self, ast::Identifier method, con
     if ((name == "load" || name == "store") && addressed) return several_elements(body, self, method, call, wanted);
     const bool translates =
         ir::physical_type(body.program(), body.program().structures[self.structure]) != ir::TypeId{};
+    if (body.kind == BodyKind::pipeline && (name == "find" || name == "contains" || name == "translate")) {
+        note(c.error(Diag::translation_in_pipeline, method.span, {name}), method.span,
+             "ask in a kernel that takes the structure as any<S>, and write what it finds");
+        return error_operand(call.span);
+    }
     if ((name == "find" || name == "contains") && addressed && !translates) {
         const ir::ExprId at = address(domain);
         if (is_error(body, at)) return error_operand(call.span);

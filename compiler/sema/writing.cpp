@@ -98,6 +98,19 @@ void check_direction(Context& c, const ast::Param& param, ir::KernelParam& made)
     }
 }
 
+namespace {
+
+/// Devices add floats in images, and find no minimum or maximum of them.
+void check_float_image(Context& c, const ast::Expr& op, std::uint32_t index) {
+    const ir::Structure& structure = c.program.structures[index];
+    if (structure.kind != ir::StructureKind::stored) return;  // reported as written
+    if (ir::root_memory(c.program, structure).shape == ir::MemoryShape::buffer) return;
+    note(c.error(Diag::scatter_image, op.span, {c.text(op.name), structure.display}), op.span,
+         "keep them in a buffer, as Array<n, float> does");
+}
+
+}  // namespace
+
 ir::Combine check_combine(Context& c, ast::ExprId operation, std::uint32_t structure) {
     const ast::Expr& op = c[operation];
     const auto combine = op.kind == ast::ExprKind::name ? combine_of(c.text(op.name)) : std::nullopt;
@@ -110,6 +123,7 @@ ir::Combine check_combine(Context& c, ast::ExprId operation, std::uint32_t struc
     const bool bits = *combine >= ir::Combine::bit_and;
     const bool fits = element == c.types().int_ || element == c.types().uint || (element == c.types().float_ && !bits);
     if (!fits) c.error(Diag::scatter_element, op.span, {c.text(op.name), c.text(element)});
+    else if (element == c.types().float_ && *combine != ir::Combine::add) check_float_image(c, op, structure);
     return *combine;
 }
 
