@@ -321,11 +321,6 @@ Operand call_method(Body& body, const Operand& self, ast::Identifier method, con
     if ((name == "load" || name == "store") && addressed) return several_elements(body, self, method, call, wanted);
     const bool translates =
         ir::physical_type(body.program(), body.program().structures[self.structure]) != ir::TypeId{};
-    if (body.kind == BodyKind::pipeline && (name == "find" || name == "contains" || name == "translate")) {
-        note(c.error(Diag::translation_in_pipeline, method.span, {name}), method.span,
-             "ask in a kernel that takes the structure as any<S>, and write what it finds");
-        return error_operand(call.span);
-    }
     if ((name == "find" || name == "contains") && addressed && !translates) {
         const ir::ExprId at = address(domain);
         if (is_error(body, at)) return error_operand(call.span);
@@ -333,6 +328,11 @@ Operand call_method(Body& body, const Operand& self, ast::Identifier method, con
         return name == "find" ? found_where(body, self, has, at, call.span) : value_operand(body, has, call.span);
     }
     if ((name == "find" || name == "translate" || name == "contains") && translates) {
+        if (body.kind == BodyKind::pipeline) {
+            note(c.error(Diag::translation_in_pipeline, method.span, {name}), method.span,
+                 "ask in a kernel that takes the structure as any<S>, and write what it finds");
+            return error_operand(call.span);
+        }
         ir::ExprId at = address(domain);
         if (is_error(body, at)) return error_operand(call.span);
         const ir::TypeId physical = ir::physical_type(body.program(), body.program().structures[self.structure]);
