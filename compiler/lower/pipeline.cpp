@@ -11,6 +11,7 @@
 #include "lower/dispatch.h"
 #include "lower/expand.h"
 #include "lower/find_rows.h"
+#include "lower/fold_constants.h"
 #include "lower/loops.h"
 #include "lower/lower.h"
 #include "lower/one_place.h"
@@ -388,6 +389,11 @@ Pass lower_function(Program& program, Diagnostics& diagnostics, const Kernel& ke
 }
 
 Lowered lower(Program& program, Diagnostics& diagnostics, Settings settings) {
+    const std::vector<FunctionId> folded = fold_constants(program);
+    if (settings.trace != nullptr) {
+        settings.trace->note("fold_constants", program, folded);
+        if (settings.trace->stop_after == "fold_constants") return {};
+    }
     mark_affine(program);
     mark_contained(program);
     widen_extents(program);  // what the other two follow is the extent as it was written

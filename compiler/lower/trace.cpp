@@ -4,6 +4,9 @@
 #include "ir/print.h"
 #include "ir/walk.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace gliftc::lower {
 
 namespace {
@@ -32,6 +35,20 @@ void Trace::note(std::string_view pass_name, const ir::Program& program, const i
     for (ir::ExprId fact : facts)
         if (is_of_address(program, pass, fact)) shown_facts.push_back(fact);
     text += concat("// ", what, ", after ", pass_name, "\n", ir::print(program, shown, shown_facts), "\n");
+}
+
+void Trace::note(std::string_view pass_name, const ir::Program& program, const std::vector<ir::FunctionId>& functions) {
+    if (pass_name != dump_after) return;
+    for (std::uint32_t module = 0; module < program.modules.size(); ++module) {
+        const auto kernel = std::ranges::find(program.kernels, module, &ir::Kernel::module);
+        if (!program.modules[module].is_root || kernel == program.kernels.end()) continue;
+        ir::Pass shown;
+        shown.kernel = static_cast<std::uint32_t>(kernel - program.kernels.begin());
+        std::ranges::copy_if(functions, std::back_inserter(shown.functions),
+                             [&](ir::FunctionId id) { return program.functions[id].module == module; });
+        if (shown.functions.empty()) continue;
+        text += concat("// functions, after ", pass_name, "\n", ir::print(program, shown), "\n");
+    }
 }
 
 }  // namespace gliftc::lower

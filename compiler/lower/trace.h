@@ -18,6 +18,8 @@ struct Trace {
     /// Writes variants down if they are asked for. `what` names them: "body", "two elements", "interior", a function.
     void note(std::string_view pass_name, const ir::Program& program, const ir::Pass& pass,
               const std::vector<ir::Variant>& variants, const std::vector<ir::ExprId>& facts, std::string_view what);
+    /// Writes functions of the root modules down that all passes share, as those of their module's first kernel.
+    void note(std::string_view pass_name, const ir::Program& program, const std::vector<ir::FunctionId>& functions);
 };
 
 }  // namespace gliftc::lower

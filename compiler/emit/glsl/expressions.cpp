@@ -1,13 +1,9 @@
 // Expressions, with no more parentheses than a reader wants.
 #include "base/concat.h"
 #include "emit/glsl/printer.h"
-#include "ir/evaluate.h"
 #include "ir/levels.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
-#include <optional>
 #include <stdexcept>
 
 namespace gliftc::glsl {
@@ -275,44 +271,7 @@ std::string print_whole(Printer& p, ExprId id) {
     return text.level < Level::postfix ? concat("(", text.text, ")") : std::move(text.text);
 }
 
-bool is_of_constants(const Printer& p, ExprId id) {
-    const Expr& expr = p.program.exprs[id];
-    switch (expr.op) {
-    case Op::constant: return true;
-    case Op::construct:
-    case Op::convert:
-    case Op::unary:
-    case Op::binary:
-    case Op::select:
-    case Op::swizzle:
-    case Op::intrinsic:
-        return std::ranges::all_of(expr.operands, [&](ExprId operand) { return is_of_constants(p, operand); });
-    default: return false;
-    }
-}
-
-/// The value of arithmetic of constants, which lowering leaves in functions that are called. glslang would compute it
-/// in doubles: -0.001 * -0.001 of floats is 1.00000011e-6, not 1e-6.
-std::optional<Text> print_computed(Printer& p, ExprId id) {
-    const Expr& expr = p.program.exprs[id];
-    const ir::Types& types = p.program.types;
-    const bool computes = expr.op == Op::convert || expr.op == Op::unary || expr.op == Op::binary ||
-                          expr.op == Op::select || expr.op == Op::intrinsic;
-    const bool is_of_floats = types.is_scalar(expr.type) || types.is_vector(expr.type);
-    if (!computes || !is_of_floats || !types.is_floating(types.scalar_of(expr.type)) || !is_of_constants(p, id))
-        return std::nullopt;
-    const std::optional<ir::Value> value = ir::evaluate(p.program, id);
-    if (!value || !std::ranges::all_of(value->lanes, [](const ir::Lane& lane) { return std::isfinite(lane.number); }))
-        return std::nullopt;
-    std::string parts;
-    for (const ir::Lane& lane : value->lanes)
-        parts += (parts.empty() ? "" : ", ") + literal(p, types.scalar_of(expr.type), lane.bits, lane.number);
-    if (types.is_vector(expr.type)) return Text{type_text(p, expr.type) + "(" + parts + ")"};
-    return Text{parts, parts[0] == '-' ? Level::unary : Level::postfix};
-}
-
 Text print_node(Printer& p, ExprId id) {
-    if (std::optional<Text> computed = print_computed(p, id)) return *std::move(computed);
     const Expr& expr = p.program.exprs[id];
     switch (expr.op) {
     case Op::constant: {

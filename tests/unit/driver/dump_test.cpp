@@ -1,4 +1,5 @@
-// --dump-after: the text of the golden kernels after every pass parses and prints again to the same text.
+// --dump-after: the text of kernels after every pass parses and prints again to the same text. The kernels are those of
+// the golden tests and of the tests of passes.
 #include "driver/compile.h"
 #include "ir/print.h"
 #include "ir/read.h"
@@ -12,11 +13,12 @@
 namespace gliftc {
 namespace {
 
-std::vector<std::filesystem::path> goldens() {
+std::vector<std::filesystem::path> sources() {
     std::vector<std::filesystem::path> found;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(GLIFT_SOURCE_DIR "/tests/golden"))
-        if (entry.path().extension() == ".glift" && entry.path().parent_path().filename() != "support")
-            found.push_back(entry.path());
+    for (const char* folder : {"/tests/golden", "/tests/passes"})
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(std::string(GLIFT_SOURCE_DIR) + folder))
+            if (entry.path().extension() == ".glift" && entry.path().parent_path().filename() != "support")
+                found.push_back(entry.path());
     return found;
 }
 
@@ -52,7 +54,7 @@ std::string without_comments(const std::string& text) {
 TEST(DumpAfter, ReadsBackAsItWasForEveryPass) {
     std::set<std::string> seen;
     for (const std::string& pass : pass_names()) {
-        for (const std::filesystem::path& file : goldens()) {
+        for (const std::filesystem::path& file : sources()) {
             SCOPED_TRACE(file.filename().string() + " after " + pass);
             const std::string text = dumped(file, pass);
             if (!text.empty()) seen.insert(pass);

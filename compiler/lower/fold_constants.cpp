@@ -1,0 +1,102 @@
+#include "lower/fold_constants.h"
+
+#include "ir/evaluate.h"
+#include "lower/make.h"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+namespace gliftc::lower {
+
+using namespace ir;
+
+namespace {
+
+class Folder {
+public:
+    explicit Folder(Program& program) : p(program), make_(program) {}
+
+    std::vector<StmtId> body(const std::vector<StmtId>& statements) {
+        std::vector<StmtId> made;
+        for (StmtId id : statements) made.push_back(statement(id));
+        return made;
+    }
+
+private:
+    StmtId statement(StmtId id) {
+        const Stmt stmt = p.stmts[id];
+        Make::Parts parts{expression(stmt.target), expression(stmt.value), expression(stmt.limit), body(stmt.body),
+                          body(stmt.otherwise)};
+        return make_.again(id, std::move(parts));
+    }
+
+    ExprId expression(ExprId id) {
+        if (!id) return id;
+        if (const auto found = made_.find(id); found != made_.end()) return found->second;
+        const ExprId made = folded(id);
+        made_.emplace(id, made);
+        return made;
+    }
+
+    ExprId folded(ExprId id) {
+        if (const std::optional<Value> value = value_of(id)) return materialize(p, *value, p.exprs[id].span);
+        Operands operands;
+        for (ExprId operand : p.exprs[id].operands) operands.push_back(expression(operand));
+        if (operands == p.exprs[id].operands) return id;
+        Expr copy = p.exprs[id];
+        copy.operands = std::move(operands);
+        return p.exprs.add(std::move(copy));
+    }
+
+    /// Where the expression computes of constants alone.
+    std::optional<Value> value_of(ExprId id) const {
+        const Expr& expr = p.exprs[id];
+        const bool computes = expr.op == Op::convert || expr.op == Op::unary || expr.op == Op::binary ||
+                              expr.op == Op::select || expr.op == Op::intrinsic;
+        const bool is_number = p.types.is_scalar(expr.type) || p.types.is_vector(expr.type);
+        if (!computes || !is_number || !p.types.is_floating(p.types.scalar_of(expr.type)) || !is_of_constants(id))
+            return std::nullopt;
+        std::optional<Value> value = evaluate(p, id);
+        const auto is_finite = [](const Lane& lane) { return std::isfinite(lane.number); };
+        return value && std::ranges::all_of(value->lanes, is_finite) ? value : std::nullopt;
+    }
+
+    bool is_of_constants(ExprId id) const {
+        const Expr& expr = p.exprs[id];
+        switch (expr.op) {
+        case Op::constant: return true;
+        case Op::construct:
+        case Op::convert:
+        case Op::unary:
+        case Op::binary:
+        case Op::select:
+        case Op::swizzle:
+        case Op::intrinsic:
+            return std::ranges::all_of(expr.operands, [&](ExprId operand) { return is_of_constants(operand); });
+        default: return false;
+        }
+    }
+
+    Program& p;
+    Make make_;
+    std::unordered_map<ExprId, ExprId> made_;
+};
+
+}  // namespace
+
+std::vector<FunctionId> fold_constants(Program& program) {
+    Folder folder(program);
+    std::vector<FunctionId> changed;
+    for (std::uint32_t i = 0; i < program.functions.size(); ++i) {
+        const FunctionId id{i};
+        if (!program.functions[id].structures.empty()) continue;  // made anew for each place, and folded with that
+        std::vector<StmtId> body = folder.body(program.functions[id].body);
+        if (body == program.functions[id].body) continue;
+        program.functions[id].body = std::move(body);
+        changed.push_back(id);
+    }
+    return changed;
+}
+
+}  // namespace gliftc::lower
