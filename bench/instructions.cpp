@@ -4,6 +4,7 @@
 
 #include <fstream>
 #include <stdexcept>
+#include <unordered_map>
 
 namespace bench {
 
@@ -22,14 +23,19 @@ std::vector<std::uint32_t> read_spirv(const std::string& path) {
     return words;
 }
 
-std::size_t instructions_of(const std::vector<std::uint32_t>& spirv) {
-    // The passes of `spirv-opt -O`.
-    spvtools::Optimizer optimizer(SPV_ENV_UNIVERSAL_1_6);
+namespace {
+
+/// What the passes of `spirv-opt -O` leave, after those that are registered.
+std::vector<std::uint32_t> optimised(spvtools::Optimizer& optimizer, const std::vector<std::uint32_t>& spirv) {
     optimizer.RegisterPerformancePasses();
     spvtools::OptimizerOptions options;
     options.set_run_validator(false);  // it does not take scalar layout for granted
     std::vector<std::uint32_t> words;
     if (!optimizer.Run(spirv.data(), spirv.size(), &words, options)) throw std::runtime_error("spirv-opt failed");
+    return words;
+}
+
+std::size_t counted(const std::vector<std::uint32_t>& words) {
     std::size_t count = 0;
     bool inside = false;
     for (std::size_t at = 5; at < words.size(); at += words[at] >> 16) {
@@ -39,6 +45,23 @@ std::size_t instructions_of(const std::vector<std::uint32_t>& spirv) {
         if (op == op_function_end) inside = false;
     }
     return count;
+}
+
+}  // namespace
+
+std::size_t instructions_of(const std::vector<std::uint32_t>& spirv) {
+    spvtools::Optimizer optimizer(SPV_ENV_UNIVERSAL_1_6);
+    return counted(optimised(optimizer, spirv));
+}
+
+std::size_t instructions_of(const Shader& shader) {
+    std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> values;
+    for (const auto& [id, value] : shader.constants) values[id] = {value};
+    spvtools::Optimizer optimizer(SPV_ENV_UNIVERSAL_1_6);
+    optimizer.RegisterPass(spvtools::CreateSetSpecConstantDefaultValuePass(values))
+        .RegisterPass(spvtools::CreateFreezeSpecConstantValuePass())
+        .RegisterPass(spvtools::CreateFoldSpecConstantOpAndCompositePass());
+    return counted(optimised(optimizer, shader.words));
 }
 
 }  // namespace bench

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -11,5 +12,13 @@ std::vector<std::uint32_t> read_spirv(const std::string& path);
 
 /// Instructions inside functions after spirv-opt -O, without lines and labels of debug information.
 std::size_t instructions_of(const std::vector<std::uint32_t>& spirv);
+
+struct Shader {
+    std::vector<std::uint32_t> words;
+    std::map<std::uint32_t, std::uint32_t> constants;  ///< values of specialisation constants
+};
+
+/// With these constants in place.
+std::size_t instructions_of(const Shader& shader);
 
 }  // namespace bench
