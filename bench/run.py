@@ -16,6 +16,7 @@ import algorithm_tables
 import algorithms
 import compile_speed
 import depth_of_field
+import pages
 import plot
 
 DISPATCH_ROWS = {
@@ -122,6 +123,21 @@ def print_neighbours(bench, options, folder):
     return run_bench([os.path.join(bench, "bench_neighbours"), "--json", file], file)
 
 
+def print_lookups(bench, options, folder):
+    print("\n## Reads through address translators beside reads by hand: thesis table 6.1\n")
+    file = os.path.join(folder, "lookups.json")
+    return run_bench([os.path.join(bench, "bench_lookups"), "--runs", str(options.runs), "--json", file], file)
+
+
+def print_pages(bench, options, folder):
+    print("\n## Reads of arrays in pages, by the size of a page: thesis figure 6.1")
+    file = os.path.join(folder, "pages.json")
+    devices, good = run_bench([os.path.join(bench, "bench_pages"), "--json", file], file)
+    if options.plots:
+        draw_or_say(lambda: pages.draw(devices, os.path.join(options.plots, "pages.png")), options.plots)
+    return devices, good
+
+
 def print_compiler(bench, *_):
     print("\n## Compiling, all outputs but SPIR-V\n")
     compiling = compile_speed.measure(os.path.join(bench, "..", "bin", "gliftc"))
@@ -131,7 +147,7 @@ def print_compiler(bench, *_):
 
 PARTS = {"twins": print_twins, "dispatch": print_dispatch, "host": print_host, "algorithms": print_algorithms,
          "depth_of_field": print_depth_of_field, "moving_band": print_moving_band,
-         "neighbours": print_neighbours, "compiler": print_compiler}
+         "neighbours": print_neighbours, "lookups": print_lookups, "pages": print_pages, "compiler": print_compiler}
 
 
 def main():
