@@ -1,4 +1,4 @@
-// What tells texts from each other, for caches.
+// Hashes of texts, as keys of caches.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace gliftc {
 
-/// FNV-1a of two beginnings: what differs gives other digits.
+/// FNV-1a from two offset bases: 128 bits.
 class Digest {
 public:
     void add(std::string_view text) {
@@ -16,7 +16,7 @@ public:
             a_ = (a_ ^ c) * prime;
             b_ = (b_ ^ c) * prime;
         }
-        a_ = (a_ ^ 0x100) * prime;  // where a text ends
+        a_ = (a_ ^ 0x100) * prime;  // ends a text: {"ab", "c"} is not {"a", "bc"}
         b_ = (b_ ^ 0x100) * prime;
     }
     std::string digits() const {

@@ -30,25 +30,25 @@ struct Options {
     std::vector<std::pair<std::string, std::string>> defines;
     std::vector<Target> targets;  ///< empty: all
     std::optional<Stage> stop_after, dump;
-    std::string stop_after_pass, dump_after;  ///< passes of lower/passes.h
+    std::string stop_after_pass, dump_after;  ///< names of passes (lower/passes.h); empty: none
     bool check_only = false;                  ///< --check: report, write nothing (fmt: say what is not formatted)
     bool checked = false;                     ///< --checked: generated code reports accesses out of range
     bool optimize = false;                    ///< -O: SPIR-V through spirv-opt
     bool host_only = false;                   ///< --host-only: C++ without SPIR-V inside
     std::uint32_t shards = 1;                 ///< --shards: sources that the kernels of a module are spread over
-    bool spirv_files = false;                 ///< --spirv-files: C++ that takes SPIR-V in from files beside it
-    bool source_lines = false;                ///< -g: C++ of which debuggers show the .glift file
+    bool spirv_files = false;                 ///< --spirv-files: generated C++ embeds SPIR-V from files beside it
+    bool source_lines = false;                ///< -g: #line in generated C++, so that debuggers show the .glift file
     bool list_outputs = false;
     bool time_report = false;
-    std::string depfile;          ///< empty: none is asked for by name
-    bool writes_depfile = false;  ///< -MD: beside the outputs, also where not all targets are written
-    std::string style;            ///< of the generated C++: a .clang-format file or a name; empty: ours
+    std::string depfile;          ///< --depfile, -MF: the path of the Makefile rule; empty: not given
+    bool writes_depfile = false;  ///< -MD: write that rule as NAME.glift.d also where --target leaves outputs out
+    std::string style;            ///< --style, of generated C++: a .clang-format file or a name; empty: as printed
     DiagnosticsFormat diagnostics_format = DiagnosticsFormat::text;
     ColourChoice colour = ColourChoice::automatic;
     bool warnings_are_errors = false;
     std::vector<Diag> silenced, promoted;
     std::size_t error_limit = 50;
-    std::string device;       ///< test: which device to compare with the host; empty: GLIFT_DEVICE, else any
+    std::string device;       ///< test: which device to compare with the host; empty: GLIFT_DEVICE, else the best
     std::string test_filter;  ///< test: only tests with this in their title
     bool validate = true;     ///< test: with Vulkan's validation layer
     bool list_tests = false;  ///< test: print titles, run nothing

@@ -1,4 +1,5 @@
-// What a run of `gliftc test` asked the disk and what it made: while the answers are the same, so is what they lead to.
+// A memo of runs of `gliftc test`: the files that a run read, and the program that it built. While the files are the
+// same, the next run starts that program.
 #pragma once
 
 #include "driver/file_system.h"
@@ -16,11 +17,12 @@ struct TestProgram {
     std::vector<cpp::TestName> tests;
 };
 
-/// Notes every question that a compilation asks the disk, with a digest of the answer.
+/// A record of every question that a compilation asks the disk (is there this file, what is in it), with a digest of
+/// the answer.
 class Questions {
 public:
     FileSystem noting(const FileSystem& disk);
-    /// A file that was read in another way.
+    /// Notes a file that was read by other means than `noting`.
     void note_read(const std::string& path);
     const std::string& text() const { return text_; }
 
@@ -30,10 +32,10 @@ private:
     std::string text_;
 };
 
-/// Writes what a run without messages asked and made.
+/// Writes the record of a run that printed no messages, and the programs that it made.
 void remember_run(const std::string& record, const Questions& questions, const std::vector<TestProgram>& programs);
 
-/// What it made, if the disk would answer the same.
+/// The programs of that run, if the disk answers every question as it did then.
 std::optional<std::vector<TestProgram>> recall_run(const std::string& record, const FileSystem& disk);
 
 }  // namespace gliftc

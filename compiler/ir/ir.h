@@ -225,7 +225,7 @@ enum class Mapping : std::uint8_t {
     many_to_one,         ///< declared by @many_to_one
 };
 
-/// What is inferred of a translator, or declared by @attributes and checked (thesis section 3.3).
+/// What is inferred of a translator, or declared by @attributes and checked (thesis section 3.2.3).
 struct Properties {
     bool partial = false;     ///< translate gives an optional
     bool invertible = false;  ///< has invert

@@ -33,8 +33,8 @@ std::int64_t times(std::int64_t a, std::int64_t b) {
     return static_cast<std::int64_t>(static_cast<std::uint64_t>(a) * static_cast<std::uint64_t>(b));
 }
 
-/// Whether the divisor is a multiple of a row's length, and the row begins at such a multiple: the quotient is one for
-/// all of the row.
+/// Whether a / b is the same for all elements of a row: rows begin at multiples of their length, `a.aligned`, and b is
+/// such a multiple, too.
 bool is_by_rows(const Slope& a, const Slope& b) {
     return a.step == 1 && a.aligned != 0 && b.constant && *b.constant > 0 && *b.constant % a.aligned == 0;
 }
@@ -140,7 +140,7 @@ bool RowSlopes::is_word(ir::TypeId type) const {
     return scalar == program_.types.int_ || scalar == program_.types.uint;
 }
 
-/// Of a vector by a constant index.
+/// The slope of `vector[constant]`.
 std::optional<Slope> RowSlopes::of_component(const Expr& expr) {
     const Slope index = of(expr.operands[1])[0];
     const bool is_known = index.constant && *index.constant >= 0 && *index.constant < 4;
@@ -201,7 +201,7 @@ Slopes RowSlopes::of(ExprId id) {
     case Op::image_sample:
     case Op::builtin: return unknown();
     }
-    // What is the same along the row stays so.
+    // What is computed of values that are constant along the row is constant along the row.
     for (ExprId operand : expr.operands) {
         if (!all_steady(of(operand), program_.types.components(program_.exprs[operand].type))) return unknown();
     }

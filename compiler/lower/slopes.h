@@ -14,10 +14,11 @@ struct Slope {
     bool known = false;
     std::int64_t step = 0;                 ///< known: added for each element, modulo 2^32
     std::optional<std::int64_t> constant;  ///< known with step 0: its value, where that is a constant
-    std::uint32_t aligned = 0;             ///< step 1: rows of so many elements begin where it is a multiple of that
+    std::uint32_t aligned = 0;  ///< step 1: the row has so many elements, and at its first one the value is a multiple
+                                ///< of that; 0: not known
 };
 
-/// Of the parts of a scalar or vector; others are never known.
+/// One for each component of a scalar or vector; those of values of other types are never known.
 using Slopes = std::array<Slope, 4>;
 
 /// The slopes of values within one function or kernel body.
@@ -27,7 +28,7 @@ public:
     /// has, which begins at a multiple of that; 0: not known.
     RowSlopes(const ir::Program& program, ir::LocalId address, std::uint32_t row = 0);
 
-    /// Takes note of a statement that every element executes, in order.
+    /// Takes note of a statement that every element executes. Called in the order of the statements.
     void learn(const ir::Stmt& stmt);
     /// The local has one value for the whole row.
     void learn_steady(ir::LocalId local);

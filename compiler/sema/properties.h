@@ -1,4 +1,4 @@
-// The six properties of a translator (thesis section 3.3): inferred where possible, else declared and checked.
+// The six properties of a translator (thesis section 3.2.3): inferred where possible, else declared and checked.
 #pragma once
 
 #include "sema/context.h"

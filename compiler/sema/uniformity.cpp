@@ -1,5 +1,5 @@
-// A data-flow analysis of the kernel and, at their calls, of the functions with its workgroup: levels only rise, and
-// the walk is repeated to a fixed point.
+// A forward data-flow analysis of a kernel's body. Functions that declare a workgroup (`group`) are analysed at each
+// call, since they contain barriers. Levels only rise; the walk is repeated until none does, then once more to report.
 #include "sema/uniformity.h"
 
 #include "ir/effects.h"
@@ -105,7 +105,7 @@ private:
     Call call_ = 0;
     std::vector<std::uint32_t> roots_;  ///< the kernel's parameter behind each Place root
     Flow control_flow_;
-    Flow left_;  ///< where some fragments have ended, those that go on are not all
+    Flow left_;  ///< control flow to the returns and discards so far: what follows them runs without those that left
     Flow result_;
     Flow* exit_ = nullptr;  ///< of the innermost loop
     Interval interval_;
@@ -168,10 +168,10 @@ void Uniformity::loop_(ir::StmtId id) {
         if (stmt.op == ir::StmtOp::for_ && bound == stmt.value) raise(locals_[{call_, stmt.local}], flow);
     }
     control_flow_ = worse(control_flow_, exit);
-    if (stmt.op == ir::StmtOp::while_) value(stmt.value);  // from the second round on
+    if (stmt.op == ir::StmtOp::while_) value(stmt.value);  // again, under what breaks and continues decide
     const Interval entry = interval_;
     const bool reports = std::exchange(reports_, false);
-    if (may_leave) walk(stmt.body);  // who leaves in one round is missing in the next
+    if (may_leave) walk(stmt.body);  // an invocation that leaves in one round is missing from the start of the next
     reports_ = reports;
     walk(stmt.body);
     if (last.add(interval_)) changed_ = true;
@@ -243,7 +243,8 @@ Flow Uniformity::choice(const ir::Expr& node) {
     return flow;
 }
 
-/// What is interpolated differs between the fragments of a quad, unless it is that of the first corner.
+/// Varyings differ between the fragments of a quad, except flat ones, which have the value of the triangle's first
+/// vertex.
 Flow Uniformity::varying(ir::LocalId local) const {
     if (!kernel_.raster) return {};
     for (const ir::Varying& varying : kernel_.raster->varyings)
@@ -254,7 +255,8 @@ Flow Uniformity::varying(ir::LocalId local) const {
     return {};
 }
 
-/// The fragments of a quad are of one triangle: what is the same within that is uniform enough.
+/// Derivatives need control flow that is uniform within a quad. The level of flat varyings (subgroup) is enough: all
+/// fragments of a quad belong to one triangle.
 void Uniformity::derivative(const ir::Expr& node) {
     const Flow flow = worse(control_flow_, left_);
     if (!reports_ || flow.level <= Level::subgroup || !reported_.insert({node.span.file, node.span.begin}).second)

@@ -1,4 +1,4 @@
-// Kernels as functions: what a program calls packs the parameters of one form and dispatches it.
+// Kernels as functions that a program calls: each chooses a form, packs its parameters and dispatches it.
 #include "emit/cpp/kernel_parts.h"
 #include "emit/cpp/sharing.h"
 #include "ir/chain.h"
@@ -31,8 +31,8 @@ bool is_container(const Unit& unit, const KernelParam& param) {
            unit.program.structures[param.structure].kind == ir::StructureKind::adaptor;
 }
 
-/// What of the structures passed is touched, in order; of a container it is members, and an argument that lies on the
-/// device may lie anywhere.
+/// The structures passed whose footprints the runtime compares, in the order of the parameters. `{}`, not compared: a
+/// container, of which members are accessed, and an argument that lies on the device.
 std::string footprints_text(const Unit& unit, const Kernel& kernel) {
     std::string text;
     for (const KernelParam& param : kernel.params)
@@ -42,7 +42,7 @@ std::string footprints_text(const Unit& unit, const Kernel& kernel) {
     return text;
 }
 
-/// What members of the structure passed for a parameter follow: ranges point to theirs.
+/// The expression before a member of the structure passed for a parameter: ranges point to their structure.
 std::string object_of(const Unit& unit, const KernelParam& param) {
     return param_name(unit, param) + (is_container(unit, param) ? "." : "->");
 }

@@ -1,17 +1,17 @@
-// What a kernel's code and the function that calls it both have: the block of its parameters.
+// What the code of a kernel and the function that calls it share: the layout of the parameter block.
 #pragma once
 
 #include "emit/cpp/unit.h"
 
 namespace gliftc::cpp {
 
-/// A parameter of a pass, and its name in the struct of them.
+/// A parameter of a pass, and the name of its member in the struct that mirrors the block.
 struct NamedParameter {
     const ir::PassParameter* parameter;
     std::string member;
 };
 
-/// As they follow each other in the block.
+/// In the order of their offsets.
 std::vector<NamedParameter> parameters_in_order(const Globals& globals, const ir::Pass& pass);
 
 const char* form_name(ir::Form form);

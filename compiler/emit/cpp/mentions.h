@@ -1,4 +1,4 @@
-// Whether a body has a use for a local.
+// Whether a body mentions a local.
 #pragma once
 
 #include "ir/walk.h"

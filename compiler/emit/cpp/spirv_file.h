@@ -1,4 +1,4 @@
-// SPIR-V beside C++: all that one source holds, in one file that the assembler takes in.
+// SPIR-V beside C++: all that one source holds, in one file that the assembler includes (.incbin).
 #pragma once
 
 #include "emit/cpp/emit.h"
@@ -13,13 +13,13 @@ namespace gliftc::cpp {
 
 class SpirvFile {
 public:
-    /// Of those kernels that have any; `name` is the file's, in the folder of the source.
+    /// The SPIR-V of those `kernels` that have any. `name`: of the file, which lies in the folder of the source.
     SpirvFile(std::string name, const std::vector<KernelCode>& code, const std::vector<std::uint32_t>& kernels);
 
     bool empty() const { return words_.empty(); }
     const std::string& name() const { return name_; }
     std::string bytes() const;
-    /// The statement that takes the file in.
+    /// The `asm` statement that includes the file.
     std::string statement() const;
     /// Arguments of a glift::Spirv: `glift_spirv_0f0e… + 120, 567`.
     std::string place_of(std::uint32_t kernel, ir::Form form, ir::Part part) const;

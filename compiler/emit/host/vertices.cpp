@@ -1,4 +1,4 @@
-// The vertex part of a draw: a loop over corners, each of which writes its floats behind those of the one before.
+// The vertex part of a draw: a loop over vertices, whose outputs are floats in one array, vertex after vertex.
 #include "emit/host/body.h"
 
 namespace gliftc::host {

@@ -1,4 +1,4 @@
-// What a module's reflection must contain besides what it declares.
+// What a module's reflection must contain besides what the module declares: all that these refer to.
 #pragma once
 
 #include "ir/pass.h"

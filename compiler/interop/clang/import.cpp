@@ -47,7 +47,8 @@ struct NamedVector {
     std::uint32_t components;
 };
 
-/// float2 … uint64_4, in whatever namespace: the runtime's own vectors, or a user's of the same shape.
+/// The vector that a C++ name stands for, float2 to uint64_4: one of the runtime, or a user's own of that name.
+/// Namespaces are not looked at; import_record() checks the size.
 std::optional<NamedVector> vector_named(llvm::StringRef name) {
     static const std::pair<llvm::StringRef, ImportedScalar> stems[] = {
         {"float", ImportedScalar::Float},  {"int", ImportedScalar::Int},        {"uint", ImportedScalar::Uint},
@@ -192,7 +193,8 @@ private:
         return true;
     }
 
-    /// A vector is a struct named float3, an alias of that name, or a template vec<3, float>.
+    /// A vector is a struct named float3, a field whose type is an alias of that name, or an instance of a class
+    /// template called vec, of a scalar type and a number of components in either order.
     std::optional<NamedVector> vector_of(const CXXRecordDecl& record, const FieldDecl& field) const {
         if (const auto vector = vector_named(record.getName())) return vector;
         const auto* alias = field.getType()->getAs<TypedefType>();
@@ -242,7 +244,8 @@ private:
     std::map<const CXXRecordDecl*, std::uint32_t> indices_;
 };
 
-/// The definition of `name`, looked up from the global namespace, or in any namespace when the name is a plain one.
+/// The definitions that `name` may mean: the one with exactly this qualified name; else, where `name` has no `::`,
+/// those of that name in any namespace.
 std::vector<const CXXRecordDecl*> find_records(ASTContext& context, llvm::StringRef name) {
     std::vector<const CXXRecordDecl*> found;
     const auto search = [&](const auto& self, const DeclContext& scope) -> void {
