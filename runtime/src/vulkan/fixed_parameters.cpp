@@ -9,24 +9,7 @@ namespace glift::detail {
 
 namespace {
 
-enum Op : std::uint32_t {
-    type_int = 21,
-    type_float = 22,
-    type_vector = 23,
-    type_struct = 30,
-    type_pointer = 32,
-    constant = 43,
-    constant_composite = 44,
-    function = 54,
-    variable = 59,
-    load = 61,
-    access_chain = 65,
-    decorate = 71,
-    member_decorate = 72,
-    copy_object = 83,
-};
-
-constexpr std::uint32_t storage_push_constant = 9, storage_buffer = 12, decoration_binding = 33, decoration_offset = 35;
+using namespace spirv;
 
 using Words = SpirvWords;
 
@@ -64,10 +47,10 @@ private:
             if (w.size() == 4) constants[w[2]] = w[3];
             break;
         case decorate:
-            if (w[2] == decoration_binding) bindings[w[1]] = w[3];
+            if (w[2] == spirv::binding) bindings[w[1]] = w[3];
             break;
         case member_decorate:
-            if (w[3] == decoration_offset) offsets[std::uint64_t{w[1]} << 32 | w[2]] = w[4];
+            if (w[3] == spirv::offset) offsets[std::uint64_t{w[1]} << 32 | w[2]] = w[4];
             break;
         case variable: read_variable(w); break;
         case access_chain:
@@ -79,7 +62,7 @@ private:
 
     void read_variable(Words w) {
         const bool is_block =
-            w[3] == storage_push_constant || (w[3] == storage_buffer && bindings.contains(w[2]) && bindings[w[2]] == 0);
+            w[3] == push_constant || (w[3] == storage_buffer && bindings.contains(w[2]) && bindings[w[2]] == 0);
         if (!is_block) return;
         block = w[2];
         block_type = pointees[w[1]];

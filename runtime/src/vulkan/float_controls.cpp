@@ -9,7 +9,6 @@ namespace glift::detail {
 
 namespace {
 
-constexpr std::uint32_t op_entry_point = 15, op_execution_mode = 16, op_capability = 17, op_execution_mode_id = 331;
 constexpr std::uint32_t denorm_preserve = 4464, signed_zero_inf_nan_preserve = 4466,
                         rounding_mode_rte = 4467;  // capabilities
 constexpr std::uint32_t mode_of(std::uint32_t capability) { return capability - 5; }
@@ -62,18 +61,18 @@ std::vector<std::uint32_t> with_float_modes(std::span<const std::uint32_t> spirv
     for (std::size_t at = spirv_header_words; at < spirv.size();) {
         const std::uint32_t op = spirv[at] & 0xffffu, words = spirv[at] >> 16;
         // A module's layout: capabilities first, execution modes after the entry points.
-        if (op != op_capability && !capabilities_done) {
+        if (op != spirv::capability && !capabilities_done) {
             for (std::uint32_t capability : capabilities)
-                module.insert(module.end(), {first_word(op_capability, 2), capability});
+                module.insert(module.end(), {first_word(spirv::capability, 2), capability});
             capabilities_done = true;
         }
-        if (op == op_entry_point) entry_points.push_back(spirv[at + 2]);
-        if (!entry_points.empty() && op != op_entry_point && op != op_execution_mode && op != op_execution_mode_id &&
-            !modes_done) {
+        if (op == spirv::entry_point) entry_points.push_back(spirv[at + 2]);
+        if (!entry_points.empty() && op != spirv::entry_point && op != spirv::execution_mode &&
+            op != spirv::execution_mode_id && !modes_done) {
             for (std::uint32_t entry : entry_points)
                 for (const FloatMode& mode : modes)
                     module.insert(module.end(),
-                                  {first_word(op_execution_mode, 4), entry, mode_of(mode.capability), mode.width});
+                                  {first_word(spirv::execution_mode, 4), entry, mode_of(mode.capability), mode.width});
             modes_done = true;
         }
         module.insert(module.end(), spirv.begin() + static_cast<std::ptrdiff_t>(at),

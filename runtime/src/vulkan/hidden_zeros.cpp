@@ -10,60 +10,7 @@ namespace glift::detail {
 
 namespace {
 
-enum Op : std::uint32_t {
-    line = 8,
-    ext_inst = 12,
-    type_void = 19,
-    type_int = 21,
-    type_float = 22,
-    type_vector = 23,
-    type_forward_pointer = 39,
-    constant = 43,
-    constant_composite = 44,
-    function = 54,
-    function_end = 56,
-    function_call = 57,
-    variable = 59,
-    load = 61,
-    store = 62,
-    decorate = 71,
-    vector_extract = 77,
-    vector_insert = 78,
-    vector_shuffle = 79,
-    composite_construct = 80,
-    composite_extract = 81,
-    composite_insert = 82,
-    copy_object = 83,
-    transpose = 84,
-    convert_s_to_f = 111,
-    convert_u_to_f = 112,
-    u_convert = 113,
-    s_convert = 114,
-    bitcast = 124,
-    s_negate = 126,
-    negate = 127,
-    add = 129,
-    subtract = 131,
-    multiply = 133,
-    divide = 136,
-    remainder = 140,
-    modulo = 141,
-    vector_times_scalar = 142,
-    dot = 148,
-    select = 169,
-    shift_right = 194,
-    bit_or = 197,
-    atomic_exchange = 229,
-    atomic_add = 234,
-    atomic_xor = 242,
-    phi = 245,
-    label = 248,
-    return_value = 254,
-    no_line = 317,
-};
-
-/// The range of three-component built-in inputs: WorkgroupId, LocalInvocationId, GlobalInvocationId.
-constexpr std::uint32_t decoration_built_in = 11, workgroup_id = 26, global_invocation_id = 28;
+using namespace spirv;
 
 constexpr std::uint32_t unpack_snorm_2x16 = 60, unpack_unorm_4x8 = 64;  ///< of GLSL.std.450, with halves between them
 constexpr std::size_t value_of_atomic = 6;  ///< index of an atomic operation's value operand
@@ -78,41 +25,42 @@ enum class Use : std::uint8_t {
     passes_on,  // forwards it, perhaps to arithmetic with another constant that folds to zero
 };
 
-/// The operands of an instruction that are values; the other words are types, results and literals.
-struct Operands {
-    std::size_t first = 0, last = 0;
-    Use use = Use::none;
-};
-
-Operands values_of(Words w) {
-    const std::size_t count = w.size();
-    switch (w[0] & 0xffffu) {
-    case negate:
-    case add:
-    case subtract:
-    case multiply:
-    case divide:
-    case remainder:
-    case modulo:
+Use use_of(std::uint32_t op) {
+    switch (op) {
+    case f_negate:
+    case f_add:
+    case f_sub:
+    case f_mul:
+    case f_div:
+    case f_rem:
+    case f_mod:
     case transpose:
-    case vector_extract: return {3, count, Use::computes};
-    case ext_inst: return {5, count, Use::computes};
-    case composite_extract: return {3, 4, Use::computes};
-    case vector_shuffle: return {3, 5, Use::computes};
+    case vector_extract_dynamic:
+    case ext_inst:
+    case composite_extract:
+    case vector_shuffle: return Use::computes;
     case phi:
     case select:
     case composite_construct:
     case copy_object:
-    case vector_insert: return {3, count, Use::passes_on};
-    case function_call: return {4, count, Use::passes_on};
-    case composite_insert: return {3, 5, Use::passes_on};
-    case store: return {2, 3, Use::passes_on};
-    case return_value: return {1, 2, Use::passes_on};
-    default: {
-        const std::uint32_t op = w[0] & 0xffffu;
-        return op >= vector_times_scalar && op <= dot ? Operands{3, count, Use::computes} : Operands{};
+    case vector_insert_dynamic:
+    case function_call:
+    case composite_insert:
+    case store:
+    case return_value: return Use::passes_on;
+    default: return op >= vector_times_scalar && op <= dot ? Use::computes : Use::none;
     }
-    }
+}
+
+/// The operands in which constants are hidden.
+struct Operands {
+    WordRange words;
+    Use use = Use::none;
+};
+
+Operands operands_of(Words w) {
+    const Use use = use_of(op_of(w));
+    return use == Use::none ? Operands{} : Operands{value_operands(w), use};
 }
 
 class Hiding {
@@ -189,10 +137,10 @@ void Hiding::read_composite(Words w) {
 }
 
 void Hiding::read(Words w) {
-    const std::uint32_t op = w[0] & 0xffffu;
+    const std::uint32_t op = op_of(w);
     switch (op) {
     case decorate:
-        if (w.size() == 4 && w[2] == decoration_built_in && w[3] >= workgroup_id && w[3] <= global_invocation_id)
+        if (w.size() == 4 && w[2] == built_in && w[3] >= workgroup_id && w[3] <= global_invocation_id)
             invocation_ = w[1];
         break;
     case type_float: floats_.emplace(w[1], w[2]); break;
@@ -224,13 +172,13 @@ std::uint32_t Hiding::hide_scalar(Module& module, Words w) {
     const Constant& constant = constants_.at(w[2]);
     std::uint32_t result = fresh();
     if (floats_.at(w[1]) == 32 && constant.bits != 0) {
-        append(module, bit_or, {uint_, result, constant.bits, bit_});
+        append(module, bitwise_or, {uint_, result, constant.bits, bit_});
         append(module, bitcast, {w[1], next_id_, result});
         return fresh();
     }
     append(module, convert_u_to_f, {w[1], result, bit_});
     if (constant.bits == 0) return result;
-    append(module, negate, {w[1], next_id_, result});
+    append(module, f_negate, {w[1], next_id_, result});
     return fresh();
 }
 
@@ -241,7 +189,7 @@ std::uint32_t Hiding::hide(Module& module, std::uint32_t id) {
     if (const auto known = replaced_.find(id); known != replaced_.end()) return known->second;
     const Words w = found->second.words;
     std::uint32_t result = 0;
-    if ((w[0] & 0xffffu) == constant) {
+    if (op_of(w) == constant) {
         result = hide_scalar(module, w);
     } else {
         std::vector<std::uint32_t> parts;
@@ -282,8 +230,8 @@ std::uint32_t Hiding::zeros(Module& module, std::uint32_t type) {
 /// both.
 void Hiding::widen(Module& module, Words conversion) {
     const std::uint32_t bits = zeros(module, conversion[1]), widened = fresh();
-    append(module, conversion[0] & 0xffffu, {conversion[1], widened, conversion[3]});
-    append(module, bit_or, {conversion[1], conversion[2], widened, bits});
+    append(module, op_of(conversion), {conversion[1], widened, conversion[3]});
+    append(module, bitwise_or, {conversion[1], conversion[2], widened, bits});
 }
 
 /// Combines an integer that becomes a float, which may become constant by unrolling, with the hidden zero.
@@ -291,7 +239,7 @@ std::uint32_t Hiding::with_bit(Module& module, std::uint32_t operand) {
     const auto type = types_.find(operand);
     if (type == types_.end()) return operand;
     const std::uint32_t bits = zeros(module, type->second), result = fresh();
-    append(module, bit_or, {type->second, result, operand, bits});
+    append(module, bitwise_or, {type->second, result, operand, bits});
     return result;
 }
 
@@ -299,7 +247,7 @@ std::uint32_t Hiding::with_bit(Module& module, std::uint32_t operand) {
 std::uint32_t Hiding::with_all_bits(Module& module, std::uint32_t operand) {
     const std::uint32_t bits = fresh(), result = fresh();
     append(module, s_negate, {uint_, bits, bit_});
-    append(module, bit_or, {uint_, result, operand, bits});
+    append(module, bitwise_or, {uint_, result, operand, bits});
     return result;
 }
 
@@ -309,7 +257,7 @@ std::uint32_t Hiding::with_all_bits(Module& module, std::uint32_t operand) {
 std::uint32_t Hiding::as_integer(Module& module, Words atomic) {
     const std::uint32_t type = atomic[1], bits = bit_as(module, type);
     const std::uint32_t result = fresh();
-    append(module, bit_or, {type, result, atomic[value_of_atomic], bits});
+    append(module, bitwise_or, {type, result, atomic[value_of_atomic], bits});
     return result;
 }
 
@@ -319,28 +267,28 @@ void Hiding::begin(Module& module, const std::vector<std::uint32_t>& used) {
     bit_ = fresh();
     append(module, load, {uint3_, all, invocation_});
     append(module, composite_extract, {uint_, first, all, 0});
-    append(module, shift_right, {uint_, bit_, first, shift_});
+    append(module, shift_right_logical, {uint_, bit_, first, shift_});
     for (std::uint32_t id : used) hide(module, id);
 }
 
-bool is_atomic(std::uint32_t op) { return op == atomic_exchange || (op >= atomic_add && op <= atomic_xor); }
+bool is_atomic(std::uint32_t op) { return op == atomic_exchange || (op >= atomic_i_add && op <= atomic_xor); }
 
 bool is_widening(std::uint32_t op) { return op == s_convert || op == u_convert; }
 
 /// The place of an integer that becomes a float, of whose bits a driver may know all; 0: this instruction has none.
 std::size_t place_of_integer(Words w) {
-    const std::uint32_t op = w[0] & 0xffffu;
+    const std::uint32_t op = op_of(w);
     if (op == convert_s_to_f || op == convert_u_to_f || op == bitcast) return 3;
     return op == ext_inst && w[4] >= unpack_snorm_2x16 && w[4] <= unpack_unorm_4x8 ? 5 : 0;
 }
 
 void Hiding::write(Module& module, Words w) {
-    if (is_widening(w[0] & 0xffffu) && count_of(w[1]) != 0) return widen(module, w);
-    const Operands values = values_of(w);
+    if (is_widening(op_of(w)) && count_of(w[1]) != 0) return widen(module, w);
+    const Operands values = operands_of(w);
     const std::size_t place = place_of_integer(w);
     const bool converts = place != 0 && types_.contains(w[place]) && !types_.contains(w[2]);
-    const bool combines = is_atomic(w[0] & 0xffffu) && integers_.contains(w[1]);
-    const bool unpacks = converts && (w[0] & 0xffffu) == ext_inst;
+    const bool combines = is_atomic(op_of(w)) && integers_.contains(w[1]);
+    const bool unpacks = converts && op_of(w) == ext_inst;
     const std::uint32_t operand = unpacks    ? with_all_bits(module, w[place])
                                   : converts ? with_bit(module, w[place])
                                   : combines ? as_integer(module, w)
@@ -349,7 +297,7 @@ void Hiding::write(Module& module, Words w) {
     module.insert(module.end(), w.begin(), w.end());
     if (converts) module[at + place] = operand;
     if (combines) module[at + value_of_atomic] = operand;
-    for (std::size_t i = values.first; i < values.last; ++i)
+    for (std::size_t i = values.words.first; i < values.words.last; ++i)
         if (is_hidden(w[i], values.use)) module[at + i] = replaced_.at(w[i]);
 }
 
@@ -357,15 +305,15 @@ void Hiding::write_function(Module& module) {
     std::vector<std::uint32_t> used;
     bool has_begun = true, is_in_block = false;
     for (Words w : function_) {
-        const Operands values = values_of(w);
-        for (std::size_t i = values.first; i < values.last; ++i)
+        const Operands values = operands_of(w);
+        for (std::size_t i = values.words.first; i < values.words.last; ++i)
             if (is_hidden(w[i], values.use)) used.push_back(w[i]);
-        const std::uint32_t op = w[0] & 0xffffu;
+        const std::uint32_t op = op_of(w);
         if (!used.empty() || place_of_integer(w) != 0 || is_widening(op) || is_atomic(op)) has_begun = false;
     }
     replaced_.clear();
     for (Words w : function_) {
-        const std::uint32_t op = w[0] & 0xffffu;
+        const std::uint32_t op = op_of(w);
         // Variables come first in a function's first block.
         if (is_in_block && !has_begun && op != variable && op != line && op != no_line) {
             begin(module, used);

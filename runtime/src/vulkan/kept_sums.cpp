@@ -10,77 +10,11 @@ namespace glift::detail {
 
 namespace {
 
-enum Op : std::uint32_t {
-    undefined = 1,
-    ext_inst = 12,
-    type_int = 21,
-    type_float = 22,
-    type_vector = 23,
-    constant_true = 41,
-    constant = 43,
-    spec_constant_op = 52,
-    function = 54,
-    function_parameter = 55,
-    function_call = 57,
-    variable = 59,
-    load = 61,
-    store = 62,
-    copy_memory = 63,
-    access_chain = 65,
-    in_bounds_access_chain = 66,
-    decorate = 71,
-    vector_extract_dynamic = 77,
-    vector_insert_dynamic = 78,
-    vector_shuffle = 79,
-    composite_construct = 80,
-    composite_extract = 81,
-    composite_insert = 82,
-    copy_object = 83,
-    transpose = 84,
-    convert_f_to_u = 109,
-    f_convert = 115,
-    bitcast = 124,
-    s_negate = 126,
-    f_add = 129,
-    f_sub = 131,
-    select = 169,
-    shift_right = 194,
-    bit_or = 197,
-    bit_count = 205,
-    phi = 245,
-    copy_logical = 400,
-};
+using namespace spirv;
 
-constexpr std::uint32_t decoration_built_in = 11, global_invocation_id = 28;
-constexpr std::uint32_t storage_private = 6, storage_function = 7;
 constexpr std::uint32_t negative_zero = 0x80000000u;
 
 using Module = std::vector<std::uint32_t>;
-
-/// The operands of an instruction that are values, by their first and last word; none: its result is not computed from
-/// values alone.
-struct Values {
-    std::size_t first = 0, last = 0;
-};
-
-Values values_of(std::uint32_t op, SpirvWords w) {
-    switch (op) {
-    case ext_inst: return {5, w.size()};
-    case composite_extract: return {3, 4};
-    case vector_shuffle:
-    case composite_insert: return {3, 5};
-    case vector_extract_dynamic:
-    case vector_insert_dynamic:
-    case composite_construct:
-    case copy_object:
-    case transpose:
-    case copy_logical: return {3, w.size()};
-    default:
-        const bool computes =
-            (op >= convert_f_to_u && op <= bitcast) || (op >= s_negate && op <= bit_count && op != select);
-        return computes ? Values{3, w.size()} : Values{};
-    }
-}
 
 /// Which values of a module a driver may know when it has unrolled its loops and inlined its functions.
 class Known {
@@ -111,7 +45,7 @@ private:
         case function_call:
             return mark_if(w[2], std::ranges::all_of(w.subspan(4), [&](auto id) { return holds_known(id); }));
         case variable:
-            if (w[3] != storage_function && w[3] != storage_private) return;
+            if (w[3] != function_storage && w[3] != private_storage) return;
             variable_of_[w[2]] = w[2];
             return mark_if(w[2], w.size() > 4);
         case access_chain:
@@ -123,10 +57,11 @@ private:
         case phi:
             for (std::size_t i = 3; i < w.size(); i += 2) mark_if(w[2], known_[w[i]]);
             return;
+        case return_value: return;
         default: break;
         }
         if (op >= constant_true && op <= spec_constant_op) return mark(w[2]);
-        const Values values = values_of(op, w);
+        const WordRange values = value_operands(w);
         const SpirvWords operands = w.subspan(values.first, values.last - values.first);
         if (!operands.empty()) mark_if(w[2], std::ranges::all_of(operands, [&](auto id) { return known_[id]; }));
     }
@@ -176,7 +111,7 @@ private:
     void read(std::uint32_t op, SpirvWords w) {
         switch (op) {
         case decorate:
-            if (w.size() == 4 && w[2] == decoration_built_in && w[3] == global_invocation_id) invocation_ = w[1];
+            if (w.size() == 4 && w[2] == built_in && w[3] == global_invocation_id) invocation_ = w[1];
             break;
         case type_int:
             if (w[2] == 32 && w[3] == 0) uint_ = w[1];
@@ -212,8 +147,8 @@ private:
         const std::uint32_t all = fresh(), first = fresh(), bit = fresh(), bits = fresh(), single = fresh();
         append(module, load, {uint3_, all, invocation_});
         append(module, composite_extract, {uint_, first, all, 0});
-        append(module, shift_right, {uint_, bit, first, shift_});
-        append(module, bit_or, {uint_, bits, bit, sign_});
+        append(module, shift_right_logical, {uint_, bit, first, shift_});
+        append(module, bitwise_or, {uint_, bits, bit, sign_});
         append(module, bitcast, {float_, single, bits});
         if (type == float_) return single;
         const std::uint32_t result = fresh();

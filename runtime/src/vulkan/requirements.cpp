@@ -1,15 +1,13 @@
 #include "requirements.h"
 
+#include "spirv_module.h"
+
 #include <algorithm>
 #include <vector>
 
 namespace glift::detail {
 
 namespace {
-
-constexpr std::size_t header_words = 5;
-constexpr std::uint32_t op_capability = 17, op_type_int = 21, op_type_float = 22, op_type_vector = 23;
-constexpr std::uint32_t first_group_op = 333, last_group_op = 366;  // OpGroupNonUniformElect to …QuadSwap
 
 struct Requirement {
     std::uint32_t capability;
@@ -38,17 +36,19 @@ std::string lacking(std::span<const std::uint32_t> spirv, const DeviceProperties
     const auto add = [&](const char* what) { text += (text.empty() ? "" : ", ") + std::string(what); };
     std::vector<std::uint32_t> extended;  // types that need shaderSubgroupExtendedTypes
     bool exchanges_extended = false;
-    for (std::size_t at = header_words; at < spirv.size();) {
+    for (std::size_t at = spirv_header_words; at < spirv.size();) {
         const std::uint32_t op = spirv[at] & 0xffffu, words = spirv[at] >> 16;
         if (words == 0) break;
         const auto word = [&](std::size_t k) { return spirv[at + k]; };
-        if (op == op_capability) {
+        if (op == spirv::capability) {
             for (const Requirement& r : requirements)
                 if (r.capability == word(1) && !(properties.*r.property)) add(r.text);
         }
-        if ((op == op_type_int && word(2) != 32) || (op == op_type_float && word(2) == 16)) extended.push_back(word(1));
-        if (op == op_type_vector && contains(extended, word(2))) extended.push_back(word(1));
-        exchanges_extended |= op >= first_group_op && op <= last_group_op && contains(extended, word(1));
+        if ((op == spirv::type_int && word(2) != 32) || (op == spirv::type_float && word(2) == 16))
+            extended.push_back(word(1));
+        if (op == spirv::type_vector && contains(extended, word(2))) extended.push_back(word(1));
+        exchanges_extended |= op >= spirv::group_non_uniform_elect && op <= spirv::group_non_uniform_quad_swap &&
+                              contains(extended, word(1));
         at += words;
     }
     if (exchanges_extended && !properties.subgroup_extended_types)
