@@ -2,6 +2,7 @@
 
 #include "ir/effects.h"
 #include "ir/evaluate.h"
+#include "ir/levels.h"
 
 namespace gliftc::json {
 
@@ -205,10 +206,27 @@ std::string Speller::spell(ExprId id) const {
     case Op::memory_extent:
         return dotted(expr.place,
                       name(program.structures[structure_of(expr.place)].memories[expr.slot].name) + ".extent");
+    case Op::host_state:
+        return dotted(expr.place, name(program.structures[structure_of(expr.place)].host[expr.slot].name));
     case Op::domain: return dotted(expr.place, "domain");
-    case Op::position: return "position";
-    default: return "…";
+    case Op::field: {
+        const ir::Type& of = program.types[program.exprs[expr.operands[0]].type];
+        return grouped(expr.operands[0]) + "." + name(program.structs[of.index].fields[expr.slot].name);
     }
+    case Op::none: return "none";
+    case Op::some:
+    case Op::value: return spell(expr.operands[0]);
+    case Op::has_value: return grouped(expr.operands[0]) + " != none";
+    case Op::constant:
+#define STRUCTURE_OPERATION(name) case Op::name:
+#define GUARDED_OPERATION(name) case Op::name:
+#define HOST_OPERATION(name) case Op::name:
+#define MEMORY_OPERATION(name) case Op::name:
+#define CPU_OPERATION(name) case Op::name:
+#include "ir/operations.def"
+        break;
+    }
+    ir::misplaced(expr.op, "emit/json: a uniform value");
 }
 
 }  // namespace
