@@ -190,7 +190,7 @@ Case tree_case(const glift::Device& device, Number levels, Number count) {
     lookups::make_tree(device, asked, levels, *tree);
     x->write(points(count));
     Case one = begin("adaptive lookup and offset", g);
-    one.generated = [=](const glift::Commands& commands) { lookups::sample_tree(commands, *tree, *x, *g); };
+    one.generated = [=](const glift::Commands& commands) { lookups::lookup(commands, *tree, *x, *g); };
     one.handwritten = [=](const glift::Commands& commands) {
         const glift::Memory frames = tree->frames().texels().data();
         const TreeBlock block = {count,

@@ -1,5 +1,7 @@
 // Quadtrees and octrees of random pages and random values, sampled everywhere, on the edges of pages and at hanging
-// nodes too, compared with an interpolator of doubles that knows nothing of frames and tables.
+// nodes too, compared with an interpolator of doubles that knows nothing of frames and tables. Pools that are too
+// small, by every policy, against a model of which pages are there.
+#include "model.h"
 #include "property.h"
 
 #include "adaptive.glift.hpp"
@@ -38,12 +40,32 @@ public:
         auto operator<=>(const Page&) const = default;
     };
 
-    Field(Number levels, Number cells, bool smooth) : levels_(levels), cells_(cells), smooth_(smooth) {}
+    Field(Number levels, Number cells, bool smooth, bool repeats)
+        : levels_(levels), cells_(cells), smooth_(smooth), repeats_(repeats) {}
 
     Number along(Number level) const { return 1U << (levels_ - 1 - level); }
     const std::set<Page>& pages() const { return pages_; }
     void put(const Page& page) { pages_.insert(page); }
     void clear() { pages_.clear(); }
+
+    /// Pages are numbered from the coarsest level on, and row by row.
+    Number number_of(const Page& page) const {
+        Number first = 0, number = 0;
+        for (Number level = levels_ - 1; level > page.level; --level) first += pages_of(level);
+        for (int axis = N; axis-- > 0;) number = number * along(page.level) + page.at[axis];
+        return first + number;
+    }
+    Page page_of(Number number) const {
+        Page page{levels_ - 1, {}};
+        for (; number >= pages_of(page.level); --page.level) number -= pages_of(page.level);
+        for (int axis = 0; axis < N; ++axis, number /= along(page.level)) page.at[axis] = number % along(page.level);
+        return page;
+    }
+    Number count() const {
+        Number all = 0;
+        for (Number level = 0; level < levels_; ++level) all += pages_of(level);
+        return all;
+    }
 
     /// Parents stand for the pages of a level.
     void raise(Number level) {
@@ -64,8 +86,10 @@ public:
         for (Number corner = 0; corner < 1U << N; ++corner) {
             Page page{level, {}};
             for (int axis = 0; axis < N; ++axis) {
-                const Number back = (corner >> axis & 1) != 0 && node[axis] > 0 ? 1 : 0;
-                page.at[axis] = std::min((node[axis] - back) / cells_, along(level) - 1);
+                const Number size = cells_ * along(level), at = repeats_ ? node[axis] % size : node[axis];
+                if ((corner >> axis & 1) == 0) page.at[axis] = std::min(at / cells_, along(level) - 1);
+                else if (at > 0) page.at[axis] = (at - 1) / cells_;
+                else page.at[axis] = repeats_ ? along(level) - 1 : 0;
             }
             found.push_back(page);
         }
@@ -76,7 +100,8 @@ public:
     double sample(Point<N> x, Number level) const {
         Page page{level, {}};
         for (int axis = 0; axis < N; ++axis) {
-            x[axis] = std::clamp(x[axis], 0.0, double(cells_ * along(0)));
+            const double size = cells_ * along(0);
+            x[axis] = repeats_ ? x[axis] - size * std::floor(x[axis] / size) : std::clamp(x[axis], 0.0, size);
             page.at[axis] = std::min(Number(x[axis] / double(cells_ << level)), along(level) - 1);
         }
         const Page* best = find(page);
@@ -84,6 +109,8 @@ public:
     }
 
 private:
+    Number pages_of(Number level) const { return 1U << N * (levels_ - 1 - level); }
+
     const Page* find(Page page) const {
         for (;; ++page.level) {
             if (const auto found = pages_.find(page); found != pages_.end()) return &*found;
@@ -96,8 +123,9 @@ private:
         Place<N> low{};
         Point<N> part{};
         for (int axis = 0; axis < N; ++axis) {
-            const double node = x[axis] / double(1U << page.level);
             const Number first = page.at[axis] * cells_;
+            double node = x[axis] / double(1U << page.level);
+            if (repeats_ && node < first) node += cells_ * along(page.level);
             low[axis] = std::min(std::max(Number(node), first), first + cells_ - 1);
             part[axis] = std::clamp(node - low[axis], 0.0, 1.0);
         }
@@ -116,7 +144,9 @@ private:
     }
 
     /// Of a node as pages of its level have it: what the coarsest page beside it says.
-    double value(const Place<N>& node, Number level) const {
+    double value(Place<N> node, Number level) const {
+        for (Number& at : node)
+            if (repeats_) at %= cells_ * along(level);
         const Page* coarsest = nullptr;
         for (const Page& page : with_node(node, level))
             if (const Page* best = find(page); best && best->level > (coarsest ? coarsest->level : level))
@@ -136,48 +166,92 @@ private:
     }
 
     Number levels_, cells_;
-    bool smooth_;
+    bool smooth_, repeats_;
     std::set<Page> pages_;
+};
+
+enum class Policy { enough, coarsen, fail, drop, evict, grow };
+
+/// The largest differences between samples beside each other on the two sides of an edge, less what the exact field
+/// changes there.
+struct Jump {
+    double largest = 0;
+    int edges = 0;
 };
 
 template <int N, class Tree> class Trees {
 public:
-    Trees(const glift::Device& device, Round& round, Number cells)
+    Trees(const glift::Device& device, Round& round, Number cells, Policy policy, Jump& jump, bool repeats = false)
         : device_(device), round_(round), levels_(2 + round.below(4)), cells_(cells), smooth_(round.chance(3)),
-          capacity_(is_coarsened ? 1 + round.below(60)
-                    : N == 2     ? 400
-                                 : 1200),
-          field_(levels_, cells, smooth_), tree_(device, levels_, capacity_) {
-        round.about("levels " + std::to_string(levels_) + (smooth_ ? ", smooth" : ""));
+          policy_(policy), jump_(jump), field_(levels_, cells, smooth_, repeats), capacity_(capacity_of(policy)),
+          pages_(model_of(policy), field_.count(), capacity_), tree_(device, levels_, capacity_) {
+        round_.about("levels " + std::to_string(levels_) + ", capacity " + std::to_string(capacity_) +
+                     (smooth_ ? ", smooth" : ""));
     }
 
     void run() {
         for (int step = 0; step < 4 && !testing::Test::HasFailure(); ++step) {
             change();
-            ASSERT_EQ(tree_.status(device_).refused, 0u);
             ASSERT_EQ(tree_.status(device_).resident, field_.pages().size()) << round_.wrong("pages").message();
+            if (policy_ == Policy::coarsen) ASSERT_EQ(tree_.status(device_).refused, 0u);
+            else ASSERT_TRUE(layout_is_right());
             compare(anywhere());
             compare(on_edges());
+            measure_jumps();
         }
     }
 
 private:
+    static model::Overflow model_of(Policy policy) {
+        return policy == Policy::fail    ? model::Overflow::fail
+               : policy == Policy::evict ? model::Overflow::evict
+               : policy == Policy::grow  ? model::Overflow::grow
+                                         : model::Overflow::drop;
+    }
+
+    /// All that may be asked for, or 1/2, 1/4, 1/8, 1/16 of all pages.
+    Number capacity_of(Policy policy) {
+        if (policy == Policy::enough) return N == 2 ? 400 : 1200;
+        return policy == Policy::coarsen ? 1 + round_.below(60) : std::max(1U, field_.count() >> 1 >> round_.below(4));
+    }
+
+    void ask(const typename Field<N>::Page& page) {
+        if (policy_ == Policy::coarsen) field_.put(page);
+        else pages_.request(field_.number_of(page));
+    }
+
     /// The coarsest page and those of some nodes.
     void change() {
-        if (is_coarsened) field_.clear();
+        field_.clear();
         std::vector<uint4> asked{{0, 0, 0, levels_ - 1}};
-        field_.put({levels_ - 1, {}});
+        ask({levels_ - 1, {}});
         for (Number i = round_.below(12); i-- > 0;) {
             const Number level = round_.below(levels_), nodes = cells_ * field_.along(level) + 1;
             Place<N> node;
             for (Number& at : node) at = round_.below(nodes);
             asked.push_back({node[0], node[1], N == 3 ? node[N - 1] : 0, level});
-            for (const auto& page : field_.with_node(node, level)) field_.put(page);
+            for (const auto& page : field_.with_node(node, level)) ask(page);
         }
         adaptive::Requests requests(device_, Number(asked.size()));
         requests.write(asked);
         adaptive::change(device_, requests, smooth_, tree_);
-        for (Number level = 0; level + 1 < levels_ && field_.pages().size() > capacity_; ++level) field_.raise(level);
+        if (policy_ == Policy::coarsen) {
+            for (Number level = 0; level + 1 < levels_ && field_.pages().size() > capacity_; ++level)
+                field_.raise(level);
+            return;
+        }
+        pages_.change(false);
+        for (const auto& [page, frame] : pages_.frames()) field_.put(field_.page_of(page));
+    }
+
+    /// What the policy says, and where it says it.
+    testing::AssertionResult layout_is_right() {
+        const auto status = tree_.status(device_);
+        const model::Status found{status.requested, status.granted, status.refused, status.resident, status.capacity};
+        if (!(found == pages_.status())) return round_.wrong("status");
+        std::vector<Number> entries(field_.count());
+        for (const auto& [page, frame] : pages_.frames()) entries[page] = frame + 1;
+        return property::equal(round_, entries, tree_.entries().read(), "entries");
     }
 
     double width() const { return double(cells_ * field_.along(0)); }
@@ -198,50 +272,167 @@ private:
         return points;
     }
 
-    void compare(const std::vector<Point<N>>& points) {
-        std::vector<float4> given;
-        std::vector<double> exact, bounds;
-        for (const Point<N>& point : points) {
-            const float level = round_.chance(2) ? 0.0F : float(round_.below(4 * levels_)) * 0.25F;
-            given.push_back(
-                {float(point[0]) + 0.5F, float(point[1]) + 0.5F, N == 3 ? float(point[N - 1]) + 0.5F : 0, level});
-            Point<N> x = point;
-            for (int axis = 0; axis < N; ++axis) x[axis] = double((&given.back().x)[axis]) - 0.5;
-            const double l = std::clamp(double(level), 0.0, double(levels_ - 1)), part = l - std::floor(l);
-            const double fine = field_.sample(x, Number(l));
-            const double coarse = field_.sample(x, std::min(Number(l) + 1, levels_ - 1));
-            exact.push_back(fine * (1 - part) + coarse * part);
-            bounds.push_back(device_.properties().kind == glift::DeviceKind::gpu ? filter_error : exact_error);
-        }
+    float4 point_of(const Point<N>& x, float level) const {
+        return {float(x[0]) + 0.5F, float(x[1]) + 0.5F, N == 3 ? float(x[N - 1]) + 0.5F : 0, level};
+    }
+
+    double exact_at(float4 given) const {
+        Point<N> x;
+        for (int axis = 0; axis < N; ++axis) x[axis] = double((&given.x)[axis]) - 0.5;
+        const double l = std::clamp(double(given.w), 0.0, double(levels_ - 1)), part = l - std::floor(l);
+        const double fine = field_.sample(x, Number(l));
+        const double coarse = field_.sample(x, std::min(Number(l) + 1, levels_ - 1));
+        return fine * (1 - part) + coarse * part;
+    }
+
+    double bound() const { return device_.properties().kind == glift::DeviceKind::gpu ? filter_error : exact_error; }
+
+    std::vector<float> sampled(const std::vector<float4>& given) {
         adaptive::Points x(device_, Number(given.size()));
         x.write(given);
         const adaptive::Line y(device_, Number(given.size()));
         adaptive::sample(device_, x, tree_, y);
-        ASSERT_TRUE(property::near(round_, exact, bounds, y.read(), "sample"));
+        return y.read();
     }
 
-    static constexpr bool is_coarsened = std::is_same_v<Tree, adaptive::Coarsened>;
+    void compare(const std::vector<Point<N>>& points) {
+        std::vector<float4> given;
+        std::vector<double> exact;
+        for (const Point<N>& point : points) {
+            given.push_back(point_of(point, round_.chance(2) ? 0.0F : float(round_.below(4 * levels_)) * 0.25F));
+            exact.push_back(exact_at(given.back()));
+        }
+        const std::vector<double> bounds(exact.size(), bound());
+        ASSERT_TRUE(property::near(round_, exact, bounds, sampled(given), "sample"));
+    }
+
+    /// Across faces of pages, some of them at an edge, a corner or the edge of the field too.
+    void measure_jumps() {
+        constexpr double aside = 1.0 / 4096;
+        std::vector<float4> given;
+        for (Point<N> point : on_edges()) {
+            const int axis = int(round_.below(N));
+            const double edge = std::round(point[axis] / cells_) * cells_;
+            for (const double side : {-aside, aside}) {
+                point[axis] = edge + side;
+                given.push_back(point_of(point, 0));
+            }
+        }
+        const std::vector<float> found = sampled(given);
+        for (std::size_t i = 0; i < found.size(); i += 2) {
+            const double change = exact_at(given[i + 1]) - exact_at(given[i]);
+            jump_.largest = std::max(jump_.largest, std::abs(double(found[i + 1]) - found[i] - change));
+            ++jump_.edges;
+        }
+        ASSERT_LE(jump_.largest, 2 * bound()) << round_.wrong("a jump").message();
+    }
 
     glift::Device device_;
     Round& round_;
     Number levels_, cells_;
     bool smooth_;
-    Number capacity_;
+    Policy policy_;
+    Jump& jump_;
     Field<N> field_;
+    Number capacity_;
+    model::Pages pages_;
     Tree tree_;
 };
 
-TEST_P(Adaptive, Quadtrees) {
-    for_all("quadtree", [&](Round& round) { Trees<2, adaptive::Quadtree>(device(), round, 4).run(); });
+/// Says how continuous the fields were.
+void report(const glift::Device& device, const Jump& jump) {
+    const std::string name = device.properties().name;
+    testing::Test::RecordProperty("largest_jump", std::to_string(jump.largest));
+    std::printf("%s: largest jump over %d edges of pages: %.2g (values -1 to 1)\n", name.c_str(), jump.edges,
+                jump.largest);
 }
 
-/// Requests that do not fit are granted on coarser levels, and what was not requested goes.
-TEST_P(Adaptive, Coarsened) {
-    for_all("coarsened", [&](Round& round) { Trees<2, adaptive::Coarsened>(device(), round, 4).run(); });
+TEST_P(Adaptive, Quadtrees) {
+    Jump jump;
+    for_all("quadtree",
+            [&](Round& round) { Trees<2, adaptive::Quadtree>(device(), round, 4, Policy::enough, jump).run(); });
+    report(device(), jump);
 }
 
 TEST_P(Adaptive, Octrees) {
-    for_all("octree", [&](Round& round) { Trees<3, adaptive::Octree>(device(), round, 2).run(); });
+    Jump jump;
+    for_all("octree",
+            [&](Round& round) { Trees<3, adaptive::Octree>(device(), round, 2, Policy::enough, jump).run(); });
+    report(device(), jump);
+}
+
+/// Pages at opposite edges are beside each other.
+TEST_P(Adaptive, QuadtreesThatRepeat) {
+    Jump jump;
+    for_all("quadtree that repeats",
+            [&](Round& round) { Trees<2, adaptive::Torus>(device(), round, 4, Policy::enough, jump, true).run(); });
+    report(device(), jump);
+}
+
+TEST_P(Adaptive, OctreesThatRepeat) {
+    Jump jump;
+    for_all("octree that repeats", [&](Round& round) {
+        Trees<3, adaptive::OctreeTorus>(device(), round, 2, Policy::enough, jump, true).run();
+    });
+    report(device(), jump);
+}
+
+/// Requests that do not fit are granted on coarser levels, and what was not requested goes.
+TEST_P(Adaptive, Coarsen) {
+    Jump jump;
+    for_all("coarsened",
+            [&](Round& round) { Trees<2, adaptive::Coarsened>(device(), round, 4, Policy::coarsen, jump).run(); });
+}
+
+TEST_P(Adaptive, Drop) {
+    Jump jump;
+    for_all("tree, drop",
+            [&](Round& round) { Trees<2, adaptive::Quadtree>(device(), round, 4, Policy::drop, jump).run(); });
+}
+
+TEST_P(Adaptive, Fail) {
+    Jump jump;
+    for_all("tree, fail",
+            [&](Round& round) { Trees<2, adaptive::Failing>(device(), round, 4, Policy::fail, jump).run(); });
+}
+
+TEST_P(Adaptive, Evict) {
+    Jump jump;
+    for_all("tree, evict",
+            [&](Round& round) { Trees<2, adaptive::Evicting>(device(), round, 4, Policy::evict, jump).run(); });
+}
+
+TEST_P(Adaptive, Grow) {
+    Jump jump;
+    for_all("tree, grow",
+            [&](Round& round) { Trees<2, adaptive::Growing>(device(), round, 4, Policy::grow, jump).run(); });
+}
+
+/// A pool that grows has what a pool has that was large from the start, bit for bit; pages keep what they have.
+TEST_P(Adaptive, GrowsToWhatALargeOneIs) {
+    for_all("tree that grows", [&](Round& round) {
+        const Number levels = 2 + round.below(4), all = (1U << 2 * levels) / 3, capacity = 1 + round.below(8);
+        round.about("levels " + std::to_string(levels) + ", capacity " + std::to_string(capacity));
+        adaptive::Growing grown(device(), levels, capacity), large(device(), levels, all);
+        for (int step = 0; step < 4 && !HasFailure(); ++step) {
+            std::vector<uint4> asked{{0, 0, 0, levels - 1}};
+            for (Number i = round.below(8); i-- > 0;) {
+                const Number level = round.below(levels), nodes = 4 * (1U << (levels - 1 - level)) + 1;
+                asked.push_back({round.below(nodes), round.below(nodes), 0, level});
+            }
+            adaptive::Requests requests(device(), Number(asked.size()));
+            requests.write(asked);
+            adaptive::refine(device(), requests, grown);
+            adaptive::refine(device(), requests, large);
+            const Number n = large.status(device()).resident;
+            ASSERT_EQ(grown.status(device()).resident, n);
+            ASSERT_LT(grown.status(device()).capacity, std::max(2 * n, 9U));
+            ASSERT_TRUE(property::equal(round, large.entries().read(), grown.entries().read(), "entries"));
+            ASSERT_TRUE(property::equal(round, large.best().read(), grown.best().read(), "best"));
+            ASSERT_TRUE(property::equal(round, large.frames().read({0, 0}, {25, n}),
+                                        grown.frames().read({0, 0}, {25, n}), "frames"));
+        }
+    });
 }
 
 }  // namespace
