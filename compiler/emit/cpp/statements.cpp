@@ -77,9 +77,12 @@ void print_assign(Printer& p, const Stmt& stmt) {
     p.out.line(concat(left, " = ", print_any(p, stmt.value), ";"));
 }
 
+/// Has a place of its own: an array with an element for each invocation, which loops that come later read.
+bool is_outer(const Printer& p, ir::LocalId local) { return p.outer_local && !p.outer_local(local).empty(); }
+
 void print_let(Printer& p, const Stmt& stmt) {
     const ir::Local& local = p.program.locals[stmt.local];
-    const bool outer = p.outer_local && !p.outer_local(stmt.local).empty();
+    const bool outer = is_outer(p, stmt.local);
     // The name stands before the value, and hides others in it.
     const std::string name = outer ? "" : declare_local(p, stmt.local);
     const std::string value = stmt.value ? print_any(p, stmt.value) : "";
@@ -108,7 +111,8 @@ bool is_constant(const Printer& p, ExprId id) {
 /// A constant that only the compiler had a use for: in a type, as a generic argument.
 bool is_used_up(const Printer& p, const std::vector<ir::StmtId>& body, std::size_t at) {
     const Stmt& stmt = p.program.stmts[body[at]];
-    if (stmt.op != StmtOp::let || !stmt.value || p.program.locals[stmt.local].is_mutable) return false;
+    if (stmt.op != StmtOp::let || !stmt.value || p.program.locals[stmt.local].is_mutable || is_outer(p, stmt.local))
+        return false;
     return is_constant(p, stmt.value) && !mentions(p.program, {body.begin() + at + 1, body.end()}, stmt.local);
 }
 
@@ -119,8 +123,7 @@ bool is_name(const Printer& p, const std::vector<ir::StmtId>& body, std::size_t 
     const Stmt& stmt = p.program.stmts[body[at]];
     if (stmt.op != StmtOp::let || !stmt.value || p.program.locals[stmt.local].is_mutable) return false;
     const Expr& value = p.program.exprs[stmt.value];
-    if (value.op != Op::local || !is_array(p, value.type) || (p.outer_local && !p.outer_local(stmt.local).empty()))
-        return false;
+    if (value.op != Op::local || !is_array(p, value.type) || is_outer(p, stmt.local)) return false;
     return !mentions(p.program, {body.begin() + at + 1, body.end()}, value.local);
 }
 

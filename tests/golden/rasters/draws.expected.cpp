@@ -168,21 +168,97 @@ void draw_marks(const glift::Commands& commands, const glift::Range<Points>& cor
     }
 }
 
-// draws.glift:76: frame
+namespace {
+struct even_direct_parameters {
+    float factor;
+    float2 factor_2;
+};
+static_assert(offsetof(even_direct_parameters, factor) == 0);
+static_assert(offsetof(even_direct_parameters, factor_2) == 4);
+struct even_general_parameters {
+    uint2 size;
+    uint corner_origin;
+    uint2 image_origin;
+    float factor;
+    float2 factor_2;
+};
+static_assert(offsetof(even_general_parameters, size) == 0);
+static_assert(offsetof(even_general_parameters, corner_origin) == 8);
+static_assert(offsetof(even_general_parameters, image_origin) == 12);
+static_assert(offsetof(even_general_parameters, factor) == 20);
+static_assert(offsetof(even_general_parameters, factor_2) == 24);
+struct even_wide_parameters {
+    uint2 size;
+    uint corner_origin;
+    uint2 image_origin;
+    float factor;
+    float2 factor_2;
+    std::uint64_t corner_data_address;
+};
+static_assert(offsetof(even_wide_parameters, size) == 0);
+static_assert(offsetof(even_wide_parameters, corner_origin) == 8);
+static_assert(offsetof(even_wide_parameters, image_origin) == 12);
+static_assert(offsetof(even_wide_parameters, factor) == 20);
+static_assert(offsetof(even_wide_parameters, factor_2) == 24);
+static_assert(offsetof(even_wide_parameters, corner_data_address) == 32);
+}  // namespace
+
+extern const glift::Kernel even_kernel;
+
+void even(const glift::Commands& commands, const glift::Range<Points>& corner, float factor,
+    const glift::Range<Colour>& image) {
+    glift::DrawIteration iteration(even_kernel);
+    iteration.corners("corner", corner);
+    iteration.colour("image", image, image->data());
+    const glift::Memory memories[] = {corner->data()};
+    if (commands.needs_wide(even_kernel, memories, iteration.size())) {
+        const even_wide_parameters parameters = {
+            .size = iteration.counts(),
+            .corner_origin = corner.origin(),
+            .image_origin = image.origin(),
+            .factor = factor,
+            .factor_2 = float2(factor, 2.0f),
+            .corner_data_address = 0u,
+        };
+        commands.dispatch(even_kernel, {.form = glift::FormName::wide, .memories = memories,
+            .parameters = glift::bytes_of(parameters), .size = iteration.size(),
+            .patches = iteration.patches({offsetof(even_wide_parameters, size)}), .targets = iteration.targets()});
+    } else if (iteration.is_whole()) {
+        const even_direct_parameters parameters = {
+            .factor = factor,
+            .factor_2 = float2(factor, 2.0f),
+        };
+        commands.dispatch(even_kernel, {.form = glift::FormName::direct, .memories = memories,
+            .parameters = glift::bytes_of(parameters), .size = iteration.size(), .targets = iteration.targets()});
+    } else {
+        const even_general_parameters parameters = {
+            .size = iteration.counts(),
+            .corner_origin = corner.origin(),
+            .image_origin = image.origin(),
+            .factor = factor,
+            .factor_2 = float2(factor, 2.0f),
+        };
+        commands.dispatch(even_kernel, {.form = glift::FormName::general, .memories = memories,
+            .parameters = glift::bytes_of(parameters), .size = iteration.size(),
+            .patches = iteration.patches({offsetof(even_general_parameters, size)}), .targets = iteration.targets()});
+    }
+}
+
+// draws.glift:83: frame
 void frame(const glift::Commands& commands, const Corners& corners, const Points& points, float4x4 camera,
     const Points& marks, const Corners& number, const Colour& image) {
-    // draws.glift:78
+    // draws.glift:85
     Depth z(commands, image.extent());
-    // draws.glift:79
+    // draws.glift:86
     ::std_image::clear_depth_89866a9c(commands, z, 1.0f);
-    // draws.glift:80
+    // draws.glift:87
     draw_mesh(commands, corners, points, camera, image, z);
-    // draws.glift:81
+    // draws.glift:88
     const glift::DeviceScalar<uint> n = number.element(commands, 0u);
-    // draws.glift:82
-    draw_marks(commands, glift::slice(points, 0u, 3u, "draws.glift:82"), marks.first(n),
-        glift::slice(image, uint2(0u, 0u), uint2(8u, 8u), "draws.glift:82"),
-        glift::slice(z, uint2(0u, 0u), uint2(8u, 8u), "draws.glift:82"));
+    // draws.glift:89
+    draw_marks(commands, glift::slice(points, 0u, 3u, "draws.glift:89"), marks.first(n),
+        glift::slice(image, uint2(0u, 0u), uint2(8u, 8u), "draws.glift:89"),
+        glift::slice(z, uint2(0u, 0u), uint2(8u, 8u), "draws.glift:89"));
     z = {};
 }
 

@@ -1,10 +1,10 @@
 #version 460
-// dots, fragment part, draws.glift:67: whole ranges, shared state.
+// dots, fragment part, draws.glift:74: whole ranges, shared state.
 #extension GL_EXT_scalar_block_layout : require
 
 layout(location = 0) out vec4 image;
 
 void main() {
-    // draws.glift:72
+    // draws.glift:79
     image = vec4(0.125);
 }

@@ -1,5 +1,5 @@
 #version 460
-// dots, vertex part, draws.glift:67: whole ranges, shared state.
+// dots, vertex part, draws.glift:74: whole ranges, shared state.
 #extension GL_EXT_scalar_block_layout : require
 
 layout(scalar, set = 0, binding = 1) readonly buffer Corner_data { vec3 corner_data[]; };
@@ -7,6 +7,6 @@ layout(scalar, set = 0, binding = 1) readonly buffer Corner_data { vec3 corner_d
 void main() {
     gl_PointSize = 1.0;
     uvec2 address = uvec2(uint(gl_VertexIndex), uint(gl_InstanceIndex));
-    // draws.glift:70
+    // draws.glift:77
     gl_Position = vec4(corner_data[address.x], 1.0);
 }

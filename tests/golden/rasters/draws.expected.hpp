@@ -264,6 +264,10 @@ void draw_mesh(const glift::Commands& commands, const glift::Range<Corners>& cor
 void draw_marks(const glift::Commands& commands, const glift::Range<Points>& corner, const glift::Range<Points>& mark,
     const glift::Range<Colour>& image, const glift::Range<Depth>& depth);
 
+/// Derivatives of what is the same in all pixels.
+void even(const glift::Commands& commands, const glift::Range<Points>& corner, float factor,
+    const glift::Range<Colour>& image);
+
 /// A pass like any other.
 void frame(const glift::Commands& commands, const Corners& corners, const Points& points, glift::float4x4 camera,
     const Points& marks, const Corners& number, const Colour& image);

@@ -594,5 +594,261 @@ const glift::Kernel draw_marks_kernel = {
     .drawing = &draw_marks_drawing,
 };
 
+// ----------------------------------------------------------------------------------------------------
+// draws.glift:67: even
+
+namespace {
+struct even_direct_parameters {
+    float factor;
+    float2 factor_2;
+};
+static_assert(offsetof(even_direct_parameters, factor) == 0);
+static_assert(offsetof(even_direct_parameters, factor_2) == 4);
+
+// draws.glift:67: even, some corners.
+GLIFT_HOST_KERNEL
+static void even_direct_vertex(const void* pointer, std::uint64_t first, std::uint32_t count,
+    [[maybe_unused]] std::uint32_t instance, float* corners) {
+    [[maybe_unused]] const auto& call = *static_cast<const glift::HostCall*>(pointer);
+    const float3* corner_data = glift::host::elements<const float3>(call.memories[0]);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        [[maybe_unused]] const uint corner = static_cast<uint>(first) + i;
+        float4 place{};
+        const uint2 address_2 = uint2(corner, instance);
+        // draws.glift:68
+        place = float4(corner_data[address_2.x], 1.0f);
+        corners = glift::host::put(corners, place);
+    }
+}
+
+// draws.glift:67: even, some fragments.
+GLIFT_HOST_KERNEL
+static void even_direct_fragment(const void* pointer, const glift::host::Fragments& fragments) {
+    [[maybe_unused]] const auto& call = *static_cast<const glift::HostCall*>(pointer);
+    const auto& parameters = *static_cast<const even_direct_parameters*>(call.parameters);
+    const float factor = parameters.factor;
+    const float2 factor_2 = parameters.factor_2;
+    float4 image[glift::host::block_pixels];
+    [[maybe_unused]] std::uint64_t drawn = fragments.covered;
+    const std::uint64_t running = glift::host::quads_of(drawn);
+    float derived[glift::host::block_pixels];
+    float derived_2[glift::host::block_pixels];
+    float2 derived_3[glift::host::block_pixels];
+    for (std::uint64_t left = running; left != 0; left &= left - 1) {
+        [[maybe_unused]] const std::uint32_t pixel = glift::host::first_of(left);
+        // draws.glift:70
+        derived[pixel] = 3.0f;
+        derived_2[pixel] = factor;
+        derived_3[pixel] = factor_2;
+    }
+    // all pixels of a quad
+    for (std::uint64_t left = running & drawn; left != 0; left &= left - 1) {
+        [[maybe_unused]] const std::uint32_t pixel = glift::host::first_of(left);
+        image[pixel] = float4(glift::host::dFdx(derived, pixel), glift::host::dFdy(derived_2, pixel),
+            glift::host::fwidth(derived_3, pixel));
+    }
+    glift::host::draw_colour<glift::Format::rgba8,
+        glift::Blend::replace>(call.targets->colours[0], fragments, drawn, image);
+}
+
+static void even_direct(const glift::HostCall& call) {
+    const glift::HostTargets& targets = *call.targets;
+    glift::host::Draw draw;
+    draw.body = &call;
+    draw.vertex = even_direct_vertex;
+    draw.fragment = even_direct_fragment;
+    draw.corners = call.size[0];
+    draw.instances = call.size[1];
+    draw.viewport = targets.extent;
+    draw.framebuffer = targets.origin;
+    glift::host::draw(draw);
+}
+
+struct even_general_parameters {
+    uint2 size;
+    uint corner_origin;
+    uint2 image_origin;
+    float factor;
+    float2 factor_2;
+};
+static_assert(offsetof(even_general_parameters, size) == 0);
+static_assert(offsetof(even_general_parameters, corner_origin) == 8);
+static_assert(offsetof(even_general_parameters, image_origin) == 12);
+static_assert(offsetof(even_general_parameters, factor) == 20);
+static_assert(offsetof(even_general_parameters, factor_2) == 24);
+
+// draws.glift:67: even, some corners.
+GLIFT_HOST_KERNEL
+static void even_general_vertex(const void* pointer, std::uint64_t first, std::uint32_t count,
+    [[maybe_unused]] std::uint32_t instance, float* corners) {
+    [[maybe_unused]] const auto& call = *static_cast<const glift::HostCall*>(pointer);
+    const auto& parameters = *static_cast<const even_general_parameters*>(call.parameters);
+    const uint corner_origin = parameters.corner_origin;
+    const float3* corner_data = glift::host::elements<const float3>(call.memories[0]);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        [[maybe_unused]] const uint corner = static_cast<uint>(first) + i;
+        float4 place{};
+        const uint2 address_2 = uint2(corner, instance);
+        // draws.glift:68
+        const uint corner_address = corner_origin + address_2.x;
+        place = float4(corner_data[corner_address], 1.0f);
+        corners = glift::host::put(corners, place);
+    }
+}
+
+// draws.glift:67: even, some fragments.
+GLIFT_HOST_KERNEL
+static void even_general_fragment(const void* pointer, const glift::host::Fragments& fragments) {
+    [[maybe_unused]] const auto& call = *static_cast<const glift::HostCall*>(pointer);
+    const auto& parameters = *static_cast<const even_general_parameters*>(call.parameters);
+    const float factor = parameters.factor;
+    const float2 factor_2 = parameters.factor_2;
+    float4 image[glift::host::block_pixels];
+    [[maybe_unused]] std::uint64_t drawn = fragments.covered;
+    const std::uint64_t running = glift::host::quads_of(drawn);
+    float derived[glift::host::block_pixels];
+    float derived_2[glift::host::block_pixels];
+    float2 derived_3[glift::host::block_pixels];
+    for (std::uint64_t left = running; left != 0; left &= left - 1) {
+        [[maybe_unused]] const std::uint32_t pixel = glift::host::first_of(left);
+        // draws.glift:70
+        derived[pixel] = 3.0f;
+        derived_2[pixel] = factor;
+        derived_3[pixel] = factor_2;
+    }
+    // all pixels of a quad
+    for (std::uint64_t left = running & drawn; left != 0; left &= left - 1) {
+        [[maybe_unused]] const std::uint32_t pixel = glift::host::first_of(left);
+        image[pixel] = float4(glift::host::dFdx(derived, pixel), glift::host::dFdy(derived_2, pixel),
+            glift::host::fwidth(derived_3, pixel));
+    }
+    glift::host::draw_colour<glift::Format::rgba8,
+        glift::Blend::replace>(call.targets->colours[0], fragments, drawn, image);
+}
+
+static void even_general(const glift::HostCall& call) {
+    const glift::HostTargets& targets = *call.targets;
+    glift::host::Draw draw;
+    draw.body = &call;
+    draw.vertex = even_general_vertex;
+    draw.fragment = even_general_fragment;
+    draw.corners = call.size[0];
+    draw.instances = call.size[1];
+    draw.viewport = targets.extent;
+    draw.framebuffer = targets.origin;
+    glift::host::draw(draw);
+}
+
+struct even_wide_parameters {
+    uint2 size;
+    uint corner_origin;
+    uint2 image_origin;
+    float factor;
+    float2 factor_2;
+    std::uint64_t corner_data_address;
+};
+static_assert(offsetof(even_wide_parameters, size) == 0);
+static_assert(offsetof(even_wide_parameters, corner_origin) == 8);
+static_assert(offsetof(even_wide_parameters, image_origin) == 12);
+static_assert(offsetof(even_wide_parameters, factor) == 20);
+static_assert(offsetof(even_wide_parameters, factor_2) == 24);
+static_assert(offsetof(even_wide_parameters, corner_data_address) == 32);
+
+// draws.glift:67: even, some corners.
+GLIFT_HOST_KERNEL
+static void even_wide_vertex(const void* pointer, std::uint64_t first, std::uint32_t count,
+    [[maybe_unused]] std::uint32_t instance, float* corners) {
+    [[maybe_unused]] const auto& call = *static_cast<const glift::HostCall*>(pointer);
+    const auto& parameters = *static_cast<const even_wide_parameters*>(call.parameters);
+    const uint corner_origin = parameters.corner_origin;
+    const float3* corner_data = glift::host::elements<const float3>(call.memories[0]);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        [[maybe_unused]] const uint corner = static_cast<uint>(first) + i;
+        float4 place{};
+        const uint2 address_2 = uint2(corner, instance);
+        // draws.glift:68
+        const uint corner_address = corner_origin + address_2.x;
+        // draws.glift:67
+        const std::uint64_t corner_at = std::uint64_t(corner_address);
+        // draws.glift:68
+        place = float4(corner_data[corner_at], 1.0f);
+        corners = glift::host::put(corners, place);
+    }
+}
+
+// draws.glift:67: even, some fragments.
+GLIFT_HOST_KERNEL
+static void even_wide_fragment(const void* pointer, const glift::host::Fragments& fragments) {
+    [[maybe_unused]] const auto& call = *static_cast<const glift::HostCall*>(pointer);
+    const auto& parameters = *static_cast<const even_wide_parameters*>(call.parameters);
+    const float factor = parameters.factor;
+    const float2 factor_2 = parameters.factor_2;
+    float4 image[glift::host::block_pixels];
+    [[maybe_unused]] std::uint64_t drawn = fragments.covered;
+    const std::uint64_t running = glift::host::quads_of(drawn);
+    float derived[glift::host::block_pixels];
+    float derived_2[glift::host::block_pixels];
+    float2 derived_3[glift::host::block_pixels];
+    for (std::uint64_t left = running; left != 0; left &= left - 1) {
+        [[maybe_unused]] const std::uint32_t pixel = glift::host::first_of(left);
+        // draws.glift:70
+        derived[pixel] = 3.0f;
+        derived_2[pixel] = factor;
+        derived_3[pixel] = factor_2;
+    }
+    // all pixels of a quad
+    for (std::uint64_t left = running & drawn; left != 0; left &= left - 1) {
+        [[maybe_unused]] const std::uint32_t pixel = glift::host::first_of(left);
+        image[pixel] = float4(glift::host::dFdx(derived, pixel), glift::host::dFdy(derived_2, pixel),
+            glift::host::fwidth(derived_3, pixel));
+    }
+    glift::host::draw_colour<glift::Format::rgba8,
+        glift::Blend::replace>(call.targets->colours[0], fragments, drawn, image);
+}
+
+static void even_wide(const glift::HostCall& call) {
+    const glift::HostTargets& targets = *call.targets;
+    glift::host::Draw draw;
+    draw.body = &call;
+    draw.vertex = even_wide_vertex;
+    draw.fragment = even_wide_fragment;
+    draw.corners = call.size[0];
+    draw.instances = call.size[1];
+    draw.viewport = targets.extent;
+    draw.framebuffer = targets.origin;
+    glift::host::draw(draw);
+}
+
+const glift::Binding even_bindings[] = {
+    {.name = "corner.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 32,
+        .element_bytes = sizeof(float3)},
+};
+constexpr glift::Parameter even_parameters[] = {
+    {"factor", 0, sizeof(even_direct_parameters::factor)},
+    {"factor_2", 4, sizeof(even_direct_parameters::factor_2)},
+};
+const glift::ColourTarget even_colours[] = {
+    {.name = "image", .format = glift::Format::rgba8},
+};
+const glift::Drawing even_drawing = {.topology = glift::Topology::triangles, .cull = glift::Cull::none,
+    .colours = even_colours};
+}  // namespace
+
+extern const glift::Kernel even_kernel;
+const glift::Kernel even_kernel = {
+    .name = "even",
+    .file = "draws.glift",
+    .line = 67,
+    .rank = 2,
+    .group = {1, 1, 1},
+    .loop_rounds = 0,
+    .bindings = even_bindings,
+    .direct = {.host = &even_direct, .parameter_bytes = 12, .push_constants = true},
+    .general = {.host = &even_general, .parameter_bytes = 32},
+    .wide = {.host = &even_wide, .parameter_bytes = 40},
+    .parameters = even_parameters,
+    .drawing = &even_drawing,
+};
+
 }  // namespace draws
 
