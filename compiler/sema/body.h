@@ -98,8 +98,15 @@ struct Body {
     std::vector<Arm> arms;                                ///< pipelines: those around what is checked (sema/arms.h)
     std::unordered_map<ir::LocalId, std::size_t> depths;  ///< of variables: how many arms were around them
     std::vector<Span> device_variables;                   ///< names of variables that lie on the device
-    Span host_needed;     ///< where the pipeline first waits, or changes what the host knows
-    unsigned values = 0;  ///< pipelines: passes that compute values, so far
+    Span host_needed;  ///< where the pipeline first waits, or changes what the host knows
+    struct Replacement {
+        std::uint32_t member;
+        ir::LocalId temporary;
+        Span span;
+        const std::vector<ir::StmtId>* block;
+    };
+    std::vector<Replacement> replacements;  ///< pipelines: members that get other memory (sema/replace.h)
+    unsigned values = 0;                    ///< pipelines: passes that compute values, so far
     bool allow_await = false;
 
     bool grouped() const { return group[0] != 0; }

@@ -8,6 +8,7 @@
 #include "sema/generics.h"
 #include "sema/instances.h"
 #include "sema/modules.h"
+#include "sema/replace.h"
 #include "sema/warnings.h"
 
 #include <algorithm>
@@ -182,6 +183,7 @@ ir::Program check(const std::vector<LoadedModule>& modules, const ast::Tree& tre
         }
         if (!diagnostics.has_errors()) require_transfers(c, i, program.structures[i].span);
     }
+    if (!diagnostics.has_errors()) check_given(c);
     if (!diagnostics.has_errors()) require_transfers_of_arguments(c);
     // Beside an error: what it kept from being checked may have been what was meant.
     for (std::uint32_t i = 0; i < modules.size() && !diagnostics.has_errors(); ++i)

@@ -3,6 +3,7 @@
 #include "sema/constructors.h"
 #include "sema/generics.h"
 #include "sema/instances.h"
+#include "sema/replace.h"
 
 #include <algorithm>
 #include <utility>
@@ -185,6 +186,7 @@ std::optional<std::uint32_t> instantiate_pipeline(Context& c, ast::DeclId id, co
     open_scope(body);
     if (deferred) body.range_result = ir::TypeId{};
     check_pipeline_body(body, written.body, pipeline);
+    check_replaced_together(body);
     close_scope(body);
     close_scope(body);
     if (deferred) pipeline.result = *body.range_result ? *body.range_result : c.types().error;

@@ -1,8 +1,12 @@
 #include "sema/replace.h"
 
+#include "ir/evaluate.h"
+#include "ir/walk.h"
 #include "sema/arms.h"
 
 #include <algorithm>
+#include <map>
+#include <set>
 
 namespace gliftc::sema {
 
@@ -16,13 +20,25 @@ std::string why_kept(Body& body, const Operand& target) {
     if (target.place.members.size() != 1) return "it is a part of a member: replace the member as a whole";
     const std::uint32_t member = target.place.members[0];
     if (container.members[member].by_reference) return "it was given to " + container.display + ", whose it is not";
-    for (const ir::MemberStructure& other : container.members) {
-        const bool is_given = std::ranges::any_of(other.structures, [&](const ir::Place& place) {
-            return !place.members.empty() && place.members[0] == member;
-        });
-        if (is_given) return "it was given to the member '" + body.context.text(other.name) + "', which would keep it";
-    }
     return "";
+}
+
+/// Whether the temporary was made over `other` as the member is made over `given`, a member of the container.
+bool is_made_over(const Body& body, ir::LocalId temporary, const ir::MemberStructure& member, std::uint32_t given,
+                  ir::LocalId other) {
+    std::vector<ir::Expr> structures;
+    for (ir::ExprId argument : body.made.at(temporary))
+        if (const ir::Expr& expr = body.context.program.exprs[argument];
+            body.context.program.types.kind(expr.type) == ir::TypeKind::structure)
+            structures.push_back(expr);
+    if (structures.size() != member.structures.size()) return false;
+    for (std::size_t k = 0; k < structures.size(); ++k) {
+        const ir::Place& place = member.structures[k];
+        if (place.members.empty() || place.members[0] != given) continue;
+        const std::vector<std::uint32_t> rest(place.members.begin() + 1, place.members.end());
+        if (structures[k].local != other || !std::ranges::equal(structures[k].place.members, rest)) return false;
+    }
+    return true;
 }
 
 /// The temporary of this block that a name stands for.
@@ -33,7 +49,117 @@ std::optional<ir::LocalId> temporary_of(const Body& body, const ast::Expr& value
     return body.scopes.back().contains(value.name) ? std::optional(operand.local) : std::nullopt;
 }
 
+/// A member of an instance.
+using Member = std::pair<std::uint32_t, std::uint32_t>;
+
+/// Calls visit(const Stmt&) for the statements that may run: of an `if` whose condition is a constant, one arm.
+template <class Visit>
+void for_each_running(const ir::Program& program, const std::vector<ir::StmtId>& body, Visit&& visit) {
+    for (ir::StmtId id : body) {
+        const ir::Stmt& stmt = program.stmts[id];
+        visit(stmt);
+        std::optional<ir::Value> known;
+        if (stmt.op == ir::StmtOp::if_) known = ir::evaluate(program, stmt.value);
+        if (!known || known->bits()) for_each_running(program, stmt.body, visit);
+        if (!known || !known->bits()) for_each_running(program, stmt.otherwise, visit);
+    }
+}
+
+/// The pipelines that run: what programs can call, and what is called anywhere.
+std::set<std::uint32_t> running_pipelines(const ir::Program& program) {
+    std::set<std::uint32_t> running;
+    for (std::uint32_t i = 0; i < program.pipelines.size(); ++i) {
+        if (program.pipelines[i].is_pub) running.insert(i);
+        for_each_running(program, program.pipelines[i].body, [&](const ir::Stmt& stmt) {
+            ir::for_each_root(stmt, [&](ir::ExprId root) {
+                ir::for_each_node(program, root, [&](ir::ExprId node) {
+                    const ir::Expr& expr = program.exprs[node];
+                    if (expr.op == ir::Op::pipeline_call) running.insert(expr.slot);
+                });
+            });
+        });
+    }
+    return running;
+}
+
+/// The members that get other memory, and where.
+std::map<Member, Span> replaced_members(const ir::Program& program) {
+    std::map<Member, Span> replaced;
+    for (std::uint32_t i : running_pipelines(program)) {
+        const ir::Pipeline& pipeline = program.pipelines[i];
+        for_each_running(program, pipeline.body, [&](const ir::Stmt& stmt) {
+            if (stmt.op == ir::StmtOp::replace && pipeline.owner)
+                replaced.emplace(Member(*pipeline.owner, stmt.place.members[0]), stmt.span);
+        });
+    }
+    return replaced;
+}
+
+/// Where something on the path from a structure gets other memory, from step `first` of the path on.
+std::optional<Span> replaced_on_path(const ir::Program& program, const std::map<Member, Span>& replaced,
+                                     std::uint32_t structure, const ir::Place& place, std::size_t first) {
+    for (std::size_t k = 0; k < place.members.size(); ++k) {
+        const auto found = replaced.find(Member(structure, place.members[k]));
+        if (k >= first && found != replaced.end()) return found->second;
+        structure = program.structures[structure].members[place.members[k]].structure;
+    }
+    return std::nullopt;
+}
+
+std::string path_text(const Context& c, const ir::Structure& structure, const ir::Place& place) {
+    std::string text;
+    const ir::Structure* at = &structure;
+    for (std::uint32_t member : place.members) {
+        text += (text.empty() ? "" : ".") + std::string(c.text(at->members[member].name));
+        at = &c.program.structures[at->members[member].structure];
+    }
+    return text;
+}
+
 }  // namespace
+
+void check_replaced_together(Body& body) {
+    for (const Body::Replacement& replaced : body.replacements) {
+        const ir::Structure& container = body.program().structures[*body.container];
+        for (std::uint32_t i = 0; i < container.members.size(); ++i) {
+            const ir::MemberStructure& member = container.members[i];
+            const bool is_given = std::ranges::any_of(member.structures, [&](const ir::Place& place) {
+                return !place.members.empty() && place.members[0] == replaced.member;
+            });
+            const bool is_made_anew = std::ranges::any_of(body.replacements, [&](const Body::Replacement& other) {
+                return other.member == i && other.block == replaced.block &&
+                       is_made_over(body, other.temporary, member, replaced.member, replaced.temporary);
+            });
+            if (!is_given || is_made_anew) continue;
+            const std::string name(body.context.text(member.name));
+            Diagnostic& error = body.context.error(Diag::replaced_member, replaced.span);
+            note(error, replaced.span, "it was given to the member '" + name + "', which would keep it");
+            note(error, replaced.span,
+                 "give '" + name + "' other memory in the same block: a temporary made over this one");
+        }
+    }
+}
+
+void check_given(Context& c) {
+    const std::map<Member, Span> replaced = replaced_members(c.program);
+    if (replaced.empty()) return;
+    for (std::uint32_t i = 0; i < c.program.structures.size(); ++i) {
+        const ir::Structure& structure = c.program.structures[i];
+        const auto check = [&](Name name, Span span, const ir::Place& place, std::size_t first) {
+            const std::optional<Span> where = replaced_on_path(c.program, replaced, i, place, first);
+            if (!where) return;
+            const std::string given = path_text(c, structure, place);
+            Diagnostic& error = c.error(Diag::given_replaced, span, {c.text(name), given});
+            note(error, *where, "here " + given + " may get other memory");
+            note(error, span, "make it where it is used, in pipelines: let " + std::string(c.text(name)) + " = …");
+        };
+        // What a container gives away of its own members: check_replaced_together().
+        for (const ir::MemberStructure& member : structure.members)
+            for (const ir::Place& place : member.structures) check(member.name, member.span, place, 1);
+        for (const ir::Memory& memory : structure.memories)
+            if (memory.part) check(memory.name, memory.span, memory.part->of, 0);
+    }
+}
 
 bool check_replace(Body& body, const ast::Stmt& stmt) {
     Context& c = body.context;
@@ -68,6 +194,7 @@ bool check_replace(Body& body, const ast::Stmt& stmt) {
     const ir::StmtId id = add(body.program(), ir::StmtOp::replace, stmt.span);
     body.program().stmts[id].place = target.place;
     body.program().stmts[id].local = *temporary;
+    body.replacements.push_back({target.place.members[0], *temporary, written.span, body.block});
     emit(body, id);
     body.scopes.back().erase(c[stmt.value].name);  // its memory is the member's
     return true;

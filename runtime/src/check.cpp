@@ -3,6 +3,7 @@
 #include "check_draw.h"
 #include "image_layout.h"
 #include "objects.h"
+#include "report.h"
 #include "text.h"
 
 #include <glift/error.h>
@@ -25,6 +26,7 @@ void check_owner(const DeviceObject* device, const Memory& memory, const char* c
         wrong("a memory of another device was passed", std::string(call) + ", " + memory_text(memory.description()), {},
               "allocate it on the device that runs the call, or copy it there through the host");
     }
+    if (memory.object()->is_replaced()) throw_given_up(*memory.object(), call);
 }
 
 // Not inlined, so that the dispatch path stays small.
@@ -95,7 +97,8 @@ void check_memories(const DeviceObject* device, const Kernel& kernel, std::span<
     }
     for (std::size_t k = 0; k < memories.size(); ++k) {
         const MemoryObject* object = memories[k].object();
-        if (!object || object->device().get() != device || object->description().kind != kernel.bindings[k].kind) {
+        if (!object || object->device().get() != device || object->description().kind != kernel.bindings[k].kind ||
+            object->is_replaced()) {
             wrong_memory(device, kernel, kernel.bindings[k], memories[k]);
         }
     }

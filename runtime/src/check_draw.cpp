@@ -2,6 +2,7 @@
 
 #include "image_layout.h"
 #include "objects.h"
+#include "report.h"
 #include "text.h"
 
 #include <glift/error.h>
@@ -33,6 +34,7 @@ void check_target(const DeviceObject* device, const Kernel& kernel, const char* 
     if (d.kind != MemoryKind::image2d && d.kind != MemoryKind::imagecube && d.kind != MemoryKind::image2darray)
         wrong(kernel, what + " is no 2-D image", memory_text(d),
               "draw to a 2-D image, to a layer or to a face of a cube");
+    if (object.is_replaced()) throw_given_up(object, std::string(kernel_text(kernel)) + ", " + what);
     if (d.format != format)
         wrong(kernel, what + " has another texel format than the kernel draws", memory_text(d),
               "pass an image of the target's format");

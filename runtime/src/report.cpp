@@ -56,6 +56,13 @@ void require_current(std::span<const Memory> memories) {
     }
 }
 
+void throw_given_up(const MemoryObject& memory, std::string where) {
+    throw Error(ErrorCode::wrong_argument, "memory is used that its container has given up",
+                std::move(where) + ", " + memory_text(memory.description()),
+                "a pipeline gave the container's member other memory after this structure was made over it",
+                "make the structure again, over the member as it is now");
+}
+
 void throw_closed(std::string where) {
     throw Error(ErrorCode::wrong_argument, "commands were kept beyond the recording that they belong to",
                 std::move(where),

@@ -33,6 +33,8 @@ void throw_report(const Reporter& reporter, const StatusRecord& record);
 [[noreturn]] void throw_replaced_in_recording();
 /// Throws if what a recording uses is no longer what its containers have.
 void require_current(std::span<const Memory> memories);
+/// For memory that a container has given up, in a call.
+[[noreturn]] void throw_given_up(const MemoryObject& memory, std::string where);
 [[noreturn]] void throw_missing_form(const Kernel& kernel, const char* form, const char* device);
 
 }  // namespace glift::detail

@@ -152,6 +152,24 @@ TEST(Memories, recordings_do_not_outlive_the_memory_of_a_member) {
     }
 }
 
+TEST(Memories, what_was_made_over_a_member_that_got_other_memory_is_refused) {
+    constexpr const char* text = "memory is used that its container has given up";
+    for (const char* name : devices) {
+        const auto device = glift::Device::open(name);
+        memories::Growing growing(device, 2);
+        growing.items().write(numbers_from(5, 2));
+        const memories::Shown shown(device, growing.items());
+        EXPECT_EQ(shown.read(), (std::vector<std::uint32_t>{5, 6}));
+        const memories::Numbers to(device, 2);
+        memories::keep_first(device, growing, to);
+        EXPECT_EQ(to.read(), (std::vector<std::uint32_t>{5, 5}));
+        expect_error(text, [&] { shown.read(); });
+        expect_error(text, [&] { memories::Shown(shown).fill(1); });
+        EXPECT_EQ(memories::Shown(device, growing.items()).read(), (std::vector<std::uint32_t>{9, 9, 9, 9}));
+        expect_error(text, [&] { memories::number_too_late(device, growing); });
+    }
+}
+
 TEST(Memories, views_are_read) {
     for (const char* name : devices) {
         const auto device = glift::Device::open(name);
