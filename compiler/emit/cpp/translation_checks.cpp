@@ -175,7 +175,7 @@ private:
             names.push_back("table_" + std::to_string(names.size()));
             while (std::ranges::find(taken, names.back()) != taken.end()) names.back() += "_t";
             out_.line("const glift::Mirror " + names.back() + "(" +
-                      structure_property(unit_.globals, table, index_, "structure.").text + ");");
+                      structure_property(unit_.globals, table, index_, "structure.").text + ", structure.device());");
         }
         return names;
     }
@@ -216,10 +216,22 @@ bool reads_tables(const ir::Program& program, const Structure& structure) {
     });
 }
 
+/// Why what a translator reads cannot be brought to the host; empty: it can.
+std::string why_not_mirrored(const ir::Program& program, const Structure& structure, const ir::Stage& stage) {
+    for (const ir::Place& place : tables_of(program, program.translators[stage.translator])) {
+        const Structure& table = ir::structure_at(program, structure, placed(stage, place).members);
+        if (table.kind == ir::StructureKind::view && !table.domain)
+            return "its table is " + table.display + ", a view without a domain";
+    }
+    return "";
+}
+
 /// Why the structure's translation cannot be tried at all; empty: it can.
 std::string why_never(const ir::Program& program, const Structure& structure) {
     for (const ir::Stage& stage : structure.via) {
         const ir::Translator& translator = program.translators[stage.translator];
+        if (std::string why = why_not_mirrored(program, structure, stage); !why.empty())
+            return translator.display + ": " + why;
         for (ir::FunctionId id : {translator.translate, translator.invert})
             if (std::string why = why_not_printed(program, id); !why.empty()) return translator.display + ": " + why;
     }

@@ -29,16 +29,17 @@ template <class A> Tried<A> tried(const A& domain) {
 /// Thrown where a translator reads a table out of bounds: the result depends on the table, and is not checked.
 struct OutsideTable {};
 
-/// A copy of a table's elements on the host, for translators that read it.
+/// A copy of a table's elements on the host, for translators that read it. A view's are computed on the device.
 template <class S> class Mirror {
 public:
     using Address = typename S::Address;
     using Element = typename S::Element;
 
-    explicit Mirror(const S& table) : domain_(detail::extent_of(table.domain())) {
+    Mirror(const S& table, const Commands& commands) : domain_(detail::extent_of(table.domain())) {
         if (detail::volume_of(domain_) > 1u << 22)
             throw Error(ErrorCode::too_large, std::string("a table too large to look through: ") + S::type_name);
-        values_ = table.read();
+        if constexpr (requires { table.read(); }) values_ = table.read();
+        else values_ = computed(table, commands);
     }
     Element operator[](const Address& address) const {
         const Extent at = detail::extent_of(address, 0);
@@ -51,6 +52,17 @@ public:
     }
 
 private:
+    static std::vector<Element> computed(const S& view, const Commands& commands) {
+        std::vector<Element> values(detail::volume_of(detail::extent_of(view.domain())));
+        if (values.empty()) return values;
+        const std::size_t bytes = values.size() * sizeof(Element);
+        const Memory box = commands.allocate({.name = "box", .bytes = (bytes + 3) / 4 * 4, .zeroed = false});
+        view.copy_out(commands, Range<S>(view), box);
+        const Download elements = commands.download(box, 0, bytes);
+        std::memcpy(values.data(), elements.get().data(), bytes);
+        return values;
+    }
+
     Extent domain_;
     std::vector<Element> values_;
 };
