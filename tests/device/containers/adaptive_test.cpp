@@ -190,7 +190,8 @@ public:
     }
 
     void run() {
-        for (int step = 0; step < 4 && !testing::Test::HasFailure(); ++step) {
+        constexpr int steps = N == 3 ? 2 : 3;
+        for (int step = 0; step < steps && !testing::Test::HasFailure(); ++step) {
             change();
             ASSERT_EQ(tree_.status(device_).resident, field_.pages().size()) << round_.wrong("pages").message();
             if (policy_ == Policy::coarsen) ASSERT_EQ(tree_.status(device_).refused, 0u);

@@ -1,6 +1,7 @@
 // Random requests, dismissals, writes, refinements and reads of sparse arrays whose page table is a hash of pages, at
-// both ends of the axes and in the middle, compared with std::unordered_map after each change: status, contents, the
-// order of frames and the layout of the hash, which are the same on every run and device.
+// both ends of the axes and in the middle, compared with std::unordered_map after each change, for each policy of pools
+// that are too small: status, contents, the order of frames and the layout of the hash, which are the same on every run
+// and device.
 #include "property.h"
 
 #include "hashed.glift.hpp"
@@ -32,6 +33,13 @@ uint2 page_of(uint2 place) { return {place.x / page_x, place.y / page_y}; }
 Number element_of(uint2 place) { return place.y % page_y * page_x + place.x % page_x; }
 bool in_row_major_order(uint2 a, uint2 b) { return a.y != b.y ? a.y < b.y : a.x < b.x; }
 
+enum class Policy : std::uint8_t { drop, fail, evict, grow };
+
+template <class Sheet> constexpr Policy policy_of = Policy::drop;
+template <> constexpr Policy policy_of<hashed::Strict> = Policy::fail;
+template <> constexpr Policy policy_of<hashed::Evicting> = Policy::evict;
+template <> constexpr Policy policy_of<hashed::Growing> = Policy::grow;
+
 /// Pages that come and go, with what they have.
 class Model {
 public:
@@ -40,7 +48,7 @@ public:
         bool operator==(const Status&) const = default;
     };
 
-    explicit Model(Number capacity) { status_.capacity = capacity; }
+    Model(Number capacity, Policy policy) : policy_(policy) { status_.capacity = capacity; }
 
     void request(uint2 page) { wanted_.push_back(page); }
 
@@ -48,21 +56,32 @@ public:
 
     /// Frames of what has gone are given back, those that stay keep their order, and what comes stands behind them.
     void allocate() {
-        std::erase_if(order_, [&](uint2 page) { return !contents_.contains(page); });
+        ++round_;
         std::ranges::sort(wanted_, in_row_major_order);
         wanted_.erase(std::ranges::unique(wanted_).begin(), wanted_.end());
-        status_.requested = status_.granted = 0;
+        std::vector<uint2> missing;
         for (uint2 page : wanted_) {
-            if (contents_.contains(page)) continue;
-            ++status_.requested;
-            if (order_.size() == status_.capacity) continue;
-            ++status_.granted;
-            order_.push_back(page);
-            contents_[page].fill(background);
+            if (contents_.contains(page)) last_[page] = round_;
+            else missing.push_back(page);
         }
         wanted_.clear();
+        status_.requested = static_cast<Number>(missing.size());
+        if (policy_ == Policy::evict) evict();
+        std::erase_if(order_, [&](uint2 page) { return !contents_.contains(page); });
+        const auto resident = static_cast<Number>(order_.size());
+        const Number needed = resident + status_.requested;
+        if (policy_ == Policy::grow && needed > status_.capacity)
+            status_.capacity = std::max(needed, 2 * status_.capacity);
+        const Number room = status_.capacity - resident;
+        const bool fails = policy_ == Policy::fail && status_.requested > room;
+        status_.granted = fails ? 0 : std::min(status_.requested, room);
         status_.refused = status_.requested - status_.granted;
-        status_.resident = static_cast<Number>(order_.size());
+        status_.resident = resident + status_.granted;
+        for (Number i = 0; i < status_.granted; ++i) {
+            order_.push_back(missing[i]);
+            contents_[missing[i]].fill(background);
+            last_[missing[i]] = round_;
+        }
     }
 
     /// Where an element is; null: its page is not there, or it is the last one of an axis, which is outside.
@@ -103,21 +122,39 @@ public:
     const std::vector<uint2>& order() const { return order_; }
 
 private:
+    /// As many pages go as there are frames too few: those that were requested longest ago.
+    void evict() {
+        std::vector<uint2> all;
+        for (const auto& [page, content] : contents_) all.push_back(page);
+        std::ranges::sort(all, [&](uint2 a, uint2 b) {
+            return last_.at(a) != last_.at(b) ? last_.at(a) < last_.at(b) : in_row_major_order(a, b);
+        });
+        const auto room = static_cast<Number>(status_.capacity - all.size());
+        Number left = status_.requested - std::min(status_.requested, room);
+        for (uint2 page : all) {
+            if (left-- == 0 || last_.at(page) == round_) return;
+            contents_.erase(page);
+        }
+    }
+
+    Policy policy_;
     Status status_;
-    std::vector<uint2> wanted_, order_;  ///< order: those that were there at the last change
+    Number round_ = 0;
+    std::unordered_map<uint2, Number, Hash> last_;  ///< the change that last requested a page
+    std::vector<uint2> wanted_, order_;             ///< order: those that were there at the last change
     std::unordered_map<uint2, std::array<Number, page_volume>, Hash> contents_;
 };
 
-class Sequence {
+template <class Sheet> class Sequence {
 public:
     Sequence(const glift::Device& device, Round& round)
-        : device_(device), round_(round), capacity_(1 + round.below(round.chance(3) ? 400 : 40)), model_(capacity_),
-          sheet_(device, capacity_, background) {
-        round_.about("capacity " + std::to_string(capacity_));
+        : device_(device), round_(round), capacity_(1 + round.below(round.chance(3) ? 400 : 40)),
+          model_(capacity_, policy_of<Sheet>), sheet_(device, capacity_, background) {
+        round_.about(std::string(Sheet::type_name) + ", capacity " + std::to_string(capacity_));
     }
 
     void run() {
-        for (int step = 0; step < 30 && !testing::Test::HasFailure(); ++step) {
+        for (int step = 0; step < 8 && !testing::Test::HasFailure(); ++step) {
             request();
             if (round_.chance(2)) dismiss();
             sheet_.allocate(device_);
@@ -149,10 +186,12 @@ private:
         return made;
     }
 
-    /// Kernels may request as many pages as there are places in the set of wanted ones, twice the capacity.
+    /// Kernels may request as many pages as there are places in the set of wanted ones, twice the capacity; a list may
+    /// be longer where pools grow.
     void request() {
-        std::vector<uint2> asked = places(2 * capacity_);
-        if (round_.chance(2)) {
+        const bool is_long = policy_of<Sheet> == Policy::grow && round_.chance(2);
+        std::vector<uint2> asked = places(is_long ? 5 * capacity_ : 2 * capacity_);
+        if (!is_long && round_.chance(2)) {
             hashed::request(device_, on_device(asked), sheet_);
         } else {
             for (uint2& place : asked) place = page_of(place);
@@ -170,7 +209,7 @@ private:
 
     void refine() {
         const Number by = round_.below(1000000);
-        hashed::refine(device_, sheet_, by);
+        hashed::refine(device_, sheet_.frames(), model_.status().resident, by);
         model_.refine(by);
     }
 
@@ -225,11 +264,19 @@ private:
     Round& round_;
     Number capacity_;
     Model model_;
-    hashed::Sheet sheet_;
+    Sheet sheet_;
 };
 
 TEST_P(SparseHashed, KeepsWhatAMapKeeps) {
-    for_all("sparse array over a hash", [&](Round& round) { Sequence(device(), round).run(); });
+    int policy = 0;
+    for_all("sparse array over a hash", [&](Round& round) {
+        switch (policy++ % 4) {
+        case 0: return Sequence<hashed::Sheet>(device(), round).run();
+        case 1: return Sequence<hashed::Strict>(device(), round).run();
+        case 2: return Sequence<hashed::Evicting>(device(), round).run();
+        default: return Sequence<hashed::Growing>(device(), round).run();
+        }
+    });
 }
 
 /// The change is one submission, and nothing is read back; each replay takes what was requested since the last one.
@@ -237,7 +284,7 @@ TEST_P(SparseHashed, RecordedOnce) {
     for_all("sparse array over a hash, recorded", [&](Round& round) {
         const Number capacity = 1 + round.below(200), most = 2 * capacity;
         hashed::Sheet sheet(device(), capacity, background);
-        Model model(capacity);
+        Model model(capacity, Policy::drop);
         hashed::Places places(device(), most);
         const auto step = device().record([&](const glift::Commands& commands) {
             hashed::dismiss(commands, places, sheet);
