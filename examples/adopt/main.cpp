@@ -1,6 +1,6 @@
-// Glift inside a program that has its own Vulkan device, its own shader and its own command buffer: the program draws
-// into a Glift structure with its shader, Glift's passes soften it in the same command buffer, the program copies it
-// out.
+// Glift inside a program that has its own Vulkan device, its own shader, its own image and its own command buffer: the
+// program draws into a Glift structure with its shader, Glift's passes soften it in the same command buffer, and Glift
+// draws it into the program's image, which the program has cleared before and copies afterwards.
 #include "../common/png.h"
 #include "adopt.glift.hpp"
 #include "checkerboard.h"
@@ -20,8 +20,19 @@ namespace {
 constexpr glift::uint2 extent = {203, 117};
 constexpr std::uint32_t square = 20, rounds = 4;
 
+/// The film has a margin around the picture, and its colour where the picture is darker than `least`.
+constexpr std::uint32_t margin = 12;
+constexpr glift::uint2 film_extent = {extent.x + 2 * margin, extent.y + 2 * margin};
+constexpr float paper = 0.75f, least = 0.25f;
+
+/// What the program copies out: the picture by rows, and the film.
+struct Pictures {
+    std::vector<float> rows, film;
+    bool operator==(const Pictures&) const = default;
+};
+
 /// The expected picture, computed here. Outside it is black.
-std::vector<float> expected() {
+std::vector<float> expected_picture() {
     std::vector<float> picture(extent.x * extent.y), other(picture.size());
     const auto at = [&](std::uint32_t x, std::uint32_t y) {
         return x < extent.x && y < extent.y ? picture[y * extent.x + x] : 0.0f;
@@ -40,8 +51,31 @@ std::vector<float> expected() {
     return picture;
 }
 
-/// Draws, softens and copies out, in one command buffer of the program's own.
-std::vector<float> draw(const PlainVulkan& vulkan) {
+Pictures expected() {
+    Pictures result{expected_picture(), std::vector<float>(film_extent.x * film_extent.y, paper)};
+    for (std::uint32_t y = 0; y < extent.y; ++y)
+        for (std::uint32_t x = 0; x < extent.x; ++x)
+            if (const float value = result.rows[y * extent.x + x]; value >= least)
+                result.film[(y + margin) * film_extent.x + x + margin] = value;
+    return result;
+}
+
+std::vector<float> values_of(const void* data, glift::uint2 size) {
+    std::vector<float> values(std::size_t{size.x} * size.y);
+    std::memcpy(values.data(), data, sizeof(float) * values.size());
+    return values;
+}
+
+glift::Memory adopted(const glift::Device& device, const ColourImage& image) {
+    return glift::vulkan::adopt_image(device, {.image = image.image,
+                                               .format = VK_FORMAT_R32_SFLOAT,
+                                               .extent = film_extent,
+                                               .usage = image.usage,
+                                               .name = "film"});
+}
+
+/// Draws, softens, shows and copies out, in one command buffer of the program's own.
+Pictures draw(const PlainVulkan& vulkan) {
     const glift::Device device = glift::vulkan::adopt({.instance = vulkan.instance,
                                                        .physical = vulkan.physical,
                                                        .device = vulkan.device,
@@ -56,7 +90,10 @@ std::vector<float> draw(const PlainVulkan& vulkan) {
 
     const ComputeShader shader(vulkan, checkerboard, sizeof(glift::uint2) + sizeof square);
     shader.bind({drawn.buffer, drawn.offset, drawn.bytes});
-    const ReadbackBuffer result(vulkan, bytes);
+    const ReadbackBuffer result(vulkan, bytes), shown(vulkan, sizeof(float) * film_extent.x * film_extent.y);
+
+    const ColourImage image(vulkan, VK_FORMAT_R32_SFLOAT, {film_extent.x, film_extent.y});
+    const adopt::Film film(device, film_extent, adopted(device, image));
     // Submit the initialisation of the structures before the program's own commands.
     device.commands().flush();
 
@@ -66,14 +103,17 @@ std::vector<float> draw(const PlainVulkan& vulkan) {
         std::uint32_t square;
     } const parameters = {extent, square};
     shader.dispatch(commands, &parameters, (extent.x + 7) / 8, (extent.y + 7) / 8);
+    image.clear(commands, paper);
 
     const glift::Commands into = glift::vulkan::record_into(device, commands);
     adopt::soften(into, picture, rounds);
     adopt::lay_out(into, picture, rows);
+    adopt::show(into, adopt::Everything{3}, picture, film.range({margin, margin}, extent), least);
     glift::vulkan::finish(into);
 
     const VkBufferCopy region = {memory.offset, 0, bytes};
     vkCmdCopyBuffer(commands, memory.buffer, result.buffer, 1, &region);
+    image.copy_to(commands, shown.buffer);
     const VkMemoryBarrier visible = {.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER,
                                      .srcAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT,
                                      .dstAccessMask = VK_ACCESS_HOST_READ_BIT};
@@ -81,9 +121,7 @@ std::vector<float> draw(const PlainVulkan& vulkan) {
                          nullptr, 0, nullptr);
     vulkan.run(commands);
 
-    std::vector<float> values(std::size_t{extent.x} * extent.y);
-    std::memcpy(values.data(), result.data, bytes);
-    return values;
+    return {values_of(result.data, extent), values_of(shown.data, film_extent)};
 }
 
 }  // namespace
@@ -96,12 +134,12 @@ int main(int argc, char** argv) {
         }
         const PlainVulkan vulkan;
         std::printf("device: %s, made by this program\n", vulkan.name.c_str());
-        const std::vector<float> values = draw(vulkan);
+        const Pictures pictures = draw(vulkan);
         if (argc == 2) {
-            png::write(argv[1], {extent.x, extent.y, values});
+            png::write(argv[1], {film_extent.x, film_extent.y, pictures.film});
             std::printf("picture: %s\n", argv[1]);
         }
-        const bool right = values == expected();
+        const bool right = pictures == expected();
         std::printf("the picture is %s\n", right ? "as expected, to the bit" : "WRONG");
         return right ? 0 : 1;
     } catch (const std::exception& error) {

@@ -44,10 +44,11 @@ void PlainVulkan::choose_device() {
     vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, nullptr);
     std::vector<VkQueueFamilyProperties> families(count);
     vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, families.data());
-    const auto computes = [](const VkQueueFamilyProperties& each) { return each.queueFlags & VK_QUEUE_COMPUTE_BIT; };
+    constexpr VkQueueFlags wanted = VK_QUEUE_COMPUTE_BIT | VK_QUEUE_GRAPHICS_BIT;
+    const auto does_both = [](const VkQueueFamilyProperties& each) { return (each.queueFlags & wanted) == wanted; };
     queue_family =
-        static_cast<std::uint32_t>(std::find_if(families.begin(), families.end(), computes) - families.begin());
-    if (queue_family == count) throw std::runtime_error(name + " has no queue for compute");
+        static_cast<std::uint32_t>(std::find_if(families.begin(), families.end(), does_both) - families.begin());
+    if (queue_family == count) throw std::runtime_error(name + " has no queue that computes and draws");
 }
 
 void PlainVulkan::make_device() {
@@ -162,20 +163,74 @@ void ComputeShader::dispatch(VkCommandBuffer commands, const void* parameters, s
     vkCmdDispatch(commands, groups_x, groups_y, 1);
 }
 
+namespace {
+
+VkDeviceMemory allocate(const PlainVulkan& vulkan, const VkMemoryRequirements& needs, VkMemoryPropertyFlags wanted) {
+    VkPhysicalDeviceMemoryProperties memory;
+    vkGetPhysicalDeviceMemoryProperties(vulkan.physical, &memory);
+    std::uint32_t type = 0;
+    while (!(needs.memoryTypeBits >> type & 1) || (memory.memoryTypes[type].propertyFlags & wanted) != wanted) ++type;
+    const VkMemoryAllocateInfo allocation = {
+        .sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO, .allocationSize = needs.size, .memoryTypeIndex = type};
+    VkDeviceMemory result = VK_NULL_HANDLE;
+    check(vkAllocateMemory(vulkan.device, &allocation, nullptr, &result), "vkAllocateMemory");
+    return result;
+}
+
+}  // namespace
+
+ColourImage::ColourImage(const PlainVulkan& vulkan, VkFormat format, VkExtent2D extent)
+    : device_(vulkan.device), extent_(extent) {
+    const VkImageCreateInfo info = {.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
+                                    .imageType = VK_IMAGE_TYPE_2D,
+                                    .format = format,
+                                    .extent = {extent.width, extent.height, 1},
+                                    .mipLevels = 1,
+                                    .arrayLayers = 1,
+                                    .samples = VK_SAMPLE_COUNT_1_BIT,
+                                    .usage = usage};
+    check(vkCreateImage(device_, &info, nullptr, &image), "vkCreateImage");
+    VkMemoryRequirements needs;
+    vkGetImageMemoryRequirements(device_, image, &needs);
+    memory_ = allocate(vulkan, needs, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
+    check(vkBindImageMemory(device_, image, memory_, 0), "vkBindImageMemory");
+}
+
+ColourImage::~ColourImage() {
+    vkDestroyImage(device_, image, nullptr);
+    vkFreeMemory(device_, memory_, nullptr);
+}
+
+/// What follows it on the queue, Glift's barrier included, comes after the clear.
+void ColourImage::clear(VkCommandBuffer commands, float value) const {
+    constexpr VkImageSubresourceRange all = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
+    const VkImageMemoryBarrier general = {.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER,
+                                          .dstAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT,
+                                          .oldLayout = VK_IMAGE_LAYOUT_UNDEFINED,
+                                          .newLayout = VK_IMAGE_LAYOUT_GENERAL,
+                                          .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
+                                          .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
+                                          .image = image,
+                                          .subresourceRange = all};
+    vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT, VK_PIPELINE_STAGE_TRANSFER_BIT, 0, 0, nullptr, 0,
+                         nullptr, 1, &general);
+    const VkClearColorValue colour = {.float32 = {value, 0, 0, 0}};
+    vkCmdClearColorImage(commands, image, VK_IMAGE_LAYOUT_GENERAL, &colour, 1, &all);
+}
+
+void ColourImage::copy_to(VkCommandBuffer commands, VkBuffer buffer) const {
+    const VkBufferImageCopy region = {.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1},
+                                      .imageExtent = {extent_.width, extent_.height, 1}};
+    vkCmdCopyImageToBuffer(commands, image, VK_IMAGE_LAYOUT_GENERAL, buffer, 1, &region);
+}
+
 ReadbackBuffer::ReadbackBuffer(const PlainVulkan& vulkan, VkDeviceSize bytes) : device_(vulkan.device) {
     const VkBufferCreateInfo info = {
         .sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO, .size = bytes, .usage = VK_BUFFER_USAGE_TRANSFER_DST_BIT};
     check(vkCreateBuffer(device_, &info, nullptr, &buffer), "vkCreateBuffer");
     VkMemoryRequirements needs;
     vkGetBufferMemoryRequirements(device_, buffer, &needs);
-    VkPhysicalDeviceMemoryProperties memory;
-    vkGetPhysicalDeviceMemoryProperties(vulkan.physical, &memory);
-    constexpr VkMemoryPropertyFlags wanted = VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
-    std::uint32_t type = 0;
-    while (!(needs.memoryTypeBits >> type & 1) || (memory.memoryTypes[type].propertyFlags & wanted) != wanted) ++type;
-    const VkMemoryAllocateInfo allocation = {
-        .sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO, .allocationSize = needs.size, .memoryTypeIndex = type};
-    check(vkAllocateMemory(device_, &allocation, nullptr, &memory_), "vkAllocateMemory");
+    memory_ = allocate(vulkan, needs, VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT);
     check(vkBindBufferMemory(device_, buffer, memory_, 0), "vkBindBufferMemory");
     void* mapped = nullptr;
     check(vkMapMemory(device_, memory_, 0, bytes, 0, &mapped), "vkMapMemory");

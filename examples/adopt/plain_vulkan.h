@@ -1,5 +1,5 @@
-// A program's own Vulkan: instance, device, queue, one compute shader and one buffer to read. The only thing from Glift
-// is the list of device features that it needs.
+// A program's own Vulkan: instance, device, queue, one compute shader, one image and buffers to read. The only thing
+// from Glift is the list of device features that it needs.
 #pragma once
 
 #include <vulkan/vulkan.h>
@@ -12,7 +12,7 @@
 /// Throws std::runtime_error, which names the call, where a Vulkan call fails.
 void check(VkResult result, const char* call);
 
-/// The device that compute runs on: a GPU if there is one, else any.
+/// The device that runs all, on a queue that computes and draws: a GPU if there is one, else any.
 class PlainVulkan {
 public:
     PlainVulkan();
@@ -58,6 +58,27 @@ private:
     VkPipeline pipeline_ = VK_NULL_HANDLE;
     VkDescriptorPool pool_ = VK_NULL_HANDLE;
     VkDescriptorSet set_ = VK_NULL_HANDLE;
+};
+
+/// An image of one level that is drawn into and copied from, in VK_IMAGE_LAYOUT_GENERAL once it has been cleared.
+class ColourImage {
+public:
+    ColourImage(const PlainVulkan& vulkan, VkFormat format, VkExtent2D extent);
+    ~ColourImage();
+    ColourImage(const ColourImage&) = delete;
+    ColourImage& operator=(const ColourImage&) = delete;
+
+    void clear(VkCommandBuffer commands, float value) const;
+    void copy_to(VkCommandBuffer commands, VkBuffer buffer) const;
+
+    VkImage image = VK_NULL_HANDLE;
+    static constexpr VkImageUsageFlags usage =
+        VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+
+private:
+    VkDevice device_;
+    VkExtent2D extent_;
+    VkDeviceMemory memory_ = VK_NULL_HANDLE;
 };
 
 /// A buffer that the host reads.

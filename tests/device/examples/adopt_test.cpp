@@ -15,14 +15,18 @@ TEST(Adopt, ThePictureIsWhatTheProgramComputesItself) {
         run_example(GLIFT_ADOPT, {path}, {"VK_ICD_FILENAMES=/usr/share/vulkan/icd.d/lvp_icd.x86_64.json"});
     ASSERT_EQ(result.exit_code, 0) << result.out << result.err;
     EXPECT_THAT(result.out, HasSubstr("as expected, to the bit"));
-    // Squares of 20: their middles are far from every edge and keep their colours; edges are grey.
+    // A margin of 12 in the program's own colour. Squares of 20: their middles are far from every edge and keep their
+    // colours, but black ones, which are not drawn; edges are grey, the dark side of one is drawn or not.
     const png::Picture picture = png::read(path);
-    ASSERT_EQ(picture.width, 203u);
-    EXPECT_EQ(picture.values[10 * 203 + 10], 0.0f);
-    EXPECT_EQ(picture.values[10 * 203 + 30], 1.0f);
-    EXPECT_EQ(picture.values[30 * 203 + 10], 1.0f);
-    EXPECT_GT(picture.values[10 * 203 + 19], 0.2f);
-    EXPECT_LT(picture.values[10 * 203 + 19], 0.5f);
+    ASSERT_EQ(picture.width, 227u);
+    const auto at = [&](std::uint32_t x, std::uint32_t y) { return picture.values[(y + 12) * 227 + x + 12]; };
+    const float paper = picture.values[0];
+    EXPECT_NEAR(paper, 0.75f, 0.005f);
+    EXPECT_EQ(at(10, 10), paper);
+    EXPECT_EQ(at(30, 10), 1.0f);
+    EXPECT_EQ(at(10, 30), 1.0f);
+    EXPECT_GT(at(19, 10), 0.25f);
+    EXPECT_LT(at(19, 10), 0.5f);
 }
 
 }  // namespace
