@@ -1,5 +1,6 @@
 #include "driver/explain_draws.h"
 
+#include "ir/derivatives.h"
 #include "ir/effects.h"
 #include "ir/evaluate.h"
 #include "ir/spelling.h"
@@ -35,6 +36,9 @@ public:
                                                         : "blended: " + std::string(spelling(target.blend))));
         if (raster_.depth) shown.facts.emplace_back("depth", depth());
         if (raster_.colours.empty() && !raster_.depth) shown.facts.emplace_back("targets", "none");
+        if (ir::derives_loads(c_.program, pass_))
+            shown.facts.emplace_back(
+                "derives", "what it loads from buffers: not on devices without helpers_load, such as lavapipe");
         for (const ir::PassBinding& binding : pass_.bindings)
             if (binding.access != ir::Access::read) shown.facts.emplace_back("writes", binding.name);
         return shown;

@@ -75,6 +75,7 @@ struct Pass {
     std::vector<PassParameter> parameters;
     std::uint32_t parameter_bytes = 0;  ///< set by layout/
     bool push_constants = false;        ///< set by layout/
+    bool uniform_buffer = false;        ///< of the parameters, else a storage buffer; set by layout/
 
     /// The invocation's address relative to the range (uint or vector of uint). Shaders compute it in `prologue`; host
     /// code makes it a loop nest, x innermost.

@@ -84,6 +84,23 @@ Size size_of(const Program& program, TypeId id) {
 
 namespace {
 
+bool holds_half(const Program& program, TypeId id) {
+    const Type& type = program.types[id];
+    if (type.kind == TypeKind::array || type.kind == TypeKind::optional) return holds_half(program, type.element);
+    if (type.kind != TypeKind::struct_) return program.types.kind(program.types.scalar_of(id)) == TypeKind::half;
+    return std::ranges::any_of(program.structs[type.index].fields,
+                               [&](const StructField& field) { return holds_half(program, field.type); });
+}
+
+/// Draws: what is beside a triangle reads uniform buffers as everything else does, on every device (ir/derivatives.h).
+/// Halves there are a feature of their own.
+bool suits_uniform_buffer(const Program& program, const Pass& pass) {
+    const bool draws = pass.kernel < program.kernels.size() && program.kernels[pass.kernel].raster;
+    return draws && pass.parameter_bytes <= uniform_buffer_limit &&
+           std::ranges::none_of(pass.parameters,
+                                [&](const PassParameter& parameter) { return holds_half(program, parameter.type); });
+}
+
 void lay_out(const Program& program, Pass& pass) {
     std::uint32_t end = 0, align = 4;
     for (PassParameter& parameter : pass.parameters) {
@@ -94,6 +111,7 @@ void lay_out(const Program& program, Pass& pass) {
     }
     pass.parameter_bytes = rounded_up(end, align);
     pass.push_constants = pass.form == Form::direct && !pass.of_blocks && pass.parameter_bytes <= push_constant_limit;
+    pass.uniform_buffer = !pass.push_constants && suits_uniform_buffer(program, pass);
 }
 
 }  // namespace

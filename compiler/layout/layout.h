@@ -23,6 +23,9 @@ std::vector<std::uint32_t> offsets_of(const ir::Program& program, const ir::Stru
 /// Bytes of push constants that every device supports.
 inline constexpr std::uint32_t push_constant_limit = 128;
 
+/// Bytes of a uniform buffer that every device supports.
+inline constexpr std::uint32_t uniform_buffer_limit = 16384;
+
 /// Gives every pass's parameters their offsets and decides where they are passed.
 void lay_out(ir::Program& program, ir::Lowered& lowered);
 

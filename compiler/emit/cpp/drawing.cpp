@@ -26,7 +26,7 @@ std::string memory_text(const Unit& unit, const KernelParam& param) {
 
 }  // namespace
 
-void print_drawing(const Unit& unit, Writer& out, const Kernel& kernel, const std::string& name) {
+void print_drawing(const Unit& unit, Writer& out, const Kernel& kernel, const std::string& name, bool derives_loads) {
     const ir::Raster& raster = *kernel.raster;
     std::string fields = ".topology = glift::Topology::" + std::string(ir::spelling(raster.topology)) +
                          ", .cull = glift::Cull::" + std::string(ir::spelling(raster.cull));
@@ -50,6 +50,7 @@ void print_drawing(const Unit& unit, Writer& out, const Kernel& kernel, const st
                   "\", .depth_test = glift::DepthTest::" + std::string(ir::spelling(raster.depth->test));
         if (!raster.depth->is_written) fields += ", .writes_depth = false";
     }
+    if (derives_loads) fields += ", .derives_loads = true";
     out.line("const glift::Drawing " + name + "_drawing = {" + fields + "};");
 }
 

@@ -2,6 +2,7 @@
 #include "emit/cpp/kernel_parts.h"
 #include "emit/cpp/sharing.h"
 #include "emit/cpp/spirv_file.h"
+#include "ir/derivatives.h"
 #include "ir/effects.h"
 
 #include <algorithm>
@@ -111,6 +112,7 @@ std::string form_text(const Pass& pass, const Words& words, const std::string& h
     if (!host.empty()) also(".host = &" + host);
     if (pass.parameter_bytes != 0) also(".parameter_bytes = " + std::to_string(pass.parameter_bytes));
     if (pass.push_constants) also(".push_constants = true");
+    if (pass.uniform_buffer && pass.parameter_bytes != 0) also(".uniform_buffer = true");
     for (const PassParameter& parameter : pass.parameters) {
         if (parameter.source == ParameterSource::size && parameter.offset != 0)
             also(".size_offset = " + std::to_string(parameter.offset));
@@ -244,7 +246,7 @@ std::string kernel_code(Unit& unit, std::uint32_t index) {
     print_bindings(unit, code, forms, kernel, name);
     if (has_parameters) print_parameters(unit.globals, code, forms.direct, name);
     print_other_files(unit, code, any, name);
-    if (kernel.raster) print_drawing(unit, code, kernel, name);
+    if (kernel.raster) print_drawing(unit, code, kernel, name, ir::derives_loads(unit.program, any));
     const FormWords words = print_words(unit, spirv, index, name);
 
     const auto form = [&](const Pass& pass, const Words& of_form) {

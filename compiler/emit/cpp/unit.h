@@ -104,7 +104,8 @@ bool code_adds_functions(const Unit& unit, std::uint32_t kernel);
 
 // drawing.cpp
 /// What a kernel that draws says of its targets and states: `<name>_drawing`.
-void print_drawing(const Unit& unit, Writer& out, const ir::Kernel& kernel, const std::string& name);
+void print_drawing(const Unit& unit, Writer& out, const ir::Kernel& kernel, const std::string& name,
+                   bool derives_loads);
 /// The lines that tell the iteration of a draw what it is given.
 void print_draw_arguments(const Unit& unit, Writer& out, const ir::Kernel& kernel);
 

@@ -27,7 +27,7 @@ struct Options {
 };
 
 /// The shader of `pass`: descriptor set 0, memory k at binding k + 1; parameters are push constants or, where
-/// !pass.push_constants, a storage buffer at binding 0; offsets are those of GL_EXT_scalar_block_layout.
+/// !pass.push_constants, a uniform or storage buffer at binding 0; offsets are those of GL_EXT_scalar_block_layout.
 std::string glsl_of(const ir::Program& program, const Sources& sources, const ir::Pass& pass,
                     const Options& options = {});
 

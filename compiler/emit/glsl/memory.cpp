@@ -268,7 +268,8 @@ std::string parameters_text(Printer& p) {
     if (p.pass.parameters.empty()) return "";
     if (p.pass.push_constants)
         return "layout(push_constant, scalar) uniform Parameters {\n" + parameter_members(p) + "};\n";
-    std::string text = "layout(scalar, set = 0, binding = 0) readonly buffer Parameters {\n" + parameter_members(p) +
+    const std::string memory = p.pass.uniform_buffer ? "uniform" : "readonly buffer";
+    std::string text = "layout(scalar, set = 0, binding = 0) " + memory + " Parameters {\n" + parameter_members(p) +
                        "} parameters;\n\n"
                        "layout(constant_id = 103) const bool copies_parameters = false;\n"
                        "#define parameter(name) (copies_parameters ? name : parameters.name)\n";

@@ -202,6 +202,7 @@ void Writer::parameters(const ir::Pass& pass, const std::vector<Root>& roots) {
     out.object([&] {
         out.field("bytes", pass.parameter_bytes);
         out.field("push_constants", pass.push_constants);
+        if (pass.uniform_buffer) out.field("uniform_buffer", true);
         list("members", pass.parameters, [&](const ir::PassParameter& p) {
             out.object([&] {
                 out.field("name", p.name);

@@ -39,6 +39,8 @@ struct DeviceProperties {
     std::uint32_t max_workgroup_invocations = 1024;
     std::uint64_t loop_round_limit = unlimited;  ///< loop iterations after which the device ends an invocation
     bool fences_are_barriers = false;            ///< a fence that not all subgroups of a workgroup reach ends some
+    bool helpers_load = true;                    ///< pixels beside a triangle, which take part in derivatives, load
+                                                 ///< from buffers what they should; else zeros
     double timestamp_seconds = 1e-9;             ///< one tick
     bool int8 = false, int16 = false, int64 = false, float16 = false, float64 = false;
     bool int64_atomics = false;

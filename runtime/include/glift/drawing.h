@@ -37,6 +37,8 @@ struct Drawing {
     const char* depth = nullptr;  ///< name of the depth target; null: none
     DepthTest depth_test = DepthTest::less;
     bool writes_depth = true;
+    bool derives_loads = false;  ///< derivatives depend on what is loaded from buffers in pixels beside the triangle:
+                                 ///< refused where the device lacks DeviceProperties::helpers_load
 };
 
 /// One mip level, and for cubes one face, of an image that is drawn to.

@@ -4,7 +4,7 @@
 //   direct    every range is a whole structure, structures of one type share their state (extents, strides),
 //             all sizes are known to the host; parameters are push constants where they fit;
 //   general   ranges with origins, a state for each structure, sizes that may live on the device;
-//             parameters in a storage buffer at binding 0;
+//             parameters in a storage buffer at binding 0 (of draws a uniform buffer, where they fit);
 //   wide      like general, for larger sizes: physical addresses are computed in 64 bits, buffers are accessed by
 //             device address (without descriptors), and iterations may be split into several dispatches.
 //
@@ -136,7 +136,8 @@ struct Form {
     Spirv fragment = {};                      ///< draws; empty: depth alone
     void (*host)(const HostCall&) = nullptr;  ///< null: this form does not exist on the host device
     std::uint32_t parameter_bytes = 0;
-    bool push_constants = false;             ///< parameters are push constants, else the storage buffer at binding 0
+    bool push_constants = false;             ///< parameters are push constants, else the buffer at binding 0
+    bool uniform_buffer = false;             ///< draws: that buffer is a uniform buffer, else a storage buffer
     std::uint32_t size_offset = 0;           ///< byte offset in the parameters of the iteration size (`rank` uints)
     std::uint32_t base_offset = UINT32_MAX;  ///< wide, rank 2 to 4: byte offset in the parameters of three uints,
                                              ///< packed as zeros, that the shader adds to gl_GlobalInvocationID.

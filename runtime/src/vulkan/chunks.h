@@ -75,7 +75,7 @@ public:
         offset_ = end_ = 0;
     }
 
-    static constexpr VkDeviceSize alignment = 256;  // no device asks for more (minStorageBufferOffsetAlignment)
+    static constexpr VkDeviceSize alignment = 256;  // no device asks for more (of storage and uniform buffers)
 
 private:
     Slice take_from_next(VkDeviceSize bytes);

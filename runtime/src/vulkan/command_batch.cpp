@@ -1,5 +1,7 @@
 #include "command_batch.h"
 
+#include <iterator>
+
 namespace glift::detail {
 
 DescriptorSets::~DescriptorSets() {
@@ -9,12 +11,13 @@ DescriptorSets::~DescriptorSets() {
 void DescriptorSets::add_pool(const Pipeline& pipeline) {
     constexpr std::uint32_t sets = 256;
     const VkDescriptorPoolSize sizes[] = {
+        {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, sets + pipeline.uniform_buffers},
         {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 4 * sets + pipeline.storage_buffers},
         {VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, 2 * sets + pipeline.storage_images},
         {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 2 * sets + pipeline.sampled_images}};
     const VkDescriptorPoolCreateInfo info = {.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO,
                                              .maxSets = sets,
-                                             .poolSizeCount = 3,
+                                             .poolSizeCount = static_cast<std::uint32_t>(std::size(sizes)),
                                              .pPoolSizes = sizes};
     VkDescriptorPool pool = VK_NULL_HANDLE;
     context_.check(context_.vk.vkCreateDescriptorPool(context_.device, &info, nullptr, &pool),

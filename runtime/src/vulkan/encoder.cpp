@@ -29,8 +29,8 @@ constexpr VkPipelineStageFlags2 draw_stages =
     VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT;
 constexpr VkAccessFlags2 draw_writes =
     VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT | VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT;
-constexpr VkAccessFlags2 draw_reads =
-    VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT | VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT;
+constexpr VkAccessFlags2 draw_reads = VK_ACCESS_2_UNIFORM_READ_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT |
+                                      VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT;
 
 VkMemoryBarrier2 between_work(bool draws) {
     const VkPipelineStageFlags2 stages = work_stages | (draws ? draw_stages : 0);

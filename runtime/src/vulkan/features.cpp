@@ -147,6 +147,7 @@ DeviceProperties read_properties(const Instance& instance, VkPhysicalDevice phys
     std::copy_n(limits.maxComputeWorkGroupSize, 3, p.max_workgroup_size.begin());
     p.max_workgroup_invocations = limits.maxComputeWorkGroupInvocations;
     p.fences_are_barriers = v12.driverID == VK_DRIVER_ID_MESA_LLVMPIPE;
+    p.helpers_load = v12.driverID != VK_DRIVER_ID_MESA_LLVMPIPE;
     if (v12.driverID == VK_DRIVER_ID_MESA_LLVMPIPE) p.loop_round_limit = lavapipe_loop_rounds;
     p.timestamp_seconds = limits.timestampPeriod * 1e-9;
 

@@ -61,8 +61,8 @@ private:
     }
 
     void read_variable(Words w) {
-        const bool is_block =
-            w[3] == push_constant || (w[3] == storage_buffer && bindings.contains(w[2]) && bindings[w[2]] == 0);
+        const bool is_buffer = w[3] == storage_buffer || w[3] == uniform;
+        const bool is_block = w[3] == push_constant || (is_buffer && bindings.contains(w[2]) && bindings[w[2]] == 0);
         if (!is_block) return;
         block = w[2];
         block_type = pointees[w[1]];

@@ -24,6 +24,7 @@ public:
     void add(const Drawing& drawing) {
         add(static_cast<std::uint64_t>(drawing.topology) << 24 | static_cast<std::uint64_t>(drawing.cull) << 16 |
             static_cast<std::uint64_t>(drawing.depth_test) << 8 | static_cast<std::uint64_t>(drawing.writes_depth));
+        add(drawing.derives_loads);
         for (const ColourTarget& target : drawing.colours)
             add(static_cast<std::uint64_t>(target.format) << 8 | static_cast<std::uint64_t>(target.blend));
         add(drawing.depth != nullptr);
@@ -33,6 +34,7 @@ public:
             for (const std::uint32_t word : words_of(part)) add(word);
         add(form.parameter_bytes);
         add(form.push_constants);
+        add(form.uniform_buffer);
         add(form.size_offset);
         add(form.base_offset);
     }

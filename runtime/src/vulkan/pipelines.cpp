@@ -54,6 +54,14 @@ void check_limits(const Context& context, const Kernel& kernel, const Form& form
 void check_requirements(const Context& context, const Kernel& kernel, const Form& form) {
     std::string missing = lacking(words_of(form.spirv), context.properties);
     if (missing.empty() && !form.fragment.empty()) missing = lacking(words_of(form.fragment), context.properties);
+    if (missing.empty() && kernel.drawing && kernel.drawing->derives_loads && !context.properties.helpers_load) {
+        throw Error(ErrorCode::missing_feature, "the device cannot derive what is loaded from buffers",
+                    kernel_text(kernel),
+                    context.properties.name + " loads zeros from buffers in the pixels beside a triangle, whose values "
+                                              "dFdx, dFdy and fwidth compare with",
+                    "derive what the vertex part hands on, or keep the elements in an image; or run it on another "
+                    "device (GLIFT_DEVICE=host)");
+    }
     if (missing.empty()) return;
     throw Error(ErrorCode::missing_feature, "the device lacks what the kernel uses", kernel_text(kernel),
                 context.properties.name + " does not have: " + missing,
@@ -167,7 +175,8 @@ void Pipelines::make_layout(Pipeline& pipeline) {
         ++count;
     };
     if (!form.push_constants && form.parameter_bytes) {
-        add(0, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, pipeline.storage_buffers);
+        if (form.uniform_buffer) add(0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, pipeline.uniform_buffers);
+        else add(0, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, pipeline.storage_buffers);
     }
     for (std::size_t k = 0; k < kernel.bindings.size(); ++k) {
         const Binding& binding = kernel.bindings[k];

@@ -25,7 +25,7 @@ struct Pipeline {
     VkPipelineLayout layout = VK_NULL_HANDLE;
     VkDescriptorSetLayout set_layout = VK_NULL_HANDLE;
     VkDescriptorUpdateTemplate update = VK_NULL_HANDLE;
-    std::uint32_t storage_buffers = 0, storage_images = 0, sampled_images = 0;
+    std::uint32_t uniform_buffers = 0, storage_buffers = 0, storage_images = 0, sampled_images = 0;
     std::uint32_t status_slot = 0;
     bool push = false;  ///< push descriptors, else sets from a pool
 
@@ -36,7 +36,9 @@ struct Pipeline {
     VkPipelineBindPoint bind_point() const {
         return kernel->drawing ? VK_PIPELINE_BIND_POINT_GRAPHICS : VK_PIPELINE_BIND_POINT_COMPUTE;
     }
-    std::uint32_t descriptor_count() const { return storage_buffers + storage_images + sampled_images; }
+    std::uint32_t descriptor_count() const {
+        return uniform_buffers + storage_buffers + storage_images + sampled_images;
+    }
 };
 
 union DescriptorInfo {

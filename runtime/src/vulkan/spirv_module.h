@@ -86,7 +86,13 @@ enum Op : std::uint32_t {
 
 enum Decoration : std::uint32_t { built_in = 11, binding = 33, offset = 35 };
 enum BuiltIn : std::uint32_t { workgroup_id = 26, local_invocation_id = 27, global_invocation_id = 28 };
-enum StorageClass : std::uint32_t { private_storage = 6, function_storage = 7, push_constant = 9, storage_buffer = 12 };
+enum StorageClass : std::uint32_t {
+    uniform = 2,
+    private_storage = 6,
+    function_storage = 7,
+    push_constant = 9,
+    storage_buffer = 12
+};
 
 }  // namespace spirv
 

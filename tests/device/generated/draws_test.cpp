@@ -183,4 +183,31 @@ TEST(Draws, ToTheProgramsImagesNeedWhatTheyAreMadeFor) {
     for (const std::string& message : device.validation_messages()) ADD_FAILURE() << message;
 }
 
+/// On lavapipe, pixels beside a triangle load zeros from buffers: it refuses what would be wrong, and nothing else.
+TEST(Draws, DeriveWhatTheyLoadWhereTheDeviceCan) {
+    for (const char* name : {"host", "lavapipe"}) {
+        const auto device = glift::Device::open(name);
+        EXPECT_EQ(device.properties().helpers_load, device.properties().kind == glift::DeviceKind::host);
+        draws::Corners corners(device, 3);
+        corners.write(left_half(0.25f));
+        draws::Line line(device, 3 * size.x);
+        std::vector<std::uint32_t> rising(3 * size.x);
+        for (std::uint32_t i = 0; i < rising.size(); ++i) rising[i] = 5 * i;
+        line.write(rising);
+        const draws::Slope slope(device, size);
+        const auto attempt = [&](auto&& draw) {
+            if (device.properties().helpers_load) return draw();
+            const glift::Error error = error_of(draw);
+            EXPECT_EQ(error.code(), glift::ErrorCode::missing_feature) << error.what();
+            EXPECT_NE(error.problem().find("derive"), std::string::npos) << error.what();
+        };
+        attempt([&] { draws::rise(device, corners, line, 2, slope); });
+        if (device.properties().helpers_load) EXPECT_EQ(slope.read({0, 0}, {1, 1}).front(), 10.0f);
+        attempt([&] { draws::rise_beyond(device, corners, line, slope); });
+        draws::rise_of_place(device, corners, line, slope);
+        EXPECT_NEAR(slope.read({0, 0}, {1, 1}).front(), 40.0f / static_cast<float>(size.x), 1e-4f);
+        for (const std::string& message : device.validation_messages()) ADD_FAILURE() << message;
+    }
+}
+
 }  // namespace

@@ -329,8 +329,8 @@ const glift::Kernel draw_mesh_kernel = {
     .loop_rounds = 0,
     .bindings = draw_mesh_bindings,
     .direct = {.host = &draw_mesh_direct, .parameter_bytes = 68, .push_constants = true},
-    .general = {.host = &draw_mesh_general, .parameter_bytes = 92},
-    .wide = {.host = &draw_mesh_wide, .parameter_bytes = 112},
+    .general = {.host = &draw_mesh_general, .parameter_bytes = 92, .uniform_buffer = true},
+    .wide = {.host = &draw_mesh_wide, .parameter_bytes = 112, .uniform_buffer = true},
     .parameters = draw_mesh_parameters,
     .drawing = &draw_mesh_drawing,
 };
@@ -589,8 +589,8 @@ const glift::Kernel draw_marks_kernel = {
     .loop_rounds = 0,
     .bindings = draw_marks_bindings,
     .direct = {.host = &draw_marks_direct, .push_constants = true},
-    .general = {.host = &draw_marks_general, .parameter_bytes = 24},
-    .wide = {.host = &draw_marks_wide, .parameter_bytes = 40},
+    .general = {.host = &draw_marks_general, .parameter_bytes = 24, .uniform_buffer = true},
+    .wide = {.host = &draw_marks_wide, .parameter_bytes = 40, .uniform_buffer = true},
     .drawing = &draw_marks_drawing,
 };
 
@@ -844,8 +844,8 @@ const glift::Kernel even_kernel = {
     .loop_rounds = 0,
     .bindings = even_bindings,
     .direct = {.host = &even_direct, .parameter_bytes = 12, .push_constants = true},
-    .general = {.host = &even_general, .parameter_bytes = 32},
-    .wide = {.host = &even_wide, .parameter_bytes = 40},
+    .general = {.host = &even_general, .parameter_bytes = 32, .uniform_buffer = true},
+    .wide = {.host = &even_wide, .parameter_bytes = 40, .uniform_buffer = true},
     .parameters = even_parameters,
     .drawing = &even_drawing,
 };

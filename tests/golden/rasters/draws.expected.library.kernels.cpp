@@ -111,7 +111,7 @@ const glift::Kernel draw_depth_19ff2775_kernel = {
     .loop_rounds = 0,
     .bindings = {},
     .direct = {.host = &draw_depth_19ff2775_direct, .parameter_bytes = 4, .push_constants = true},
-    .general = {.host = &draw_depth_19ff2775_general, .parameter_bytes = 16},
+    .general = {.host = &draw_depth_19ff2775_general, .parameter_bytes = 16, .uniform_buffer = true},
     .wide = {},
     .parameters = draw_depth_19ff2775_parameters,
     .drawing = &draw_depth_19ff2775_drawing,
