@@ -33,11 +33,23 @@ struct Live {
     IdSet<Local> declared;  ///< in the body: nothing outside of it reads them
 };
 
+/// The local that an assignment gives a value, whole or in part; none where it does anything else.
+LocalId assigned(const Program& p, const Stmt& stmt) {
+    if (stmt.op != StmtOp::assign || has_effect(p, stmt.target)) return {};
+    const Expr& root = place_of(p, stmt.target);
+    return root.op == Op::local ? root.local : LocalId{};
+}
+
 /// Whether the statement gives a local of the body a value that nothing reads.
 bool is_dead_assignment(const Program& p, const Stmt& stmt, const Live& live) {
-    if (stmt.op != StmtOp::assign) return false;
-    const Expr& target = p.exprs[stmt.target];
-    return target.op == Op::local && live.declared.contains(target.local) && !live.used.contains(target.local);
+    const LocalId local = assigned(p, stmt);
+    return local && live.declared.contains(local) && !live.used.contains(local);
+}
+
+/// Whether a statement with bodies does nothing where they are empty. A while loop might not end.
+bool does_nothing_empty(const Program& p, const Stmt& stmt) {
+    const bool ends = stmt.op == StmtOp::if_ || stmt.op == StmtOp::block || stmt.op == StmtOp::for_;
+    return ends && !(stmt.value && has_effect(p, stmt.value)) && !(stmt.limit && has_effect(p, stmt.limit));
 }
 
 /// The value that a statement gives to what nothing reads.
@@ -69,9 +81,7 @@ std::vector<StmtId> kept(Context& cx, const std::vector<StmtId>& body, Live& liv
         parts.body = kept(cx, stmt.body, live);
         parts.otherwise = kept(cx, stmt.otherwise, live);
         bool is_empty = parts.body.empty() && parts.otherwise.empty();
-        if ((stmt.op == StmtOp::if_ || stmt.op == StmtOp::block) && is_empty &&
-            !(stmt.value && has_effect(cx.p, stmt.value)))
-            continue;
+        if (is_empty && does_nothing_empty(cx.p, stmt)) continue;
         for_each_root(stmt, [&](ExprId root) { use(cx.p, root, live.used); });
         result.push_back(cx.make.again(body[i], std::move(parts)));
     }
@@ -83,9 +93,8 @@ std::vector<StmtId> kept(Context& cx, const std::vector<StmtId>& body, Live& liv
 LocalId given(const Program& p, const Stmt& stmt, const IdSet<Local>& declared) {
     if (stmt.value && has_effect(p, stmt.value)) return {};
     if (stmt.op == StmtOp::let) return stmt.local;
-    if (stmt.op != StmtOp::assign) return {};
-    const Expr& target = p.exprs[stmt.target];
-    return target.op == Op::local && declared.contains(target.local) ? target.local : LocalId{};
+    const LocalId local = assigned(p, stmt);
+    return local && declared.contains(local) ? local : LocalId{};
 }
 
 /// Notes the locals whose value some statement takes, other than to give it to what nothing reads.
@@ -118,8 +127,8 @@ void use_in_loops(const Program& p, const std::vector<StmtId>& body, const IdSet
         if (stmt.op != StmtOp::for_ && stmt.op != StmtOp::while_) return;
         for_each_statement(p, stmt.body, [&](const Stmt& inner) {
             if (inner.op != StmtOp::assign) return;
-            const Expr& target = p.exprs[inner.target];
-            if (target.op != Op::local || read.contains(target.local)) use(p, inner.target, used);
+            const LocalId local = assigned(p, inner);
+            if (!local || read.contains(local)) use(p, inner.target, used);
         });
     });
 }
