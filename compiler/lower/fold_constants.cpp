@@ -41,6 +41,7 @@ private:
 
     ExprId folded(ExprId id) {
         if (const std::optional<Value> value = value_of(id)) return materialize(p, *value, p.exprs[id].span);
+        if (const ExprId chosen = chosen_of(p.exprs[id])) return expression(chosen);
         Operands operands;
         for (ExprId operand : p.exprs[id].operands) operands.push_back(expression(operand));
         if (operands == p.exprs[id].operands) return id;
@@ -50,20 +51,36 @@ private:
     }
 
     /// Where the expression computes of constants alone.
-    std::optional<Value> value_of(ExprId id) const {
+    std::optional<Value> value_of(ExprId id) {
         const Expr& expr = p.exprs[id];
         const bool computes = expr.op == Op::convert || expr.op == Op::unary || expr.op == Op::binary ||
                               expr.op == Op::select || expr.op == Op::intrinsic;
         const bool is_number = p.types.is_scalar(expr.type) || p.types.is_vector(expr.type);
-        if (!computes || !is_number || !p.types.is_floating(p.types.scalar_of(expr.type)) || !is_of_constants(id))
-            return std::nullopt;
+        if (!computes || !is_number || !is_of_constants(id)) return std::nullopt;
+        const bool is_floating = p.types.is_floating(p.types.scalar_of(expr.type));
         std::optional<Value> value = evaluate(p, id);
-        const auto is_finite = [](const Lane& lane) { return std::isfinite(lane.number); };
+        const auto is_finite = [&](const Lane& lane) { return !is_floating || std::isfinite(lane.number); };
         return value && std::ranges::all_of(value->lanes, is_finite) ? value : std::nullopt;
     }
 
-    bool is_of_constants(ExprId id) const {
-        const Expr& expr = p.exprs[id];
+    /// The operand of a choice whose condition is known.
+    ExprId chosen_of(const Expr& expr) {
+        if (expr.op != Op::select || !p.types.is_scalar(p.exprs[expr.operands[0]].type) ||
+            !is_of_constants(expr.operands[0]))
+            return {};
+        const std::optional<Value> condition = evaluate(p, expr.operands[0]);
+        return condition ? expr.operands[condition->bits() ? 1 : 2] : ExprId{};
+    }
+
+    bool is_of_constants(ExprId id) {
+        const auto found = of_constants_.find(id);
+        if (found != of_constants_.end()) return found->second;
+        const bool result = is_made_of_constants(p.exprs[id]);
+        of_constants_.emplace(id, result);
+        return result;
+    }
+
+    bool is_made_of_constants(const Expr& expr) {
         switch (expr.op) {
         case Op::constant: return true;
         case Op::construct:
@@ -81,6 +98,7 @@ private:
     Program& p;
     Make make_;
     std::unordered_map<ExprId, ExprId> made_;
+    std::unordered_map<ExprId, bool> of_constants_;
 };
 
 }  // namespace
