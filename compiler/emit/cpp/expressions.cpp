@@ -61,6 +61,12 @@ bool is_safe_divisor(const Printer& p, ExprId id) {
            !(p.program.types.kind(expr.type) == TypeKind::int_ && static_cast<std::int32_t>(expr.bits) == -1);
 }
 
+/// Of numbers: 0, not -0.
+bool is_zero(const Printer& p, ExprId id) {
+    const Expr& expr = p.program.exprs[id];
+    return expr.op == Op::constant && expr.bits == 0 && expr.number == 0 && !std::signbit(expr.number);
+}
+
 Text print_shift(Printer& p, const Expr& expr, Operator op) {
     const Expr& amount = p.program.exprs[expr.operands[1]];
     const TypeKind kind = p.program.types.kind(expr.type);
@@ -86,9 +92,12 @@ Text print_binary(Printer& p, const Expr& expr) {
     case BinaryOp::shift_right:
         if (scalar) return print_shift(p, expr, op);
         break;
+    case BinaryOp::subtract:
+        if (p.program.types.is_floating(expr.type) && is_zero(p, expr.operands[0]))
+            return function_call(p, "glift::subtract", expr.operands);
+        break;
     case BinaryOp::multiply:
     case BinaryOp::add:
-    case BinaryOp::subtract:
     case BinaryOp::less:
     case BinaryOp::less_equal:
     case BinaryOp::greater:
@@ -124,12 +133,6 @@ Text print_convert(Printer& p, const Expr& expr) {
     if (types.kind(expr.type) == TypeKind::bool_ || (to_integer && types.is_floating(from)))
         return {"glift::convert<" + to + ">(" + operand + ")"};
     return {to + "(" + operand + ")"};
-}
-
-/// Of numbers: 0, not -0.
-bool is_zero(const Printer& p, ExprId id) {
-    const Expr& expr = p.program.exprs[id];
-    return expr.op == Op::constant && expr.bits == 0 && expr.number == 0 && !std::signbit(expr.number);
 }
 
 Text print_construct(Printer& p, const Expr& expr) {

@@ -24,6 +24,7 @@ const char* name_of(Helper helper) {
     case Helper::ordered_dot: return "ordered_dot";
     case Helper::cross_product: return "cross_product";
     case Helper::blend: return "blend";
+    case Helper::angle: return "angle";
     case Helper::smooth_step: return "smooth_step";
     case Helper::fraction: return "fraction";
     case Helper::sign_of: return "sign_of";
@@ -221,6 +222,15 @@ std::string arithmetic(Printer& p, const HelperUse& use) {
         return one_line(t + " cross_product(" + t + " a, " + t + " b)", "a.yzx * b.zxy - a.zxy * b.yzx");
     case Helper::blend:
         return one_line(t + " blend(" + t + " x, " + t + " y, " + t + " a)", "x * (" + one + " - a) + y * a");
+    case Helper::angle: {
+        const std::uint32_t count = types.components(use.a);
+        if (count > 1) return by_component(t, "angle", t, count, true);
+        const std::string pi = t + "(3.14159265)";
+        return "// The angle of (0, 0), which GLSL leaves open, is that of the axis by which zero was reached.\n" + t +
+               " angle(" + t + " y, " + t + " x) {\n    if (x != " + zero_text + " || y != " + zero_text +
+               ") return atan(y, x);\n    if (floatBitsToInt(float(x)) >= 0) return y;\n" +
+               "    return floatBitsToInt(float(y)) < 0 ? -" + pi + " : " + pi + ";\n}\n";
+    }
     case Helper::smooth_step:
         return t + " smooth_step(" + t + " low, " + t + " high, " + t + " x) {\n    " + t + " s = min(max(" +
                (corrects_division(p, use.a) ? quotient_of(p, use.a, "x - low", "high - low")
@@ -279,6 +289,7 @@ std::string definition(Printer& p, const HelperUse& use) {
     case Helper::modulo:
     case Helper::cross_product:
     case Helper::blend:
+    case Helper::angle:
     case Helper::smooth_step:
     case Helper::fraction:
     case Helper::sign_of:
@@ -320,6 +331,7 @@ void need_inner(Printer& p, const HelperUse& use) {
     case Helper::to_int64:
     case Helper::to_uint64:
     case Helper::sign_of:
+    case Helper::angle:
         if (types.components(use.a) > 1) need(p, use.helper, scalar);
         break;
     case Helper::remainder:

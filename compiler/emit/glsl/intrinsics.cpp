@@ -156,7 +156,7 @@ Text print_intrinsic(Printer& p, const Expr& expr) {
     case Intrinsic::asin: return call(p, "asin", expr);
     case Intrinsic::acos: return call(p, "acos", expr);
     case Intrinsic::atan: return call(p, "atan", expr);
-    case Intrinsic::atan2: return call(p, "atan", expr);
+    case Intrinsic::atan2: return shaped(p, Helper::angle, expr);
     case Intrinsic::sinh: return call(p, "sinh", expr);
     case Intrinsic::cosh: return call(p, "cosh", expr);
     case Intrinsic::tanh: return call(p, "tanh", expr);

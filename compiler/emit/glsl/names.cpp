@@ -34,6 +34,7 @@ const std::unordered_set<std::string_view>& reserved_words() {
         "skips_branches",
         "cross_product",
         "blend",
+        "angle",
         "smooth_step",
         "fraction",
         "sign_of",

@@ -46,6 +46,7 @@ enum class Helper : std::uint8_t {
     ordered_dot,
     cross_product,
     blend,
+    angle,
     smooth_step,
     fraction,
     sign_of,

@@ -19,6 +19,9 @@ template <class T> constexpr T divisor(T a, T b) {
     else return b > 0 ? b : T{1};
 }
 
+/// a - b, where a is a constant zero: GCC 12 and 13 make -float(i) of 0.0f - float(i) where they see both, -0 for 0.
+template <class T> constexpr T subtract(T a, T b) { return static_cast<T>(a - b); }
+
 /// a / b; for integers a where b is 0.
 template <class T> constexpr T divide(T a, T b) {
     if constexpr (std::is_integral_v<T>) return static_cast<T>(a / divisor(a, b));

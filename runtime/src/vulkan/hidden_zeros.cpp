@@ -121,7 +121,8 @@ void Hiding::read_constant(Words w) {
     const Words low = w.subspan(3, w.size() - 4);
     const std::uint32_t top = w.back(), magnitude = type->second == 16 ? top & 0x7fffu : top & 0x7fffffffu;
     const bool is_zero = magnitude == 0 && std::ranges::all_of(low, [](std::uint32_t word) { return word == 0; });
-    if (is_zero || type->second == 32) constants_.emplace(w[2], Constant{w, is_zero, top != 0 ? fresh() : 0});
+    const bool has_integer = type->second == 32 && top != 0;
+    constants_.emplace(w[2], Constant{w, is_zero, has_integer ? fresh() : 0});
 }
 
 void Hiding::read_composite(Words w) {
@@ -177,8 +178,12 @@ std::uint32_t Hiding::hide_scalar(Module& module, Words w) {
         return fresh();
     }
     append(module, convert_u_to_f, {w[1], result, bit_});
-    if (constant.bits == 0) return result;
-    append(module, f_negate, {w[1], next_id_, result});
+    const bool is_plus_zero = std::ranges::all_of(w.subspan(3), [](std::uint32_t word) { return word == 0; });
+    if (is_plus_zero) return result;
+    const std::uint32_t minus_zero = fresh();
+    append(module, f_negate, {w[1], minus_zero, result});
+    if (constant.has_zero) return minus_zero;
+    append(module, f_add, {w[1], next_id_, w[2], minus_zero});  // the sum with -0 is the constant itself
     return fresh();
 }
 
