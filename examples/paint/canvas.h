@@ -1,0 +1,58 @@
+// A model and its paint on a device.
+#pragma once
+
+#include "examples/common/mesh.h"
+#include "examples/common/picture.h"
+#include "paint.glift.hpp"
+#include "painted.glift.hpp"
+#include "strokes.h"
+#include "surface.glift.hpp"
+
+#include <optional>
+
+/// What an octree is made with.
+struct OctreeSize {
+    glift::uint resolution = 2048;  ///< cells along each side: a power of two
+    glift::uint pages = 4096;       ///< that there may be
+    glift::float3 ground{0.75f, 0.72f, 0.66f};
+
+    glift::uint levels() const;
+};
+
+/// A mesh on a device: where its points rest, which is where paint is kept, and where they are now.
+class Model {
+public:
+    Model(const glift::Device& device, const mesh::Mesh& mesh);
+    void pose(const std::vector<glift::float3>& points);
+
+    const surface::Corners& corners() const { return corners_; }
+    const surface::Points& rest() const { return rest_; }
+    const surface::Points& posed() const { return posed_; }
+
+private:
+    surface::Corners corners_;
+    surface::Points rest_, posed_;
+};
+
+class Canvas {
+public:
+    Canvas(glift::Device device, const mesh::Mesh& mesh, const OctreeSize& size);
+
+    /// One submission for the camera, and one for each dab.
+    void paint(const strokes::Stroke& stroke);
+    picture::Picture render(const camera::Camera& camera, glift::uint2 size, painted::Layers layers = {});
+
+    const glift::Device& device() const { return device_; }
+    Model& model() { return model_; }
+    const paint::Octree& octree() const { return octree_; }
+
+private:
+    void look(const surface::Viewpoint& view, glift::uint2 size);
+
+    glift::Device device_;
+    OctreeSize size_;
+    Model model_;
+    paint::Octree octree_;
+    surface::Surface surface_;
+    surface::Normals normals_;
+};

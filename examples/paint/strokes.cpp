@@ -1,0 +1,207 @@
+#include "strokes.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <set>
+#include <stdexcept>
+
+namespace strokes {
+
+namespace {
+
+using Json = nlohmann::json;
+using glift::float2;
+using glift::float3;
+
+constexpr float spacing = 0.25f;  ///< of the radius
+constexpr std::size_t most_dabs = 100000;
+constexpr std::array<const char*, 3> blends = {"over", "multiply", "erase"};
+
+[[noreturn]] void refuse(const std::string& what) { throw std::runtime_error(what); }
+
+/// A number of a member, within its range.
+float number(const Json& json, const std::string& name, float low, float high) {
+    if (!json.is_number()) refuse("'" + name + "' has to be a number");
+    const float value = json.get<float>();
+    if (!(value >= low && value <= high)) {
+        char text[160];
+        std::snprintf(text, sizeof text, "'%s' is %g, and has to be from %g to %g", name.c_str(),
+                      static_cast<double>(value), static_cast<double>(low), static_cast<double>(high));
+        refuse(text);
+    }
+    return value;
+}
+
+std::vector<float> numbers(const Json& json, const std::string& name, std::size_t count, float low, float high) {
+    if (!json.is_array() || json.size() != count)
+        refuse("'" + name + "' has to be a list of " + std::to_string(count) + " numbers");
+    std::vector<float> values;
+    for (const Json& value : json) values.push_back(number(value, name, low, high));
+    return values;
+}
+
+float3 triple(const Json& json, const std::string& name, float low, float high) {
+    const std::vector<float> v = numbers(json, name, 3, low, high);
+    return float3(v[0], v[1], v[2]);
+}
+
+void check_names(const Json& json, const std::string& what, const std::set<std::string>& names) {
+    if (!json.is_object()) refuse("'" + what + "' has to be an object: { … }");
+    for (const auto& [name, value] : json.items())
+        if (!names.contains(name)) refuse("'" + what + "' has no member '" + name + "'");
+}
+
+void read_camera(const Json& json, camera::Camera& camera) {
+    check_names(json, "camera", {"eye", "target", "up", "angle", "near", "far"});
+    constexpr float far = 1e6f;
+    if (json.contains("eye")) camera.eye = triple(json["eye"], "eye", -far, far);
+    if (json.contains("target")) camera.target = triple(json["target"], "target", -far, far);
+    if (json.contains("up")) camera.up = triple(json["up"], "up", -far, far);
+    if (json.contains("angle")) camera.height_angle = number(json["angle"], "angle", 1e-3f, 3.0f);
+    if (json.contains("near")) camera.near = number(json["near"], "near", 1e-6f, far);
+    if (json.contains("far")) camera.far = number(json["far"], "far", 1e-6f, far);
+    if (camera.near >= camera.far) refuse("'near' has to be smaller than 'far'");
+    if (camera.eye == camera.target) refuse("'eye' and 'target' have to be two places");
+}
+
+glift::uint blend_of(const Json& json) {
+    for (glift::uint i = 0; i < blends.size(); ++i)
+        if (json == blends[i]) return i;
+    refuse("'blend' has to be \"over\", \"multiply\" or \"erase\"");
+}
+
+void read_brush(const Json& json, Brush& brush) {
+    check_names(json, "brush", {"radius", "hardness", "grain", "opacity", "flow", "cells", "colour", "blend"});
+    if (json.contains("radius")) brush.radius = number(json["radius"], "radius", 0.5f, 8192);
+    if (json.contains("hardness")) brush.hardness = number(json["hardness"], "hardness", 0, 1);
+    if (json.contains("grain")) brush.grain = number(json["grain"], "grain", 0, 1);
+    if (json.contains("opacity")) brush.opacity = number(json["opacity"], "opacity", 0, 1);
+    if (json.contains("flow")) brush.flow = number(json["flow"], "flow", 0, 1);
+    if (json.contains("cells")) brush.cells = number(json["cells"], "cells", 1, 4096);
+    if (json.contains("colour")) brush.colour = triple(json["colour"], "colour", 0, 1);
+    if (json.contains("blend")) brush.blend = blend_of(json["blend"]);
+}
+
+std::vector<Touch> path_of(const Json& json) {
+    if (!json.is_array() || json.empty()) refuse("'path' has to be a list of places: [x, y] or [x, y, pressure]");
+    std::vector<Touch> path;
+    for (const Json& place : json) {
+        constexpr float far = 1e6f;
+        const bool has_pressure = place.is_array() && place.size() == 3;
+        const std::vector<float> v = numbers(place, "path", has_pressure ? 3 : 2, -far, far);
+        path.push_back({float2(v[0], v[1]), has_pressure ? number(place[2], "pressure", 0, 1) : 1});
+    }
+    return path;
+}
+
+Stroke stroke_of(const Json& json, Stroke stroke) {
+    check_names(json, "stroke", {"camera", "size", "brush", "path"});
+    if (json.contains("camera")) read_camera(json["camera"], stroke.camera);
+    if (json.contains("size")) {
+        const std::vector<float> size = numbers(json["size"], "size", 2, 1, 16384);
+        stroke.size = glift::uint2(static_cast<glift::uint>(size[0]), static_cast<glift::uint>(size[1]));
+    }
+    if (json.contains("brush")) read_brush(json["brush"], stroke.brush);
+    if (!json.contains("path")) refuse("a stroke has to have a 'path'");
+    stroke.path = path_of(json["path"]);
+    if (dabs_of(stroke).size() > most_dabs) refuse("'path' is too long for so small a brush");
+    return stroke;
+}
+
+paint::Brush dab_at(const Brush& brush, const Touch& touch) {
+    const float size = 0.5f + 0.5f * touch.pressure;
+    return {touch.place,
+            brush.radius * size,
+            brush.hardness,
+            brush.grain,
+            brush.opacity * brush.flow * touch.pressure,
+            brush.cells * size,
+            brush.colour,
+            brush.blend};
+}
+
+Json json_of(const float3& v) { return {v.x, v.y, v.z}; }
+
+Json json_of(const Stroke& s) {
+    Json path = Json::array();
+    for (const Touch& touch : s.path) path.push_back({touch.place.x, touch.place.y, touch.pressure});
+    const camera::Camera& c = s.camera;
+    return {{"camera",
+             {{"eye", json_of(c.eye)},
+              {"target", json_of(c.target)},
+              {"up", json_of(c.up)},
+              {"angle", c.height_angle},
+              {"near", c.near},
+              {"far", c.far}}},
+            {"size", {s.size.x, s.size.y}},
+            {"brush",
+             {{"radius", s.brush.radius},
+              {"hardness", s.brush.hardness},
+              {"grain", s.brush.grain},
+              {"opacity", s.brush.opacity},
+              {"flow", s.brush.flow},
+              {"cells", s.brush.cells},
+              {"colour", json_of(s.brush.colour)},
+              {"blend", blends.at(s.brush.blend)}}},
+            {"path", std::move(path)}};
+}
+
+}  // namespace
+
+std::vector<paint::Brush> dabs_of(const Stroke& stroke) {
+    const double apart = std::max(1.0, static_cast<double>(spacing * stroke.brush.radius));
+    std::vector<paint::Brush> dabs{dab_at(stroke.brush, stroke.path.front())};
+    double left = apart;  // to the next dab
+    for (std::size_t i = 1; i < stroke.path.size() && dabs.size() <= most_dabs; ++i) {
+        const Touch &a = stroke.path[i - 1], &b = stroke.path[i];
+        const double x = static_cast<double>(b.place.x) - static_cast<double>(a.place.x),
+                     y = static_cast<double>(b.place.y) - static_cast<double>(a.place.y),
+                     length = std::sqrt(x * x + y * y);
+        double along = left;
+        for (; along <= length && dabs.size() <= most_dabs; along += apart) {
+            const auto part = static_cast<float>(along / length);
+            dabs.push_back(dab_at(
+                stroke.brush, {a.place + (b.place - a.place) * part, a.pressure + (b.pressure - a.pressure) * part}));
+        }
+        left = along - length;
+    }
+    return dabs;
+}
+
+surface::Viewpoint viewpoint_of(const camera::Camera& camera, glift::uint2 size) {
+    const float width = static_cast<float>(size.x), height = static_cast<float>(size.y);
+    return {camera::projection_of(camera, width / height), camera.eye, 2 * std::tan(camera.height_angle / 2) / height,
+            float2(width, height)};
+}
+
+std::vector<Stroke> read(const std::string& path) {
+    std::ifstream file(path);
+    if (!file) throw std::runtime_error(path + ": cannot be opened");
+    std::vector<Stroke> strokes;
+    Stroke before;
+    std::string line;
+    for (unsigned number = 1; std::getline(file, line); ++number) {
+        if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
+        try {
+            before = stroke_of(Json::parse(line), before);
+        } catch (const std::exception& error) {
+            throw std::runtime_error(path + ", line " + std::to_string(number) + ": " + error.what());
+        }
+        strokes.push_back(before);
+    }
+    if (file.bad()) throw std::runtime_error(path + ": cannot be read to its end");
+    return strokes;
+}
+
+void write(const std::string& path, const std::vector<Stroke>& strokes) {
+    std::ofstream file(path);
+    for (const Stroke& stroke : strokes) file << json_of(stroke).dump() << '\n';
+    file.flush();
+    if (!file) throw std::runtime_error(path + ": cannot be written");
+}
+
+}  // namespace strokes
