@@ -133,13 +133,30 @@ Conversion conversion_of(Helper helper) {
     }
 }
 
+/// By halves: NVIDIA's driver (580) makes a conversion of whose result only the lower half is used one to 32 bits,
+/// which saturates there. Both steps are exact.
+std::string saturating_conversion_64(Printer& p, const HelperUse& use, const std::string& type) {
+    const Conversion c = conversion_of(use.helper);
+    const bool is_signed = use.helper == Helper::to_int64;
+    const std::string suffix = type == "double" ? "lf" : "";
+    const std::string size = is_signed ? "abs(x)" : "x";
+    const std::string below = is_signed ? std::string("isnan(x) ? 0l : ") + c.least : c.least;
+    const std::string bits = "packUint2x32(uvec2(low, high))";
+    return std::string("// Saturates; not-a-number gives 0.\n") + c.result + " " + name_of(use.helper) + "(" + type +
+           " x) {\n    if (!(x >= " + c.low + suffix + ")) return " + below + ";\n    if (x >= " + c.high + suffix +
+           ") return " + c.most + ";\n    uint high = uint(" + size + " * 2.3283064365386962890625e-10" + suffix +
+           ");\n    uint low = uint(" + size + " - " + type + "(high) * 4294967296.0" + suffix + ");\n    return " +
+           (is_signed ? "int64_t(x < 0.0" + suffix + " ? 0ul - " + bits + " : " + bits + ")" : bits) + ";\n}\n";
+}
+
 std::string saturating_conversion(Printer& p, const HelperUse& use) {
     Conversion c = conversion_of(use.helper);
-    if (use.helper == Helper::to_int64 || use.helper == Helper::to_uint64)
-        p.extensions.insert("GL_EXT_shader_explicit_arithmetic_types_int64");
+    const bool is_wide = use.helper == Helper::to_int64 || use.helper == Helper::to_uint64;
+    if (is_wide) p.extensions.insert("GL_EXT_shader_explicit_arithmetic_types_int64");
     std::string type = type_text(p, use.a), name = name_of(use.helper);
     std::uint32_t count = p.program.types.components(use.a);
     if (count > 1) return by_component(c.prefix + std::string("vec") + std::to_string(count), name, type, count, false);
+    if (is_wide && type != "float16_t") return saturating_conversion_64(p, use, type);
     // Bounds of a half or double are those of float: it holds powers of two up to 2^64, half has infinity there.
     std::string x = type == "float" ? "x" : type == "float16_t" ? "float(x)" : "x";
     std::string suffix = type == "double" ? "lf" : "";
