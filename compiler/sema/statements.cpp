@@ -170,6 +170,16 @@ std::vector<ir::StmtId> check_arm(Body& body, const std::vector<ast::StmtId>& ar
     return result;
 }
 
+/// The arm of a constant `if` in a pipeline that never runs: the host takes no part in it, and no condition lies above it.
+std::vector<ir::StmtId> check_dead_arm(Body& body, const std::vector<ast::StmtId>& arm) {
+    const Span host_needed = body.host_needed;
+    auto arms = std::exchange(body.arms, {});
+    auto result = check_nested(body, arm);
+    body.arms = std::move(arms);
+    body.host_needed = host_needed;
+    return result;
+}
+
 void check_if(Body& body, const ast::Stmt& stmt) {
     if (stmt.name.name) return check_if_let(body, stmt);
     ir::ExprId condition = check_hinted(body, stmt.value, body.types().bool_);
@@ -185,8 +195,9 @@ void check_if(Body& body, const ast::Stmt& stmt) {
         }
     }
     ir::StmtId id = add(body.program(), ir::StmtOp::if_, stmt.span);
-    auto then_body = check_nested(body, stmt.body);
-    auto otherwise = check_nested(body, stmt.otherwise);
+    const auto known = body.kind == BodyKind::pipeline ? known_value(body, condition) : std::nullopt;
+    auto then_body = known && !known->bits() ? check_dead_arm(body, stmt.body) : check_nested(body, stmt.body);
+    auto otherwise = known && known->bits() ? check_dead_arm(body, stmt.otherwise) : check_nested(body, stmt.otherwise);
     ir::Stmt& node = body.program().stmts[id];
     node.value = condition;
     node.body = std::move(then_body);

@@ -2,45 +2,65 @@
 #pragma once
 
 #include "shadows.glift.hpp"
+#include "show.glift.hpp"
 
 #include "examples/common/picture.h"
 #include "examples/common/scenes/scenes.h"
 
 #include <optional>
 #include <string>
+#include <vector>
 
 enum class Method { standard, adaptive, matched };
+enum class View { picture, levels, borders, map, pool };
 
-/// standard, asm or rmsm.
+/// standard, asm or rmsm. Throws std::runtime_error.
 Method method_of(const std::string& name);
+View view_of(const std::string& name);
 
 struct Settings {
-    std::uint32_t levels = 11, pages = 8192, pairs = 2'000'000, standard = 2048;
-    float bias = 5e-5f;
+    std::uint32_t levels = 11, pages = 8192, pairs = 4'000'000, standard = 2048, seed = 6, rounds = 8;
+    float bias = 1e-4f;
+    std::uint32_t step = 1, finest = 0;
+    bool trilinear = false, cached = false, spot = false;
+};
+
+/// What the light does to the picture: for each pixel its place in light space and the share of light there.
+struct Lighting {
+    std::vector<glift::float4> surface;  ///< s, t, depth, level; level -1: not reached by the light
+    std::vector<glift::float2> slopes;   ///< depth by s and t
+    std::vector<glift::float4> colours;  ///< as eye.glift has them
+    std::vector<float> lit;
 };
 
 class Frame {
 public:
     Frame(glift::Device device, const Settings& settings, glift::uint2 size);
 
-    /// The scene of the next frames. As long as the number of points and triangles stays, memory does, too.
+    /// The scene of the next frames. As long as its size stays, so does memory, and what a cache holds.
     void set_scene(const scenes::Scene& scene);
+    /// Another place of the camera; all else stays.
+    void set_view(const camera::Camera& view) { scene_.view = view; }
     /// One submission. Nothing waits.
     void draw(Method method);
 
     const glift::Device& device() const { return device_; }
-    picture::Picture picture() const;
-    /// Of the last frame: what the pool has, what was refused. Throws std::runtime_error where depths are missing.
+    const scenes::Scene& scene() const { return scene_; }
+    glift::uint2 size() const { return size_; }
+    bool is_spot() const { return settings_.spot; }
+    glift::float4x4 light() const;
+    eye::Viewpoint viewpoint() const;
+    picture::Picture picture(View view = View::picture) const;
+    Lighting lighting() const;
+    std_page_allocator::PoolStatus pool() const { return shadows_->tree().status(device_); }
+    /// Of the last frame. Throws std::runtime_error where depths are missing, with the remedy.
     std::string status() const;
 
 private:
-    eye::Viewpoint view() const;
-
     glift::Device device_;
     Settings settings_;
-    shadow_map::ShadowTree tree_;
-    shadow_map::StandardMap map_;
-    eye::Picture picture_;
+    glift::uint2 size_;
+    std::optional<shadows::Shadows> shadows_;
     std::optional<shadow_map::Corners> corners_;
     std::optional<shadow_map::Points> points_, colours_;
     scenes::Scene scene_;

@@ -1,19 +1,25 @@
 // Pictures with shadows: shadows.glift from C++.
-#include "frame.h"
-
-#include "examples/common/picture.h"
+#include "compare.h"
+#include "path.h"
 
 #include <CLI/CLI.hpp>
 
+#include "examples/common/shapes.h"
+
+#include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <filesystem>
 
 namespace {
 
 struct Arguments {
-    std::string scene = "hairball", method = "rmsm", out = "shadows.png";
+    std::string scene = "hairball", method = "rmsm", show = "picture", out = "shadows.png", path, write_path;
     float time = 0.4f;
+    unsigned frames = 1;
     std::vector<std::uint32_t> size = {512, 512};
+    float from_right = 0, from_above = 0, closer = 1, light_from_right = 0;
+    bool compare = false;
     Settings settings;
 };
 
@@ -22,41 +28,138 @@ void save(const std::string& path, const picture::Picture& picture) {
     std::printf("wrote %s\n", path.c_str());
 }
 
+/// Of several frames each has its number before the name's end.
+std::string numbered(const Arguments& a, unsigned frame) {
+    if (a.frames == 1) return a.out;
+    char number[16];
+    std::snprintf(number, sizeof number, ".%04u", frame);
+    std::filesystem::path made(a.out);
+    return made.replace_extension(number + made.extension().string()).string();
+}
+
+scenes::Scene scene_at(const Arguments& a, float time) {
+    if (a.scene.find('.') == std::string::npos) return scenes::make(a.scene, time);
+    scenes::Scene scene = scenes::make("fence", 0);
+    scene.mesh = mesh::read(a.scene);
+    mesh::normalise(scene.mesh);
+    mesh::Box box = mesh::bounds_of(scene.mesh);
+    const glift::float3 middle = (box.low + box.high) * 0.5f;
+    mesh::add_box(scene.mesh, {-2, box.low.y - 0.1f, -2}, {3, box.low.y, 3}, {0.6f, 0.58f, 0.55f});
+    scene.view = {middle + glift::float3(0.9f, 0.8f, 1.6f), middle, {0, 1, 0}, 0.7f, 0.05f, 20};
+    scene.light = {middle + glift::float3(1.5f, 2.5f, 1), middle, {0, 1, 0}, 0.8f, 0.1f, 8};
+    scene.light_half_size = 2.5f;
+    return scene;
+}
+
+std::vector<path::Step> path_of(const Arguments& a, scenes::Scene scene) {
+    if (!a.path.empty()) return path::read(a.path, scene);
+    scene.view = camera::orbited(scene.view, a.from_right, a.from_above, a.closer);
+    scene.light = camera::orbited(scene.light, a.light_from_right, 0, 1);
+    return path::around(scene, a.time, a.frames, a.settings.cached);
+}
+
+void print_agreement(const char* name, const Agreement& agreement) {
+    std::printf("  %-8s %8.4f %% of %zu pixels agree with rays (%zu in the band)\n", name, 100 * agreement.share(),
+                agreement.pixels, agreement.in_band);
+}
+
+void compare_all(const Arguments& a, Frame& frame, const std::vector<path::Step>& steps) {
+    Compared all;
+    double least = 1;
+    for (unsigned i = 0; i < steps.size(); ++i) {
+        scenes::Scene scene = scene_at(a, steps[i].time);
+        scene.view = steps[i].view, scene.light = steps[i].light;
+        frame.set_scene(scene);
+        const Compared one = compare(frame, a.settings.bias);
+        all.rmsm += one.rmsm, all.adaptive += one.adaptive, all.standard += one.standard;
+        least = std::min(least, one.rmsm.share());
+        save(numbered(a, i), one.side_by_side);
+    }
+    std::printf("%s, %zu frames; RMSM %.4f %% in the worst of them\n", a.scene.c_str(), steps.size(), 100 * least);
+    print_agreement("RMSM", all.rmsm);
+    print_agreement("ASM", all.adaptive);
+    print_agreement("standard", all.standard);
+}
+
 void run(const Arguments& a) {
     Frame frame(glift::Device::open(), a.settings, {a.size[0], a.size[1]});
-    frame.set_scene(scenes::make(a.scene, a.time));
     const glift::Device& device = frame.device();
-    device.wait();
-    const std::uint64_t before = device.statistics().submissions;
-    frame.draw(method_of(a.method));
-    device.wait();
-    const auto submissions = device.statistics().submissions - before;
-    std::printf("%s: %s, submissions: %llu\n", device.properties().name.c_str(), a.method.c_str(),
-                static_cast<unsigned long long>(submissions));
-    std::printf("%s\n", frame.status().c_str());
-    save(a.out, frame.picture());
+    scenes::Scene scene = scene_at(a, a.time);
+    const std::vector<path::Step> steps = path_of(a, scene);
+    if (!a.write_path.empty()) path::write(a.write_path, steps);
+    if (a.compare) return compare_all(a, frame, steps);
+    for (unsigned i = 0; i < steps.size(); ++i) {
+        if (i > 0 && steps[i].time != steps[i - 1].time) scene = scene_at(a, steps[i].time);
+        scene.view = steps[i].view, scene.light = steps[i].light;
+        if (i == 0 || !a.settings.cached) frame.set_scene(scene);
+        else frame.set_view(scene.view);
+        device.wait();
+        const std::uint64_t before = device.statistics().submissions;
+        const auto start = std::chrono::steady_clock::now();
+        frame.draw(method_of(a.method));
+        device.wait();
+        const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        std::printf("%s: %s, frame %u: %.2f ms, submissions: %llu, %s\n", device.properties().name.c_str(),
+                    a.method.c_str(), i, 1e3 * seconds,
+                    static_cast<unsigned long long>(device.statistics().submissions - before), frame.status().c_str());
+        save(numbered(a, i), frame.picture(view_of(a.show)));
+    }
+}
+
+void add_knobs(CLI::App& app, Settings& s) {
+    app.add_option("--levels", s.levels, "of the quadtree: its finest has 32 * 2^(levels - 1) cells a side")
+        ->check(CLI::Range(2u, 13u))
+        ->capture_default_str();
+    app.add_option("--pages", s.pages, "that the pool has room for")
+        ->check(CLI::Range(1u, 65536u))
+        ->capture_default_str();
+    app.add_option("--pairs", s.pairs, "of a triangle and a page that there is room for")
+        ->check(CLI::Range(1u, 100'000'000u))
+        ->capture_default_str();
+    app.add_option("--standard", s.standard, "texels along each side of the standard map")
+        ->check(CLI::Range(16u, 16384u))
+        ->capture_default_str();
+    app.add_option("--bias", s.bias, "of depths, a part of the light's range")->capture_default_str();
+    app.add_option("--analysis", s.step, "every so many pixels along each axis ask for pages")
+        ->check(CLI::IsMember({1, 2, 4, 8}))
+        ->capture_default_str();
+    app.add_option("--finest", s.finest, "no finer level than this one, 0 to levels - 1")->capture_default_str();
+    app.add_option("--seed-level", s.seed, "asm: the finest level that is there from the beginning")
+        ->capture_default_str();
+    app.add_option("--rounds", s.rounds, "asm: at most so many")->check(CLI::Range(1u, 32u))->capture_default_str();
+    app.add_flag("--trilinear", s.trilinear, "Between levels, too");
+    app.add_flag("--cached", s.cached, "Pages stay from frame to frame; scene and light stand still");
+    app.add_flag("--spot", s.spot, "A spot light where the light's eye is");
 }
 
 void add_options(CLI::App& app, Arguments& a) {
-    app.add_option("--scene", a.scene, "A generated scene (hairball, fence, robot, skeletons, city, trees)")
+    app.add_option("--scene", a.scene,
+                   "A generated scene (hairball, fence, robot, skeletons, city, trees) or a mesh file")
         ->capture_default_str();
     app.add_option("--method", a.method, "How shadows are made")
         ->check(CLI::IsMember({"rmsm", "asm", "standard"}))
         ->capture_default_str();
+    app.add_option("--show", a.show, "What the picture shows")
+        ->check(CLI::IsMember({"picture", "levels", "borders", "map", "pool"}))
+        ->capture_default_str();
     app.add_option("--time", a.time, "The moment in the scene, in seconds")->capture_default_str();
+    app.add_option("--frames", a.frames, "So many, on a way around the scene")
+        ->check(CLI::Range(1u, 100000u))
+        ->capture_default_str();
+    app.add_option("--path", a.path, "A file that says where camera and light are in each frame");
+    app.add_option("--write-path", a.write_path, "Writes such a file");
     app.add_option("--size", a.size, "Width and height in pixels")
         ->expected(2)
-        ->check(CLI::Range(1, 16384))
+        ->check(CLI::Range(1, 8192))
         ->capture_default_str();
-    app.add_option("--levels", a.settings.levels, "of the quadtree: its finest has 32 * 2^(levels - 1) cells a side")
-        ->check(CLI::Range(1u, 13u))
+    app.add_option("--right", a.from_right, "The camera, so far around the scene, in radians")->capture_default_str();
+    app.add_option("--up", a.from_above, "and upwards")->capture_default_str();
+    app.add_option("--closer", a.closer, "and so many times closer")
+        ->check(CLI::Range(0.01, 1000.0))
         ->capture_default_str();
-    app.add_option("--pages", a.settings.pages, "that the pool has room for")
-        ->check(CLI::Range(1u, 65536u))
-        ->capture_default_str();
-    app.add_option("--pairs", a.settings.pairs, "of a triangle and a page that there is room for")
-        ->capture_default_str();
-    app.add_option("--bias", a.settings.bias, "of depths, a part of the light's range")->capture_default_str();
+    app.add_option("--light-right", a.light_from_right, "The light, so far around the scene")->capture_default_str();
+    app.add_flag("--compare", a.compare,
+                 "All methods beside rays: shares that agree, and a picture of the differences");
     app.add_option("--out", a.out, "The picture to write, PNG or EXR")->capture_default_str();
     app.footer("GLIFT_DEVICE=gpu|lavapipe|host|NAME chooses the device.");
 }
@@ -67,6 +170,7 @@ int main(int argc, char** argv) {
     CLI::App app("Shadow maps in a quadtree");
     Arguments arguments;
     add_options(app, arguments);
+    add_knobs(app, arguments.settings);
     CLI11_PARSE(app, argc, argv);
     try {
         run(arguments);

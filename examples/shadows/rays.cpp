@@ -1,0 +1,178 @@
+#include "rays.h"
+
+#include <embree3/rtcore.h>
+
+#include <array>
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+
+namespace rays {
+
+namespace {
+
+using Vector = std::array<double, 3>;
+
+Vector vector_of(const glift::float3& v) { return {v.x, v.y, v.z}; }
+Vector operator+(const Vector& a, const Vector& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
+Vector operator-(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+Vector operator*(const Vector& a, double s) { return {a[0] * s, a[1] * s, a[2] * s}; }
+double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Vector cross(const Vector& a, const Vector& b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+Vector unit(const Vector& a) { return a * (1 / std::sqrt(dot(a, a))); }
+
+/// A camera's axes, so that a place in clip coordinates (x to the right, y down) and a distance before it give a point.
+struct Axes {
+    Vector eye, forward, right, down;
+    double scale_x, scale_y;  ///< at distance 1, or anywhere of a parallel projection
+    bool is_parallel;
+
+    static Axes of(const camera::Camera& c, double aspect, double half_size) {
+        const Vector eye = vector_of(c.eye), forward = unit(vector_of(c.target) - eye);
+        const Vector right = unit(cross(forward, vector_of(c.up)));
+        const double opening = std::tan(0.5 * static_cast<double>(c.height_angle));
+        const bool is_parallel = half_size > 0;
+        return {eye,
+                forward,
+                right,
+                cross(forward, right),
+                is_parallel ? half_size : opening * aspect,
+                is_parallel ? half_size : opening,
+                is_parallel};
+    }
+    /// What is seen at a place: where the line of sight begins and where it goes.
+    std::pair<Vector, Vector> line(double x, double y) const {
+        const Vector aside = right * (x * scale_x) + down * (y * scale_y);
+        return is_parallel ? std::pair(eye + aside, forward) : std::pair(eye, forward + aside);
+    }
+};
+
+class Scene {
+public:
+    explicit Scene(const mesh::Mesh& mesh) : device_(rtcNewDevice(nullptr)), scene_(rtcNewScene(device_)) {
+        if (!device_) throw std::runtime_error("Embree finds no device for its rays");
+        RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
+        auto* points = static_cast<float*>(
+            rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, mesh.points.size()));
+        for (std::size_t i = 0; i < mesh.points.size(); ++i)
+            for (unsigned k = 0; k < 3; ++k) points[3 * i + k] = mesh.points[i][k];
+        auto* corners = static_cast<unsigned*>(
+            rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, mesh.triangles()));
+        std::copy(mesh.corners.begin(), mesh.corners.end(), corners);
+        rtcCommitGeometry(geometry);
+        rtcAttachGeometry(scene_, geometry);
+        rtcReleaseGeometry(geometry);
+        rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
+        rtcCommitScene(scene_);
+    }
+    ~Scene() {
+        rtcReleaseScene(scene_);
+        rtcReleaseDevice(device_);
+    }
+    Scene(const Scene&) = delete;
+    Scene& operator=(const Scene&) = delete;
+
+    bool is_hit(const Vector& from, const Vector& direction, double least, double most) const {
+        RTCIntersectContext context;
+        rtcInitIntersectContext(&context);
+        RTCRay ray{};
+        ray.org_x = static_cast<float>(from[0]), ray.org_y = static_cast<float>(from[1]);
+        ray.org_z = static_cast<float>(from[2]);
+        ray.dir_x = static_cast<float>(direction[0]), ray.dir_y = static_cast<float>(direction[1]);
+        ray.dir_z = static_cast<float>(direction[2]);
+        ray.tnear = static_cast<float>(least), ray.tfar = static_cast<float>(most), ray.mask = ~0u;
+        rtcOccluded1(scene_, &context, &ray);
+        return ray.tfar < 0;
+    }
+
+private:
+    RTCDevice device_;
+    RTCScene scene_;
+};
+
+class Tracer {
+public:
+    Tracer(const Frame& frame, const Lighting& lighting, float bias)
+        : scene_(frame.scene().mesh), lighting_(lighting), size_(frame.size()),
+          eye_(Axes::of(frame.scene().view, static_cast<double>(size_.x) / size_.y, 0)),
+          light_(Axes::of(frame.scene().light, 1,
+                          frame.is_spot() ? 0 : static_cast<double>(frame.scene().light_half_size))),
+          near_(static_cast<double>(frame.scene().light.near)), far_(static_cast<double>(frame.scene().light.far)),
+          bias_(static_cast<double>(bias) * (far_ - near_)) {}
+
+    bool is_known(std::size_t pixel) const { return lighting_.surface[pixel].w >= 0; }
+
+    Light light_of(std::size_t pixel) const {
+        if (!is_known(pixel)) return Light::unknown;
+        const glift::float4& s = lighting_.surface[pixel];
+        return light_at(point_of(s.x, s.y, s.z));
+    }
+
+    /// The same on the plane that a pixel shows, so many pixels beside its centre.
+    Light light_beside(std::size_t pixel, double x, double y) const {
+        const glift::float4& s = lighting_.surface[pixel];
+        const glift::float2& slope = lighting_.slopes[pixel];
+        constexpr double step = 1e-4;
+        const double s0 = s.x, t0 = s.y, z0 = s.z;
+        const Vector a = point_of(s0, t0, z0), b = point_of(s0 + step, t0, z0 + step * static_cast<double>(slope.x)),
+                     c = point_of(s0, t0 + step, z0 + step * static_cast<double>(slope.y));
+        const Vector normal = cross(b - a, c - a);
+        const double column = static_cast<double>(pixel % size_.x) + 0.5 + x,
+                     row = static_cast<double>(pixel / size_.x) + 0.5 + y;
+        const auto [from, along] = eye_.line(2 * column / size_.x - 1, 2 * row / size_.y - 1);
+        return light_at(from + along * (dot(a - from, normal) / dot(along, normal)));
+    }
+
+private:
+    /// From light space to the world.
+    Vector point_of(double s, double t, double depth) const {
+        const auto [from, along] = light_.line(2 * s - 1, 2 * t - 1);
+        const double distance =
+            light_.is_parallel ? near_ + depth * (far_ - near_) : far_ * near_ / (far_ - depth * (far_ - near_));
+        return from + along * distance;
+    }
+    Light light_at(const Vector& point) const {
+        const Vector way = light_.is_parallel ? light_.forward * -1.0 : light_.eye - point;
+        const double distance = light_.is_parallel ? far_ : std::sqrt(dot(way, way)) - near_;
+        return scene_.is_hit(point, unit(way), bias_, distance) ? Light::shadowed : Light::reached;
+    }
+
+    Scene scene_;
+    const Lighting& lighting_;
+    glift::uint2 size_;
+    Axes eye_, light_;
+    double near_, far_, bias_;
+};
+
+}  // namespace
+
+Reference trace(const Frame& frame, const Lighting& lighting, const std::vector<bool>& doubted, float bias) {
+    const Tracer tracer(frame, lighting, bias);
+    const glift::uint2 size = frame.size();
+    Reference reference;
+    for (std::size_t i = 0; i < lighting.surface.size(); ++i) reference.light.push_back(tracer.light_of(i));
+    reference.at_edge.resize(lighting.surface.size());
+    for (std::size_t i = 0; i < lighting.surface.size(); ++i) {
+        const Light own = reference.light[i];
+        if (own == Light::unknown) continue;
+        const std::size_t x = i % size.x, y = i / size.x;
+        bool found = false;
+        for (int side = 0; side < 9; ++side) {
+            const std::size_t column = x + static_cast<std::size_t>(side % 3) - 1,
+                              row = y + static_cast<std::size_t>(side / 3) - 1;
+            if (column >= size.x || row >= size.y) continue;
+            const Light other = reference.light[row * size.x + column];
+            found = found || (other != Light::unknown && other != own);
+        }
+        for (int k = 0; k < 24 && doubted[i] && !found; ++k) {
+            const double angle = 0.7853981633974483 * k, radius = 1.0 - 0.33 * (k / 8);
+            found = tracer.light_beside(i, radius * std::cos(angle), radius * std::sin(angle)) != own;
+        }
+        reference.at_edge[i] = found;
+    }
+    return reference;
+}
+
+}  // namespace rays

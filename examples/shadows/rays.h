@@ -1,0 +1,24 @@
+// Shadows by rays on the CPU (Embree): what the pictures are compared with.
+#pragma once
+
+#include "frame.h"
+
+#include <vector>
+
+namespace rays {
+
+/// Of a pixel: whether light reaches what it shows. `unknown`: the light does not shine on that side of it, or there is
+/// nothing.
+enum class Light : unsigned char { unknown, reached, shadowed };
+
+struct Reference {
+    std::vector<Light> light;
+    /// Whether a true edge of a shadow lies within a pixel, so that either answer may be right.
+    std::vector<bool> at_edge;
+};
+
+/// Traces rays to the light from what each pixel of a frame shows. Of pixels in `doubted` edges are looked for between
+/// pixels, too.
+Reference trace(const Frame& frame, const Lighting& lighting, const std::vector<bool>& doubted, float bias);
+
+}  // namespace rays
