@@ -1,5 +1,8 @@
 #include "canvas.h"
 
+#include "mips.glift.hpp"
+#include "paint_file.h"
+
 #include <glift/host/math.h>
 
 #include <bit>
@@ -19,7 +22,8 @@ void Model::pose(const std::vector<glift::float3>& points) { posed_.write(points
 
 Canvas::Canvas(glift::Device device, const mesh::Mesh& mesh, const OctreeSize& size)
     : device_(std::move(device)), size_(size), model_(device_, mesh), octree_(device_, size.levels(), size.pages),
-      surface_(device_, {1, 1}), normals_(device_, {1, 1}) {
+      journal_(device_, size.levels(), size.pages), history_(size.history), surface_(device_, {1, 1}),
+      normals_(device_, {1, 1}) {
     paint::clear(device_, octree_, size_.ground);
 }
 
@@ -31,11 +35,22 @@ void Canvas::look(const surface::Viewpoint& view, glift::uint2 size) {
     surface::look(device_, model_.corners(), model_.rest(), model_.posed(), view, surface_, normals_);
 }
 
-void Canvas::paint(const strokes::Stroke& stroke) {
+glift::uint Canvas::paint(const strokes::Stroke& stroke) {
+    journal_.clear(device_);
     const surface::Viewpoint view = strokes::viewpoint_of(stroke.camera, stroke.size);
     look(view, stroke.size);
     for (const paint::Brush& dab : strokes::dabs_of(stroke))
-        paint::paint(device_, octree_, surface_, normals_, view, dab, size_.ground);
+        paint::paint(device_, octree_, journal_, surface_, normals_, view, dab, size_.ground);
+    mips::finish(device_, octree_, journal_);
+    history_.add(device_, octree_, journal_);
+    return journal_.lost_pages(device_);
+}
+
+void Canvas::save(const std::string& path) { paint_file::save(path, device_, octree_, size_.ground); }
+
+void Canvas::load(const std::string& path) {
+    size_.ground = paint_file::load(path, device_, octree_).ground;
+    history_.clear();
 }
 
 picture::Picture Canvas::render(const camera::Camera& camera, glift::uint2 size, painted::Layers layers) {

@@ -3,6 +3,8 @@
 
 #include "examples/common/mesh.h"
 #include "examples/common/picture.h"
+#include "history.h"
+#include "journal.glift.hpp"
 #include "paint.glift.hpp"
 #include "painted.glift.hpp"
 #include "strokes.h"
@@ -15,6 +17,7 @@ struct OctreeSize {
     glift::uint resolution = 2048;  ///< cells along each side: a power of two
     glift::uint pages = 4096;       ///< that there may be
     glift::float3 ground{0.75f, 0.72f, 0.66f};
+    HistoryBudget history;
 
     glift::uint levels() const;
 };
@@ -38,13 +41,19 @@ class Canvas {
 public:
     Canvas(glift::Device device, const mesh::Mesh& mesh, const OctreeSize& size);
 
-    /// One submission for the camera, and one for each dab.
-    void paint(const strokes::Stroke& stroke);
+    /// One submission for the camera, one for each dab, one for the coarser levels. Gives how many requests for pages
+    /// found no room: there is no paint there.
+    glift::uint paint(const strokes::Stroke& stroke);
+    bool undo() { return history_.undo(device_, octree_); }
+    bool redo() { return history_.redo(device_, octree_); }
+    void save(const std::string& path);
+    void load(const std::string& path);  ///< what can be undone is forgotten
     picture::Picture render(const camera::Camera& camera, glift::uint2 size, painted::Layers layers = {});
 
     const glift::Device& device() const { return device_; }
     Model& model() { return model_; }
-    const paint::Octree& octree() const { return octree_; }
+    journal::Octree& octree() { return octree_; }
+    const History& history() const { return history_; }
 
 private:
     void look(const surface::Viewpoint& view, glift::uint2 size);
@@ -52,7 +61,9 @@ private:
     glift::Device device_;
     OctreeSize size_;
     Model model_;
-    paint::Octree octree_;
+    journal::Octree octree_;
+    journal::Journal journal_;
+    History history_;
     surface::Surface surface_;
     surface::Normals normals_;
 };

@@ -18,9 +18,10 @@ namespace {
 using glift::float3;
 
 struct Arguments {
-    std::string model, strokes, out = "paint.png";
+    std::string model, strokes, load, save, out = "paint.png";
     std::vector<std::uint32_t> size = {1024, 1024};
     OctreeSize octree;
+    unsigned undo = 0, redo = 0;
     float turn = 0.6f, upwards = 0.3f, closer = 1;
     std::vector<float> target;
     painted::Layers layers;
@@ -45,16 +46,22 @@ void run(const Arguments& a) {
     canvas.device().wait();
     const auto start = std::chrono::steady_clock::now();
     std::size_t dabs = 0;
+    if (!a.load.empty()) canvas.load(a.load);
     for (const strokes::Stroke& stroke : all) {
-        canvas.paint(stroke);
+        if (const glift::uint lost = canvas.paint(stroke))
+            std::printf("stroke %td: %u requests for pages found no room: give more of them by --pages\n",
+                        &stroke - all.data() + 1, lost);
         dabs += strokes::dabs_of(stroke).size();
     }
+    for (unsigned i = 0; i < a.undo && canvas.undo(); ++i) {}
+    for (unsigned i = 0; i < a.redo && canvas.redo(); ++i) {}
     canvas.device().wait();
     const double ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     const auto status = canvas.octree().status(canvas.device());
     std::printf("%s: %zu triangles, %zu strokes, %zu dabs, %.1f ms a dab; %u of %u pages\n",
                 canvas.device().properties().name.c_str(), mesh.triangles(), all.size(), dabs,
                 ms / static_cast<double>(std::max<std::size_t>(dabs, 1)), status.resident, status.capacity);
+    if (!a.save.empty()) canvas.save(a.save);
     picture::write(a.out, canvas.render(camera_of(a, mesh), {a.size[0], a.size[1]}, a.layers));
     std::printf("wrote %s\n", a.out.c_str());
 }
@@ -65,6 +72,10 @@ void add_options(CLI::App& app, Arguments& a) {
     };
     app.add_option("model", a.model, "A mesh: any file that assimp reads (PLY, OBJ, glTF, …)")->required();
     app.add_option("--strokes", a.strokes, "A file of strokes to paint, a JSON object a line");
+    app.add_option("--load", a.load, "Paint from a file, to begin with");
+    app.add_option("--save", a.save, "A file for the paint");
+    app.add_option("--undo", a.undo, "Undo so many strokes at the end")->capture_default_str();
+    app.add_option("--redo", a.redo, "and do so many of them again")->capture_default_str();
     app.add_option("--size", a.size, "Width and height of the picture")->expected(2)->check(CLI::Range(1, 16384));
     app.add_option("--resolution", a.octree.resolution, "Cells of the octree along each side, 64 to 2048")
         ->check(CLI::Range(64u, 2048u))

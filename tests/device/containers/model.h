@@ -89,9 +89,9 @@ private:
     Number room() const { return status_.capacity - resident(); }
 
     void take_back(const std::vector<Number>& ascending) {
-        for (Number page : ascending) {
-            free_.push_back(frames_.at(page));
-            frames_.erase(page);
+        for (auto page = ascending.rbegin(); page != ascending.rend(); ++page) {
+            free_.push_back(frames_.at(*page));
+            frames_.erase(*page);
         }
     }
 

@@ -1,0 +1,111 @@
+#include "history.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace {
+
+using Pages = std::vector<glift::uint>;
+
+constexpr glift::uint texels_of_page = 17 * 17 * 17;
+
+journal::PageList list_of(const glift::Device& device, const Pages& pages) {
+    journal::PageList list(device, static_cast<glift::uint>(pages.size()));
+    list.write(pages);
+    return list;
+}
+
+}  // namespace
+
+std::uint64_t History::Texels::bytes() const { return std::uint64_t{4} * texels_of_page * pages.size(); }
+
+void History::Texels::move_to_host() {
+    if (!is_on_device) return;
+    on_host = on_device.read();
+    on_device = {};
+    is_on_device = false;
+}
+
+void History::Texels::restore(const glift::Device& device, journal::Octree& octree) const {
+    if (pages.empty()) return;
+    journal::Texels texels = on_device;
+    if (!is_on_device) {
+        texels = journal::Texels(device, {texels_of_page, static_cast<glift::uint>(pages.size())});
+        texels.write(on_host);
+    }
+    journal::restore(device, octree, list_of(device, pages), texels);
+}
+
+void History::add(const glift::Device& device, journal::Octree& octree, journal::Journal& journal) {
+    journal::PageList list(device, octree.capacity());
+    const auto read = [&](glift::uint n) { return n == 0 ? Pages() : list.read(0, n); };
+    Step step;
+    step.after.pages = read(journal.changed_pages(device, list).await(device));
+    if (step.after.pages.empty()) return;
+    step.born = read(journal.born_pages(device, list).await(device));
+    std::ranges::set_difference(step.after.pages, step.born, std::back_inserter(step.before.pages));
+    const auto made = [&](Texels& texels) {
+        texels.on_device = journal::Texels(device, {texels_of_page, static_cast<glift::uint>(texels.pages.size())});
+        texels.is_on_device = true;
+        return list_of(device, texels.pages);
+    };
+    if (!step.before.pages.empty()) {
+        const journal::PageList pages = made(step.before);
+        journal::store_before(device, octree, journal, pages, step.before.on_device);
+    }
+    const journal::PageList pages = made(step.after);
+    journal::store(device, octree, pages, step.after.on_device);
+    steps_.resize(done_);
+    steps_.push_back(std::move(step));
+    ++done_;
+    fit();
+}
+
+bool History::undo(const glift::Device& device, journal::Octree& octree) {
+    if (done_ == 0) return false;
+    const Step& step = steps_[--done_];
+    if (!step.born.empty()) journal::take_away(device, octree, list_of(device, step.born));
+    step.before.restore(device, octree);
+    journal::hang_together(device, octree);
+    return true;
+}
+
+bool History::redo(const glift::Device& device, journal::Octree& octree) {
+    if (done_ == steps_.size()) return false;
+    const Step& step = steps_[done_++];
+    if (!step.born.empty()) journal::bring(device, octree, list_of(device, step.born));
+    step.after.restore(device, octree);
+    journal::hang_together(device, octree);
+    return true;
+}
+
+void History::fit() {
+    for (Step& step : steps_) {
+        if (device_bytes() <= budget_.device) break;
+        step.before.move_to_host();
+        step.after.move_to_host();
+    }
+    while (!steps_.empty() && host_bytes() > budget_.host) {
+        steps_.pop_front();
+        done_ = done_ == 0 ? 0 : done_ - 1;
+    }
+}
+
+std::uint64_t History::device_bytes() const {
+    std::uint64_t sum = 0;
+    for (const Step& step : steps_)
+        for (const Texels* texels : {&step.before, &step.after})
+            if (texels->is_on_device) sum += texels->bytes();
+    return sum;
+}
+
+std::uint64_t History::host_bytes() const {
+    std::uint64_t sum = 0;
+    for (const Step& step : steps_) sum += step.bytes();
+    return sum - device_bytes();
+}
+
+void History::clear() {
+    steps_.clear();
+    done_ = 0;
+}
