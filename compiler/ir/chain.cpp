@@ -61,7 +61,8 @@ void add_places(const Program& program, FunctionId function, const std::vector<P
     };
     for_each_expression(program, program.functions[function].body, [&](ExprId id) {
         const Expr& node = program.exprs[id];
-        if (node.op == Op::read || node.op == Op::sample || node.op == Op::translate) {
+        if (node.op == Op::read || node.op == Op::sample || node.op == Op::gather || node.op == Op::compare ||
+            node.op == Op::translate) {
             Place place = resolved(node.place);
             if (std::ranges::find(found, place) == found.end()) found.push_back(std::move(place));
         }

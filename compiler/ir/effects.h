@@ -7,7 +7,8 @@ namespace gliftc::ir {
 
 /// Whether the operation reads the memory of a binding.
 inline bool is_load(Op op) {
-    return op == Op::load || op == Op::guarded_load || op == Op::image_load || op == Op::image_sample;
+    return op == Op::load || op == Op::guarded_load || op == Op::image_load || op == Op::image_sample ||
+           op == Op::image_gather || op == Op::image_compare;
 }
 
 /// Whether what is passed is a structure, or a range of one.

@@ -39,6 +39,8 @@ TypeId implied_type(const Program& program, const Pass* pass, const Expr& node, 
     case Op::row_load:
     case Op::image_load:
     case Op::image_sample: return pass->bindings[node.slot].element;
+    case Op::image_gather: return vector(pass->bindings[node.slot].element, 4);
+    case Op::image_compare: return types.float_;
     case Op::intrinsic: {
         const std::string_view signature = signature_of(node.intrinsic);
         const std::size_t colon = signature.find(':');

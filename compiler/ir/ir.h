@@ -294,6 +294,9 @@ enum class Format : std::uint8_t {
     d32,
 };
 
+/// A reference is compared so with a texel.
+enum class Compare : std::uint8_t { less, less_equal, greater, greater_equal };
+
 /// What an image that is not made anew is a part of.
 struct ImagePart {
     enum class Kind : std::uint8_t { mip, layer } kind = Kind::mip;
@@ -311,7 +314,7 @@ struct Memory {
     ExprId mips;    ///< or absent
     std::optional<ImagePart> part;
     bool linear = false;  ///< filter linear
-    Name compare;         ///< or empty
+    Compare compare = Compare::less_equal;
     Span span;
 };
 

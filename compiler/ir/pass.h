@@ -28,7 +28,9 @@ struct PassBinding {
     Access access = Access::read;
     bool sampled = false;  ///< images: a combined image sampler (read only), else a storage image
     bool linear = false;
-    bool atomic = false;  ///< some access is atomic
+    std::optional<Compare> compare;  ///< images: a sampler that compares; what else is read has another binding
+    bool atomic = false;             ///< some access is atomic
+    bool ordered = false;            ///< floats, combined by min or max: kept as the integers that have their bits
     bool coherent =
         false;  ///< workgroups see each other's writes within the pass: accesses are neither moved nor merged
     std::uint32_t one_place = 0;  ///< the first binding that may alias this one in a call: itself if there is none,

@@ -160,6 +160,8 @@ std::string Printer::bare(ExprId id) {
     case Op::near: return place(node.place) + "[near " + list(o) + "]";
     case Op::read: return place(node.place) + "[" + list(o) + "]";
     case Op::sample: return place(node.place) + ".sample(" + list(o) + ")";
+    case Op::gather: return place(node.place) + ".gather(" + list(o) + ")";
+    case Op::compare: return place(node.place) + ".compare(" + list(o) + ")";
     case Op::position: return "position";
     case Op::window: return "window";
     case Op::front_facing: return "front_facing";
@@ -185,6 +187,8 @@ std::string Printer::memory(const Expr& node) {
     case Op::load: return binding(node.slot) + "[" + list(node.operands) + "]";
     case Op::image_load: return "image_load(" + binding(node.slot) + ", " + list(node.operands) + ")";
     case Op::image_sample: return "image_sample(" + binding(node.slot) + ", " + list(node.operands) + ")";
+    case Op::image_gather: return "image_gather(" + binding(node.slot) + ", " + list(node.operands) + ")";
+    case Op::image_compare: return "image_compare(" + binding(node.slot) + ", " + list(node.operands) + ")";
     default: return "%" + std::string(spelling(node.builtin));
     }
 }

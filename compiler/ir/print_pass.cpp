@@ -95,9 +95,11 @@ void Printer::bindings() {
         for (auto [flag, word] : {std::pair{of.sampled, " sampled"},
                                   {of.linear, " linear"},
                                   {of.atomic, " atomic"},
+                                  {of.ordered, " ordered"},
                                   {of.coherent, " coherent"},
                                   {of.in_rows, " in_rows"}})
             if (flag) text += word;
+        if (of.compare) text += " compare " + std::string(spelling(*of.compare));
         if (of.one_place < i) text += " one_place " + pass_->bindings[of.one_place].name;
         text += " of " + place(of.place) + " " + std::to_string(of.memory);
         if (of.address_parameter < pass_->parameters.size())

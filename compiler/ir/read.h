@@ -24,7 +24,8 @@
 //     operand   = [ "-" | "!" | "~" ] primary { "." name | "[" expr "]" } ;
 //     primary   = literal | local | "$" parameter | "%" builtin | type "(" … ")" | intrinsic "(" … ")" | "@" function
 //     "(" … ")"
-//               | binding [ ".row" ] "[" expr "]" | "image_load(" … ")" | "image_sample(" … ")" | "guarded_load(" … ")"
+//               | binding [ ".row" ] "[" expr "]" | "image_load(" … ")" | "image_sample(" … ")" | "image_gather(" … ")"
+//               | "image_compare(" … ")" | "guarded_load(" … ")"
 //               | place | "none" | "(" expr [ ":" type ] ")" ;
 //
 // An expression is followed by its type where its operands do not imply it (ir/implied_type.h). "tmp" is a let that a

@@ -299,7 +299,7 @@ ExprId Reader::primary() {
     if (accept("true")) return add({.type = p.types.bool_, .bits = 1});
     if (accept("false")) return add({.type = p.types.bool_});
     if (accept("none")) return add({.op = Op::none, .type = p.types.error});
-    for (Op op : {Op::guarded_load, Op::image_load, Op::image_sample})
+    for (Op op : {Op::guarded_load, Op::image_load, Op::image_sample, Op::image_gather, Op::image_compare})
         if (accept(name_of(op))) return of_binding(op);
     if (at("inf") || at("nan") || !at_name()) return literal();
     const std::size_t before = at_;

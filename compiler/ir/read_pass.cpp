@@ -62,6 +62,12 @@ std::uint32_t Reader::earlier_binding() {
     return found->second;
 }
 
+Compare Reader::compare() {
+    const auto found = spelled(word(), Compare::greater_equal);
+    if (!found) fail("expected a comparison before this");
+    return *found;
+}
+
 void Reader::binding() {
     PassBinding made;
     made.name = name();
@@ -80,9 +86,11 @@ void Reader::binding() {
         if (accept("sampled")) made.sampled = true;
         else if (accept("linear")) made.linear = true;
         else if (accept("atomic")) made.atomic = true;
+        else if (accept("ordered")) made.ordered = true;
         else if (accept("coherent")) made.coherent = true;
         else if (accept("in_rows")) made.in_rows = true;
         else if (accept("one_place")) made.one_place = earlier_binding();
+        else if (accept("compare")) made.compare = compare();
         else if (const auto format = spelled(word(), Format::d32)) made.format = *format;
         else fail("expected a property of a binding before this");
     }

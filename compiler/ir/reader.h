@@ -81,6 +81,7 @@ private:
     void dispatch();
     void kernel_parameter(bool is_value);
     void binding();
+    Compare compare();
     void pass_parameter();
     void function();
     bool section();

@@ -24,6 +24,8 @@ public:
         case Op::read:
         case Op::element:
         case Op::near:
+        case Op::gather:
+        case Op::compare:
         case Op::sample: add_element(found, structures, node.place, effects); break;
         case Op::translate: add_tables(found, structures, node.place); break;
         case Op::call: {

@@ -72,6 +72,10 @@ std::string_view spelling(Cull cull) {
     return text_of(std::to_array<std::string_view>({"none", "back", "front"}), cull);
 }
 
+std::string_view spelling(Compare compare) {
+    return text_of(std::to_array<std::string_view>({"less", "less_equal", "greater", "greater_equal"}), compare);
+}
+
 std::string_view spelling(DepthTest test) {
     return text_of(std::to_array<std::string_view>({"less", "less_equal", "greater", "equal", "always"}), test);
 }

@@ -17,6 +17,7 @@ std::string_view spelling(Form form);
 std::string_view spelling(Access access);
 std::string_view spelling(MemoryShape shape);
 std::string_view spelling(Format format);
+std::string_view spelling(Compare compare);
 std::string_view spelling(Topology topology);
 std::string_view spelling(Cull cull);
 std::string_view spelling(DepthTest test);

@@ -70,11 +70,18 @@ void Validator::low_level(ExprId id) {
     case Op::load:
     case Op::row_load:
     case Op::image_load:
-    case Op::image_sample: {
+    case Op::image_sample:
+    case Op::image_gather:
+    case Op::image_compare: {
         if (node.slot >= pass_.bindings.size()) return fail("no such binding");
         const PassBinding& binding = pass_.bindings[node.slot];
         if ((binding.shape == MemoryShape::buffer) != (node.op == Op::load || node.op == Op::row_load))
             fail("load from another kind of memory", id);
+        if (node.op == Op::image_gather) {
+            const bool is_four = p.types.components(node.type) == 4 && p.types.scalar_of(node.type) == binding.element;
+            return is_four ? void() : fail("four texels of another type", id);
+        }
+        if ((node.op == Op::image_compare) != binding.compare.has_value()) fail("a sampler that compares, or not", id);
         if (!is_row(p.types, binding, node.type)) expect_type(id, binding.element, "a load");
         return;
     }

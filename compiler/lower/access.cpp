@@ -12,27 +12,35 @@ namespace gliftc::lower {
 
 using namespace ir;
 
-std::uint32_t Expander::binding(const Place& of_structure, Access access) {
+std::uint32_t Expander::binding(const Place& of_structure, Access access, std::optional<Compare> compare,
+                                bool by_direction) {
     auto& bindings = cx.pass.bindings;
     const Place place = root_of(p, cx.structure_at(of_structure), of_structure);
     const std::uint32_t memory = cx.structure_at(place).via_memory;
+    const Memory& of = cx.structure_at(place).memories[memory];
+    const MemoryShape shape =
+        of.shape == MemoryShape::imagecube && !by_direction ? MemoryShape::image2darray : of.shape;
     for (std::uint32_t i = 0; i < bindings.size(); ++i) {
         if (bindings[i].place != place || bindings[i].memory != memory) continue;
+        if (bindings[i].compare != compare || bindings[i].shape != shape) continue;
         if (bindings[i].access != access) bindings[i].access = Access::read_write;
         return i;
     }
-    const Memory& of = cx.structure_at(place).memories[memory];
     PassBinding made;
-    made.name = cx.name_of(place) + "_" + (*p.names)[of.name];
+    made.name = cx.name_of(place) + "_" + (*p.names)[of.name] + (compare ? "_compared" : by_direction ? "_cube" : "");
     made.place = place;
     made.memory = memory;
-    made.shape = of.shape;
+    made.shape = shape;
     made.element = of.element;
     made.format = of.format;
     made.coherent = is_coherent(of_structure);
     made.access = made.coherent ? Access::read_write : access;
     // Devices filter neither integers nor, if they do not like to, depths.
     made.linear = of.linear && of.format != Format::d32 && p.types.scalar_of(of.element) == p.types.float_;
+    if (compare) {
+        made.linear = true;
+        made.compare = compare;
+    }
     made.one_place = first_of_place(cx, made);
     bindings.push_back(std::move(made));
     return static_cast<std::uint32_t>(bindings.size() - 1);
@@ -82,13 +90,9 @@ Pair Expander::atomic(const Expr& node) {
     check_range(place, address, Access::read_write, node.span);
     Pair physical = written(place, named(name + "_virtual", from_origin(place, address)), name);
     ExprId inside = make.both(inside_domain(place, address), physical.has);
-    Expr element;
-    element.op = Op::load;
-    element.type = structure.element;
-    element.slot = binding(place, Access::read_write);
-    element.operands = {index_of(cx, element.slot, physical.value)};
-    cx.pass.bindings[element.slot].atomic = true;
-    made.operands[0] = part_of(node.operands[0], p.exprs.add(std::move(element)));
+    const std::uint32_t slot = binding(place, Access::read_write);
+    cx.pass.bindings[slot].atomic = true;
+    made.operands[0] = part_of(node.operands[0], load_from(cx, slot, physical.value));
     if (node.type == p.types.void_) {
         Stmt stmt = statement(StmtOp::evaluate, node.span);
         stmt.value = p.exprs.add(std::move(made));
@@ -310,7 +314,11 @@ void Expander::store(const Place& place, const Pair& physical, ExprId guard, con
     const bool is_atomic = stmt.combine != Combine::replace;
     Stmt made = statement(is_atomic ? StmtOp::atomic : is_buffer ? StmtOp::store : StmtOp::image_store, stmt.span);
     made.slot = binding(place, is_atomic ? Access::read_write : Access::write);
-    if (is_atomic) cx.pass.bindings[made.slot].atomic = true;
+    if (is_atomic) {
+        PassBinding& of = cx.pass.bindings[made.slot];
+        of.atomic = true;
+        of.ordered = of.ordered || (of.element == p.types.float_ && stmt.combine != Combine::add);
+    }
     made.target = index_of(cx, made.slot, physical.value);
     made.value = value;
     made.combine = stmt.combine;

@@ -248,7 +248,10 @@ private:
     void store(const ir::Place& place, const Pair& physical, ExprId guard, const ir::Stmt& stmt, ExprId value);
     Pair atomic(const ir::Expr& node);
     bool is_coherent(const ir::Place& place) const;
-    std::uint32_t binding(const ir::Place& place, ir::Access access);  ///< of the memory that elements lie in
+    /// Of the memory that elements lie in; `compare`: of a sampler that compares; `by_direction`: of a cube that is not
+    /// seen as its faces.
+    std::uint32_t binding(const ir::Place& place, ir::Access access, std::optional<ir::Compare> compare = {},
+                          bool by_direction = false);
     std::optional<std::vector<std::int64_t>> offset_of(const ir::Expr& node);
     ExprId near_guard(std::uint32_t root, const std::vector<std::int64_t>& offset);
     void note_near_guard(std::uint32_t root);
@@ -360,8 +363,26 @@ private:
 
     // sample.cpp
     ExprId sample(const ir::Expr& node);
-    ExprId filtered(const ir::Place& place, ExprId at);
+    ExprId gather(const ir::Expr& node);
+    ExprId compare(const ir::Expr& node);
+    /// The elements around a point, x first, and where it lies between them.
+    struct Around {
+        std::uint32_t axes;
+        ExprId weight;
+        ExprId all;  ///< the same as one vector, if they are
+        Operands values;
+    };
+    Around around(const ir::Place& place, ExprId at);
+    Around gathered(const ir::Place& place, ExprId at);
+    ExprId mixed(Around found);
+    bool is_gathered(const ir::Place& place);
     bool is_texel_address(const ir::Place& place);
+    ExprId of_floats(TypeId type, double number);
+    ExprId image_extent(const ir::Place& place);
+    ExprId in_image(const ir::Place& place, ExprId at);
+    ExprId sampler_point(const ir::Place& place, ExprId at);
+    ExprId texel_near(const ir::Place& place, ExprId texel);
+    ExprId of_image(Op op, TypeId type, std::uint32_t slot, Operands operands);
 
     // shared
     ir::Place resolved(const ir::Place& place) const;

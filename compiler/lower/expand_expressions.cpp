@@ -142,6 +142,8 @@ Pair Expander::expand(ExprId id) {
         if (signature_of(node.intrinsic)[0] == '@' && place_of(p, node.operands[0]).op == Op::read) return atomic(node);
         return expand_again(id, node);
     case Op::sample: return {sample(node), {}};
+    case Op::gather: return {gather(node), {}};
+    case Op::compare: return {compare(node), {}};
     case Op::member: return {expand_member(node), {}};
     case Op::host_state:
     case Op::memory_extent: {

@@ -20,11 +20,11 @@ constexpr std::uint64_t bits_of_a_word = 32;
 std::uint64_t plus(std::uint64_t a, std::uint64_t b) { return a > unknown - b ? unknown : a + b; }
 std::uint64_t times(std::uint64_t a, std::uint64_t b) { return a != 0 && b > unknown / a ? unknown : a * b; }
 
-/// Floats are combined by compare-and-swap, again and again until nobody came between.
+/// Floats in buffers are added by compare-and-swap, again and again until nobody came between.
 bool is_retried(const Program& program, const Pass& pass, const Stmt& atomic) {
     const PassBinding& binding = pass.bindings[atomic.slot];
     return binding.shape == MemoryShape::buffer && program.types.kind(binding.element) == TypeKind::float_ &&
-           atomic.combine != Combine::replace;
+           atomic.combine == Combine::add;
 }
 
 class Loops {
@@ -175,6 +175,7 @@ void add_functions(Context& cx, const std::vector<StmtId>& body) {
         const Expr& node = cx.p.exprs[id];
         if (node.op == Op::intrinsic && exactness_of(node.intrinsic) == Exactness::inexact) cx.pass.exact = false;
         if (node.op == Op::image_sample && cx.pass.bindings[node.slot].linear) cx.pass.exact = false;
+        if (node.op == Op::image_compare) cx.pass.exact = false;
         if (node.op != Op::call) return;
         auto& functions = cx.pass.functions;
         if (std::find(functions.begin(), functions.end(), node.function) != functions.end()) return;

@@ -13,7 +13,7 @@ using namespace ir;
 namespace {
 
 bool has_effect(const Pass& pass, const Expr& node) {
-    if (node.op == Op::load || node.op == Op::guarded_load)
+    if (node.op == Op::load || node.op == Op::guarded_load || node.op == Op::image_load)
         return pass.bindings[node.slot].coherent;  // each one may see something else
     if (node.op != Op::intrinsic) return false;
     return signature_of(node.intrinsic)[0] == '@' || is_collective(node.intrinsic);
@@ -76,6 +76,8 @@ ShapeKey Numbers::shape_of(const Expr& node) const {
     case Op::load:
     case Op::image_load:
     case Op::image_sample:
+    case Op::image_gather:
+    case Op::image_compare:
         key.mix(node.slot);
         key.mix(version_of(cx.pass.bindings[node.slot].one_place));
         break;

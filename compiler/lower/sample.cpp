@@ -1,90 +1,199 @@
 // Filtered reads: the device's sampler where a texel's address is its virtual address, else a weighted sum of reads.
 #include "ir/chain.h"
 #include "lower/expand.h"
+#include "lower/memory.h"
 
 namespace gliftc::lower {
 
 using namespace ir;
 
-/// Whether the structure keeps element a in texel a of an image that devices filter: they need not filter depths.
+/// Whether the structure keeps element a in texel a of an image.
 bool Expander::is_texel_address(const Place& place) {
     const Structure& structure = cx.structure_at(place);
-    if (is_computed(p, structure)) return false;
-    const Memory& memory = root_memory(p, structure);
-    if (memory.shape == MemoryShape::buffer || memory.format == Format::d32) return false;
+    if (is_computed(p, structure) || root_memory(p, structure).shape == MemoryShape::buffer) return false;
     ExprId probe = make.local(cx.new_local("probe", structure.domain_type, span_));
     Pair at;
     Block block = collect([&] { at = translated(place, probe, "probe"); });
     return block.empty() && at.value == probe && (!at.has || make.is_true(at.has));
 }
 
-ExprId Expander::sample(const Expr& node) {
-    Place place = resolved(node.place);
-    ExprId at = named(cx.name_of(place) + "_point", value_of(node.operands[0]));
-    if (!is_texel_address(place)) return filtered(place, at);
+namespace {
+
+bool is_flat(MemoryShape shape) { return shape == MemoryShape::image2d || shape == MemoryShape::image2darray; }
+
+BinaryOp operator_of(Compare compare) {
+    switch (compare) {
+    case Compare::less: return BinaryOp::less;
+    case Compare::less_equal: return BinaryOp::less_equal;
+    case Compare::greater: return BinaryOp::greater;
+    case Compare::greater_equal: return BinaryOp::greater_equal;
+    }
+    return BinaryOp::less_equal;
+}
+
+}  // namespace
+
+/// `number` along every axis.
+ExprId Expander::of_floats(TypeId type, double number) {
+    Expr constant;
+    constant.type = p.types.float_;
+    constant.number = number;
+    const ExprId made = p.exprs.add(constant);
+    return p.types.is_vector(type) ? make.construct(type, {made}) : made;
+}
+
+/// The extent of the image that elements lie in.
+ExprId Expander::image_extent(const Place& place) {
     const Structure& structure = cx.structure_at(place);
     Expr extent;
     extent.op = Op::memory_extent;
     extent.type = structure.domain_type;
     extent.place = canonical(root_of(p, structure, place));
     extent.slot = root_structure(p, structure).via_memory;
-    ExprId size = make.convert(make.type(at), p.exprs.add(std::move(extent)));
-    Expr sampled;
-    sampled.op = Op::image_sample;
-    sampled.type = node.type;
-    sampled.slot = binding(place, Access::read);
-    if (is_range(place))
-        at = make.add(at, make.convert(make.type(at), from_origin(place, make.zero(structure.domain_type))));
-    ExprId point = make.binary(BinaryOp::divide, at, size);
-    if (root_memory(p, structure).shape == MemoryShape::image2darray) {
-        // Devices take the nearest layer, by its number.
-        Expr half;
-        half.type = p.types.float_;
-        half.number = 0.5;
-        const ExprId layer = make.binary(BinaryOp::subtract, make.component(at, 2), p.exprs.add(std::move(half)));
-        Operands parts;
-        parts.push_back(make.component(point, 0));
-        parts.push_back(make.component(point, 1));
-        parts.push_back(layer);
-        point = make.construct(make.type(at), std::move(parts));
-    }
-    sampled.operands = {point};
-    if (node.operands.size() > 1) sampled.operands.push_back(make.convert(p.types.float_, value_of(node.operands[1])));
-    return p.exprs.add(std::move(sampled));
+    return p.exprs.add(std::move(extent));
 }
 
-/// Element centres lie at +0.5: the 2^n elements around the point, weighted by its distance to each, x first.
-ExprId Expander::filtered(const Place& place, ExprId at) {
+/// The point, counted from the first texel of the image.
+ExprId Expander::in_image(const Place& place, ExprId at) {
+    if (!is_range(place)) return at;
+    const ExprId origin = from_origin(place, make.zero(cx.structure_at(place).domain_type));
+    return make.add(at, make.convert(make.type(at), origin));
+}
+
+/// What a device's sampler is given for a point in the image: it takes the nearest layer, by its number.
+ExprId Expander::sampler_point(const Place& place, ExprId at) {
+    const ExprId point = make.binary(BinaryOp::divide, at, make.convert(make.type(at), image_extent(place)));
+    if (root_memory(p, cx.structure_at(place)).shape != MemoryShape::image2darray) return point;
+    const ExprId layer = make.intrinsic(Intrinsic::floor, p.types.float_, {make.component(at, 2)});
+    return make.construct(make.type(at), {make.component(point, 0), make.component(point, 1), layer});
+}
+
+ExprId Expander::of_image(Op op, TypeId type, std::uint32_t slot, Operands operands) {
+    Expr made;
+    made.op = op;
+    made.type = type;
+    made.slot = slot;
+    made.operands = std::move(operands);
+    return p.exprs.add(std::move(made));
+}
+
+ExprId Expander::sample(const Expr& node) {
+    Place place = resolved(node.place);
+    ExprId at = named(cx.name_of(place) + "_point", value_of(node.operands[0]));
+    // Devices need not filter depths.
+    const bool is_filtered =
+        is_texel_address(place) && !is_coherent(place) && root_memory(p, cx.structure_at(place)).format != Format::d32;
+    if (!is_filtered) return mixed(around(place, at));
+    Operands operands = {sampler_point(place, in_image(place, at))};
+    if (node.operands.size() > 1) operands.push_back(make.convert(p.types.float_, value_of(node.operands[1])));
+    return of_image(Op::image_sample, node.type, binding(place, Access::read), std::move(operands));
+}
+
+/// Whether the device gathers the texels around a point: not of what is written in the pass.
+bool Expander::is_gathered(const Place& place) {
+    return !is_coherent(place) && is_texel_address(place) && is_flat(root_memory(p, cx.structure_at(place)).shape);
+}
+
+/// The four texels around a point, and how near it is to each. Devices are asked for the point at which all four meet,
+/// so that none of them rounds it to other texels.
+Expander::Around Expander::gathered(const Place& place, ExprId at) {
+    const std::string name = cx.name_of(place);
+    const TypeId element = cx.structure_at(place).element, four = p.types.vector(element, 4);
+    const ExprId point = in_image(place, at);
+    const ExprId lower = named(name + "_lower", make.binary(BinaryOp::subtract, point, of_floats(make.type(at), 0.5)));
+    const ExprId corner = named(name + "_corner", make.intrinsic(Intrinsic::floor, make.type(at), {lower}));
+    ExprId middle = make.add(corner, of_floats(make.type(at), 1.0));
+    if (p.types.components(make.type(at)) == 3)
+        middle = make.construct(make.type(at),
+                                {make.component(middle, 0), make.component(middle, 1), make.component(point, 2)});
+    const ExprId texels = named(name + "_texels", of_image(Op::image_gather, four, binding(place, Access::read),
+                                                           {sampler_point(place, middle)}));
+    Around found{
+        .axes = 2, .weight = named(name + "_weight", make.binary(BinaryOp::subtract, lower, corner)), .all = texels};
+    for (std::uint32_t i = 0; i < 4; ++i) found.values.push_back(make.component(texels, i));
+    return found;
+}
+
+ExprId Expander::gather(const Expr& node) {
+    Place place = resolved(node.place);
+    ExprId at = named(cx.name_of(place) + "_point", value_of(node.operands[0]));
+    if (is_gathered(place)) return gathered(place, at).all;
+    return make.construct(node.type, around(place, at).values);
+}
+
+/// The mean of what comparisons with each of the elements give, weighted as what `sample` gives is.
+ExprId Expander::compare(const Expr& node) {
+    Place place = resolved(node.place);
+    const Memory& memory = root_memory(p, cx.structure_at(place));
+    const Compare how = memory.compare;
+    const bool is_depth = memory.format == Format::d32;
+    const std::string name = cx.name_of(place);
+    ExprId at = named(name + "_point", value_of(node.operands[0]));
+    ExprId reference = named(name + "_reference", value_of(node.operands[1]));
+    const bool is_image = is_gathered(place);
+    if (is_image && is_depth)
+        return of_image(Op::image_compare, p.types.float_, binding(place, Access::read, how),
+                        {sampler_point(place, in_image(place, at)), reference});
+    Around found = is_image ? gathered(place, at) : around(place, at);
+    const ExprId no = of_floats(p.types.float_, 0.0), yes = of_floats(p.types.float_, 1.0);
+    for (ExprId& value : found.values) value = make.select(make.binary(operator_of(how), reference, value), yes, no);
+    return mixed(std::move(found));
+}
+
+/// The address of an element around a point: of images that of a texel of it, the nearest one.
+ExprId Expander::texel_near(const Place& place, ExprId texel) {
+    const TypeId type = make.type(texel);
+    const ExprId size = make.convert(type, image_extent(place));
+    const ExprId one =
+        make.convert(type, p.types.is_vector(type) ? make.construct(type, {make.uint(1)}) : make.uint(1));
+    const ExprId last = make.binary(BinaryOp::subtract, size, one);
+    return make.intrinsic(Intrinsic::clamp, type, {texel, make.zero(type), last});
+}
+
+/// Element centres lie at +0.5: the 2^n elements around the point, and its distance to each, x first. Beyond an image
+/// its edge counts, beyond other structures what they give there.
+Expander::Around Expander::around(const Place& place, ExprId at) {
     const Structure& structure = cx.structure_at(place);
+    const bool is_image = is_texel_address(place);
+    const bool has_layers = is_image && root_memory(p, structure).shape == MemoryShape::image2darray;
     std::string name = cx.name_of(place);
+    if (is_image) at = in_image(place, at);
     TypeId floats = make.type(at), numbers = structure.domain_type;
-    std::uint32_t axes = p.types.components(floats);
-    auto splat = [&](ExprId number) { return axes == 1 ? number : make.construct(floats, {number}); };
-    Expr half;
-    half.type = p.types.float_;
-    half.number = 0.5;
-    ExprId lower = named(name + "_lower", make.binary(BinaryOp::subtract, at, splat(p.exprs.add(half))));
+    const std::uint32_t all = p.types.components(floats);
+    Around found{.axes = has_layers ? 2 : all, .weight = {}, .all = {}};
+    ExprId lower = named(name + "_lower", make.binary(BinaryOp::subtract, at, of_floats(floats, 0.5)));
     ExprId corner = named(name + "_corner", make.intrinsic(Intrinsic::floor, floats, {lower}));
-    ExprId weight = named(name + "_weight", make.binary(BinaryOp::subtract, lower, corner));
+    found.weight = named(name + "_weight", make.binary(BinaryOp::subtract, lower, corner));
+    if (has_layers)
+        corner = make.construct(floats, {make.component(corner, 0), make.component(corner, 1),
+                                         make.intrinsic(Intrinsic::floor, p.types.float_, {make.component(at, 2)})});
     // Negative corners wrap to addresses outside the domain, where reads give the structure's otherwise.
     TypeId ints = p.types.with_scalar(numbers, p.types.int_);
-    ExprId base = named(name + "_base", make.convert(numbers, make.convert(ints, corner)));
-    Operands values;
-    for (std::uint32_t i = 0; i < (1u << axes); ++i) {
+    ExprId base = make.convert(ints, corner);
+    base = named(name + "_base", is_image ? base : make.convert(numbers, base));
+    for (std::uint32_t i = 0; i < (1u << found.axes); ++i) {
         Operands step;
-        for (std::uint32_t axis = 0; axis < axes; ++axis) step.push_back(make.uint(i >> axis & 1));
-        ExprId offset = axes == 1 ? step[0] : make.construct(numbers, std::move(step));
+        for (std::uint32_t axis = 0; axis < all; ++axis) step.push_back(make.uint(i >> axis & 1));
+        ExprId offset = all == 1 ? step[0] : make.construct(numbers, std::move(step));
         std::string corner_name = name + "_corner" + std::to_string(i);
-        values.push_back(named(corner_name, read(place, make.add(base, offset), corner_name)));
+        const ExprId value = is_image ? load_from(cx, binding(place, Access::read),
+                                                  texel_near(place, make.add(base, make.convert(ints, offset))))
+                                      : read(place, make.add(base, offset), corner_name);
+        found.values.push_back(named(corner_name, value));
     }
-    for (std::uint32_t axis = 0; axis < axes; ++axis) {
+    return found;
+}
+
+ExprId Expander::mixed(Around found) {
+    for (std::uint32_t axis = 0; axis < found.axes; ++axis) {
         Operands mixed;
-        ExprId t = make.component(weight, axis);
-        for (std::size_t i = 0; i < values.size(); i += 2)
-            mixed.push_back(make.intrinsic(Intrinsic::mix, make.type(values[i]), {values[i], values[i + 1], t}));
-        values = std::move(mixed);
+        ExprId t = make.component(found.weight, axis);
+        for (std::size_t i = 0; i < found.values.size(); i += 2)
+            mixed.push_back(
+                make.intrinsic(Intrinsic::mix, make.type(found.values[i]), {found.values[i], found.values[i + 1], t}));
+        found.values = std::move(mixed);
     }
-    return values[0];
+    return found.values[0];
 }
 
 }  // namespace gliftc::lower

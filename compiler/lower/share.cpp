@@ -170,7 +170,7 @@ void Counting::visit_operands(const Expr& node, Where where) {
 void Counting::visit_target(ExprId id) {
     const Expr& node = cx.p.exprs[id];
     if (node.op == Op::local) return;
-    if (node.op == Op::load) visit(node.operands[0], Where::before);
+    if (node.op == Op::load || node.op == Op::image_load) visit(node.operands[0], Where::before);
     else visit_target(node.operands[0]);
     if (node.op == Op::index) visit(node.operands[1], Where::before);
 }
@@ -325,7 +325,8 @@ ExprId Rewriting::visit_target(ExprId id) {
     const Expr& node = cx.p.exprs[id];
     if (node.op == Op::local) return id;
     Expr copy = node;
-    copy.operands[0] = node.op == Op::load ? visit(node.operands[0]) : visit_target(node.operands[0]);
+    copy.operands[0] =
+        node.op == Op::load || node.op == Op::image_load ? visit(node.operands[0]) : visit_target(node.operands[0]);
     if (node.op == Op::index) copy.operands[1] = visit(node.operands[1]);
     return cx.p.exprs.add(std::move(copy));
 }

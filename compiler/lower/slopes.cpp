@@ -148,6 +148,7 @@ std::optional<Slope> RowSlopes::of_component(const Expr& expr) {
     return of(expr.operands[0])[static_cast<std::size_t>(*index.constant)];
 }
 
+// long: a case for each operation
 Slopes RowSlopes::of(ExprId id) {
     const Expr& expr = program_.exprs[id];
     switch (expr.op) {
@@ -199,6 +200,8 @@ Slopes RowSlopes::of(ExprId id) {
     case Op::load:
     case Op::image_load:
     case Op::image_sample:
+    case Op::image_gather:
+    case Op::image_compare:
     case Op::builtin: return unknown();
     }
     // What is computed of values that are constant along the row is constant along the row.

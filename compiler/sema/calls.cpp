@@ -6,6 +6,7 @@
 #include "sema/image_parts.h"
 #include "sema/lookup.h"
 #include "sema/raster.h"
+#include "sema/texture.h"
 #include "sema/typing.h"
 #include "sema/values.h"
 
@@ -256,35 +257,6 @@ static ast::Identifier base_name(Body& body, const Operand& self, Span span) {
     return {body.program().structures[self.structure].base_name, span};
 }
 
-/// `s.sample(x)`, or `s.sample(x, level)` of an image with levels.
-static Operand sample(Body& body, const Operand& self, const std::vector<ast::ExprId>& arguments,
-                      const ast::Expr& call) {
-    Context& c = body.context;
-    const ir::Structure& structure = body.program().structures[self.structure];
-    const ir::TypeId domain = structure.domain_type, element = structure.element;
-    if (arguments.size() != 1 && arguments.size() != 2) {
-        c.error(Diag::argument_count, call.span, {"sample", "1", std::to_string(arguments.size())});
-        return error_operand(call.span);
-    }
-    if (!body.types().is_floating(body.types().scalar_of(element))) {
-        c.error(Diag::sample_element, call.span, {structure.display, c.text(element)});
-        return error_operand(call.span);
-    }
-    if (arguments.size() == 2 && !has_filtered_levels(c, structure)) {
-        note(c.error(Diag::sample_level, call.span, {structure.display}), c[arguments[1]].span,
-             "levels are those of an image declared with 'mips(n)', of another format than d32, whose texels the "
-             "structure keeps at their own addresses");
-        return error_operand(call.span);
-    }
-    ir::Operands operands;
-    operands.push_back(check_value(body, arguments[0], body.types().with_scalar(domain, body.types().float_)));
-    if (arguments.size() == 2) operands.push_back(check_value(body, arguments[1], body.types().uint));
-    for (ir::ExprId operand : operands)
-        if (is_error(body, operand)) return error_operand(call.span);
-    return value_operand(body, structure_operation(body, ir::Op::sample, element, self, call.span, operands),
-                         call.span);
-}
-
 // long: a case for each method of structures
 Operand call_method(Body& body, const Operand& self, ast::Identifier method, const std::vector<ast::ExprId>& generics,
                     const ast::Expr& call, ir::TypeId wanted) {
@@ -317,7 +289,8 @@ Operand call_method(Body& body, const Operand& self, ast::Identifier method, con
                              &self);
     if (name == "domain" && addressed && arguments.empty())
         return value_operand(body, structure_operation(body, ir::Op::domain, domain, self, call.span), call.span);
-    if (name == "sample" && addressed) return sample(body, self, arguments, call);
+    if (addressed)
+        if (auto filtered = call_of_texture(body, name, self, arguments, call)) return *filtered;
     if ((name == "load" || name == "store") && addressed) return several_elements(body, self, method, call, wanted);
     const bool translates =
         ir::physical_type(body.program(), body.program().structures[self.structure]) != ir::TypeId{};
@@ -347,7 +320,8 @@ Operand call_method(Body& body, const Operand& self, ast::Identifier method, con
     if (has_method_of_base(c, body.program().structures[self.structure], method.name))
         return call_method(body, structure_member(body, self, base_name(body, self, method.span)), method, generics,
                            call, wanted);
-    std::vector<std::string_view> known = {"domain", "sample", "find", "translate", "contains", "load", "store"};
+    std::vector<std::string_view> known = {"domain",    "sample",   "gather", "compare", "find",
+                                           "translate", "contains", "load",   "store"};
     for (const ast::Item& item : items)
         if (item.decl) known.push_back(c.text(c[item.decl].name.name));
     Diagnostic& diagnostic =

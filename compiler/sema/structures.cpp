@@ -2,6 +2,7 @@
 // Structures, views and adaptors: constructor, memories, nested structures, `via`, domain.
 #include "ir/chain.h"
 #include "ir/empty.h"
+#include "ir/spelling.h"
 #include "sema/base.h"
 #include "sema/blocks.h"
 #include "sema/components.h"
@@ -74,6 +75,14 @@ bool is_generic_name(const Body& body, ast::ExprId type) {
     return expr.kind == ast::ExprKind::name && body.env.find(expr.name) != nullptr;
 }
 
+ir::Compare comparison(Context& c, const ast::Item& item) {
+    const auto found = ir::spelled(c.text(item.compare), ir::Compare::greater_equal);
+    if (!found)
+        note(c.error(Diag::memory_compare, item.compare_span, {c.text(item.compare)}), item.compare_span,
+             "a reference is 'less', 'less_equal', 'greater' or 'greater_equal' than a texel");
+    return found.value_or(ir::Compare::less_equal);
+}
+
 // long: the checks of one declaration, in the order of its words
 void add_memory(Body& body, std::uint32_t index, const ast::Item& item) {
     Context& c = body.context;
@@ -99,7 +108,7 @@ void add_memory(Body& body, std::uint32_t index, const ast::Item& item) {
     memory.linear = item.filter && c.text(item.filter) == "linear";
     if (item.filter && !memory.linear && c.text(item.filter) != "nearest")
         c.error(Diag::memory_option, item.filter_span, {c.text(item.filter)});
-    memory.compare = item.compare;
+    if (item.compare) memory.compare = comparison(c, item);
     Meta element = meta_of(c, body.env, text->element);
     if (element.kind == MetaKind::none) return;
     if (memory.shape == ir::MemoryShape::buffer) {

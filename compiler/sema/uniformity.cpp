@@ -226,6 +226,8 @@ Flow Uniformity::value(ir::ExprId id) {
     case ir::Op::invocation: return invocation(node);
     case ir::Op::read:
     case ir::Op::sample:
+    case ir::Op::gather:
+    case ir::Op::compare:
     case ir::Op::translate: return of_memory(node, node.place, operands(node));
     case ir::Op::intrinsic: return intrinsic(node);
     case ir::Op::call: return call(id, node);

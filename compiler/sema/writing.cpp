@@ -3,6 +3,7 @@
 #include "ir/chain.h"
 #include "ir/effects.h"
 #include "ir/reads.h"
+#include "ir/spelling.h"
 #include "sema/instances.h"
 
 #include <algorithm>
@@ -50,6 +51,11 @@ std::string path_text(const Context& c, std::string name, std::uint32_t structur
         structure = next.structure;
     }
     return name;
+}
+
+/// Whether devices have atomic operations on texels of this format.
+bool has_atomics(ir::Format format) {
+    return format == ir::Format::r32f || format == ir::Format::r32i || format == ir::Format::r32ui;
 }
 
 bool are_alike(const ir::Effect& one, const ir::Effect& other) {
@@ -100,13 +106,15 @@ void check_direction(Context& c, const ast::Param& param, ir::KernelParam& made)
 
 namespace {
 
-/// Devices add floats in images, and find no minimum or maximum of them.
-void check_float_image(Context& c, const ast::Expr& op, std::uint32_t index) {
+/// Devices have atomic operations on texels of 32 bits.
+void check_combined_image(Context& c, const ast::Expr& op, std::uint32_t index) {
     const ir::Structure& structure = c.program.structures[index];
     if (structure.kind != ir::StructureKind::stored) return;  // reported as written
-    if (ir::root_memory(c.program, structure).shape == ir::MemoryShape::buffer) return;
-    note(c.error(Diag::scatter_image, op.span, {c.text(op.name), structure.display}), op.span,
-         "keep them in a buffer, as Array<n, float> does");
+    const ir::Memory& memory = ir::root_memory(c.program, structure);
+    if (memory.shape == ir::MemoryShape::buffer || has_atomics(memory.format)) return;
+    note(c.error(Diag::scatter_image, op.span,
+                 {c.text(op.name), structure.display, std::string(ir::spelling(memory.format))}),
+         op.span, "devices combine texels of r32f, r32i and r32ui; or keep the elements in a buffer, as Array does");
 }
 
 }  // namespace
@@ -123,15 +131,19 @@ ir::Combine check_combine(Context& c, ast::ExprId operation, std::uint32_t struc
     const bool bits = *combine >= ir::Combine::bit_and;
     const bool fits = element == c.types().int_ || element == c.types().uint || (element == c.types().float_ && !bits);
     if (!fits) c.error(Diag::scatter_element, op.span, {c.text(op.name), c.text(element)});
-    else if (element == c.types().float_ && *combine != ir::Combine::add) check_float_image(c, op, structure);
+    else check_combined_image(c, op, structure);
     return *combine;
 }
 
 void check_coherent(Context& c, ast::Identifier name, std::uint32_t index) {
     const ir::Structure& structure = c.program.structures[index];
     if (structure.kind != ir::StructureKind::stored) return;  // reported as written
-    if (ir::root_memory(c.program, structure).shape != ir::MemoryShape::buffer)
-        c.error(Diag::coherent_memory, name.span, {structure.display});
+    const ir::Memory& memory = ir::root_memory(c.program, structure);
+    if (memory.shape == ir::MemoryShape::buffer || memory.format == ir::Format::r32i ||
+        memory.format == ir::Format::r32ui)
+        return;
+    note(c.error(Diag::coherent_memory, name.span, {std::string(ir::spelling(memory.format)), structure.display}),
+         name.span, "invocations share buffers, and images of r32i and r32ui");
 }
 
 void check_stored(Context& c, Span span, std::uint32_t index) {

@@ -122,6 +122,16 @@ class Kernels:
         def domain(expressions, scope, depth):
             return Node(f"{name}.domain()", type=address)
         kernel.scope.reads += [(element, read)] * 4 + [(element, find), (BOOL, contains), (address, domain)]
+        if structure.axes == 2 and element in (FLOAT, INT, UINT):
+            kernel.scope.reads.append((vector(4, element), self.gather(name, inside, element)))
+
+    def gather(self, name, inside, element):
+        """The four elements around a point, in and out of the structure, at quarters of elements."""
+        def found(expressions, scope, depth):
+            low = -expressions.random.between(0, 4)
+            return Node(f"{name}.gather(float2(int2(", inside(expressions, scope, depth), f")) * 1.25 + float2({low}.0))",
+                        type=vector(4, element))
+        return found
 
     def add_outputs(self, kernel):
         found = self.of_axes(kernel.axes, each=True)
@@ -150,11 +160,13 @@ class Kernels:
             return Node("(", value, f" ^ {t.scalar.name}(sum))", type=t)
         return Node("gt(sum % 3u == 0u, ", value, ", ", self.expressions.of(t, scope, 3), ")", type=t)
 
-    def integer_structures(self):
-        return [s for s in self.structures.all if s.element in (INT, UINT) and s.buffer]
+    def combined_structures(self):
+        """In buffers, and in images of 32 bits."""
+        return [s for s in self.structures.all if s.element in (INT, UINT, FLOAT)]
 
     def add_scatter(self, kernel, name):
-        structure, operation = self.random.choice(self.integer_structures()), self.random.choice(OPERATIONS)
+        structure = self.random.choice(self.combined_structures())
+        operation = self.random.choice(["min", "max"] if structure.element == FLOAT else OPERATIONS)
         kernel.params.append(Parameter(name, f"out scatter<{structure.name}, {operation}>", structure,
                                        extent=self.extent(structure.axes, 100)))
         address = vector(structure.axes, UINT)

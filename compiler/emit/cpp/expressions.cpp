@@ -224,7 +224,7 @@ Text print_index(Printer& p, const Expr& expr) {
 /// A part of an element, where it lies.
 std::string print_place(Printer& p, ir::ExprId id) {
     const Expr& expr = p.program.exprs[id];
-    if (expr.op == Op::load || expr.op == Op::row_load) return p.outer_place(expr);
+    if (expr.op == Op::load || expr.op == Op::row_load || expr.op == Op::image_load) return p.outer_place(expr);
     const std::string base = print_place(p, expr.operands[0]);
     const ir::TypeId whole = p.program.exprs[expr.operands[0]].type;
     if (expr.op == Op::field) return base + "." + p.globals.field_names[p.program.types[whole].index][expr.slot];
@@ -237,7 +237,7 @@ Text print_intrinsic(Printer& p, const Expr& expr) {
     if (ir::is_derivative(expr.intrinsic) && p.outer_expression) return p.outer_expression(expr);
     if (!name.starts_with("atomic")) return function_call(p, "glift::" + name, expr.operands);
     const Expr& place = ir::place_of(p.program, expr.operands[0]);
-    if (place.op != Op::load && place.op != Op::row_load)
+    if (place.op != Op::load && place.op != Op::row_load && place.op != Op::image_load)
         return function_call(p, "glift::host::" + name, expr.operands);
     std::string text = "glift::host::memory::" + name + "(" + print_place(p, expr.operands[0]);
     for (std::size_t i = 1; i < expr.operands.size(); ++i) text += ", " + print_any(p, expr.operands[i]);

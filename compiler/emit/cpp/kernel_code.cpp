@@ -4,6 +4,7 @@
 #include "emit/cpp/spirv_file.h"
 #include "ir/derivatives.h"
 #include "ir/effects.h"
+#include "ir/spelling.h"
 
 #include <algorithm>
 #include <charconv>
@@ -142,7 +143,12 @@ void print_bindings(Unit& unit, Writer& out, const ir::Lowered::Forms& forms, co
                            ", .kind = glift::MemoryKind::" + memory_kind(binding.shape) +
                            ", .access = glift::Access::" + access_text(binding);
         if (binding.sampled) text += ", .sampled = true";
-        if (binding.sampled && binding.linear) text += ", .sampler = {.filter = glift::Filter::linear}";
+        if (binding.sampled && binding.linear)
+            text += ", .sampler = {.filter = glift::Filter::linear" +
+                    (binding.compare ? ", .compare = glift::Compare::" + std::string(ir::spelling(*binding.compare))
+                                     : std::string()) +
+                    "}";
+        if (binding.ordered && binding.shape != ir::MemoryShape::buffer) text += ", .as_bits = true";
         if (i < forms.wide.bindings.size() && forms.wide.bindings[i].address_parameter < forms.wide.parameters.size())
             text += ", .address_offset = " +
                     std::to_string(forms.wide.parameters[forms.wide.bindings[i].address_parameter].offset);

@@ -2,6 +2,7 @@
 #include "base/concat.h"
 #include "emit/cpp/mentions.h"
 #include "emit/cpp/printer.h"
+#include "ir/effects.h"
 
 #include <algorithm>
 
@@ -271,8 +272,7 @@ bool is_pure(const ir::Program& program, ir::FunctionId id) {
     });
     ir::for_each_expression(program, function.body, [&](ir::ExprId node) {
         const ir::Expr& expr = program.exprs[node];
-        if (expr.op == Op::load || expr.op == Op::image_load || expr.op == Op::image_sample ||
-            expr.op == Op::parameter || expr.op == Op::builtin || expr.op == Op::invocation)
+        if (is_load(expr.op) || expr.op == Op::parameter || expr.op == Op::builtin || expr.op == Op::invocation)
             pure = false;
         if (expr.op == Op::local && program.locals[expr.local].storage == ir::Storage::shared) pure = false;
         if (expr.op == Op::call && !is_pure(program, expr.function)) pure = false;

@@ -64,6 +64,8 @@ Text structure_property(const Globals& globals, const ir::Expr& expr, std::uint3
     case ir::Op::near:
     case ir::Op::read:
     case ir::Op::sample:
+    case ir::Op::gather:
+    case ir::Op::compare:
     case ir::Op::position:
     case ir::Op::window:
     case ir::Op::front_facing:
@@ -85,6 +87,8 @@ Text structure_property(const Globals& globals, const ir::Expr& expr, std::uint3
     case ir::Op::row_item:
     case ir::Op::image_load:
     case ir::Op::image_sample:
+    case ir::Op::image_gather:
+    case ir::Op::image_compare:
     case ir::Op::builtin: break;
     }
     return {"{}"};

@@ -113,7 +113,8 @@ std::string why_not_printed(const ir::Program& program, ir::FunctionId id) {
         const bool passes_structures = expr.op == ir::Op::call && !expr.places.empty();
         const bool reads_rows = expr.op == ir::Op::read && program.types.kind(expr.type) == TypeKind::array;
         if (passes_structures) why = "'" + name + "' gives structures to functions";
-        if (reads_rows || expr.op == ir::Op::sample || expr.op == ir::Op::translate)
+        if (reads_rows || expr.op == ir::Op::sample || expr.op == ir::Op::gather || expr.op == ir::Op::compare ||
+            expr.op == ir::Op::translate)
             why = "'" + name + "' asks a structure for more than elements";
     });
     return why;

@@ -307,7 +307,9 @@ Text print_node(Printer& p, ExprId id) {
     case Op::parameter: return {p.parameter_names.at(expr.slot)};
     case Op::load:
     case Op::image_load:
-    case Op::image_sample: return print_load(p, expr);
+    case Op::image_sample:
+    case Op::image_gather:
+    case Op::image_compare: return print_load(p, expr);
     case Op::builtin: return print_builtin(p, expr);
 #define SHAPE_OPERATION(name) case Op::name:
 #define STRUCTURE_OPERATION(name) case Op::name:

@@ -76,7 +76,8 @@ Text dot(Printer& p, const Expr& expr) {
 Text atomic(Printer& p, const char* name, const Expr& expr) {
     ir::TypeKind kind = p.program.types.kind(type_of(p, expr, 0));
     if (kind == ir::TypeKind::int64 || kind == ir::TypeKind::uint64) p.extensions.insert("GL_EXT_shader_atomic_int64");
-    if (ir::place_of(p.program, expr.operands[0]).op == ir::Op::load) return {ordered_atomic(p, name, expr)};
+    const ir::Op place = ir::place_of(p.program, expr.operands[0]).op;
+    if (place == ir::Op::load || place == ir::Op::image_load) return {ordered_atomic(p, name, expr)};
     // In workgroup memory barriers order things.
     if (expr.intrinsic == Intrinsic::atomicLoad) return print(p, expr.operands[0]);
     if (expr.intrinsic == Intrinsic::atomicStore)

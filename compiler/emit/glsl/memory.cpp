@@ -98,7 +98,7 @@ std::string buffer_text(Printer& p, std::size_t index) {
     const char* access = may_alias(p, binding) ? "" : access_text(binding.access);
     std::string qualifiers = (is_coherent(p, binding) ? "coherent " : "") + std::string(access);
     note_storage(p, binding.element);
-    std::string element = stored_as_bits(p, binding) ? "uint" : "";
+    std::string element = !stored_as_bits(p, binding) ? "" : binding.ordered ? "int" : "uint";
     const bool is_wide = p.pass.form == ir::Form::wide;
     const std::string name = is_wide ? "at" : p.binding_names[index] + "[]";
     const ir::Type& type = p.program.types[binding.element];
@@ -124,12 +124,23 @@ std::string at_address(const std::string& block, const std::string& address, con
     return block + "(" + address + " + " + index + " * " + std::to_string(bytes) + "ul).at";
 }
 
-/// An element of a buffer, by an index that may have an operator in it only in parentheses.
+std::string as_float(const PassBinding& binding, const std::string& bits) {
+    return (binding.ordered ? "intBitsToFloat(" : "uintBitsToFloat(") + bits + ")";
+}
+
+std::string as_bits(const PassBinding& binding, const std::string& value) {
+    return (binding.ordered ? "floatBitsToInt(" : "floatBitsToUint(") + value + ")";
+}
+
+}  // namespace
+
 std::string element_text(const Printer& p, std::uint32_t slot, const std::string& index) {
     if (p.pass.form != ir::Form::wide) return p.binding_names[slot] + "[" + index + "]";
     const std::uint32_t bytes = layout::size_of(p.program, p.pass.bindings[slot].element).size;
     return at_address(p.block_names[slot], p.binding_names[slot], index, bytes);
 }
+
+namespace {
 
 /// The index of an element, or of a row of them.
 std::string index_text(Printer& p, ir::ExprId id) {
@@ -138,9 +149,13 @@ std::string index_text(Printer& p, ir::ExprId id) {
     return is_far ? need(p, Helper::far_index, {}) + "(" + print_any(p, id) + ")" : print_any(p, id);
 }
 
+}  // namespace
+
 std::string element_text(Printer& p, std::uint32_t slot, ir::ExprId index) {
     return element_text(p, slot, p.pass.form == ir::Form::wide ? print(p, index, Level::term) : index_text(p, index));
 }
+
+namespace {
 
 std::string row_text(Printer& p, std::uint32_t slot, ir::ExprId index) {
     if (p.pass.form != ir::Form::wide) return p.row_names[slot] + "[" + index_text(p, index) + "]";
@@ -150,15 +165,19 @@ std::string row_text(Printer& p, std::uint32_t slot, ir::ExprId index) {
 std::string image_text(Printer& p, std::size_t index) {
     const PassBinding& binding = p.pass.bindings[index];
     std::string at = "layout(set = 0, binding = " + std::to_string(index + 1), kind = image_prefix(p, binding.element);
+    if (stored_as_bits(p, binding))
+        return at + ", r32i) uniform iimage" + shape_text(binding.shape) + " " + p.binding_names[index] + ";\n";
     if (binding.sampled)
-        return at + ") uniform " + kind + "sampler" + shape_text(binding.shape) + " " + p.binding_names[index] + ";\n";
+        return at + ") uniform " + kind + "sampler" + shape_text(binding.shape) + (binding.compare ? "Shadow " : " ") +
+               p.binding_names[index] + ";\n";
     std::string format = format_text(binding.format);
     return at + (format.empty() ? "" : ", " + format) + ") " + (is_coherent(p, binding) ? "coherent " : "") +
            "uniform " + access_text(binding.access) + kind + "image" + shape_text(binding.shape) + " " +
            p.binding_names[index] + ";\n";
 }
 
-/// Image coordinates are signed.
+}  // namespace
+
 std::string texel_text(Printer& p, ir::ExprId id) {
     const ir::Types& types = p.program.types;
     TypeId type = p.program.exprs[id].type;
@@ -166,6 +185,8 @@ std::string texel_text(Printer& p, ir::ExprId id) {
     std::uint32_t count = types.components(type);
     return (count == 1 ? "int" : "ivec" + std::to_string(count)) + "(" + print_any(p, id) + ")";
 }
+
+namespace {
 
 /// Images give four components; the element takes the first ones.
 std::string first_components(Printer& p, TypeId element) {
@@ -185,49 +206,11 @@ std::string four_components(Printer& p, ir::ExprId value) {
     }
 }
 
-/// combine of integers is one atomic; of floats a loop of compare-and-swap.
-const char* atomic_name(Combine combine) {
-    switch (combine) {
-    case Combine::replace: return "Exchange";
-    case Combine::min: return "Min";
-    case Combine::max: return "Max";
-    case Combine::add: return "Add";
-    case Combine::bit_and: return "And";
-    case Combine::bit_or: return "Or";
-    case Combine::bit_xor: return "Xor";
-    }
-    return "";
-}
-
-std::string combined(Combine combine) {
-    switch (combine) {
-    case Combine::min: return "min(uintBitsToFloat(seen), value)";
-    case Combine::max: return "max(uintBitsToFloat(seen), value)";
-    case Combine::add: return "uintBitsToFloat(seen) + value";
-    case Combine::replace:
-    case Combine::bit_and:
-    case Combine::bit_or:
-    case Combine::bit_xor: break;
-    }
-    throw std::logic_error("emit/glsl: floats have no such atomic");
-}
-
-std::string lower_case(std::string text) {
-    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return text;
-}
-
-std::string float_atomic(Printer& p, std::uint32_t binding, Combine combine) {
-    AtomicUse use{binding, combine};
-    if (std::find(p.atomics.begin(), p.atomics.end(), use) == p.atomics.end()) p.atomics.push_back(use);
-    return p.pass.bindings[binding].name + "_" + lower_case(atomic_name(combine));
-}
-
 }  // namespace
 
 bool stored_as_bits(const Printer& p, const PassBinding& binding) {
-    return binding.atomic && binding.shape == MemoryShape::buffer &&
-           p.program.types.kind(binding.element) == TypeKind::float_;
+    return binding.atomic && p.program.types.kind(binding.element) == TypeKind::float_ &&
+           (binding.shape == MemoryShape::buffer || binding.ordered);
 }
 
 std::string bindings_text(Printer& p) {
@@ -296,23 +279,42 @@ void print_parameter_copies(Printer& p) {
     line(p, "}");
 }
 
+namespace {
+
+/// Coordinates and the reference are one vector.
+std::string compare_text(Printer& p, const ir::Expr& expr) {
+    const std::string& name = p.binding_names.at(expr.slot);
+    const std::uint32_t count = p.program.types.components(p.program.exprs[expr.operands[0]].type) + 1;
+    const std::string at = "vec" + std::to_string(count) + "(" + print_any(p, expr.operands[0]) + ", " +
+                           print_any(p, expr.operands[1]) + ")";
+    if (p.pass.bindings[expr.slot].shape == MemoryShape::image2d) return "textureLod(" + name + ", " + at + ", 0.0)";
+    return "textureGrad(" + name + ", " + at + ", vec2(0.0), vec2(0.0))";  // GLSL has no level here
+}
+
+}  // namespace
+
 Text print_load(Printer& p, const ir::Expr& expr) {
     const PassBinding& binding = p.pass.bindings.at(expr.slot);
     const std::string& name = p.binding_names[expr.slot];
     if (expr.op == ir::Op::load) {
         if (is_row(p.program.types, binding, expr.type)) return {row_text(p, expr.slot, expr.operands[0])};
         std::string text = element_text(p, expr.slot, expr.operands[0]);
-        return {stored_as_bits(p, binding) ? "uintBitsToFloat(" + text + ")" : text};
+        return {stored_as_bits(p, binding) ? as_float(binding, text) : text};
     }
     std::string level = expr.operands.size() > 1          ? print_any(p, expr.operands[1])
                         : expr.op == ir::Op::image_sample ? "0.0"
                                                           : "0";
     std::string components = first_components(p, binding.element);
+    if (expr.op == ir::Op::image_compare) return {compare_text(p, expr)};
+    // Devices give the texels counter-clockwise from the last row.
+    if (expr.op == ir::Op::image_gather)
+        return {"textureGather(" + name + ", " + print_any(p, expr.operands[0]) + ").wzxy"};
     if (expr.op == ir::Op::image_sample)
         return {"textureLod(" + name + ", " + print_any(p, expr.operands[0]) + ", " + level + ")" + components};
     std::string texel = texel_text(p, expr.operands[0]);
     if (binding.sampled) return {"texelFetch(" + name + ", " + texel + ", " + level + ")" + components};
-    return {"imageLoad(" + name + ", " + texel + ")" + components};
+    const std::string loaded = "imageLoad(" + name + ", " + texel + ")" + components;
+    return {stored_as_bits(p, binding) ? as_float(binding, loaded) : loaded};
 }
 
 void print_store(Printer& p, const ir::Stmt& stmt) {
@@ -324,51 +326,8 @@ void print_store(Printer& p, const ir::Stmt& stmt) {
     std::string value = print_any(p, stmt.value);
     if (is_row(p.program.types, binding, p.program.exprs[stmt.value].type))
         return line(p, row_text(p, stmt.slot, stmt.target) + " = " + value + ";");
-    if (stored_as_bits(p, binding)) value = "floatBitsToUint(" + value + ")";
+    if (stored_as_bits(p, binding)) value = as_bits(binding, value);
     print_store(p, element_text(p, stmt.slot, stmt.target), value, binding.element);
-}
-
-std::string atomic_text(Printer& p, const ir::Stmt& stmt) {
-    const PassBinding& binding = p.pass.bindings.at(stmt.slot);
-    const std::string& name = p.binding_names[stmt.slot];
-    std::string value = print_any(p, stmt.value);
-    TypeKind kind = p.program.types.kind(p.program.types.scalar_of(binding.element));
-    if (binding.shape != MemoryShape::buffer) {
-        if (kind == TypeKind::float_) {
-            if (stmt.combine != Combine::add && stmt.combine != Combine::replace)
-                throw std::logic_error("emit/glsl: float images have atomic add only");
-            p.extensions.insert("GL_EXT_shader_atomic_float");
-        }
-        return std::string("imageAtomic") + atomic_name(stmt.combine) + "(" + name + ", " + texel_text(p, stmt.target) +
-               ", " + value + ");";
-    }
-    if (stored_as_bits(p, binding) && stmt.combine != Combine::replace) {
-        std::string place = !p.status.another_round.empty() ? ", " + place_arguments(p, stmt.span) : "";
-        return float_atomic(p, stmt.slot, stmt.combine) + "(" + print_any(p, stmt.target) + ", " + value + place + ");";
-    }
-    const std::string element = element_text(p, stmt.slot, stmt.target);
-    if (stored_as_bits(p, binding)) return "atomicExchange(" + element + ", floatBitsToUint(" + value + "));";
-    if (kind == TypeKind::int64 || kind == TypeKind::uint64) p.extensions.insert("GL_EXT_shader_atomic_int64");
-    return std::string("atomic") + atomic_name(stmt.combine) + "(" + element + ", " + value + ");";
-}
-
-std::string atomic_definitions(Printer& p) {
-    std::string text;
-    std::string test = round_test(p, {}, p.pass.files.size() > 1 ? "line, file" : "line");
-    for (const AtomicUse& use : p.atomics) {
-        const std::string element = element_text(p, use.binding, "index");
-        std::string function = p.pass.bindings[use.binding].name + "_" + lower_case(atomic_name(use.combine));
-        const std::string index = p.pass.form == ir::Form::wide ? "uint64_t" : "uint";
-        text += "void " + function + "(" + index + " index, float value" +
-                (test.empty() ? "" : ", " + place_parameters(p)) + ") {\n";
-        text += "    uint seen = " + element + ", expected;\n    do {\n" +
-                (test.empty() ? "" : "        if (!" + test + ") return;\n") + "        expected = seen;\n";
-        text += "        uint wanted = floatBitsToUint(" + combined(use.combine) +
-                ");\n        if (wanted == seen) return;\n";
-        text +=
-            "        seen = atomicCompSwap(" + element + ", expected, wanted);\n    } while (seen != expected);\n}\n\n";
-    }
-    return text;
 }
 
 }  // namespace gliftc::glsl

@@ -34,58 +34,83 @@ bool has_compare_exchange(const Printer& p) {
     return found;
 }
 
+/// imageAtomicAdd for atomicAdd.
+std::string of_image(const std::string& name) { return "imageA" + name.substr(1); }
+
 }  // namespace
 
 void name_order(Printer& p) {
-    bool is_ordered = false;
-    for (const ir::PassBinding& binding : p.pass.bindings)
-        is_ordered = is_ordered || (binding.coherent && binding.atomic);
-    if (is_ordered || has_subgroup_barrier(p)) p.order.fences = p.names.declare("fences_are_barriers");
-    if (!is_ordered) return;
-    p.order.load = p.names.declare("load_acquire");
-    p.order.store = p.names.declare("store_release");
-    p.order.both = p.names.declare("ordered");
-    if (has_compare_exchange(p)) p.order.exchange = p.names.declare("compare_exchange");
+    bool are_buffers = false, are_images = false;
+    for (const ir::PassBinding& binding : p.pass.bindings) {
+        if (!binding.coherent || !binding.atomic) continue;
+        (binding.shape == ir::MemoryShape::buffer ? are_buffers : are_images) = true;
+    }
+    if (are_buffers || are_images || has_subgroup_barrier(p)) p.fences = p.names.declare("fences_are_barriers");
+    const auto declare = [&](OrderNames& names, const std::string& prefix) {
+        names.load = p.names.declare(prefix + "load_acquire");
+        names.store = p.names.declare(prefix + "store_release");
+        names.both = p.names.declare(prefix + "ordered");
+        if (has_compare_exchange(p)) names.exchange = p.names.declare(prefix + "compare_exchange");
+    };
+    if (are_buffers) declare(p.order, "");
+    if (are_images) declare(p.image_order, "texel_");
 }
 
 std::string ordered_atomic(Printer& p, const char* name, const ir::Expr& expr) {
-    const std::string arguments = join_arguments(p, expr.operands);
+    const ir::Expr& place = p.program.exprs[expr.operands[0]];
+    const bool is_texel = place.op == ir::Op::image_load;
+    std::string arguments = is_texel ? p.binding_names[place.slot] + ", " + texel_text(p, place.operands[0])
+                                     : print_any(p, expr.operands[0]);
+    for (std::size_t i = 1; i < expr.operands.size(); ++i) arguments += ", " + print_any(p, expr.operands[i]);
     p.extensions.insert("GL_KHR_memory_scope_semantics");
-    if (expr.intrinsic == Intrinsic::atomicLoad) return p.order.load + "(" + arguments + ")";
-    if (expr.intrinsic == Intrinsic::atomicStore) return p.order.store + "(" + arguments + ")";
-    if (expr.intrinsic == Intrinsic::atomicCompareExchange) return p.order.exchange + "(" + arguments + ")";
-    return p.order.both + "(" + name + ", " + arguments + ")";
+    const OrderNames& names = is_texel ? p.image_order : p.order;
+    if (expr.intrinsic == Intrinsic::atomicLoad) return names.load + "(" + arguments + ")";
+    if (expr.intrinsic == Intrinsic::atomicStore) return names.store + "(" + arguments + ")";
+    if (expr.intrinsic == Intrinsic::atomicCompareExchange) return names.exchange + "(" + arguments + ")";
+    return names.both + "(" + (is_texel ? of_image(name) : name) + ", " + arguments + ")";
 }
 
 std::string subgroup_barrier(Printer& p, const std::string& memory) {
     p.extensions.insert("GL_KHR_memory_scope_semantics");
-    return "if (!" + p.order.fences + ") controlBarrier(gl_ScopeSubgroup, gl_ScopeSubgroup, " + memory +
+    return "if (!" + p.fences + ") controlBarrier(gl_ScopeSubgroup, gl_ScopeSubgroup, " + memory +
            ", gl_SemanticsAcquireRelease);";
 }
 
+namespace {
+
+/// The operations on a place, `place` of a buffer or `image, at`, which order what `storage` names.
+std::string operations(const Printer& p, const OrderNames& names, const std::string& place,
+                       const std::string& storage) {
+    if (names.load.empty()) return "";
+    const auto operation = [&](const char* name) { return place == "place" ? name : of_image(name); };
+    const std::string where = "gl_ScopeDevice, " + storage + ", gl_Semantics";
+    const auto define = [&](const std::string& name, const std::string& parameters) {
+        return "#define " + name + "(" + parameters + ") ";
+    };
+    const std::string swap = operation("atomicCompSwap") + "(" + place + ", expected, value";
+    const std::string exchange = names.exchange.empty()
+                                     ? ""
+                                     : define(names.exchange, place + ", expected, value") + "(" + p.fences + " ? " +
+                                           swap + ") : " + swap + ", " + where + "AcquireRelease, " + storage +
+                                           ", gl_SemanticsAcquire))\n";
+    return define(names.load, place) + "(" + p.fences + " ? " + operation("atomicOr") + "(" + place +
+           ", 0) : " + operation("atomicLoad") + "(" + place + ", " + where + "Acquire))\n" +
+           define(names.store, place + ", value") + "if (" + p.fences + ") " + operation("atomicExchange") + "(" +
+           place + ", value); else " + operation("atomicStore") + "(" + place + ", value, " + where + "Release)\n" +
+           define(names.both, "operation, " + place + ", value") + "(" + p.fences + " ? operation(" + place +
+           ", value) : operation(" + place + ", value, " + where + "AcquireRelease))\n" + exchange;
+}
+
+}  // namespace
+
 std::string order_definitions(const Printer& p) {
-    const OrderNames& names = p.order;
-    if (names.fences.empty()) return "";
-    const std::string fences = "layout(constant_id = 102) const bool " + names.fences +
-                               " = false;   // a fence where not all subgroups come by cuts some off\n";
-    if (names.load.empty()) return fences + "\n";
-    const std::string where = "gl_ScopeDevice, gl_StorageSemanticsBuffer, gl_Semantics";
-    const std::string exchange =
-        names.exchange.empty()
-            ? ""
-            : "#define " + names.exchange + "(place, expected, value) (" + names.fences +
-                  " ? atomicCompSwap(place, expected, value) : atomicCompSwap(place, expected, value, " + where +
-                  "AcquireRelease, gl_StorageSemanticsBuffer, gl_SemanticsAcquire))\n";
-    return fences + "#define " + names.load + "(place) (" + names.fences +
-           " ? atomicOr(place, 0) : atomicLoad(place, " + where +
-           "Acquire))\n"
-           "#define " +
-           names.store + "(place, value) if (" + names.fences +
-           ") atomicExchange(place, value); else atomicStore(place, value, " + where +
-           "Release)\n"
-           "#define " +
-           names.both + "(operation, place, value) (" + names.fences +
-           " ? operation(place, value) : operation(place, value, " + where + "AcquireRelease))\n" + exchange + "\n";
+    if (p.fences.empty()) return "";
+    const bool are_images = !p.image_order.load.empty();
+    const std::string storage =
+        are_images ? "gl_StorageSemanticsBuffer | gl_StorageSemanticsImage" : "gl_StorageSemanticsBuffer";
+    return "layout(constant_id = 102) const bool " + p.fences +
+           " = false;   // a fence where not all subgroups come by cuts some off\n" +
+           operations(p, p.order, "place", storage) + operations(p, p.image_order, "image, at", storage) + "\n";
 }
 
 }  // namespace gliftc::glsl

@@ -72,7 +72,7 @@ enum class Helper : std::uint8_t {
     skips_branches,
 };
 
-/// A helper for one type, or an atomic update by compare-and-swap of one binding.
+/// A helper for one type, or an update of a float in one binding by atomic operations on its bits.
 struct HelperUse {
     Helper helper;
     ir::TypeId a, b;
@@ -91,7 +91,7 @@ struct StatusNames {
 
 /// What shaders with atomic operations on coherent memory declare; see order.cpp.
 struct OrderNames {
-    std::string fences, load, store, both, exchange;
+    std::string load, store, both, exchange;
 };
 
 /// Bounds of a local, [low, high).
@@ -128,7 +128,8 @@ struct Printer {
     std::vector<std::string> parameter_names;
     std::vector<std::string> member_names;  ///< of the block of parameters; empty: as parameter_names
     StatusNames status;                     ///< named only where the pass has a status record
-    OrderNames order;                       ///< named only where atomic operations order coherent memory
+    OrderNames order, image_order;          ///< named only where atomic operations order coherent memory
+    std::string fences;                     ///< that they are barriers
     std::vector<std::string> struct_names;  ///< of Program::structs
     std::vector<std::vector<std::string>> field_names;
     std::unordered_map<ir::FunctionId, std::string> function_names;
@@ -192,7 +193,11 @@ void print_store(Printer& p, const std::string& place, const std::string& value,
 // memory.cpp
 Text print_load(Printer& p, const ir::Expr& expr);
 void print_store(Printer& p, const ir::Stmt& stmt);
-std::string atomic_text(Printer& p, const ir::Stmt& stmt);
+/// An element of a buffer, by an index that may have an operator in it only in parentheses.
+std::string element_text(const Printer& p, std::uint32_t slot, const std::string& index);
+std::string element_text(Printer& p, std::uint32_t slot, ir::ExprId index);
+/// The coordinates of a texel, which are signed.
+std::string texel_text(Printer& p, ir::ExprId id);
 std::string bindings_text(Printer& p);
 std::string parameter_members(Printer& p);
 std::string parameters_text(Printer& p);
@@ -201,7 +206,11 @@ std::string parameters_text(Printer& p);
 /// place; there copies would take registers.
 void name_parameter_reads(Printer& p);
 void print_parameter_copies(Printer& p);
+/// Floats that are combined, by atomic operations on integers.
 bool stored_as_bits(const Printer& p, const ir::PassBinding& binding);
+
+// atomics.cpp
+std::string atomic_text(Printer& p, const ir::Stmt& stmt);
 std::string atomic_definitions(Printer& p);
 
 // intrinsics.cpp

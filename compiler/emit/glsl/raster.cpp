@@ -30,7 +30,7 @@ void find_used(const Printer& p, const std::vector<ir::StmtId>& body, std::set<s
     });
     ir::for_each_expression(p.program, body, [&](ir::ExprId id) {
         const ir::Expr& expr = p.program.exprs[id];
-        if (expr.op == Op::load || expr.op == Op::image_load || expr.op == Op::image_sample) used.insert(expr.slot);
+        if (is_load(expr.op)) used.insert(expr.slot);
     });
 }
 

@@ -103,7 +103,8 @@ std::uint32_t loops_in(const Printer& p, const std::vector<ir::StmtId>& body) {
     std::uint32_t loops = 0;
     for_each_statement(p.program, body, [&](const ir::Stmt& stmt) {
         // Sums of floats are tried again and again.
-        const bool is_retried = stmt.op == ir::StmtOp::atomic && stored_as_bits(p, p.pass.bindings[stmt.slot]);
+        const bool is_retried = stmt.op == ir::StmtOp::atomic && stmt.combine == ir::Combine::add &&
+                                stored_as_bits(p, p.pass.bindings[stmt.slot]);
         loops += stmt.op == ir::StmtOp::for_ || stmt.op == ir::StmtOp::while_ || is_retried;
     });
     for_each_expression(p.program, body, [&](ir::ExprId id) {

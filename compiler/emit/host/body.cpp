@@ -3,6 +3,7 @@
 #include "base/concat.h"
 #include "emit/cpp/mentions.h"
 #include "ir/levels.h"
+#include "ir/spelling.h"
 
 #include <algorithm>
 
@@ -31,6 +32,19 @@ std::string image_call(Body& body, const char* name, std::uint32_t binding) {
            cpp::type_text(body.p.globals, b.element) + ">(" + body.binding_names[binding];
 }
 
+/// A texel that several threads access.
+std::string texel_text(Body& body, std::uint32_t binding, ir::ExprId at) {
+    return image_call(body, "texel", binding) + ", " + cpp::print_any(body.p, at) + ")";
+}
+
+std::string compare_call(Body& body, const Expr& expr) {
+    body.used_bindings.insert(expr.slot);
+    const ir::PassBinding& binding = body.pass.bindings[expr.slot];
+    return "glift::host::compare_linear<glift::Format::" + std::string(cpp::format_name(binding.format)) +
+           ", glift::Compare::" + std::string(ir::spelling(*binding.compare)) + ">(" + body.binding_names[expr.slot] +
+           ", " + cpp::join_arguments(body.p, expr.operands) + ")";
+}
+
 Text print_outer(Body& body, const Expr& expr) {
     cpp::Printer& p = body.p;
     switch (expr.op) {
@@ -47,11 +61,16 @@ Text print_outer(Body& body, const Expr& expr) {
         return {text};
     }
     case Op::image_load:
+        if (body.pass.bindings[expr.slot].coherent)
+            return {"glift::host::memory::read(" + texel_text(body, expr.slot, expr.operands[0]) + ")"};
         return {image_call(body, "load_texel", expr.slot) + ", " + cpp::join_arguments(p, expr.operands) + ")"};
     case Op::image_sample: {
         const char* function = body.pass.bindings[expr.slot].linear ? "sample_linear" : "sample_nearest";
         return {image_call(body, function, expr.slot) + ", " + cpp::join_arguments(p, expr.operands) + ")"};
     }
+    case Op::image_gather:
+        return {image_call(body, "gather", expr.slot) + ", " + cpp::join_arguments(p, expr.operands) + ")"};
+    case Op::image_compare: return {compare_call(body, expr)};
     case Op::builtin:
         switch (expr.builtin) {
         case ir::Builtin::global_id: return {body.first_only ? "(group_id * " + body.group_text + ")" : "global_id"};
@@ -136,6 +155,9 @@ void print_outer(Body& body, const Stmt& stmt) {
         return;
     }
     case StmtOp::image_store:
+        if (body.pass.bindings[stmt.slot].coherent)
+            return p.out.line("glift::host::memory::write(" + texel_text(body, stmt.slot, stmt.target) + ", " +
+                              cpp::print_any(p, stmt.value) + ");");
         p.out.line(image_call(body, "store_texel", stmt.slot) + ", " + cpp::print_any(p, stmt.target) + ", " +
                    cpp::print_any(p, stmt.value) + ");");
         return;
@@ -147,8 +169,7 @@ void print_outer(Body& body, const Stmt& stmt) {
             p.out.line("glift::host::" + std::string(combine_name(stmt.combine)) + "(" + element + ", " + value + ");");
         } else {
             p.out.line("glift::host::" + std::string(combine_name(stmt.combine)) + "(" +
-                       image_call(body, "texel", stmt.slot) + ", " + cpp::print_any(p, stmt.target) + "), " + value +
-                       ");");
+                       texel_text(body, stmt.slot, stmt.target) + ", " + value + ");");
         }
         return;
     }
@@ -200,7 +221,10 @@ Body::Body(cpp::Globals& globals, const ir::Pass& pass) : pass(pass), p(globals)
     for (const ir::PassParameter& parameter : pass.parameters)
         parameter_names.push_back(p.names.declare(parameter.name));
     p.outer_expression = [this](const Expr& expr) { return print_outer(*this, expr); };
-    p.outer_place = [this](const Expr& load) { return element_text(*this, load.slot, load.operands[0]); };
+    p.outer_place = [this](const Expr& load) {
+        return load.op == Op::image_load ? texel_text(*this, load.slot, load.operands[0])
+                                         : element_text(*this, load.slot, load.operands[0]);
+    };
     p.outer_statement = [this](const Stmt& stmt) { print_outer(*this, stmt); };
 }
 

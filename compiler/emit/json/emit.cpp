@@ -113,6 +113,7 @@ void Writer::memory(const ir::Memory& m, const std::vector<Root>& roots) {
         if (m.shape != ir::MemoryShape::buffer) out.field("format", word(m.format));
         out.field("extent", m.extent ? expression_text(program, m.extent, roots) : "");
         if (m.linear) out.field("filter", "linear");
+        if (m.compare != ir::Compare::less_equal) out.field("compare", ir::spelling(m.compare));
     });
 }
 
@@ -233,6 +234,8 @@ void Writer::binding(const ir::Pass& pass, std::size_t index, const std::vector<
         if (b.shape != ir::MemoryShape::buffer) {
             out.field("format", word(b.format));
             out.field("sampled", b.sampled);
+            if (b.compare) out.field("compare", ir::spelling(*b.compare));
+            if (b.ordered) out.field("as_bits", true);
         }
     });
 }

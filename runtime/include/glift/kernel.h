@@ -54,6 +54,7 @@ enum class AddressMode : std::uint8_t { clamp_to_edge, repeat, mirrored_repeat, 
 struct Sampler {
     Filter filter = Filter::nearest;
     AddressMode address = AddressMode::clamp_to_edge;
+    Compare compare = Compare::none;
 };
 
 /// One memory that a kernel accesses. Memory k is descriptor binding k + 1 of set 0 (wide form: images only, buffers
@@ -64,6 +65,7 @@ struct Binding {
     Access access;
     bool sampled = false;  ///< a combined image sampler over all mips, else a storage image of mip 0; buffers: false
     Sampler sampler = {};
+    bool as_bits = false;              ///< a storage image of floats whose bits are accessed as ints
     std::uint32_t address_offset = 0;  ///< wide form, buffers: byte offset of the 64-bit address in the parameters
     std::uint32_t element_bytes = 4;   ///< buffers
     std::uint32_t parameter = 0;       ///< index of its structure among the parameters that are structures

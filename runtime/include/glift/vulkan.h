@@ -96,6 +96,7 @@ struct UserImage {
     uint2 extent;
     std::uint32_t mips = 1, layers = 1;  ///< one layer: image2d, more: image2darray
     VkImageUsageFlags usage = 0;         ///< that it was made with: what Glift may do with it
+    VkImageCreateFlags flags = 0;        ///< that it was made with
     const char* name = "image";          ///< in errors; copied
 };
 

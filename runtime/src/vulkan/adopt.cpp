@@ -138,7 +138,7 @@ Memory adopt_image(const Device& device, const UserImage& image) {
                                    .extent = {image.extent.x, image.extent.y, image.layers},
                                    .mips = image.mips});
     const std::lock_guard lock(object->mutex());
-    return Memory(object->adopted_image(description, image.image, image.usage));
+    return Memory(object->adopted_image(description, image.image, image.usage, image.flags));
 }
 
 Objects objects(const Device& device) {

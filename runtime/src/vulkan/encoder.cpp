@@ -166,7 +166,7 @@ void Encoder::push_descriptors(const Pipeline& pipeline, const Call& call, const
     if (block.chunk) (next++)->buffer = {block.buffer(), block.offset, pipeline.form->parameter_bytes};
     for (std::size_t k = 0; k < call.memories.size(); ++k) {
         const Binding& binding = pipeline.kernel->bindings[k];
-        const VulkanMemory& memory = vulkan_memory(call.memories[k]);
+        VulkanMemory& memory = vulkan_memory(call.memories[k]);
         if (binding.kind == MemoryKind::buffer) {
             if (pipeline.name != FormName::wide) (next++)->buffer = {memory.parts.buffer, 0, memory.range};
         } else if (binding.sampled) {
@@ -175,7 +175,8 @@ void Encoder::push_descriptors(const Pipeline& pipeline, const Call& call, const
                                VK_IMAGE_LAYOUT_GENERAL};
         } else {
             memory.require(VK_IMAGE_USAGE_STORAGE_BIT);
-            (next++)->image = {VK_NULL_HANDLE, memory.parts.storage_view, VK_IMAGE_LAYOUT_GENERAL};
+            const VkImageView view = binding.as_bits ? memory.bits_view() : memory.parts.storage_view;
+            (next++)->image = {VK_NULL_HANDLE, view, VK_IMAGE_LAYOUT_GENERAL};
         }
     }
     if (pipeline.kernel->reports) {

@@ -16,8 +16,10 @@ public:
     }
     void add(const Binding& binding) {
         add(std::string_view(binding.name));
-        add(static_cast<std::uint64_t>(binding.kind) << 24 | static_cast<std::uint64_t>(binding.access) << 16 |
-            static_cast<std::uint64_t>(binding.sampled) << 8 | static_cast<std::uint64_t>(binding.sampler.filter) << 4 |
+        add(static_cast<std::uint64_t>(binding.as_bits) << 32 |
+            static_cast<std::uint64_t>(binding.sampler.compare) << 36 | static_cast<std::uint64_t>(binding.kind) << 24 |
+            static_cast<std::uint64_t>(binding.access) << 16 | static_cast<std::uint64_t>(binding.sampled) << 8 |
+            static_cast<std::uint64_t>(binding.sampler.filter) << 4 |
             static_cast<std::uint64_t>(binding.sampler.address));
         add(binding.address_offset);
     }

@@ -70,6 +70,17 @@ void check_requirements(const Context& context, const Kernel& kernel, const Form
 
 VkFilter vulkan_filter(Filter filter) { return filter == Filter::linear ? VK_FILTER_LINEAR : VK_FILTER_NEAREST; }
 
+VkCompareOp vulkan_compare(Compare compare) {
+    switch (compare) {
+    case Compare::none: return VK_COMPARE_OP_NEVER;
+    case Compare::less: return VK_COMPARE_OP_LESS;
+    case Compare::less_equal: return VK_COMPARE_OP_LESS_OR_EQUAL;
+    case Compare::greater: return VK_COMPARE_OP_GREATER;
+    case Compare::greater_equal: return VK_COMPARE_OP_GREATER_OR_EQUAL;
+    }
+    return VK_COMPARE_OP_NEVER;
+}
+
 VkSamplerAddressMode vulkan_address_mode(AddressMode mode) {
     switch (mode) {
     case AddressMode::clamp_to_edge: return VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
@@ -248,8 +259,10 @@ VkPipeline Pipelines::make_compute_pipeline(const Pipeline& pipeline) {
 }
 
 VkSampler Pipelines::sampler(Sampler sampler) {
+    const bool compares = sampler.compare != Compare::none;
     VkSampler& handle =
-        samplers_[static_cast<std::size_t>(sampler.filter) * 4 + static_cast<std::size_t>(sampler.address)];
+        samplers_[(static_cast<std::size_t>(sampler.compare) * 2 + static_cast<std::size_t>(sampler.filter)) * 4 +
+                  static_cast<std::size_t>(sampler.address)];
     if (handle) return handle;
     const VkSamplerAddressMode mode = vulkan_address_mode(sampler.address);
     const VkSamplerCreateInfo info = {.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO,
@@ -260,7 +273,9 @@ VkSampler Pipelines::sampler(Sampler sampler) {
                                       .addressModeU = mode,
                                       .addressModeV = mode,
                                       .addressModeW = mode,
-                                      .maxLod = VK_LOD_CLAMP_NONE,
+                                      .compareEnable = compares,
+                                      .compareOp = vulkan_compare(sampler.compare),
+                                      .maxLod = compares ? 0.0f : VK_LOD_CLAMP_NONE,
                                       .borderColor = VK_BORDER_COLOR_FLOAT_TRANSPARENT_BLACK};
     context_.check(context_.vk.vkCreateSampler(context_.device, &info, nullptr, &handle), "vkCreateSampler");
     return handle;

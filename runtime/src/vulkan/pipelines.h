@@ -100,7 +100,7 @@ private:
     std::vector<std::unique_ptr<Pipeline>> all_;
     std::vector<Reporter> reporting_;
     std::vector<std::uint64_t> reporting_digests_;
-    std::array<VkSampler, 8> samplers_ = {};
+    std::array<VkSampler, 40> samplers_ = {};
     std::uint64_t created_ = 0;
 };
 

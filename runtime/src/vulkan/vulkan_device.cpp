@@ -99,9 +99,9 @@ std::shared_ptr<VulkanMemory> VulkanDevice::new_object(const MemoryDescription& 
 }
 
 std::shared_ptr<VulkanMemory> VulkanDevice::adopted_image(const MemoryDescription& description, VkImage image,
-                                                          VkImageUsageFlags usage) {
+                                                          VkImageUsageFlags usage, VkImageCreateFlags flags) {
     auto memory = unmade_object(description);
-    memory->adopt(image, usage);
+    memory->adopt(image, usage, flags);
     return memory;
 }
 
@@ -260,6 +260,8 @@ void VulkanDevice::destroy(Retired& retired) {
         vk.vkDestroyImageView(context_->device, part.sampled_view, nullptr);
         vk.vkDestroyImageView(context_->device, part.storage_view, nullptr);
     }
+    for (const MemoryParts::BitsView& bits : parts.bits_views)
+        vk.vkDestroyImageView(context_->device, bits.view, nullptr);
     vk.vkDestroyImageView(context_->device, parts.sampled_view, nullptr);
     vk.vkDestroyImageView(context_->device, parts.storage_view, nullptr);
     if (!parts.is_users) vk.vkDestroyImage(context_->device, parts.image, nullptr);

@@ -45,7 +45,7 @@ public:
     std::shared_ptr<VulkanMemory> new_memory(const MemoryDescription& description);
     /// Over an image of the user's.
     std::shared_ptr<VulkanMemory> adopted_image(const MemoryDescription& description, VkImage image,
-                                                VkImageUsageFlags usage);
+                                                VkImageUsageFlags usage, VkImageCreateFlags flags);
     ChunkPool& chunks() { return *chunks_; }
     Pipelines& pipelines() { return *pipelines_; }
     Queries& queries() { return *queries_; }

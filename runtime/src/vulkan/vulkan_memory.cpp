@@ -42,15 +42,21 @@ VkImageViewType view_type(MemoryKind kind) {
     return VK_IMAGE_VIEW_TYPE_2D;
 }
 
+/// The integers that have the bits of floats, for atomic operations that devices have of integers alone.
+constexpr VkFormat bits_format = VK_FORMAT_R32_SINT;
+
+bool may_be_bits(Format format) { return format == Format::r32f; }
+
 VkImageView make_view(Context& context, VkImage image, const MemoryDescription& d, VkImageViewType type,
-                      const VkImageSubresourceRange& range, VkImageUsageFlags usage) {
+                      const VkImageSubresourceRange& range, VkImageUsageFlags usage,
+                      VkFormat format = VK_FORMAT_UNDEFINED) {
     const VkImageViewUsageCreateInfo usage_info = {.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_USAGE_CREATE_INFO,
                                                    .usage = usage};
     const VkImageViewCreateInfo info = {.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
                                         .pNext = &usage_info,
                                         .image = image,
                                         .viewType = type,
-                                        .format = vulkan_format(d.format),
+                                        .format = format ? format : vulkan_format(d.format),
                                         .subresourceRange = range};
     VkImageView view = VK_NULL_HANDLE;
     context.check(context.vk.vkCreateImageView(context.device, &info, nullptr, &view), "vkCreateImageView");
@@ -110,11 +116,21 @@ VkBufferCreateInfo buffer_info(const VulkanDevice& owner, const MemoryDescriptio
             .usage = buffer_usage};
 }
 
+/// The formats of views of an image of floats that are combined, so that devices may still compress it.
+constexpr std::array view_formats = {VK_FORMAT_R32_SFLOAT, bits_format};
+constexpr VkImageFormatListCreateInfo format_list = {.sType = VK_STRUCTURE_TYPE_IMAGE_FORMAT_LIST_CREATE_INFO,
+                                                     .viewFormatCount = view_formats.size(),
+                                                     .pViewFormats = view_formats.data()};
+
 VkImageCreateInfo image_info(VulkanDevice& owner, const MemoryDescription& d) {
     if (d.bytes > owner.max_piece_bytes()) owner.throw_too_large(d);
     const auto extent = mip_extent(d, 0);
+    VkImageCreateFlags flags = 0;
+    if (d.kind == MemoryKind::imagecube) flags |= VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT;
+    if (may_be_bits(d.format)) flags |= VK_IMAGE_CREATE_MUTABLE_FORMAT_BIT;
     return {.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
-            .flags = d.kind == MemoryKind::imagecube ? VkImageCreateFlags(VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT) : 0,
+            .pNext = may_be_bits(d.format) ? &format_list : nullptr,
+            .flags = flags,
             .imageType = image_type(d.kind),
             .format = vulkan_format(d.format),
             .extent = {extent[0], extent[1], extent[2]},
@@ -254,10 +270,11 @@ void VulkanMemory::make_views() {
     parts.storage_view = views.storage_view;
 }
 
-void VulkanMemory::adopt(VkImage image, VkImageUsageFlags usage) {
+void VulkanMemory::adopt(VkImage image, VkImageUsageFlags usage, VkImageCreateFlags flags) {
     parts.image = image;
     parts.usage = usage;
     parts.is_users = true;
+    parts.is_mutable = (flags & VK_IMAGE_CREATE_MUTABLE_FORMAT_BIT) != 0;
     make_views();
 }
 
@@ -311,6 +328,27 @@ VkImageView VulkanMemory::attachment_view(std::uint32_t mip, std::uint32_t face)
     const VkImageSubresourceRange range = {vulkan_aspect(d.format), mip, 1, face, 1};
     const VkImageView view = make_view(context, parts.image, d, VK_IMAGE_VIEW_TYPE_2D, range, usage);
     parts.attachment_views.push_back({mip, face, view});
+    return view;
+}
+
+VkImageView VulkanMemory::bits_view() {
+    return whole() ? static_cast<VulkanMemory&>(*whole()).bits_view(description().kind, texels())
+                   : bits_view(description().kind, {0, 1, 0, face_count(description())});
+}
+
+VkImageView VulkanMemory::bits_view(MemoryKind kind, const Texels& texels) {
+    for (const MemoryParts::BitsView& known : parts.bits_views)
+        if (known.texels == texels && known.kind == kind) return known.view;
+    const MemoryDescription& d = description();
+    if (parts.is_users && !parts.is_mutable)
+        throw Error(ErrorCode::missing_feature, "floats of an adopted image are combined as integers", memory_text(d),
+                    "it has no views of another format",
+                    "make the image with VK_IMAGE_CREATE_MUTABLE_FORMAT_BIT, and name it in "
+                    "glift::vulkan::UserImage::flags");
+    const VkImageSubresourceRange range = {vulkan_aspect(d.format), texels.mip, 1, texels.layer, texels.layers};
+    const VkImageView view =
+        make_view(owner().context(), parts.image, d, view_type(kind), range, VK_IMAGE_USAGE_STORAGE_BIT, bits_format);
+    parts.bits_views.push_back({texels, kind, view});
     return view;
 }
 

@@ -15,6 +15,7 @@ struct MemoryParts {
     VkImage image = VK_NULL_HANDLE;
     VkImageUsageFlags usage = 0;                ///< of the image
     bool is_users = false;                      ///< the image is destroyed by the user
+    bool is_mutable = false;                    ///< a user's image, which may have views of other formats
     VkImageView sampled_view = VK_NULL_HANDLE;  ///< all mips; null where the usage lacks it
     VkImageView storage_view = VK_NULL_HANDLE;  ///< mip 0; null for formats that cannot be stored to
     /// What has been drawn to.
@@ -30,6 +31,13 @@ struct MemoryParts {
         VkImageView sampled_view, storage_view;
     };
     std::vector<PartViews> part_views;
+    /// Of what was combined: its floats as the integers that have their bits.
+    struct BitsView {
+        Texels texels;
+        MemoryKind kind;
+        VkImageView view;
+    };
+    std::vector<BitsView> bits_views;
     Allocation allocation;
     std::vector<Allocation> pieces;  ///< of a buffer larger than one allocation, in place of it
 };
@@ -50,7 +58,7 @@ public:
     /// Creates the buffer or the image, without storage; throws as needs_of.
     void make();
     /// Takes the user's image, with its storage, instead.
-    void adopt(VkImage image, VkImageUsageFlags usage);
+    void adopt(VkImage image, VkImageUsageFlags usage, VkImageCreateFlags flags);
     /// Throws missing_feature where the image was made without this usage: a user's.
     void require(VkImageUsageFlagBits usage) const;
     /// Binds storage: its own, or a part of another memory's, which is kept alive.
@@ -60,6 +68,9 @@ public:
 
     /// Of one level and face, to be drawn to; throws missing_feature. The device's lock is held.
     VkImageView attachment_view(std::uint32_t mip, std::uint32_t face);
+
+    /// Of the first level, an image of floats as ints; throws missing_feature. The device's lock is held.
+    VkImageView bits_view();
 
     VulkanDevice& owner() const;
     /// Whether it needs several allocations.
@@ -75,6 +86,7 @@ private:
     void bind(VkDeviceMemory memory, VkDeviceSize offset);
     void make_views();
     const MemoryParts::PartViews& views_of(const MemoryDescription& description, const Texels& texels);
+    VkImageView bits_view(MemoryKind kind, const Texels& texels);
     void read_address();
 
     std::shared_ptr<VulkanMemory> block_;  ///< null: the storage is its own

@@ -204,7 +204,7 @@ static void resample_direct_rows(const glift::HostCall& call, const glift::host:
                 float>(from_data, from_point / from_data_extent,
                 level) * glift::host::sample_linear<glift::Format::rgba8,
                 float4>(layers_data, float3(layers_point.x / layers_data_extent_x,
-                layers_point.y / layers_data_extent_y, layers_point.z - 0.5f)));
+                layers_point.y / layers_data_extent_y, glift::floor(layers_point.z))));
         }
     }
 }
@@ -263,8 +263,8 @@ static void resample_general_rows(const glift::HostCall& call, const glift::host
                 float>(from_data, (from_point + float2(from_origin)) / from_data_extent,
                 level) * glift::host::sample_linear<glift::Format::rgba8,
                 float4>(layers_data, float3((layers_point.x + float(layers_origin.x)) / layers_data_extent_x,
-                (layers_point.y + float(layers_origin.y)) / layers_data_extent_y, layers_point.z
-                + float(layers_origin.z) - 0.5f)));
+                (layers_point.y + float(layers_origin.y)) / layers_data_extent_y,
+                glift::floor(layers_point.z + float(layers_origin.z)))));
         }
     }
 }
@@ -325,8 +325,8 @@ static void resample_wide_rows(const glift::HostCall& call, const glift::host::R
                 float>(from_data, (from_point + float2(from_origin)) / from_data_extent,
                 level) * glift::host::sample_linear<glift::Format::rgba8,
                 float4>(layers_data, float3((layers_point.x + float(layers_origin.x)) / layers_data_extent_x,
-                (layers_point.y + float(layers_origin.y)) / layers_data_extent_y, layers_point.z
-                + float(layers_origin.z) - 0.5f)));
+                (layers_point.y + float(layers_origin.y)) / layers_data_extent_y,
+                glift::floor(layers_point.z + float(layers_origin.z)))));
         }
     }
 }

@@ -29,15 +29,15 @@ void main() {
     vec3 layers_point = vec3(from_point, 1.5);
     vec4 to = textureLod(from_data, from_point / from_data_extent, level).x
         * textureLod(layers_data,
-        vec3(layers_point.x / layers_data_extent_x, layers_point.y / layers_data_extent_y, layers_point.z
-        - 0.5), 0.0);
+        vec3(layers_point.x / layers_data_extent_x, layers_point.y / layers_data_extent_y,
+        floor(layers_point.z)), 0.0);
     uvec2 value_1 = uvec2(address.x, next_y);
     vec2 from_point_1 = vec2(value_1);
     vec3 layers_point_1 = vec3(from_point_1, 1.5);
     vec4 to_1 = textureLod(from_data, from_point_1 / from_data_extent, level).x
         * textureLod(layers_data,
         vec3(layers_point_1.x / layers_data_extent_x, layers_point_1.y / layers_data_extent_y,
-        layers_point_1.z - 0.5), 0.0);
+        floor(layers_point_1.z)), 0.0);
     imageStore(to_data, ivec2(address), to);
     imageStore(to_data, ivec2(value_1), to_1);
 }

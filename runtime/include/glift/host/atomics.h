@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <iterator>
 #include <type_traits>
 
@@ -32,6 +33,23 @@ template <class T> void atomic_max(T& target, T value) {
     T old = shared.load(std::memory_order_relaxed);
     while (old < value && !shared.compare_exchange_weak(old, value, std::memory_order_relaxed)) {}
 }
+
+/// Integers in the order of the floats that have these bits.
+inline std::int32_t ordered_bits(float value) {
+    const std::int32_t bits = std::bit_cast<std::int32_t>(value);
+    return bits < 0 ? bits ^ 0x7fffffff : bits;
+}
+/// A NaN is not written, and gives way to any number. In order, -0 comes before 0.
+template <class Before> void atomic_extremum(float& target, float value, const Before& before) {
+    if (value != value) return;
+    std::atomic_ref<float> shared(target);
+    float old = shared.load(std::memory_order_relaxed);
+    while ((old != old || before(ordered_bits(value), ordered_bits(old))) &&
+           !shared.compare_exchange_weak(old, value, std::memory_order_relaxed)) {}
+}
+inline void atomic_min(float& target, float value) { atomic_extremum(target, value, std::less<>()); }
+inline void atomic_max(float& target, float value) { atomic_extremum(target, value, std::greater<>()); }
+
 template <class T> void atomic_add(T& target, T value) {
     std::atomic_ref<T>(target).fetch_add(value, std::memory_order_relaxed);
 }

@@ -219,4 +219,55 @@ template <Format F, class T, class At> T sample_linear(const HostMemory& memory,
     return corners[0];
 }
 
+namespace detail {
+
+/// Where linear filters begin, and how far the point is from there.
+struct Corner {
+    std::array<std::int64_t, 3> low{};
+    std::array<float, 2> weight{};
+};
+
+template <class At> Corner corner_of(const HostMemory& memory, const At& at) {
+    const std::array<float, 3> point = as_array(at);
+    Corner corner;
+    for (unsigned axis = 0; axis < 2; ++axis) {
+        const float texel = point[axis] * static_cast<float>(memory.extent[axis]) - 0.5f;
+        corner.low[axis] = convert<std::int32_t>(floor(texel));
+        corner.weight[axis] = texel - floor(texel);
+    }
+    if (components<At> == 3) corner.low[2] = convert<std::int32_t>(round(point[2]));
+    return corner;
+}
+
+template <Format F, class T> T texel_of_corner(const HostMemory& memory, const Corner& corner, unsigned i) {
+    return clamped_texel<F, T>(memory, {corner.low[0] + (i & 1), corner.low[1] + (i >> 1), corner.low[2]}, 0);
+}
+
+template <Compare C> bool compares(float reference, float texel) {
+    if constexpr (C == Compare::less) return reference < texel;
+    else if constexpr (C == Compare::less_equal) return reference <= texel;
+    else if constexpr (C == Compare::greater) return reference > texel;
+    else return reference >= texel;
+}
+
+}  // namespace detail
+
+/// The four texels that a linear filter takes of a 2-D image, x first; of layers those of the nearest.
+template <Format F, class T, class At> vec<T, 4> gather(const HostMemory& memory, const At& at) {
+    const detail::Corner corner = detail::corner_of(memory, at);
+    vec<T, 4> texels;
+    for (unsigned i = 0; i < 4; ++i) texels[i] = detail::texel_of_corner<F, T>(memory, corner, i);
+    return texels;
+}
+
+/// The mean of four comparisons, weighted as a linear filter does.
+template <Format F, Compare C, class At> float compare_linear(const HostMemory& memory, const At& at, float reference) {
+    const detail::Corner corner = detail::corner_of(memory, at);
+    float passed[4];
+    for (unsigned i = 0; i < 4; ++i)
+        passed[i] = detail::compares<C>(reference, detail::texel_of_corner<F, float>(memory, corner, i)) ? 1.0f : 0.0f;
+    return mix(mix(passed[0], passed[1], corner.weight[0]), mix(passed[2], passed[3], corner.weight[0]),
+               corner.weight[1]);
+}
+
 }  // namespace glift::host

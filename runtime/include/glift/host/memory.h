@@ -7,6 +7,9 @@
 
 namespace glift {
 
+/// How a reference is compared with a texel of level 0, before the filter; `none`: texels themselves are filtered.
+enum class Compare : std::uint8_t { none, less, less_equal, greater, greater_equal };
+
 enum class MemoryKind : std::uint8_t { buffer, image1d, image2d, image3d, imagecube, image2darray };
 
 /// How a texel is stored. Names are those of the language.

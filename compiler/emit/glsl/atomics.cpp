@@ -1,0 +1,152 @@
+// Writes that are combined: one atomic operation of integers. Floats in buffers are added by compare-and-swap; their
+// minima and maxima are those of the integers that have their bits, without a loop.
+#include "emit/glsl/printer.h"
+
+#include <algorithm>
+#include <cctype>
+#include <stdexcept>
+
+namespace gliftc::glsl {
+
+using ir::Combine;
+using ir::MemoryShape;
+using ir::PassBinding;
+using ir::TypeKind;
+
+namespace {
+
+const char* atomic_name(Combine combine) {
+    switch (combine) {
+    case Combine::replace: return "Exchange";
+    case Combine::min: return "Min";
+    case Combine::max: return "Max";
+    case Combine::add: return "Add";
+    case Combine::bit_and: return "And";
+    case Combine::bit_or: return "Or";
+    case Combine::bit_xor: return "Xor";
+    }
+    return "";
+}
+
+std::string lower_case(std::string text) {
+    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return text;
+}
+
+std::string function_name(const Printer& p, const AtomicUse& use) {
+    return p.pass.bindings[use.binding].name + "_" + lower_case(atomic_name(use.combine));
+}
+
+std::string float_atomic(Printer& p, std::uint32_t binding, Combine combine) {
+    const AtomicUse use{binding, combine};
+    if (std::find(p.atomics.begin(), p.atomics.end(), use) == p.atomics.end()) p.atomics.push_back(use);
+    return function_name(p, use);
+}
+
+/// A sum by compare-and-swap, again and again until nobody came between.
+std::string addition(Printer& p, const AtomicUse& use) {
+    const std::string test = round_test(p, {}, p.pass.files.size() > 1 ? "line, file" : "line");
+    const std::string element = element_text(p, use.binding, "index");
+    const std::string index = p.pass.form == ir::Form::wide ? "uint64_t" : "uint";
+    return "void " + function_name(p, use) + "(" + index + " index, float value" +
+           (test.empty() ? "" : ", " + place_parameters(p)) + ") {\n" + "    uint seen = " + element +
+           ", expected;\n    do {\n" + (test.empty() ? "" : "        if (!" + test + ") return;\n") +
+           "        expected = seen;\n"
+           "        uint wanted = floatBitsToUint(uintBitsToFloat(seen) + value);\n"
+           "        if (wanted == seen) return;\n"
+           "        seen = atomicCompSwap(" +
+           element + ", expected, wanted);\n    } while (seen != expected);\n}\n\n";
+}
+
+/// How a float is reached whose bits are combined.
+struct BitsPlace {
+    std::string parameter;  ///< of the function: where it lies
+    std::string load;
+    std::string arguments;  ///< the first ones of an atomic operation
+    std::string prefix;     ///< of atomic operations: atomicMin, imageAtomicMin
+};
+
+BitsPlace bits_place(const Printer& p, std::uint32_t slot) {
+    const PassBinding& binding = p.pass.bindings[slot];
+    const std::string& name = p.binding_names[slot];
+    if (binding.shape == MemoryShape::buffer) {
+        const std::string element = element_text(p, slot, "index");
+        return {p.pass.form == ir::Form::wide ? "uint64_t index" : "uint index", element, element, "atomic"};
+    }
+    const bool is_line = binding.shape == MemoryShape::image1d, is_flat = binding.shape == MemoryShape::image2d;
+    return {is_line   ? "int at"
+            : is_flat ? "ivec2 at"
+                      : "ivec3 at",
+            "imageLoad(" + name + ", at).x", name + ", at", "imageAtomic"};
+}
+
+/// Bits of floats that are not negative order as ints do, those of negative ones the other way round. So one signed
+/// operation does for a value that is not negative. A negative one may hide a better value for the moment that it takes
+/// to see which one that was, which is then put back; since nobody reads in this pass, only the end counts. A NaN is
+/// not written, and gives way to any number. What was read first need not be the newest: values only get better.
+std::string extremum(const Printer& p, const AtomicUse& use) {
+    const BitsPlace place = bits_place(p, use.binding);
+    const auto call = [&](const std::string& operation, const std::string& value) {
+        return place.prefix + operation + "(" + place.arguments + ", " + value + ")";
+    };
+    const bool is_max = use.combine == Combine::max;
+    const std::string negative = is_max ? "    if (there >= 0 || there <= bits) return;\n"
+                                          "    int before = " +
+                                              call("Min", "bits") +
+                                              ";\n"
+                                              "    if (before >= 0) " +
+                                              call("Max", "before") + ";\n"
+                                        : "    if (there < 0 && there >= bits) return;\n"
+                                          "    int before = there < 0 ? there : " +
+                                              call("Min", "bits") +
+                                              ";\n"
+                                              "    if (before < 0) " +
+                                              call("Max", "max(before, bits)") + ";\n";
+    return "void " + function_name(p, use) + "(" + place.parameter +
+           ", float value) {\n"
+           "    const int bits = floatBitsToInt(value);\n"
+           "    if ((bits & 0x7fffffff) > 0x7f800000) return;\n"
+           "    int there = " +
+           place.load +
+           ";\n"
+           "    if ((there & 0x7fffffff) > 0x7f800000) there = " +
+           call("CompSwap", "there, bits") +
+           ";\n"
+           "    if (bits >= 0) {\n"
+           "        if (there " +
+           (is_max ? "< bits) " : "> bits) ") + call(atomic_name(use.combine), "bits") +
+           ";\n"
+           "        return;\n    }\n" +
+           negative + "}\n\n";
+}
+
+}  // namespace
+
+std::string atomic_text(Printer& p, const ir::Stmt& stmt) {
+    const PassBinding& binding = p.pass.bindings.at(stmt.slot);
+    const std::string value = print_any(p, stmt.value);
+    const TypeKind kind = p.program.types.kind(p.program.types.scalar_of(binding.element));
+    const bool is_buffer = binding.shape == MemoryShape::buffer;
+    if (stored_as_bits(p, binding)) {
+        const std::string place = is_buffer ? print_any(p, stmt.target) : texel_text(p, stmt.target);
+        const bool counts = stmt.combine == Combine::add && !p.status.another_round.empty();
+        return float_atomic(p, stmt.slot, stmt.combine) + "(" + place + ", " + value +
+               (counts ? ", " + place_arguments(p, stmt.span) : "") + ");";
+    }
+    if (!is_buffer) {
+        if (kind == TypeKind::float_) p.extensions.insert("GL_EXT_shader_atomic_float");
+        return std::string("imageAtomic") + atomic_name(stmt.combine) + "(" + p.binding_names[stmt.slot] + ", " +
+               texel_text(p, stmt.target) + ", " + value + ");";
+    }
+    if (kind == TypeKind::int64 || kind == TypeKind::uint64) p.extensions.insert("GL_EXT_shader_atomic_int64");
+    return std::string("atomic") + atomic_name(stmt.combine) + "(" + element_text(p, stmt.slot, stmt.target) + ", " +
+           value + ");";
+}
+
+std::string atomic_definitions(Printer& p) {
+    std::string text;
+    for (const AtomicUse& use : p.atomics) text += use.combine == Combine::add ? addition(p, use) : extremum(p, use);
+    return text;
+}
+
+}  // namespace gliftc::glsl

@@ -1,0 +1,46 @@
+// Array<1, float3, none, buffer>, array.glift:20.
+// Define before including: POINTS_BINDING (the state; memory k follows at + 1 + k). Where wanted: POINTS_SET, POINTS_STATE, POINTS_READONLY.
+#ifndef GLIFT_POINTS
+#define GLIFT_POINTS 687205202
+#extension GL_EXT_scalar_block_layout : require
+
+#ifndef POINTS_SET
+#define POINTS_SET 0
+#endif
+#ifndef POINTS_BINDING
+#error define POINTS_BINDING before this file is included
+#endif
+#ifdef POINTS_READONLY
+#define POINTS_ACCESS readonly
+#else
+#define POINTS_ACCESS
+#endif
+
+#ifndef POINTS_STATE  // define it where the members below are declared in a block of your own
+layout(scalar, set = POINTS_SET, binding = POINTS_BINDING) readonly buffer Points_state {
+    uint Points_extent;
+};
+#endif
+
+layout(scalar, set = POINTS_SET, binding = POINTS_BINDING + 1) POINTS_ACCESS buffer Points_data_memory { vec3 Points_data[]; };
+
+uint Points_translate(uint address) {
+    return address;
+}
+
+vec3 Points_read(uint address) {
+    bool Points_value_inside = address < Points_extent;
+    vec3 Points_value = Points_data[Points_value_inside ? address : 0u];
+    return Points_value_inside ? Points_value : vec3(0.0);
+}
+
+#ifndef POINTS_READONLY
+void Points_write(uint address, vec3 value) {
+    if (address < Points_extent) {
+        Points_data[address] = value;
+    }
+}
+#endif
+#elif GLIFT_POINTS != 687205202
+#error the functions of another structure called Points are included already
+#endif

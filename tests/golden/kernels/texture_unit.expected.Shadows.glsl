@@ -1,0 +1,47 @@
+// Shadows, texture_unit.glift:7.
+// Define before including: SHADOWS_BINDING (the state; memory k follows at + 1 + k). Where wanted: SHADOWS_SET, SHADOWS_STATE, SHADOWS_READONLY.
+#ifndef GLIFT_SHADOWS
+#define GLIFT_SHADOWS 2097275441
+#extension GL_EXT_scalar_block_layout : require
+
+#ifndef SHADOWS_SET
+#define SHADOWS_SET 0
+#endif
+#ifndef SHADOWS_BINDING
+#error define SHADOWS_BINDING before this file is included
+#endif
+#ifdef SHADOWS_READONLY
+#define SHADOWS_ACCESS readonly
+#else
+#define SHADOWS_ACCESS
+#endif
+
+#ifndef SHADOWS_STATE  // define it where the members below are declared in a block of your own
+layout(scalar, set = SHADOWS_SET, binding = SHADOWS_BINDING) readonly buffer Shadows_state {
+    uvec2 Shadows_extent;
+    uint Shadows_layers;
+};
+#endif
+
+layout(set = SHADOWS_SET, binding = SHADOWS_BINDING + 1) uniform SHADOWS_ACCESS image2DArray Shadows_depths;
+
+uvec3 Shadows_translate(uvec3 address) {
+    return address;
+}
+
+float Shadows_read(uvec3 address) {
+    bool Shadows_value_inside = all(lessThan(address, uvec3(Shadows_extent, Shadows_layers)));
+    float Shadows_value = imageLoad(Shadows_depths, ivec3(Shadows_value_inside ? address : uvec3(0u))).x;
+    return Shadows_value_inside ? Shadows_value : 0.0;
+}
+
+#ifndef SHADOWS_READONLY
+void Shadows_write(uvec3 address, float value) {
+    if (all(lessThan(address, uvec3(Shadows_extent, Shadows_layers)))) {
+        imageStore(Shadows_depths, ivec3(address), vec4(value));
+    }
+}
+#endif
+#elif GLIFT_SHADOWS != 2097275441
+#error the functions of another structure called Shadows are included already
+#endif

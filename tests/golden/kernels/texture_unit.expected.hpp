@@ -1,0 +1,237 @@
+// Made by gliftc from texture_unit.glift. Changes are lost when it is made again.
+#pragma once
+
+#include "texture_unit.glift.types.hpp"
+
+#include <glift/glift.h>
+#include <glift/structure.h>
+
+/// What images offer beside reads and writes: combined floats, shared texels, gathered texels, comparisons.
+
+namespace texture_unit {
+
+#ifndef GLIFT_texture_unit_HAS_Shadows
+#define GLIFT_texture_unit_HAS_Shadows
+/// Shadows, texture_unit.glift:7.
+class Shadows : public glift::Structure<Shadows, glift::uint3, float> {
+public:
+    static constexpr const char* type_name = "Shadows";
+
+    Shadows() = default;
+    Shadows(const glift::Commands& commands, glift::uint2 extent, glift::uint layers);
+    /// Over parts that exist already.
+    Shadows(const glift::Commands& commands, glift::uint2 extent, glift::uint layers, glift::Memory depths);
+
+    /// The extent of the virtual domain.
+    glift::uint3 domain() const;
+    glift::uint2 extent() const { return extent_; }
+    glift::uint layers() const { return layers_; }
+    const glift::Memory& depths() const { return depths_; }
+    glift::uint3 depths_extent() const { return depths_extent_; }
+    /// True if the two were made with equal arguments.
+    bool same_state(const Shadows& other) const;
+
+    /// Gives every element, or those of a box, one value.
+    void fill(float value);
+    void fill(float value, const glift::Range<Shadows>& range);
+    /// Elements of a box to a linear buffer, and back.
+    void copy_out(const glift::Commands& commands, const glift::Range<Shadows>& range, const glift::Memory& box) const;
+    void copy_in(const glift::Commands& commands, const glift::Range<Shadows>& range, const glift::Memory& box) const;
+
+private:
+    glift::uint2 extent_{};
+    glift::uint layers_{};
+    glift::uint3 depths_extent_{};
+    glift::Memory depths_;
+};
+#endif
+
+#ifndef GLIFT_texture_unit_HAS_Heights
+#define GLIFT_texture_unit_HAS_Heights
+/// Heights, texture_unit.glift:12.
+class Heights : public glift::Structure<Heights, glift::uint2, float> {
+public:
+    static constexpr const char* type_name = "Heights";
+
+    Heights() = default;
+    Heights(const glift::Commands& commands, glift::uint2 extent);
+    /// Over parts that exist already.
+    Heights(const glift::Commands& commands, glift::uint2 extent, glift::Memory data);
+
+    /// The extent of the virtual domain.
+    glift::uint2 domain() const;
+    glift::uint2 extent() const { return extent_; }
+    const glift::Memory& data() const { return data_; }
+    glift::uint2 data_extent() const { return data_extent_; }
+    /// True if the two were made with equal arguments.
+    bool same_state(const Heights& other) const;
+
+    /// Gives every element, or those of a box, one value.
+    void fill(float value);
+    void fill(float value, const glift::Range<Heights>& range);
+    /// Elements of a box to a linear buffer, and back.
+    void copy_out(const glift::Commands& commands, const glift::Range<Heights>& range, const glift::Memory& box) const;
+    void copy_in(const glift::Commands& commands, const glift::Range<Heights>& range, const glift::Memory& box) const;
+
+private:
+    glift::uint2 extent_{};
+    glift::uint2 data_extent_{};
+    glift::Memory data_;
+};
+#endif
+
+}  // namespace texture_unit
+
+namespace std_array {
+
+#ifndef GLIFT_std_array_HAS_Array_2_uint_none_image2d
+#define GLIFT_std_array_HAS_Array_2_uint_none_image2d
+/// Array<2, uint, none, image2d>. A dense N-D array. Memory: one element an address. What lies outside is up to
+/// `edge`: by default reads give zero and
+/// writes go nowhere. Thesis section 9.1.
+class Array_2_uint_none_image2d : public glift::Structure<Array_2_uint_none_image2d, glift::uint2, glift::uint> {
+public:
+    static constexpr const char* type_name = "Array<2, uint, none, image2d>";
+
+    Array_2_uint_none_image2d() = default;
+    Array_2_uint_none_image2d(const glift::Commands& commands, glift::uint2 extent);
+    /// Over parts that exist already.
+    Array_2_uint_none_image2d(const glift::Commands& commands, glift::uint2 extent, glift::Memory data);
+
+    /// The extent of the virtual domain.
+    glift::uint2 domain() const;
+    glift::uint2 extent() const { return extent_; }
+    const glift::Memory& data() const { return data_; }
+    glift::uint2 data_extent() const { return data_extent_; }
+    /// True if the two were made with equal arguments.
+    bool same_state(const Array_2_uint_none_image2d& other) const;
+
+    /// Gives every element, or those of a box, one value.
+    void fill(glift::uint value);
+    void fill(glift::uint value, const glift::Range<Array_2_uint_none_image2d>& range);
+    /// Elements of a box to a linear buffer, and back.
+    void copy_out(const glift::Commands& commands, const glift::Range<Array_2_uint_none_image2d>& range,
+        const glift::Memory& box) const;
+    void copy_in(const glift::Commands& commands, const glift::Range<Array_2_uint_none_image2d>& range,
+        const glift::Memory& box) const;
+
+private:
+    glift::uint2 extent_{};
+    glift::uint2 data_extent_{};
+    glift::Memory data_;
+};
+#endif
+
+}  // namespace std_array
+
+namespace texture_unit {
+
+using Marks = ::std_array::Array_2_uint_none_image2d;
+
+}  // namespace texture_unit
+
+namespace std_array {
+
+#ifndef GLIFT_std_array_HAS_Array_1_float3_none_buffer
+#define GLIFT_std_array_HAS_Array_1_float3_none_buffer
+/// Array<1, float3, none, buffer>. A dense N-D array. Memory: one element an address. What lies outside is up to
+/// `edge`: by default reads give zero and
+/// writes go nowhere. Thesis section 9.1.
+class Array_1_float3_none_buffer : public glift::Structure<Array_1_float3_none_buffer, glift::uint, glift::float3> {
+public:
+    static constexpr const char* type_name = "Array<1, float3, none, buffer>";
+
+    Array_1_float3_none_buffer() = default;
+    Array_1_float3_none_buffer(const glift::Commands& commands, glift::uint extent);
+    /// Over parts that exist already.
+    Array_1_float3_none_buffer(const glift::Commands& commands, glift::uint extent, glift::Memory data);
+
+    /// The extent of the virtual domain.
+    glift::uint domain() const;
+    glift::uint extent() const { return extent_; }
+    const glift::Memory& data() const { return data_; }
+    std::uint64_t data_extent() const { return data_extent_; }
+    /// True if the two were made with equal arguments.
+    bool same_state(const Array_1_float3_none_buffer& other) const;
+
+    /// Gives every element, or those of a box, one value.
+    void fill(glift::float3 value);
+    void fill(glift::float3 value, const glift::Range<Array_1_float3_none_buffer>& range);
+    /// Where an element lies in row_memory(), in elements; the address is an affine function of the virtual one.
+    std::uint64_t place(glift::uint address) const;
+    const glift::Memory& row_memory() const { return data_; }
+    /// Elements of a box to a linear buffer, and back.
+    void copy_out(const glift::Commands& commands, const glift::Range<Array_1_float3_none_buffer>& range,
+        const glift::Memory& box) const;
+    void copy_in(const glift::Commands& commands, const glift::Range<Array_1_float3_none_buffer>& range,
+        const glift::Memory& box) const;
+
+private:
+    glift::uint extent_{};
+    std::uint64_t data_extent_{};
+    glift::Memory data_;
+};
+#endif
+
+}  // namespace std_array
+
+namespace texture_unit {
+
+using Points = ::std_array::Array_1_float3_none_buffer;
+
+}  // namespace texture_unit
+
+namespace std_array {
+
+#ifndef GLIFT_std_array_HAS_Array_1_float_none_buffer
+#define GLIFT_std_array_HAS_Array_1_float_none_buffer
+/// Array<1, float, none, buffer>. A dense N-D array. Memory: one element an address. What lies outside is up to
+/// `edge`: by default reads give zero and
+/// writes go nowhere. Thesis section 9.1.
+class Array_1_float_none_buffer : public glift::Structure<Array_1_float_none_buffer, glift::uint, float> {
+public:
+    static constexpr const char* type_name = "Array<1, float, none, buffer>";
+
+    Array_1_float_none_buffer() = default;
+    Array_1_float_none_buffer(const glift::Commands& commands, glift::uint extent);
+    /// Over parts that exist already.
+    Array_1_float_none_buffer(const glift::Commands& commands, glift::uint extent, glift::Memory data);
+
+    /// The extent of the virtual domain.
+    glift::uint domain() const;
+    glift::uint extent() const { return extent_; }
+    const glift::Memory& data() const { return data_; }
+    std::uint64_t data_extent() const { return data_extent_; }
+    /// True if the two were made with equal arguments.
+    bool same_state(const Array_1_float_none_buffer& other) const;
+
+    /// Gives every element, or those of a box, one value.
+    void fill(float value);
+    void fill(float value, const glift::Range<Array_1_float_none_buffer>& range);
+    /// Where an element lies in row_memory(), in elements; the address is an affine function of the virtual one.
+    std::uint64_t place(glift::uint address) const;
+    const glift::Memory& row_memory() const { return data_; }
+    /// Elements of a box to a linear buffer, and back.
+    void copy_out(const glift::Commands& commands, const glift::Range<Array_1_float_none_buffer>& range,
+        const glift::Memory& box) const;
+    void copy_in(const glift::Commands& commands, const glift::Range<Array_1_float_none_buffer>& range,
+        const glift::Memory& box) const;
+
+private:
+    glift::uint extent_{};
+    std::uint64_t data_extent_{};
+    glift::Memory data_;
+};
+#endif
+
+}  // namespace std_array
+
+namespace texture_unit {
+
+void splat(const glift::Commands& commands, const glift::Range<Points>& p, const glift::Range<Heights>& nearest,
+    const glift::Range<::std_array::Array_1_float_none_buffer>& farthest, const glift::Range<Marks>& marks);
+
+void light(const glift::Commands& commands, const glift::Range<Shadows>& shadows, const glift::Range<Heights>& heights,
+    const glift::Range<Points>& p);
+
+}  // namespace texture_unit
