@@ -84,9 +84,10 @@ ExprId Expander::sample(const Expr& node) {
     const bool is_filtered =
         is_texel_address(place) && !is_coherent(place) && root_memory(p, cx.structure_at(place)).format != Format::d32;
     if (!is_filtered) return mixed(around(place, at));
-    Operands operands = {sampler_point(place, in_image(place, at))};
+    const bool is_cube = root_memory(p, cx.structure_at(place)).shape == MemoryShape::imagecube;
+    Operands operands = {is_cube ? at : sampler_point(place, in_image(place, at))};
     if (node.operands.size() > 1) operands.push_back(make.convert(p.types.float_, value_of(node.operands[1])));
-    return of_image(Op::image_sample, node.type, binding(place, Access::read), std::move(operands));
+    return of_image(Op::image_sample, node.type, binding(place, Access::read, {}, is_cube), std::move(operands));
 }
 
 /// Whether the device gathers the texels around a point: not of what is written in the pass.
@@ -131,6 +132,8 @@ ExprId Expander::compare(const Expr& node) {
     ExprId at = named(name + "_point", value_of(node.operands[0]));
     ExprId reference = named(name + "_reference", value_of(node.operands[1]));
     const bool is_image = is_gathered(place);
+    if (is_depth && memory.shape == MemoryShape::imagecube && is_texel_address(place))
+        return of_image(Op::image_compare, p.types.float_, binding(place, Access::read, how, true), {at, reference});
     if (is_image && is_depth)
         return of_image(Op::image_compare, p.types.float_, binding(place, Access::read, how),
                         {sampler_point(place, in_image(place, at)), reference});

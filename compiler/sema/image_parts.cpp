@@ -31,7 +31,7 @@ ir::ExprId extent_of_level(Body& body, ir::ExprId extent, ir::MemoryShape shape,
         p.exprs[least].intrinsic = ir::Intrinsic::max;
         return least;
     };
-    if (shape != ir::MemoryShape::image2darray) return halved(extent);
+    if (!has_layers(shape)) return halved(extent);
     return add(p, ir::Op::construct, type, span,
                {halved(first_two(p, extent, span)), make_swizzle(p, extent, 2, span)});
 }
@@ -61,8 +61,8 @@ void add_image_part(Body& body, std::uint32_t index, const ast::Item& item) {
         return refuse("levels and layers are those of an image of another structure: of.data.mip(1)");
     const ir::Memory whole = c.program.structures[image.structure].memories[image.slot];
     if (whole.shape == ir::MemoryShape::buffer) return refuse("a buffer has no levels and no layers");
-    if (!is_mip && whole.shape != ir::MemoryShape::image2darray)
-        return refuse("only image2d<F>(extent, layers) has layers");
+    if (!is_mip && !has_layers(whole.shape))
+        return refuse("only image2d<F>(extent, layers) and imagecube<F>(side) have layers");
     if (is_mip && !whole.mips) return refuse("write 'mips(n)' where the image is declared");
     if (item.mips || item.filter || item.compare)
         note(c.error(Diag::memory_of_structure, item.span), callee.span,

@@ -10,6 +10,11 @@ bool is_image_part(Body&, ast::ExprId);
 
 void add_image_part(Body&, std::uint32_t structure, const ast::Item&);
 
+/// Whether the last axis of its addresses counts layers, or faces of a cube.
+inline bool has_layers(ir::MemoryShape shape) {
+    return shape == ir::MemoryShape::image2darray || shape == ir::MemoryShape::imagecube;
+}
+
 /// Whether the structure keeps element a in texel a of an image.
 bool keeps_texels(const Context&, const ir::Structure&);
 

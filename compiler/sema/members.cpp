@@ -98,9 +98,9 @@ ir::TypeId extent_type(ir::Types& types, ir::MemoryShape shape) {
     switch (shape) {
     case ir::MemoryShape::buffer:
     case ir::MemoryShape::image1d: return types.uint;
-    case ir::MemoryShape::image2d:
-    case ir::MemoryShape::imagecube: return types.vector(types.uint, 2);
+    case ir::MemoryShape::image2d: return types.vector(types.uint, 2);
     case ir::MemoryShape::image3d:
+    case ir::MemoryShape::imagecube:
     case ir::MemoryShape::image2darray: return types.vector(types.uint, 3);
     }
     return types.uint;

@@ -44,7 +44,7 @@ ir::TypeId address_type(ir::Types& types, ir::MemoryShape shape) {
 }
 
 constexpr const char* memory_remedy = "write buffer<T>[n], image1d<F>(n), image2d<F>(extent), image2d<F>(extent, "
-                                      "layers), image3d<F>(extent), a structure "
+                                      "layers), image3d<F>(extent), imagecube<F>(side), a structure "
                                       "with its arguments, or the name of one";
 
 /// The parts of `buffer<T>[n]` or `image2d<F>(extent, layers)`: shape, element, extent, layers or none.
@@ -141,9 +141,11 @@ void add_memory(Body& body, std::uint32_t index, const ast::Item& item) {
         }
         memory.element = value_of_format(c.types(), memory.format);
     }
-    ir::TypeId extent = memory.shape == ir::MemoryShape::imagecube ? c.types().vector(c.types().uint, 2)
-                                                                   : address_type(c.types(), memory.shape);
-    memory.extent = check_value(body, text->extent, extent);
+    const bool is_cube = memory.shape == ir::MemoryShape::imagecube;
+    memory.extent = check_value(body, text->extent, is_cube ? c.types().uint : address_type(c.types(), memory.shape));
+    if (is_cube)
+        memory.extent = add(c.program, ir::Op::construct, c.types().vector(c.types().uint, 3), memory.span,
+                            {memory.extent, memory.extent, make_uint(c.program, 6, memory.span)});
     if (text->layers) {
         memory.shape = ir::MemoryShape::image2darray;
         const ir::ExprId layers = check_value(body, text->layers, c.types().uint);

@@ -90,6 +90,15 @@ void check_description(const MemoryDescription& d) {
 
 }  // namespace
 
+namespace {
+
+/// Cubes are bound as the layers that their faces are, too.
+bool is_bound_as(const MemoryDescription& d, MemoryKind kind) {
+    return d.kind == kind || (d.kind == MemoryKind::imagecube && kind == MemoryKind::image2darray);
+}
+
+}  // namespace
+
 void check_memories(const DeviceObject* device, const Kernel& kernel, std::span<const Memory> memories) {
     if (memories.size() != kernel.bindings.size()) {
         wrong("the number of memories does not fit the kernel", kernel_text(kernel),
@@ -97,8 +106,8 @@ void check_memories(const DeviceObject* device, const Kernel& kernel, std::span<
     }
     for (std::size_t k = 0; k < memories.size(); ++k) {
         const MemoryObject* object = memories[k].object();
-        if (!object || object->device().get() != device || object->description().kind != kernel.bindings[k].kind ||
-            object->is_replaced()) {
+        if (!object || object->device().get() != device ||
+            !is_bound_as(object->description(), kernel.bindings[k].kind) || object->is_replaced()) {
             wrong_memory(device, kernel, kernel.bindings[k], memories[k]);
         }
     }

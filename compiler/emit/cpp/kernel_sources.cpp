@@ -30,12 +30,13 @@ std::vector<std::vector<std::uint32_t>> spread(const ModuleParts& parts, const s
 
 void print_includes(const ModuleParts& parts, Writer& out, const std::string& stem,
                     const std::vector<std::uint32_t>& kernels) {
-    bool has_images = false, has_atomics = false, has_reports = false, has_draws = false;
+    bool has_images = false, has_cubes = false, has_atomics = false, has_reports = false, has_draws = false;
     for (std::uint32_t kernel : kernels) {
         has_draws |= parts.program.kernels[kernel].raster.has_value();
         const ir::Pass& pass = parts.lowered.passes[kernel].general;
         for (const ir::PassBinding& binding : pass.bindings) {
             has_images |= binding.shape != ir::MemoryShape::buffer;
+            has_cubes |= binding.shape == ir::MemoryShape::imagecube;
             has_atomics |= binding.atomic || binding.coherent;
         }
         has_reports |= pass.has_reports;
@@ -44,6 +45,7 @@ void print_includes(const ModuleParts& parts, Writer& out, const std::string& st
     out.gap();
     if (has_draws) out.line("#include <glift/drawing.h>");
     if (has_atomics) out.line("#include <glift/host/atomics.h>");
+    if (has_cubes) out.line("#include <glift/host/cube.h>");
     if (has_draws) out.line("#include <glift/host/fragments.h>");
     if (has_images) out.line("#include <glift/host/image.h>");
     out.line("#include <glift/host/math.h>");

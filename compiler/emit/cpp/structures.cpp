@@ -189,7 +189,8 @@ std::string memory_description(Unit& unit, Printer& p, std::uint32_t index, std:
     case ir::MemoryShape::image2darray: text += ", .kind = glift::MemoryKind::image2darray"; break;
     }
     return text + ", .format = glift::Format::" + std::string(format_name(memory.format)) +
-           ", .extent = glift::image_extent(" + extent + ")" + mips + "}";
+           ", .extent = glift::" + (memory.shape == ir::MemoryShape::imagecube ? "cube_extent(" : "image_extent(") +
+           extent + ")" + mips + "}";
 }
 
 /// A printer for expressions over the structure itself, within its class.

@@ -288,7 +288,8 @@ std::string compare_text(Printer& p, const ir::Expr& expr) {
     const std::string at = "vec" + std::to_string(count) + "(" + print_any(p, expr.operands[0]) + ", " +
                            print_any(p, expr.operands[1]) + ")";
     if (p.pass.bindings[expr.slot].shape == MemoryShape::image2d) return "textureLod(" + name + ", " + at + ", 0.0)";
-    return "textureGrad(" + name + ", " + at + ", vec2(0.0), vec2(0.0))";  // GLSL has no level here
+    const std::string flat = p.pass.bindings[expr.slot].shape == MemoryShape::imagecube ? "vec3(0.0)" : "vec2(0.0)";
+    return "textureGrad(" + name + ", " + at + ", " + flat + ", " + flat + ")";  // GLSL has no level here
 }
 
 }  // namespace

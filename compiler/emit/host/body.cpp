@@ -40,7 +40,9 @@ std::string texel_text(Body& body, std::uint32_t binding, ir::ExprId at) {
 std::string compare_call(Body& body, const Expr& expr) {
     body.used_bindings.insert(expr.slot);
     const ir::PassBinding& binding = body.pass.bindings[expr.slot];
-    return "glift::host::compare_linear<glift::Format::" + std::string(cpp::format_name(binding.format)) +
+    const char* const function = binding.shape == ir::MemoryShape::imagecube ? "compare_cube" : "compare_linear";
+    return std::string("glift::host::") + function +
+           "<glift::Format::" + std::string(cpp::format_name(binding.format)) +
            ", glift::Compare::" + std::string(ir::spelling(*binding.compare)) + ">(" + body.binding_names[expr.slot] +
            ", " + cpp::join_arguments(body.p, expr.operands) + ")";
 }
@@ -65,7 +67,11 @@ Text print_outer(Body& body, const Expr& expr) {
             return {"glift::host::memory::read(" + texel_text(body, expr.slot, expr.operands[0]) + ")"};
         return {image_call(body, "load_texel", expr.slot) + ", " + cpp::join_arguments(p, expr.operands) + ")"};
     case Op::image_sample: {
-        const char* function = body.pass.bindings[expr.slot].linear ? "sample_linear" : "sample_nearest";
+        const ir::PassBinding& binding = body.pass.bindings[expr.slot];
+        const bool is_cube = binding.shape == ir::MemoryShape::imagecube;
+        const char* function = is_cube          ? (binding.linear ? "sample_cube_linear" : "sample_cube_nearest")
+                               : binding.linear ? "sample_linear"
+                                                : "sample_nearest";
         return {image_call(body, function, expr.slot) + ", " + cpp::join_arguments(p, expr.operands) + ")"};
     }
     case Op::image_gather:

@@ -88,6 +88,12 @@ template <class A> constexpr std::array<std::uint32_t, 3> image_extent(const A& 
     return {std::max(e[0], 1u), std::max(e[1], 1u), std::max(e[2], 1u)};
 }
 
+/// The extent of a cube, whose faces are not counted in it.
+template <class A> constexpr std::array<std::uint32_t, 3> cube_extent(const A& extent) {
+    const auto e = image_extent(extent);
+    return {e[0], e[1], 1};
+}
+
 /// The base of a generated view `Self`: its elements are computed.
 template <class Self, class A, class T> class View {
 public:

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "../environment.h"
+#include "../image_layout.h"
 #include "../objects.h"
 
 #include <atomic>
@@ -40,6 +41,8 @@ public:
     std::byte* data() const { return data_; }
     HostMemory view() const {
         const MemoryDescription& d = description();
+        if (d.kind == MemoryKind::imagecube)
+            return {data_, d.bytes, {d.extent[0], d.extent[1], face_count(d)}, d.format, d.mips, true};
         return {data_, d.bytes, d.extent, d.format, d.mips, d.kind == MemoryKind::image2darray};
     }
     std::shared_ptr<MemoryObject> part(const MemoryDescription& description, const Texels& texels) override;

@@ -171,11 +171,12 @@ void Encoder::push_descriptors(const Pipeline& pipeline, const Call& call, const
             if (pipeline.name != FormName::wide) (next++)->buffer = {memory.parts.buffer, 0, memory.range};
         } else if (binding.sampled) {
             memory.require(VK_IMAGE_USAGE_SAMPLED_BIT);
-            (next++)->image = {device_.pipelines().sampler(binding.sampler), memory.parts.sampled_view,
+            (next++)->image = {device_.pipelines().sampler(binding.sampler), memory.views_as(binding.kind).sampled,
                                VK_IMAGE_LAYOUT_GENERAL};
         } else {
             memory.require(VK_IMAGE_USAGE_STORAGE_BIT);
-            const VkImageView view = binding.as_bits ? memory.bits_view() : memory.parts.storage_view;
+            const VkImageView view =
+                binding.as_bits ? memory.bits_view(binding.kind) : memory.views_as(binding.kind).storage;
             (next++)->image = {VK_NULL_HANDLE, view, VK_IMAGE_LAYOUT_GENERAL};
         }
     }

@@ -331,9 +331,19 @@ VkImageView VulkanMemory::attachment_view(std::uint32_t mip, std::uint32_t face)
     return view;
 }
 
-VkImageView VulkanMemory::bits_view() {
-    return whole() ? static_cast<VulkanMemory&>(*whole()).bits_view(description().kind, texels())
-                   : bits_view(description().kind, {0, 1, 0, face_count(description())});
+VulkanMemory::Views VulkanMemory::views_as(MemoryKind kind) {
+    if (kind == description().kind) return {parts.sampled_view, parts.storage_view};
+    VulkanMemory& image = whole() ? static_cast<VulkanMemory&>(*whole()) : *this;
+    MemoryDescription other = description();
+    const Texels all = whole() ? texels() : Texels{0, other.mips, 0, face_count(other)};
+    other.kind = kind;
+    const MemoryParts::PartViews& views = image.views_of(other, all);
+    return {views.sampled_view, views.storage_view};
+}
+
+VkImageView VulkanMemory::bits_view(MemoryKind kind) {
+    return whole() ? static_cast<VulkanMemory&>(*whole()).bits_view(kind, texels())
+                   : bits_view(kind, {0, 1, 0, face_count(description())});
 }
 
 VkImageView VulkanMemory::bits_view(MemoryKind kind, const Texels& texels) {

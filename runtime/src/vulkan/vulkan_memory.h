@@ -69,8 +69,13 @@ public:
     /// Of one level and face, to be drawn to; throws missing_feature. The device's lock is held.
     VkImageView attachment_view(std::uint32_t mip, std::uint32_t face);
 
+    /// As a kernel's binding of this kind sees the image: a cube also as its faces. The device's lock is held.
+    struct Views {
+        VkImageView sampled, storage;
+    };
+    Views views_as(MemoryKind kind);
     /// Of the first level, an image of floats as ints; throws missing_feature. The device's lock is held.
-    VkImageView bits_view();
+    VkImageView bits_view(MemoryKind kind);
 
     VulkanDevice& owner() const;
     /// Whether it needs several allocations.

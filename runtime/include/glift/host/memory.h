@@ -40,7 +40,7 @@ enum class Format : std::uint8_t {
 struct HostMemory {
     std::byte* data;  ///< buffers: elements in scalar layout; images: texels, row-major, no padding
     std::uint64_t bytes;
-    std::array<std::uint32_t, 3> extent;  ///< images; the third of image2darray is how many layers there are
+    std::array<std::uint32_t, 3> extent;  ///< images; the third is how many layers or faces there are
     Format format;
     std::uint32_t mips;  ///< one level after the other, level 0 first; cubes: six faces in each level
     bool has_layers = false;
