@@ -220,6 +220,12 @@ std::variant<Options, ExitCode> read_command_line(int argc, char** argv) {
                                     "means, with an example",
                                     Command::explain);
     explain->add_flag("--json", options.explain_as_json, "As JSON");
+    explain
+        ->add_option(
+            "--made", options.explain_made,
+            "Also the bytes of this structure's memories with these arguments, repeatable: 'Grid(1024, 1024, 64)'")
+        ->type_name("NAME(NUMBERS)")
+        ->allow_extra_args(false);
     add_command(app, options, "fmt", "Format the files in place; with --check, say which are not formatted",
                 Command::fmt);
     app.require_subcommand(0, 1);

@@ -4,6 +4,7 @@
 #include "driver/compile.h"
 #include "driver/explain_diagnostic.h"
 #include "driver/explain_draws.h"
+#include "driver/explain_made.h"
 #include "driver/trials.h"
 #include "emit/json/text.h"
 #include "ir/chain.h"
@@ -155,7 +156,16 @@ std::string text_of(const Explained& t, const std::string& indent) {
            line(indent, "invertible", t.invertible) + line(indent, "affine", t.is_affine ? "yes" : "no");
 }
 
-std::string as_text(const Explainer& explainer) {
+std::string text_of(const ExplainedMade& m) {
+    std::string text = m.name + " made with " + m.made.arguments + "\n" + line("", "bytes", bytes_text(m.bytes()));
+    for (const MadeMemory& memory : m.made.memories)
+        text += line("  ", memory.path,
+                     (memory.bytes ? bytes_text(*memory.bytes) : "not known without what is given") +
+                         (memory.role.empty() ? "" : ", " + memory.role));
+    return text + "\n";
+}
+
+std::string as_text(const Explainer& explainer, const std::vector<ExplainedMade>& made) {
     std::string text;
     for (const ExplainedStructure& s : explainer.structures) {
         text += (s.is_view ? "view " : "structure ") + (s.name == s.type ? s.name : s.name + " = " + s.type) + "  (" +
@@ -172,6 +182,7 @@ std::string as_text(const Explainer& explainer) {
         for (const auto& [what, how] : draw.facts) text += line("", what, how);
         text += "\n";
     }
+    for (const ExplainedMade& m : made) text += text_of(m);
     return text;
 }
 
@@ -231,7 +242,24 @@ void write(json::Text& out, const ExplainedDraw& draw) {
     });
 }
 
-std::string as_json(const Explainer& explainer) {
+void write(json::Text& out, const ExplainedMade& m) {
+    out.object([&] {
+        out.field("name", m.name);
+        out.field("arguments", m.made.arguments);
+        out.field("bytes", m.bytes());
+        out.key("memories");
+        out.array([&] {
+            for (const MadeMemory& memory : m.made.memories)
+                out.object([&] {
+                    out.field("path", memory.path);
+                    if (memory.bytes) out.field("bytes", *memory.bytes);
+                    if (!memory.role.empty()) out.field("role", memory.role);
+                });
+        });
+    });
+}
+
+std::string as_json(const Explainer& explainer, const std::vector<ExplainedMade>& made) {
     json::Text out;
     out.object([&] {
         out.key("structures");
@@ -242,6 +270,12 @@ std::string as_json(const Explainer& explainer) {
         out.array([&] {
             for (const Explained& translator : explainer.translators) write(out, translator);
         });
+        if (!made.empty()) {
+            out.key("made");
+            out.array([&] {
+                for (const ExplainedMade& m : made) write(out, m);
+            });
+        }
         if (explainer.draws.empty()) return;
         out.key("draws");
         out.array([&] {
@@ -260,8 +294,14 @@ int run_explain(const Options& options) {
     compile(options, disk(), compilation);
     int code = report(compilation, options);
     if (code != 0) return code;
+    std::string problem;
+    const std::vector<ExplainedMade> made = explained_made(compilation, options.explain_made, problem);
+    if (!problem.empty()) {
+        std::fputs(("gliftc explain: " + problem + "\n").c_str(), stderr);
+        return static_cast<int>(ExitCode::wrong_usage);
+    }
     const Explainer explainer(compilation);
-    std::string text = options.explain_as_json ? as_json(explainer) : as_text(explainer);
+    std::string text = options.explain_as_json ? as_json(explainer, made) : as_text(explainer, made);
     std::fwrite(text.data(), 1, text.size(), stdout);
     return code;
 }

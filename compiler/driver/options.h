@@ -53,6 +53,7 @@ struct Options {
     bool validate = true;     ///< test: with Vulkan's validation layer
     bool list_tests = false;  ///< test: print titles, run nothing
     bool explain_as_json = false;
+    std::vector<std::string> explain_made;  ///< explain: structures with arguments, of which the bytes are printed
 
     bool wants(Target target) const {
         for (Target each : targets)

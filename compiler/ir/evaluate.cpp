@@ -349,9 +349,29 @@ std::optional<Value> Interpreter::call(const Expr& expr) {
     return call(expr.function, std::move(arguments));
 }
 
+/// The sums, products and shifts that lower/widen.h makes of sizes: 2^64 - 1 where they do not fit. Nothing of other
+/// functions of C++.
+std::optional<Value> saturated(const Function& function, const std::vector<Value>& arguments) {
+    if (!function.extern_name.starts_with("glift::saturated_") || arguments.size() != 2) return std::nullopt;
+    const auto apply = [&](std::uint64_t a, std::uint64_t b) -> std::uint64_t {
+        if (function.extern_name.ends_with("sum")) return a > UINT64_MAX - b ? UINT64_MAX : a + b;
+        if (function.extern_name.ends_with("product")) return b != 0 && a > UINT64_MAX / b ? UINT64_MAX : a * b;
+        if (a == 0) return 0;
+        return b >= 64 || a > UINT64_MAX >> b ? UINT64_MAX : a << b;
+    };
+    const auto lane = [](const Value& value, std::size_t i) {
+        return value.lanes[value.lanes.size() == 1 ? 0 : i].bits;
+    };
+    Value result{function.result, {}};
+    for (std::size_t i = 0; i < std::max(arguments[0].lanes.size(), arguments[1].lanes.size()); ++i)
+        result.lanes.push_back({.bits = apply(lane(arguments[0], i), lane(arguments[1], i))});
+    return result;
+}
+
 std::optional<Value> Interpreter::call(FunctionId id, std::vector<Value> arguments) {
     const Function& function = program_.functions[id];
-    if (!function.extern_name.empty() || depth_ >= depth_limit) return std::nullopt;
+    if (!function.extern_name.empty()) return saturated(function, arguments);
+    if (depth_ >= depth_limit) return std::nullopt;
     Frame frame;
     for (std::size_t i = 0; i < arguments.size(); ++i) frame.set(function.params[i], std::move(arguments[i]));
     Frame* outer = std::exchange(frame_, &frame);

@@ -76,6 +76,31 @@ says(ran, 0,
 explained = json.loads(here.run("explain", "--json", "properties.glift").stdout)
 expect({s["name"] for s in explained["structures"]} >= {"Snake", "Halves", "Wrong", "Places"}, "explain --json", explained)
 expect(all(t["location"] == "GPU and CPU" for s in explained["structures"] for t in s["via"]), "properties in JSON")
+# The bytes of what is made.
+here.write("grids.glift", """module grids;
+use std.array;
+use std.image;
+use std.page_allocator;
+use std.paged;
+use std.sparse;
+pub structure Grid = Sparse<3, float, uint3(8, 8, 8), Overflow.drop>;
+pub structure Field = Paged<2, float2, uint2(4, 4)>;
+pub structure Levels = ImageLevels<rgba8>;
+""")
+made = here.run("explain", "--made", "Grid(uint3(256, 256, 256), 4096, -1.5)", "--made", "Field({18, 16} 3u, 0 0)",
+                "--made=Levels(16, 8, 5)", "grids.glift")
+says(made, 0, "Grid made with extent uint3(256, 256, 256), capacity 4096, background -1.5",
+     "8 MiB, elements of field", "128 KiB, table of field", "pages.wanted.data   4 KiB\n",
+     "Field made with extent uint2(18, 16), capacity 3, background float2(0.0, 0.0)", "384 bytes, elements of it",
+     "Levels made with", "684 bytes")  # levels of 128, 32, 8, 2 and 1 texels
+as_json = json.loads(here.run("explain", "--json", "--made", "Grid(256 256 256 4096 0)", "grids.glift").stdout)["made"]
+expect({m["path"]: m["bytes"] for m in as_json[0]["memories"]}["field.frames.data"] == 8 << 20, "explain --made --json", as_json)
+expect(as_json[0]["bytes"] == sum(m["bytes"] for m in as_json[0]["memories"]), "the sum", as_json)
+says(here.run("explain", "--made", "Grid(256, 256, 256)", "grids.glift"), 2,
+     "(extent: uint3, capacity: uint, background: float) takes 5 numbers, not 3")
+says(here.run("explain", "--made", "Grid(-1, 1, 1, 2.5, 0)", "grids.glift"), 2, "number 1 is whole")
+says(here.run("explain", "--made", "Sheet(1)", "grids.glift"), 2, "no structure 'Sheet'")
+says(here.run("explain", "--made", "Grid", "grids.glift"), 2, "is not a name and numbers")
 for word in ("unknown-name", "E-unknown-name", "[unknown-name]"):
     says(here.run("explain", word), 0, "error: unknown name '…' [unknown-name]", "heigth")
 expect(json.loads(here.run("explain", "--json", "unknown-name").stdout)["example"].startswith("module"), "explain --json ID")

@@ -1,0 +1,255 @@
+#include "driver/made.h"
+
+#include "ir/chain.h"
+#include "ir/evaluate.h"
+#include "layout/layout.h"
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <set>
+
+namespace gliftc {
+
+namespace {
+
+using ir::Value;
+
+/// A structure and what it is made of; without values where it was given.
+struct Instance {
+    const ir::Structure* structure = nullptr;
+    std::string path;
+    bool is_given = false;  ///< from outside: its sizes are not known
+    std::vector<std::optional<Value>> arguments;
+    std::vector<std::shared_ptr<Instance>> members;
+};
+
+class Maker {
+public:
+    explicit Maker(const ir::Program& program) : program_(program) {}
+
+    /// `given`: what the members by reference are, in their order; empty: nothing is known of them.
+    std::shared_ptr<Instance> make(const ir::Structure& structure, const std::string& path,
+                                   std::vector<std::optional<Value>> arguments,
+                                   std::vector<std::shared_ptr<Instance>> given) {
+        auto made = std::make_shared<Instance>();
+        made->structure = &structure;
+        made->path = path;
+        made->arguments = std::move(arguments);
+        std::size_t next = 0;
+        for (const ir::MemberStructure& member : structure.members) {
+            const std::string inner = (path.empty() ? "" : path + ".") + (*program_.names)[member.name];
+            if (member.by_reference) {
+                made->members.push_back(next < given.size() ? given[next++] : outside(member.structure, inner));
+                continue;
+            }
+            std::vector<std::optional<Value>> values;
+            const ir::Structure& inside = program_.structures[member.structure];
+            for (ir::ExprId argument : member.arguments) {
+                if (program_.types.kind(program_.exprs[argument].type) == ir::TypeKind::structure) continue;
+                values.push_back(value_of(*made, argument));
+                // It is exact, in 64 bits, and cut where it is given to the part.
+                const ir::TypeId wanted = program_.locals[inside.constructor[values.size() - 1]].type;
+                if (values.back()) values.back()->type = wanted;
+            }
+            std::vector<std::shared_ptr<Instance>> handed;
+            for (const ir::Place& place : member.structures) handed.push_back(at(made, place));
+            made->members.push_back(make(inside, inner, std::move(values), handed));
+        }
+        return made;
+    }
+
+    std::optional<Value> value_of(const Instance& instance, ir::ExprId expr) const {
+        return ir::evaluate(program_, expr, [&](const ir::Expr& asked) { return property(instance, asked); });
+    }
+
+private:
+    std::shared_ptr<Instance> outside(std::uint32_t structure, const std::string& path) {
+        auto made = make(program_.structures[structure], path, {}, {});
+        made->is_given = true;
+        return made;
+    }
+
+    static std::shared_ptr<Instance> at(std::shared_ptr<Instance> instance, const ir::Place& place) {
+        for (std::uint32_t member : place.members) instance = instance->members.at(member);
+        return instance;
+    }
+
+    std::optional<Value> property(const Instance& instance, const ir::Expr& asked) const {
+        const Instance* of = &instance;
+        for (std::uint32_t member : asked.place.members) {
+            if (member >= of->members.size()) return std::nullopt;
+            of = of->members[member].get();
+        }
+        const ir::Structure& structure = *of->structure;
+        if (asked.op == ir::Op::member)
+            return asked.slot < of->arguments.size() ? of->arguments[asked.slot] : std::nullopt;
+        if (asked.op == ir::Op::memory_extent) return value_of(*of, structure.memories[asked.slot].extent);
+        if (asked.op == ir::Op::domain && structure.domain) return value_of(*of, structure.domain);
+        return std::nullopt;
+    }
+
+    const ir::Program& program_;
+};
+
+std::uint64_t texel_bytes(ir::Format format) {
+    switch (format) {
+    case ir::Format::none: return 0;
+    case ir::Format::r8:
+    case ir::Format::r8ui: return 1;
+    case ir::Format::rg8:
+    case ir::Format::r16f:
+    case ir::Format::r16ui: return 2;
+    case ir::Format::rgba8:
+    case ir::Format::rgba8ui:
+    case ir::Format::rg16f:
+    case ir::Format::r32f:
+    case ir::Format::r32i:
+    case ir::Format::r32ui:
+    case ir::Format::d32: return 4;
+    case ir::Format::rgba16f:
+    case ir::Format::rg32f:
+    case ir::Format::rg32i:
+    case ir::Format::rg32ui: return 8;
+    case ir::Format::rgba32f:
+    case ir::Format::rgba32i:
+    case ir::Format::rgba32ui: return 16;
+    }
+    return 0;
+}
+
+/// Adds up the memories of what is made.
+class Counter {
+public:
+    Counter(const ir::Program& program, const Maker& maker) : program_(program), maker_(maker) {}
+
+    void count(const Instance& instance) {
+        if (instance.is_given || !seen_.insert(&instance).second) return;
+        for (const ir::Memory& memory : instance.structure->memories)
+            if (!memory.part)
+                memories.push_back({path_of(instance, memory), bytes_of(instance, memory), role_of(instance)});
+        for (const auto& member : instance.members) count(*member);
+    }
+
+    /// Says of each structure that translates by tables which are its elements and which its tables.
+    void name_roles(const Instance& instance) {
+        if (!named_.insert(&instance).second) return;
+        const std::string name = instance.path.empty() ? "it" : instance.path;
+        for (const ir::Stage& stage : instance.structure->via) {
+            if (stage.structures.empty()) continue;
+            roles_.emplace(root_of(instance), "elements of " + name);
+            for (const ir::Place& place : stage.structures) {
+                const Instance* table = &instance;
+                for (std::uint32_t member : place.members) table = table->members[member].get();
+                roles_.emplace(root_of(*table), "table of " + name);
+            }
+        }
+        for (const auto& member : instance.members) name_roles(*member);
+    }
+
+    std::vector<MadeMemory> memories;
+
+private:
+    static const Instance* root_of(const Instance& instance) {
+        const Instance* root = &instance;
+        while (!root->structure->base.empty()) {
+            const Instance* base = root;
+            for (std::uint32_t member : root->structure->base) base = base->members[member].get();
+            root = base;
+        }
+        return root;
+    }
+
+    std::string role_of(const Instance& instance) const {
+        const auto role = roles_.find(&instance);
+        return role == roles_.end() ? "" : role->second;
+    }
+
+    std::string path_of(const Instance& instance, const ir::Memory& memory) const {
+        return (instance.path.empty() ? "" : instance.path + ".") + (*program_.names)[memory.name];
+    }
+
+    std::optional<std::uint64_t> bytes_of(const Instance& instance, const ir::Memory& memory) const {
+        const auto extent = maker_.value_of(instance, memory.extent);
+        if (!extent) return std::nullopt;
+        std::uint64_t elements = 1;
+        for (const ir::Lane& lane : extent->lanes) elements *= std::max<std::uint64_t>(lane.bits, 1);
+        if (memory.shape == ir::MemoryShape::buffer)
+            return (elements * layout::size_of(program_, memory.element).size + 3) / 4 * 4;
+        std::uint64_t texels = 0, levels = 1;
+        if (memory.mips) {
+            const auto mips = maker_.value_of(instance, memory.mips);
+            if (!mips) return std::nullopt;
+            levels = mips->bits();
+        }
+        const bool is_layered = memory.shape == ir::MemoryShape::image2darray;
+        for (std::uint64_t level = 0; level < levels && level < 32; ++level) {
+            std::uint64_t of_level = memory.shape == ir::MemoryShape::imagecube ? 6 : 1;
+            for (std::size_t axis = 0; axis < extent->lanes.size(); ++axis) {
+                const bool is_layer = is_layered && axis == 2;
+                of_level *= std::max<std::uint64_t>(extent->lanes[axis].bits >> (is_layer ? 0 : level), 1);
+            }
+            texels += of_level;
+        }
+        return texels * texel_bytes(memory.format);
+    }
+
+    const ir::Program& program_;
+    const Maker& maker_;
+    std::set<const Instance*> seen_, named_;
+    std::map<const Instance*, std::string> roles_;
+};
+
+bool is_whole(const ir::Types& types, ir::TypeId scalar) {
+    return scalar != types.float_ && scalar != types.half && scalar != types.double_;
+}
+
+std::string wanted(const ir::Program& program, const ir::Structure& structure, std::size_t numbers) {
+    std::string text;
+    for (ir::LocalId local : structure.constructor)
+        text += (text.empty() ? "" : ", ") + (*program.names)[program.locals[local].name] + ": " +
+                to_text(program, program.locals[local].type);
+    return structure.display + "(" + text + ") takes " + std::to_string(numbers) + " numbers";
+}
+
+}  // namespace
+
+std::optional<MadeStructure> made_with(const ir::Program& program, const ir::Structure& structure,
+                                       const std::vector<double>& numbers, std::string& problem) {
+    std::size_t count = 0;
+    for (ir::LocalId local : structure.constructor) count += ir::lane_count(program, program.locals[local].type);
+    if (count != numbers.size()) {
+        problem = wanted(program, structure, count) + ", not " + std::to_string(numbers.size());
+        return std::nullopt;
+    }
+    MadeStructure result;
+    std::vector<std::optional<Value>> arguments;
+    std::size_t next = 0;
+    for (ir::LocalId local : structure.constructor) {
+        const ir::TypeId type = program.locals[local].type;
+        Value value{type, {}};
+        const bool whole = is_whole(program.types, program.types.scalar_of(type));
+        for (std::size_t i = 0; i < ir::lane_count(program, type); ++i, ++next) {
+            if (whole && (numbers[next] < 0 || numbers[next] > 4294967295.0 ||
+                          numbers[next] != static_cast<double>(static_cast<std::uint64_t>(numbers[next])))) {
+                problem = wanted(program, structure, count) + ", of which number " + std::to_string(next + 1) +
+                          " is whole, from 0 to 2^32 - 1";
+                return std::nullopt;
+            }
+            value.lanes.push_back(
+                {.bits = whole ? static_cast<std::uint64_t>(numbers[next]) : 0, .number = whole ? 0 : numbers[next]});
+        }
+        result.arguments += (result.arguments.empty() ? "" : ", ") + (*program.names)[program.locals[local].name] +
+                            " " + to_text(program, value);
+        arguments.push_back(std::move(value));
+    }
+    Maker maker(program);
+    const auto made = maker.make(structure, "", std::move(arguments), {});
+    Counter counter(program, maker);
+    counter.name_roles(*made);
+    counter.count(*made);
+    result.memories = std::move(counter.memories);
+    return result;
+}
+
+}  // namespace gliftc

@@ -1,0 +1,30 @@
+// A structure as a program would make it, with given values: how many bytes its memories have.
+#pragma once
+
+#include "ir/ir.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace gliftc {
+
+/// One memory of a structure that is made, or of what it makes.
+struct MadeMemory {
+    std::string path;                    ///< `pages.wanted.data`
+    std::optional<std::uint64_t> bytes;  ///< absent: not known without the structures that are given to it
+    std::string role;                    ///< `elements of field`, `table of field`, empty: neither
+};
+
+struct MadeStructure {
+    std::string arguments;  ///< as text
+    std::vector<MadeMemory> memories;
+};
+
+/// A structure with the values of its constructor, all their scalars in order. Gives what is wrong where there are too
+/// many, or too few.
+std::optional<MadeStructure> made_with(const ir::Program& program, const ir::Structure& structure,
+                                       const std::vector<double>& numbers, std::string& problem);
+
+}  // namespace gliftc
