@@ -132,6 +132,19 @@ bool may_be_sparse(const Program& program, const Structure& structure) {
     }
 }
 
+bool has_resident_part(const Program& program, const Structure& structure) {
+    return structure.kind == StructureKind::stored && !is_computed(program, structure) &&
+           (may_be_sparse(program, structure) || blocks_of(program, structure, {}));
+}
+
+RareVector<std::uint32_t> translated_by(const Program& program, const Structure& structure) {
+    RareVector<std::uint32_t> path;
+    for (const Structure* link = &structure; link->via.empty() && !link->base.empty();
+         link = &structure_at(program, *link, link->base))
+        path.append(link->base);
+    return path;
+}
+
 bool is_contained(const Program& program, const Structure& structure) {
     const TypeId type = physical_type(program, structure);
     return type && structure.contained_axes == (1u << program.types.components(type)) - 1;

@@ -47,6 +47,12 @@ bool leads_through_partial(const Program& program, const Structure& structure);
 /// Whether several addresses of the chain's domain may have one element, or none: as far as is known.
 bool may_be_sparse(const Program& program, const Structure& structure);
 
+/// Whether programs can list the elements of a structure that are there: they need not be those of the whole domain.
+bool has_resident_part(const Program& program, const Structure& structure);
+
+/// The first structure of the chain that has a translator, else its root, as a path of members.
+RareVector<std::uint32_t> translated_by(const Program& program, const Structure& structure);
+
 /// Whether no address leads beyond the structure's own memory, along all of its axes.
 bool is_contained(const Program& program, const Structure& structure);
 

@@ -512,6 +512,10 @@ struct Program {
     struct Transfer {
         std::uint32_t structure, read_kernel, write_kernel, fill_kernel;
         std::uint32_t box_structure;
+        /// What lists the elements that are there, where that is not all of the domain; the lists of addresses, places
+        /// and values, and the number of their entries.
+        std::uint32_t list_kernel;
+        std::uint32_t addresses, places, values, counter;
     };
     std::vector<Transfer> transfers;
 };

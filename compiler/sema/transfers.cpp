@@ -1,4 +1,5 @@
 // Transfers of a structure's elements between host and device: instantiates the kernels of std.transfer.
+#include "ir/chain.h"
 #include "ir/effects.h"
 #include "sema/components.h"
 #include "sema/generics.h"
@@ -54,6 +55,31 @@ std::optional<std::uint32_t> box_of(Context& c, std::uint32_t axes, ir::TypeId o
     return c.types()[type].index;
 }
 
+/// What lists the elements that are there.
+static void list_of(Context& c, ir::Program::Transfer& transfer, Span use) {
+    const ir::Structure structure = c.program.structures[transfer.structure];
+    if (!ir::has_resident_part(c.program, structure)) return;
+    std::uint32_t translator = transfer.structure;
+    for (std::uint32_t member : ir::translated_by(c.program, structure))
+        translator = c.program.structures[translator].members[member].structure;
+    const ir::TypeId place = ir::physical_type(c.program, c.program.structures[translator]);
+    const auto addresses = box_of(c, 1, structure.domain_type, use);
+    const auto places = box_of(c, 1, place ? place : structure.domain_type, use);
+    const auto values = box_of(c, 1, structure.element, use);
+    const auto counter = box_of(c, 1, c.types().uint, use);
+    if (!addresses || !places || !values || !counter) return;
+    const auto of = [&](std::uint32_t index) { return of_structure(c, index); };
+    const auto list = transfer_kernel(
+        c, "list_there",
+        {of(transfer.structure), of(translator), of(*addresses), of(*places), of(*values), of(*counter)}, use);
+    if (!list) return;
+    transfer.list_kernel = *list;
+    transfer.addresses = *addresses;
+    transfer.places = *places;
+    transfer.values = *values;
+    transfer.counter = *counter;
+}
+
 void require_transfers(Context& c, std::uint32_t index, Span use) {
     for (const auto& transfer : c.program.transfers)
         if (transfer.structure == index) return;
@@ -89,7 +115,12 @@ void require_transfers(Context& c, std::uint32_t index, Span use) {
         }
         if (auto kernel = transfer_kernel(c, "fill_box", {self, element}, use)) fill = *kernel;
     }
-    c.program.transfers.push_back({index, *read, write, fill, *box});
+    ir::Program::Transfer transfer{index, *read, write, fill, *box, none, none, none, none, none};
+    // Tests of a module read by address. What a whole array has, boxes have.
+    if (!c.settings.looks_into_tables) list_of(c, transfer, use);
+    c.program.transfers.push_back(transfer);
+    // Programs reach what it is made of by name.
+    for (const ir::MemberStructure& member : structure.members) require_transfers(c, member.structure, use);
 }
 
 }  // namespace gliftc::sema

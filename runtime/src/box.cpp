@@ -2,6 +2,7 @@
 #include <glift/box.h>
 #include <glift/log.h>
 #include <glift/mapped.h>
+#include <glift/resident.h>
 
 #include <string>
 
@@ -57,6 +58,12 @@ void throw_unfitted(std::uint64_t value, const char* what) {
 void throw_count(const char* type, std::size_t given, const Extent& size, unsigned rank) {
     throw Error(ErrorCode::wrong_argument, "the values do not fill the box", std::string(type) + "::write",
                 std::to_string(given) + " values for a box of " + text_of(size, rank), "pass one value an element");
+}
+
+void throw_not_searched(const char* type, std::uint64_t elements) {
+    throw Error(ErrorCode::too_large, "a domain in which every address would have to be looked at",
+                std::string(type) + "::read_resident", std::to_string(elements) + " addresses",
+                "read a box, or a structure with blocks that say what is there: std.paged.ListedPages");
 }
 
 void throw_outside_mapped(const Box& box) {

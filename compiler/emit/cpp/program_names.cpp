@@ -14,21 +14,16 @@ constexpr std::size_t longest_name = 48;
 
 /// What every generated class of the kind has, with what it has from its base.
 NameSet members_of_class(ir::StructureKind kind) {
-    NameSet names{"address", "box", "commands", "domain", "other", "range", "same_state", "type_name", "value"};
+    NameSet names{"address", "box",        "commands",  "describe", "domain", "other",
+                  "range",   "same_state", "type_name", "value",    "See",    "see"};
     switch (kind) {
     case ir::StructureKind::stored:
-        names.insert({"Address",     "Element",
-                      "Structure",   "box_description",
-                      "check",       "copy_from",
-                      "copy_in",     "copy_out",
-                      "count",       "device",
-                      "device_",     "device_of",
-                      "element",     "element_in_place",
-                      "fetch",       "fill",
-                      "first",       "map",
-                      "place",       "read",
-                      "row_memory",  "self",
-                      "throw_count", "translate",
+        names.insert({"Address",    "Element",   "Place",       "Structure",  "box_description",
+                      "check",      "copy_from", "copy_in",     "copy_out",   "count",
+                      "device",     "device_",   "device_of",   "element",    "element_in_place",
+                      "fetch",      "fill",      "first",       "has_blocks", "list",
+                      "map",        "place",     "read",        "read_list",  "read_resident",
+                      "row_memory", "self",      "throw_count", "translate",  "translates",
                       "write"});
         break;
     case ir::StructureKind::view: names.insert({"Address", "Element", "View", "first"}); break;
@@ -137,8 +132,10 @@ ClassNames class_names(const ir::Program& program, const NameSet& types, const i
 
 /// Those of a struct from a user's header are what they are.
 std::vector<std::string> field_names(const ir::Program& program, const NameSet& types, const ir::Struct& type) {
+    static const NameSet fixed = {"See", "describe", "see"};
     Scopes scopes;
     scopes.avoid(types);
+    scopes.avoid(fixed);
     std::vector<std::string> names;
     for (const ir::StructField& field : type.fields) {
         const std::string& name = (*program.names)[field.name];

@@ -174,6 +174,10 @@ void Collector::transfers(std::uint32_t structure) {
         kernel(transfer.read_kernel, false);
         kernel(transfer.write_kernel, false);
         kernel(transfer.fill_kernel, false);
+        if (transfer.list_kernel >= program.kernels.size()) continue;
+        for (std::uint32_t list : {transfer.addresses, transfer.places, transfer.values, transfer.counter})
+            this->structure(list, false);
+        kernel(transfer.list_kernel, false);
     }
     devices = before;
 }

@@ -36,6 +36,7 @@ void print_struct(const Unit& unit, Writer& out, std::uint32_t index) {
             out.line(storage_text(unit.globals, type.fields[i].type, true) + " " + fields[i] + "{};");
         }
         out.line("bool operator==(const " + name + "&) const = default;");
+        print_description(unit, out, type.fields, fields);
         out.close(";");
     }
     // What has a part that takes up no memory is in none itself.

@@ -49,20 +49,11 @@ std::string base_of(const Unit& unit, std::uint32_t index) {
     return "";
 }
 
-const ir::Program::Transfer* transfer_of(const ir::Program& program, std::uint32_t structure) {
-    for (const ir::Program::Transfer& transfer : program.transfers) {
-        if (transfer.structure == structure) return &transfer;
-    }
-    return nullptr;
-}
-
 /// Whether boxes of it go to the host and back. The class says so wherever it is made; what the functions do is defined
 /// where it is used.
 bool has_transfers(const Structure& structure) {
     return structure.kind == StructureKind::stored || (structure.kind == StructureKind::view && structure.domain);
 }
-
-bool is_kernel(const Unit& unit, std::uint32_t kernel) { return kernel < unit.program.kernels.size(); }
 
 /// Elements of a buffer in 64 bits, of an image as many as it can have along each axis.
 std::string extent_type(const Unit& unit, const ir::Memory& memory, bool qualified) {
@@ -328,39 +319,6 @@ void print_same_state(Unit& unit, Writer& out, std::uint32_t index, const ClassN
 
 }  // namespace
 
-void print_transfers(Unit& unit, Writer& out, std::uint32_t index) {
-    const ir::Program::Transfer* transfer = transfer_of(unit.program, index);
-    if (!transfer) return;
-    const std::string& type = unit.own_name(index);
-    const char* const linkage = unit.linkage(unit.program.structures[index].key);
-    const std::string& box = unit.class_name(transfer->box_structure);
-    const std::string parameters =
-        "(const glift::Commands& commands, const glift::Range<" + type + ">& range, const glift::Memory& box) const";
-    const std::string made = box + "(commands, range.size(), box)";
-    const Printer p = own_printer(unit, index);
-    const auto kernel = [&](std::uint32_t called) { return visible(p, unit.globals.kernel_names.at(called)); };
-    out.open(linkage + ("void " + type) + "::copy_out" + parameters);
-    out.line(kernel(transfer->read_kernel) + "(commands, range, " + made + ");");
-    out.close();
-    out.gap();
-    if (is_kernel(unit, transfer->write_kernel)) {
-        out.open(linkage + ("void " + type) + "::copy_in" + parameters);
-        out.line(kernel(transfer->write_kernel) + "(commands, " + made + ", range);");
-        out.close();
-        out.gap();
-    }
-    if (is_kernel(unit, transfer->fill_kernel)) {
-        const std::string element = unit.type(unit.program.structures[index].element);
-        out.open(linkage + ("void " + type) + "::fill(" + element + " value, const glift::Range<" + type + ">& range)");
-        out.line(kernel(transfer->fill_kernel) + "(device(), range, value);");
-        out.close();
-        out.open(linkage + ("void " + type) + "::fill(" + element + " value)");
-        out.line("fill(value, *this);");
-        out.close();
-        out.gap();
-    }
-}
-
 /// The parameters of a method as they are declared; those that read memory run a pass.
 static std::string method_parameters(Unit& unit, Printer& p, const ir::Method& method, bool qualified) {
     std::string text = method.pipeline ? "const glift::Commands& commands" : "";
@@ -446,7 +404,9 @@ void print_class(Unit& unit, Writer& out, std::uint32_t index) {
         out.line("/// Elements of a box to a linear buffer, and back.");
         out.line("void copy_out" + parameters);
         if (is_written) out.line("void copy_in" + parameters);
+        print_list_declaration(unit, out, index);
     }
+    print_description(unit, out, index);
     for (std::uint32_t pipeline : structure.pipelines) {
         out.gap();
         write_doc(out, unit.program.pipelines[pipeline].doc);

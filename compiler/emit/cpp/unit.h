@@ -92,8 +92,21 @@ std::uint32_t structure_at(const ir::Program& program, std::uint32_t root_struct
 // structures.cpp
 void print_class(Unit& unit, Writer& out, std::uint32_t structure);
 void print_class_members(Unit& unit, Writer& out, std::uint32_t structure);
-/// What moves boxes of the structure between host and device.
+
+// transfers.cpp
+/// What moves boxes of the structure between host and device, and lists what is there.
 void print_transfers(Unit& unit, Writer& out, std::uint32_t structure);
+/// In the class, what lists the elements that are there; nothing, where that is the whole domain.
+void print_list_declaration(const Unit& unit, Writer& out, std::uint32_t structure);
+
+// descriptions.cpp
+/// The function of a class that names its parts.
+void print_description(const Unit& unit, Writer& out, std::uint32_t structure);
+/// The same of a struct.
+void print_description(const Unit& unit, Writer& out, const std::vector<ir::StructField>& fields,
+                       const std::vector<std::string>& names);
+
+// structs.cpp
 void print_struct(const Unit& unit, Writer& out, std::uint32_t index);
 void print_enum(const Unit& unit, Writer& out, std::uint32_t index);
 

@@ -51,6 +51,8 @@ struct Writer {
     void stages(const ir::Structure& s, const std::vector<Root>& roots);
     void memory(const ir::Memory& m, const std::vector<Root>& roots);
     void member(const ir::MemberStructure& m, const std::vector<Root>& roots);
+    void function(const ir::Function& f, const std::vector<Root>& roots);
+    void functions(const ir::Structure& s, const std::vector<Root>& roots);
     void structure(std::uint32_t index);
     void struct_(const ir::Struct& s);
     void enum_(const ir::Enum& e);
@@ -127,6 +129,37 @@ void Writer::member(const ir::MemberStructure& m, const std::vector<Root>& roots
     });
 }
 
+void Writer::function(const ir::Function& f, const std::vector<Root>& roots) {
+    out.object([&] {
+        out.field("name", name(f.name));
+        list("params", f.params,
+             [&](ir::LocalId id) { named(name(program.locals[id].name), type(program.locals[id].type)); });
+        out.field("result", type(f.result));
+        out.field("reads_elements", f.reads_memory);
+        if (!f.effects.empty())
+            list("writes", f.effects, [&](const ir::Effect& effect) {
+                out.object([&] {
+                    out.field("member", place_text(program, roots, effect.place));
+                    out.field("pattern", word(effect.pattern));
+                    if (effect.pattern == ir::Pattern::scatter) out.field("combine", word(effect.combine));
+                });
+            });
+        document(f.doc);
+    });
+}
+
+/// Those that others may call: of the ones that the program uses, and of all that programs call.
+void Writer::functions(const ir::Structure& s, const std::vector<Root>& roots) {
+    std::vector<ir::FunctionId> shown;
+    const auto add = [&](ir::FunctionId id) {
+        const ir::Function& f = program.functions[id];
+        if (f.is_pub && f.structures.size() == 1 && std::ranges::find(shown, id) == shown.end()) shown.push_back(id);
+    };
+    for (const ir::Method& method : s.methods) add(method.function);
+    for (ir::FunctionId id : s.functions) add(id);
+    if (!shown.empty()) list("functions", shown, [&](ir::FunctionId id) { function(program.functions[id], roots); });
+}
+
 void Writer::structure(std::uint32_t index) {
     const ir::Structure& s = program.structures[index];
     const std::vector<Root> self = {{"", index}};
@@ -157,6 +190,7 @@ void Writer::structure(std::uint32_t index) {
                 out.field("counted_on_device", !s.blocks->is_known);
             });
         }
+        functions(s, self);
         if (s.kind == ir::StructureKind::adaptor)
             list("host", s.host, [&](const ir::HostField& field) { named(name(field.name), type(field.type)); });
         document(s.doc);

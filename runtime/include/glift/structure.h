@@ -5,6 +5,7 @@
 #include <glift/iteration.h>
 #include <glift/mapped.h>
 #include <glift/range.h>
+#include <glift/resident.h>
 #include <glift/shared.h>
 
 #include <algorithm>
@@ -151,6 +152,18 @@ public:
         return values;
     }
     std::vector<T> read() const { return read({}, self().domain()); }
+
+    /// The elements of a box that are there, those that `find` has, with their addresses. Where the structure has
+    /// blocks only these are looked at, else all addresses of the box. Waits as `read` does. Gives a Resident.
+    auto read_resident(A origin, A size) const {
+        check("read_resident", origin, size);
+        const Commands commands(device());
+        if (commands.is_recording())
+            detail::throw_not_in_recording((std::string(Self::type_name) + "::read_resident").c_str());
+        if constexpr (detail::HasList<Self>) return detail::resident(Range<Self>(self(), origin, size), commands);
+        else return detail::all_of<Self>(origin, size, read(origin, size));
+    }
+    auto read_resident() const { return read_resident({}, self().domain()); }
 
     /// A reference to one element on the device, not a copy: its value is read when it is used.
     DeviceScalar<T> element_in_place(const Commands& commands, A address) const {

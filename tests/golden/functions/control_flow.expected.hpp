@@ -44,6 +44,12 @@ public:
     void copy_in(const glift::Commands& commands, const glift::Range<Array_1_float_none_buffer>& range,
         const glift::Memory& box) const;
 
+    /// Calls a function of `see` for each part, with its name and value: see glift/inspect.h.
+    template <class See> void describe(See&& see) const {
+        see.value("extent", extent_);
+        see.memory("data", data());
+    }
+
 private:
     glift::uint extent_{};
     std::uint64_t data_extent_{};
@@ -94,6 +100,12 @@ public:
         const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Array_1_uint_none_buffer>& range,
         const glift::Memory& box) const;
+
+    /// Calls a function of `see` for each part, with its name and value: see glift/inspect.h.
+    template <class See> void describe(See&& see) const {
+        see.value("extent", extent_);
+        see.memory("data", data());
+    }
 
 private:
     glift::uint extent_{};

@@ -14,6 +14,10 @@ struct Interval {
     float low{};
     float high{};
     bool operator==(const Interval&) const = default;
+    template <class See> void describe(See&& see) const {
+        see.value("low", low);
+        see.value("high", high);
+    }
 };
 static_assert(offsetof(Interval, low) == 0);
 static_assert(offsetof(Interval, high) == 4);

@@ -21,6 +21,10 @@ struct Affine {
     glift::uint modulus{};
     Max inner{};
     bool operator==(const Affine&) const = default;
+    template <class See> void describe(See&& see) const {
+        see.value("modulus", modulus);
+        see.value("inner", inner);
+    }
 };
 #endif
 

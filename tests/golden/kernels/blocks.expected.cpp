@@ -337,6 +337,14 @@ void Listed::copy_out(const glift::Commands& commands, const glift::Range<Listed
     ::std_transfer::read_box_a23c245a(commands, range, ::std_transfer::Box_3_float(commands, range.size(), box));
 }
 
+void Listed::list(const glift::Commands& commands, const glift::Range<Listed>& range, glift::uint most,
+    const glift::Memory& counter, const glift::Memory& addresses, const glift::Memory& places,
+    const glift::Memory& values) const {
+    ::std_transfer::list_there_b56b1eed(commands, range, *this, *this, ::std_transfer::Box_1_uint(commands, 1, counter),
+        ::std_transfer::Box_1_uint3(commands, most, addresses), ::std_transfer::Box_1_uint2(commands, most, places),
+        ::std_transfer::Box_1_float(commands, most, values));
+}
+
 void Listed::copy_in(const glift::Commands& commands, const glift::Range<Listed>& range,
     const glift::Memory& box) const {
     ::std_transfer::write_box_93a8b595(commands, ::std_transfer::Box_3_float(commands, range.size(), box), range);

@@ -42,6 +42,13 @@ public:
     void copy_in(const glift::Commands& commands, const glift::Range<ImageLevels_r32f>& range,
         const glift::Memory& box) const;
 
+    /// Calls a function of `see` for each part, with its name and value: see glift/inspect.h.
+    template <class See> void describe(See&& see) const {
+        see.value("extent", extent_);
+        see.value("levels", levels_);
+        see.memory("data", data());
+    }
+
 private:
     glift::uint2 extent_{};
     glift::uint levels_{};
@@ -89,6 +96,13 @@ public:
         const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<ImageLevel_r32f>& range,
         const glift::Memory& box) const;
+
+    /// Calls a function of `see` for each part, with its name and value: see glift/inspect.h.
+    template <class See> void describe(See&& see) const {
+        see.value("level", level_);
+        see.memory("data", data());
+        see.given("of", of());
+    }
 
 private:
     glift::uint level_{};
@@ -140,6 +154,13 @@ public:
     void copy_in(const glift::Commands& commands, const glift::Range<ImageLayers_rgba8>& range,
         const glift::Memory& box) const;
 
+    /// Calls a function of `see` for each part, with its name and value: see glift/inspect.h.
+    template <class See> void describe(See&& see) const {
+        see.value("extent", extent_);
+        see.value("layers", layers_);
+        see.memory("data", data());
+    }
+
 private:
     glift::uint2 extent_{};
     glift::uint layers_{};
@@ -186,6 +207,13 @@ public:
         const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<ImageLayer_rgba8>& range,
         const glift::Memory& box) const;
+
+    /// Calls a function of `see` for each part, with its name and value: see glift/inspect.h.
+    template <class See> void describe(See&& see) const {
+        see.value("layer", layer_);
+        see.memory("data", data());
+        see.given("of", of());
+    }
 
 private:
     glift::uint layer_{};

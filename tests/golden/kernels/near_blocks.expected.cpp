@@ -218,6 +218,14 @@ void Listed::copy_out(const glift::Commands& commands, const glift::Range<Listed
     ::std_transfer::read_box_9bb01b1e(commands, range, ::std_transfer::Box_2_float(commands, range.size(), box));
 }
 
+void Listed::list(const glift::Commands& commands, const glift::Range<Listed>& range, glift::uint most,
+    const glift::Memory& counter, const glift::Memory& addresses, const glift::Memory& places,
+    const glift::Memory& values) const {
+    ::std_transfer::list_there_d7a68012(commands, range, *this, *this, ::std_transfer::Box_1_uint(commands, 1, counter),
+        ::std_transfer::Box_1_uint2(commands, most, addresses), ::std_transfer::Box_1_uint2(commands, most, places),
+        ::std_transfer::Box_1_float(commands, most, values));
+}
+
 void Listed::copy_in(const glift::Commands& commands, const glift::Range<Listed>& range,
     const glift::Memory& box) const {
     ::std_transfer::write_box_bdc9234f(commands, ::std_transfer::Box_2_float(commands, range.size(), box), range);

@@ -44,6 +44,12 @@ public:
     void copy_in(const glift::Commands& commands, const glift::Range<Array_1_uint_none_buffer>& range,
         const glift::Memory& box) const;
 
+    /// Calls a function of `see` for each part, with its name and value: see glift/inspect.h.
+    template <class See> void describe(See&& see) const {
+        see.value("extent", extent_);
+        see.memory("data", data());
+    }
+
 private:
     glift::uint extent_{};
     std::uint64_t data_extent_{};
@@ -95,6 +101,12 @@ public:
     void copy_in(const glift::Commands& commands, const glift::Range<Array_2_float_none_buffer>& range,
         const glift::Memory& box) const;
 
+    /// Calls a function of `see` for each part, with its name and value: see glift/inspect.h.
+    template <class See> void describe(See&& see) const {
+        see.value("extent", extent_);
+        see.memory("data", data());
+    }
+
 private:
     glift::uint2 extent_{};
     std::uint64_t data_extent_{};
@@ -139,6 +151,24 @@ public:
     /// Elements of a box to a linear buffer, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<Listed>& range, const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Listed>& range, const glift::Memory& box) const;
+    /// Where addresses are translated to: in the structure's own memory.
+    using Place = glift::uint2;
+    /// Whether it translates addresses itself; else its memory does.
+    static constexpr bool translates = true;
+    static constexpr bool has_blocks = true;
+    /// What of a box is there, `most` at most, in no particular order: see read_resident.
+    void list(const glift::Commands& commands, const glift::Range<Listed>& range, glift::uint most,
+        const glift::Memory& counter, const glift::Memory& addresses, const glift::Memory& places,
+        const glift::Memory& values) const;
+
+    /// Calls a function of `see` for each part, with its name and value: see glift/inspect.h.
+    template <class See> void describe(See&& see) const {
+        see.value("extent", extent_);
+        see.value("capacity", capacity_);
+        see.given("table", table());
+        see.given("active", active());
+        see.memory("frames", frames());
+    }
 
 private:
     glift::uint2 extent_{};

@@ -5,6 +5,51 @@
 
 namespace std_transfer {
 
+#ifndef GLIFT_std_transfer_HAS_Box_1_uint
+#define GLIFT_std_transfer_HAS_Box_1_uint
+/// Box<1, uint>. Elements of a box in a linear buffer, first axis fastest: what the host reads and writes.
+class Box_1_uint : public glift::Structure<Box_1_uint, glift::uint, glift::uint> {
+public:
+    static constexpr const char* type_name = "Box<1, uint>";
+
+    Box_1_uint() = default;
+    Box_1_uint(const glift::Commands& commands, glift::uint extent);
+    /// Over parts that exist already.
+    Box_1_uint(const glift::Commands& commands, glift::uint extent, glift::Memory data);
+
+    /// The extent of the virtual domain.
+    glift::uint domain() const;
+    glift::uint extent() const { return extent_; }
+    const glift::Memory& data() const { return data_; }
+    std::uint64_t data_extent() const { return data_extent_; }
+    /// True if the two were made with equal arguments.
+    bool same_state(const Box_1_uint& other) const;
+
+    /// Gives every element, or those of a box, one value.
+    void fill(glift::uint value);
+    void fill(glift::uint value, const glift::Range<Box_1_uint>& range);
+    /// Where an element lies in row_memory(), in elements; the address is an affine function of the virtual one.
+    std::uint64_t place(glift::uint address) const;
+    const glift::Memory& row_memory() const { return data_; }
+    /// Elements of a box to a linear buffer, and back.
+    void copy_out(const glift::Commands& commands, const glift::Range<Box_1_uint>& range,
+        const glift::Memory& box) const;
+    void copy_in(const glift::Commands& commands, const glift::Range<Box_1_uint>& range,
+        const glift::Memory& box) const;
+
+    /// Calls a function of `see` for each part, with its name and value: see glift/inspect.h.
+    template <class See> void describe(See&& see) const {
+        see.value("extent", extent_);
+        see.memory("data", data());
+    }
+
+private:
+    glift::uint extent_{};
+    std::uint64_t data_extent_{};
+    glift::Memory data_;
+};
+#endif
+
 #ifndef GLIFT_std_transfer_HAS_Box_2_float
 #define GLIFT_std_transfer_HAS_Box_2_float
 /// Box<2, float>. Elements of a box in a linear buffer, first axis fastest: what the host reads and writes.
@@ -37,8 +82,104 @@ public:
     void copy_in(const glift::Commands& commands, const glift::Range<Box_2_float>& range,
         const glift::Memory& box) const;
 
+    /// Calls a function of `see` for each part, with its name and value: see glift/inspect.h.
+    template <class See> void describe(See&& see) const {
+        see.value("extent", extent_);
+        see.memory("data", data());
+    }
+
 private:
     glift::uint2 extent_{};
+    std::uint64_t data_extent_{};
+    glift::Memory data_;
+};
+#endif
+
+#ifndef GLIFT_std_transfer_HAS_Box_1_uint2
+#define GLIFT_std_transfer_HAS_Box_1_uint2
+/// Box<1, uint2>. Elements of a box in a linear buffer, first axis fastest: what the host reads and writes.
+class Box_1_uint2 : public glift::Structure<Box_1_uint2, glift::uint, glift::uint2> {
+public:
+    static constexpr const char* type_name = "Box<1, uint2>";
+
+    Box_1_uint2() = default;
+    Box_1_uint2(const glift::Commands& commands, glift::uint extent);
+    /// Over parts that exist already.
+    Box_1_uint2(const glift::Commands& commands, glift::uint extent, glift::Memory data);
+
+    /// The extent of the virtual domain.
+    glift::uint domain() const;
+    glift::uint extent() const { return extent_; }
+    const glift::Memory& data() const { return data_; }
+    std::uint64_t data_extent() const { return data_extent_; }
+    /// True if the two were made with equal arguments.
+    bool same_state(const Box_1_uint2& other) const;
+
+    /// Gives every element, or those of a box, one value.
+    void fill(glift::uint2 value);
+    void fill(glift::uint2 value, const glift::Range<Box_1_uint2>& range);
+    /// Where an element lies in row_memory(), in elements; the address is an affine function of the virtual one.
+    std::uint64_t place(glift::uint address) const;
+    const glift::Memory& row_memory() const { return data_; }
+    /// Elements of a box to a linear buffer, and back.
+    void copy_out(const glift::Commands& commands, const glift::Range<Box_1_uint2>& range,
+        const glift::Memory& box) const;
+    void copy_in(const glift::Commands& commands, const glift::Range<Box_1_uint2>& range,
+        const glift::Memory& box) const;
+
+    /// Calls a function of `see` for each part, with its name and value: see glift/inspect.h.
+    template <class See> void describe(See&& see) const {
+        see.value("extent", extent_);
+        see.memory("data", data());
+    }
+
+private:
+    glift::uint extent_{};
+    std::uint64_t data_extent_{};
+    glift::Memory data_;
+};
+#endif
+
+#ifndef GLIFT_std_transfer_HAS_Box_1_float
+#define GLIFT_std_transfer_HAS_Box_1_float
+/// Box<1, float>. Elements of a box in a linear buffer, first axis fastest: what the host reads and writes.
+class Box_1_float : public glift::Structure<Box_1_float, glift::uint, float> {
+public:
+    static constexpr const char* type_name = "Box<1, float>";
+
+    Box_1_float() = default;
+    Box_1_float(const glift::Commands& commands, glift::uint extent);
+    /// Over parts that exist already.
+    Box_1_float(const glift::Commands& commands, glift::uint extent, glift::Memory data);
+
+    /// The extent of the virtual domain.
+    glift::uint domain() const;
+    glift::uint extent() const { return extent_; }
+    const glift::Memory& data() const { return data_; }
+    std::uint64_t data_extent() const { return data_extent_; }
+    /// True if the two were made with equal arguments.
+    bool same_state(const Box_1_float& other) const;
+
+    /// Gives every element, or those of a box, one value.
+    void fill(float value);
+    void fill(float value, const glift::Range<Box_1_float>& range);
+    /// Where an element lies in row_memory(), in elements; the address is an affine function of the virtual one.
+    std::uint64_t place(glift::uint address) const;
+    const glift::Memory& row_memory() const { return data_; }
+    /// Elements of a box to a linear buffer, and back.
+    void copy_out(const glift::Commands& commands, const glift::Range<Box_1_float>& range,
+        const glift::Memory& box) const;
+    void copy_in(const glift::Commands& commands, const glift::Range<Box_1_float>& range,
+        const glift::Memory& box) const;
+
+    /// Calls a function of `see` for each part, with its name and value: see glift/inspect.h.
+    template <class See> void describe(See&& see) const {
+        see.value("extent", extent_);
+        see.memory("data", data());
+    }
+
+private:
+    glift::uint extent_{};
     std::uint64_t data_extent_{};
     glift::Memory data_;
 };
@@ -49,5 +190,21 @@ void read_box_9bb01b1e(const glift::Commands& commands, const glift::Range<::nea
 void write_box_bdc9234f(const glift::Commands& commands, const glift::Range<Box_2_float>& from,
     const glift::Range<::near_blocks::Listed>& to);
 void fill_box_c2b13d34(const glift::Commands& commands, const glift::Range<::near_blocks::Listed>& to, float value);
+void list_there_d7a68012(const glift::Commands& commands, const glift::Range<::near_blocks::Listed>& a,
+    const glift::Range<::near_blocks::Listed>& from, const glift::Range<::near_blocks::Listed>& translated,
+    const glift::Range<Box_1_uint>& counter, const glift::Range<Box_1_uint2>& addresses,
+    const glift::Range<Box_1_uint2>& places, const glift::Range<Box_1_float>& values);
+void read_box_698f90a1(const glift::Commands& commands, const glift::Range<::std_array::Array_1_uint_none_buffer>& from,
+    const glift::Range<Box_1_uint>& to);
+void write_box_920b34ba(const glift::Commands& commands, const glift::Range<Box_1_uint>& from,
+    const glift::Range<::std_array::Array_1_uint_none_buffer>& to);
+void fill_box_fbf6ae12(const glift::Commands& commands, const glift::Range<::std_array::Array_1_uint_none_buffer>& to,
+    glift::uint value);
+void read_box_f3d15695(const glift::Commands& commands,
+    const glift::Range<::std_array::Array_2_float_none_buffer>& from, const glift::Range<Box_2_float>& to);
+void write_box_d5801374(const glift::Commands& commands, const glift::Range<Box_2_float>& from,
+    const glift::Range<::std_array::Array_2_float_none_buffer>& to);
+void fill_box_902cb707(const glift::Commands& commands, const glift::Range<::std_array::Array_2_float_none_buffer>& to,
+    float value);
 
 }  // namespace std_transfer

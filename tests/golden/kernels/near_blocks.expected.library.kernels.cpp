@@ -1,6 +1,7 @@
 // Made by gliftc from near_blocks.glift. Changes are lost when it is made again.
 #include "near_blocks.glift.types.hpp"
 
+#include <glift/host/atomics.h>
 #include <glift/host/math.h>
 #include <glift/host/parallel.h>
 #include <glift/kernel.h>
@@ -818,6 +819,1985 @@ const glift::Kernel fill_box_c2b13d34_kernel = {
     .wide = {.host = &fill_box_c2b13d34_wide, .parameter_bytes = 88},
     .parameters = fill_box_c2b13d34_parameters,
     .of_blocks = true,
+};
+
+// ----------------------------------------------------------------------------------------------------
+// transfer.glift:32: list_there<Listed, Listed, Box<1, uint2>, Box<1, uint2>, Box<1, float>, Box<1, uint>>
+
+namespace {
+struct list_there_d7a68012_direct_parameters {
+    uint2 size;
+    uint a_active_extent;
+    uint div_ceil_x;
+    uint2 a_extent;
+    uint div_ceil_x_2;
+    uint a_table_extent;
+    uint2 a_frames_extent;
+    glift::Bool counter_extent_value_0;
+    uint addresses_extent;
+    uint values_extent;
+    uint2 translated_extent;
+    uint div_ceil_x_3;
+    uint translated_table_extent;
+    uint translated_frames_extent_y;
+    uint places_extent;
+};
+static_assert(offsetof(list_there_d7a68012_direct_parameters, size) == 0);
+static_assert(offsetof(list_there_d7a68012_direct_parameters, a_active_extent) == 8);
+static_assert(offsetof(list_there_d7a68012_direct_parameters, div_ceil_x) == 12);
+static_assert(offsetof(list_there_d7a68012_direct_parameters, a_extent) == 16);
+static_assert(offsetof(list_there_d7a68012_direct_parameters, div_ceil_x_2) == 24);
+static_assert(offsetof(list_there_d7a68012_direct_parameters, a_table_extent) == 28);
+static_assert(offsetof(list_there_d7a68012_direct_parameters, a_frames_extent) == 32);
+static_assert(offsetof(list_there_d7a68012_direct_parameters, counter_extent_value_0) == 40);
+static_assert(offsetof(list_there_d7a68012_direct_parameters, addresses_extent) == 44);
+static_assert(offsetof(list_there_d7a68012_direct_parameters, values_extent) == 48);
+static_assert(offsetof(list_there_d7a68012_direct_parameters, translated_extent) == 52);
+static_assert(offsetof(list_there_d7a68012_direct_parameters, div_ceil_x_3) == 60);
+static_assert(offsetof(list_there_d7a68012_direct_parameters, translated_table_extent) == 64);
+static_assert(offsetof(list_there_d7a68012_direct_parameters, translated_frames_extent_y) == 68);
+static_assert(offsetof(list_there_d7a68012_direct_parameters, places_extent) == 72);
+
+// transfer.glift:32: list_there<Listed, Listed, Box<1, uint2>, Box<1, uint2>, Box<1, float>, Box<1, uint>>, some rows.
+GLIFT_HOST_KERNEL
+static void list_there_d7a68012_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const list_there_d7a68012_direct_parameters*>(call.parameters);
+    const uint a_active_extent = parameters.a_active_extent;
+    const uint div_ceil_x = parameters.div_ceil_x;
+    const uint2 a_extent = parameters.a_extent;
+    const uint div_ceil_x_2 = parameters.div_ceil_x_2;
+    const uint a_table_extent = parameters.a_table_extent;
+    const uint2 a_frames_extent = parameters.a_frames_extent;
+    const bool counter_extent_value_0 = parameters.counter_extent_value_0;
+    const uint addresses_extent = parameters.addresses_extent;
+    const uint values_extent = parameters.values_extent;
+    const uint2 translated_extent = parameters.translated_extent;
+    const uint div_ceil_x_3 = parameters.div_ceil_x_3;
+    const uint translated_table_extent = parameters.translated_table_extent;
+    const uint translated_frames_extent_y = parameters.translated_frames_extent_y;
+    const uint places_extent = parameters.places_extent;
+    const uint* a_active_data = glift::host::elements<const uint>(call.memories[0]);
+    const uint* from_table_data = glift::host::elements<const uint>(call.memories[1]);
+    const float* from_frames_data = glift::host::elements<const float>(call.memories[2]);
+    uint* counter_data = glift::host::elements<uint>(call.memories[3]);
+    uint2* addresses_data = glift::host::elements<uint2>(call.memories[4]);
+    float* values_data = glift::host::elements<float>(call.memories[5]);
+    const uint* translated_table_data = glift::host::elements<const uint>(call.memories[6]);
+    uint2* places_data = glift::host::elements<uint2>(call.memories[7]);
+    for (const glift::host::Row row : rows) {
+        bool is_whole = false;
+        {
+            const uint2 block_2{row.begin, row.y};
+            const bool a_active_value_inside = block_2.y < a_active_extent;
+            const uint a_active_value = a_active_data[a_active_value_inside ? block_2.y : 0u];
+            const uint rest = a_active_value_inside ? a_active_value : 0u;
+            const uint block_x = glift::remainder(rest, div_ceil_x);
+            const uint block_y = glift::divide(rest, div_ceil_x);
+            const uint value = block_x * 8u;
+            const uint value_2 = block_y * 8u;
+            is_whole = block_x <= 536870911u && block_y <= 536870911u
+                && glift::all(glift::lessThan(uint2(value + 7u, value_2 + 7u), a_extent));
+            if (is_whole) {
+                for (uint x = row.begin; x < row.end; ++x) {
+                    const uint2 address{x, row.y};
+                    const uint in_block = address.x;
+                    // transfer.glift:36
+                    const uint2 from_address = uint2(value + in_block % 8u, value_2 + in_block / 8u);
+                    const bool test = !glift::all(glift::lessThan(from_address, a_extent));
+                    uint2 from_result{};
+                    bool from_found{};
+                    if (test) {
+                        from_result = uint2(0u);
+                        from_found = false;
+                    } else {
+                        const uint from_table_address = from_address.y / 8u * div_ceil_x_2 + from_address.x / 8u;
+                        const bool from_table_value_inside = from_table_address < a_table_extent;
+                        const uint from_table_value = from_table_data[from_table_value_inside ? from_table_address
+                            : 0u];
+                        const uint from_entry = from_table_value_inside ? from_table_value : 0u;
+                        from_result = uint2(from_address.y % 8u * 8u + from_address.x % 8u, from_entry - 1u);
+                        from_found = !(from_entry == 0u);
+                    }
+                    float result{};
+                    bool found{};
+                    if (from_found && from_result.y < a_frames_extent.y) {
+                        uint2 from_result_2{};
+                        bool from_found_2{};
+                        if (test) {
+                            from_result_2 = uint2(0u);
+                            from_found_2 = false;
+                        } else {
+                            const uint from_table_address = from_address.y / 8u * div_ceil_x_2 + from_address.x / 8u;
+                            const bool from_table_value_inside = from_table_address < a_table_extent;
+                            const uint from_table_value = from_table_data[from_table_value_inside ? from_table_address
+                                : 0u];
+                            const uint from_entry = from_table_value_inside ? from_table_value : 0u;
+                            from_result_2 = uint2(from_address.y % 8u * 8u + from_address.x % 8u, from_entry - 1u);
+                            from_found_2 = !(from_entry == 0u);
+                        }
+                        const bool from_value_inside = from_found_2 && from_result_2.y < a_frames_extent.y;
+                        const uint from_value_at = from_result_2.y * a_frames_extent.x + from_result_2.x;
+                        const float from_value = from_frames_data[from_value_inside ? from_value_at : 0u];
+                        result = from_value_inside ? from_value : 0.0f;
+                        found = true;
+                    } else {
+                        result = 0.0f;
+                        found = false;
+                    }
+                    const float found_2 = result;
+                    const bool found_found = found;
+                    if (found_found) {
+                        // transfer.glift:37
+                        uint counter_before = 0u;
+                        if (counter_extent_value_0) {
+                            counter_before = glift::host::memory::atomicAdd(counter_data[0u], 1u);
+                        }
+                        const uint entry = counter_before;
+                        // transfer.glift:38
+                        if (entry < addresses_extent) {
+                            addresses_data[entry] = from_address;
+                        }
+                        // transfer.glift:39
+                        if (entry < values_extent) {
+                            values_data[entry] = found_2;
+                        }
+                        // transfer.glift:40
+                        uint2 translated_result{};
+                        const bool test_2 = !glift::all(glift::lessThan(from_address, translated_extent));
+                        if (test_2) {
+                            translated_result = uint2(0u);
+                        } else {
+                            const uint translated_table_address = from_address.y / 8u * div_ceil_x_3
+                                + from_address.x / 8u;
+                            const bool translated_table_value_inside = translated_table_address < translated_table_extent;
+                            const uint translated_table_value = translated_table_data[translated_table_value_inside
+                                ? translated_table_address : 0u];
+                            translated_result = uint2(from_address.y % 8u * 8u + from_address.x % 8u,
+                                (translated_table_value_inside ? translated_table_value : 0u) - 1u);
+                        }
+                        uint2 translated_result_2{};
+                        bool translated_found{};
+                        if (test_2) {
+                            translated_result_2 = uint2(0u);
+                            translated_found = false;
+                        } else {
+                            const uint translated_table_address = from_address.y / 8u * div_ceil_x_3
+                                + from_address.x / 8u;
+                            const bool translated_table_value_inside = translated_table_address < translated_table_extent;
+                            const uint translated_table_value = translated_table_data[translated_table_value_inside
+                                ? translated_table_address : 0u];
+                            const uint translated_entry = translated_table_value_inside ? translated_table_value : 0u;
+                            translated_result_2 = uint2(from_address.y % 8u * 8u + from_address.x % 8u,
+                                translated_entry - 1u);
+                            translated_found = !(translated_entry == 0u);
+                        }
+                        const uint2 found_3 = translated_result;
+                        const bool found_found_2 = translated_found
+                            && translated_result_2.y < translated_frames_extent_y;
+                        if (found_found_2) {
+                            // transfer.glift:41
+                            if (entry < places_extent) {
+                                places_data[entry] = found_3;
+                            }
+                        }
+                    }
+                }
+            }
+        }
+        if (!is_whole) {
+            for (uint x = row.begin; x < row.end; ++x) {
+                const uint2 address{x, row.y};
+                const uint in_block = address.x;
+                const bool a_active_value_inside = address.y < a_active_extent;
+                const uint a_active_value = a_active_data[a_active_value_inside ? address.y : 0u];
+                const uint rest = a_active_value_inside ? a_active_value : 0u;
+                const uint block_x = glift::remainder(rest, div_ceil_x);
+                const uint block_y = glift::divide(rest, div_ceil_x);
+                const uint2 from_address = uint2(block_x * 8u + in_block % 8u, block_y * 8u + in_block / 8u);
+                const bool test = glift::all(glift::lessThan(from_address, a_extent));
+                if (block_x <= 536870911u && block_y <= 536870911u && test) {
+                    // transfer.glift:36
+                    const bool test_2 = !test;
+                    uint2 from_result{};
+                    bool from_found{};
+                    if (test_2) {
+                        from_result = uint2(0u);
+                        from_found = false;
+                    } else {
+                        const uint from_table_address = from_address.y / 8u * div_ceil_x_2 + from_address.x / 8u;
+                        const bool from_table_value_inside = from_table_address < a_table_extent;
+                        const uint from_table_value = from_table_data[from_table_value_inside ? from_table_address
+                            : 0u];
+                        const uint from_entry = from_table_value_inside ? from_table_value : 0u;
+                        from_result = uint2(from_address.y % 8u * 8u + from_address.x % 8u, from_entry - 1u);
+                        from_found = !(from_entry == 0u);
+                    }
+                    float result{};
+                    bool found{};
+                    if (from_found && from_result.y < a_frames_extent.y) {
+                        uint2 from_result_2{};
+                        bool from_found_2{};
+                        if (test_2) {
+                            from_result_2 = uint2(0u);
+                            from_found_2 = false;
+                        } else {
+                            const uint from_table_address = from_address.y / 8u * div_ceil_x_2 + from_address.x / 8u;
+                            const bool from_table_value_inside = from_table_address < a_table_extent;
+                            const uint from_table_value = from_table_data[from_table_value_inside ? from_table_address
+                                : 0u];
+                            const uint from_entry = from_table_value_inside ? from_table_value : 0u;
+                            from_result_2 = uint2(from_address.y % 8u * 8u + from_address.x % 8u, from_entry - 1u);
+                            from_found_2 = !(from_entry == 0u);
+                        }
+                        const bool from_value_inside = from_found_2 && from_result_2.y < a_frames_extent.y;
+                        const uint from_value_at = from_result_2.y * a_frames_extent.x + from_result_2.x;
+                        const float from_value = from_frames_data[from_value_inside ? from_value_at : 0u];
+                        result = from_value_inside ? from_value : 0.0f;
+                        found = true;
+                    } else {
+                        result = 0.0f;
+                        found = false;
+                    }
+                    const float found_2 = result;
+                    const bool found_found = found;
+                    if (found_found) {
+                        // transfer.glift:37
+                        uint counter_before = 0u;
+                        if (counter_extent_value_0) {
+                            counter_before = glift::host::memory::atomicAdd(counter_data[0u], 1u);
+                        }
+                        const uint entry = counter_before;
+                        // transfer.glift:38
+                        if (entry < addresses_extent) {
+                            addresses_data[entry] = from_address;
+                        }
+                        // transfer.glift:39
+                        if (entry < values_extent) {
+                            values_data[entry] = found_2;
+                        }
+                        // transfer.glift:40
+                        uint2 translated_result{};
+                        const bool test_3 = !glift::all(glift::lessThan(from_address, translated_extent));
+                        if (test_3) {
+                            translated_result = uint2(0u);
+                        } else {
+                            const uint translated_table_address = from_address.y / 8u * div_ceil_x_3
+                                + from_address.x / 8u;
+                            const bool translated_table_value_inside = translated_table_address < translated_table_extent;
+                            const uint translated_table_value = translated_table_data[translated_table_value_inside
+                                ? translated_table_address : 0u];
+                            translated_result = uint2(from_address.y % 8u * 8u + from_address.x % 8u,
+                                (translated_table_value_inside ? translated_table_value : 0u) - 1u);
+                        }
+                        uint2 translated_result_2{};
+                        bool translated_found{};
+                        if (test_3) {
+                            translated_result_2 = uint2(0u);
+                            translated_found = false;
+                        } else {
+                            const uint translated_table_address = from_address.y / 8u * div_ceil_x_3
+                                + from_address.x / 8u;
+                            const bool translated_table_value_inside = translated_table_address < translated_table_extent;
+                            const uint translated_table_value = translated_table_data[translated_table_value_inside
+                                ? translated_table_address : 0u];
+                            const uint translated_entry = translated_table_value_inside ? translated_table_value : 0u;
+                            translated_result_2 = uint2(from_address.y % 8u * 8u + from_address.x % 8u,
+                                translated_entry - 1u);
+                            translated_found = !(translated_entry == 0u);
+                        }
+                        const uint2 found_3 = translated_result;
+                        const bool found_found_2 = translated_found
+                            && translated_result_2.y < translated_frames_extent_y;
+                        if (found_found_2) {
+                            // transfer.glift:41
+                            if (entry < places_extent) {
+                                places_data[entry] = found_3;
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+static void list_there_d7a68012_direct(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { list_there_d7a68012_direct_rows(call,
+        rows); });
+}
+
+struct list_there_d7a68012_general_parameters {
+    uint2 size;
+    uint2 from_origin;
+    uint counter_origin;
+    uint counter_size;
+    uint addresses_origin;
+    uint addresses_size;
+    uint values_origin;
+    uint values_size;
+    uint2 translated_origin;
+    uint places_origin;
+    uint places_size;
+    uint2 a_size;
+    uint2 a_origin;
+    uint a_active_extent;
+    uint div_ceil_x;
+    uint2 from_extent;
+    uint div_ceil_x_2;
+    uint from_table_extent;
+    uint2 from_frames_extent;
+    uint2 translated_extent;
+    uint div_ceil_x_3;
+    uint translated_table_extent;
+    uint translated_frames_extent_y;
+};
+static_assert(offsetof(list_there_d7a68012_general_parameters, size) == 0);
+static_assert(offsetof(list_there_d7a68012_general_parameters, from_origin) == 8);
+static_assert(offsetof(list_there_d7a68012_general_parameters, counter_origin) == 16);
+static_assert(offsetof(list_there_d7a68012_general_parameters, counter_size) == 20);
+static_assert(offsetof(list_there_d7a68012_general_parameters, addresses_origin) == 24);
+static_assert(offsetof(list_there_d7a68012_general_parameters, addresses_size) == 28);
+static_assert(offsetof(list_there_d7a68012_general_parameters, values_origin) == 32);
+static_assert(offsetof(list_there_d7a68012_general_parameters, values_size) == 36);
+static_assert(offsetof(list_there_d7a68012_general_parameters, translated_origin) == 40);
+static_assert(offsetof(list_there_d7a68012_general_parameters, places_origin) == 48);
+static_assert(offsetof(list_there_d7a68012_general_parameters, places_size) == 52);
+static_assert(offsetof(list_there_d7a68012_general_parameters, a_size) == 56);
+static_assert(offsetof(list_there_d7a68012_general_parameters, a_origin) == 64);
+static_assert(offsetof(list_there_d7a68012_general_parameters, a_active_extent) == 72);
+static_assert(offsetof(list_there_d7a68012_general_parameters, div_ceil_x) == 76);
+static_assert(offsetof(list_there_d7a68012_general_parameters, from_extent) == 80);
+static_assert(offsetof(list_there_d7a68012_general_parameters, div_ceil_x_2) == 88);
+static_assert(offsetof(list_there_d7a68012_general_parameters, from_table_extent) == 92);
+static_assert(offsetof(list_there_d7a68012_general_parameters, from_frames_extent) == 96);
+static_assert(offsetof(list_there_d7a68012_general_parameters, translated_extent) == 104);
+static_assert(offsetof(list_there_d7a68012_general_parameters, div_ceil_x_3) == 112);
+static_assert(offsetof(list_there_d7a68012_general_parameters, translated_table_extent) == 116);
+static_assert(offsetof(list_there_d7a68012_general_parameters, translated_frames_extent_y) == 120);
+
+// transfer.glift:32: list_there<Listed, Listed, Box<1, uint2>, Box<1, uint2>, Box<1, float>, Box<1, uint>>, some rows.
+GLIFT_HOST_KERNEL
+static void list_there_d7a68012_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const list_there_d7a68012_general_parameters*>(call.parameters);
+    const uint2 from_origin = parameters.from_origin;
+    const uint counter_origin = parameters.counter_origin;
+    const uint counter_size = parameters.counter_size;
+    const uint addresses_origin = parameters.addresses_origin;
+    const uint addresses_size = parameters.addresses_size;
+    const uint values_origin = parameters.values_origin;
+    const uint values_size = parameters.values_size;
+    const uint2 translated_origin = parameters.translated_origin;
+    const uint places_origin = parameters.places_origin;
+    const uint places_size = parameters.places_size;
+    const uint2 a_size = parameters.a_size;
+    const uint2 a_origin = parameters.a_origin;
+    const uint a_active_extent = parameters.a_active_extent;
+    const uint div_ceil_x = parameters.div_ceil_x;
+    const uint2 from_extent = parameters.from_extent;
+    const uint div_ceil_x_2 = parameters.div_ceil_x_2;
+    const uint from_table_extent = parameters.from_table_extent;
+    const uint2 from_frames_extent = parameters.from_frames_extent;
+    const uint2 translated_extent = parameters.translated_extent;
+    const uint div_ceil_x_3 = parameters.div_ceil_x_3;
+    const uint translated_table_extent = parameters.translated_table_extent;
+    const uint translated_frames_extent_y = parameters.translated_frames_extent_y;
+    const uint* a_active_data = glift::host::elements<const uint>(call.memories[0]);
+    const uint* from_table_data = glift::host::elements<const uint>(call.memories[1]);
+    const float* from_frames_data = glift::host::elements<const float>(call.memories[2]);
+    uint* counter_data = glift::host::elements<uint>(call.memories[3]);
+    uint2* addresses_data = glift::host::elements<uint2>(call.memories[4]);
+    float* values_data = glift::host::elements<float>(call.memories[5]);
+    const uint* translated_table_data = glift::host::elements<const uint>(call.memories[6]);
+    uint2* places_data = glift::host::elements<uint2>(call.memories[7]);
+    for (const glift::host::Row row : rows) {
+        bool is_whole = false;
+        {
+            const uint2 block_2{row.begin, row.y};
+            const bool a_active_value_inside = block_2.y < a_active_extent;
+            const uint a_active_value = a_active_data[a_active_value_inside ? block_2.y : 0u];
+            const uint rest = a_active_value_inside ? a_active_value : 0u;
+            const uint block_x = glift::remainder(rest, div_ceil_x);
+            const uint block_y = glift::divide(rest, div_ceil_x);
+            const uint value = block_x * 8u;
+            const uint value_2 = block_y * 8u;
+            const uint2 value_3 = uint2(value + 7u, value_2 + 7u) - a_origin;
+            is_whole = block_x <= 536870911u && block_y <= 536870911u
+                && (glift::all(glift::lessThan(value_3 - uint2(7u, 7u), a_size))
+                && glift::all(glift::lessThan(value_3, a_size)));
+            if (is_whole) {
+                for (uint x = row.begin; x < row.end; ++x) {
+                    const uint2 address{x, row.y};
+                    const uint in_block = address.x;
+                    // transfer.glift:36
+                    const uint2 from_address = uint2(value + in_block % 8u, value_2 + in_block / 8u);
+                    const uint2 from_virtual = from_origin + from_address;
+                    const bool test = !glift::all(glift::lessThan(from_virtual, from_extent));
+                    uint2 from_result{};
+                    bool from_found{};
+                    if (test) {
+                        from_result = uint2(0u);
+                        from_found = false;
+                    } else {
+                        const uint value_4 = from_origin.y + from_address.y;
+                        const uint value_5 = from_origin.x + from_address.x;
+                        const uint from_table_address = value_4 / 8u * div_ceil_x_2 + value_5 / 8u;
+                        const bool from_table_value_inside = from_table_address < from_table_extent;
+                        const uint from_table_value = from_table_data[from_table_value_inside ? from_table_address
+                            : 0u];
+                        const uint from_entry = from_table_value_inside ? from_table_value : 0u;
+                        from_result = uint2(value_4 % 8u * 8u + value_5 % 8u, from_entry - 1u);
+                        from_found = !(from_entry == 0u);
+                    }
+                    float result{};
+                    bool found{};
+                    if (from_found && from_result.y < from_frames_extent.y) {
+                        uint2 from_result_2{};
+                        bool from_found_2{};
+                        if (test) {
+                            from_result_2 = uint2(0u);
+                            from_found_2 = false;
+                        } else {
+                            const uint from_table_address = from_virtual.y / 8u * div_ceil_x_2 + from_virtual.x / 8u;
+                            const bool from_table_value_inside = from_table_address < from_table_extent;
+                            const uint from_table_value = from_table_data[from_table_value_inside ? from_table_address
+                                : 0u];
+                            const uint from_entry = from_table_value_inside ? from_table_value : 0u;
+                            from_result_2 = uint2(from_virtual.y % 8u * 8u + from_virtual.x % 8u, from_entry - 1u);
+                            from_found_2 = !(from_entry == 0u);
+                        }
+                        const bool from_value_inside = from_found_2 && from_result_2.y < from_frames_extent.y;
+                        const uint from_value_at = from_result_2.y * from_frames_extent.x + from_result_2.x;
+                        const float from_value = from_frames_data[from_value_inside ? from_value_at : 0u];
+                        result = from_value_inside ? from_value : 0.0f;
+                        found = true;
+                    } else {
+                        result = 0.0f;
+                        found = false;
+                    }
+                    const float found_2 = result;
+                    const bool found_found = found;
+                    if (found_found) {
+                        // transfer.glift:37
+                        uint counter_before = 0u;
+                        if (0u < counter_size) {
+                            counter_before = glift::host::memory::atomicAdd(counter_data[counter_origin], 1u);
+                        }
+                        const uint entry = counter_before;
+                        // transfer.glift:38
+                        const uint addresses_virtual = addresses_origin + entry;
+                        if (entry < addresses_size) {
+                            addresses_data[addresses_virtual] = from_address;
+                        }
+                        // transfer.glift:39
+                        const uint values_virtual = values_origin + entry;
+                        if (entry < values_size) {
+                            values_data[values_virtual] = found_2;
+                        }
+                        // transfer.glift:40
+                        uint2 translated_result{};
+                        const bool test_2 = !glift::all(glift::lessThan(translated_origin + from_address,
+                            translated_extent));
+                        if (test_2) {
+                            translated_result = uint2(0u);
+                        } else {
+                            const uint value_4 = translated_origin.y + from_address.y;
+                            const uint value_5 = translated_origin.x + from_address.x;
+                            const uint translated_table_address = value_4 / 8u * div_ceil_x_3 + value_5 / 8u;
+                            const bool translated_table_value_inside = translated_table_address < translated_table_extent;
+                            const uint translated_table_value = translated_table_data[translated_table_value_inside
+                                ? translated_table_address : 0u];
+                            translated_result = uint2(value_4 % 8u * 8u + value_5 % 8u,
+                                (translated_table_value_inside ? translated_table_value : 0u) - 1u);
+                        }
+                        uint2 translated_result_2{};
+                        bool translated_found{};
+                        if (test_2) {
+                            translated_result_2 = uint2(0u);
+                            translated_found = false;
+                        } else {
+                            const uint value_4 = translated_origin.y + from_address.y;
+                            const uint value_5 = translated_origin.x + from_address.x;
+                            const uint translated_table_address = value_4 / 8u * div_ceil_x_3 + value_5 / 8u;
+                            const bool translated_table_value_inside = translated_table_address < translated_table_extent;
+                            const uint translated_table_value = translated_table_data[translated_table_value_inside
+                                ? translated_table_address : 0u];
+                            const uint translated_entry = translated_table_value_inside ? translated_table_value : 0u;
+                            translated_result_2 = uint2(value_4 % 8u * 8u + value_5 % 8u, translated_entry - 1u);
+                            translated_found = !(translated_entry == 0u);
+                        }
+                        const uint2 found_3 = translated_result;
+                        const bool found_found_2 = translated_found
+                            && translated_result_2.y < translated_frames_extent_y;
+                        if (found_found_2) {
+                            // transfer.glift:41
+                            const uint places_virtual = places_origin + entry;
+                            if (entry < places_size) {
+                                places_data[places_virtual] = found_3;
+                            }
+                        }
+                    }
+                }
+            }
+        }
+        if (!is_whole) {
+            for (uint x = row.begin; x < row.end; ++x) {
+                const uint2 address{x, row.y};
+                const uint in_block = address.x;
+                const bool a_active_value_inside = address.y < a_active_extent;
+                const uint a_active_value = a_active_data[a_active_value_inside ? address.y : 0u];
+                const uint rest = a_active_value_inside ? a_active_value : 0u;
+                const uint block_x = glift::remainder(rest, div_ceil_x);
+                const uint block_y = glift::divide(rest, div_ceil_x);
+                const uint2 from_address = uint2(block_x * 8u + in_block % 8u, block_y * 8u + in_block / 8u);
+                if (block_x <= 536870911u && block_y <= 536870911u
+                    && glift::all(glift::lessThan(from_address - a_origin, a_size))) {
+                    // transfer.glift:36
+                    const uint2 from_virtual = from_origin + from_address;
+                    const bool test = !glift::all(glift::lessThan(from_virtual, from_extent));
+                    uint2 from_result{};
+                    bool from_found{};
+                    if (test) {
+                        from_result = uint2(0u);
+                        from_found = false;
+                    } else {
+                        const uint value = from_origin.y + from_address.y;
+                        const uint value_2 = from_origin.x + from_address.x;
+                        const uint from_table_address = value / 8u * div_ceil_x_2 + value_2 / 8u;
+                        const bool from_table_value_inside = from_table_address < from_table_extent;
+                        const uint from_table_value = from_table_data[from_table_value_inside ? from_table_address
+                            : 0u];
+                        const uint from_entry = from_table_value_inside ? from_table_value : 0u;
+                        from_result = uint2(value % 8u * 8u + value_2 % 8u, from_entry - 1u);
+                        from_found = !(from_entry == 0u);
+                    }
+                    float result{};
+                    bool found{};
+                    if (from_found && from_result.y < from_frames_extent.y) {
+                        uint2 from_result_2{};
+                        bool from_found_2{};
+                        if (test) {
+                            from_result_2 = uint2(0u);
+                            from_found_2 = false;
+                        } else {
+                            const uint from_table_address = from_virtual.y / 8u * div_ceil_x_2 + from_virtual.x / 8u;
+                            const bool from_table_value_inside = from_table_address < from_table_extent;
+                            const uint from_table_value = from_table_data[from_table_value_inside ? from_table_address
+                                : 0u];
+                            const uint from_entry = from_table_value_inside ? from_table_value : 0u;
+                            from_result_2 = uint2(from_virtual.y % 8u * 8u + from_virtual.x % 8u, from_entry - 1u);
+                            from_found_2 = !(from_entry == 0u);
+                        }
+                        const bool from_value_inside = from_found_2 && from_result_2.y < from_frames_extent.y;
+                        const uint from_value_at = from_result_2.y * from_frames_extent.x + from_result_2.x;
+                        const float from_value = from_frames_data[from_value_inside ? from_value_at : 0u];
+                        result = from_value_inside ? from_value : 0.0f;
+                        found = true;
+                    } else {
+                        result = 0.0f;
+                        found = false;
+                    }
+                    const float found_2 = result;
+                    const bool found_found = found;
+                    if (found_found) {
+                        // transfer.glift:37
+                        uint counter_before = 0u;
+                        if (0u < counter_size) {
+                            counter_before = glift::host::memory::atomicAdd(counter_data[counter_origin], 1u);
+                        }
+                        const uint entry = counter_before;
+                        // transfer.glift:38
+                        const uint addresses_virtual = addresses_origin + entry;
+                        if (entry < addresses_size) {
+                            addresses_data[addresses_virtual] = from_address;
+                        }
+                        // transfer.glift:39
+                        const uint values_virtual = values_origin + entry;
+                        if (entry < values_size) {
+                            values_data[values_virtual] = found_2;
+                        }
+                        // transfer.glift:40
+                        uint2 translated_result{};
+                        const bool test_2 = !glift::all(glift::lessThan(translated_origin + from_address,
+                            translated_extent));
+                        if (test_2) {
+                            translated_result = uint2(0u);
+                        } else {
+                            const uint value = translated_origin.y + from_address.y;
+                            const uint value_2 = translated_origin.x + from_address.x;
+                            const uint translated_table_address = value / 8u * div_ceil_x_3 + value_2 / 8u;
+                            const bool translated_table_value_inside = translated_table_address < translated_table_extent;
+                            const uint translated_table_value = translated_table_data[translated_table_value_inside
+                                ? translated_table_address : 0u];
+                            translated_result = uint2(value % 8u * 8u + value_2 % 8u,
+                                (translated_table_value_inside ? translated_table_value : 0u) - 1u);
+                        }
+                        uint2 translated_result_2{};
+                        bool translated_found{};
+                        if (test_2) {
+                            translated_result_2 = uint2(0u);
+                            translated_found = false;
+                        } else {
+                            const uint value = translated_origin.y + from_address.y;
+                            const uint value_2 = translated_origin.x + from_address.x;
+                            const uint translated_table_address = value / 8u * div_ceil_x_3 + value_2 / 8u;
+                            const bool translated_table_value_inside = translated_table_address < translated_table_extent;
+                            const uint translated_table_value = translated_table_data[translated_table_value_inside
+                                ? translated_table_address : 0u];
+                            const uint translated_entry = translated_table_value_inside ? translated_table_value : 0u;
+                            translated_result_2 = uint2(value % 8u * 8u + value_2 % 8u, translated_entry - 1u);
+                            translated_found = !(translated_entry == 0u);
+                        }
+                        const uint2 found_3 = translated_result;
+                        const bool found_found_2 = translated_found
+                            && translated_result_2.y < translated_frames_extent_y;
+                        if (found_found_2) {
+                            // transfer.glift:41
+                            const uint places_virtual = places_origin + entry;
+                            if (entry < places_size) {
+                                places_data[places_virtual] = found_3;
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+static void list_there_d7a68012_general(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { list_there_d7a68012_general_rows(call,
+        rows); });
+}
+
+struct list_there_d7a68012_wide_parameters {
+    uint2 size;
+    uint2 from_origin;
+    uint counter_origin;
+    uint counter_size;
+    uint addresses_origin;
+    uint addresses_size;
+    uint values_origin;
+    uint values_size;
+    uint2 translated_origin;
+    uint places_origin;
+    uint places_size;
+    uint2 a_size;
+    uint2 a_origin;
+    uint a_active_extent;
+    uint div_ceil_x;
+    uint2 from_extent;
+    uint div_ceil_x_2;
+    uint from_table_extent;
+    uint from_frames_extent_y;
+    std::uint64_t from_frames_extent_x;
+    uint2 translated_extent;
+    uint div_ceil_x_3;
+    uint translated_table_extent;
+    uint translated_frames_extent_y;
+    std::uint64_t a_active_data_address;
+    std::uint64_t from_table_data_address;
+    std::uint64_t from_frames_data_address;
+    std::uint64_t counter_data_address;
+    std::uint64_t addresses_data_address;
+    std::uint64_t values_data_address;
+    std::uint64_t translated_table_data_address;
+    std::uint64_t places_data_address;
+};
+static_assert(offsetof(list_there_d7a68012_wide_parameters, size) == 0);
+static_assert(offsetof(list_there_d7a68012_wide_parameters, from_origin) == 8);
+static_assert(offsetof(list_there_d7a68012_wide_parameters, counter_origin) == 16);
+static_assert(offsetof(list_there_d7a68012_wide_parameters, counter_size) == 20);
+static_assert(offsetof(list_there_d7a68012_wide_parameters, addresses_origin) == 24);
+static_assert(offsetof(list_there_d7a68012_wide_parameters, addresses_size) == 28);
+static_assert(offsetof(list_there_d7a68012_wide_parameters, values_origin) == 32);
+static_assert(offsetof(list_there_d7a68012_wide_parameters, values_size) == 36);
+static_assert(offsetof(list_there_d7a68012_wide_parameters, translated_origin) == 40);
+static_assert(offsetof(list_there_d7a68012_wide_parameters, places_origin) == 48);
+static_assert(offsetof(list_there_d7a68012_wide_parameters, places_size) == 52);
+static_assert(offsetof(list_there_d7a68012_wide_parameters, a_size) == 56);
+static_assert(offsetof(list_there_d7a68012_wide_parameters, a_origin) == 64);
+static_assert(offsetof(list_there_d7a68012_wide_parameters, a_active_extent) == 72);
+static_assert(offsetof(list_there_d7a68012_wide_parameters, div_ceil_x) == 76);
+static_assert(offsetof(list_there_d7a68012_wide_parameters, from_extent) == 80);
+static_assert(offsetof(list_there_d7a68012_wide_parameters, div_ceil_x_2) == 88);
+static_assert(offsetof(list_there_d7a68012_wide_parameters, from_table_extent) == 92);
+static_assert(offsetof(list_there_d7a68012_wide_parameters, from_frames_extent_y) == 96);
+static_assert(offsetof(list_there_d7a68012_wide_parameters, from_frames_extent_x) == 104);
+static_assert(offsetof(list_there_d7a68012_wide_parameters, translated_extent) == 112);
+static_assert(offsetof(list_there_d7a68012_wide_parameters, div_ceil_x_3) == 120);
+static_assert(offsetof(list_there_d7a68012_wide_parameters, translated_table_extent) == 124);
+static_assert(offsetof(list_there_d7a68012_wide_parameters, translated_frames_extent_y) == 128);
+static_assert(offsetof(list_there_d7a68012_wide_parameters, a_active_data_address) == 136);
+static_assert(offsetof(list_there_d7a68012_wide_parameters, from_table_data_address) == 144);
+static_assert(offsetof(list_there_d7a68012_wide_parameters, from_frames_data_address) == 152);
+static_assert(offsetof(list_there_d7a68012_wide_parameters, counter_data_address) == 160);
+static_assert(offsetof(list_there_d7a68012_wide_parameters, addresses_data_address) == 168);
+static_assert(offsetof(list_there_d7a68012_wide_parameters, values_data_address) == 176);
+static_assert(offsetof(list_there_d7a68012_wide_parameters, translated_table_data_address) == 184);
+static_assert(offsetof(list_there_d7a68012_wide_parameters, places_data_address) == 192);
+
+// transfer.glift:32: list_there<Listed, Listed, Box<1, uint2>, Box<1, uint2>, Box<1, float>, Box<1, uint>>, some rows.
+GLIFT_HOST_KERNEL
+static void list_there_d7a68012_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const list_there_d7a68012_wide_parameters*>(call.parameters);
+    const uint2 from_origin = parameters.from_origin;
+    const uint counter_origin = parameters.counter_origin;
+    const uint counter_size = parameters.counter_size;
+    const uint addresses_origin = parameters.addresses_origin;
+    const uint addresses_size = parameters.addresses_size;
+    const uint values_origin = parameters.values_origin;
+    const uint values_size = parameters.values_size;
+    const uint2 translated_origin = parameters.translated_origin;
+    const uint places_origin = parameters.places_origin;
+    const uint places_size = parameters.places_size;
+    const uint2 a_size = parameters.a_size;
+    const uint2 a_origin = parameters.a_origin;
+    const uint a_active_extent = parameters.a_active_extent;
+    const uint div_ceil_x = parameters.div_ceil_x;
+    const uint2 from_extent = parameters.from_extent;
+    const uint div_ceil_x_2 = parameters.div_ceil_x_2;
+    const uint from_table_extent = parameters.from_table_extent;
+    const uint from_frames_extent_y = parameters.from_frames_extent_y;
+    const std::uint64_t from_frames_extent_x = parameters.from_frames_extent_x;
+    const uint2 translated_extent = parameters.translated_extent;
+    const uint div_ceil_x_3 = parameters.div_ceil_x_3;
+    const uint translated_table_extent = parameters.translated_table_extent;
+    const uint translated_frames_extent_y = parameters.translated_frames_extent_y;
+    const uint* a_active_data = glift::host::elements<const uint>(call.memories[0]);
+    const uint* from_table_data = glift::host::elements<const uint>(call.memories[1]);
+    const float* from_frames_data = glift::host::elements<const float>(call.memories[2]);
+    uint* counter_data = glift::host::elements<uint>(call.memories[3]);
+    uint2* addresses_data = glift::host::elements<uint2>(call.memories[4]);
+    float* values_data = glift::host::elements<float>(call.memories[5]);
+    const uint* translated_table_data = glift::host::elements<const uint>(call.memories[6]);
+    uint2* places_data = glift::host::elements<uint2>(call.memories[7]);
+    for (const glift::host::Row row : rows) {
+        bool is_whole = false;
+        {
+            const uint2 block_2{row.begin, row.y};
+            const bool a_active_value_inside = block_2.y < a_active_extent;
+            const std::uint64_t a_active_value_at = std::uint64_t(block_2.y);
+            const uint a_active_value = a_active_data[a_active_value_inside ? a_active_value_at : std::uint64_t{0u}];
+            const uint rest = a_active_value_inside ? a_active_value : 0u;
+            const uint block_x = glift::remainder(rest, div_ceil_x);
+            const uint block_y = glift::divide(rest, div_ceil_x);
+            const uint value = block_x * 8u;
+            const uint value_2 = block_y * 8u;
+            const uint2 value_3 = uint2(value + 7u, value_2 + 7u) - a_origin;
+            is_whole = block_x <= 536870911u && block_y <= 536870911u
+                && (glift::all(glift::lessThan(value_3 - uint2(7u, 7u), a_size))
+                && glift::all(glift::lessThan(value_3, a_size)));
+            if (is_whole) {
+                for (uint x = row.begin; x < row.end; ++x) {
+                    const uint2 address{x, row.y};
+                    const uint in_block = address.x;
+                    // transfer.glift:36
+                    const uint2 from_address = uint2(value + in_block % 8u, value_2 + in_block / 8u);
+                    const uint2 from_virtual = from_origin + from_address;
+                    const bool test = !glift::all(glift::lessThan(from_virtual, from_extent));
+                    uint2 from_result{};
+                    bool from_found{};
+                    if (test) {
+                        from_result = uint2(0u);
+                        from_found = false;
+                    } else {
+                        const uint value_4 = from_origin.y + from_address.y;
+                        const uint value_5 = from_origin.x + from_address.x;
+                        const uint from_table_address = value_4 / 8u * div_ceil_x_2 + value_5 / 8u;
+                        const bool from_table_value_inside = from_table_address < from_table_extent;
+                        const std::uint64_t from_table_value_at = std::uint64_t(from_table_address);
+                        const uint from_table_value = from_table_data[from_table_value_inside ? from_table_value_at
+                            : std::uint64_t{0u}];
+                        const uint from_entry = from_table_value_inside ? from_table_value : 0u;
+                        from_result = uint2(value_4 % 8u * 8u + value_5 % 8u, from_entry - 1u);
+                        from_found = !(from_entry == 0u);
+                    }
+                    float result{};
+                    bool found{};
+                    if (from_found && from_result.y < from_frames_extent_y) {
+                        uint2 from_result_2{};
+                        bool from_found_2{};
+                        if (test) {
+                            from_result_2 = uint2(0u);
+                            from_found_2 = false;
+                        } else {
+                            const uint from_table_address = from_virtual.y / 8u * div_ceil_x_2 + from_virtual.x / 8u;
+                            const bool from_table_value_inside = from_table_address < from_table_extent;
+                            const std::uint64_t from_table_value_at = std::uint64_t(from_table_address);
+                            const uint from_table_value = from_table_data[from_table_value_inside ? from_table_value_at
+                                : std::uint64_t{0u}];
+                            const uint from_entry = from_table_value_inside ? from_table_value : 0u;
+                            from_result_2 = uint2(from_virtual.y % 8u * 8u + from_virtual.x % 8u, from_entry - 1u);
+                            from_found_2 = !(from_entry == 0u);
+                        }
+                        const bool from_value_inside = from_found_2 && from_result_2.y < from_frames_extent_y;
+                        const std::uint64_t from_value_at = std::uint64_t(from_result_2.y) * from_frames_extent_x
+                            + std::uint64_t(from_result_2.x);
+                        const float from_value = from_frames_data[from_value_inside ? from_value_at
+                            : std::uint64_t{0u}];
+                        result = from_value_inside ? from_value : 0.0f;
+                        found = true;
+                    } else {
+                        result = 0.0f;
+                        found = false;
+                    }
+                    const float found_2 = result;
+                    const bool found_found = found;
+                    if (found_found) {
+                        // transfer.glift:37
+                        uint counter_before = 0u;
+                        if (0u < counter_size) {
+                            counter_before = glift::host::memory::atomicAdd(counter_data[std::uint64_t(counter_origin)],
+                                1u);
+                        }
+                        const uint entry = counter_before;
+                        // transfer.glift:38
+                        const uint addresses_virtual = addresses_origin + entry;
+                        if (entry < addresses_size) {
+                            addresses_data[std::uint64_t(addresses_virtual)] = from_address;
+                        }
+                        // transfer.glift:39
+                        const uint values_virtual = values_origin + entry;
+                        if (entry < values_size) {
+                            values_data[std::uint64_t(values_virtual)] = found_2;
+                        }
+                        // transfer.glift:40
+                        uint2 translated_result{};
+                        const bool test_2 = !glift::all(glift::lessThan(translated_origin + from_address,
+                            translated_extent));
+                        if (test_2) {
+                            translated_result = uint2(0u);
+                        } else {
+                            const uint value_4 = translated_origin.y + from_address.y;
+                            const uint value_5 = translated_origin.x + from_address.x;
+                            const uint translated_table_address = value_4 / 8u * div_ceil_x_3 + value_5 / 8u;
+                            const bool translated_table_value_inside = translated_table_address < translated_table_extent;
+                            const std::uint64_t translated_table_value_at = std::uint64_t(translated_table_address);
+                            const uint translated_table_value = translated_table_data[translated_table_value_inside
+                                ? translated_table_value_at : std::uint64_t{0u}];
+                            translated_result = uint2(value_4 % 8u * 8u + value_5 % 8u,
+                                (translated_table_value_inside ? translated_table_value : 0u) - 1u);
+                        }
+                        uint2 translated_result_2{};
+                        bool translated_found{};
+                        if (test_2) {
+                            translated_result_2 = uint2(0u);
+                            translated_found = false;
+                        } else {
+                            const uint value_4 = translated_origin.y + from_address.y;
+                            const uint value_5 = translated_origin.x + from_address.x;
+                            const uint translated_table_address = value_4 / 8u * div_ceil_x_3 + value_5 / 8u;
+                            const bool translated_table_value_inside = translated_table_address < translated_table_extent;
+                            const std::uint64_t translated_table_value_at = std::uint64_t(translated_table_address);
+                            const uint translated_table_value = translated_table_data[translated_table_value_inside
+                                ? translated_table_value_at : std::uint64_t{0u}];
+                            const uint translated_entry = translated_table_value_inside ? translated_table_value : 0u;
+                            translated_result_2 = uint2(value_4 % 8u * 8u + value_5 % 8u, translated_entry - 1u);
+                            translated_found = !(translated_entry == 0u);
+                        }
+                        const uint2 found_3 = translated_result;
+                        const bool found_found_2 = translated_found
+                            && translated_result_2.y < translated_frames_extent_y;
+                        if (found_found_2) {
+                            // transfer.glift:41
+                            const uint places_virtual = places_origin + entry;
+                            if (entry < places_size) {
+                                places_data[std::uint64_t(places_virtual)] = found_3;
+                            }
+                        }
+                    }
+                }
+            }
+        }
+        if (!is_whole) {
+            for (uint x = row.begin; x < row.end; ++x) {
+                const uint2 address{x, row.y};
+                const uint in_block = address.x;
+                const bool a_active_value_inside = address.y < a_active_extent;
+                const std::uint64_t a_active_value_at = std::uint64_t(address.y);
+                const uint a_active_value = a_active_data[a_active_value_inside ? a_active_value_at
+                    : std::uint64_t{0u}];
+                const uint rest = a_active_value_inside ? a_active_value : 0u;
+                const uint block_x = glift::remainder(rest, div_ceil_x);
+                const uint block_y = glift::divide(rest, div_ceil_x);
+                const uint2 from_address = uint2(block_x * 8u + in_block % 8u, block_y * 8u + in_block / 8u);
+                if (block_x <= 536870911u && block_y <= 536870911u
+                    && glift::all(glift::lessThan(from_address - a_origin, a_size))) {
+                    // transfer.glift:36
+                    const uint2 from_virtual = from_origin + from_address;
+                    const bool test = !glift::all(glift::lessThan(from_virtual, from_extent));
+                    uint2 from_result{};
+                    bool from_found{};
+                    if (test) {
+                        from_result = uint2(0u);
+                        from_found = false;
+                    } else {
+                        const uint value = from_origin.y + from_address.y;
+                        const uint value_2 = from_origin.x + from_address.x;
+                        const uint from_table_address = value / 8u * div_ceil_x_2 + value_2 / 8u;
+                        const bool from_table_value_inside = from_table_address < from_table_extent;
+                        const std::uint64_t from_table_value_at = std::uint64_t(from_table_address);
+                        const uint from_table_value = from_table_data[from_table_value_inside ? from_table_value_at
+                            : std::uint64_t{0u}];
+                        const uint from_entry = from_table_value_inside ? from_table_value : 0u;
+                        from_result = uint2(value % 8u * 8u + value_2 % 8u, from_entry - 1u);
+                        from_found = !(from_entry == 0u);
+                    }
+                    float result{};
+                    bool found{};
+                    if (from_found && from_result.y < from_frames_extent_y) {
+                        uint2 from_result_2{};
+                        bool from_found_2{};
+                        if (test) {
+                            from_result_2 = uint2(0u);
+                            from_found_2 = false;
+                        } else {
+                            const uint from_table_address = from_virtual.y / 8u * div_ceil_x_2 + from_virtual.x / 8u;
+                            const bool from_table_value_inside = from_table_address < from_table_extent;
+                            const std::uint64_t from_table_value_at = std::uint64_t(from_table_address);
+                            const uint from_table_value = from_table_data[from_table_value_inside ? from_table_value_at
+                                : std::uint64_t{0u}];
+                            const uint from_entry = from_table_value_inside ? from_table_value : 0u;
+                            from_result_2 = uint2(from_virtual.y % 8u * 8u + from_virtual.x % 8u, from_entry - 1u);
+                            from_found_2 = !(from_entry == 0u);
+                        }
+                        const bool from_value_inside = from_found_2 && from_result_2.y < from_frames_extent_y;
+                        const std::uint64_t from_value_at = std::uint64_t(from_result_2.y) * from_frames_extent_x
+                            + std::uint64_t(from_result_2.x);
+                        const float from_value = from_frames_data[from_value_inside ? from_value_at
+                            : std::uint64_t{0u}];
+                        result = from_value_inside ? from_value : 0.0f;
+                        found = true;
+                    } else {
+                        result = 0.0f;
+                        found = false;
+                    }
+                    const float found_2 = result;
+                    const bool found_found = found;
+                    if (found_found) {
+                        // transfer.glift:37
+                        uint counter_before = 0u;
+                        if (0u < counter_size) {
+                            counter_before = glift::host::memory::atomicAdd(counter_data[std::uint64_t(counter_origin)],
+                                1u);
+                        }
+                        const uint entry = counter_before;
+                        // transfer.glift:38
+                        const uint addresses_virtual = addresses_origin + entry;
+                        if (entry < addresses_size) {
+                            addresses_data[std::uint64_t(addresses_virtual)] = from_address;
+                        }
+                        // transfer.glift:39
+                        const uint values_virtual = values_origin + entry;
+                        if (entry < values_size) {
+                            values_data[std::uint64_t(values_virtual)] = found_2;
+                        }
+                        // transfer.glift:40
+                        uint2 translated_result{};
+                        const bool test_2 = !glift::all(glift::lessThan(translated_origin + from_address,
+                            translated_extent));
+                        if (test_2) {
+                            translated_result = uint2(0u);
+                        } else {
+                            const uint value = translated_origin.y + from_address.y;
+                            const uint value_2 = translated_origin.x + from_address.x;
+                            const uint translated_table_address = value / 8u * div_ceil_x_3 + value_2 / 8u;
+                            const bool translated_table_value_inside = translated_table_address < translated_table_extent;
+                            const std::uint64_t translated_table_value_at = std::uint64_t(translated_table_address);
+                            const uint translated_table_value = translated_table_data[translated_table_value_inside
+                                ? translated_table_value_at : std::uint64_t{0u}];
+                            translated_result = uint2(value % 8u * 8u + value_2 % 8u,
+                                (translated_table_value_inside ? translated_table_value : 0u) - 1u);
+                        }
+                        uint2 translated_result_2{};
+                        bool translated_found{};
+                        if (test_2) {
+                            translated_result_2 = uint2(0u);
+                            translated_found = false;
+                        } else {
+                            const uint value = translated_origin.y + from_address.y;
+                            const uint value_2 = translated_origin.x + from_address.x;
+                            const uint translated_table_address = value / 8u * div_ceil_x_3 + value_2 / 8u;
+                            const bool translated_table_value_inside = translated_table_address < translated_table_extent;
+                            const std::uint64_t translated_table_value_at = std::uint64_t(translated_table_address);
+                            const uint translated_table_value = translated_table_data[translated_table_value_inside
+                                ? translated_table_value_at : std::uint64_t{0u}];
+                            const uint translated_entry = translated_table_value_inside ? translated_table_value : 0u;
+                            translated_result_2 = uint2(value % 8u * 8u + value_2 % 8u, translated_entry - 1u);
+                            translated_found = !(translated_entry == 0u);
+                        }
+                        const uint2 found_3 = translated_result;
+                        const bool found_found_2 = translated_found
+                            && translated_result_2.y < translated_frames_extent_y;
+                        if (found_found_2) {
+                            // transfer.glift:41
+                            const uint places_virtual = places_origin + entry;
+                            if (entry < places_size) {
+                                places_data[std::uint64_t(places_virtual)] = found_3;
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+static void list_there_d7a68012_wide(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { list_there_d7a68012_wide_rows(call, rows); });
+}
+
+const glift::Binding list_there_d7a68012_bindings[] = {
+    {.name = "a.active.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 136,
+        .element_bytes = sizeof(uint)},
+    {.name = "from.table.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 144,
+        .element_bytes = sizeof(uint), .parameter = 1},
+    {.name = "from.frames.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read,
+        .address_offset = 152, .element_bytes = sizeof(float), .parameter = 1, .reach = glift::Reach::range},
+    {.name = "counter.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read_write,
+        .address_offset = 160, .element_bytes = sizeof(uint), .parameter = 3, .reach = glift::Reach::range,
+        .combine = glift::Combine::coherent},
+    {.name = "addresses.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 168,
+        .element_bytes = sizeof(uint2), .parameter = 4, .reach = glift::Reach::range},
+    {.name = "values.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 176,
+        .element_bytes = sizeof(float), .parameter = 6, .reach = glift::Reach::range},
+    {.name = "translated.table.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read,
+        .address_offset = 184, .element_bytes = sizeof(uint), .parameter = 2},
+    {.name = "places.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 192,
+        .element_bytes = sizeof(uint2), .parameter = 5, .reach = glift::Reach::range},
+};
+constexpr glift::Parameter list_there_d7a68012_parameters[] = {
+    {"size", 0, sizeof(list_there_d7a68012_direct_parameters::size)},
+    {"a_active_extent", 8, sizeof(list_there_d7a68012_direct_parameters::a_active_extent)},
+    {"div_ceil_x", 12, sizeof(list_there_d7a68012_direct_parameters::div_ceil_x)},
+    {"a_extent", 16, sizeof(list_there_d7a68012_direct_parameters::a_extent)},
+    {"div_ceil_x_2", 24, sizeof(list_there_d7a68012_direct_parameters::div_ceil_x_2)},
+    {"a_table_extent", 28, sizeof(list_there_d7a68012_direct_parameters::a_table_extent)},
+    {"a_frames_extent", 32, sizeof(list_there_d7a68012_direct_parameters::a_frames_extent)},
+    {"counter_extent_value_0", 40, sizeof(list_there_d7a68012_direct_parameters::counter_extent_value_0)},
+    {"addresses_extent", 44, sizeof(list_there_d7a68012_direct_parameters::addresses_extent)},
+    {"values_extent", 48, sizeof(list_there_d7a68012_direct_parameters::values_extent)},
+    {"translated_extent", 52, sizeof(list_there_d7a68012_direct_parameters::translated_extent)},
+    {"div_ceil_x_3", 60, sizeof(list_there_d7a68012_direct_parameters::div_ceil_x_3)},
+    {"translated_table_extent", 64, sizeof(list_there_d7a68012_direct_parameters::translated_table_extent)},
+    {"translated_frames_extent_y", 68, sizeof(list_there_d7a68012_direct_parameters::translated_frames_extent_y)},
+    {"places_extent", 72, sizeof(list_there_d7a68012_direct_parameters::places_extent)},
+};
+}  // namespace
+
+extern GLIFT_SHARED const glift::Kernel list_there_d7a68012_kernel;
+const glift::Kernel list_there_d7a68012_kernel = {
+    .name = "list_there",
+    .file = "transfer.glift",
+    .line = 32,
+    .rank = 2,
+    .group = {64, 1, 1},
+    .loop_rounds = 0,
+    .bindings = list_there_d7a68012_bindings,
+    .direct = {.host = &list_there_d7a68012_direct, .parameter_bytes = 76},
+    .general = {.host = &list_there_d7a68012_general, .parameter_bytes = 124},
+    .wide = {.host = &list_there_d7a68012_wide, .parameter_bytes = 200},
+    .parameters = list_there_d7a68012_parameters,
+    .of_blocks = true,
+};
+
+// ----------------------------------------------------------------------------------------------------
+// transfer.glift:15: read_box<Array<1, uint, none, buffer>, Box<1, uint>>
+
+namespace {
+struct read_box_698f90a1_direct_parameters {
+    uint from_extent;
+};
+static_assert(offsetof(read_box_698f90a1_direct_parameters, from_extent) == 0);
+
+// transfer.glift:15: read_box<Array<1, uint, none, buffer>, Box<1, uint>>, some rows.
+GLIFT_HOST_KERNEL
+static void read_box_698f90a1_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const uint* from_data = glift::host::elements<const uint>(call.memories[0]);
+    uint* to_data = glift::host::elements<uint>(call.memories[1]);
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint address = row.begin;
+            const uint* from_data_row = glift::host::row_pointer(from_data + address);
+            uint* to_data_row = glift::host::row_pointer(to_data + address);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:16
+                to_data_row[i] = from_data_row[i];
+            }
+        }
+    }
+}
+
+static void read_box_698f90a1_direct(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { read_box_698f90a1_direct_rows(call, rows); });
+}
+
+struct read_box_698f90a1_general_parameters {
+    uint size;
+    uint from_origin;
+    uint to_origin;
+};
+static_assert(offsetof(read_box_698f90a1_general_parameters, size) == 0);
+static_assert(offsetof(read_box_698f90a1_general_parameters, from_origin) == 4);
+static_assert(offsetof(read_box_698f90a1_general_parameters, to_origin) == 8);
+
+// transfer.glift:15: read_box<Array<1, uint, none, buffer>, Box<1, uint>>, some rows.
+GLIFT_HOST_KERNEL
+static void read_box_698f90a1_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const read_box_698f90a1_general_parameters*>(call.parameters);
+    const uint from_origin = parameters.from_origin;
+    const uint to_origin = parameters.to_origin;
+    const uint* from_data = glift::host::elements<const uint>(call.memories[0]);
+    uint* to_data = glift::host::elements<uint>(call.memories[1]);
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint address = row.begin;
+            // transfer.glift:16
+            const uint from_address = from_origin + address;
+            const uint to_address = to_origin + address;
+            const uint* from_data_row = glift::host::row_pointer(from_data + from_address);
+            uint* to_data_row = glift::host::row_pointer(to_data + to_address);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:16
+                to_data_row[i] = from_data_row[i];
+            }
+        }
+    }
+}
+
+static void read_box_698f90a1_general(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { read_box_698f90a1_general_rows(call,
+        rows); });
+}
+
+struct read_box_698f90a1_wide_parameters {
+    uint size;
+    uint from_origin;
+    uint to_origin;
+    std::uint64_t from_data_address;
+    std::uint64_t to_data_address;
+};
+static_assert(offsetof(read_box_698f90a1_wide_parameters, size) == 0);
+static_assert(offsetof(read_box_698f90a1_wide_parameters, from_origin) == 4);
+static_assert(offsetof(read_box_698f90a1_wide_parameters, to_origin) == 8);
+static_assert(offsetof(read_box_698f90a1_wide_parameters, from_data_address) == 16);
+static_assert(offsetof(read_box_698f90a1_wide_parameters, to_data_address) == 24);
+
+// transfer.glift:15: read_box<Array<1, uint, none, buffer>, Box<1, uint>>, some rows.
+GLIFT_HOST_KERNEL
+static void read_box_698f90a1_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const read_box_698f90a1_wide_parameters*>(call.parameters);
+    const uint from_origin = parameters.from_origin;
+    const uint to_origin = parameters.to_origin;
+    const uint* from_data = glift::host::elements<const uint>(call.memories[0]);
+    uint* to_data = glift::host::elements<uint>(call.memories[1]);
+    for (const glift::host::Row row : rows) {
+        GLIFT_INDEPENDENT
+        for (uint x = row.begin; x < row.end; ++x) {
+            const uint address = x;
+            // transfer.glift:16
+            const uint from_address = from_origin + address;
+            // transfer.glift:15
+            const std::uint64_t from_at = std::uint64_t(from_address);
+            // transfer.glift:16
+            const uint to_address = to_origin + address;
+            // transfer.glift:15
+            const std::uint64_t to_at = std::uint64_t(to_address);
+            // transfer.glift:16
+            to_data[to_at] = from_data[from_at];
+        }
+    }
+}
+
+static void read_box_698f90a1_wide(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { read_box_698f90a1_wide_rows(call, rows); });
+}
+
+const glift::Binding read_box_698f90a1_bindings[] = {
+    {.name = "from.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 16,
+        .element_bytes = sizeof(uint), .reach = glift::Reach::element},
+    {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 24,
+        .element_bytes = sizeof(uint), .parameter = 1, .reach = glift::Reach::element},
+};
+constexpr glift::Parameter read_box_698f90a1_parameters[] = {
+    {"from_extent", 0, sizeof(read_box_698f90a1_direct_parameters::from_extent)},
+};
+}  // namespace
+
+extern GLIFT_SHARED const glift::Kernel read_box_698f90a1_kernel;
+const glift::Kernel read_box_698f90a1_kernel = {
+    .name = "read_box",
+    .file = "transfer.glift",
+    .line = 15,
+    .rank = 1,
+    .group = {256, 1, 1},
+    .loop_rounds = 0,
+    .bindings = read_box_698f90a1_bindings,
+    .direct = {.host = &read_box_698f90a1_direct, .parameter_bytes = 4, .push_constants = true},
+    .general = {.host = &read_box_698f90a1_general, .parameter_bytes = 12},
+    .wide = {.host = &read_box_698f90a1_wide, .parameter_bytes = 32},
+    .parameters = read_box_698f90a1_parameters,
+    .items = {2, 1, 1},
+};
+
+// ----------------------------------------------------------------------------------------------------
+// transfer.glift:20: write_box<Box<1, uint>, Array<1, uint, none, buffer>>
+
+namespace {
+struct write_box_920b34ba_direct_parameters {
+    uint from_extent;
+};
+static_assert(offsetof(write_box_920b34ba_direct_parameters, from_extent) == 0);
+
+// transfer.glift:20: write_box<Box<1, uint>, Array<1, uint, none, buffer>>, some rows.
+GLIFT_HOST_KERNEL
+static void write_box_920b34ba_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const uint* from_data = glift::host::elements<const uint>(call.memories[0]);
+    uint* to_data = glift::host::elements<uint>(call.memories[1]);
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint address = row.begin;
+            const uint* from_data_row = glift::host::row_pointer(from_data + address);
+            uint* to_data_row = glift::host::row_pointer(to_data + address);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:21
+                to_data_row[i] = from_data_row[i];
+            }
+        }
+    }
+}
+
+static void write_box_920b34ba_direct(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { write_box_920b34ba_direct_rows(call,
+        rows); });
+}
+
+struct write_box_920b34ba_general_parameters {
+    uint size;
+    uint from_origin;
+    uint to_origin;
+};
+static_assert(offsetof(write_box_920b34ba_general_parameters, size) == 0);
+static_assert(offsetof(write_box_920b34ba_general_parameters, from_origin) == 4);
+static_assert(offsetof(write_box_920b34ba_general_parameters, to_origin) == 8);
+
+// transfer.glift:20: write_box<Box<1, uint>, Array<1, uint, none, buffer>>, some rows.
+GLIFT_HOST_KERNEL
+static void write_box_920b34ba_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const write_box_920b34ba_general_parameters*>(call.parameters);
+    const uint from_origin = parameters.from_origin;
+    const uint to_origin = parameters.to_origin;
+    const uint* from_data = glift::host::elements<const uint>(call.memories[0]);
+    uint* to_data = glift::host::elements<uint>(call.memories[1]);
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint address = row.begin;
+            // transfer.glift:21
+            const uint from_address = from_origin + address;
+            const uint to_address = to_origin + address;
+            const uint* from_data_row = glift::host::row_pointer(from_data + from_address);
+            uint* to_data_row = glift::host::row_pointer(to_data + to_address);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:21
+                to_data_row[i] = from_data_row[i];
+            }
+        }
+    }
+}
+
+static void write_box_920b34ba_general(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { write_box_920b34ba_general_rows(call,
+        rows); });
+}
+
+struct write_box_920b34ba_wide_parameters {
+    uint size;
+    uint from_origin;
+    uint to_origin;
+    std::uint64_t from_data_address;
+    std::uint64_t to_data_address;
+};
+static_assert(offsetof(write_box_920b34ba_wide_parameters, size) == 0);
+static_assert(offsetof(write_box_920b34ba_wide_parameters, from_origin) == 4);
+static_assert(offsetof(write_box_920b34ba_wide_parameters, to_origin) == 8);
+static_assert(offsetof(write_box_920b34ba_wide_parameters, from_data_address) == 16);
+static_assert(offsetof(write_box_920b34ba_wide_parameters, to_data_address) == 24);
+
+// transfer.glift:20: write_box<Box<1, uint>, Array<1, uint, none, buffer>>, some rows.
+GLIFT_HOST_KERNEL
+static void write_box_920b34ba_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const write_box_920b34ba_wide_parameters*>(call.parameters);
+    const uint from_origin = parameters.from_origin;
+    const uint to_origin = parameters.to_origin;
+    const uint* from_data = glift::host::elements<const uint>(call.memories[0]);
+    uint* to_data = glift::host::elements<uint>(call.memories[1]);
+    for (const glift::host::Row row : rows) {
+        GLIFT_INDEPENDENT
+        for (uint x = row.begin; x < row.end; ++x) {
+            const uint address = x;
+            // transfer.glift:21
+            const uint from_address = from_origin + address;
+            // transfer.glift:20
+            const std::uint64_t from_at = std::uint64_t(from_address);
+            // transfer.glift:21
+            const uint to_address = to_origin + address;
+            // transfer.glift:20
+            const std::uint64_t to_at = std::uint64_t(to_address);
+            // transfer.glift:21
+            to_data[to_at] = from_data[from_at];
+        }
+    }
+}
+
+static void write_box_920b34ba_wide(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { write_box_920b34ba_wide_rows(call, rows); });
+}
+
+const glift::Binding write_box_920b34ba_bindings[] = {
+    {.name = "from.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 16,
+        .element_bytes = sizeof(uint), .reach = glift::Reach::element},
+    {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 24,
+        .element_bytes = sizeof(uint), .parameter = 1, .reach = glift::Reach::element},
+};
+constexpr glift::Parameter write_box_920b34ba_parameters[] = {
+    {"from_extent", 0, sizeof(write_box_920b34ba_direct_parameters::from_extent)},
+};
+}  // namespace
+
+extern GLIFT_SHARED const glift::Kernel write_box_920b34ba_kernel;
+const glift::Kernel write_box_920b34ba_kernel = {
+    .name = "write_box",
+    .file = "transfer.glift",
+    .line = 20,
+    .rank = 1,
+    .group = {256, 1, 1},
+    .loop_rounds = 0,
+    .bindings = write_box_920b34ba_bindings,
+    .direct = {.host = &write_box_920b34ba_direct, .parameter_bytes = 4, .push_constants = true},
+    .general = {.host = &write_box_920b34ba_general, .parameter_bytes = 12},
+    .wide = {.host = &write_box_920b34ba_wide, .parameter_bytes = 32},
+    .parameters = write_box_920b34ba_parameters,
+    .items = {2, 1, 1},
+};
+
+// ----------------------------------------------------------------------------------------------------
+// transfer.glift:25: fill_box<Array<1, uint, none, buffer>, uint>
+
+namespace {
+struct fill_box_fbf6ae12_direct_parameters {
+    uint to_extent;
+    uint value;
+};
+static_assert(offsetof(fill_box_fbf6ae12_direct_parameters, to_extent) == 0);
+static_assert(offsetof(fill_box_fbf6ae12_direct_parameters, value) == 4);
+
+// transfer.glift:25: fill_box<Array<1, uint, none, buffer>, uint>, some rows.
+GLIFT_HOST_KERNEL
+static void fill_box_fbf6ae12_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const fill_box_fbf6ae12_direct_parameters*>(call.parameters);
+    const uint value = parameters.value;
+    uint* to_data = glift::host::elements<uint>(call.memories[0]);
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint address = row.begin;
+            uint* to_data_row = glift::host::row_pointer(to_data + address);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:26
+                to_data_row[i] = value;
+            }
+        }
+    }
+}
+
+static void fill_box_fbf6ae12_direct(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { fill_box_fbf6ae12_direct_rows(call, rows); });
+}
+
+struct fill_box_fbf6ae12_general_parameters {
+    uint size;
+    uint to_origin;
+    uint value;
+};
+static_assert(offsetof(fill_box_fbf6ae12_general_parameters, size) == 0);
+static_assert(offsetof(fill_box_fbf6ae12_general_parameters, to_origin) == 4);
+static_assert(offsetof(fill_box_fbf6ae12_general_parameters, value) == 8);
+
+// transfer.glift:25: fill_box<Array<1, uint, none, buffer>, uint>, some rows.
+GLIFT_HOST_KERNEL
+static void fill_box_fbf6ae12_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const fill_box_fbf6ae12_general_parameters*>(call.parameters);
+    const uint to_origin = parameters.to_origin;
+    const uint value = parameters.value;
+    uint* to_data = glift::host::elements<uint>(call.memories[0]);
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint address = row.begin;
+            // transfer.glift:26
+            const uint to_address = to_origin + address;
+            uint* to_data_row = glift::host::row_pointer(to_data + to_address);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:26
+                to_data_row[i] = value;
+            }
+        }
+    }
+}
+
+static void fill_box_fbf6ae12_general(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { fill_box_fbf6ae12_general_rows(call,
+        rows); });
+}
+
+struct fill_box_fbf6ae12_wide_parameters {
+    uint size;
+    uint to_origin;
+    uint value;
+    std::uint64_t to_data_address;
+};
+static_assert(offsetof(fill_box_fbf6ae12_wide_parameters, size) == 0);
+static_assert(offsetof(fill_box_fbf6ae12_wide_parameters, to_origin) == 4);
+static_assert(offsetof(fill_box_fbf6ae12_wide_parameters, value) == 8);
+static_assert(offsetof(fill_box_fbf6ae12_wide_parameters, to_data_address) == 16);
+
+// transfer.glift:25: fill_box<Array<1, uint, none, buffer>, uint>, some rows.
+GLIFT_HOST_KERNEL
+static void fill_box_fbf6ae12_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const fill_box_fbf6ae12_wide_parameters*>(call.parameters);
+    const uint to_origin = parameters.to_origin;
+    const uint value = parameters.value;
+    uint* to_data = glift::host::elements<uint>(call.memories[0]);
+    for (const glift::host::Row row : rows) {
+        GLIFT_INDEPENDENT
+        for (uint x = row.begin; x < row.end; ++x) {
+            const uint address = x;
+            // transfer.glift:26
+            const uint to_address = to_origin + address;
+            // transfer.glift:25
+            const std::uint64_t to_at = std::uint64_t(to_address);
+            // transfer.glift:26
+            to_data[to_at] = value;
+        }
+    }
+}
+
+static void fill_box_fbf6ae12_wide(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { fill_box_fbf6ae12_wide_rows(call, rows); });
+}
+
+const glift::Binding fill_box_fbf6ae12_bindings[] = {
+    {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 16,
+        .element_bytes = sizeof(uint)},
+};
+constexpr glift::Parameter fill_box_fbf6ae12_parameters[] = {
+    {"to_extent", 0, sizeof(fill_box_fbf6ae12_direct_parameters::to_extent)},
+    {"value", 4, sizeof(fill_box_fbf6ae12_direct_parameters::value)},
+};
+}  // namespace
+
+extern GLIFT_SHARED const glift::Kernel fill_box_fbf6ae12_kernel;
+const glift::Kernel fill_box_fbf6ae12_kernel = {
+    .name = "fill_box",
+    .file = "transfer.glift",
+    .line = 25,
+    .rank = 1,
+    .group = {256, 1, 1},
+    .loop_rounds = 0,
+    .bindings = fill_box_fbf6ae12_bindings,
+    .direct = {.host = &fill_box_fbf6ae12_direct, .parameter_bytes = 8, .push_constants = true},
+    .general = {.host = &fill_box_fbf6ae12_general, .parameter_bytes = 12},
+    .wide = {.host = &fill_box_fbf6ae12_wide, .parameter_bytes = 24},
+    .parameters = fill_box_fbf6ae12_parameters,
+    .items = {2, 1, 1},
+};
+
+// ----------------------------------------------------------------------------------------------------
+// transfer.glift:15: read_box<Array<2, float, none, buffer>, Box<2, float>>
+
+namespace {
+struct read_box_f3d15695_direct_parameters {
+    uint2 from_extent;
+    uint to_extent_x;
+};
+static_assert(offsetof(read_box_f3d15695_direct_parameters, from_extent) == 0);
+static_assert(offsetof(read_box_f3d15695_direct_parameters, to_extent_x) == 8);
+
+// transfer.glift:15: read_box<Array<2, float, none, buffer>, Box<2, float>>, some rows.
+GLIFT_HOST_KERNEL
+static void read_box_f3d15695_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const read_box_f3d15695_direct_parameters*>(call.parameters);
+    const uint2 from_extent = parameters.from_extent;
+    const uint to_extent_x = parameters.to_extent_x;
+    const float* from_data = glift::host::elements<const float>(call.memories[0]);
+    float* to_data = glift::host::elements<float>(call.memories[1]);
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint2 address{row.begin, row.y};
+            // transfer.glift:15
+            const uint from_at = address.y * from_extent.x + address.x;
+            const uint to_at = address.y * to_extent_x + address.x;
+            const float* from_data_row = glift::host::row_pointer(from_data + from_at);
+            float* to_data_row = glift::host::row_pointer(to_data + to_at);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:16
+                to_data_row[i] = from_data_row[i];
+            }
+        }
+    }
+}
+
+static void read_box_f3d15695_direct(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { read_box_f3d15695_direct_rows(call, rows); });
+}
+
+struct read_box_f3d15695_general_parameters {
+    uint2 size;
+    uint2 from_origin;
+    uint2 to_origin;
+    uint from_extent_x;
+    uint to_extent_x;
+};
+static_assert(offsetof(read_box_f3d15695_general_parameters, size) == 0);
+static_assert(offsetof(read_box_f3d15695_general_parameters, from_origin) == 8);
+static_assert(offsetof(read_box_f3d15695_general_parameters, to_origin) == 16);
+static_assert(offsetof(read_box_f3d15695_general_parameters, from_extent_x) == 24);
+static_assert(offsetof(read_box_f3d15695_general_parameters, to_extent_x) == 28);
+
+// transfer.glift:15: read_box<Array<2, float, none, buffer>, Box<2, float>>, some rows.
+GLIFT_HOST_KERNEL
+static void read_box_f3d15695_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const read_box_f3d15695_general_parameters*>(call.parameters);
+    const uint2 from_origin = parameters.from_origin;
+    const uint2 to_origin = parameters.to_origin;
+    const uint from_extent_x = parameters.from_extent_x;
+    const uint to_extent_x = parameters.to_extent_x;
+    const float* from_data = glift::host::elements<const float>(call.memories[0]);
+    float* to_data = glift::host::elements<float>(call.memories[1]);
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint2 address{row.begin, row.y};
+            // transfer.glift:16
+            const uint2 from_address = from_origin + address;
+            // transfer.glift:15
+            const uint from_at = from_address.y * from_extent_x + from_address.x;
+            // transfer.glift:16
+            const uint2 to_address = to_origin + address;
+            // transfer.glift:15
+            const uint to_at = to_address.y * to_extent_x + to_address.x;
+            const float* from_data_row = glift::host::row_pointer(from_data + from_at);
+            float* to_data_row = glift::host::row_pointer(to_data + to_at);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:16
+                to_data_row[i] = from_data_row[i];
+            }
+        }
+    }
+}
+
+static void read_box_f3d15695_general(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { read_box_f3d15695_general_rows(call,
+        rows); });
+}
+
+struct read_box_f3d15695_wide_parameters {
+    uint2 size;
+    uint2 from_origin;
+    uint2 to_origin;
+    uint3 base;
+    std::uint64_t from_extent_x;
+    std::uint64_t to_extent_x;
+    std::uint64_t from_data_address;
+    std::uint64_t to_data_address;
+};
+static_assert(offsetof(read_box_f3d15695_wide_parameters, size) == 0);
+static_assert(offsetof(read_box_f3d15695_wide_parameters, from_origin) == 8);
+static_assert(offsetof(read_box_f3d15695_wide_parameters, to_origin) == 16);
+static_assert(offsetof(read_box_f3d15695_wide_parameters, base) == 24);
+static_assert(offsetof(read_box_f3d15695_wide_parameters, from_extent_x) == 40);
+static_assert(offsetof(read_box_f3d15695_wide_parameters, to_extent_x) == 48);
+static_assert(offsetof(read_box_f3d15695_wide_parameters, from_data_address) == 56);
+static_assert(offsetof(read_box_f3d15695_wide_parameters, to_data_address) == 64);
+
+// transfer.glift:15: read_box<Array<2, float, none, buffer>, Box<2, float>>, some rows.
+GLIFT_HOST_KERNEL
+static void read_box_f3d15695_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const read_box_f3d15695_wide_parameters*>(call.parameters);
+    const uint2 from_origin = parameters.from_origin;
+    const uint2 to_origin = parameters.to_origin;
+    const std::uint64_t from_extent_x = parameters.from_extent_x;
+    const std::uint64_t to_extent_x = parameters.to_extent_x;
+    const float* from_data = glift::host::elements<const float>(call.memories[0]);
+    float* to_data = glift::host::elements<float>(call.memories[1]);
+    for (const glift::host::Row row : rows) {
+        GLIFT_INDEPENDENT
+        for (uint x = row.begin; x < row.end; ++x) {
+            const uint2 address{x, row.y};
+            // transfer.glift:16
+            const uint2 from_address = from_origin + address;
+            // transfer.glift:15
+            const std::uint64_t from_at = std::uint64_t(from_address.y) * from_extent_x + std::uint64_t(from_address.x);
+            // transfer.glift:16
+            const uint2 to_address = to_origin + address;
+            // transfer.glift:15
+            const std::uint64_t to_at = std::uint64_t(to_address.y) * to_extent_x + std::uint64_t(to_address.x);
+            // transfer.glift:16
+            to_data[to_at] = from_data[from_at];
+        }
+    }
+}
+
+static void read_box_f3d15695_wide(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { read_box_f3d15695_wide_rows(call, rows); });
+}
+
+const glift::Binding read_box_f3d15695_bindings[] = {
+    {.name = "from.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 56,
+        .element_bytes = sizeof(float), .reach = glift::Reach::element},
+    {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 64,
+        .element_bytes = sizeof(float), .parameter = 1, .reach = glift::Reach::element},
+};
+constexpr glift::Parameter read_box_f3d15695_parameters[] = {
+    {"from_extent", 0, sizeof(read_box_f3d15695_direct_parameters::from_extent)},
+    {"to_extent_x", 8, sizeof(read_box_f3d15695_direct_parameters::to_extent_x)},
+};
+}  // namespace
+
+extern GLIFT_SHARED const glift::Kernel read_box_f3d15695_kernel;
+const glift::Kernel read_box_f3d15695_kernel = {
+    .name = "read_box",
+    .file = "transfer.glift",
+    .line = 15,
+    .rank = 2,
+    .group = {32, 8, 1},
+    .loop_rounds = 0,
+    .bindings = read_box_f3d15695_bindings,
+    .direct = {.host = &read_box_f3d15695_direct, .parameter_bytes = 12, .push_constants = true},
+    .general = {.host = &read_box_f3d15695_general, .parameter_bytes = 32},
+    .wide = {.host = &read_box_f3d15695_wide, .parameter_bytes = 72, .base_offset = 24},
+    .parameters = read_box_f3d15695_parameters,
+    .items = {1, 2, 1},
+};
+
+// ----------------------------------------------------------------------------------------------------
+// transfer.glift:20: write_box<Box<2, float>, Array<2, float, none, buffer>>
+
+namespace {
+struct write_box_d5801374_direct_parameters {
+    uint2 from_extent;
+    uint to_extent_x;
+};
+static_assert(offsetof(write_box_d5801374_direct_parameters, from_extent) == 0);
+static_assert(offsetof(write_box_d5801374_direct_parameters, to_extent_x) == 8);
+
+// transfer.glift:20: write_box<Box<2, float>, Array<2, float, none, buffer>>, some rows.
+GLIFT_HOST_KERNEL
+static void write_box_d5801374_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const write_box_d5801374_direct_parameters*>(call.parameters);
+    const uint2 from_extent = parameters.from_extent;
+    const uint to_extent_x = parameters.to_extent_x;
+    const float* from_data = glift::host::elements<const float>(call.memories[0]);
+    float* to_data = glift::host::elements<float>(call.memories[1]);
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint2 address{row.begin, row.y};
+            // transfer.glift:20
+            const uint from_at = address.y * from_extent.x + address.x;
+            const uint to_at = address.y * to_extent_x + address.x;
+            const float* from_data_row = glift::host::row_pointer(from_data + from_at);
+            float* to_data_row = glift::host::row_pointer(to_data + to_at);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:21
+                to_data_row[i] = from_data_row[i];
+            }
+        }
+    }
+}
+
+static void write_box_d5801374_direct(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { write_box_d5801374_direct_rows(call,
+        rows); });
+}
+
+struct write_box_d5801374_general_parameters {
+    uint2 size;
+    uint2 from_origin;
+    uint2 to_origin;
+    uint from_extent_x;
+    uint to_extent_x;
+};
+static_assert(offsetof(write_box_d5801374_general_parameters, size) == 0);
+static_assert(offsetof(write_box_d5801374_general_parameters, from_origin) == 8);
+static_assert(offsetof(write_box_d5801374_general_parameters, to_origin) == 16);
+static_assert(offsetof(write_box_d5801374_general_parameters, from_extent_x) == 24);
+static_assert(offsetof(write_box_d5801374_general_parameters, to_extent_x) == 28);
+
+// transfer.glift:20: write_box<Box<2, float>, Array<2, float, none, buffer>>, some rows.
+GLIFT_HOST_KERNEL
+static void write_box_d5801374_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const write_box_d5801374_general_parameters*>(call.parameters);
+    const uint2 from_origin = parameters.from_origin;
+    const uint2 to_origin = parameters.to_origin;
+    const uint from_extent_x = parameters.from_extent_x;
+    const uint to_extent_x = parameters.to_extent_x;
+    const float* from_data = glift::host::elements<const float>(call.memories[0]);
+    float* to_data = glift::host::elements<float>(call.memories[1]);
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint2 address{row.begin, row.y};
+            // transfer.glift:21
+            const uint2 from_address = from_origin + address;
+            // transfer.glift:20
+            const uint from_at = from_address.y * from_extent_x + from_address.x;
+            // transfer.glift:21
+            const uint2 to_address = to_origin + address;
+            // transfer.glift:20
+            const uint to_at = to_address.y * to_extent_x + to_address.x;
+            const float* from_data_row = glift::host::row_pointer(from_data + from_at);
+            float* to_data_row = glift::host::row_pointer(to_data + to_at);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:21
+                to_data_row[i] = from_data_row[i];
+            }
+        }
+    }
+}
+
+static void write_box_d5801374_general(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { write_box_d5801374_general_rows(call,
+        rows); });
+}
+
+struct write_box_d5801374_wide_parameters {
+    uint2 size;
+    uint2 from_origin;
+    uint2 to_origin;
+    uint3 base;
+    std::uint64_t from_extent_x;
+    std::uint64_t to_extent_x;
+    std::uint64_t from_data_address;
+    std::uint64_t to_data_address;
+};
+static_assert(offsetof(write_box_d5801374_wide_parameters, size) == 0);
+static_assert(offsetof(write_box_d5801374_wide_parameters, from_origin) == 8);
+static_assert(offsetof(write_box_d5801374_wide_parameters, to_origin) == 16);
+static_assert(offsetof(write_box_d5801374_wide_parameters, base) == 24);
+static_assert(offsetof(write_box_d5801374_wide_parameters, from_extent_x) == 40);
+static_assert(offsetof(write_box_d5801374_wide_parameters, to_extent_x) == 48);
+static_assert(offsetof(write_box_d5801374_wide_parameters, from_data_address) == 56);
+static_assert(offsetof(write_box_d5801374_wide_parameters, to_data_address) == 64);
+
+// transfer.glift:20: write_box<Box<2, float>, Array<2, float, none, buffer>>, some rows.
+GLIFT_HOST_KERNEL
+static void write_box_d5801374_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const write_box_d5801374_wide_parameters*>(call.parameters);
+    const uint2 from_origin = parameters.from_origin;
+    const uint2 to_origin = parameters.to_origin;
+    const std::uint64_t from_extent_x = parameters.from_extent_x;
+    const std::uint64_t to_extent_x = parameters.to_extent_x;
+    const float* from_data = glift::host::elements<const float>(call.memories[0]);
+    float* to_data = glift::host::elements<float>(call.memories[1]);
+    for (const glift::host::Row row : rows) {
+        GLIFT_INDEPENDENT
+        for (uint x = row.begin; x < row.end; ++x) {
+            const uint2 address{x, row.y};
+            // transfer.glift:21
+            const uint2 from_address = from_origin + address;
+            // transfer.glift:20
+            const std::uint64_t from_at = std::uint64_t(from_address.y) * from_extent_x + std::uint64_t(from_address.x);
+            // transfer.glift:21
+            const uint2 to_address = to_origin + address;
+            // transfer.glift:20
+            const std::uint64_t to_at = std::uint64_t(to_address.y) * to_extent_x + std::uint64_t(to_address.x);
+            // transfer.glift:21
+            to_data[to_at] = from_data[from_at];
+        }
+    }
+}
+
+static void write_box_d5801374_wide(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { write_box_d5801374_wide_rows(call, rows); });
+}
+
+const glift::Binding write_box_d5801374_bindings[] = {
+    {.name = "from.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::read, .address_offset = 56,
+        .element_bytes = sizeof(float), .reach = glift::Reach::element},
+    {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 64,
+        .element_bytes = sizeof(float), .parameter = 1, .reach = glift::Reach::element},
+};
+constexpr glift::Parameter write_box_d5801374_parameters[] = {
+    {"from_extent", 0, sizeof(write_box_d5801374_direct_parameters::from_extent)},
+    {"to_extent_x", 8, sizeof(write_box_d5801374_direct_parameters::to_extent_x)},
+};
+}  // namespace
+
+extern GLIFT_SHARED const glift::Kernel write_box_d5801374_kernel;
+const glift::Kernel write_box_d5801374_kernel = {
+    .name = "write_box",
+    .file = "transfer.glift",
+    .line = 20,
+    .rank = 2,
+    .group = {32, 8, 1},
+    .loop_rounds = 0,
+    .bindings = write_box_d5801374_bindings,
+    .direct = {.host = &write_box_d5801374_direct, .parameter_bytes = 12, .push_constants = true},
+    .general = {.host = &write_box_d5801374_general, .parameter_bytes = 32},
+    .wide = {.host = &write_box_d5801374_wide, .parameter_bytes = 72, .base_offset = 24},
+    .parameters = write_box_d5801374_parameters,
+    .items = {1, 2, 1},
+};
+
+// ----------------------------------------------------------------------------------------------------
+// transfer.glift:25: fill_box<Array<2, float, none, buffer>, float>
+
+namespace {
+struct fill_box_902cb707_direct_parameters {
+    uint2 to_extent;
+    float value;
+};
+static_assert(offsetof(fill_box_902cb707_direct_parameters, to_extent) == 0);
+static_assert(offsetof(fill_box_902cb707_direct_parameters, value) == 8);
+
+// transfer.glift:25: fill_box<Array<2, float, none, buffer>, float>, some rows.
+GLIFT_HOST_KERNEL
+static void fill_box_902cb707_direct_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const fill_box_902cb707_direct_parameters*>(call.parameters);
+    const uint2 to_extent = parameters.to_extent;
+    const float value = parameters.value;
+    float* to_data = glift::host::elements<float>(call.memories[0]);
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint2 address{row.begin, row.y};
+            // transfer.glift:25
+            const uint to_at = address.y * to_extent.x + address.x;
+            float* to_data_row = glift::host::row_pointer(to_data + to_at);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:26
+                to_data_row[i] = value;
+            }
+        }
+    }
+}
+
+static void fill_box_902cb707_direct(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { fill_box_902cb707_direct_rows(call, rows); });
+}
+
+struct fill_box_902cb707_general_parameters {
+    uint2 size;
+    uint2 to_origin;
+    uint to_extent_x;
+    float value;
+};
+static_assert(offsetof(fill_box_902cb707_general_parameters, size) == 0);
+static_assert(offsetof(fill_box_902cb707_general_parameters, to_origin) == 8);
+static_assert(offsetof(fill_box_902cb707_general_parameters, to_extent_x) == 16);
+static_assert(offsetof(fill_box_902cb707_general_parameters, value) == 20);
+
+// transfer.glift:25: fill_box<Array<2, float, none, buffer>, float>, some rows.
+GLIFT_HOST_KERNEL
+static void fill_box_902cb707_general_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const fill_box_902cb707_general_parameters*>(call.parameters);
+    const uint2 to_origin = parameters.to_origin;
+    const uint to_extent_x = parameters.to_extent_x;
+    const float value = parameters.value;
+    float* to_data = glift::host::elements<float>(call.memories[0]);
+    for (const glift::host::Row row : rows) {
+        if (row.begin < row.end) {
+            const uint2 address{row.begin, row.y};
+            // transfer.glift:26
+            const uint2 to_address = to_origin + address;
+            // transfer.glift:25
+            const uint to_at = to_address.y * to_extent_x + to_address.x;
+            float* to_data_row = glift::host::row_pointer(to_data + to_at);
+            GLIFT_INDEPENDENT
+            for (std::size_t i = 0, count = row.end - row.begin; i < count; ++i) {
+                // transfer.glift:26
+                to_data_row[i] = value;
+            }
+        }
+    }
+}
+
+static void fill_box_902cb707_general(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { fill_box_902cb707_general_rows(call,
+        rows); });
+}
+
+struct fill_box_902cb707_wide_parameters {
+    uint2 size;
+    uint2 to_origin;
+    uint3 base;
+    std::uint64_t to_extent_x;
+    float value;
+    std::uint64_t to_data_address;
+};
+static_assert(offsetof(fill_box_902cb707_wide_parameters, size) == 0);
+static_assert(offsetof(fill_box_902cb707_wide_parameters, to_origin) == 8);
+static_assert(offsetof(fill_box_902cb707_wide_parameters, base) == 16);
+static_assert(offsetof(fill_box_902cb707_wide_parameters, to_extent_x) == 32);
+static_assert(offsetof(fill_box_902cb707_wide_parameters, value) == 40);
+static_assert(offsetof(fill_box_902cb707_wide_parameters, to_data_address) == 48);
+
+// transfer.glift:25: fill_box<Array<2, float, none, buffer>, float>, some rows.
+GLIFT_HOST_KERNEL
+static void fill_box_902cb707_wide_rows(const glift::HostCall& call, const glift::host::Rows& rows) {
+    const auto& parameters = *static_cast<const fill_box_902cb707_wide_parameters*>(call.parameters);
+    const uint2 to_origin = parameters.to_origin;
+    const std::uint64_t to_extent_x = parameters.to_extent_x;
+    const float value = parameters.value;
+    float* to_data = glift::host::elements<float>(call.memories[0]);
+    for (const glift::host::Row row : rows) {
+        GLIFT_INDEPENDENT
+        for (uint x = row.begin; x < row.end; ++x) {
+            const uint2 address{x, row.y};
+            // transfer.glift:26
+            const uint2 to_address = to_origin + address;
+            // transfer.glift:25
+            const std::uint64_t to_at = std::uint64_t(to_address.y) * to_extent_x + std::uint64_t(to_address.x);
+            // transfer.glift:26
+            to_data[to_at] = value;
+        }
+    }
+}
+
+static void fill_box_902cb707_wide(const glift::HostCall& call) {
+    glift::host::for_rows(call.size, [&](const glift::host::Rows& rows) { fill_box_902cb707_wide_rows(call, rows); });
+}
+
+const glift::Binding fill_box_902cb707_bindings[] = {
+    {.name = "to.data", .kind = glift::MemoryKind::buffer, .access = glift::Access::write, .address_offset = 48,
+        .element_bytes = sizeof(float)},
+};
+constexpr glift::Parameter fill_box_902cb707_parameters[] = {
+    {"to_extent", 0, sizeof(fill_box_902cb707_direct_parameters::to_extent)},
+    {"value", 8, sizeof(fill_box_902cb707_direct_parameters::value)},
+};
+}  // namespace
+
+extern GLIFT_SHARED const glift::Kernel fill_box_902cb707_kernel;
+const glift::Kernel fill_box_902cb707_kernel = {
+    .name = "fill_box",
+    .file = "transfer.glift",
+    .line = 25,
+    .rank = 2,
+    .group = {32, 8, 1},
+    .loop_rounds = 0,
+    .bindings = fill_box_902cb707_bindings,
+    .direct = {.host = &fill_box_902cb707_direct, .parameter_bytes = 12, .push_constants = true},
+    .general = {.host = &fill_box_902cb707_general, .parameter_bytes = 24},
+    .wide = {.host = &fill_box_902cb707_wide, .parameter_bytes = 56, .base_offset = 16},
+    .parameters = fill_box_902cb707_parameters,
+    .items = {1, 2, 1},
 };
 
 }  // namespace std_transfer

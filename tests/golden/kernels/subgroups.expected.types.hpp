@@ -15,6 +15,11 @@ struct Best {
     glift::uint2 where{};
     glift::array<int, 2> list{};
     bool operator==(const Best&) const = default;
+    template <class See> void describe(See&& see) const {
+        see.value("value", value);
+        see.value("where", where);
+        see.value("list", list);
+    }
 };
 static_assert(offsetof(Best, value) == 0);
 static_assert(offsetof(Best, where) == 4);

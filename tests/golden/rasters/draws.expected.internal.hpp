@@ -37,6 +37,12 @@ public:
     void copy_in(const glift::Commands& commands, const glift::Range<Box_1_float3>& range,
         const glift::Memory& box) const;
 
+    /// Calls a function of `see` for each part, with its name and value: see glift/inspect.h.
+    template <class See> void describe(See&& see) const {
+        see.value("extent", extent_);
+        see.memory("data", data());
+    }
+
 private:
     glift::uint extent_{};
     std::uint64_t data_extent_{};
@@ -75,6 +81,12 @@ public:
         const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Box_1_uint>& range,
         const glift::Memory& box) const;
+
+    /// Calls a function of `see` for each part, with its name and value: see glift/inspect.h.
+    template <class See> void describe(See&& see) const {
+        see.value("extent", extent_);
+        see.memory("data", data());
+    }
 
 private:
     glift::uint extent_{};
@@ -115,6 +127,12 @@ public:
     void copy_in(const glift::Commands& commands, const glift::Range<Box_2_float4>& range,
         const glift::Memory& box) const;
 
+    /// Calls a function of `see` for each part, with its name and value: see glift/inspect.h.
+    template <class See> void describe(See&& see) const {
+        see.value("extent", extent_);
+        see.memory("data", data());
+    }
+
 private:
     glift::uint2 extent_{};
     std::uint64_t data_extent_{};
@@ -153,6 +171,12 @@ public:
         const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Box_2_float>& range,
         const glift::Memory& box) const;
+
+    /// Calls a function of `see` for each part, with its name and value: see glift/inspect.h.
+    template <class See> void describe(See&& see) const {
+        see.value("extent", extent_);
+        see.memory("data", data());
+    }
 
 private:
     glift::uint2 extent_{};
@@ -193,6 +217,12 @@ public:
     void copy_in(const glift::Commands& commands, const glift::Range<Box_2_uint>& range,
         const glift::Memory& box) const;
 
+    /// Calls a function of `see` for each part, with its name and value: see glift/inspect.h.
+    template <class See> void describe(See&& see) const {
+        see.value("extent", extent_);
+        see.memory("data", data());
+    }
+
 private:
     glift::uint2 extent_{};
     std::uint64_t data_extent_{};
@@ -223,6 +253,11 @@ public:
     /// Elements of a box to a linear buffer, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<Everything>& range,
         const glift::Memory& box) const;
+
+    /// Calls a function of `see` for each part, with its name and value: see glift/inspect.h.
+    template <class See> void describe(See&& see) const {
+        see.value("count", count_);
+    }
 
 private:
     glift::uint count_{};

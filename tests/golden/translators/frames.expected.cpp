@@ -140,6 +140,31 @@ std::uint64_t Frames::place(uint address) const {
     return translate(address);
 }
 
+void Frames::copy_out(const glift::Commands& commands, const glift::Range<Frames>& range,
+    const glift::Memory& box) const {
+    ::std_transfer::read_box_c62e930d(commands, range, ::std_transfer::Box_1_uint(commands, range.size(), box));
+}
+
+void Frames::list(const glift::Commands& commands, const glift::Range<Frames>& range, glift::uint most,
+    const glift::Memory& counter, const glift::Memory& addresses, const glift::Memory& places,
+    const glift::Memory& values) const {
+    ::std_transfer::list_there_ba0d4190(commands, range, *this, *this, ::std_transfer::Box_1_uint(commands, 1, counter),
+        ::std_transfer::Box_1_uint(commands, most, addresses), ::std_transfer::Box_1_uint(commands, most, places),
+        ::std_transfer::Box_1_uint(commands, most, values));
+}
+
+void Frames::copy_in(const glift::Commands& commands, const glift::Range<Frames>& range,
+    const glift::Memory& box) const {
+    ::std_transfer::write_box_32448ca0(commands, ::std_transfer::Box_1_uint(commands, range.size(), box), range);
+}
+
+void Frames::fill(uint value, const glift::Range<Frames>& range) {
+    ::std_transfer::fill_box_frames_Frames_uint(device(), range, value);
+}
+void Frames::fill(uint value) {
+    fill(value, *this);
+}
+
 Pool::Pool(const glift::Commands& commands, uint pages, uint capacity)
     : Structure(commands.device()),
       pages_(pages),
@@ -167,6 +192,14 @@ bool Pool::same_state(const Pool& other) const {
 
 void Pool::copy_out(const glift::Commands& commands, const glift::Range<Pool>& range, const glift::Memory& box) const {
     ::std_transfer::read_box_1f848e0d(commands, range, ::std_transfer::Box_1_float(commands, range.size(), box));
+}
+
+void Pool::list(const glift::Commands& commands, const glift::Range<Pool>& range, glift::uint most,
+    const glift::Memory& counter, const glift::Memory& addresses, const glift::Memory& places,
+    const glift::Memory& values) const {
+    ::std_transfer::list_there_d62ad97a(commands, range, *this, *this, ::std_transfer::Box_1_uint(commands, 1, counter),
+        ::std_transfer::Box_1_uint(commands, most, addresses), ::std_transfer::Box_1_uint(commands, most, places),
+        ::std_transfer::Box_1_float(commands, most, values));
 }
 
 void Pool::copy_in(const glift::Commands& commands, const glift::Range<Pool>& range, const glift::Memory& box) const {

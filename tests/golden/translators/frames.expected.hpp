@@ -39,6 +39,21 @@ public:
     /// Elements of a box to a linear buffer, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<Frames>& range, const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Frames>& range, const glift::Memory& box) const;
+    /// Where addresses are translated to: in the structure's own memory.
+    using Place = glift::uint;
+    /// Whether it translates addresses itself; else its memory does.
+    static constexpr bool translates = true;
+    static constexpr bool has_blocks = false;
+    /// What of a box is there, `most` at most, in no particular order: see read_resident.
+    void list(const glift::Commands& commands, const glift::Range<Frames>& range, glift::uint most,
+        const glift::Memory& counter, const glift::Memory& addresses, const glift::Memory& places,
+        const glift::Memory& values) const;
+
+    /// Calls a function of `see` for each part, with its name and value: see glift/inspect.h.
+    template <class See> void describe(See&& see) const {
+        see.value("n", n_);
+        see.memory("data", data());
+    }
 
 private:
     glift::uint n_{};
@@ -75,6 +90,23 @@ public:
     /// Elements of a box to a linear buffer, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<Pool>& range, const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Pool>& range, const glift::Memory& box) const;
+    /// Where addresses are translated to: in the structure's own memory.
+    using Place = glift::uint;
+    /// Whether it translates addresses itself; else its memory does.
+    static constexpr bool translates = true;
+    static constexpr bool has_blocks = false;
+    /// What of a box is there, `most` at most, in no particular order: see read_resident.
+    void list(const glift::Commands& commands, const glift::Range<Pool>& range, glift::uint most,
+        const glift::Memory& counter, const glift::Memory& addresses, const glift::Memory& places,
+        const glift::Memory& values) const;
+
+    /// Calls a function of `see` for each part, with its name and value: see glift/inspect.h.
+    template <class See> void describe(See&& see) const {
+        see.value("pages", pages_);
+        see.value("capacity", capacity_);
+        see.memory("data", data());
+        see.member("frames", frames());
+    }
 
 private:
     glift::uint pages_{};

@@ -329,6 +329,14 @@ void Paged::copy_out(const glift::Commands& commands, const glift::Range<Paged>&
     ::std_transfer::read_box_b7c9e6e7(commands, range, ::std_transfer::Box_1_float(commands, range.size(), box));
 }
 
+void Paged::list(const glift::Commands& commands, const glift::Range<Paged>& range, glift::uint most,
+    const glift::Memory& counter, const glift::Memory& addresses, const glift::Memory& places,
+    const glift::Memory& values) const {
+    ::std_transfer::list_there_2c6db734(commands, range, *this, *this, ::std_transfer::Box_1_uint(commands, 1, counter),
+        ::std_transfer::Box_1_uint(commands, most, addresses), ::std_transfer::Box_1_uint2(commands, most, places),
+        ::std_transfer::Box_1_float(commands, most, values));
+}
+
 void Paged::copy_in(const glift::Commands& commands, const glift::Range<Paged>& range, const glift::Memory& box) const {
     ::std_transfer::write_box_a6c67e1e(commands, ::std_transfer::Box_1_float(commands, range.size(), box), range);
 }
@@ -354,6 +362,14 @@ bool Same::same_state(const Same& other) const {
 
 void Same::copy_out(const glift::Commands& commands, const glift::Range<Same>& range, const glift::Memory& box) const {
     ::std_transfer::read_box_a62f9606(commands, range, ::std_transfer::Box_1_float(commands, range.size(), box));
+}
+
+void Same::list(const glift::Commands& commands, const glift::Range<Same>& range, glift::uint most,
+    const glift::Memory& counter, const glift::Memory& addresses, const glift::Memory& places,
+    const glift::Memory& values) const {
+    ::std_transfer::list_there_ac7b7783(commands, range, *this, field(),
+        ::std_transfer::Box_1_uint(commands, 1, counter), ::std_transfer::Box_1_uint(commands, most, addresses),
+        ::std_transfer::Box_1_uint2(commands, most, places), ::std_transfer::Box_1_float(commands, most, values));
 }
 
 void Same::copy_in(const glift::Commands& commands, const glift::Range<Same>& range, const glift::Memory& box) const {

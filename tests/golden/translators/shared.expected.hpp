@@ -46,6 +46,12 @@ public:
     void copy_in(const glift::Commands& commands, const glift::Range<Array_1_uint_none_buffer>& range,
         const glift::Memory& box) const;
 
+    /// Calls a function of `see` for each part, with its name and value: see glift/inspect.h.
+    template <class See> void describe(See&& see) const {
+        see.value("extent", extent_);
+        see.memory("data", data());
+    }
+
 private:
     glift::uint extent_{};
     std::uint64_t data_extent_{};
@@ -97,6 +103,12 @@ public:
     void copy_in(const glift::Commands& commands, const glift::Range<Array_2_float_none_buffer>& range,
         const glift::Memory& box) const;
 
+    /// Calls a function of `see` for each part, with its name and value: see glift/inspect.h.
+    template <class See> void describe(See&& see) const {
+        see.value("extent", extent_);
+        see.memory("data", data());
+    }
+
 private:
     glift::uint2 extent_{};
     std::uint64_t data_extent_{};
@@ -139,6 +151,23 @@ public:
     /// Elements of a box to a linear buffer, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<Paged>& range, const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Paged>& range, const glift::Memory& box) const;
+    /// Where addresses are translated to: in the structure's own memory.
+    using Place = glift::uint2;
+    /// Whether it translates addresses itself; else its memory does.
+    static constexpr bool translates = true;
+    static constexpr bool has_blocks = false;
+    /// What of a box is there, `most` at most, in no particular order: see read_resident.
+    void list(const glift::Commands& commands, const glift::Range<Paged>& range, glift::uint most,
+        const glift::Memory& counter, const glift::Memory& addresses, const glift::Memory& places,
+        const glift::Memory& values) const;
+
+    /// Calls a function of `see` for each part, with its name and value: see glift/inspect.h.
+    template <class See> void describe(See&& see) const {
+        see.value("extent", extent_);
+        see.value("capacity", capacity_);
+        see.given("table", table());
+        see.memory("frames", frames());
+    }
 
 private:
     glift::uint extent_{};
@@ -173,6 +202,20 @@ public:
     /// Elements of a box to a linear buffer, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<Same>& range, const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Same>& range, const glift::Memory& box) const;
+    /// Where addresses are translated to: in the structure's own memory.
+    using Place = glift::uint2;
+    /// Whether it translates addresses itself; else its memory does.
+    static constexpr bool translates = false;
+    static constexpr bool has_blocks = false;
+    /// What of a box is there, `most` at most, in no particular order: see read_resident.
+    void list(const glift::Commands& commands, const glift::Range<Same>& range, glift::uint most,
+        const glift::Memory& counter, const glift::Memory& addresses, const glift::Memory& places,
+        const glift::Memory& values) const;
+
+    /// Calls a function of `see` for each part, with its name and value: see glift/inspect.h.
+    template <class See> void describe(See&& see) const {
+        see.memory("field", field());
+    }
 
 private:
     Paged field_;
@@ -199,6 +242,13 @@ public:
     glift::uint capacity() const { return capacity_.get(); }
     /// True if the two were made with equal arguments.
     bool same_state(const Growing& other) const;
+
+    /// Calls a function of `see` for each part, with its name and value: see glift/inspect.h.
+    template <class See> void describe(See&& see) const {
+        see.value("n", n_);
+        see.value("capacity", capacity());
+        see.member("frames", frames());
+    }
 
     void grow(const glift::Commands& commands);
 

@@ -1,0 +1,105 @@
+// What moves elements between structures and the host.
+#include "emit/cpp/unit.h"
+#include "ir/chain.h"
+
+namespace gliftc::cpp {
+
+namespace {
+
+const ir::Program::Transfer* transfer_of(const ir::Program& program, std::uint32_t structure) {
+    for (const ir::Program::Transfer& transfer : program.transfers) {
+        if (transfer.structure == structure) return &transfer;
+    }
+    return nullptr;
+}
+
+bool is_kernel(const Unit& unit, std::uint32_t kernel) { return kernel < unit.program.kernels.size(); }
+
+/// Of the function that lists the elements that are there.
+std::string list_parameters(const std::string& type) {
+    return "(const glift::Commands& commands, const glift::Range<" + type +
+           ">& range, glift::uint most, const glift::Memory& counter, const glift::Memory& addresses, const "
+           "glift::Memory& places, const glift::Memory& values) const";
+}
+
+/// The type of the places that a structure's addresses are translated to.
+std::string place_type(const Unit& unit, const ir::Structure& structure, bool qualified) {
+    const ir::Structure& translated =
+        ir::structure_at(unit.program, structure, ir::translated_by(unit.program, structure));
+    const ir::TypeId type = ir::physical_type(unit.program, translated);
+    return unit.type(type ? type : structure.domain_type, qualified);
+}
+
+/// The structure that translates addresses to places, within the class.
+std::string translated_text(const Unit& unit, std::uint32_t index) {
+    std::string text;
+    std::uint32_t at = index;
+    for (std::uint32_t member : ir::translated_by(unit.program, unit.program.structures[index])) {
+        text += (text.empty() ? "" : ".") + unit.globals.class_names[at].members[member] + "()";
+        at = unit.program.structures[at].members[member].structure;
+    }
+    return text.empty() ? "*this" : text;
+}
+
+}  // namespace
+
+void print_list_declaration(const Unit& unit, Writer& out, std::uint32_t index) {
+    const ir::Structure& structure = unit.program.structures[index];
+    if (!ir::has_resident_part(unit.program, structure)) return;
+    const bool has_blocks = ir::blocks_of(unit.program, structure, {}).has_value();
+    out.line("/// Where addresses are translated to: in the structure's own memory.");
+    out.line("using Place = " + place_type(unit, structure, true) + ";");
+    out.line("/// Whether it translates addresses itself; else its memory does.");
+    out.line(std::string("static constexpr bool translates = ") + (structure.via.empty() ? "false;" : "true;"));
+    out.line(std::string("static constexpr bool has_blocks = ") + (has_blocks ? "true" : "false") + ";");
+    out.line("/// What of a box is there, `most` at most, in no particular order: see read_resident.");
+    out.line("void list" + list_parameters(unit.own_name(index)) + ";");
+}
+
+void print_transfers(Unit& unit, Writer& out, std::uint32_t index) {
+    const ir::Program::Transfer* transfer = transfer_of(unit.program, index);
+    if (!transfer) return;
+    const std::string& type = unit.own_name(index);
+    const char* const linkage = unit.linkage(unit.program.structures[index].key);
+    const std::string& box = unit.class_name(transfer->box_structure);
+    const std::string parameters =
+        "(const glift::Commands& commands, const glift::Range<" + type + ">& range, const glift::Memory& box) const";
+    const std::string made = box + "(commands, range.size(), box)";
+    Printer p(unit.globals);
+    p.class_names = &unit.globals.class_names[index].all;
+    const auto kernel = [&](std::uint32_t called) { return visible(p, unit.globals.kernel_names.at(called)); };
+    out.open(linkage + ("void " + type) + "::copy_out" + parameters);
+    out.line(kernel(transfer->read_kernel) + "(commands, range, " + made + ");");
+    out.close();
+    out.gap();
+    if (is_kernel(unit, transfer->list_kernel)) {
+        out.open(linkage + ("void " + type) + "::list" + list_parameters(type));
+        const auto list = [&](std::uint32_t made, const std::string& length, const std::string& memory) {
+            return unit.class_name(made) + "(commands, " + length + ", " + memory + ")";
+        };
+        out.line(kernel(transfer->list_kernel) + "(commands, range, *this, " + translated_text(unit, index) + ", " +
+                 list(transfer->counter, "1", "counter") + ", " + list(transfer->addresses, "most", "addresses") +
+                 ", " + list(transfer->places, "most", "places") + ", " + list(transfer->values, "most", "values") +
+                 ");");
+        out.close();
+        out.gap();
+    }
+    if (is_kernel(unit, transfer->write_kernel)) {
+        out.open(linkage + ("void " + type) + "::copy_in" + parameters);
+        out.line(kernel(transfer->write_kernel) + "(commands, " + made + ", range);");
+        out.close();
+        out.gap();
+    }
+    if (is_kernel(unit, transfer->fill_kernel)) {
+        const std::string element = unit.type(unit.program.structures[index].element);
+        out.open(linkage + ("void " + type) + "::fill(" + element + " value, const glift::Range<" + type + ">& range)");
+        out.line(kernel(transfer->fill_kernel) + "(device(), range, value);");
+        out.close();
+        out.open(linkage + ("void " + type) + "::fill(" + element + " value)");
+        out.line("fill(value, *this);");
+        out.close();
+        out.gap();
+    }
+}
+
+}  // namespace gliftc::cpp

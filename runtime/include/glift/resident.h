@@ -1,0 +1,133 @@
+// The elements of a structure that are there.
+#pragma once
+
+#include <glift/range.h>
+
+#include <algorithm>
+#include <cstring>
+#include <numeric>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace glift {
+
+/// Elements that are there, in the order of their addresses, x running fastest: entry i of each list is of one element.
+template <class A, class P, class T> struct Resident {
+    std::vector<A> addresses;
+    /// Where the addresses are translated to, in the structure's own memory; empty for structures of which all is
+    /// always there.
+    std::vector<P> places;
+    std::vector<T> values;
+
+    std::size_t size() const { return addresses.size(); }
+    bool empty() const { return addresses.empty(); }
+};
+
+namespace detail {
+
+[[noreturn]] GLIFT_API void throw_not_searched(const char* type, std::uint64_t elements);
+
+/// A domain in which every address is looked at has so many elements at most: a minute on a CPU.
+inline constexpr std::uint64_t most_searched = std::uint64_t{1} << 36;
+
+/// What `S::list` says: of structures of which not all of the domain need be there.
+template <class S>
+concept HasList = requires {
+    typename S::Place;
+};
+
+template <class S> struct PlaceOf { using type = typename S::Address; };
+template <HasList S> struct PlaceOf<S> { using type = typename S::Place; };
+
+template <class S> using ResidentOf = Resident<typename S::Address, typename PlaceOf<S>::type, typename S::Element>;
+
+/// Whether address a comes before address b in row-major order.
+template <class A> bool comes_before(const A& a, const A& b) {
+    const Extent first = extent_of(a, 0), second = extent_of(b, 0);
+    return std::lexicographical_compare(first.rbegin(), first.rend(), second.rbegin(), second.rend());
+}
+
+/// A list that a kernel fills.
+template <class T> class ListedValues {
+public:
+    ListedValues(const Commands& commands, std::uint32_t entries) : entries_(entries) {
+        memory = commands.allocate(
+            {.name = "list", .bytes = (std::max<std::uint64_t>(entries, 1) * sizeof(T) + 3) / 4 * 4, .zeroed = false});
+    }
+    std::vector<T> read(const Commands& commands) const {
+        std::vector<T> values(entries_);
+        if (values.empty()) return values;
+        const Download download = commands.download(memory, 0, entries_ * sizeof(T));
+        std::memcpy(values.data(), download.get().data(), entries_ * sizeof(T));
+        return values;
+    }
+    Memory memory;
+
+private:
+    std::uint32_t entries_;
+};
+
+/// Lists entries with `most` places for them; gives how many there are, and moves the lists to `found`.
+template <class S>
+std::uint32_t list(const Range<S>& range, const Commands& commands, std::uint32_t most, ResidentOf<S>& found) {
+    const Memory counter = commands.allocate({.name = "counter", .bytes = 4});
+    const ListedValues<typename S::Address> addresses(commands, most);
+    const ListedValues<typename S::Place> places(commands, most);
+    const ListedValues<typename S::Element> values(commands, most);
+    range->list(commands, range, most, counter, addresses.memory, places.memory, values.memory);
+    const std::uint32_t entries = DeviceScalar<std::uint32_t>{counter, 0}.await(commands);
+    if (entries != most) return entries;
+    found = {addresses.read(commands), places.read(commands), values.read(commands)};
+    return entries;
+}
+
+template <class T> std::vector<T> in_order(const std::vector<T>& values, const std::vector<std::uint32_t>& order) {
+    std::vector<T> sorted;
+    sorted.reserve(values.size());
+    for (std::uint32_t i : order) sorted.push_back(values[i]);
+    return sorted;
+}
+
+/// The elements of a box that are there. Counts them, then lists them, in two passes.
+template <class S> ResidentOf<S> resident(const Range<S>& range, const Commands& commands) {
+    const std::uint64_t searched = volume_of(extent_of(range.size()));
+    if (!S::has_blocks && searched > most_searched) throw_not_searched(S::type_name, searched);
+    ResidentOf<S> found;
+    if (searched == 0) return found;
+    std::uint32_t entries = list(range, commands, 0, found);
+    // Another one where somebody else has changed the structure in between.
+    for (std::uint32_t most = 0; most != entries;) {
+        most = entries;
+        entries = list(range, commands, most, found);
+    }
+    std::vector<std::uint32_t> order(found.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::ranges::sort(
+        order, [&](std::uint32_t a, std::uint32_t b) { return comes_before(found.addresses[a], found.addresses[b]); });
+    return {in_order(found.addresses, order), in_order(found.places, order), in_order(found.values, order)};
+}
+
+/// The same of a structure of which all is there: values of a box in row-major order.
+template <class S>
+ResidentOf<S> all_of(typename S::Address origin, typename S::Address size, std::vector<typename S::Element> values) {
+    using A = typename S::Address;
+    ResidentOf<S> found;
+    found.values = std::move(values);
+    found.addresses.reserve(found.values.size());
+    const Extent extent = extent_of(size);
+    for (std::size_t i = 0; i < found.values.size(); ++i) {
+        A address = origin;
+        std::size_t rest = i;
+        if constexpr (Axes<A>::count == 1) address += static_cast<std::uint32_t>(rest);
+        else
+            for (unsigned axis = 0; axis < Axes<A>::count; rest /= extent[axis++])
+                address[axis] += static_cast<std::uint32_t>(rest % extent[axis]);
+        found.addresses.push_back(address);
+    }
+    return found;
+}
+
+}  // namespace detail
+
+}  // namespace glift

@@ -1,0 +1,169 @@
+// The elements that are there, listed from C++: compared with what `find` and reads of boxes say.
+#include "resident.glift.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <tuple>
+#include <vector>
+
+namespace {
+
+using glift::uint2;
+using glift::uint3;
+
+class Resident : public testing::TestWithParam<const char*> {
+protected:
+    const glift::Device& device() const { return device_; }
+
+private:
+    glift::Device device_ = glift::Device::open(GetParam());
+};
+
+resident::Grid grid_with(const glift::Device& device, const std::vector<uint3>& pages, std::uint32_t capacity = 20) {
+    resident::Grid grid(device, {18, 9, 7}, capacity, -1.0f);
+    resident::Places places(device, static_cast<std::uint32_t>(pages.size()));
+    places.write(pages);
+    resident::ask(device, places, grid);
+    return grid;
+}
+
+/// Every element of the field its own value, where it is there.
+void number(resident::Grid& grid) {
+    std::vector<float> values(18 * 9 * 7);
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<float>(i);
+    grid.field().write(values);
+}
+
+TEST_P(Resident, PagesOfAField) {
+    resident::Grid grid = grid_with(device(), {{1, 0, 2}, {4, 4, 3}, {0, 0, 0}});
+    number(grid);
+    const auto found = grid.field().read_resident();
+    // A whole page, one of which 2 x 1 x 1 elements lie in the domain, another whole one.
+    ASSERT_EQ(found.size(), 16u + 2u + 16u);
+    ASSERT_EQ(found.values.size(), found.size());
+    const std::vector<float> all = grid.field().read();
+    std::map<std::tuple<std::uint32_t, std::uint32_t>, int> places;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        const uint3 at = found.addresses[i];
+        const std::uint32_t index = (at.z * 9 + at.y) * 18 + at.x;
+        EXPECT_EQ(found.values[i], static_cast<float>(index));
+        EXPECT_EQ(all[index], found.values[i]);
+        EXPECT_LT(found.places[i].y, 3u);
+        ++places[{found.places[i].x, found.places[i].y}];
+        if (i > 0) {
+            const uint3 before = found.addresses[i - 1];
+            EXPECT_LT((before.z * 9 + before.y) * 18 + before.x, index);
+        }
+    }
+    EXPECT_EQ(places.size(), found.size());
+    EXPECT_EQ(std::ranges::count(all, -1.0f), static_cast<std::ptrdiff_t>(all.size() - found.size()));
+}
+
+TEST_P(Resident, BlocksAndBoxes) {
+    resident::Grid grid = grid_with(device(), {{1, 0, 2}, {4, 4, 3}, {0, 0, 0}});
+    number(grid);
+    const resident::There there(device(), grid.field(), grid.pages().active(), grid.pages().residents());
+    const auto whole = grid.field().read_resident(), by_blocks = there.read_resident();
+    EXPECT_EQ(whole.addresses, by_blocks.addresses);
+    EXPECT_EQ(whole.values, by_blocks.values);
+    EXPECT_EQ(whole.places, by_blocks.places);
+    const auto box = there.read_resident({2, 1, 0}, {4, 8, 6});
+    EXPECT_EQ(box.addresses, grid.field().read_resident({2, 1, 0}, {4, 8, 6}).addresses);
+    EXPECT_EQ(box.addresses.front(), (uint3{2, 1, 0}));
+    EXPECT_EQ(box.size(), 2u * 1u * 2u + 2u * 1u * 2u);
+    EXPECT_TRUE(there.read_resident({8, 4, 0}, {4, 4, 6}).empty());
+    EXPECT_TRUE(there.read_resident({8, 4, 0}, {0, 4, 6}).empty());
+}
+
+TEST_P(Resident, NothingAndAll) {
+    EXPECT_TRUE(grid_with(device(), {{99, 0, 0}}).field().read_resident().empty());
+    EXPECT_TRUE(resident::Grid(device(), {0, 5, 5}, 3, 0.0f).field().read_resident().empty());
+    resident::Plane plane(device(), {3, 2});
+    plane.write(std::vector<float>{1, 2, 3, 4, 5, 6});
+    const auto found = plane.read_resident({1, 0}, {2, 2});
+    EXPECT_EQ(found.addresses, (std::vector<uint2>{{1, 0}, {2, 0}, {1, 1}, {2, 1}}));
+    EXPECT_EQ(found.values, (std::vector<float>{2, 3, 5, 6}));
+    EXPECT_TRUE(found.places.empty());
+}
+
+TEST_P(Resident, HolesAndBlocksOfTheHost) {
+    resident::Holes holes(device(), 10);
+    const auto found = holes.read_resident();
+    EXPECT_EQ(found.addresses, (std::vector<std::uint32_t>{0, 3, 6, 9}));
+    EXPECT_EQ(found.places, (std::vector<std::uint32_t>{0, 1, 2, 3}));
+    resident::Line line(device(), 48);
+    std::vector<std::uint32_t> values(48);
+    for (std::uint32_t i = 0; i < 48; ++i) values[i] = 100 + i;
+    line.write(values);
+    const auto some = resident::Stripes(device(), line).read_resident();
+    ASSERT_EQ(some.size(), 24u);
+    for (std::uint32_t i = 0; i < 24; ++i) {
+        EXPECT_EQ(some.addresses[i], i / 8 * 16 + 8 + i % 8);
+        EXPECT_EQ(some.values[i], 100 + some.addresses[i]);
+        EXPECT_EQ(some.places[i], some.addresses[i]);
+    }
+}
+
+TEST_P(Resident, StructsAndImages) {
+    resident::Line table(device(), 6);
+    table.write(
+        std::vector<std::uint32_t>{0, 2, 0, 1, 0, 9});  // of 3 x 2 pages; the last one has a frame that is not there
+    resident::Cells cells(device(), table, {11, 8}, 2, {-1.0f, 0, {}});
+    cells.fill({0.5f, 7, {1, 2}});
+    const auto found = cells.read_resident();
+    ASSERT_EQ(found.size(), 32u);
+    EXPECT_EQ(found.addresses[0], (uint2{4, 0}));
+    EXPECT_EQ(found.places[0], (uint2{0, 1}));
+    EXPECT_EQ(found.values[31], (resident::Cell{0.5f, 7, {1, 2}}));
+    const resident::Texels texels(device(), 2);
+    resident::InImage image(device(), table, texels, {11, 8}, -1.0f);
+    image.fill(2.5f);
+    const auto texel = image.read_resident();
+    EXPECT_EQ(texel.addresses, found.addresses);
+    EXPECT_EQ(texel.values, std::vector<float>(32, 2.5f));
+}
+
+TEST_P(Resident, TablesOfTwoLevelsAndOfAHash) {
+    resident::Two two(device(), {100, 60}, 12, 5u);
+    resident::Places2 places(device(), 3);
+    places.write(std::vector<uint2>{{24, 14}, {0, 0}, {7, 3}});
+    resident::ask(device(), places, two);
+    const auto found = two.field().read_resident();
+    ASSERT_EQ(found.size(), 48u);
+    EXPECT_EQ(found.addresses.back(), (uint2{99, 59}));
+    EXPECT_EQ(two.table().read_resident().size(), 8u + 8u + 7u);  // parts of 8 entries; the last one sticks out
+    resident::Hashed hashed(device(), 8, 1.5f);
+    places.write(std::vector<uint2>{{500000000, 3}, {0, 0}, {7, 400000000}});
+    resident::ask(device(), places, hashed);
+    const auto far = hashed.field().read_resident();
+    ASSERT_EQ(far.size(), 3u * 64u);
+    EXPECT_EQ(far.addresses.front(), (uint2{0, 0}));
+    EXPECT_EQ(far.addresses.back(), (uint2{63, 3200000007}));
+    EXPECT_EQ(far.values, std::vector<float>(192, 1.5f));
+}
+
+TEST_P(Resident, RefusesWhatCannotBe) {
+    resident::Grid grid = grid_with(device(), {{1, 0, 2}});
+    const auto fails = [](const std::string& with, const auto& call) {
+        try {
+            call();
+            ADD_FAILURE() << with;
+        } catch (const glift::Error& error) {
+            EXPECT_NE(std::string(error.what()).find(with), std::string::npos) << error.what();
+        }
+    };
+    fails("read_resident", [&] { grid.field().read_resident({10, 0, 0}, {9, 1, 1}); });
+    fails("read_resident", [&] { device().record([&](const glift::Commands&) { grid.field().read_resident(); }); });
+    const resident::Line table(device(), 1);
+    const resident::Field large(device(), table, {65535, 65535, 17}, 1, 0.0f);
+    fails("ListedPages", [&] { large.read_resident(); });
+    EXPECT_TRUE(large.read_resident({0, 0, 0}, {65535, 9, 1}).empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(, Resident, testing::Values("host", "lavapipe"),
+                         [](const auto& info) { return std::string(info.param); });
+
+}  // namespace

@@ -1,0 +1,114 @@
+// Made by gliftc from calls.glift. Changes are lost when it is made again.
+#pragma once
+
+#include "calls.glift.types.hpp"
+
+#include <glift/glift.h>
+#include <glift/structure.h>
+
+/// Functions of a container that write its members, called from a kernel: one binding for each member that they
+/// name.
+
+namespace std_array {
+
+#ifndef GLIFT_std_array_HAS_Array_1_uint_none_buffer
+#define GLIFT_std_array_HAS_Array_1_uint_none_buffer
+/// Array<1, uint, none, buffer>. A dense N-D array. Memory: one element an address. What lies outside is up to
+/// `edge`: by default reads give zero and
+/// writes go nowhere. Thesis section 9.1.
+class Array_1_uint_none_buffer : public glift::Structure<Array_1_uint_none_buffer, glift::uint, glift::uint> {
+public:
+    static constexpr const char* type_name = "Array<1, uint, none, buffer>";
+
+    Array_1_uint_none_buffer() = default;
+    Array_1_uint_none_buffer(const glift::Commands& commands, glift::uint extent);
+    /// Over parts that exist already.
+    Array_1_uint_none_buffer(const glift::Commands& commands, glift::uint extent, glift::Memory data);
+
+    /// The extent of the virtual domain.
+    glift::uint domain() const;
+    glift::uint extent() const { return extent_; }
+    const glift::Memory& data() const { return data_; }
+    std::uint64_t data_extent() const { return data_extent_; }
+    /// True if the two were made with equal arguments.
+    bool same_state(const Array_1_uint_none_buffer& other) const;
+
+    /// Gives every element, or those of a box, one value.
+    void fill(glift::uint value);
+    void fill(glift::uint value, const glift::Range<Array_1_uint_none_buffer>& range);
+    /// Where an element lies in row_memory(), in elements; the address is an affine function of the virtual one.
+    std::uint64_t place(glift::uint address) const;
+    const glift::Memory& row_memory() const { return data_; }
+    /// Elements of a box to a linear buffer, and back.
+    void copy_out(const glift::Commands& commands, const glift::Range<Array_1_uint_none_buffer>& range,
+        const glift::Memory& box) const;
+    void copy_in(const glift::Commands& commands, const glift::Range<Array_1_uint_none_buffer>& range,
+        const glift::Memory& box) const;
+
+    /// Calls a function of `see` for each part, with its name and value: see glift/inspect.h.
+    template <class See> void describe(See&& see) const {
+        see.value("extent", extent_);
+        see.memory("data", data());
+    }
+
+private:
+    glift::uint extent_{};
+    std::uint64_t data_extent_{};
+    glift::Memory data_;
+};
+#endif
+
+}  // namespace std_array
+
+namespace calls {
+
+using Line = ::std_array::Array_1_uint_none_buffer;
+
+#ifndef GLIFT_calls_HAS_Bag
+#define GLIFT_calls_HAS_Bag
+/// Bag, calls.glift:8.
+class Bag {
+public:
+    static constexpr const char* type_name = "Bag";
+
+    Bag() = default;
+    Bag(const glift::Commands& commands, glift::uint capacity);
+
+    const glift::Device& device() const {
+        if (!device_) glift::detail::throw_empty_structure(type_name, "device");
+        return device_;
+    }
+    glift::uint capacity() const { return capacity_; }
+    const Line& items() const { return items_.get(); }
+    Line& items() { return items_.get(); }
+    const Line& top() const { return top_.get(); }
+    Line& top() { return top_.get(); }
+    const Line& seen() const { return seen_.get(); }
+    Line& seen() { return seen_.get(); }
+    /// True if the two were made with equal arguments.
+    bool same_state(const Bag& other) const;
+
+    /// Calls a function of `see` for each part, with its name and value: see glift/inspect.h.
+    template <class See> void describe(See&& see) const {
+        see.value("capacity", capacity_);
+        see.value("limit", limit());
+        see.member("items", items());
+        see.member("top", top());
+        see.member("seen", seen());
+    }
+
+    glift::uint limit() const;
+
+private:
+    glift::Device device_;
+    glift::uint capacity_{};
+    glift::Shared<Line> items_;
+    glift::Shared<Line> top_;
+    glift::Shared<Line> seen_;
+};
+#endif
+
+void push_even(const glift::Commands& commands, const glift::Range<Line>& x, const Bag& bag,
+    const glift::Range<Line>& lost);
+
+}  // namespace calls
