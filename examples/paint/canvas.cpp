@@ -7,6 +7,12 @@
 
 #include <bit>
 
+namespace {
+
+constexpr glift::float3 sky{0.09f, 0.10f, 0.12f};  // linear
+
+}  // namespace
+
 glift::uint OctreeSize::levels() const { return static_cast<glift::uint>(std::bit_width(resolution / 16)); }
 
 Model::Model(const glift::Device& device, const mesh::Mesh& mesh)
@@ -27,23 +33,43 @@ Canvas::Canvas(glift::Device device, const mesh::Mesh& mesh, const OctreeSize& s
     paint::clear(device_, octree_, size_.ground);
 }
 
-void Canvas::look(const surface::Viewpoint& view, glift::uint2 size) {
-    if (surface_.extent() != size) {
-        surface_ = surface::Surface(device_, size);
-        normals_ = surface::Normals(device_, size);
+void Canvas::begin(const strokes::Stroke& stroke) {
+    if (surface_.extent() != stroke.size) {
+        surface_ = surface::Surface(device_, stroke.size);
+        normals_ = surface::Normals(device_, stroke.size);
     }
-    surface::look(device_, model_.corners(), model_.rest(), model_.posed(), view, surface_, normals_);
+    view_ = strokes::viewpoint_of(stroke.camera, stroke.size);
+    surface::look(device_, model_.corners(), model_.rest(), model_.rest(), view_, surface_, normals_);
+    journal_.clear(device_);
 }
 
-glift::uint Canvas::paint(const strokes::Stroke& stroke) {
-    journal_.clear(device_);
-    const surface::Viewpoint view = strokes::viewpoint_of(stroke.camera, stroke.size);
-    look(view, stroke.size);
-    for (const paint::Brush& dab : strokes::dabs_of(stroke))
-        paint::paint(device_, octree_, journal_, surface_, normals_, view, dab, size_.ground);
+void Canvas::dab(const paint::Brush& brush) {
+    paint::paint(device_, octree_, journal_, surface_, normals_, view_, brush, size_.ground);
+}
+
+glift::uint Canvas::end() {
     mips::finish(device_, octree_, journal_);
     history_.add(device_, octree_, journal_);
     return journal_.lost_pages(device_);
+}
+
+glift::uint Canvas::paint(const strokes::Stroke& stroke) {
+    begin(stroke);
+    for (const paint::Brush& brush : strokes::dabs_of(stroke)) dab(brush);
+    return end();
+}
+
+npy::Array Canvas::samples(glift::uint side) const {
+    const painted::Dense dense(device_, {side, side, side});
+    painted::as_field(device_, octree_, dense);
+    npy::Array array{{4, side, side, side}, {}};
+    for (const glift::float4& c : dense.read()) array.values.insert(array.values.end(), {c.x, c.y, c.z, c.w});
+    return array;
+}
+
+Canvas::Bytes Canvas::bytes() const {
+    const auto texels = octree_.frames().texels().data().extent();
+    return {std::uint64_t{4} * texels[0] * texels[1] * texels[2], std::uint64_t{4} * octree_.best().extent()};
 }
 
 void Canvas::save(const std::string& path) { paint_file::save(path, device_, octree_, size_.ground); }
@@ -53,12 +79,22 @@ void Canvas::load(const std::string& path) {
     history_.clear();
 }
 
-picture::Picture Canvas::render(const camera::Camera& camera, glift::uint2 size, painted::Layers layers) {
-    painted::Film film(device_, size);
+void Canvas::render(const camera::Camera& camera, painted::Layers layers, const painted::Film& film) {
     const glift::float3 arm = camera.eye - camera.target;
     const glift::float3 right = glift::normalize(glift::cross(camera.up, arm));
     const glift::float3 to_light = glift::normalize(glift::normalize(arm) + right * -0.5f + camera.up * 0.7f);
-    painted::render(device_, model_.corners(), model_.rest(), model_.posed(), strokes::viewpoint_of(camera, size),
-                    to_light, {0.09f, 0.10f, 0.12f}, octree_, layers, film);
+    painted::render(device_, model_.corners(), model_.rest(), model_.posed(),
+                    strokes::viewpoint_of(camera, film.extent()), to_light, sky, octree_, layers, film);
+}
+
+picture::Picture Canvas::render(const camera::Camera& camera, glift::uint2 size, painted::Layers layers) {
+    painted::Film film(device_, size);
+    render(camera, layers, film);
     return {size.x, size.y, film.read(), {}};
+}
+
+void Canvas::render(const camera::Camera& camera, painted::Layers layers, const shown::Shown& to) {
+    painted::Film film(device_, to.extent());
+    render(camera, layers, film);
+    painted::to_screen(device_, film, to);
 }

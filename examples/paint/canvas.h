@@ -2,11 +2,13 @@
 #pragma once
 
 #include "examples/common/mesh.h"
+#include "examples/common/npy.h"
 #include "examples/common/picture.h"
 #include "history.h"
 #include "journal.glift.hpp"
 #include "paint.glift.hpp"
 #include "painted.glift.hpp"
+#include "shown.glift.hpp"
 #include "strokes.h"
 #include "surface.glift.hpp"
 
@@ -44,19 +46,33 @@ public:
     /// One submission for the camera, one for each dab, one for the coarser levels. Gives how many requests for pages
     /// found no room: there is no paint there.
     glift::uint paint(const strokes::Stroke& stroke);
+    /// The same in parts: the camera and the size of the picture, dabs, the end.
+    void begin(const strokes::Stroke& stroke);
+    void dab(const paint::Brush& brush);
+    glift::uint end();
     bool undo() { return history_.undo(device_, octree_); }
     bool redo() { return history_.redo(device_, octree_); }
     void save(const std::string& path);
     void load(const std::string& path);  ///< what can be undone is forgotten
     picture::Picture render(const camera::Camera& camera, glift::uint2 size, painted::Layers layers = {});
+    void render(const camera::Camera& camera, painted::Layers layers, const shown::Shown& to);
 
     const glift::Device& device() const { return device_; }
     Model& model() { return model_; }
     journal::Octree& octree() { return octree_; }
+    /// Samples on a grid over [0, 1]^3: red, green, blue and alpha along the first axis, then x, y, z.
+    npy::Array samples(glift::uint side) const;
+
+    struct Bytes {
+        std::uint64_t pool = 0, table = 0;
+    };
+    Bytes bytes() const;
+    glift::uint pages() const { return octree_.status(device_).resident; }
+    const glift::float3& ground() const { return size_.ground; }
     const History& history() const { return history_; }
 
 private:
-    void look(const surface::Viewpoint& view, glift::uint2 size);
+    void render(const camera::Camera& camera, painted::Layers layers, const painted::Film& film);
 
     glift::Device device_;
     OctreeSize size_;
@@ -64,6 +80,7 @@ private:
     journal::Octree octree_;
     journal::Journal journal_;
     History history_;
+    surface::Viewpoint view_;  ///< of the stroke
     surface::Surface surface_;
     surface::Normals normals_;
 };

@@ -1,8 +1,9 @@
 // Paint on any mesh, kept in an octree by its rest position: paint.glift from C++.
+#include "at_window.h"
 #include "canvas.h"
 #include "strokes.h"
 
-#include <glift/host/math.h>
+#include "examples/common/npy.h"
 
 #include <CLI/CLI.hpp>
 
@@ -18,80 +19,145 @@ namespace {
 using glift::float3;
 
 struct Arguments {
-    std::string model, strokes, load, save, out = "paint.png";
-    std::vector<std::uint32_t> size = {1024, 1024};
+    std::string model, strokes, load, save, record, npy, out = "paint.png";
+    std::vector<std::uint32_t> size = {1024, 768};
     OctreeSize octree;
-    unsigned undo = 0, redo = 0;
-    float turn = 0.6f, upwards = 0.3f, closer = 1;
+    unsigned undo = 0, redo = 0, npy_side = 128;
+    float turn = 0.6f, upwards = 0.3f, closer = 1, bend = 0;
     std::vector<float> target;
     painted::Layers layers;
+    bool window = false;
 };
 
-camera::Camera camera_of(const Arguments& a, const mesh::Mesh& mesh) {
-    const mesh::Box box = mesh::bounds_of(mesh);
-    camera::Camera camera;
-    camera.target = a.target.empty() ? (box.low + box.high) * 0.5f : float3(a.target[0], a.target[1], a.target[2]);
-    camera.eye = camera.target + float3(0, 0, 1.6f);
-    camera.near = 0.02f;
-    camera.far = 6;
-    return camera::orbited(camera, -a.turn, a.upwards, a.closer);
-}
-
-void run(const Arguments& a) {
+mesh::Mesh model_of(const Arguments& a) {
     mesh::Mesh mesh = mesh::read(a.model);
     mesh::normalise(mesh);
-    std::vector<strokes::Stroke> all;
-    if (!a.strokes.empty()) all = strokes::read(a.strokes);
-    Canvas canvas(glift::Device::open(), mesh, a.octree);
+    return mesh;
+}
+
+Orbit orbit_of(const Arguments& a, const mesh::Mesh& mesh) {
+    const mesh::Box box = mesh::bounds_of(mesh);
+    const float3 target =
+        a.target.empty() ? (box.low + box.high) * 0.5f : float3(a.target[0], a.target[1], a.target[2]);
+    return {target, a.turn, a.upwards, a.closer};
+}
+
+/// Around an upright axis behind the middle, by so many radians from one end to the other.
+std::vector<float3> bent(const mesh::Mesh& mesh, float angle) {
+    const mesh::Box box = mesh::bounds_of(mesh);
+    const float3 middle = (box.low + box.high) * 0.5f;
+    const float radius = 1 / angle;
+    std::vector<float3> points;
+    for (const float3& p : mesh.points) {
+        const float at = (p.x - middle.x) * angle, from = radius + p.z - middle.z;
+        points.push_back({middle.x + std::sin(at) * from, p.y, middle.z + std::cos(at) * from - radius});
+    }
+    return points;
+}
+
+void say_lost(std::size_t stroke, glift::uint lost) {
+    if (lost != 0)
+        std::fprintf(
+            stderr,
+            "paint: the pool is full: at stroke %zu, %u requests for pages found no room, and there is no paint "
+            "there; give more of them by --pages\n",
+            stroke + 1, lost);
+}
+
+void paint_all(const Arguments& a, Canvas& canvas) {
+    if (!a.load.empty()) canvas.load(a.load);
+    if (a.strokes.empty()) return;
+    const std::vector<strokes::Stroke> all = strokes::read(a.strokes);
     canvas.device().wait();
     const auto start = std::chrono::steady_clock::now();
     std::size_t dabs = 0;
-    if (!a.load.empty()) canvas.load(a.load);
-    for (const strokes::Stroke& stroke : all) {
-        if (const glift::uint lost = canvas.paint(stroke))
-            std::printf("stroke %td: %u requests for pages found no room: give more of them by --pages\n",
-                        &stroke - all.data() + 1, lost);
-        dabs += strokes::dabs_of(stroke).size();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        say_lost(i, canvas.paint(all[i]));
+        dabs += strokes::dabs_of(all[i]).size();
     }
-    for (unsigned i = 0; i < a.undo && canvas.undo(); ++i) {}
-    for (unsigned i = 0; i < a.redo && canvas.redo(); ++i) {}
     canvas.device().wait();
     const double ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-    const auto status = canvas.octree().status(canvas.device());
-    std::printf("%s: %zu triangles, %zu strokes, %zu dabs, %.1f ms a dab; %u of %u pages\n",
-                canvas.device().properties().name.c_str(), mesh.triangles(), all.size(), dabs,
-                ms / static_cast<double>(std::max<std::size_t>(dabs, 1)), status.resident, status.capacity);
+    std::printf("%zu strokes, %zu dabs: %.1f ms, %.2f a dab\n", all.size(), dabs, ms,
+                ms / static_cast<double>(std::max<std::size_t>(dabs, 1)));
+}
+
+void say_size(Canvas& canvas, const mesh::Mesh& mesh) {
+    const Canvas::Bytes bytes = canvas.bytes();
+    const glift::uint pages = canvas.pages();
+    constexpr double page_bytes = 4.0 * 17 * 17 * 17;
+    std::printf("%s: %zu triangles, %u^3; %u of %u pages: %.1f MB of texels in a pool of %.1f MB, table %.1f MB\n",
+                canvas.device().properties().name.c_str(), mesh.triangles(), 16u << (canvas.octree().levels() - 1),
+                pages, canvas.octree().capacity(), 1e-6 * page_bytes * pages, 1e-6 * static_cast<double>(bytes.pool),
+                1e-6 * static_cast<double>(bytes.table));
+}
+
+void write_results(const Arguments& a, Canvas& canvas) {
     if (!a.save.empty()) canvas.save(a.save);
-    picture::write(a.out, canvas.render(camera_of(a, mesh), {a.size[0], a.size[1]}, a.layers));
+    if (!a.npy.empty()) npy::write(a.npy, canvas.samples(a.npy_side));
+}
+
+void run(const Arguments& a) {
+    const mesh::Mesh mesh = model_of(a);
+    Canvas canvas(glift::Device::open(), mesh, a.octree);
+    paint_all(a, canvas);
+    for (unsigned i = 0; i < a.undo && canvas.undo(); ++i) {}
+    for (unsigned i = 0; i < a.redo && canvas.redo(); ++i) {}
+    say_size(canvas, mesh);
+    write_results(a, canvas);
+    if (a.bend != 0) canvas.model().pose(bent(mesh, a.bend));
+    picture::write(a.out, canvas.render(orbit_of(a, mesh).camera(), {a.size[0], a.size[1]}, a.layers));
     std::printf("wrote %s\n", a.out.c_str());
 }
 
-void add_options(CLI::App& app, Arguments& a) {
+void run_window(const Arguments& a) {
+    window::Window window("Paint", {a.size[0], a.size[1]});
+    const mesh::Mesh mesh = model_of(a);
+    Canvas canvas(window.device(), mesh, a.octree);
+    paint_all(a, canvas);
+    Orbit orbit = orbit_of(a, mesh);
+    const auto save = [&] {
+        picture::write(a.out, canvas.render(orbit.camera(), window.size(), {}));
+        write_results(a, canvas);
+    };
+    const std::vector<strokes::Stroke> made = paint_at(window, canvas, orbit, a.layers, save);
+    write_results(a, canvas);
+    if (!a.record.empty()) strokes::write(a.record, made);
+    std::printf("the same view: --turn %.9g --upwards %.9g --closer %.9g --target %.9g %.9g %.9g\n",
+                static_cast<double>(orbit.turn), static_cast<double>(orbit.upwards), static_cast<double>(orbit.closer),
+                static_cast<double>(orbit.target.x), static_cast<double>(orbit.target.y),
+                static_cast<double>(orbit.target.z));
+}
+
+void add_octree_options(CLI::App& app, Arguments& a) {
     const auto is_power = [](const std::string& text) {
         return std::has_single_bit(std::stoul(text)) ? std::string() : "must be a power of two, such as 512";
     };
-    app.add_option("model", a.model, "A mesh: any file that assimp reads (PLY, OBJ, glTF, …)")->required();
-    app.add_option("--strokes", a.strokes, "A file of strokes to paint, a JSON object a line");
-    app.add_option("--load", a.load, "Paint from a file, to begin with");
-    app.add_option("--save", a.save, "A file for the paint");
-    app.add_option("--undo", a.undo, "Undo so many strokes at the end")->capture_default_str();
-    app.add_option("--redo", a.redo, "and do so many of them again")->capture_default_str();
-    app.add_option("--size", a.size, "Width and height of the picture")->expected(2)->check(CLI::Range(1, 16384));
     app.add_option("--resolution", a.octree.resolution, "Cells of the octree along each side, 64 to 2048")
         ->check(CLI::Range(64u, 2048u))
         ->check(is_power)
         ->capture_default_str();
     app.add_option("--pages", a.octree.pages, "of 17^3 texels that there may be")
-        ->check(CLI::Range(1u, 1u << 20))
+        ->check(CLI::Range(1u, 1u << 18))
         ->capture_default_str();
+    app.add_option("--load", a.load, "Paint from a file, to begin with");
+    app.add_option("--save", a.save, "A file for the paint");
+    app.add_option("--npy", a.npy, "A file for samples of it, as a NumPy array of shape (side, side, side, 4)");
+    app.add_option("--npy-side", a.npy_side, "Its side")->check(CLI::Range(2u, 512u))->capture_default_str();
+    app.add_option("--undo", a.undo, "Undo so many strokes at the end");
+    app.add_option("--redo", a.redo, "and do so many of them again");
+}
+
+void add_view_options(CLI::App& app, Arguments& a) {
+    app.add_option("--size", a.size, "Width and height of the picture")->expected(2)->check(CLI::Range(1, 16384));
     app.add_option("--turn", a.turn, "Where it is seen from, in radians around it")->capture_default_str();
     app.add_option("--upwards", a.upwards, "and above it")->capture_default_str();
     app.add_option("--closer", a.closer, "by a factor")->check(CLI::Range(0.1f, 1000.0f))->capture_default_str();
     app.add_option("--target", a.target, "What is looked at, instead of the middle")->expected(3);
+    app.add_option("--bend", a.bend, "Bend the painted model by so many radians")->check(CLI::Range(-6.0f, 6.0f));
     app.add_flag("--levels", a.layers.levels, "Show the levels of pages by colours");
     app.add_flag("--borders", a.layers.borders, "Show where pages meet");
+    app.add_flag("--pool", a.layers.pool, "Show texels as they lie in memory");
     app.add_option("--out", a.out, "The picture to write, PNG or EXR")->capture_default_str();
-    app.footer("GLIFT_DEVICE=gpu|lavapipe|host|NAME chooses the device.");
 }
 
 }  // namespace
@@ -99,10 +165,17 @@ void add_options(CLI::App& app, Arguments& a) {
 int main(int argc, char** argv) {
     CLI::App app("Paint on a mesh, in an octree");
     Arguments arguments;
-    add_options(app, arguments);
+    app.add_option("model", arguments.model, "A mesh: any file that assimp reads (PLY, OBJ, glTF, …)")->required();
+    app.add_option("--strokes", arguments.strokes, "A file of strokes to paint, a JSON object a line");
+    add_octree_options(app, arguments);
+    add_view_options(app, arguments);
+    app.add_flag("--window", arguments.window, "Paint in a window");
+    app.add_option("--record", arguments.record, "A file for the strokes that are made there");
+    app.footer("GLIFT_DEVICE=gpu|lavapipe|host|NAME chooses the device.");
     CLI11_PARSE(app, argc, argv);
     try {
-        run(arguments);
+        if (arguments.window) run_window(arguments);
+        else run(arguments);
         return 0;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "paint: %s\n", error.what());

@@ -152,24 +152,37 @@ Json json_of(const Stroke& s) {
 
 }  // namespace
 
-std::vector<paint::Brush> dabs_of(const Stroke& stroke) {
-    const double apart = std::max(1.0, static_cast<double>(spacing * stroke.brush.radius));
-    std::vector<paint::Brush> dabs{dab_at(stroke.brush, stroke.path.front())};
-    double left = apart;  // to the next dab
-    for (std::size_t i = 1; i < stroke.path.size() && dabs.size() <= most_dabs; ++i) {
-        const Touch &a = stroke.path[i - 1], &b = stroke.path[i];
-        const double x = static_cast<double>(b.place.x) - static_cast<double>(a.place.x),
-                     y = static_cast<double>(b.place.y) - static_cast<double>(a.place.y),
+std::vector<paint::Brush> Dabs::to(const Touch& touch) {
+    const double apart = std::max(1.0, static_cast<double>(spacing * brush_.radius));
+    std::vector<paint::Brush> dabs;
+    if (left_ < 0) {
+        dabs.push_back(dab_at(brush_, touch));
+        left_ = apart;
+    } else {
+        const double x = static_cast<double>(touch.place.x) - static_cast<double>(last_.place.x),
+                     y = static_cast<double>(touch.place.y) - static_cast<double>(last_.place.y),
                      length = std::sqrt(x * x + y * y);
-        double along = left;
+        double along = left_;
         for (; along <= length && dabs.size() <= most_dabs; along += apart) {
             const auto part = static_cast<float>(along / length);
-            dabs.push_back(dab_at(
-                stroke.brush, {a.place + (b.place - a.place) * part, a.pressure + (b.pressure - a.pressure) * part}));
+            dabs.push_back(dab_at(brush_, {last_.place + (touch.place - last_.place) * part,
+                                           last_.pressure + (touch.pressure - last_.pressure) * part}));
         }
-        left = along - length;
+        left_ = along - length;
     }
+    last_ = touch;
     return dabs;
+}
+
+std::vector<paint::Brush> dabs_of(const Stroke& stroke) {
+    Dabs dabs(stroke.brush);
+    std::vector<paint::Brush> all;
+    for (const Touch& touch : stroke.path) {
+        const std::vector<paint::Brush> some = dabs.to(touch);
+        all.insert(all.end(), some.begin(), some.end());
+        if (all.size() > most_dabs) break;
+    }
+    return all;
 }
 
 surface::Viewpoint viewpoint_of(const camera::Camera& camera, glift::uint2 size) {

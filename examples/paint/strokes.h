@@ -35,7 +35,20 @@ struct Stroke {
     std::vector<Touch> path;
 };
 
-/// Dabs along the path, a quarter of the radius apart, the first one at its beginning.
+/// Dabs along a path that grows, a quarter of the radius apart, the first one at its beginning.
+class Dabs {
+public:
+    explicit Dabs(const Brush& brush) : brush_(brush) {}
+    /// Those from the end of the path to a touch.
+    std::vector<paint::Brush> to(const Touch& touch);
+
+private:
+    Brush brush_;
+    Touch last_;
+    double left_ = -1;  ///< to the next dab; below 0: there was no touch
+};
+
+/// Those along the whole path.
 std::vector<paint::Brush> dabs_of(const Stroke& stroke);
 
 /// What a shader needs of a camera.
