@@ -110,8 +110,7 @@ Words words_of(const std::string& path, std::size_t most) {
 }
 
 Header checked_header(const std::string& path, const Words& words) {
-    if (words.size() < header_words)
-        refuse(path, "is truncated or has bytes too many: its length is no number of words");
+    if (words.size() < header_words) refuse(path, "is truncated: its length is no number of words");
     if (!std::equal(std::begin(magic), std::end(magic), words.begin())) refuse(path, "is no file of 3-D paint");
     if (words[2] != version)
         refuse(path, "is of version " + std::to_string(words[2]) + ", and this program reads version 1");
