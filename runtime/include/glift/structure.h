@@ -22,7 +22,7 @@ namespace glift {
 
 namespace detail {
 
-/// Structures whose translator is an affine map into a buffer: `place` is the index of an element there.
+/// Structures whose translator is an affine map into a buffer: `place(a)` is the index of element a there.
 template <class S>
 concept HasRows = requires(const S& s, typename S::Address a) {
     { s.place(a) } -> std::same_as<std::uint64_t>;
@@ -77,7 +77,7 @@ template <class S> S&& part(S&& made, bool alike, const char* name) {
 
 }  // namespace detail
 
-/// The bytes of a buffer with this many elements; at least one, so that an empty structure has a memory too.
+/// The bytes of a buffer with this many elements; of at least one, so that an empty structure has a memory too.
 template <class T> constexpr std::uint64_t buffer_bytes(std::uint64_t count) {
     return saturated_sum(saturated_product(std::max<std::uint64_t>(1, count), sizeof(T)), 3) / 4 * 4;
 }
@@ -88,7 +88,7 @@ template <class A> constexpr std::array<std::uint32_t, 3> image_extent(const A& 
     return {std::max(e[0], 1u), std::max(e[1], 1u), std::max(e[2], 1u)};
 }
 
-/// The base of a generated view `Self`: its elements are computed.
+/// The base of a generated view `Self`: a structure without memory, whose elements are computed.
 template <class Self, class A, class T> class View {
 public:
     using Address = A;

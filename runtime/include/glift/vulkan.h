@@ -34,9 +34,9 @@ private:
     std::unique_ptr<Chain> chain_;
 };
 
-/// The user's objects, which must outlive the Device and everything made from it. The queue is one that can compute; it
-/// is used only inside calls of Glift, which must not run beside other uses of it. Needed on the device: Vulkan 1.3,
-/// scalarBlockLayout, timelineSemaphore, bufferDeviceAddress, synchronization2, hostQueryReset.
+/// The user's objects, which must outlive the Device and everything made from it. The queue's family must support
+/// compute. Glift uses the queue only inside its calls, during which no other thread may use it. Needed on the device:
+/// Vulkan 1.3, scalarBlockLayout, timelineSemaphore, bufferDeviceAddress, synchronization2, hostQueryReset.
 struct Objects {
     VkInstance instance = VK_NULL_HANDLE;
     VkPhysicalDevice physical = VK_NULL_HANDLE;
@@ -88,14 +88,14 @@ struct ImageHandle {
 GLIFT_API BufferHandle buffer(const Memory& memory);
 GLIFT_API ImageHandle image(const Memory& memory);
 
-/// An image of the user's: two-dimensional, not multisampled, on the device. It must outlive the Memory and everything
-/// recorded with it.
+/// An image of the user's, made on this device: two-dimensional, not multisampled. It must outlive the Memory and
+/// everything recorded with it.
 struct UserImage {
     VkImage image = VK_NULL_HANDLE;
     VkFormat format = VK_FORMAT_UNDEFINED;  ///< that of one of Glift's formats (host/memory.h)
     uint2 extent;
     std::uint32_t mips = 1, layers = 1;  ///< one layer: image2d, more: image2darray
-    VkImageUsageFlags usage = 0;         ///< that it was made with: what Glift may do with it
+    VkImageUsageFlags usage = 0;         ///< that the image was made with; Glift uses it for nothing else
     const char* name = "image";          ///< in errors; copied
 };
 

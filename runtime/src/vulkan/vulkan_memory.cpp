@@ -58,7 +58,8 @@ VkImageView make_view(Context& context, VkImage image, const MemoryDescription& 
     return view;
 }
 
-/// Of the sampled texels all levels, of those that are stored to the first one, as far as the image's usage goes.
+/// The views of an image or of a part of it: all levels for sampling, the first one for stores, each if the image's
+/// usage allows it.
 MemoryParts::PartViews made_views(Context& context, const MemoryParts& parts, const MemoryDescription& d,
                                   const Texels& texels) {
     const VkImage image = parts.image;

@@ -194,7 +194,7 @@ template <Format F, class T, class At> T sample_nearest(const HostMemory& memory
     return detail::clamped_texel<F, T>(memory, texel, mip);
 }
 
-/// Linear interpolation between texel centres along each axis, x first; of layers the nearest.
+/// Linear interpolation between texel centres along each axis, x first; the layer of an array is the nearest one.
 template <Format F, class T, class At> T sample_linear(const HostMemory& memory, const At& at, float level = 0.0f) {
     const std::array<float, 3> point = detail::as_array(at);
     const std::uint32_t mip = detail::nearest_level(memory, level);
