@@ -56,15 +56,15 @@ const ir::Program::Transfer* transfer_of(const ir::Program& program, std::uint32
     return nullptr;
 }
 
-/// Whether boxes of it go to the host and back. The class says so wherever it is made; what the functions do is defined
-/// where it is used.
+/// Whether boxes of it can be moved to the host and back. Every definition of the class declares the functions that do
+/// so; they are defined only where they are used.
 bool has_transfers(const Structure& structure) {
     return structure.kind == StructureKind::stored || (structure.kind == StructureKind::view && structure.domain);
 }
 
 bool is_kernel(const Unit& unit, std::uint32_t kernel) { return kernel < unit.program.kernels.size(); }
 
-/// Elements of a buffer in 64 bits, of an image as many as it can have along each axis.
+/// The type of a memory's extent: 64 bits for a buffer, 32 bits along each axis of an image.
 std::string extent_type(const Unit& unit, const ir::Memory& memory, bool qualified) {
     if (memory.shape == ir::MemoryShape::buffer) return "std::uint64_t";
     const ir::TypeId type = unit.program.exprs[memory.extent].type;
@@ -87,12 +87,12 @@ std::string extent_value(Unit& unit, Printer& p, const std::string& owner, const
     return fitted(p, memory.extent, owner + "." + unit.name(memory.name));
 }
 
-/// Whether what the structure is made of is its memory, or shared: programs write there, too.
+/// Whether a member is the structure's memory, or shared with other structures: then programs write to it, too.
 bool is_written_as(const Structure& structure, std::size_t member) {
     return structure.members[member].by_reference || (!structure.base.empty() && structure.base[0] == member);
 }
 
-/// The memory, where it is a structure with a name of its own.
+/// The accessor of the memory, if it is a structure that has a name of its own.
 void print_base(const Unit& unit, Writer& out, std::uint32_t index, const ClassNames& names) {
     if (names.base.empty()) return;
     const Structure& structure = unit.program.structures[index];
@@ -219,7 +219,8 @@ std::string memory_value(Unit& unit, Printer& p, std::uint32_t index, std::size_
            part + "(" + print_any(p, memory.part->number) + ")";
 }
 
-/// An argument that a structure gives to one of its parts: where its value is exact in 64 bits, cut where it fits.
+/// An argument that a structure gives to one of its members. A value that is computed in 64 bits is narrowed, which
+/// throws where it does not fit.
 std::string argument_of_part(Unit& unit, Printer& p, const ir::MemberStructure& member, std::size_t i,
                              const std::string& part) {
     const ir::ExprId argument = member.arguments[i];

@@ -1,5 +1,5 @@
-// Checks of translators that nobody wrote: they map back, keep addresses apart where they say so, and boxes written
-// through them come back.
+// Generated checks of translators: `invert` undoes `translate`, a translator that is declared one-to-one maps no two
+// addresses to one, and boxes of elements that are written read back.
 #include "emit/cpp/translators.h"
 #include "ir/chain.h"
 #include "ir/walk.h"
@@ -13,7 +13,8 @@ namespace {
 using ir::Structure;
 using ir::TypeKind;
 
-/// Its constructor takes nothing but extents of its domain, so that any size makes a whole structure.
+/// Whether the structure's constructor takes nothing but extents of its domain, so that any size makes a whole
+/// structure.
 bool is_made_of_extents(const ir::Program& program, const Structure& structure) {
     const auto is_given = [](const ir::MemberStructure& member) { return member.by_reference; };
     if (std::ranges::any_of(structure.members, is_given)) return false;
@@ -194,7 +195,7 @@ private:
         out_.close();
     }
 
-    /// Of the memory that the translators lead to.
+    /// The extent of the memory that the translators lead to.
     std::string extent() const {
         if (structure_.base.empty())
             return "structure." + unit_.globals.class_names[index_].extents[structure_.via_memory] + "()";
@@ -277,7 +278,7 @@ std::vector<TranslationCheck> print_translation_checks(Unit& unit, Writer& out) 
             print_check_of_extents(unit, out, index, check.of_extents, check.of_one);
         }
     }
-    // What no code of the program comes to is not in it.
+    // Structures that no code of the module uses are not in its C++.
     const std::set<std::uint32_t> reached(unit.reach.structures.begin(), unit.reach.structures.end());
     for (std::uint32_t index = 0; index < unit.program.structures.size(); ++index) {
         const Structure& structure = unit.program.structures[index];

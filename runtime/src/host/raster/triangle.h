@@ -36,8 +36,8 @@ struct Triangle {
 
 /// The state of a draw that triangle setup needs.
 struct Window {
-    uint2 first,
-        end;  ///< its pixels; the first one is 0 or 1, as in the framebuffer, so that blocks begin at even pixels
+    /// Its pixels. The first one is 0 or 1, even or odd as in the framebuffer, so that blocks begin at even pixels.
+    uint2 first, end;
     Cull cull;
     CornerLayout layout;
 };
