@@ -1,4 +1,4 @@
-// What test programs share that does not depend on the types of their structures.
+// The code of test programs that does not depend on the types of their structures.
 #include <glift/testing.h>
 #include <glift/translation_checks.h>
 

@@ -33,7 +33,7 @@ public:
         bool is_just_free = false;
     };
 
-    /// For memories that share storage.
+    /// The place of a memory that shares storage with others (StorageNeeds::shares).
     Place take(const StorageNeeds& needs);
     void give_back(const Place& place);
 

@@ -53,7 +53,7 @@ Text function_call(Printer& p, const std::string& name, const ir::Operands& oper
 
 bool is_scalar_integer(const Printer& p, TypeId type) { return p.program.types.is_integer(type); }
 
-/// True of a constant by which dividing can't go wrong.
+/// Whether it is a constant by which no division goes wrong: neither 0 nor -1.
 bool is_safe_divisor(const Printer& p, ExprId id) {
     const Expr& expr = p.program.exprs[id];
     if (expr.op != Op::constant || expr.bits == 0) return false;

@@ -70,7 +70,7 @@ struct Words {
     std::string spirv, fragment;
 };
 
-/// The same of the three forms; identical code is there once.
+/// The names for the three forms; identical code has one name.
 struct FormWords {
     Words direct, general, wide;
 };

@@ -19,11 +19,11 @@ inline constexpr const char* locals_of_kernels[] = {
     "address", "block", "call",       "count", "first", "i",       "inside",    "interior",
     "lane",    "part",  "parameters", "row",   "rows",  "stretch", "unclamped", "x",
 };
-/// The same of draws.
+/// Variables that the host code of draws declares, too.
 inline constexpr const char* locals_of_draws[] = {
     "corner", "corners", "drawn", "fragments", "instance", "left", "parts", "pixel", "pointer", "running", "targets",
 };
-/// The same where the kernel has a group.
+/// Variables that the host code of kernels with a group declares, too.
 inline constexpr const char* locals_of_groups[] = {
     "global_id",   "group_count", "group_id",    "group_index", "group_size",
     "group_total", "local_id",    "local_index", "number",      "returned",

@@ -264,7 +264,7 @@ void PipelinePrinter::keep_all() {
         made.emplace_back(p.local_names.at(stmt.local), index);
         keep(unit.name(unit.program.locals[stmt.local].name), made.back().first, index);
     }
-    // What contains comes before what it contains, and what shares before what it shares: a check writes into the
+    // Structures come before their members, and those that share a structure before it: a check writes into the
     // structure that it looks at.
     std::ranges::reverse(made);
     for (std::size_t i = 0; i < made.size(); ++i) {

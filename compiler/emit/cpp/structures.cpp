@@ -72,7 +72,7 @@ std::string extent_type(const Unit& unit, const ir::Memory& memory, bool qualifi
     return (qualified ? "glift::uint" : "uint") + (axes == 1 ? "" : std::to_string(axes));
 }
 
-/// An exact number as one of 32 bits; `what` is told of one that is too large.
+/// A number that is computed in 64 bits, as one of 32 bits; `what` names it in the error if it is too large.
 std::string fitted(Printer& p, ir::ExprId id, const std::string& what) {
     return "glift::fitted(" + print_any(p, id) + ", \"" + what + "\")";
 }
@@ -202,7 +202,8 @@ Printer own_printer(Unit& unit, std::uint32_t index) {
     return p;
 }
 
-/// The memory of a structure that is made: a new one, one that exists already, or a part of another structure's.
+/// The expression for a memory of a structure that is being made: a new memory, one that exists already, or a part of
+/// another structure's.
 std::string memory_value(Unit& unit, Printer& p, std::uint32_t index, std::size_t i, const ClassNames& names,
                          bool adopts) {
     const ir::Memory& memory = unit.program.structures[index].memories[i];
@@ -230,7 +231,7 @@ std::string argument_of_part(Unit& unit, Printer& p, const ir::MemberStructure& 
     return fitted(p, argument, part);
 }
 
-/// The same for functions of the class whose parameters are a user's.
+/// Like own_printer, for functions of the class whose parameters have names of the source.
 Printer method_printer(Unit& unit, std::uint32_t index) {
     Printer p = own_printer(unit, index);
     p.names.reserve({"commands"});
@@ -254,7 +255,8 @@ std::string member_value(Unit& unit, Printer& p, const std::string& owner, const
     return unit.class_name(member.structure) + "(" + arguments + ")";
 }
 
-/// Where a part exists already: the check that it was made as the structure would have made it.
+/// The value of a member that is given to the constructor, with the check that it was made as the structure would have
+/// made it.
 std::string adopted_part(Unit& unit, Printer& p, std::uint32_t index, std::size_t i, const ClassNames& names) {
     const ir::MemberStructure& member = unit.program.structures[index].members[i];
     const ClassNames& made = unit.globals.class_names[member.structure];
@@ -361,7 +363,7 @@ void print_transfers(Unit& unit, Writer& out, std::uint32_t index) {
     }
 }
 
-/// The parameters of a method as they are declared; those that read memory run a pass.
+/// The parameters of a method as they are declared. A method that reads memory runs a pass, and so takes commands.
 static std::string method_parameters(Unit& unit, Printer& p, const ir::Method& method, bool qualified) {
     std::string text = method.pipeline ? "const glift::Commands& commands" : "";
     for (ir::LocalId local : unit.program.functions[method.function].params)

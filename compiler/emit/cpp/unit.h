@@ -13,7 +13,8 @@ namespace gliftc::cpp {
 /// What of the program a module's C++ contains.
 struct Reach {
     std::set<std::uint32_t> kernels, pipelines, enums;
-    /// Those that may be called on the host device, and on Vulkan devices: only they have code for it.
+    /// The kernels and pipelines that may be called on the host device, and on Vulkan devices: only they have code for
+    /// it.
     std::set<std::uint32_t> host_kernels, vulkan_kernels, host_pipelines, vulkan_pipelines;
     std::vector<std::uint32_t> structs;     ///< types of fields come first
     std::vector<std::uint32_t> structures;  ///< members and what `temp`s make come first

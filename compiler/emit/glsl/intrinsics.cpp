@@ -77,7 +77,7 @@ Text atomic(Printer& p, const char* name, const Expr& expr) {
     ir::TypeKind kind = p.program.types.kind(type_of(p, expr, 0));
     if (kind == ir::TypeKind::int64 || kind == ir::TypeKind::uint64) p.extensions.insert("GL_EXT_shader_atomic_int64");
     if (ir::place_of(p.program, expr.operands[0]).op == ir::Op::load) return {ordered_atomic(p, name, expr)};
-    // In workgroup memory barriers order things.
+    // Accesses to workgroup memory are ordered by barriers alone.
     if (expr.intrinsic == Intrinsic::atomicLoad) return print(p, expr.operands[0]);
     if (expr.intrinsic == Intrinsic::atomicStore)
         return {print_any(p, expr.operands[0]) + " = " + print_any(p, expr.operands[1])};

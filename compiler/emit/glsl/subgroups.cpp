@@ -13,7 +13,7 @@ using ir::TypeKind;
 
 namespace {
 
-/// What an exchange is in GLSL.
+/// How an exchange between lanes is written in GLSL.
 struct Exchange {
     const char* function;
     const char* extension;

@@ -18,7 +18,7 @@ using ir::Stmt;
 using ir::StmtId;
 using ir::StmtOp;
 
-/// What is interpolated belongs to each pixel, what is flat to the triangle.
+/// Which varyings are read: flat ones are the triangle's, interpolated ones the pixel's.
 enum class Reads : std::uint8_t { of_triangle, of_pixel };
 
 bool leaves(const Stmt& stmt) { return stmt.op == StmtOp::return_ || stmt.op == StmtOp::discard; }

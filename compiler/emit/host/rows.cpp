@@ -276,7 +276,7 @@ void Rows::print_inside(const ir::Variant& variant, const ir::Variant& bounded, 
 }
 
 /// A loop over what lies before the middle, the middle, and what lies behind it; the middle comes first in the text.
-/// One function holds them all: a lambda of its own would be compiled for the narrowest vectors.
+/// One function holds them all: a separate lambda would be compiled for the narrowest vectors.
 void Rows::open_sections(const std::string& name, const std::string& begin, const std::string& middle,
                          const std::string& end) {
     p.out.open("for (const glift::host::Section& " + name + " : glift::host::sections(" + begin + ", " + middle + ", " +

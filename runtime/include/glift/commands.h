@@ -27,7 +27,7 @@ class Stream;
 class DownloadObject;
 class TimestampObject;
 
-/// For calls that wait for the device.
+/// The error for calls that wait for the device, in a recording.
 [[noreturn]] GLIFT_API void throw_not_in_recording(const char* call);
 }  // namespace detail
 

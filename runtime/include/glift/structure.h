@@ -101,7 +101,7 @@ public:
         if (!box.is_inside()) detail::throw_outside(Self::type_name, "range", box);
         return Range<Self>(self, origin, size);
     }
-    /// As many elements from the first on, along each axis, as a value on the device says.
+    /// The first elements along each axis, as many as a value on the device says.
     Range<Self> first(DeviceScalar<A> count) const {
         return Range<Self>(static_cast<const Self&>(*this)).first(std::move(count));
     }
@@ -123,7 +123,7 @@ public:
         return Range<Self>(self(), origin, size);
     }
 
-    /// From the host to the device; the values are copied before the call returns.
+    /// Writes a box of elements from the host; the values are copied before the call returns.
     void write(A origin, A size, std::span<const T> values) {
         check("write", origin, size);
         if (values.size() != count(size))
@@ -162,7 +162,7 @@ public:
         self().copy_out(commands, Range<Self>(self(), address, A(1)), box);
         return {box, 0};
     }
-    /// As many elements from the first on, along each axis, as a value on the device says.
+    /// The first elements along each axis, as many as a value on the device says.
     Range<Self> first(DeviceScalar<A> count) const { return Range<Self>(self()).first(std::move(count)); }
 
     /// A box of another structure with the same elements; the two may be laid out differently.

@@ -58,10 +58,10 @@ struct Extensions {
     std::span<const char*const> instance = {}, device = {};
 };
 
-/// As Device::open, on an instance and a device with these extensions. For programs that use the queue of
-/// `objects(device)` themselves, between calls of Glift: what Glift submits is ordered after what they submitted
-/// before, and what they submit later after Glift's. Throws missing_feature where no driver, or not the device, has an
-/// extension, and wrong_argument for `host`, which has no Vulkan.
+/// Opens a device as Device::open does, on an instance and a device with these extensions. For programs that use the
+/// queue of `objects(device)` themselves, between calls of Glift: what Glift submits is ordered after what they
+/// submitted before, and what they submit later after Glift's. Throws missing_feature where no driver, or not the
+/// device, has an extension, and wrong_argument for `host`, which has no Vulkan.
 GLIFT_API Device open(const Extensions& extensions, std::string_view which = {});
 
 /// Records into the user's command buffer, which is in the recording state. A barrier against everything earlier on the

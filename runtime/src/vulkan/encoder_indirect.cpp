@@ -108,7 +108,7 @@ Slice Encoder::prepare(PrepareArguments arguments, std::span<const Patch> patche
     return command;
 }
 
-/// The same for a pass, or a part of it that has this size.
+/// Adds this pass, or a part of it that has this size.
 Slice Encoder::prepare(const Pipeline& pipeline, const Call& call, const Slice& block,
                        const std::array<std::uint32_t, 4>& size) {
     const Kernel& kernel = *pipeline.kernel;

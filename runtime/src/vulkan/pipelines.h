@@ -16,7 +16,7 @@ namespace glift::detail {
 /// each memory that has a descriptor, the status record if the kernel reports.
 struct Pipeline {
     std::uint64_t digest = 0;
-    /// Of the call in progress only: the library that the kernel was in may be unloaded later.
+    /// Kernel and form are those of the call in progress: the library that the kernel was in may be unloaded later.
     const Kernel* kernel = nullptr;
     const Form* form = nullptr;
     FormName name = FormName::direct;

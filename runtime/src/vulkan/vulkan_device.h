@@ -32,7 +32,7 @@ public:
     Statistics statistics() override;
     std::vector<std::string> validation_messages() override { return context_->instance->take_messages(); }
 
-    /// Held around everything that records, submits or allocates.
+    /// The device's lock, held around everything that records, submits or allocates.
     std::mutex& mutex() { return mutex_; }
 
     Context& context() { return *context_; }

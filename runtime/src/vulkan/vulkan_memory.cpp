@@ -101,7 +101,7 @@ VkImageUsageFlags image_usage(Context& context, const MemoryDescription& d) {
 }
 
 VkBufferCreateInfo buffer_info(const VulkanDevice& owner, const MemoryDescription& d) {
-    // Shaders may load vectors of four words: round up, so that the last one and a first one always fit.
+    // Rounded up, since shaders may load vectors of four words: the last one must fit, and one of an empty buffer.
     if (d.bytes > owner.properties().max_allocation_bytes - 16) owner.throw_too_large(d);
     const VkDeviceSize size = (std::max<VkDeviceSize>(d.bytes, 1) + 15) / 16 * 16;
     const bool in_pieces = size > owner.max_piece_bytes();

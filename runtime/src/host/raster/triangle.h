@@ -42,7 +42,7 @@ struct Window {
     CornerLayout layout;
 };
 
-/// In the window, in 1/256 of a pixel; pixel centres are multiples of 256. The guard band keeps it within 2^24.
+/// A point in the window, in 1/256 of a pixel; pixel centres are multiples of 256. The guard band keeps it within 2^24.
 struct Point {
     std::int32_t x, y;
 };
