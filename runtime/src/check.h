@@ -7,7 +7,7 @@ namespace glift::detail {
 
 void check_call(const DeviceObject* device, const Kernel& kernel, const Call& call);
 void check_memories(const DeviceObject* device, const Kernel& kernel, std::span<const Memory> memories);
-/// Checks the description, and fills in the bytes of images.
+/// Checks the description; returns it with the bytes of an image filled in.
 MemoryDescription whole_description(const MemoryDescription& description);
 /// Checks that the memory can be used in place of one allocated by the description.
 void check_part(const DeviceObject* device, const Memory& memory, const MemoryDescription& wanted);

@@ -136,7 +136,7 @@ Memory Commands::allocate(const MemoryDescription& description) const {
     detail::Stream& stream = this->stream("Commands::allocate");
     MemoryDescription whole = detail::whole_description(description);
     whole.zeroed = whole.zeroed && zeroes_;
-    // Images are cleared in any case: only buffers are filled by a pass.
+    // Images are cleared whatever the conditions are: only buffers are filled by a pass, which a condition can skip.
     const bool is_filled_there = conditions_ && whole.zeroed && whole.kind == MemoryKind::buffer;
     if (is_filled_there) whole.zeroed = false;
     const Memory memory = stream.allocate(whole);

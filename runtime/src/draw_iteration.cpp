@@ -58,7 +58,7 @@ void DrawIteration::add_pixels(const detail::Box& box, bool is_whole, const std:
     targets_.extent = uint2(box.size[0], box.size[1]);
 }
 
-/// A fragment is at one place in all images that it is drawn to.
+/// A fragment has one pixel address in all its targets, so their ranges must begin at the same pixel.
 void DrawIteration::add_origin(const detail::Box& box) {
     const uint2 origin(box.origin[0], box.origin[1]);
     if (has_origin_ && (origin.x != targets_.origin.x || origin.y != targets_.origin.y))

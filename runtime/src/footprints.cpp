@@ -150,7 +150,7 @@ std::string touches_text(const Binding& binding, const Box& box) {
     return name + "any of " + where;
 }
 
-/// Of `f.table.data`, `table.data`.
+/// The binding's name without that of its parameter: `table.data` of `f.table.data`.
 std::string_view within_parameter(const Binding& binding) {
     const std::string_view name = binding.name;
     return name.substr(name.find('.') + 1);
@@ -168,7 +168,8 @@ struct Pair {
         return one.reach == Reach::element && other.reach == Reach::element && is_one_structure(first, second) &&
                first.box.origin == second.box.origin && first.box.size == second.box.size && have_one_translation();
     }
-    /// Whether what translates the one parameter's addresses, tables and all, is what translates the other's.
+    /// Whether both parameters' addresses are translated with the same memories: each one that the translator of the
+    /// first reads, such as a page table, is bound for the second at the same name.
     bool have_one_translation() const {
         for (std::size_t i = 0; i < memories.size(); ++i) {
             const Binding& table = kernel.bindings[i];

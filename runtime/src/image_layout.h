@@ -6,9 +6,9 @@
 
 namespace glift::detail {
 
-/// Of one face or layer.
+/// The extent of one face or layer at a mip level.
 std::array<std::uint32_t, 3> mip_extent(const MemoryDescription& image, std::uint32_t mip);
-/// Faces or layers.
+/// The number of faces or layers.
 std::uint32_t face_count(const MemoryDescription& image);
 std::uint64_t face_bytes(const MemoryDescription& image, std::uint32_t mip);
 std::uint64_t mip_offset(const MemoryDescription& image, std::uint32_t mip);

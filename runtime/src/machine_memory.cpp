@@ -12,7 +12,7 @@ namespace glift::detail {
 
 namespace {
 
-/// Of all devices of this process.
+/// Bytes that all devices of this process hold.
 std::atomic<std::uint64_t> held{0};
 
 /// Bytes that the machine can commit at this moment. Pages that were allocated but never touched are not subtracted, so
@@ -33,7 +33,7 @@ std::uint64_t machine_memory_bytes() {
 }
 
 bool hold_machine_memory(std::uint64_t bytes) {
-    constexpr std::uint64_t small = std::uint64_t(64) << 20;  // not worth reading the file
+    constexpr std::uint64_t small = std::uint64_t(64) << 20;  // for fewer bytes it is not worth reading the file
     const std::uint64_t machine = machine_memory_bytes();
     if (bytes > machine || (bytes > small && bytes > available_bytes())) return false;
     std::uint64_t before = held;

@@ -7,8 +7,8 @@ namespace glift::detail {
 
 std::uint64_t machine_memory_bytes();
 
-/// Counts these bytes as held; false, and nothing is counted, where the machine has not so many beside what this
-/// process holds. The kernel would promise them, and kill the process when it touches them.
+/// Counts these bytes as held by this process. False, with nothing counted, if the machine does not have so many left:
+/// the operating system would grant them, and kill the process when it touches them.
 bool hold_machine_memory(std::uint64_t bytes);
 void release_machine_memory(std::uint64_t bytes);
 

@@ -47,7 +47,7 @@ private:
     MeasuringDevice& device_;
 };
 
-/// A memory that has a place in the plan but no storage.
+/// A memory that has a place in the workspace but no storage.
 class PlannedMemory final : public MemoryObject {
 public:
     using MemoryObject::MemoryObject;

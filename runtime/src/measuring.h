@@ -5,8 +5,8 @@
 
 namespace glift::detail {
 
-/// Has the properties of the real device. Memories allocated on it get places as in a recording, but no storage;
-/// commands are ignored.
+/// Has the properties of the real device. Memories allocated on it get places in a workspace, as in a recording, but no
+/// storage; commands are ignored.
 class MeasuringDevice final : public DeviceObject {
 public:
     explicit MeasuringDevice(std::shared_ptr<DeviceObject> real);

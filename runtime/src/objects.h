@@ -13,7 +13,7 @@
 
 namespace glift::detail {
 
-/// The levels and layers (faces) of an image that a part of it has.
+/// Which levels and layers (faces) of an image a part of it covers.
 struct Texels {
     std::uint32_t mip = 0, mips = 1, layer = 0, layers = 1;
     bool operator==(const Texels&) const = default;
@@ -28,18 +28,19 @@ public:
     const MemoryDescription& description() const { return description_; }
     const std::shared_ptr<DeviceObject>& device() const { return device_; }
 
-    /// Notes that the container which had it has other memory now: what was recorded with it is out of date.
+    /// Notes that the container whose memory this was has other memory now: recordings that use this one are out of
+    /// date.
     void note_replaced() { (whole_ ? whole_->is_replaced_ : is_replaced_) = true; }
     bool is_replaced() const { return whole_ ? whole_->is_replaced_ : is_replaced_; }
 
-    /// The image that this is a part of; null: it is none.
+    /// The image that this is a part of; null: this is no part.
     const std::shared_ptr<MemoryObject>& whole() const { return whole_; }
     const Texels& texels() const { return texels_; }
-    /// A part of this image, which is none itself, of this description.
+    /// Makes a part of this image, which must not be a part itself.
     virtual std::shared_ptr<MemoryObject> part(const MemoryDescription& description, const Texels& texels) = 0;
 
 protected:
-    /// A part of `whole`.
+    /// Makes a part of `whole`.
     MemoryObject(std::shared_ptr<MemoryObject> whole, const MemoryDescription& description, const Texels& texels);
 
 private:
@@ -80,7 +81,7 @@ class Stream {
 public:
     virtual ~Stream() = default;
     virtual std::shared_ptr<DeviceObject> device() = 0;
-    /// For commands of this stream; the description is checked and complete.
+    /// Allocates a memory for commands of this stream; the description is checked and complete.
     virtual Memory allocate(const MemoryDescription& description);
     virtual bool needs_wide(const Kernel& kernel, std::span<const Memory> memories,
                             const std::array<std::uint32_t, 4>& size, Sharing sharing) = 0;
@@ -119,7 +120,7 @@ class DeviceObject : public std::enable_shared_from_this<DeviceObject> {
 public:
     virtual ~DeviceObject() = default;
     virtual const DeviceProperties& properties() const = 0;
-    /// Whether commands put here may use the memory.
+    /// Whether commands for this device may use the memory.
     virtual bool reaches(const MemoryObject& memory) const { return memory.device().get() == this; }
     virtual std::shared_ptr<MemoryObject> allocate(const MemoryDescription& description) = 0;
     /// What a memory of this description would need; allocates nothing.

@@ -22,7 +22,8 @@ Texels all_of(const MemoryObject& image) {
                 "number " + std::to_string(number) + " of " + std::to_string(count), "they are counted from 0");
 }
 
-/// The part's own handle also keeps the handle that it was made from.
+/// The part's handle also holds the handle that it was made from: the storage of a temporary is reused once its last
+/// handle is gone (workspace.h).
 Memory part_of(const Memory& memory, MemoryDescription description, Texels texels) {
     const std::shared_ptr<MemoryObject> own = memory.object()->shared_from_this();
     MemoryObject& whole = own->whole() ? *own->whole() : *own;

@@ -17,7 +17,7 @@ struct Redirection {
     std::shared_ptr<Stream> stream;
 };
 
-/// Of the bodies that run on this thread, innermost last.
+/// Those of the bodies that run on this thread, innermost last.
 thread_local std::vector<Redirection> redirections;
 
 }  // namespace

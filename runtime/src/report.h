@@ -15,7 +15,8 @@ inline constexpr const char* loop_remedy =
     "split the work over more invocations or dispatches, or run on another device "
     "(GLIFT_DEVICE=gpu or GLIFT_DEVICE=host)";
 
-/// What reports name of a kernel. Copied, since the kernel's library may be unloaded before the report is read.
+/// The names that reports about a kernel contain. Copied, since the kernel's library may be unloaded before the report
+/// is read.
 struct Reporter {
     explicit Reporter(const Kernel& kernel);
 
@@ -27,13 +28,13 @@ struct Reporter {
 /// Throws loop_limit or out_of_range if the record says so.
 void throw_report(const Reporter& reporter, const StatusRecord& record);
 
-/// For commands given after their recording was finished.
+/// The error for commands given after their recording was finished.
 [[noreturn]] void throw_closed(std::string where);
-/// For a container's member that gets other memory within a recording.
+/// The error for a container's member that gets other memory within a recording.
 [[noreturn]] void throw_replaced_in_recording();
-/// Throws if what a recording uses is no longer what its containers have.
+/// Throws if a recording uses memory that its container has given up.
 void require_current(std::span<const Memory> memories);
-/// For memory that a container has given up, in a call.
+/// The error for a call that is given memory which a container has given up.
 [[noreturn]] void throw_given_up(const MemoryObject& memory, std::string where);
 [[noreturn]] void throw_missing_form(const Kernel& kernel, const char* form, const char* device);
 

@@ -1,4 +1,4 @@
-// What test programs share that does not depend on the types of their structures.
+// The code of test programs that does not depend on the types of their structures.
 #include <glift/testing.h>
 #include <glift/translation_checks.h>
 
@@ -43,7 +43,7 @@ struct ScalarReader {
         else std::snprintf(buffer, sizeof buffer, "%u", load<std::uint32_t>(at));
         return buffer;
     }
-    /// Bit for bit but for NaNs, which are all alike, or within a tolerance.
+    /// Whether two scalars have the same bits, are both NaN, or differ by no more than the tolerance.
     static bool agree(char kind, const std::byte* a, const std::byte* b, double tolerance) {
         if (std::memcmp(a, b, size_of(kind)) == 0) return true;
         if (!is_floating(kind)) return false;
@@ -82,7 +82,7 @@ Test run_on(const Device& device, const TestCase& test) {
     } catch (const std::exception& error) {
         run.failures.push_back(std::string(test.place) + ": " + error.what());
     }
-    // The layer's messages list every stage and access there is: their beginning says enough.
+    // The validation layer's messages list every stage and access there is: their beginning says enough.
     std::size_t messages = 0;
     for (const std::string& message : device.validation_messages()) {
         if (++messages <= 2) run.failures.push_back("validation: " + message.substr(0, 400));
@@ -124,7 +124,7 @@ public:
         for (const std::string& note : notes) std::printf("      %s\n", note.c_str());
     }
 
-    /// After all tests: whether one of them checked this.
+    /// For a translator that other tests check, after all of them: reports what they found.
     void run_as_made(const TestCase& test) {
         const auto found = translations_.find(test.title);
         if (found != translations_.end()) {

@@ -20,19 +20,20 @@ struct StorageNeeds {
     bool shares = true;  ///< false: it has storage of its own
 };
 
-/// Places only; the storage itself is allocated elsewhere, in blocks, since placed temporaries cannot move: a temporary
-/// takes the first gap that is large enough, else a new block of its size. Thread-safe, since handles may be released
-/// on any thread.
+/// Hands out places; the storage itself is allocated elsewhere, one allocation for each block. Temporaries cannot move
+/// once they are placed: each takes the first gap that is large enough, else a new block of its size. Thread-safe,
+/// since handles may be released on any thread.
 class Workspace {
 public:
     struct Place {
         std::size_t block = 0;
         std::uint64_t offset = 0, bytes = 0;
         bool is_new_block = false;  ///< else the storage is reused
-        bool is_just_free = false;  ///< storage was freed since the last take: commands may still use it
+        /// Some storage was freed since the last take, and earlier commands may still use it.
+        bool is_just_free = false;
     };
 
-    /// For memories that share storage.
+    /// The place of a memory that shares storage with others (StorageNeeds::shares).
     Place take(const StorageNeeds& needs);
     void give_back(const Place& place);
 

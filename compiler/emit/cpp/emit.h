@@ -13,13 +13,14 @@ namespace gliftc::cpp {
 /// The SPIR-V words of one kernel; a form that is empty does not exist on Vulkan devices.
 struct KernelCode {
     std::vector<std::uint32_t> direct, general, wide;
-    std::vector<std::uint32_t> direct_fragment, general_fragment, wide_fragment;  ///< of draws
+    std::vector<std::uint32_t> direct_fragment, general_fragment, wide_fragment;  ///< fragment shaders of draws
 };
 
 struct Globals;
 
 struct Options {
-    /// Sources that the kernels of a module are spread over, and those that it uses of the library.
+    /// Over how many sources the code of the module's own kernels is spread, and likewise that of the kernels which it
+    /// uses of other modules.
     std::uint32_t shards = 1;
     bool spirv_files = false;  ///< SPIR-V in files beside the sources, else within
     bool tests = false;        ///< also a function for each test of the module, and a table of them
@@ -33,7 +34,7 @@ struct TestName {
 };
 
 struct File {
-    std::string name;  ///< behind the module's: `.glift.hpp`
+    std::string name;  ///< what follows the module's stem: `.glift.hpp`
     std::string text;
     bool is_code = true;  ///< C++, else bytes
 };
@@ -44,13 +45,13 @@ struct Module {
     std::vector<TestName> tests;  ///< in a test program: all that it runs
 };
 
-/// What earlier modules of one run define: it is not defined again.
+/// What the code of modules that were printed earlier in the same run defines, by index: it is not defined again.
 struct Defined {
     std::set<std::uint32_t> kernels, pipelines, structures;
-    std::set<std::uint32_t> moved;  ///< structures, with what moves their boxes
+    std::set<std::uint32_t> moved;  ///< structures whose functions that move boxes are defined
 };
 
-/// The kernels, as indices, whose code the module's C++ contains: the others need no SPIR-V.
+/// The kernels, as indices, whose Vulkan code the module's C++ contains: the others need no SPIR-V.
 std::vector<std::uint32_t> vulkan_kernels_of(const ir::Program& program, std::uint32_t module, const Options& options,
                                              const Defined& defined);
 

@@ -53,7 +53,7 @@ Text function_call(Printer& p, const std::string& name, const ir::Operands& oper
 
 bool is_scalar_integer(const Printer& p, TypeId type) { return p.program.types.is_integer(type); }
 
-/// True of a constant by which dividing can't go wrong.
+/// Whether it is a constant by which no division goes wrong: neither 0 nor -1.
 bool is_safe_divisor(const Printer& p, ExprId id) {
     const Expr& expr = p.program.exprs[id];
     if (expr.op != Op::constant || expr.bits == 0) return false;
@@ -61,7 +61,7 @@ bool is_safe_divisor(const Printer& p, ExprId id) {
            !(p.program.types.kind(expr.type) == TypeKind::int_ && static_cast<std::int32_t>(expr.bits) == -1);
 }
 
-/// Of numbers: 0, not -0.
+/// Whether it is the constant 0, and not -0.
 bool is_zero(const Printer& p, ExprId id) {
     const Expr& expr = p.program.exprs[id];
     return expr.op == Op::constant && expr.bits == 0 && expr.number == 0 && !std::signbit(expr.number);
@@ -196,13 +196,14 @@ Text print_swizzle(Printer& p, const Expr& expr) {
     return {"glift::swizzle<" + lanes + ">(" + vector + ")"};
 }
 
-/// A part of a struct or an array, where bools are as in memory: vectors of them become those that values are.
+/// A part of a struct or an array, which hold bools as memory does: vectors of bools are converted to those of values.
 std::string as_value(Printer& p, const Expr& part, std::string text) {
     if (!is_bool_vector(p.program, part.type)) return text;
     return concat(type_text(p.globals, part.type, p.use_namespaces), "(", text, ")");
 }
 
-/// One side of a choice: a bool in memory and a bool beside it would each become the other.
+/// One side of `?:`. A bool as memory holds it (glift::Bool) is converted: if the other side is a bool, C++ could
+/// convert either to the other.
 std::string print_side(Printer& p, ExprId id, Level least) {
     const Expr& expr = p.program.exprs[id];
     const bool lies_in_memory =
@@ -221,7 +222,7 @@ Text print_index(Printer& p, const Expr& expr) {
     return {is_of_array ? as_value(p, expr, std::move(text)) : std::move(text)};
 }
 
-/// A part of an element, where it lies.
+/// A part of an element, as an lvalue in memory.
 std::string print_place(Printer& p, ir::ExprId id) {
     const Expr& expr = p.program.exprs[id];
     if (expr.op == Op::load || expr.op == Op::row_load || expr.op == Op::image_load) return p.outer_place(expr);

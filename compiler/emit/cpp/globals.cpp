@@ -7,7 +7,7 @@ namespace gliftc::cpp {
 
 namespace {
 
-/// What argument-dependent lookup would find in the runtime for arguments that are its vectors and arrays.
+/// Functions of the runtime that argument-dependent lookup would find for arguments that are its vectors and arrays.
 const NameSet& functions_of_runtime() {
 #define INTRINSIC(name, signature, exactness) #name,
     static const NameSet names = {

@@ -83,7 +83,7 @@ std::string memories_text(Unit& unit, const Kernel& kernel, const Pass& pass) {
     return text;
 }
 
-/// The parameter whose range the kernel's size is.
+/// The parameter whose range gives the size of the iteration.
 const KernelParam* first_visited(const Kernel& kernel) {
     for (const KernelParam& param : kernel.params) {
         if (ir::visits(param.pattern)) return &param;
@@ -172,7 +172,8 @@ void print_dispatch(Unit& unit, Writer& out, const Kernel& kernel, const Pass& p
     out.line("commands.dispatch(" + name + "_kernel, " + call + "});");
 }
 
-/// Parameters that are taken to be made alike must have equal states in the direct form.
+/// The condition for the direct form: all ranges are whole structures, and parameters that it takes to be made alike
+/// (KernelParam::alike) have equal states.
 std::string direct_condition(const Unit& unit, const Kernel& kernel) {
     std::string condition = "iteration.is_whole()";
     for (std::size_t i = 0; i < kernel.params.size(); ++i) {
@@ -221,7 +222,7 @@ std::optional<std::size_t> range_of_first_at(const Kernel& kernel) {
     return ir::range_giver(kernel.params, 0);
 }
 
-/// A value that no form of the kernel has a parameter for need not be used where the kernel is defined.
+/// `[[maybe_unused]] ` before a value that no form of the kernel has a parameter for.
 static std::string value_mark(const Unit& unit, std::uint32_t kernel, ir::LocalId value) {
     bool used = false;
     const ir::Lowered::Forms& forms = unit.lowered.passes[kernel];
@@ -275,7 +276,8 @@ static void print_blocks(Writer& out, const Globals& globals, const ir::Lowered:
     out.gap();
 }
 
-/// What the iteration is told of the arguments: what is visited first, since the others are compared with that.
+/// The statements that give the arguments of a call to its glift::Iteration: visited ranges first, since the others are
+/// compared with them.
 static void print_iteration(const Unit& unit, Writer& out, const Kernel& kernel) {
     for (bool near : {false, true}) {
         for (std::size_t i = 0; i < kernel.params.size(); ++i) {
@@ -309,7 +311,8 @@ static void print_blocks_visited(Unit& unit, Writer& out, const Kernel& kernel, 
     out.line(text + ");");
 }
 
-/// What is visited by the blocks of one parameter must have the same blocks: those that the same memories say.
+/// The check that all parameters that are visited by the blocks of one have the same blocks: they must read them from
+/// the same memories.
 static void print_same_blocks(Unit& unit, Writer& out, const Kernel& kernel) {
     const KernelParam& first = kernel.params[*kernel.space];
     for (std::uint32_t index : kernel.same_space) {

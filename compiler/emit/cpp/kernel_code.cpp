@@ -42,7 +42,7 @@ std::string access_text(const PassBinding& binding) {
     return "read_write";
 }
 
-/// f.data, f.table.data: as in the source.
+/// The memory of a binding as in the source: f.data, f.table.data.
 std::string display_of(const Unit& unit, const Kernel& kernel, const PassBinding& binding) {
     std::string text = unit.name(kernel.params[binding.place.root].name);
     std::uint32_t structure = kernel.params[binding.place.root].structure;
@@ -53,7 +53,7 @@ std::string display_of(const Unit& unit, const Kernel& kernel, const PassBinding
     return text + "." + unit.name(unit.program.structures[structure].memories[binding.memory].name);
 }
 
-/// As a literal, which C++ compilers read in a fraction of the time that a list of numbers takes them.
+/// SPIR-V as a string literal, which C++ compilers read in a fraction of the time that a list of numbers takes them.
 void print_literal(Writer& out, const std::string& name, const std::vector<std::uint32_t>& words) {
     constexpr std::size_t words_of_a_line = 12;
     std::string text = "constexpr char32_t " + name + "[] =\n";
@@ -71,7 +71,7 @@ struct Words {
     std::string spirv, fragment;
 };
 
-/// Of the three forms; identical code is there once.
+/// The names for the three forms; identical code has one name.
 struct FormWords {
     Words direct, general, wide;
 };
@@ -161,8 +161,8 @@ void print_bindings(Unit& unit, Writer& out, const ir::Lowered::Forms& forms, co
     out.line("};");
 }
 
-/// Tells kernels from each other, FNV-1a of their code and of all that is printed about them. Empty where there is no
-/// code for devices that keep any.
+/// Kernel::digest, which tells kernels apart: FNV-1a of their code and of all that is printed about them. Empty where
+/// there is no code for Vulkan devices, which keep pipelines by it.
 std::string digest_text(const Unit& unit, std::uint32_t kernel, const std::string& printed) {
     if (kernel >= unit.code.size() || !unit.reach.vulkan_kernels.contains(kernel)) return "";
     std::uint64_t hash = 14695981039346656037u;
@@ -179,7 +179,7 @@ std::string digest_text(const Unit& unit, std::uint32_t kernel, const std::strin
     return std::to_string(hash | 1) + "u";  // 0 would say that there is none
 }
 
-/// What Commands::specialised can name.
+/// The table of parameters that Commands::specialised can name.
 void print_parameters(const Globals& globals, Writer& out, const Pass& direct, const std::string& name) {
     const std::string block = name + "_direct_parameters";
     out.open("constexpr glift::Parameter " + name + "_parameters[] =");

@@ -11,7 +11,7 @@ struct NamedParameter {
     std::string member;
 };
 
-/// In the order of their offsets.
+/// The pass's parameters in the order of their offsets.
 std::vector<NamedParameter> parameters_in_order(const Globals& globals, const ir::Pass& pass);
 
 const char* form_name(ir::Form form);

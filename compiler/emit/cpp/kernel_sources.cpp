@@ -9,10 +9,10 @@ namespace gliftc::cpp {
 
 namespace {
 
-/// Fewer are not worth the headers that another source reads.
+/// How many kernels a source has on average at least: for fewer it is not worth compiling the headers once more.
 constexpr std::size_t kernels_of_a_source = 8;
 
-/// By its name alone, so that it stays where it is when others come and go.
+/// A hash of the kernel's name alone, so that a kernel stays in its source when others come and go.
 std::uint32_t hash_of_name(const ir::Program& program, std::uint32_t kernel) {
     std::uint32_t hash = 2166136261u;
     for (char c : program.kernels[kernel].display) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;

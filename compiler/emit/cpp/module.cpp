@@ -1,15 +1,16 @@
 // A module's headers and sources, put together from their parts.
 //
 //   <name>.glift.hpp                  what a program sees: the module's own, and classes that it shows of others
-//   <name>.glift.types.hpp            the structs and enums of all that
+//   <name>.glift.types.hpp            the structs and enums that the .hpp needs
 //   <name>.glift.internal.hpp         what both sources see: hidden classes and functions
 //   <name>.glift.cpp                  the module's own pipelines, members of classes, and functions that call kernels
 //   <name>.glift.library.cpp          the same of other modules, where no other source has it
 //   <name>.glift.kernels.cpp          the code of the module's own kernels (kernel_sources.cpp)
 //   <name>.glift.library.kernels.cpp  that of other modules
 //
-// A class is defined where it is not defined yet: by the #ifndef of its name. A function of a module that has a source
-// of its own is defined there; other functions are weak, so that it does not matter how many sources define them.
+// Several headers may define a class: an #ifndef of its name skips all definitions but the first. A function of a
+// module that has a source of its own is defined there; other functions are weak, so that it does not matter how many
+// sources define them.
 #include "emit/cpp/unit.h"
 
 #include <algorithm>
@@ -20,7 +21,7 @@ namespace gliftc::cpp {
 
 namespace {
 
-/// Blocks of namespaces: one after the other, each as long as it goes on.
+/// Opens and closes namespaces, so that consecutive declarations of one namespace share a block.
 class Spaces {
 public:
     explicit Spaces(Writer& out) : out_(out) {}
@@ -90,7 +91,7 @@ private:
     const Options& options_;
     Defined& defined_;
     Reach reach_;
-    Reach elsewhere_;  ///< what headers show that this module's header includes
+    Reach elsewhere_;  ///< what the headers declare that this module's header includes
     ProgramNames names_;
     const ModuleParts parts_;
     std::map<std::uint32_t, Unit> units_;
@@ -109,8 +110,8 @@ ModulePrinter::ModulePrinter(const ir::Program& program, const ir::Lowered& lowe
     name_by_devices();
 }
 
-/// Functions that other runs of gliftc may define, too, have code for those devices alone that come to them in this
-/// run: the linker must not take one for the other.
+/// Adds the kind of device to the names of functions that other runs of gliftc may define, too, and that this run has
+/// code of for one kind only (host, Vulkan): the linker must not take one for the other.
 void ModulePrinter::name_by_devices() {
     const auto is_shared = [&](const std::string& key, std::uint32_t home) {
         return key.find('<') != std::string::npos || !has_source(home);
@@ -130,7 +131,7 @@ void ModulePrinter::name_by_devices() {
                    reach_.vulkan_pipelines.contains(index));
 }
 
-/// A source of its own is made for the module in this run. A test program is one source.
+/// Whether this run makes a source for the module itself. A test program is one source.
 bool ModulePrinter::has_source(std::uint32_t module) const {
     return module == module_ || (program_.modules[module].is_root && !options_.tests);
 }
@@ -155,7 +156,7 @@ bool ModulePrinter::is_shown(std::uint32_t pipeline) const {
     return p.is_pub && p.module == module_ && !p.owner && !options_.tests;
 }
 
-/// By a header that this module's header includes.
+/// Whether a header declares it that this module's header includes.
 bool ModulePrinter::is_declared_elsewhere(bool is_pub, const std::string& key, std::uint32_t module) const {
     return is_pub && module != module_ && has_source(module) && key.find('<') == std::string::npos;
 }
@@ -189,7 +190,7 @@ void ModulePrinter::print_types(Writer& out, Spaces& spaces) {
     }
 }
 
-/// The names by which the module knows a structure. Those of modules that have a header are there.
+/// The aliases by which the module knows a structure. Those of other modules that have a header are declared there.
 void ModulePrinter::print_aliases(Writer& out, Spaces& spaces, std::uint32_t index) {
     const ir::Structure& structure = program_.structures[index];
     for (std::size_t i = 0; i < structure.aliases.size(); ++i) {
@@ -251,7 +252,7 @@ void ModulePrinter::print_functions_hidden(Writer& out, Spaces& spaces) {
     }
 }
 
-/// Of the modules that this one uses, where the same run makes them.
+/// Includes the headers of the modules that this one uses, if the same run makes them.
 void ModulePrinter::print_headers(Writer& out, const std::string& ending) const {
     std::set<std::string> headers;
     for (std::uint32_t import : program_.modules[module_].imports)
@@ -342,7 +343,7 @@ std::vector<std::uint32_t> ModulePrinter::kernels_to_define(bool own) const {
     return kernels;
 }
 
-/// What of the namespace is defined here.
+/// The definitions of one namespace in this source.
 void ModulePrinter::print_definitions(Unit& unit, Writer& out) {
     std::vector<std::uint32_t> kernels = kernels_to_define(unit.home == module_);
     std::erase_if(kernels, [&](std::uint32_t kernel) { return program_.kernels[kernel].module != unit.home; });
@@ -414,7 +415,7 @@ std::string ModulePrinter::library_source() {
     return out.take();
 }
 
-/// A test program is one: it shares nothing with those of other modules.
+/// Notes for later modules what is defined now. A test program shares nothing with those of other modules.
 void ModulePrinter::note_definitions() {
     if (options_.tests) return;
     defined_.kernels.insert(reach_.kernels.begin(), reach_.kernels.end());

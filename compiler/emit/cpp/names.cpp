@@ -11,7 +11,7 @@ namespace {
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// A further ending is set off by one '_'.
+/// The name with a '_' at its end, behind which a further ending can be put.
 std::string stem_of(const std::string& name) { return name.ends_with('_') ? name : name + "_"; }
 
 }  // namespace
@@ -23,7 +23,7 @@ std::string identifier(std::string_view text) {
         if (is_letter(c) || is_digit(c)) result += c;
         else if (!result.ends_with('_')) result += '_';
     }
-    // Names that begin with '_' are C++'s own. What stands for brackets at the end is left out, not an '_' of the
+    // Names that begin with '_' are C++'s own. A '_' at the end that replaced brackets is left out, not one of the
     // user's.
     while (result.size() > 1 && result.ends_with('_') && !text.ends_with('_')) result.pop_back();
     if (result.empty() || is_digit(result[0]) || result[0] == '_') result.insert(0, "n");

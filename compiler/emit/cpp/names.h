@@ -14,16 +14,16 @@ namespace gliftc::cpp {
 /// `text` with every run of characters that a C++ name can't have replaced by one '_', and no word or macro of C++.
 std::string identifier(std::string_view text);
 
-/// What the host's code of a kernel calls its own variables.
+/// Variables that the host code of a kernel declares: names of the source that equal one are changed.
 inline constexpr const char* locals_of_kernels[] = {
     "address", "block", "call",       "count", "first", "i",       "inside",    "interior",
     "lane",    "part",  "parameters", "row",   "rows",  "stretch", "unclamped", "x",
 };
-/// The same of draws.
+/// Variables that the host code of draws declares, too.
 inline constexpr const char* locals_of_draws[] = {
     "corner", "corners", "drawn", "fragments", "instance", "left", "parts", "pixel", "pointer", "running", "targets",
 };
-/// The same where the kernel has a group.
+/// Variables that the host code of kernels with a group declares, too.
 inline constexpr const char* locals_of_groups[] = {
     "global_id",   "group_count", "group_id",    "group_index", "group_size",
     "group_total", "local_id",    "local_index", "number",      "returned",
@@ -44,14 +44,16 @@ public:
     void enter() { scopes_.emplace_back(); }
     void leave();
 
-    /// What generated code around the scopes names itself: a user's name is written with a '_' behind.
+    /// Names that the generated code around the scopes uses itself: a name of the source that equals one gets a '_'
+    /// behind.
     void reserve(std::initializer_list<const char*> names);
-    /// The same for a set that outlives the scopes.
+    /// The same for a set, which must outlive the scopes.
     void avoid(const NameSet& names) { avoided_.push_back(&names); }
 
     /// Declares `wanted`, or the first of wanted_2, wanted_3, … that is free, in the innermost scope.
     std::string declare(std::string_view wanted);
-    /// A name that is none itself, but begins others: it with each of the suffixes.
+    /// Declares a stem, which is not used as a name itself: names are formed from it with each of the suffixes, and
+    /// none of these is taken.
     std::string declare_stem(std::string_view wanted, std::span<const char* const> suffixes);
 
     const NameSet& used() const { return used_; }
@@ -63,7 +65,7 @@ private:
 
     NameSet used_, reserved_;
     std::vector<const NameSet*> avoided_;
-    std::vector<std::vector<const std::string*>> scopes_;  ///< of those used
+    std::vector<std::vector<const std::string*>> scopes_;  ///< the used names, by the scope that declares them
 };
 
 }  // namespace gliftc::cpp

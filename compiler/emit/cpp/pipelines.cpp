@@ -23,7 +23,7 @@ struct PipelinePrinter {
     Unit& unit;
     const Pipeline& pipeline;
     Printer p;
-    std::string commands = "commands";  ///< what is printed goes there
+    std::string commands = "commands";  ///< the variable whose methods record passes
     bool tracks = false;                ///< a test: notes which structures passes write
 
     PipelinePrinter(Unit& unit, const Pipeline& pipeline) : unit(unit), pipeline(pipeline), p(unit.globals) {
@@ -169,7 +169,7 @@ void PipelinePrinter::temporary(const Stmt& stmt) {
     p.out.line(unit.class_name(type.index) + " " + name + (arguments.empty() ? ";" : "(" + arguments.substr(2) + ");"));
 }
 
-/// What an arm does is put into commands under its condition.
+/// The passes of an arm go into commands under its condition (Commands::where).
 void PipelinePrinter::arm(const std::string& condition, const std::vector<ir::StmtId>& body, const char* where) {
     if (body.empty()) return;
     p.out.open("");
@@ -204,7 +204,7 @@ void PipelinePrinter::expect_same(const Stmt& stmt) {
                (stmt.arguments.size() > 2 ? ", " + print_any(p, stmt.arguments[2]) : "") + ");");
 }
 
-/// The memories that a structure has of its own, as arguments.
+/// The memories that a structure has made itself, as arguments.
 std::string memories_of(const Unit& unit, const std::string& object, std::uint32_t index) {
     const ir::Structure& structure = unit.program.structures[index];
     const ClassNames& names = unit.globals.class_names[index];
@@ -217,7 +217,7 @@ std::string memories_of(const Unit& unit, const std::string& object, std::uint32
     return text;
 }
 
-/// A member gets a temporary's memory; recordings are told by the memories that it had.
+/// Replaces a member by a temporary. The member's memories are given, too: recordings that use them become invalid.
 void PipelinePrinter::replace(const Stmt& stmt) {
     Expr whole;
     whole.op = Op::structure_value;
@@ -251,8 +251,8 @@ void PipelinePrinter::keep(const std::string& shown, const std::string& object, 
     p.out.close();
 }
 
-/// Keeps the structures of a test, to be compared between devices, and checks how they translate where that shows only
-/// in structures that a test made and filled.
+/// Keeps the structures of a test, to be compared between devices. Also checks translators that can be checked only
+/// with the state of structures that a test made and filled.
 void PipelinePrinter::keep_all() {
     std::vector<std::pair<std::string, std::uint32_t>> made;
     for (ir::StmtId id : pipeline.body) {
@@ -264,7 +264,7 @@ void PipelinePrinter::keep_all() {
         made.emplace_back(p.local_names.at(stmt.local), index);
         keep(unit.name(unit.program.locals[stmt.local].name), made.back().first, index);
     }
-    // What contains comes before what it contains, and what shares before what it shares: a check writes into the
+    // Structures come before their members, and those that share a structure before it: a check writes into the
     // structure that it looks at.
     std::ranges::reverse(made);
     for (std::size_t i = 0; i < made.size(); ++i) {
@@ -316,8 +316,9 @@ void PipelinePrinter::statement(const Stmt& stmt) {
     ir::misplaced(stmt.op, "emit/cpp: a pipeline");
 }
 
-/// Functions may loop long on what an arm that does not run has left undone; operators may not, and several passes with
-/// conditions would take longer than they do.
+/// Whether a pass of the pipeline calls functions. If not, a pipeline that computes a value of the device
+/// (Pipeline::is_value) runs whatever its caller's conditions say, since several passes with conditions take longer.
+/// Functions may loop long on values that an arm which did not run has left undone.
 bool calls_functions(const Unit& unit, const Pipeline& pipeline) {
     bool found = false;
     for (ir::StmtId id : pipeline.body) {

@@ -13,7 +13,7 @@
 
 namespace gliftc::cpp {
 
-/// How tightly an expression holds together; the operators of C++ from loose to tight.
+/// The precedence of an expression's outermost operator, from the loosest to the tightest of C++.
 enum class Level : std::uint8_t {
     ternary,
     logical_or,
@@ -39,15 +39,15 @@ struct Text {
 struct ClassNames {
     std::vector<std::string> arguments, memories, members, host, pipelines;  ///< functions: the class's interface
     std::vector<std::string> methods, extents;  ///< likewise: functions of an adaptor; extents of memories
-    std::string base;  ///< likewise: the memory that is a structure, where it is not a member of that name
-    /// What the class keeps.
+    std::string base;  ///< likewise: the memory, if it is a structure that has a name other than the member's
+    /// Names of the class's data members.
     std::vector<std::string> argument_fields, memory_fields, member_fields, host_fields, extent_fields;
-    NameSet own;  ///< what the class's functions name: fields, pipelines, what every such class has
-    NameSet all;  ///< also the rest of its interface: what hides names of the namespace in them
+    NameSet own;  ///< names that the class's functions use: fields, pipelines, members that every such class has
+    NameSet all;  ///< these and the rest of its interface: in its functions they hide names of the namespace
 };
 
-/// What everything is called in the namespace of its module. The names depend on little but the things themselves, so
-/// that all files and all runs of gliftc agree.
+/// What everything is called in the namespace of its module. Each list is indexed as the table of ir::Program in its
+/// comment. The names depend on little but the things themselves, so that all files and all runs of gliftc agree.
 struct ProgramNames {
     std::vector<std::string> spaces;                ///< of Program::modules: laplacian, std.array → std_array
     std::vector<NameSet> types;                     ///< of Program::modules: no other name hides them
@@ -64,10 +64,12 @@ struct ProgramNames {
 
 ProgramNames program_names(const ir::Program& program);
 
-/// Whether a class keeps the member by a handle that its copies share: what an adaptor is made of can be replaced.
+/// Whether a class keeps the member in a glift::Shared, which its copies have in common: the members that an adaptor
+/// makes can be replaced.
 bool is_held_by_handle(const ir::Structure& structure, std::size_t member);
 
-/// Whether code of a module may call a structure so: by a name of its own, or a public one that it imports.
+/// Whether code of a module may use the alias of a structure: one of its own, or a public one of a module that it
+/// imports.
 bool is_alias_seen(const ir::Program& program, const ir::Alias& alias, std::uint32_t module);
 
 /// Names that all code in one namespace shares. What lies in another namespace is spelled with it: ::grid::Cell.
@@ -84,8 +86,8 @@ struct Globals {
     std::vector<ClassNames> class_names;                ///< of Program::structures
     std::vector<std::string> kernel_names;              ///< of Program::kernels: the functions that call them
     std::vector<std::string> pipeline_names;            ///< of Program::pipelines
-    std::unordered_map<std::uint32_t, std::string>
-        kernel_stems;  ///< what the names of all that is made for them begin with
+    /// By kernel: what the names of all that is made for it begin with.
+    std::unordered_map<std::uint32_t, std::string> kernel_stems;
     std::unordered_map<const ir::KernelParam*, std::string> param_names;
     std::unordered_map<ir::FunctionId, std::string> function_names;
     std::string functions;  ///< printed so far, callees first
@@ -108,14 +110,14 @@ struct Printer {
     const ir::Program& program;
     Writer out;
     Scopes names;
-    const NameSet* class_names = nullptr;  ///< within a class: what hides names of the namespace
+    const NameSet* class_names = nullptr;  ///< within a class: names that hide those of the namespace
     std::unordered_map<ir::LocalId, std::string> local_names;
     std::unordered_map<ir::FunctionId, std::string> local_functions;  ///< declared where they are called
     /// Spells the operations that refer to the surroundings: parameters, loads, members, pipelines' host operations.
     std::function<Text(const ir::Expr&)> outer_expression;
-    std::function<std::string(const ir::Expr&)> outer_place;  ///< of a load: where atomic operations work
+    std::function<std::string(const ir::Expr&)> outer_place;  ///< the lvalue of a load, for atomic operations
     std::function<void(const ir::Stmt&)> outer_statement;
-    /// What `return value;` is here; empty: as in C++.
+    /// Prints `return value;`; empty: as in C++.
     std::function<void(ir::ExprId)> print_return;
     /// How a local that is not simply a name is spelled (an array over the workgroup): may be empty.
     std::function<std::string(ir::LocalId)> outer_local;
@@ -132,7 +134,7 @@ std::string declare_function(Globals& globals, ir::FunctionId function);
 
 // types.cpp
 std::string type_text(const Globals& globals, ir::TypeId type, bool qualified = false);
-/// As memory holds it: bool is four bytes.
+/// The type as memory holds it: a bool is four bytes.
 std::string storage_text(const Globals& globals, ir::TypeId type, bool qualified = false);
 std::string_view format_name(ir::Format format);
 std::string literal(const ir::Program& program, ir::TypeId type, std::uint64_t bits, double number);
@@ -146,8 +148,8 @@ std::string join_arguments(Printer& p, const ir::Operands& arguments);
 std::string wrap(Text&& text, Level least);
 
 // surroundings.cpp
-/// member, memory_extent or domain of a structure spelled `object`, as in `f->` or `table.`; empty: within its own
-/// class.
+/// Spells the operation member, memory_extent or domain of a structure that `object` reaches, `f->` or `table.`; empty:
+/// within its own class.
 Text structure_property(const Globals& globals, const ir::Expr& expr, std::uint32_t root_structure,
                         const std::string& object);
 /// A name of the module's namespace as it is seen where the printer is: with the namespace where another one hides it.

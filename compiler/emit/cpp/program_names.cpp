@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t longest_name = 48;
 
-/// What every generated class of the kind has, with what it has from its base.
+/// Names of members that every generated class of the kind has, itself or from its base.
 NameSet members_of_class(ir::StructureKind kind) {
     NameSet names{"address", "box",        "commands",  "describe", "domain", "other",
                   "range",   "same_state", "type_name", "value",    "See",    "see"};
@@ -36,7 +36,7 @@ NameSet members_of_class(ir::StructureKind kind) {
     return names;
 }
 
-/// A type of such a name would not be found where generated code calls a member or a variable so.
+/// Names that no type may have: members and variables of generated code with these names would hide it.
 const NameSet& not_for_types() {
     static const NameSet names = [] {
         NameSet all = members_of_class(ir::StructureKind::stored);
@@ -130,7 +130,7 @@ ClassNames class_names(const ir::Program& program, const NameSet& types, const i
     return names;
 }
 
-/// Those of a struct from a user's header are what they are.
+/// Names of a struct's fields. Those of a struct from a user's header stay as they are.
 std::vector<std::string> field_names(const ir::Program& program, const NameSet& types, const ir::Struct& type) {
     static const NameSet fixed = {"See", "describe", "see"};
     Scopes scopes;
@@ -196,7 +196,7 @@ struct Naming {
         }
     }
 
-    /// Public kernels get the names that users wrote, where others would have the same.
+    /// Public kernels are named first, so that they get the names that users wrote.
     void functions() {
         names.kernels.resize(program.kernels.size());
         kernels_that_are(true);

@@ -16,7 +16,7 @@ namespace gliftc::cpp {
 
 namespace {
 
-/// Kinds of devices that may come to some statement of a pipeline.
+/// Kinds of devices on which some statement of a pipeline may run.
 struct Devices {
     bool host = true, vulkan = true;
 
@@ -28,7 +28,7 @@ struct Collector {
     Reach reach;
     std::set<std::uint32_t> seen{};
     std::set<ir::FunctionId> functions{};
-    Devices devices{};        ///< those that come to what is looked at
+    Devices devices{};        ///< those on which what is being visited may run
     bool moves_all = false;   ///< boxes of all structures, as test programs do
     std::uint32_t owner = 0;  ///< of the pipeline that is looked at: where its places begin that have no local
 
@@ -49,7 +49,8 @@ struct Collector {
     void element_read(const ir::Expr& read);
 };
 
-/// What the host device has, wherever it runs; of other devices, that they are not the host.
+/// The value of a device property that the kind of device decides: of the host device all but its workgroup memory, of
+/// others only that they are not the host.
 std::optional<std::uint64_t> property_on(bool host, ir::DeviceProperty property) {
     if (property == ir::DeviceProperty::is_host) return host;
     if (!host) return std::nullopt;
@@ -78,7 +79,7 @@ std::optional<std::uint64_t> binary_on(bool host, const ir::Program& program, co
     return ir::apply(program.types, expr.binary, type, {*a, 0}, {*b, 0}).bits;
 }
 
-/// A value of a pipeline on a kind of device: known where it is made of constants and of what the kind has.
+/// A value of a pipeline on a kind of device: known if it is computed from constants and such properties.
 std::optional<std::uint64_t> value_on(bool host, const ir::Program& program, ir::ExprId id) {
     const ir::Expr& expr = program.exprs[id];
     const ir::TypeKind kind = program.types.kind(expr.type);
@@ -182,7 +183,8 @@ void Collector::transfers(std::uint32_t structure) {
     devices = before;
 }
 
-/// An element is read where it lies, else as a box.
+/// A read of one element: it stays where it lies if it can, else it is moved as a box, which takes the kernels for
+/// that.
 void Collector::element_read(const ir::Expr& read) {
     std::uint32_t root = owner;
     if (read.local) {
@@ -260,7 +262,7 @@ void Collector::pipeline(std::uint32_t index, bool visible) {
     owner = before;
 }
 
-/// The devices that come to the end of the statements, of those that come to their begin.
+/// The kinds of devices that may reach the end of the statements, of those that may reach their beginning (`come`).
 Devices Collector::steps(const std::vector<ir::StmtId>& body, Devices come) {
     const Devices before = std::exchange(devices, come);
     for (ir::StmtId id : body) step(program.stmts[id]);
@@ -336,8 +338,8 @@ static void add_known(std::set<std::uint32_t>& to, const std::set<std::uint32_t>
     std::ranges::set_intersection(known, theirs, std::inserter(to, to.end()));
 }
 
-/// What several modules of the run come to is defined once, by one of them: with code for the devices that any of them
-/// comes from.
+/// What several modules of the run use is defined once, by one of them, with code for all devices on which any of them
+/// uses it.
 Reach reach_of(const ir::Program& program, std::uint32_t module, const Options& options) {
     Reach reach = reach_of_alone(program, module, options);
     if (options.tests) return reach;

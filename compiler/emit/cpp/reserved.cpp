@@ -141,8 +141,8 @@ static_assert(std::ranges::is_sorted(macros));
 static_assert(std::ranges::is_sorted(globals));
 static_assert(std::ranges::is_sorted(other_macros));
 
-/// What most names are told from the names of a table by: how long those are that begin with each character, a bit a
-/// length.
+/// For each first character, the lengths of the table's names that begin with it, a bit a length. Most names are told
+/// from those of the table by this alone.
 template <std::size_t n>
 constexpr std::array<std::uint64_t, 128> lengths_of(const std::array<std::string_view, n>& names) {
     std::array<std::uint64_t, 128> lengths{};

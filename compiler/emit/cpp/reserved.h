@@ -1,4 +1,4 @@
-// Names that C++, its libraries and systems take wherever they stand.
+// Names that generated code must not declare, since C++, its libraries or systems use them.
 #pragma once
 
 #include <string_view>

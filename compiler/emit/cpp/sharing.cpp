@@ -10,7 +10,7 @@ namespace {
 
 bool writes(const ir::PassBinding& binding) { return binding.access != ir::Access::read; }
 
-/// Among the kernel's parameters that are structures.
+/// The parameter's number among the kernel's parameters that are structures.
 std::size_t structure_number(const ir::Kernel& kernel, std::uint32_t root) {
     const auto is_structure = [](const ir::KernelParam& param) { return param.pattern != ir::Pattern::value; };
     const auto last = kernel.params.begin() + root;

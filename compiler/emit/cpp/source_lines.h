@@ -1,4 +1,4 @@
-// `#line` for debuggers: statements of generated C++ stand where they stand in the source.
+// `#line` directives, by which debuggers show generated statements at their lines of the .glift source.
 #pragma once
 
 #include <functional>

@@ -42,7 +42,7 @@ std::string_view compound_of(BinaryOp op) {
     return "";
 }
 
-/// What an assignment changes, where it lies: a value would be read as the language has it (bool2), not as memory does.
+/// The target of an assignment, as an lvalue: print() would convert it from memory's type to the language's (bool2).
 std::string print_target(Printer& p, ExprId id) {
     const Expr& expr = p.program.exprs[id];
     if (expr.op != Op::field && expr.op != Op::index && expr.op != Op::swizzle) return print_any(p, id);
@@ -78,13 +78,13 @@ void print_assign(Printer& p, const Stmt& stmt) {
     p.out.line(concat(left, " = ", print_any(p, stmt.value), ";"));
 }
 
-/// Has a place of its own: an array with an element for each invocation, which loops that come later read.
+/// Whether the local is an array with an element for each invocation, which later loops over the invocations read.
 bool is_outer(const Printer& p, ir::LocalId local) { return p.outer_local && !p.outer_local(local).empty(); }
 
 void print_let(Printer& p, const Stmt& stmt) {
     const ir::Local& local = p.program.locals[stmt.local];
     const bool outer = is_outer(p, stmt.local);
-    // The name stands before the value, and hides others in it.
+    // In C++ the name is in scope in its own initialiser, where it hides others: so it is declared first.
     const std::string name = outer ? "" : declare_local(p, stmt.local);
     const std::string value = stmt.value ? print_any(p, stmt.value) : "";
     if (outer) {
@@ -109,7 +109,8 @@ bool is_constant(const Printer& p, ExprId id) {
             std::ranges::all_of(expr.operands, [&](ExprId operand) { return is_constant(p, operand); }));
 }
 
-/// A constant that only the compiler had a use for: in a type, as a generic argument.
+/// Whether a `let` is a constant that no later statement mentions: only the compiler used it, in a type or as a generic
+/// argument.
 bool is_used_up(const Printer& p, const std::vector<ir::StmtId>& body, std::size_t at) {
     const Stmt& stmt = p.program.stmts[body[at]];
     if (stmt.op != StmtOp::let || !stmt.value || p.program.locals[stmt.local].is_mutable || is_outer(p, stmt.local))
@@ -119,7 +120,7 @@ bool is_used_up(const Printer& p, const std::vector<ir::StmtId>& body, std::size
 
 bool is_array(const Printer& p, ir::TypeId type) { return p.program.types.kind(type) == ir::TypeKind::array; }
 
-/// Another name for an array that nothing changes from here on: no copy.
+/// Whether a `let` gives another name to an array that is not mentioned afterwards: then it is a reference, not a copy.
 bool is_name(const Printer& p, const std::vector<ir::StmtId>& body, std::size_t at) {
     const Stmt& stmt = p.program.stmts[body[at]];
     if (stmt.op != StmtOp::let || !stmt.value || p.program.locals[stmt.local].is_mutable) return false;
@@ -163,7 +164,7 @@ void print_if(Printer& p, const Stmt& stmt) {
     p.out.close();
 }
 
-/// A loop limit that can be named again in each round.
+/// Whether a loop's limit can be evaluated in each round, since it cannot change.
 bool is_steady(const Printer& p, ExprId id) {
     const Expr& expr = p.program.exprs[id];
     return expr.op == Op::constant || expr.op == Op::parameter ||

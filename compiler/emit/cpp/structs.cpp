@@ -39,7 +39,7 @@ void print_struct(const Unit& unit, Writer& out, std::uint32_t index) {
         print_description(unit, out, type.fields, fields);
         out.close(";");
     }
-    // What has a part that takes up no memory is in none itself.
+    // A struct with a field of an empty type is never in memory, so its offsets do not matter.
     const bool is_in_memory = std::none_of(type.fields.begin(), type.fields.end(), [&](const ir::StructField& field) {
         return ir::holds_empty(unit.program, field.type);
     });

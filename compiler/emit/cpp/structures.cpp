@@ -63,7 +63,7 @@ std::string extent_type(const Unit& unit, const ir::Memory& memory, bool qualifi
     return (qualified ? "glift::uint" : "uint") + (axes == 1 ? "" : std::to_string(axes));
 }
 
-/// An exact number as one of 32 bits; `what` is told of one that is too large.
+/// A number that is computed in 64 bits, as one of 32 bits; `what` names it in the error if it is too large.
 std::string fitted(Printer& p, ir::ExprId id, const std::string& what) {
     return "glift::fitted(" + print_any(p, id) + ", \"" + what + "\")";
 }
@@ -78,12 +78,12 @@ std::string extent_value(Unit& unit, Printer& p, const std::string& owner, const
     return fitted(p, memory.extent, owner + "." + unit.name(memory.name));
 }
 
-/// Whether what the structure is made of is its memory, or shared: programs write there, too.
+/// Whether a member is the structure's memory, or shared with other structures: then programs write to it, too.
 bool is_written_as(const Structure& structure, std::size_t member) {
     return structure.members[member].by_reference || (!structure.base.empty() && structure.base[0] == member);
 }
 
-/// The memory, where it is a structure with a name of its own.
+/// The accessor of the memory, if it is a structure that has a name of its own.
 void print_base(const Unit& unit, Writer& out, std::uint32_t index, const ClassNames& names) {
     if (names.base.empty()) return;
     const Structure& structure = unit.program.structures[index];
@@ -194,7 +194,8 @@ Printer own_printer(Unit& unit, std::uint32_t index) {
     return p;
 }
 
-/// The memory of a structure that is made: a new one, one that exists already, or a part of another structure's.
+/// The expression for a memory of a structure that is being made: a new memory, one that exists already, or a part of
+/// another structure's.
 std::string memory_value(Unit& unit, Printer& p, std::uint32_t index, std::size_t i, const ClassNames& names,
                          bool adopts) {
     const ir::Memory& memory = unit.program.structures[index].memories[i];
@@ -211,7 +212,8 @@ std::string memory_value(Unit& unit, Printer& p, std::uint32_t index, std::size_
            part + "(" + print_any(p, memory.part->number) + ")";
 }
 
-/// An argument that a structure gives to one of its parts: where its value is exact in 64 bits, cut where it fits.
+/// An argument that a structure gives to one of its members. A value that is computed in 64 bits is narrowed, which
+/// throws where it does not fit.
 std::string argument_of_part(Unit& unit, Printer& p, const ir::MemberStructure& member, std::size_t i,
                              const std::string& part) {
     const ir::ExprId argument = member.arguments[i];
@@ -221,7 +223,7 @@ std::string argument_of_part(Unit& unit, Printer& p, const ir::MemberStructure& 
     return fitted(p, argument, part);
 }
 
-/// The same for functions of the class whose parameters are a user's.
+/// Like own_printer, for functions of the class whose parameters have names of the source.
 Printer method_printer(Unit& unit, std::uint32_t index) {
     Printer p = own_printer(unit, index);
     p.names.reserve({"commands"});
@@ -245,7 +247,8 @@ std::string member_value(Unit& unit, Printer& p, const std::string& owner, const
     return unit.class_name(member.structure) + "(" + arguments + ")";
 }
 
-/// Where a part exists already: the check that it was made as the structure would have made it.
+/// The value of a member that is given to the constructor, with the check that it was made as the structure would have
+/// made it.
 std::string adopted_part(Unit& unit, Printer& p, std::uint32_t index, std::size_t i, const ClassNames& names) {
     const ir::MemberStructure& member = unit.program.structures[index].members[i];
     const ClassNames& made = unit.globals.class_names[member.structure];

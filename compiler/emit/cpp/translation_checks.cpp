@@ -1,5 +1,5 @@
-// Checks of translators that nobody wrote: they map back, keep addresses apart where they say so, and boxes written
-// through them come back.
+// Generated checks of translators: `invert` undoes `translate`, a translator that is declared one-to-one maps no two
+// addresses to one, and boxes of elements that are written read back.
 #include "emit/cpp/translators.h"
 #include "ir/chain.h"
 #include "ir/walk.h"
@@ -13,7 +13,8 @@ namespace {
 using ir::Structure;
 using ir::TypeKind;
 
-/// Its constructor takes nothing but extents of its domain, so that any size makes a whole structure.
+/// Whether the structure's constructor takes nothing but extents of its domain, so that any size makes a whole
+/// structure.
 bool is_made_of_extents(const ir::Program& program, const Structure& structure) {
     const auto is_given = [](const ir::MemberStructure& member) { return member.by_reference; };
     if (std::ranges::any_of(structure.members, is_given)) return false;
@@ -80,8 +81,8 @@ std::string extents_text(const Unit& unit, ir::TypeId type) {
 
 using Tables = std::vector<ir::Place>;
 
-/// The tables whose elements the translator's functions read, each once: places whose root counts the translator's
-/// structures.
+/// The tables whose elements the translator's functions read, each once. The root of each place is an index of the
+/// translator's structures.
 Tables tables_of(const ir::Program& program, const ir::Translator& translator) {
     Tables tables;
     for (ir::FunctionId id : {translator.translate, translator.invert}) {
@@ -95,7 +96,7 @@ Tables tables_of(const ir::Program& program, const ir::Translator& translator) {
     return tables;
 }
 
-/// The place as the structure that has the translator sees it.
+/// The place as seen from the structure that has the translator.
 ir::Place placed(const ir::Stage& stage, const ir::Place& place) {
     ir::Place result = stage.structures[place.root];
     result.members.append(place.members);
@@ -120,7 +121,7 @@ std::string why_not_printed(const ir::Program& program, ir::FunctionId id) {
     return why;
 }
 
-/// Prints the translators of one structure as lambdas, and what tries them.
+/// Prints the translators of one structure as lambdas, and the calls that check them.
 class CheckPrinter {
 public:
     CheckPrinter(Unit& unit, Writer& out, std::uint32_t index)
@@ -165,7 +166,7 @@ private:
         out_.close("();");
     }
 
-    /// What the tables hold, on the host. Returns the names, none of which is `taken`.
+    /// Declares copies of the tables on the host. Returns their names, none of which is `taken`.
     std::vector<std::string> print_mirrors(const ir::Stage& stage, const Tables& tables,
                                            const std::vector<std::string>& taken) {
         std::vector<std::string> names;
@@ -187,7 +188,7 @@ private:
         const bool is_moved = std::ranges::any_of(unit_.program.transfers, [&](const ir::Program::Transfer& transfer) {
             return transfer.structure == index_ && transfer.write_kernel < unit_.program.kernels.size();
         });
-        // Memory that maps some addresses nowhere does not give back what was written there.
+        // A structure in the chain that maps some addresses nowhere does not give back what was written there.
         const bool keeps_all = structure_.copyable && !ir::leads_through_partial(unit_.program, structure_);
         if (!is_moved || !keeps_all || value.empty()) return out_.line("(void)" + last + ";");
         out_.open("if (glift::fill_memory(" + last + ", " + extent() + "))");
@@ -195,7 +196,7 @@ private:
         out_.close();
     }
 
-    /// Of the memory that the translators lead to.
+    /// The extent of the memory that the translators lead to.
     std::string extent() const {
         if (structure_.base.empty())
             return "structure." + unit_.globals.class_names[index_].extents[structure_.via_memory] + "()";
@@ -217,7 +218,7 @@ bool reads_tables(const ir::Program& program, const Structure& structure) {
     });
 }
 
-/// Why what a translator reads cannot be brought to the host; empty: it can.
+/// Why the tables that a translator reads cannot be copied to the host; empty: they can.
 std::string why_not_mirrored(const ir::Program& program, const Structure& structure, const ir::Stage& stage) {
     for (const ir::Place& place : tables_of(program, program.translators[stage.translator])) {
         const Structure& table = ir::structure_at(program, structure, placed(stage, place).members);
@@ -278,7 +279,7 @@ std::vector<TranslationCheck> print_translation_checks(Unit& unit, Writer& out) 
             print_check_of_extents(unit, out, index, check.of_extents, check.of_one);
         }
     }
-    // What no code of the program comes to is not in it.
+    // Structures that no code of the module uses are not in its C++.
     const std::set<std::uint32_t> reached(unit.reach.structures.begin(), unit.reach.structures.end());
     for (std::uint32_t index = 0; index < unit.program.structures.size(); ++index) {
         const Structure& structure = unit.program.structures[index];

@@ -1,19 +1,19 @@
-// Translators on the host: where C++ itself asks for a physical address.
+// Translators as C++ for the host: where generated code computes physical addresses itself.
 #pragma once
 
 #include "emit/cpp/unit.h"
 
 namespace gliftc::cpp {
 
-/// False for a function that can be printed with print_method: its state is used by no function that it calls.
+/// Whether the translator's function calls functions that use the translator's state: print_method cannot print it.
 bool uses_state_elsewhere(const ir::Program& program, ir::FunctionId function);
 
-/// Declares a stage's scalar state, in terms of the structure that `object` reaches ("structure.", or "" for this), and
-/// gives the names. None of them is one of `taken`.
+/// Declares the scalar state of a stage (one translator of `via`), in terms of the structure that `object` reaches
+/// ("structure.", or "" for this), and gives the names. None of them is one of `taken`.
 std::vector<std::string> print_state(Unit& unit, Writer& out, std::uint32_t structure, const ir::Stage& stage,
                                      const std::string& object, std::initializer_list<const char*> taken);
 
-/// `const auto translate = [&](uint4 va) -> std::optional<uint> { … };` What structures are asked for is spelled by
+/// `const auto translate = [&](uint4 va) -> std::optional<uint> { … };` Operations on structures are spelled by
 /// `surroundings`.
 void print_method(Unit& unit, Writer& out, const char* name, ir::FunctionId id, const std::string& result,
                   const std::vector<std::string>& states,
@@ -23,7 +23,7 @@ void print_method(Unit& unit, Writer& out, const char* name, ir::FunctionId id, 
 /// of such a structure are copied by rows. The affine translator says where a row begins.
 bool has_rows(const ir::Program& program, const ir::Structure& structure);
 
-/// The memory that they lie in.
+/// The memory that the elements of a structure which has rows lie in.
 std::string rows_of(const Unit& unit, std::uint32_t structure);
 
 /// `std::uint64_t place(uint4 address) const`, where a structure that has rows keeps an element.

@@ -10,9 +10,9 @@ namespace gliftc::cpp {
 
 namespace {
 
-constexpr std::size_t kernels_of_a_thread = 16;  ///< to print fewer takes less time than a thread
+constexpr std::size_t kernels_of_a_thread = 16;  ///< printing fewer takes less time than starting a thread
 
-/// What the generated function of a kernel names besides its parameters.
+/// Names the parameters of a kernel's generated function, apart from the function's own variables.
 void name_parameters(Unit& unit, const ir::Kernel& kernel) {
     Scopes names;
     names.avoid(unit.globals.type_names);
@@ -22,7 +22,7 @@ void name_parameters(Unit& unit, const ir::Kernel& kernel) {
         unit.globals.param_names[&param] = names.declare(unit.name(param.name));
 }
 
-/// Beside each kernel's function: its code, and the data that describes it.
+/// Names what is made for each kernel beside its function: its code, and the data that describes it.
 void name_symbols(Unit& unit) {
     static constexpr auto suffixes = std::to_array<const char*>(
         {"_bindings", "_direct", "_direct_group", "_direct_parameters", "_direct_rows", "_direct_spirv", "_general",

@@ -13,9 +13,10 @@ namespace gliftc::cpp {
 /// What of the program a module's C++ contains.
 struct Reach {
     std::set<std::uint32_t> kernels, pipelines, enums;
-    /// Those that the host device may come to, and Vulkan devices: the others have no code for them.
+    /// The kernels and pipelines that may be called on the host device, and on Vulkan devices: only they have code for
+    /// it.
     std::set<std::uint32_t> host_kernels, vulkan_kernels, host_pipelines, vulkan_pipelines;
-    std::vector<std::uint32_t> structs;     ///< those within others come first
+    std::vector<std::uint32_t> structs;     ///< types of fields come first
     std::vector<std::uint32_t> structures;  ///< members and what `temp`s make come first
     std::set<std::uint32_t> in_header;      ///< structures that the header shows
     std::set<std::uint32_t> moved;          ///< structures of which boxes go to the host and back
@@ -23,16 +24,17 @@ struct Reach {
 };
 
 Reach reach_of(const ir::Program& program, std::uint32_t module, const Options& options);
-/// Also the structs that the kernels' code uses within.
+/// Adds the structs that only the lowered code of kernels uses.
 void add_inner_structs(Reach& reach, const ir::Program& program, const ir::Lowered& lowered);
 
 /// How a test program checks the translation of one structure.
 struct TranslationCheck {
     std::uint32_t structure = 0;
     std::string title;
-    std::string of_one;         ///< the function that checks a structure already made; empty: none can
-    std::string of_extents;     ///< the function that makes some; empty: as the tests make them
-    std::string why_not_alone;  ///< where `of_extents` is empty
+    std::string of_one;  ///< the function that checks a structure already made; empty: none can
+    /// The function that makes structures of several extents and checks them; empty: those that tests make are checked.
+    std::string of_extents;
+    std::string why_not_alone;  ///< if `of_extents` is empty: why
 };
 
 class SpirvFile;
@@ -49,8 +51,8 @@ struct ModuleParts {
     const ProgramNames& names;
 };
 
-/// One namespace of the code that is made for a module: its own, or that of another module, of which it uses what no
-/// header and no source has: instances of generics, and all of modules that nothing is made for.
+/// The code of one namespace that is made for a module: its own, or another module's, for what it uses of that and no
+/// other header or source defines (instances of generics, and all of modules that this run makes no files for).
 struct Unit {
     const ir::Program& program;
     const ir::Lowered& lowered;
@@ -70,16 +72,17 @@ struct Unit {
     std::string name(Name n) const { return (*program.names)[n]; }
     std::string type(ir::TypeId id, bool qualified = false) const { return type_text(globals, id, qualified); }
     const std::string& class_name(std::uint32_t structure) const { return globals.structure_names[structure]; }
-    /// Within the class and where its members are defined.
+    /// The class's name within the class and where its members are defined.
     const std::string& own_name(std::uint32_t structure) const { return own.structures[structure]; }
-    /// Before definitions that another module's code may have, too: the linker takes one.
+    /// What stands before a definition: GLIFT_SHARED, if another module's code may have it, too, so that the linker
+    /// takes one.
     const char* linkage(const std::string& key) const;
 };
 
 Unit make_unit(const ModuleParts& parts, std::uint32_t home);
 
-/// What `print` makes of each kernel. Those that add functions to the file come first and in order, which is that of
-/// the functions; the others change nothing that they share.
+/// What `print` makes of each kernel. Those that add functions to the file are printed first and in order, which is
+/// that of the functions. The others change nothing that they share, and are printed in parallel.
 std::vector<std::string> printed_kernels(Unit& unit, const std::vector<std::uint32_t>& kernels,
                                          bool (&adds_functions)(const Unit&, std::uint32_t),
                                          std::string (&print)(Unit&, std::uint32_t));
@@ -116,10 +119,10 @@ std::string kernel_code(Unit& unit, std::uint32_t kernel);
 bool code_adds_functions(const Unit& unit, std::uint32_t kernel);
 
 // drawing.cpp
-/// What a kernel that draws says of its targets and states: `<name>_drawing`.
+/// The constant `<name>_drawing` of a kernel that draws: its targets and fixed state (glift::Drawing).
 void print_drawing(const Unit& unit, Writer& out, const ir::Kernel& kernel, const std::string& name,
                    bool derives_loads);
-/// The lines that tell the iteration of a draw what it is given.
+/// The statements that give the arguments of a call to its glift::DrawIteration.
 void print_draw_arguments(const Unit& unit, Writer& out, const ir::Kernel& kernel);
 
 // kernel_sources.cpp
@@ -128,15 +131,15 @@ std::vector<File> kernel_sources(const ModuleParts& parts, const std::string& st
                                  const std::vector<std::uint32_t>& kernels, const std::string& part);
 
 // kernel_calls.cpp
-/// With the parameters from the `first` on.
+/// The head of the function that calls a kernel, with the parameters from number `first` on.
 std::string kernel_signature(Unit& unit, std::uint32_t kernel, bool qualified, std::size_t first = 0);
 std::string kernel_function(Unit& unit, std::uint32_t kernel);
-/// Whether it will add functions to those that the file shares.
+/// Whether kernel_function will add functions to those that the file shares.
 bool function_adds_functions(const Unit& unit, std::uint32_t kernel);
 /// A kernel whose first parameter is `at` may be called without it: the first `each` of the same structure gives the
 /// range.
 std::optional<std::size_t> range_of_first_at(const ir::Kernel& kernel);
-std::string short_kernel_function(Unit& unit, std::uint32_t kernel);  ///< empty: it may not
+std::string short_kernel_function(Unit& unit, std::uint32_t kernel);  ///< that function; empty: there is none
 
 // pipelines.cpp
 std::string pipeline_signature(Unit& unit, std::uint32_t pipeline, bool qualified);

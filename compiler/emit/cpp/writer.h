@@ -23,7 +23,7 @@ public:
     void indent() { ++depth_; }
     void dedent() { --depth_; }
     int depth() const { return depth_; }
-    /// As it is: preprocessor lines, finished pieces.
+    /// Adds text as it is: preprocessor lines, finished pieces.
     void raw(std::string_view text) { out_ += text; }
     /// Finished pieces, with an empty line after each.
     void parts(const std::vector<std::string_view>& parts);
@@ -41,7 +41,7 @@ private:
 /// The literal of a string: "say \"hi\"\n".
 std::string quoted(std::string_view text);
 
-/// As it may stand in a line, also as a literal or a comment: '?' for what would end these.
+/// Text that may stand in a line, also in a literal or a comment: with '?' for control characters, '"' and '\'.
 std::string in_line(std::string_view text);
 
 /// `/// ` lines for a documentation comment; nothing for an empty one.

@@ -1,5 +1,5 @@
-// Values in blocks (buffers, parameters). There glslang gives structs and arrays types of their own, with bools as
-// uints; it converts between these and the types of variables where a whole is assigned, except arrays of bools.
+// Values in blocks of GLSL (buffers, parameters). There glslang gives structs and arrays types of their own, with bools
+// as uints; it converts between these and the types of variables where a whole is assigned, except arrays of bools.
 #include "emit/glsl/printer.h"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 
 using PartOf = std::function<void(const std::string& selector, TypeId type)>;
 
-/// What a struct or an array is made of, each with what is written behind the whole to name it.
+/// Visits the parts of a struct or an array, each with what is written behind the whole to select it.
 void for_each_part(const Printer& p, TypeId id, const PartOf& visit) {
     const ir::Type type = p.program.types[id];
     if (type.kind == TypeKind::struct_) {

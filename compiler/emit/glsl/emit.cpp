@@ -16,7 +16,7 @@ std::string capitalised(std::string name) {
     return name;
 }
 
-/// What takes one place after the other has one name.
+/// Workgroup arrays that share one place in memory, one after the other, are one variable.
 void name_shared(Printer& p) {
     for (const std::vector<ir::LocalId>& place : p.pass.shared_places) {
         std::vector<std::string> names;

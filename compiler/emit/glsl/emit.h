@@ -14,7 +14,7 @@ enum class LineMarks : std::uint8_t {
     directives,  ///< `#line 9 "laplacian.glift"` before each statement: for glslang's errors and debug information
 };
 
-/// Whose rounding `/` and `sqrt` of floats have.
+/// How `/` and `sqrt` of floats are rounded.
 enum class Rounding : std::uint8_t {
     device,   ///< as written: up to 2.5 units in the last place off on some devices
     correct,  ///< corrected unless specialisation constant 100 (default true) says that the device's own is correct

@@ -233,7 +233,8 @@ Text print_local(Printer& p, const Expr& expr) {
                            (*p.program.names)[p.program.locals[expr.local].name]);
 }
 
-/// What an index or a member is of: where it lies, also where its value as a whole would have to be made anew.
+/// The operand of an index or a member access, as an lvalue: also where its value as a whole would have to be composed
+/// of its parts (blocks.cpp).
 std::string print_whole(Printer& p, ExprId id);
 
 Text print_index(Printer& p, const Expr& expr) {
@@ -251,7 +252,8 @@ std::string print_side(Printer& p, ExprId id, Level least) {
     return print(p, id, least);
 }
 
-/// What a struct, an array or a vector is made of. glslang takes structs with bools from blocks as they lie there.
+/// The arguments of a struct's, an array's or a vector's constructor. For a type with bools, structs that lie in blocks
+/// are composed of their parts, since glslang passes them as they lie there.
 std::string parts_of_whole(Printer& p, const Expr& expr) {
     const TypeKind kind = p.program.types.kind(expr.type);
     const bool has_parts = kind == TypeKind::struct_ || kind == TypeKind::array;

@@ -20,7 +20,8 @@ bool depends_on_value_parameters(const ir::Program& program, ExprId id) {
     return false;
 }
 
-/// True of parameters that the state of structures alone decides: lower/divisors.cpp lets no zero among them divide.
+/// Whether a parameter depends on the state of structures alone: lower/divisors.cpp makes sure that no zero among these
+/// divides.
 bool is_state_of_structures(const Printer& p, std::uint32_t parameter) {
     const ir::PassParameter& param = p.pass.parameters[parameter];
     switch (param.source) {

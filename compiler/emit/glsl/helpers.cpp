@@ -83,7 +83,7 @@ std::string one_line(const std::string& head, const std::string& value) {
     return head + " {\n    return " + value + ";\n}\n";
 }
 
-/// Of numbers of 64 bits without a sign.
+/// Quotient or remainder of unsigned 64-bit integers.
 std::string long_division(Helper helper) {
     const std::string op = helper == Helper::quotient ? "/" : "%";
     std::string text =
@@ -133,8 +133,8 @@ Conversion conversion_of(Helper helper) {
     }
 }
 
-/// By halves: NVIDIA's driver (580) makes a conversion of whose result only the lower half is used one to 32 bits,
-/// which saturates there. Both steps are exact.
+/// Converts a float to 64 bits in two halves: NVIDIA's driver (580) shortens a conversion of whose result only the
+/// lower half is used to 32 bits, which saturate. Both steps are exact.
 std::string saturating_conversion_64(Printer& p, const HelperUse& use, const std::string& type) {
     const Conversion c = conversion_of(use.helper);
     const bool is_signed = use.helper == Helper::to_int64;

@@ -21,7 +21,7 @@ Text call(Printer& p, const char* name, const Expr& expr) {
     return {std::string(name) + "(" + join_arguments(p, expr.operands) + ")"};
 }
 
-/// Calls a helper with every operand made the shape of the result.
+/// Calls a helper with every operand broadcast to the shape of the result.
 Text shaped(Printer& p, Helper helper, const Expr& expr) {
     std::string text = need(p, helper, expr.type) + "(";
     for (std::size_t i = 0; i < expr.operands.size(); ++i)
@@ -92,7 +92,7 @@ Text print_intrinsic(Printer& p, const Expr& expr) {
     switch (expr.intrinsic) {
     case Intrinsic::abs: return call(p, "abs", expr);
     case Intrinsic::sign: {
-        // NVIDIA's driver (580) fails to compile GLSL's of 64-bit integers beside other arithmetic.
+        // NVIDIA's driver (580) fails to compile GLSL's sign of 64-bit integers beside other arithmetic.
         const ir::Types& types = p.program.types;
         const TypeId scalar = types.scalar_of(expr.type);
         return types.is_floating(scalar) || scalar == types.int64 ? shaped(p, Helper::sign_of, expr)

@@ -59,7 +59,7 @@ void replace_all(std::string& text, const std::string& what, const std::string& 
         text.replace(at, what.size(), by);
 }
 
-/// What the printers of the functions found out they need.
+/// Passes on what a function's printer has declared and found to be needed.
 void carry_over(const Printer& from, Printer& to) {
     to.names = from.names;
     to.struct_names = from.struct_names;

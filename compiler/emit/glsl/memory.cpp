@@ -65,7 +65,8 @@ std::string image_prefix(const Printer& p, TypeId element) {
     return p.program.types.kind(scalar) == TypeKind::uint ? "u" : "";
 }
 
-/// What one invocation writes and another reads after a barrier must not stay in a cache.
+/// Whether the binding is `coherent`: what one invocation writes and another reads after a barrier must not stay in a
+/// cache.
 bool is_coherent(const Printer& p, const PassBinding& binding) {
     if (binding.coherent) return true;
     return binding.access == ir::Access::read_write && ir::has_any_barrier(p.program, p.body());
@@ -80,8 +81,8 @@ const char* access_text(ir::Access access) {
     return "";
 }
 
-/// What a call may write through another binding is not read through a cache for what nobody writes, as GPUs read
-/// `readonly` buffers.
+/// Whether a call may write the memory through another binding. It is not `readonly` then: GPUs read such buffers
+/// through a cache that writes do not update.
 bool may_alias(const Printer& p, const PassBinding& binding) {
     return std::ranges::any_of(p.pass.bindings, [&](const PassBinding& other) {
         return &other != &binding && other.one_place == binding.one_place;
@@ -118,7 +119,8 @@ std::string buffer_text(Printer& p, std::size_t index) {
            " { " + row + "; };   // the same, as vectors\n";
 }
 
-/// What lies at an address: what indexes an array has 32 bits, of which SPIR-V takes one for a sign.
+/// An element by its address, computed in 64 bits: the index of an array has 32 bits, of which SPIR-V takes one for a
+/// sign.
 std::string at_address(const std::string& block, const std::string& address, const std::string& index,
                        std::uint32_t bytes) {
     return block + "(" + address + " + " + index + " * " + std::to_string(bytes) + "ul).at";
@@ -229,7 +231,8 @@ std::string parameter_declaration(Printer& p, std::size_t i) {
     return declaration(p, param.type, name);
 }
 
-/// Numbers and vectors. A struct has another type in a block than in a variable, which glslang's `?:` mixes up.
+/// Whether a parameter is copied to a variable: numbers and vectors are. A struct has another type in a block than in a
+/// variable, which glslang's `?:` mixes up.
 bool is_copied(const Printer& p, const ir::PassParameter& parameter) {
     const ir::TypeKind kind = p.program.types.kind(parameter.type);
     return parameter.source != ir::ParameterSource::address && kind != ir::TypeKind::struct_ &&

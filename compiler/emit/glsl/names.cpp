@@ -91,7 +91,7 @@ const std::unordered_set<std::string_view>& reserved_words() {
 
 bool begins(std::string_view name, std::string_view prefix) { return name.substr(0, prefix.size()) == prefix; }
 
-/// Taken together with all that begins so: another ending does not help.
+/// Whether all names with this beginning are reserved: another ending does not help.
 bool has_reserved_beginning(std::string_view name) {
     for (std::string_view prefix : {"gl_", "GL_", "optional_", "atomic", "subgroup", "imageAtomic", "debugPrintf"})
         if (begins(name, prefix)) return true;

@@ -1,8 +1,8 @@
 // What orders reads and writes around it without a barrier of the workgroup: atomic operations between workgroups, and
 // barriers of a subgroup.
 //
-// On lavapipe (Mesa 22.3) the fence that these bring is a barrier: where only some subgroups of a workgroup come by it,
-// the others are cut off without a word. There operations that read and write at once order everything by themselves,
+// On lavapipe (Mesa 22.3) the fence that these bring is a barrier: where only some subgroups of a workgroup reach it,
+// the others are ended silently. There operations that read and write at once order everything by themselves,
 // since they are sequentially consistent, and a subgroup does its statements one after the other. The runtime says so
 // by constant 102.
 #include "emit/glsl/printer.h"

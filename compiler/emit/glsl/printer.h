@@ -11,7 +11,7 @@
 
 namespace gliftc::glsl {
 
-/// How tightly an expression holds together; the operators of GLSL from loose to tight.
+/// The precedence of an expression's outermost operator, from the loosest to the tightest of GLSL.
 enum class Level : std::uint8_t {
     ternary,
     logical_or,
@@ -103,7 +103,7 @@ struct Printer {
     Printer(const ir::Program& program, const Sources& sources, const ir::Pass& pass, const Options& options)
         : program(program), sources(sources), pass(pass), options(options) {}
 
-    /// Of a draw; else null.
+    /// What describes the draw; null: the pass is none.
     const ir::Raster* raster() const {
         const bool draws = pass.kernel != ir::no_kernel && program.kernels[pass.kernel].raster;
         return draws ? &*program.kernels[pass.kernel].raster : nullptr;
@@ -174,18 +174,19 @@ bool divisor_is_safe(const Printer& p, ir::ExprId divisor);
 bool shift_is_safe(const Printer& p, ir::ExprId amount, std::uint32_t width);
 std::string guarded_index(Printer& p, ir::ExprId index, std::uint32_t count);
 
-// blocks.cpp: structs and arrays have another type in a block than in a variable
-/// Whether the value is read where a block keeps it, not from a variable.
+// blocks.cpp: structs and arrays have another type in a GLSL block (buffer, parameters) than in a variable
+/// Whether the value is read from a block, not from a variable.
 bool lies_in_block(const ir::Program& program, ir::ExprId id);
-/// Whether it has a bool somewhere, which is none in a block.
+/// Whether the type contains a bool, which is a uint in a block.
 bool holds_bool(const ir::Program& program, ir::TypeId id);
-/// Whether it has an array of bools somewhere, which is no bool in a block: glslang copies such only bool by bool.
+/// Whether the type contains an array of bools: glslang does not convert these between blocks and variables, so that
+/// they are copied bool by bool.
 bool holds_bool_array(const ir::Program& program, ir::TypeId id);
 inline bool may_hold_bool_array(const ir::Program& program, ir::TypeId id) {
     const ir::TypeKind kind = program.types.kind(id);
     return (kind == ir::TypeKind::array || kind == ir::TypeKind::struct_) && holds_bool_array(program, id);
 }
-/// The value at `place`, made anew of its parts.
+/// The value at `place`, composed of its parts.
 std::string remade(Printer& p, const std::string& place, ir::TypeId id);
 /// `place = value`, as many lines as it takes.
 void print_store(Printer& p, const std::string& place, const std::string& value, ir::TypeId type);
@@ -238,14 +239,14 @@ Text print_subgroup(Printer& p, const ir::Expr& expr);
 std::string subgroup_definition(Printer& p, const HelperUse& use);
 void need_inner_of_subgroup(Printer& p, const HelperUse& use);
 
-// raster.cpp: what the shaders of a draw are given, and give on
+// raster.cpp: inputs and outputs of the shaders of a draw
 void name_interface(Printer& p);
 std::string interface_text(Printer& p);
 void print_part_start(Printer& p);
-/// Of a draw: its shaders declare what they use. All that a compute shader has is used.
+/// Whether the shader uses the binding, and so declares it. A compute shader uses all that its pass has.
 bool is_used(const Printer& p, std::size_t binding);
 
-// status.cpp: how a shader tells what it could not do
+// status.cpp: how a shader reports errors
 void name_status(Printer& p);
 std::string status_definitions(Printer& p);
 std::string place_parameters(const Printer& p);  ///< of functions that report

@@ -1,4 +1,4 @@
-// The shaders of a draw: inputs and outputs. What a part assigns for the rasteriser is one of its outputs by itself.
+// The shaders of a draw: inputs and outputs. Locals that a part assigns for the rasteriser are the shader's outputs.
 #include "emit/glsl/printer.h"
 #include "ir/effects.h"
 #include "ir/walk.h"
@@ -84,7 +84,7 @@ std::string interface_text(Printer& p) {
     return text.empty() ? "" : text + "\n";
 }
 
-/// Where only some paths give another depth, the others keep the triangle's.
+/// Where only some paths assign a depth, the others keep the triangle's.
 void print_part_start(Printer& p) {
     if (p.options.part == Part::vertex && p.raster()->topology == ir::Topology::points) line(p, "gl_PointSize = 1.0;");
     if (p.options.part == Part::fragment && p.raster()->depth && p.raster()->depth->is_set)

@@ -59,14 +59,14 @@ std::string assignment(Printer& p, const Stmt& stmt) {
     return target + " = " + text;
 }
 
-/// The left operand of these must be the whole of what stands left of the sign.
+/// Whether the value's left operand is the assignment's target, as `x += y` wants.
 bool is_left_whole(Printer& p, const Stmt& stmt) {
     const Expr& value = p.program.exprs[stmt.value];
     if (value.op != ir::Op::binary) return false;
     return print_any(p, value.operands[0]) == print(p, stmt.target, Level::postfix);
 }
 
-/// Of a number that is at least a constant.
+/// Notes the lower bound of a local that is a maximum with a constant.
 void note_low_bound(Printer& p, const Stmt& stmt) {
     const Expr& value = p.program.exprs[stmt.value];
     if (value.op != ir::Op::intrinsic || value.intrinsic != ir::Intrinsic::max) return;
@@ -106,7 +106,7 @@ void print_if(Printer& p, const Stmt& stmt, const std::string& before) {
     line(p, "}");
 }
 
-/// True of what has the same value each time round a loop.
+/// Whether it has the same value in each round of a loop.
 bool is_steady(const Printer& p, ExprId id) {
     const Expr& expr = p.program.exprs[id];
     switch (expr.op) {
@@ -158,8 +158,8 @@ void print_while(Printer& p, const Stmt& stmt) {
     line(p, "}");
 }
 
-/// What one invocation writes before a barrier others see after it: workgroup memory, and what the kernel both reads
-/// and writes.
+/// The memory in which others see after a barrier what one invocation wrote before it: workgroup memory, and what the
+/// kernel both reads and writes.
 std::string memory_of_barriers(const Printer& p) {
     bool buffers = false, images = false;
     for (const ir::PassBinding& binding : p.pass.bindings)
@@ -169,7 +169,7 @@ std::string memory_of_barriers(const Printer& p) {
            "gl_StorageSemanticsShared";
 }
 
-/// Execution and memory in one call: a fence of its own beside a barrier costs an H200 up to a fifth of a pass.
+/// Execution and memory in one call: a separate fence beside a barrier costs an H200 up to a fifth of a pass.
 std::string barrier_text(Printer& p) {
     const std::string memory = memory_of_barriers(p);
     if (memory == "gl_StorageSemanticsShared") return "barrier();";
@@ -177,7 +177,7 @@ std::string barrier_text(Printer& p) {
     return "controlBarrier(gl_ScopeWorkgroup, gl_ScopeWorkgroup, " + memory + ", gl_SemanticsAcquireRelease);";
 }
 
-/// Values of empty types are nowhere.
+/// Whether the statement only moves a value of an empty type, which is not printed.
 bool is_about_nothing(const Printer& p, const Stmt& stmt) {
     if (stmt.op == StmtOp::let) return is_empty(p.program, p.program.locals[stmt.local].type);
     if (stmt.op == StmtOp::assign) return is_empty(p.program, p.program.exprs[stmt.target].type);

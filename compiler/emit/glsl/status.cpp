@@ -1,9 +1,9 @@
-// The record in which a shader tells the runtime what it could not do, and the count of its loops' rounds.
+// The record in which a shader reports errors to the runtime, and the count of its loops' rounds.
 //
-// Some devices cut the loops of an invocation off after a number of rounds, without a word. They run the lanes of a
-// subgroup in step, so a round of one lane is a round of all: the count is the subgroup's, and each test of a loop's
-// condition adds one to it. Specialisation constant 101 is the device's limit; where it is 0 nothing is counted and the
-// driver drops all of this.
+// Some devices end the loops of an invocation after a number of rounds, silently. They run the lanes of a subgroup in
+// step, so a round of one lane is a round of all: the count is the subgroup's, and each test of a loop's condition adds
+// one to it. Specialisation constant 101 is the device's limit; where it is 0 nothing is counted and the driver drops
+// all of this.
 #include "emit/glsl/printer.h"
 #include "ir/walk.h"
 

@@ -13,7 +13,7 @@ using ir::TypeKind;
 
 namespace {
 
-/// What an exchange is in GLSL.
+/// How an exchange between lanes is written in GLSL.
 struct Exchange {
     const char* function;
     const char* extension;
@@ -44,7 +44,7 @@ Exchange exchange_of(Printer& p, const HelperUse& use) {
     throw std::logic_error("emit/glsl: not an exchange between lanes");
 }
 
-/// GLSL has the operations for these.
+/// Whether GLSL exchanges values of the type, without a function for its parts.
 bool is_exchanged_whole(const ir::Types& types, TypeId type) {
     return types.is_scalar(type) || types.is_vector(type) || types.kind(type) == TypeKind::enum_;
 }
@@ -72,7 +72,7 @@ Text exchange(Printer& p, Helper helper, const Expr& expr) {
     return {need(p, helper, expr.type) + "(" + join_arguments(p, expr.operands) + ")"};
 }
 
-/// GLSL wants one lane for all; only of a constant that is known.
+/// GLSL's broadcast wants one lane for all invocations; only of a constant that is known.
 Text broadcast(Printer& p, const Expr& expr) {
     return exchange(p, is_constant(p, expr.operands[1]) ? Helper::broadcast : Helper::shuffled, expr);
 }

@@ -131,7 +131,7 @@ std::string report_text(Body& body, const Stmt& stmt) {
     return "glift::host::report_outside(call, {" + record + "}, " + cpp::print_any(body.p, stmt.target) + ");";
 }
 
-/// A row of memory to a row of an array.
+/// Copies a row of memory to a row of an array.
 void print_copy(Body& body, const Stmt& stmt) {
     cpp::Printer& p = body.p;
     body.used_bindings.insert(stmt.slot);

@@ -15,9 +15,9 @@ struct Body {
     std::vector<std::string> binding_names;
     std::vector<std::string> parameter_names;
     std::set<std::uint32_t> used_bindings, used_parameters;
-    /// Accesses, as binding and index operand, that go through a pointer to the row, and its name.
+    /// The pointers to rows through which accesses go: their names, by the access's binding and index operand.
     std::map<std::pair<std::uint32_t, ir::ExprId>, std::string> row_pointers;
-    /// The same of arrays of a block's own, by the local and the index operand.
+    /// The same for arrays that are filled once a block, by the local and the index operand.
     std::map<std::pair<ir::LocalId, ir::ExprId>, std::string> item_pointers;
     bool first_only = false;  ///< workgroups: what is printed runs once, for the first invocation
     std::string group_text;   ///< the workgroup's size
@@ -41,7 +41,7 @@ std::string group_kernel(cpp::Globals& globals, const ir::Pass& pass, const std:
 std::string vertex_part(cpp::Globals& globals, const ir::Pass& pass, const std::string& name);
 std::string fragment_part(cpp::Globals& globals, const ir::Pass& pass, const std::string& name);
 std::string draw_kernel(cpp::Globals& globals, const ir::Pass& pass, const std::string& name);
-/// What a vertex hands on besides its place: floats of its clip distances, then of what is interpolated.
+/// The number of floats of a varying. A vertex's output is its position, then its clip distances, then its varyings.
 std::uint32_t floats_of(const ir::Program& program, const ir::Varying& varying);
 
 }  // namespace gliftc::host

@@ -5,7 +5,7 @@
 // kernel looks at neighbours, the part of a row away from the sides of the domain runs without checks.
 //
 // A kernel with a group becomes a function for one workgroup: what lies between two barriers is a loop over the
-// invocations, values that live on across a barrier are arrays with a place for each invocation.
+// invocations, values that live on across a barrier are arrays with an element for each invocation.
 #pragma once
 
 #include "emit/cpp/printer.h"

@@ -1,5 +1,6 @@
-// The fragment part of a draw: loops over the pixels of a block. `invocations` is one of them; a local that is kept has
-// an array with a place for each pixel, as has what the part draws.
+// The fragment part of a draw: loops over the pixels of a block. The statement `invocations` is one such loop. A local
+// that a later loop reads (`keep`) is an array with an element for each pixel, and so are the colours and depths that
+// the part assigns.
 #include "emit/cpp/mentions.h"
 #include "emit/host/body.h"
 #include "ir/effects.h"
@@ -17,7 +18,7 @@ using ir::Stmt;
 using ir::StmtId;
 using ir::StmtOp;
 
-/// What is interpolated belongs to each pixel, what is flat to the triangle.
+/// Which varyings are read: flat ones are the triangle's, interpolated ones the pixel's.
 enum class Reads : std::uint8_t { of_triangle, of_pixel };
 
 bool leaves(const Stmt& stmt) { return stmt.op == StmtOp::return_ || stmt.op == StmtOp::discard; }
@@ -78,7 +79,7 @@ cpp::Text Part::derivative(const ir::Expr& expr) {
             (is_inside ? "pixel" : "glift::host::first_of(running)") + ")"};
 }
 
-/// What is interpolated and used in the statements: for all pixels, or for each.
+/// Declares the varyings that the statements use: those that are flat, or those that are interpolated for a pixel.
 void Part::print_varyings(const std::vector<StmtId>& list, Reads reads) {
     std::uint32_t first = 0;
     for (const ir::Varying& varying : raster.varyings) {
@@ -99,7 +100,7 @@ void Part::print_leave(bool in_loop) {
     p.out.line(in_loop ? "return;" : "continue;");
 }
 
-/// In the last loop no neighbour needs what a helper has, so that helpers take no part in it.
+/// Helpers take no part in the last loop, since no neighbour needs their values afterwards.
 void Part::print_invocations(const Stmt& loop) {
     const std::vector<StmtId>& list = loop.body;
     const std::string pixels = has_helpers && &loop == last ? "running & drawn" : "running";
@@ -158,7 +159,7 @@ void print_targets(Part& part) {
     }
 }
 
-/// Where only some paths give another depth, the others keep the triangle's.
+/// Where only some paths assign a depth, the others keep the triangle's.
 void print_depths(Part& part) {
     part.p.out.open("for (std::uint32_t pixel = 0; pixel < glift::host::block_pixels; ++pixel)");
     part.p.out.line(part.arrays.at(part.raster.depth->value) + "[pixel] = fragments.depth[pixel];");
@@ -173,7 +174,7 @@ std::string fragment_part(cpp::Globals& globals, const ir::Pass& pass, const std
     const std::vector<StmtId>& statements = fragment_for(pass, ir::Devices::host)->body;
     ir::for_each_statement(globals.program, statements,
                            [&](const Stmt& stmt) { part.has_helpers |= stmt.op == StmtOp::barrier; });
-    // Who leaves in the last loop is missed by none.
+    // Fragments that end in the last loop need not be noted: no loop follows.
     std::vector<StmtId> before = statements;
     if (!before.empty() && globals.program.stmts[before.back()].op == StmtOp::invocations) {
         part.last = &globals.program.stmts[before.back()];

@@ -1,5 +1,6 @@
-// Kernels with a group, split at their barriers: one workgroup after the other on each thread. `invocations` is a loop
-// over those of the workgroup, a local that is kept is an array with a place for each.
+// Kernels with a group, split at their barriers: one workgroup after the other on each thread. The statement
+// `invocations` is a loop over those of the workgroup. A local that lives on across a barrier (`keep`) is an array with
+// an element for each invocation.
 #include "emit/host/body.h"
 #include "ir/walk.h"
 

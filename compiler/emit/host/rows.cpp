@@ -20,7 +20,7 @@ using ir::StmtOp;
 struct RowAccess {
     std::uint32_t binding;
     ExprId index;
-    ir::LocalId array;  ///< or absent: of the binding
+    ir::LocalId array;  ///< absent: the access is to the binding
 };
 
 std::vector<RowAccess> row_accesses(const ir::Program& program, const std::vector<StmtId>& body) {
@@ -38,10 +38,11 @@ std::vector<RowAccess> row_accesses(const ir::Program& program, const std::vecto
     return found;
 }
 
-/// True of a `let` whose value nobody misses if nobody reads it.
+/// Whether it is a `let`, which can be left out if nothing reads it.
 bool is_let(const Stmt& stmt) { return stmt.op == StmtOp::let && stmt.value; }
 
-/// A part of a row, in the form that the variant wants: none or at least a block.
+/// A part of a row as the variant wants it: one that runs in blocks takes a part that is empty or at least a block
+/// long.
 std::string in_blocks_text(const ir::Variant& variant, const std::string& part, const std::string& end) {
     return variant.order == ir::RowOrder::in_blocks ? "glift::host::in_blocks(" + part + ", " + end + ")" : part;
 }
@@ -110,7 +111,7 @@ void Rows::print_values_at(const std::vector<StmtId>& statements, const std::vec
     for (std::size_t i = needed.size(); i-- > 0;) cpp::print_statement(p, needed[i]);
 }
 
-/// Of the elements of what a row pointer leads to.
+/// The element type of a row pointer.
 std::string Rows::type_of(const RowAccess& access) {
     if (access.array) return cpp::type_text(p.globals, program.types[program.locals[access.array].type].element);
     const ir::PassBinding& binding = pass.bindings[access.binding];
@@ -140,7 +141,7 @@ void Rows::print_row_pointers(const std::vector<StmtId>& statements, const std::
     }
 }
 
-/// Without the `let`s that nothing reads, now that row pointers stand for what was computed with them.
+/// The statements without the `let`s that nothing reads, now that row pointers stand for what was computed with them.
 std::vector<StmtId> Rows::without_unused(const std::vector<StmtId>& statements, IdSet<ir::Local>& read) const {
     const auto note = [&](const auto& self, ExprId id) -> void {
         if (!id) return;
@@ -201,7 +202,7 @@ void Rows::print_plain_loop(const ir::Variant& variant, const std::string& begin
     }
     IdSet<ir::Local> read;
     const std::vector<StmtId> kept = without_unused(statements, read);
-    // Short rows stay loops, or there would be nothing to make vectors of.
+    // GLIFT_BLOCK keeps the compiler from unrolling loops over short rows, of which it could then make no vectors.
     if (variant.order != ir::RowOrder::ascending)
         p.out.line(variant.assumes.row != 0 ? "GLIFT_BLOCK" : "GLIFT_INDEPENDENT");
     if (accesses.empty()) {
@@ -250,7 +251,7 @@ void Rows::print_part(const ir::Variant& variant, const std::string& begin, cons
     else print_plain_loop(variant, begin, end);
 }
 
-/// Declares `inside`: where the bounds hold.
+/// Declares `inside`: the part of the row where the bounds hold, so that no clamp has an effect.
 void Rows::print_inside(const ir::Variant& variant, const ir::Variant& bounded, const std::string& begin,
                         const std::string& end) {
     p.out.line("glift::host::Unclamped unclamped;");
@@ -275,7 +276,7 @@ void Rows::print_inside(const ir::Variant& variant, const ir::Variant& bounded, 
 }
 
 /// A loop over what lies before the middle, the middle, and what lies behind it; the middle comes first in the text.
-/// One function holds them all: a lambda of its own would be compiled for the narrowest vectors.
+/// One function holds them all: a separate lambda would be compiled for the narrowest vectors.
 void Rows::open_sections(const std::string& name, const std::string& begin, const std::string& middle,
                          const std::string& end) {
     p.out.open("for (const glift::host::Section& " + name + " : glift::host::sections(" + begin + ", " + middle + ", " +
@@ -288,7 +289,7 @@ void Rows::close_sections() {
     p.out.close();
 }
 
-/// A loop over every `items`-th element: what lies between is the kernel's own affair.
+/// A loop over every `items`-th element: the kernel's body takes care of those between.
 void Rows::print_strides(const std::vector<StmtId>& statements, const std::string& begin, const std::string& end) {
     p.marked_line = 0;
     p.names.enter();
@@ -315,7 +316,7 @@ void Rows::print_loop(const ir::Variant& variant, const std::string& begin, cons
     close_sections();
 }
 
-/// An array that is filled once a block. What is not written has no value.
+/// Declares an array that is filled once a block. It is not initialised.
 void print_array(Rows& rows, const Stmt& let) {
     cpp::Printer& p = rows.p;
     const ir::Type& type = rows.program.types[rows.program.locals[let.local].type];
@@ -335,7 +336,7 @@ void print_rows_of_block(Rows& rows, const ir::Variant& whole) {
     rows.p.names.leave();
 }
 
-/// Once a block, what its number decides; then the loop for whole blocks, or the one for any.
+/// Computes once a block what its number decides; then runs the loop for whole blocks, or the one for any block.
 void print_block(Rows& rows, const ir::Variant& whole, const ir::Variant& any) {
     cpp::Printer& p = rows.p;
     p.out.line("bool is_whole = false;");

@@ -312,7 +312,7 @@ void Writer::kernel_param(const ir::KernelParam& p) {
     });
 }
 
-/// What a kernel that draws has beside others. Its group is of no meaning.
+/// The entries of a kernel that draws beside those of every kernel. Its group has no meaning.
 void Writer::draw(const ir::Kernel& k) {
     const ir::Raster& raster = *k.raster;
     out.object([&] {

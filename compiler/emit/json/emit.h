@@ -8,7 +8,7 @@
 
 namespace gliftc::json {
 
-/// Grows when a reader of the older form could misread the newer.
+/// Incremented when a reader of the older form could misread the newer.
 inline constexpr unsigned schema_version = 1;
 
 /// The reflection of one module: its kernels, pipelines and tests, and every structure, translator, struct and enum

@@ -48,7 +48,7 @@ void Text::quote(std::string_view string) {
         text_ += '"';
         return;
     }
-    // What has to be escaped, and bytes that are no text, are rare.
+    // The library handles what is rare: characters to be escaped, and bytes that are not UTF-8.
     text_ += nlohmann::json(string).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 

@@ -19,7 +19,7 @@ const char* word(ir::ParameterSource source);
 const char* word(ir::HostPattern pattern);
 const char* word(ir::Mapping mapping);
 
-/// What Place::root counts: a kernel's parameters by name, or (one, without a name) the structure itself.
+/// What Place::root is an index of: a kernel's parameters, with names, or only the structure itself, without a name.
 struct Root {
     std::string name;
     std::uint32_t structure = 0;

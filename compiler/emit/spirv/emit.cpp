@@ -70,7 +70,8 @@ Spirv compile(const std::string& glsl, EShLanguage language) {
     return result;
 }
 
-/// The module without the text of its GLSL, which is most of it where glslang adds lines: these are of .glift files.
+/// The module without its GLSL text, which glslang adds with the lines and which is most of the module. The lines are
+/// those of .glift files.
 std::vector<std::uint32_t> without_source(const std::vector<std::uint32_t>& words) {
     constexpr std::size_t header_words = 5, source_words = 4;  // of OpSource: language, version and the file's name
     std::vector<std::uint32_t> result(words.begin(), words.begin() + header_words);

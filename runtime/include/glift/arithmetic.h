@@ -19,7 +19,8 @@ template <class T> constexpr T divisor(T a, T b) {
     else return b > 0 ? b : T{1};
 }
 
-/// a - b, where a is a constant zero: GCC 12 and 13 make -float(i) of 0.0f - float(i) where they see both, -0 for 0.
+/// a - b for a constant zero a. Written as a call: GCC 12 and 13 turn an expression 0.0f - float(i) into -float(i),
+/// which is -0 for i = 0.
 template <class T> constexpr T subtract(T a, T b) { return static_cast<T>(a - b); }
 
 /// a / b; for integers a where b is 0.

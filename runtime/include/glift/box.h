@@ -1,4 +1,4 @@
-// Virtual addresses and sizes padded to four numbers, and boxes of them.
+// Virtual addresses and sizes of any rank, padded to four numbers, and boxes of addresses.
 #pragma once
 
 #include <glift/api.h>
@@ -34,7 +34,7 @@ template <class A> constexpr Extent extent_of(const A& a, std::uint32_t rest = 1
     return extent;
 }
 
-/// Elements of a box; saturates at 2^64 - 1.
+/// The number of elements of a box of this size; saturates at 2^64 - 1.
 constexpr std::uint64_t volume_of(const Extent& extent) {
     if (std::ranges::find(extent, 0u) != extent.end()) return 0;
     std::uint64_t volume = 1;
@@ -44,7 +44,8 @@ constexpr std::uint64_t volume_of(const Extent& extent) {
 
 GLIFT_API std::string text_of(const Extent& extent, unsigned rank);
 
-/// A box of the structure `name`, for checks of bounds and overlap.
+/// A box of addresses of the structure `name`, whose extent is `domain`, for checks of bounds and overlap. Only the
+/// first `rank` axes count.
 struct Box {
     const char* name;
     unsigned rank;
@@ -66,18 +67,18 @@ struct Box {
     }
 };
 
-// Not inline, since programs have many calls of them.
+// Errors. Not inline, since generated code has many calls of them.
 
 [[noreturn]] GLIFT_API void throw_outside(const std::string& where, const Box& box);
-/// The error's place is `type::operation`.
+/// Error::where is `type::operation`.
 [[noreturn]] GLIFT_API void throw_outside(const char* type, const char* operation, const Box& box);
 [[noreturn]] GLIFT_API void throw_outside_range(const char* name, const Box& box);
 [[noreturn]] GLIFT_API void throw_outside_mapped(const Box& box);
 [[noreturn]] GLIFT_API void throw_slice(const char* place, unsigned rank, const Extent& first, const Extent& last,
                                         const Extent& whole);
-/// For a count of values other than the number of elements of a box of `type`.
+/// The error for a number of values other than that of the elements of a box of `type`.
 [[noreturn]] GLIFT_API void throw_count(const char* type, std::size_t given, const Extent& size, unsigned rank);
-/// For structures that were default-constructed or moved from.
+/// The error for structures that were default-constructed or moved from.
 [[noreturn]] GLIFT_API void throw_empty_structure(const char* type, const char* operation);
 
 }  // namespace detail

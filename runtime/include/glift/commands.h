@@ -27,7 +27,7 @@ class Stream;
 class DownloadObject;
 class TimestampObject;
 
-/// For calls that wait for the device.
+/// The error for calls that wait for the device, in a recording.
 [[noreturn]] GLIFT_API void throw_not_in_recording(const char* call);
 }  // namespace detail
 
@@ -36,13 +36,14 @@ struct CopyRegion {
     std::uint64_t from = 0, to = 0, bytes = 0;
 };
 
-/// A box of texels of an image, which lies packed and row-major at `offset` of a buffer or of host bytes.
+/// A box of texels of an image and its place in a buffer or in host bytes, where it is packed and row-major from byte
+/// `offset` on.
 struct ImageRegion {
     std::uint64_t offset = 0;
     std::array<std::uint32_t, 3> origin = {0, 0, 0};
     std::array<std::uint32_t, 3> extent = {1, 1, 1};
     std::uint32_t mip = 0;
-    std::uint32_t face = 0;  ///< cubes
+    std::uint32_t face = 0;  ///< of a cube; of an image2darray: its layer
 };
 
 /// A box of texels from one image to another of the same format.
@@ -84,8 +85,9 @@ inline double operator-(const Timestamp& later, const Timestamp& earlier) {
 }
 
 /// A cheap handle to a stream: a device's own, a recording in progress, or the user's VkCommandBuffer (vulkan.h).
-/// Generated functions take `const Commands&`, so that they can be called with a Device too. Those of a recording take
-/// commands until its body has run, those of a command buffer until vulkan::finish; then they throw.
+/// Generated functions take `const Commands&`, so that they can be called with a Device too. Commands for a recording
+/// are accepted until the body of Device::record has returned, those for a command buffer until vulkan::finish; later
+/// ones throw.
 class GLIFT_API Commands {
 public:
     Commands(const Device& device);  ///< what Device::commands says
@@ -97,17 +99,18 @@ public:
     /// Whether what is put here runs later, perhaps many times: in a recording, or in the user's command buffer.
     bool is_recording() const;
 
-    /// True if these memories or this iteration size are too large for the direct and the general form, or if bindings
-    /// that alias (Sharing::one_place) need pointers on this device: pack the wide parameters then (pass.h).
+    /// Whether a call needs the kernel's wide form (kernel.h): because its memories or its iteration are too large for
+    /// the other forms, because they are more buffers than the device has descriptors, or because bindings alias
+    /// (Sharing::one_place), which takes pointers on this device. The caller then packs the wide form's parameters.
     bool needs_wide(const Kernel& kernel, std::span<const Memory> memories, const std::array<std::uint32_t, 4>& size,
                     Sharing sharing = Sharing::unknown) const;
 
     void dispatch(const Kernel& kernel, const Call& call) const;
 
-    /// The same stream, whose kernels take the values of these parameters (as named in the generated GLSL, `f_extent`;
-    /// none: of all) as constants of their pipelines: what Vulkan calls specialisation. Each set of values makes a
-    /// pipeline, which costs milliseconds the first time: for values that stay. Results are the same. Calls that do not
-    /// take the direct form, and the host device, use the values as they are.
+    /// The same stream, whose kernels have the values of these parameters (named as in the generated GLSL, `f_extent`;
+    /// an empty list: all parameters) compiled in as constants: what Vulkan calls specialisation. Each set of values
+    /// makes a pipeline, which costs milliseconds the first time: use it for values that rarely change. Results are the
+    /// same. Calls that do not take the direct form, and the host device, read the parameters as usual.
     Commands specialised(std::vector<std::string> parameters = {}) const;
 
     /// The same stream, but what it allocates is not zeroed: it holds whatever that storage held before. With
@@ -115,9 +118,9 @@ public:
     /// than on Vulkan devices, so that results which depend on it differ.
     Commands uninitialized() const;
 
-    /// The same stream for passes that run where the value, a bool on the device, is true (`where_not`: false), and so
-    /// do those of `*this`: elsewhere they run over nothing, and what is allocated is not zeroed. Copies, uploads and
-    /// what waits for the device are an Error there.
+    /// The same stream, whose passes run only if `condition`, a bool on the device, is true (`where_not`: false) when
+    /// they are reached, and all conditions of `*this` hold. Otherwise they run over nothing, and buffers allocated
+    /// here are not zeroed. Copies, uploads, downloads and timestamps throw an Error there.
     Commands where(DeviceValue condition) const;
     Commands where_not(DeviceValue condition) const;
     /// The same stream without conditions.
@@ -131,9 +134,9 @@ public:
     /// device, of the kind, format and extent described, and at least as large.
     Memory adopt(Memory memory, const MemoryDescription& description) const;
 
-    /// Gives a member of a container the memory of another structure of its type. Whoever has the container sees it.
-    /// `memories` are those that the member had: recordings that use them cannot be submitted any more. Throws in a
-    /// recording.
+    /// Replaces a container's member by `made`, a structure of the same type with other memories. All copies of the
+    /// container share the member. `memories` are the old member's: recordings that use them can no longer be
+    /// submitted. Throws in a recording.
     template <class S> void replace(S& member, S&& made, std::initializer_list<Memory> memories) const {
         note_replaced(memories);
         member = std::move(made);
@@ -142,7 +145,7 @@ public:
     void fill(const Memory& memory, std::uint64_t offset, std::uint64_t bytes,
               std::uint32_t value = 0) const;  ///< multiples of 4
 
-    /// Between buffers. Source and target may be one memory if no region's source overlaps any region's target.
+    /// Copies between buffers. Source and target may be one memory if no region's source overlaps any region's target.
     void copy(const Memory& from, const Memory& to, std::span<const CopyRegion> regions) const;
     void copy(const Memory& from, std::uint64_t from_offset, const Memory& to, std::uint64_t to_offset,
               std::uint64_t bytes) const;
@@ -151,13 +154,13 @@ public:
     void copy_from_image(const Memory& image, const Memory& buffer, std::span<const ImageRegion> regions) const;
     void copy_images(const Memory& from, const Memory& to, std::span<const ImageCopyRegion> regions) const;
 
-    /// From host bytes, which are copied before the call returns. Regions: `from` is an offset in `bytes`.
+    /// Copies from host bytes, which are read before the call returns. `from` of a region is an offset in `bytes`.
     void upload(const Memory& to, std::uint64_t offset, std::span<const std::byte> bytes) const;
     void upload(const Memory& to, std::span<const CopyRegion> regions, std::span<const std::byte> bytes) const;
     void upload_image(const Memory& image, std::span<const ImageRegion> regions,
                       std::span<const std::byte> bytes) const;
 
-    /// To host bytes: `bytes` of them, which the regions fill (`to` is an offset in them). Not in a recording.
+    /// Copies to `bytes` host bytes. `to` of a region is an offset in them. Throws in a recording.
     Download download(const Memory& from, std::uint64_t offset, std::uint64_t bytes) const;
     Download download(const Memory& from, std::span<const CopyRegion> regions, std::uint64_t bytes) const;
     Download download_image(const Memory& image, std::span<const ImageRegion> regions, std::uint64_t bytes) const;
@@ -179,9 +182,9 @@ private:
     Commands with(Condition condition) const;
 
     detail::Held<detail::Stream> stream_;
-    std::shared_ptr<const std::vector<std::string>> specialised_;  ///< null: nothing is
+    std::shared_ptr<const std::vector<std::string>> specialised_;  ///< null: no parameter is; empty: all are
     std::shared_ptr<const std::vector<Condition>> conditions_;     ///< null: none
-    bool zeroes_ = true;                                           ///< what it allocates
+    bool zeroes_ = true;                                           ///< whether what it allocates is zeroed
 };
 
 }  // namespace glift

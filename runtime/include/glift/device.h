@@ -29,19 +29,22 @@ struct DeviceProperties {
     std::string driver;  ///< name and version of the driver
     DeviceKind kind = DeviceKind::host;
     std::uint32_t subgroup_size = 1;
-    std::uint64_t memory_bytes = 0;                      ///< of the heap that memories come from
-    std::uint64_t max_allocation_bytes = unlimited;      ///< of one memory
-    std::uint64_t max_storage_buffer_range = unlimited;  ///< beyond it kernels use their wide form
-    std::uint32_t shared_memory_bytes = 0;               ///< of a workgroup
+    std::uint64_t memory_bytes = 0;                  ///< of the heap that memories come from
+    std::uint64_t max_allocation_bytes = unlimited;  ///< of one memory
+    /// The largest buffer that a descriptor covers. Kernels reach larger ones by their wide form (kernel.h).
+    std::uint64_t max_storage_buffer_range = unlimited;
+    std::uint32_t shared_memory_bytes = 0;  ///< of a workgroup
     std::uint32_t max_push_constant_bytes = 128;
     std::array<std::uint32_t, 3> max_workgroups = {UINT32_MAX, UINT32_MAX, UINT32_MAX};
     std::array<std::uint32_t, 3> max_workgroup_size = {1024, 1024, 64};
     std::uint32_t max_workgroup_invocations = 1024;
     std::uint64_t loop_round_limit = unlimited;  ///< loop iterations after which the device ends an invocation
-    bool fences_are_barriers = false;            ///< a fence that not all subgroups of a workgroup reach ends some
-    bool helpers_load = true;                    ///< pixels beside a triangle, which take part in derivatives, load
-                                                 ///< from buffers what they should; else zeros
-    double timestamp_seconds = 1e-9;             ///< one tick
+    /// An acquire or release fence that only some subgroups of a workgroup reach ends the other subgroups.
+    bool fences_are_barriers = false;
+    /// Helper invocations (pixels beside a triangle, which take part in derivatives) load the elements of buffers;
+    /// false: they load zeros.
+    bool helpers_load = true;
+    double timestamp_seconds = 1e-9;  ///< length of a tick of the device's clock
     bool int8 = false, int16 = false, int64 = false, float16 = false, float64 = false;
     bool int64_atomics = false;
     bool float32_atomic_add = false;  ///< on buffers
@@ -49,7 +52,7 @@ struct DeviceProperties {
     bool image_float32_atomic_add = false;
     bool subgroup_vote = false, subgroup_arithmetic = false, subgroup_ballot = false;  ///< in compute shaders
     bool subgroup_shuffle = false, subgroup_shuffle_relative = false;
-    bool subgroup_extended_types = false;  ///< these on 16-bit and 64-bit types, too
+    bool subgroup_extended_types = false;  ///< subgroup operations take 16-bit and 64-bit types, too
     bool descriptor_indexing = false;
     bool push_descriptors = false;
 };

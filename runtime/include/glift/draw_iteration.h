@@ -1,4 +1,4 @@
-// What one call of a kernel that draws is given.
+// The arguments of one call of a kernel that draws.
 #pragma once
 
 #include <glift/commands.h>
@@ -14,12 +14,13 @@
 
 namespace glift {
 
-/// Corners, instances and targets of one call. Arguments are added and checked one by one, in the kernel's order.
+/// Corners (vertices), instances and targets of one call. Arguments are added and checked one by one, in the kernel's
+/// order.
 class DrawIteration {
 public:
     explicit DrawIteration(const Kernel& kernel) : kernel_(kernel) {}
 
-    /// A range with an element for each corner. All such ranges have one size.
+    /// A range with an element for each corner. All such ranges must have one size.
     template <class S> void corners(const char* name, const Range<S>& range) {
         add_counted(0, detail::box_of(name, range), range.is_whole(), range.device_counts());
     }
@@ -27,11 +28,12 @@ public:
     template <class S> void instances(const char* name, const Range<S>& range) {
         add_counted(1, detail::box_of(name, range), range.is_whole(), range.device_counts());
     }
-    /// A range that is read or written anywhere.
+    /// A range that is read or written at any address.
     template <class S> void any(const char* name, const Range<S>& range) {
         add_any(detail::box_of(name, range), range.is_whole());
     }
-    /// What is drawn to: all targets have the same pixels. Elements of the range lie in `memory` where they are.
+    /// A target: a range of an image, `memory`, that is drawn to. Each element's texel has the element's virtual
+    /// address. All targets must have ranges of one size that begin at the same pixel.
     template <class S> void colour(const char* name, const Range<S>& range, const Memory& memory) {
         add_pixels(detail::box_of(name, range), range.is_whole(), range.device_counts());
         add_origin(detail::box_of(name, range));
@@ -42,7 +44,7 @@ public:
         add_origin(detail::box_of(name, range));
         targets_.depth = {memory};
     }
-    /// A range whose addresses fragments see, of as many pixels.
+    /// The range of an `at` parameter, whose addresses the fragment shader reads. It must have the targets' size.
     template <class S> void pixels(const char* name, const Range<S>& range) {
         add_pixels(detail::box_of(name, range), range.is_whole(), range.device_counts());
     }
@@ -53,26 +55,27 @@ public:
     }
     Sharing sharing() const { return sharing_; }
 
-    /// Corners and instances.
+    /// The numbers of corners and instances; upper bounds of those that the device computes.
     uint2 counts() const { return uint2(axes_[0].count(), axes_[1].count()); }
     Extent size() const { return {axes_[0].count(), axes_[1].count(), 1, 1}; }
-    /// All ranges are whole structures.
+    /// Whether all ranges are whole structures.
     bool is_whole() const { return whole_; }
     const DrawTargets* targets() {
         targets_.colours = colours_;
         return &targets_;
     }
 
-    /// Patches that write the counts into the parameters at the offset, where they come from the device.
+    /// Patches (pass.h) that write the numbers of corners and instances into the parameters at each of the offsets, if
+    /// the device computes them.
     GLIFT_API std::span<const Patch> patches(std::initializer_list<std::size_t> offsets);
-    /// The same for the size of a range that is read or written anywhere.
+    /// Adds such patches for the size of a range that is read or written at any address.
     template <class S> void count(const Range<S>& range, std::size_t offset) {
         add_patches(range.device_counts(), offset, detail::extent_of(range.size()),
                     detail::Axes<typename S::Address>::count);
     }
 
 private:
-    /// What is counted along an axis of the draw.
+    /// An axis of the draw, of corners or of instances: its first range, and the device values that bound the length.
     struct Axis {
         detail::Box box{};
         bool is_given = false;

@@ -1,8 +1,8 @@
 // Kernels that draw: a vertex shader, the rasteriser and a fragment shader.
 //
-// The iteration of a draw has two axes: vertices, three in a row for each triangle, and instances. Form::spirv is the
-// vertex shader, Form::fragment the fragment shader; both have the same bindings and parameters. Output i of the
-// fragment shader is colour target i. Each call gives the targets and the viewport.
+// A draw runs over two axes: vertices and instances. Consecutive vertices form a primitive: three a triangle, two a
+// line, one a point. Form::spirv is the vertex shader, Form::fragment the fragment shader; both have the same bindings
+// and parameters. Output i of the fragment shader is colour target i. Each call gives the targets and the viewport.
 #pragma once
 
 #include <glift/memory.h>
@@ -37,17 +37,18 @@ struct Drawing {
     const char* depth = nullptr;  ///< name of the depth target; null: none
     DepthTest depth_test = DepthTest::less;
     bool writes_depth = true;
-    bool derives_loads = false;  ///< derivatives depend on what is loaded from buffers in pixels beside the triangle:
-                                 ///< refused where the device lacks DeviceProperties::helpers_load
+    /// The fragment shader takes derivatives of values loaded from buffers, so that helper invocations must load, too.
+    /// A device without DeviceProperties::helpers_load refuses the kernel.
+    bool derives_loads = false;
 };
 
-/// One mip level, and for cubes one face, of an image that is drawn to.
+/// One mip level, and of a cube one face, of an array one layer, of an image that is drawn to.
 struct Attachment {
     Memory memory;
     std::uint32_t mip = 0, face = 0;
 };
 
-/// The targets of one call. All of them have the viewport's pixels.
+/// The targets of one call, and the viewport, which must lie inside each of them; they may be larger.
 struct DrawTargets {
     std::span<const Attachment> colours = {};  ///< in the order of Drawing::colours
     Attachment depth = {};                     ///< empty where Drawing::depth is null

@@ -19,7 +19,7 @@ constexpr std::uint64_t saturated_shift(std::uint64_t a, std::uint64_t amount) {
     return amount >= 64 || a > UINT64_MAX >> amount ? UINT64_MAX : a << amount;
 }
 
-// Component by component; one operand may be a number.
+// Component by component; one operand may be a scalar.
 template <unsigned N> using exact_vec = vec<std::uint64_t, N>;
 #define GLIFT_SATURATED(operation)                                                                                     \
     template <unsigned N> constexpr exact_vec<N> operation(const exact_vec<N>& a, const exact_vec<N>& b) {             \

@@ -12,7 +12,7 @@
 
 namespace glift::detail {
 
-/// Structures whose translator is an affine map into a buffer: `place` is the index of an element there.
+/// Structures whose translator is an affine map into a buffer: `place(a)` is the index of element a there.
 template <class S>
 concept HasPlaces = requires(const S& s, typename S::Address a) {
     { s.place(a) } -> std::same_as<std::uint64_t>;
@@ -21,7 +21,8 @@ concept HasPlaces = requires(const S& s, typename S::Address a) {
 /// Type-erased functions of a structure type. Each type has one table, so that its address identifies the type.
 struct StructureTable {
     bool (*same_state)(const void* one, const void* other);
-    std::uint64_t (*place)(const void* structure, const Extent& address);  ///< in elements; null: not HasPlaces
+    /// Index of an element in the buffer; null: not HasPlaces.
+    std::uint64_t (*place)(const void* structure, const Extent& address);
     std::uint32_t element_bytes;
 };
 
@@ -44,7 +45,7 @@ template <class S> inline constexpr StructureTable structure_table = [] {
     return table;
 }();
 
-/// The range as a box in the structure's domain. A function of its own for each type: calls of kernels are many.
+/// The range as a box in the structure's domain. Not inlined, since generated code has many calls of kernels.
 template <class S> [[gnu::noinline]] Box box_of(const char* name, const Range<S>& range) {
     return {name, Axes<typename S::Address>::count, extent_of(range.origin(), 0), extent_of(range.size()),
             extent_of(range->domain())};
@@ -52,7 +53,7 @@ template <class S> [[gnu::noinline]] Box box_of(const char* name, const Range<S>
 
 /// The range that a call gives to one parameter.
 struct Footprint {
-    /// Of an adaptor: bindings reach the whole of its members' memories.
+    /// For a parameter that is an adaptor (a container of structures): its bindings reach all of its members' memories.
     Footprint() = default;
     template <class S> [[gnu::noinline]] Footprint(const Range<S>& range)
         : structure(&range.structure()), table(&structure_table<S>), is_whole(range.is_whole()),
@@ -68,8 +69,8 @@ struct Footprint {
 GLIFT_API bool is_shared(const Kernel& kernel, std::span<const Memory> memories);
 
 /// How the parameters overlap in the memories that they share. `footprints` are those of the structures that the kernel
-/// takes, in its order; `visited` is the box of the first one that it visits. Throws aliased_memory where invocations
-/// could race.
+/// takes, in its order; `visited` is the box of the first range that it visits element by element. Throws
+/// aliased_memory where invocations could race.
 GLIFT_API Sharing compare_footprints(const Kernel& kernel, std::span<const Memory> memories, const Box& visited,
                                      std::span<const Footprint> footprints);
 

@@ -20,21 +20,23 @@ class Iteration {
 public:
     explicit Iteration(const Kernel& kernel) : kernel_(kernel) {}
 
-    /// A range that is visited element by element. All such ranges have one size.
+    /// A range that is visited element by element. All such ranges must have one size.
     template <class S> void each(const char* name, const Range<S>& range) {
         add_visited(detail::box_of(name, range), range.is_whole(), range.device_counts());
     }
-    /// A range that is read in a neighbourhood of the current element. A whole structure follows the first visited
-    /// range; a box has its own origin and the same size.
+    /// A range that is read in a window around the current element. The windows in a whole structure are at the
+    /// addresses of the first visited range; a box has an origin of its own, and must have that range's size.
     template <class S> void near(const char* name, const Range<S>& range) {
         add_near(detail::box_of(name, range), range.is_whole());
     }
-    /// A range that is read or written anywhere.
+    /// A range that is read or written at any address.
     template <class S> void any(const char* name, const Range<S>& range) {
         add_any(detail::box_of(name, range), range.is_whole());
     }
 
-    /// {elements, blocks}: what is visited of the first range. `count` is how many blocks there are, at most those.
+    /// For a kernel over the blocks of a structure (docs/language.md, Blocks): it visits {elements of a block, blocks}
+    /// of the first range. `count` is the number of blocks, if the device computes it; `visited.y` is then an upper
+    /// bound.
     void blocks(uint2 visited) {
         visited_ = visited;
         if (visited_.x == 0 || visited_.y == 0) visited_ = {0, 0};
@@ -43,16 +45,17 @@ public:
         blocks(visited);
         block_count_ = count;
     }
-    /// Throws where two structures that are visited by the same blocks say otherwise what is there: in other memories.
+    /// Throws if two structures that are visited block by block may have different blocks. Each pair holds a memory
+    /// that the blocks of `first` are read from and that of `other`: they must be the same.
     GLIFT_API void same_blocks(const char* first, const char* other,
                                std::initializer_list<std::pair<Memory, Memory>> memories) const;
     uint2 visited() const { return visited_; }
     Extent extent() const { return {visited_.x, visited_.y, 1, 1}; }
-    /// A patch that writes the number of blocks into the iteration's size at `offset`, where it comes from the device.
-    /// Before `patches`.
+    /// Adds a patch (pass.h) that writes the number of blocks into the iteration's size at `offset`, if the device
+    /// computes it. Called before `patches`.
     GLIFT_API void count_blocks(std::size_t offset);
 
-    /// The address of the first invocation's `near` neighbourhood.
+    /// The address in the range at which the first invocation's `near` window is centred.
     template <class S> typename S::Address centre(const Range<S>& range) const {
         if (!range.is_whole()) return range.origin();
         typename S::Address origin{};
@@ -64,18 +67,19 @@ public:
 
     /// Whether one memory is bound twice and written: then `share` must be called.
     bool is_shared(std::span<const Memory> memories) const { return detail::is_shared(kernel_, memories); }
-    /// The ranges of all structures that the kernel takes, in its order. Throws where invocations could race.
+    /// Sets `sharing` from the ranges of all structures that the kernel takes, in its order. Throws where invocations
+    /// could race.
     void share(std::span<const Memory> memories, std::initializer_list<detail::Footprint> footprints) {
         sharing_ = detail::compare_footprints(kernel_, memories, first_, footprints);
     }
     Sharing sharing() const { return sharing_; }
 
     const Extent& size() const { return first_.size; }
-    /// All ranges are whole structures.
+    /// Whether all ranges are whole structures.
     bool is_whole() const { return whole_; }
-    /// Patches that write the iteration's size into the parameters at `offsets`, where it comes from the device.
+    /// Patches that write the iteration's size into the parameters at each of the offsets, if the device computes it.
     GLIFT_API std::span<const Patch> patches(std::initializer_list<std::size_t> offsets);
-    /// The same for the size of a range that is read or written anywhere. Before `patches`.
+    /// Adds such patches for the size of a range that is read or written at any address. Called before `patches`.
     template <class S> void count(const Range<S>& range, std::size_t offset) {
         if (!range.device_counts().empty())
             patch(range.device_counts(), offset, detail::extent_of(range.size()),
@@ -95,15 +99,15 @@ private:
     unsigned count_ = 0;
     bool whole_ = true;
     Sharing sharing_ = Sharing::unknown;
-    std::vector<detail::DeviceCount> counts_;  ///< of what is visited
+    std::vector<detail::DeviceCount> counts_;  ///< device values that bound the size of the visited ranges
     uint2 visited_{0, 0};
     std::optional<DeviceValue> block_count_;
     std::array<Patch, 24> patches_{};
     std::size_t patch_count_ = 0;
 };
 
-/// A parameter block as bytes. Each kernel has two types of blocks: std::as_bytes would be the most expensive part of a
-/// call to compile.
+/// A parameter block as bytes. Every kernel has its own types of blocks, for which std::as_bytes would be the most
+/// expensive part of a call to compile.
 template <class T> std::span<const std::byte> bytes_of(const T& value) {
     return {reinterpret_cast<const std::byte*>(&value), sizeof value};
 }

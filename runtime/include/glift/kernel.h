@@ -9,10 +9,11 @@
 //             device address (without descriptors), and iterations may be split into several dispatches.
 //
 // Who chooses. Generated code asks Commands::needs_wide(kernel, memories, size) before it packs the parameters, and
-// packs the wide block where the answer is true. On Vulkan devices it is true for a buffer larger than a descriptor can
-// cover and for an iteration of more workgroups than one dispatch may have, on every device for a memory of 2^32
-// elements or more.
-// At Binding::address_offset (8-byte aligned) the runtime writes the address of each buffer.
+// packs the wide form's where the answer is true. On Vulkan devices it is true for a buffer larger than a descriptor
+// can cover, for more buffers than the device has descriptors, for an iteration in several axes of more workgroups than
+// one dispatch may have, and for elements that are reached by two bindings (Sharing::one_place); on every device for a
+// memory of 2^32 elements or more. Into the wide form's parameters the runtime writes the address of each buffer, at
+// Binding::address_offset (8-byte aligned).
 #pragma once
 
 #include <glift/host/memory.h>
@@ -25,8 +26,8 @@
 #include <span>
 
 // Embeds the SPIR-V file at `path`, a literal, as `const std::uint32_t symbol[count]`. The directive's name is split
-// because ccache does not cache sources that contain it; it need not here, as the symbol's name has the contents' hash.
-// Weak and hidden: several sources may define the same symbol, and other libraries do not see it.
+// because ccache does not cache sources that contain it; these it may cache, since the symbol's name contains a hash of
+// the file's contents. Weak and hidden: several sources may define the same symbol, and other libraries do not see it.
 #define GLIFT_SPIRV_FILE(symbol, count, path)                                                                          \
     asm(".pushsection .rodata.glift,\"a\"\n.balign 4\n.weak " #symbol "\n.hidden " #symbol "\n" #symbol ":\n.inc"      \
         "bin \"" path "\"\n.popsection\n");                                                                            \
@@ -39,8 +40,8 @@ struct Drawing;
 /// How a pass touches a memory. Combined writes (scatter, atomics) are read_write.
 enum class Access : std::uint8_t { read, write, read_write };
 
-/// Which elements of a parameter's range one invocation accesses: its own; a window around it; any. `memory`: any of
-/// the memory, even outside the range.
+/// Which elements of a parameter's range one invocation accesses. `element`: its own; `window`: those around its own,
+/// up to Binding::radius away; `range`: any; `memory`: anything in the memory, even outside the range.
 enum class Reach : std::uint8_t { memory, range, window, element };
 
 /// How writes of several invocations to one element combine; two bindings that combine alike may alias. `coherent`:
@@ -70,9 +71,10 @@ struct Binding {
     std::uint32_t element_bytes = 4;   ///< buffers
     std::uint32_t parameter = 0;       ///< index of its structure among the parameters that are structures
     Reach reach = Reach::memory;
-    std::uint32_t radius = 0;  ///< window
+    std::uint32_t radius = 0;  ///< of Reach::window
     Combine combine = Combine::none;
-    std::uint32_t apart_from = 0;  ///< parameters that the kernel promises to be apart from this one, a bit each
+    /// Parameters that the kernel promises to access other elements than this one (@disjoint): bit i for parameter i.
+    std::uint32_t apart_from = 0;
 };
 
 /// A location in the source.
@@ -87,7 +89,7 @@ struct SourceLine {
 struct StatusRecord {
     enum Code : std::uint32_t { fine = 0, loop_limit = 1, out_of_range = 2 };
     std::uint32_t code = fine;
-    std::uint32_t line = 0;                   ///< of the file that `file` says
+    std::uint32_t line = 0;                   ///< in the file that `file` names
     std::uint32_t rank = 0;                   ///< out_of_range: axes of the virtual address
     std::uint32_t binding = 0;                ///< out_of_range: index of the memory's binding
     std::uint32_t address[4] = {0, 0, 0, 0};  ///< out_of_range: the virtual address
@@ -134,16 +136,18 @@ private:
 
 /// One compiled form of a kernel.
 struct Form {
-    Spirv spirv = {};                         ///< empty: this form does not exist on Vulkan devices
-    Spirv fragment = {};                      ///< draws; empty: depth alone
+    Spirv spirv = {};  ///< empty: this form does not exist on Vulkan devices
+    /// Draws: the fragment shader, beside the vertex shader in `spirv`; empty: only depth is drawn.
+    Spirv fragment = {};
     void (*host)(const HostCall&) = nullptr;  ///< null: this form does not exist on the host device
     std::uint32_t parameter_bytes = 0;
-    bool push_constants = false;             ///< parameters are push constants, else the buffer at binding 0
-    bool uniform_buffer = false;             ///< draws: that buffer is a uniform buffer, else a storage buffer
-    std::uint32_t size_offset = 0;           ///< byte offset in the parameters of the iteration size (`rank` uints)
-    std::uint32_t base_offset = UINT32_MAX;  ///< wide, rank 2 to 4: byte offset in the parameters of three uints,
-                                             ///< packed as zeros, that the shader adds to gl_GlobalInvocationID.
-                                             ///< UINT32_MAX: none, iterations beyond the device's limits are refused
+    bool push_constants = false;    ///< parameters are push constants, else the buffer at binding 0
+    bool uniform_buffer = false;    ///< draws: that buffer is a uniform buffer, else a storage buffer
+    std::uint32_t size_offset = 0;  ///< byte offset in the parameters of the iteration size (`rank` uints)
+    /// Wide, rank 2 to 4: byte offset in the parameters of three uints, which the caller sets to zero and the runtime
+    /// to a part's first invocation: the shader adds them to gl_GlobalInvocationID. UINT32_MAX: none, iterations beyond
+    /// the device's limits are refused.
+    std::uint32_t base_offset = UINT32_MAX;
 };
 
 /// A parameter of a kernel's direct form, by the name it has in the generated GLSL.
@@ -162,10 +166,10 @@ struct Parameter {
 /// The shader decides which of its group's elements an invocation takes. No groups along an axis: nothing runs. A
 /// one-dimensional iteration of more groups than the device allows along x is folded: the runtime dispatches (x, y, 1)
 /// groups with x * y >= groups.x, and a group's index is gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
-/// invocations beyond the size do nothing. Of blocks, groups along y are folded into z in the same way, and a group's
-/// index along y is gl_WorkGroupID.z * gl_NumWorkGroups.y + gl_WorkGroupID.y. In more dimensions an iteration beyond
-/// the device's limits (65535 groups along y and z on most) takes the wide form, split by the runtime into several
-/// dispatches through Form::base_offset; indirect ones are refused (ErrorCode::too_large).
+/// invocations beyond the size do nothing. If of_blocks, groups along y are folded into z in the same way, and a
+/// group's index along y is gl_WorkGroupID.z * gl_NumWorkGroups.y + gl_WorkGroupID.y. In more dimensions an iteration
+/// beyond the device's limits (65535 groups along y and z on most) takes the wide form, split by the runtime into
+/// several dispatches through Form::base_offset; indirect ones are refused (ErrorCode::too_large).
 struct Kernel {
     const char* name;
     const char* file;
@@ -181,11 +185,11 @@ struct Kernel {
     Form direct, general, wide;
     std::span<const Parameter> parameters = {};      ///< what Commands::specialised can fix
     std::array<std::uint32_t, 3> items = {1, 1, 1};  ///< elements that one invocation takes along each axis
-    bool of_blocks = false;                          ///< rank 2: {elements of a block, blocks}
+    bool of_blocks = false;                          ///< runs over {elements of a block, blocks}: rank 2
     bool reports = false;                           ///< has a StatusRecord: a storage buffer (scalar layout) at binding
                                                     ///< bindings.size() + 1 in every form
     std::uint32_t shared_bytes = 0;                 ///< workgroup memory
-    SourceLine longest_loop = {};                   ///< the loop of most iterations
+    SourceLine longest_loop = {};                   ///< the loop with the most iterations, for errors
     std::span<const char* const> other_files = {};  ///< that reports may name, beside `file`
     const Drawing* drawing = nullptr;  ///< of a kernel that draws (drawing.h); its rank is 2: corners, instances
     std::uint64_t digest = 0;  ///< hash of all of the above: kernels of equal digest are the same. 0: the runtime

@@ -1,4 +1,4 @@
-// Boxes of a structure on the host.
+// Boxes of a structure's elements, mapped into host memory.
 #pragma once
 
 #include <glift/api.h>
@@ -40,7 +40,7 @@ public:
         }
     }
 
-    /// By address in the box: the origin is zero.
+    /// The address counts from the box's origin.
     Element& operator[](Address address) {
         const Extent a = detail::extent_of(address, 0), n = detail::extent_of(size_);
         const detail::Box box{S::type_name, detail::Axes<Address>::count, a, {1, 1, 1, 1}, n};

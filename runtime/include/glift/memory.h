@@ -22,7 +22,7 @@ struct MemoryDescription {
     /// Images: texels (cubes: of a face; image2darray: of a layer, and the number of layers); buffers: unused.
     std::array<std::uint32_t, 3> extent = {1, 1, 1};
     std::uint32_t mips = 1;
-    bool zeroed = true;  ///< false: contents start undefined (temporaries written whole)
+    bool zeroed = true;  ///< false: contents start undefined, for memory that is written before it is read
 };
 
 namespace detail {

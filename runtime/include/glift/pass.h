@@ -12,7 +12,7 @@
 
 namespace glift {
 
-/// A 4-byte value that lives on the device: a count that a kernel wrote.
+/// A 4-byte value that lives on the device, such as a count that a kernel wrote.
 struct DeviceValue {
     Memory memory;             ///< a buffer
     std::uint64_t offset = 0;  ///< in bytes, a multiple of 4
@@ -67,9 +67,9 @@ enum class Sharing : std::uint8_t {
 struct Call {
     FormName form;
     std::span<const Memory> memories;       ///< in binding order
-    std::span<const std::byte> parameters;  ///< the block of the named form, size included
+    std::span<const std::byte> parameters;  ///< the parameter block of this form, iteration size included
     std::array<std::uint32_t, 4> size;      ///< host-known iteration size; where patches set it, an upper bound
-    std::span<const Patch> patches = {};    ///< non-empty: the general or the wide form
+    std::span<const Patch> patches = {};    ///< non-empty: not the direct form, unless Kernel::of_blocks
     std::span<const FixedWord> fixed = {};  ///< of the direct form; ignored on the host device
     Sharing sharing = Sharing::unknown;
     std::span<const Condition> conditions = {};  ///< all must hold

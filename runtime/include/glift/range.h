@@ -43,7 +43,7 @@ struct DeviceCount {
 
 }  // namespace detail
 
-/// A box of a structure of type S, or all of it. Shares the structure's memory, which lives as long.
+/// A box of a structure of type S, or all of it. Shares the structure's memory and keeps it alive.
 template <class S> class Range {
 public:
     using Address = typename S::Address;
@@ -51,7 +51,7 @@ public:
     Range() = default;
     Range(const S& structure) : structure_(structure), size_(structure.domain()), whole_(true) {}
     Range(const S& structure, Address origin, Address size) : structure_(structure), origin_(origin), size_(size) {}
-    /// As many elements along each axis as a value on the device says, `size` at most.
+    /// The first elements along each axis: as many as a value on the device says, `size` at most.
     Range(const S& structure, Address origin, Address size, DeviceScalar<Address> count)
         : structure_(structure), origin_(origin), size_(size), counts_{{std::move(count), {}}} {}
     Range(const S& structure, Address origin, Address size, std::vector<detail::DeviceCount> counts)
@@ -75,7 +75,7 @@ public:
             for (unsigned i = 0; i < 4; ++i) count.before[i] += first[i];
         return part;
     }
-    /// As many elements from the first on, along each axis, as a value on the device says, all at most.
+    /// The first elements along each axis: as many as a value on the device says, and no more than there are.
     Range first(DeviceScalar<Address> count) const {
         Range part(structure_, origin_, size_);
         part.counts_ = counts_;

@@ -13,9 +13,9 @@ namespace detail {
 class RecordingObject;
 }
 
-/// Keeps the memories alive that its passes use. Memories that were made by its Commands, such as temporaries of
-/// pipelines, lie in a workspace of its own: where the last handle of one is gone before another is made, the two may
-/// share storage (buffers only: images have storage of their own on Vulkan devices). Parameters are captured when
+/// A finished recording. Keeps the memories alive that its passes use. Memories that were made by its Commands, such as
+/// temporaries of pipelines, lie in its workspace: where the last handle of one is gone before another is made, the two
+/// may share storage (buffers only: images have storage of their own on Vulkan devices). Parameters are captured when
 /// recorded; device values (patches, indirect sizes) are read anew by each replay.
 class GLIFT_API Recording {
 public:
@@ -40,7 +40,7 @@ GLIFT_API Device begin_measuring(const Device& device);
 GLIFT_API std::uint64_t measured_bytes(const Device& measuring);
 
 /// The scope of a body of Device::record or Device::workspace_bytes: this thread's commands to the device go into
-/// `commands`, which take none after it.
+/// `commands`, which accept no more when it ends.
 class GLIFT_API RecordingScope {
 public:
     RecordingScope(const Device& device, const Commands& commands);

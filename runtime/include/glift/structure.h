@@ -23,7 +23,7 @@ namespace glift {
 
 namespace detail {
 
-/// Structures whose translator is an affine map into a buffer: `place` is the index of an element there.
+/// Structures whose translator is an affine map into a buffer: `place(a)` is the index of element a there.
 template <class S>
 concept HasRows = requires(const S& s, typename S::Address a) {
     { s.place(a) } -> std::same_as<std::uint64_t>;
@@ -78,7 +78,7 @@ template <class S> S&& part(S&& made, bool alike, const char* name) {
 
 }  // namespace detail
 
-/// The bytes of a buffer with this many elements; at least one, so that an empty structure has a memory too.
+/// The bytes of a buffer with this many elements; of at least one, so that an empty structure has a memory too.
 template <class T> constexpr std::uint64_t buffer_bytes(std::uint64_t count) {
     return saturated_sum(saturated_product(std::max<std::uint64_t>(1, count), sizeof(T)), 3) / 4 * 4;
 }
@@ -108,7 +108,7 @@ public:
         if (!box.is_inside()) detail::throw_outside(Self::type_name, "range", box);
         return Range<Self>(self, origin, size);
     }
-    /// As many elements from the first on, along each axis, as a value on the device says.
+    /// The first elements along each axis, as many as a value on the device says.
     Range<Self> first(DeviceScalar<A> count) const {
         return Range<Self>(static_cast<const Self&>(*this)).first(std::move(count));
     }
@@ -130,7 +130,7 @@ public:
         return Range<Self>(self(), origin, size);
     }
 
-    /// From the host to the device; the values are copied before the call returns.
+    /// Writes a box of elements from the host; the values are copied before the call returns.
     void write(A origin, A size, std::span<const T> values) {
         check("write", origin, size);
         if (values.size() != count(size))
@@ -181,7 +181,7 @@ public:
         self().copy_out(commands, Range<Self>(self(), address, A(1)), box);
         return {box, 0};
     }
-    /// As many elements from the first on, along each axis, as a value on the device says.
+    /// The first elements along each axis, as many as a value on the device says.
     Range<Self> first(DeviceScalar<A> count) const { return Range<Self>(self()).first(std::move(count)); }
 
     /// A box of another structure with the same elements; the two may be laid out differently.

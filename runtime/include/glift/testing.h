@@ -1,5 +1,5 @@
-// What a test program made by `gliftc test` is built on: checks, and the comparison of two devices. What does not
-// depend on types is in the runtime: every test program would compile it.
+// What a test program made by `gliftc test` is built on: checks, and the comparison of two devices. Code that does not
+// depend on types is in the runtime, so that not every test program compiles it.
 #pragma once
 
 #include <glift/glift.h>
@@ -21,9 +21,9 @@ inline constexpr double inexact_tolerance = 1e-3;
 /// The same for colours of eight bits that are drawn: each device rounds them in its way, and again where it blends.
 inline constexpr double drawn_tolerance = 2.01 / 255.0;
 
-/// All elements of one structure at the end of a test, and the layout of an element: one letter a scalar (f float, n
-/// float of eight bits that is drawn, h half, d double, u uint, i int, b bool, U uint64, I int64), a point for each
-/// byte of padding, which nothing writes.
+/// All elements of one structure at the end of a test, and the layout of an element, `scalars`: one letter a scalar (f
+/// float, n float that draws write to eight bits, h half, d double, u uint, i int, b bool, U uint64, I int64), a point
+/// for each byte of padding, which nothing writes.
 struct KeptStructure {
     std::string name;
     unsigned rank;
@@ -39,7 +39,7 @@ template <class T, unsigned N> inline constexpr unsigned value_components<vec<T,
 
 GLIFT_API Extent address_of(std::size_t index, const Extent& extent);
 
-/// The differences between two records of elements; the first few in words.
+/// Adds the differences between two structures to `failures`: the first few in words, then that there are more.
 GLIFT_API void compare(const KeptStructure& a, const std::string& name_a, const KeptStructure& b,
                        const std::string& name_b, double tolerance, const std::string& where,
                        std::vector<std::string>& failures);
@@ -60,7 +60,8 @@ public:
     std::vector<std::string> failures;
     std::vector<std::string> notes;  ///< what was not compared or checked
     std::vector<KeptStructure> kept;
-    /// Translations that were checked as this test made their structures, with what was found.
+    /// The translators that were checked with the state of structures that this test made: by title, the failures
+    /// found.
     std::map<std::string, std::vector<std::string>> translations;
 
     GLIFT_API void expect(bool condition, const char* place);
@@ -73,7 +74,7 @@ public:
         }
     }
 
-    /// Two structures or boxes of them, element by element.
+    /// Compares two structures, or boxes of them, element by element.
     template <class A, class B>
     void expect_same(const A& a, const B& b, std::string_view scalars, const char* place, double tolerance = 0) {
         detail::compare(record("the first", a, scalars), "the first", record("the second", b, scalars), "the second",
@@ -102,7 +103,7 @@ public:
         return true;
     }
 
-    /// Keeps the elements of a buffer as they lie there.
+    /// Keeps the elements of a buffer in the order in which they lie there.
     GLIFT_API void keep_memory(const Commands& commands, const char* name, const Memory& memory,
                                std::string_view scalars);
 
@@ -132,7 +133,7 @@ private:
     static constexpr std::uint64_t largest_compared = std::uint64_t{4} << 30;  ///< bytes, of memory
 
     GLIFT_API void expect_numbers_near(double a, double b, double tolerance, const char* place);
-    /// The check, with failures of its own.
+    /// Runs the check, and keeps its failures in `translations` instead of `failures`.
     GLIFT_API void check_as_made(const char* title, void (*check)(const void* body), const void* body);
 
     template <class S> static KeptStructure record(const char* name, const S& structure, std::string_view scalars) {
@@ -190,10 +191,11 @@ template <class S, class Value> void check_boxes(Test& test, const char* name, S
 
 struct TestCase {
     const char* title;
-    const char* place;                                  ///< file:line
-    bool exact;                                         ///< all passes are exact: devices agree bit for bit
-    void (*run)(Test& test, const Commands& commands);  ///< null: a translation checked where other tests make it
-    const char* why_not_alone = "";                     ///< why it needs another test
+    const char* place;  ///< file:line
+    bool exact;         ///< all passes are exact: devices agree bit for bit
+    /// Null: a translator that other tests check as they make structures with it.
+    void (*run)(Test& test, const Commands& commands);
+    const char* why_not_alone = "";  ///< if `run` is null: why
 };
 
 /// `program [--filter TEXT] [--device NAME]`: runs all tests on the host device and on another one and compares what

@@ -12,7 +12,7 @@ namespace glift {
 template <class A> struct Tried {
     std::vector<A> addresses;
     std::string domain;    ///< of the structure, as text
-    bool complete = true;  ///< all of the domain, each mapped so far, no two to the same address
+    bool complete = true;  ///< all of the domain, mapped one-to-one by the translators so far
 };
 
 template <class A> Tried<A> tried(const A& domain) {
@@ -74,7 +74,7 @@ struct Translated {
     Extent physical, address;
 };
 
-/// Reports those that meet. True if none do.
+/// Whether no two map to the same physical address. Reports those that do to `test`, if it is not null.
 GLIFT_API bool is_one_to_one(Test* test, const std::string& name, std::vector<Translated>& all, unsigned rank,
                              unsigned physical_rank, const std::string& domain);
 GLIFT_API void fail_inverse(Test& test, const std::string& name, unsigned rank, const Extent& address,

@@ -34,9 +34,9 @@ private:
     std::unique_ptr<Chain> chain_;
 };
 
-/// The user's objects, which must outlive the Device and everything made from it. The queue is one that can compute; it
-/// is used only inside calls of Glift, which must not run beside other uses of it. Needed on the device: Vulkan 1.3,
-/// scalarBlockLayout, timelineSemaphore, bufferDeviceAddress, synchronization2, hostQueryReset.
+/// The user's objects, which must outlive the Device and everything made from it. The queue's family must support
+/// compute. Glift uses the queue only inside its calls, during which no other thread may use it. Needed on the device:
+/// Vulkan 1.3, scalarBlockLayout, timelineSemaphore, bufferDeviceAddress, synchronization2, hostQueryReset.
 struct Objects {
     VkInstance instance = VK_NULL_HANDLE;
     VkPhysicalDevice physical = VK_NULL_HANDLE;
@@ -58,10 +58,10 @@ struct Extensions {
     std::span<const char*const> instance = {}, device = {};
 };
 
-/// As Device::open, on an instance and a device with these extensions. For programs that use the queue of
-/// `objects(device)` themselves, between calls of Glift: what Glift submits is ordered after what they submitted
-/// before, and what they submit later after Glift's. Throws missing_feature where no driver, or not the device, has an
-/// extension, and wrong_argument for `host`, which has no Vulkan.
+/// Opens a device as Device::open does, on an instance and a device with these extensions. For programs that use the
+/// queue of `objects(device)` themselves, between calls of Glift: what Glift submits is ordered after what they
+/// submitted before, and what they submit later after Glift's. Throws missing_feature where no driver, or not the
+/// device, has an extension, and wrong_argument for `host`, which has no Vulkan.
 GLIFT_API Device open(const Extensions& extensions, std::string_view which = {});
 
 /// Records into the user's command buffer, which is in the recording state. A barrier against everything earlier on the
@@ -88,8 +88,8 @@ struct ImageHandle {
 GLIFT_API BufferHandle buffer(const Memory& memory);
 GLIFT_API ImageHandle image(const Memory& memory);
 
-/// An image of the user's: two-dimensional, not multisampled, on the device. It must outlive the Memory and everything
-/// recorded with it.
+/// An image of the user's, made on this device: two-dimensional, not multisampled. It must outlive the Memory and
+/// everything recorded with it.
 struct UserImage {
     VkImage image = VK_NULL_HANDLE;
     VkFormat format = VK_FORMAT_UNDEFINED;  ///< that of one of Glift's formats (host/memory.h)

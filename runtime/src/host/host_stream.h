@@ -38,7 +38,7 @@ public:
     void flush() override {}
     void wait() override {}
 
-    /// Held around commands that no other thread's may interleave.
+    /// The lock that keeps other threads' commands from running in between.
     std::unique_lock<std::recursive_mutex> lock() { return std::unique_lock(mutex_); }
 
 protected:

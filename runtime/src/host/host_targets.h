@@ -20,7 +20,7 @@ private:
     HostTargets targets_;
 };
 
-/// The same targets, held for as long as this lives: for calls that are noted for later.
+/// A copy of a call's targets that holds their memories: for calls that are recorded.
 class KeptTargets {
 public:
     explicit KeptTargets(const DrawTargets& targets);

@@ -1,5 +1,5 @@
-// A broken promise shows by itself: a pass is run with what it writes changed before it is read through the parameter
-// that promised not to see it. Where that changes any result, some invocation saw it.
+// How a broken promise is found: the pass is run with other values in the elements that it writes, seen only by the
+// parameter that promises not to read them. Where that changes any result, some invocation read them.
 #include "promises.h"
 
 #include "../text.h"
@@ -18,7 +18,8 @@ namespace {
 
 using Bytes = std::vector<std::byte>;
 
-/// Small changes of a word: one of any number, one of a truth value. Loops that run as often as a word says still end.
+/// Bits that are flipped in a word. Both are small changes, so that loops that run as often as the word says still end;
+/// the second one changes truth values.
 constexpr std::uint32_t changes[] = {0x40, 0x01};
 
 bool writes(const Binding& binding) { return binding.access != Access::read; }
@@ -51,17 +52,18 @@ public:
 
     void check() {
         const Outcome plain = run(before_, before_);
-        if (run(before_, before_) != plain) return;  // which invocation comes last decides: nothing can be said
+        if (run(before_, before_) != plain) return;  // results depend on the order of invocations: nothing can be said
         const std::vector<std::size_t> words = written_words(plain);
         for (std::uint32_t by : changes)
             if (differs(words, by, plain)) refuse(found(words, by, plain));
     }
 
 private:
-    /// The memories that a call writes, by their first byte, as it leaves them.
+    /// The memories that a call writes, by the address of their first byte, with their contents after it.
     using Outcome = std::map<const std::byte*, Bytes>;
 
-    /// Runs the call on copies. `seen` is what is read by promise, `initial` what is there before in the same memory.
+    /// Runs the call on copies. `seen` is what the promising parameter reads, `initial` what the same memory holds
+    /// before for all others.
     Outcome run(const Bytes& seen, const Bytes& initial) const {
         Outcome copies;
         for (std::size_t i = 0; i < memories_.size(); ++i) {
@@ -103,7 +105,7 @@ private:
         return words;
     }
 
-    /// Whether other values in these words, as they are read by promise, make a difference.
+    /// Whether changing these words, for the promising parameter alone, changes any result.
     bool differs(std::span<const std::size_t> words, std::uint32_t by, const Outcome& plain) const {
         if (words.empty()) return false;
         Bytes seen = before_;
@@ -111,7 +113,7 @@ private:
         return run(seen, before_) != plain;
     }
 
-    /// One of the words that make a difference, by halves.
+    /// A word whose change changes a result, found by bisection.
     std::size_t found(std::span<const std::size_t> words, std::uint32_t by, const Outcome& plain) const {
         while (words.size() > 1) {
             const auto half = words.first(words.size() / 2);

@@ -1,6 +1,6 @@
-// Before passes whose parameters, sizes or conditions come from the device: copies the values into their parameter blocks,
-// clamps the iteration sizes, and writes the indirect commands. The mapping from size to workgroups is that of pass.h and
-// groups.h. An invocation does this for one pass: those that are prepared together need one dispatch and one barrier.
+// Runs before passes whose parameters, sizes or conditions come from the device: copies the values into their parameter
+// blocks, clamps the iteration sizes, and writes the indirect commands. Sizes are mapped to workgroups as in kernel.h
+// and groups.h. Each invocation prepares one pass, so that several passes share one dispatch and one barrier.
 #version 460
 #extension GL_EXT_buffer_reference : require
 #extension GL_EXT_scalar_block_layout : require
@@ -11,7 +11,7 @@ layout(buffer_reference, scalar, buffer_reference_align = 4) buffer Words { uint
 
 struct PatchSource {
     Words value;
-    uint word;         // index in the block
+    uint word;         // index in the parameter block
     uint limit;
     uint before;
     uint joins;
@@ -33,14 +33,14 @@ layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer Arg
     Patches patches;
     Conditions conditions;
     uint size[4];      // upper bounds
-    uint per_group[3]; // elements
-    uint limit_x;      // workgroups
+    uint per_group[3]; // elements that a workgroup covers
+    uint limit_x;      // most workgroups along x
     uint rank;
-    uint size_word;    // index in the block
+    uint size_word;    // index of the size in the parameter block
     uint patch_count;
     uint condition_count;
     uint draws;        // the command is a draw of size[0] corners and size[1] instances
-    uint limit_y;      // workgroups of blocks; all bits: of others, which are not folded
+    uint limit_y;      // most workgroups along y of a kernel over blocks; all bits set: of others, which are not folded
 };
 
 layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer List {

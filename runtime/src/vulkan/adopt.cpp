@@ -1,4 +1,4 @@
-// glift/vulkan.h
+// The functions of glift/vulkan.h.
 #include "../check.h"
 #include "../text.h"
 #include "vulkan_device.h"

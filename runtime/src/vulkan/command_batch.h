@@ -1,4 +1,4 @@
-// A command buffer and what must live as long: parameters, staging, descriptor sets.
+// A command buffer and what must live as long as it: parameters, staging, descriptor sets.
 #pragma once
 
 #include "chunks.h"

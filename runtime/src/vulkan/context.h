@@ -50,7 +50,7 @@ public:
     std::uint32_t queue_family = 0;
     std::uint32_t timestamp_bits = 0;
     bool owned = false;
-    bool shares_queue = false;  ///< with the program that Glift is in
+    bool shares_queue = false;  ///< with the user's program
     DeviceTable vk;
     DeviceProperties properties;
     VkPhysicalDeviceProperties core = {};

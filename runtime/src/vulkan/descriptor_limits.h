@@ -16,7 +16,8 @@ struct DescriptorCounts {
     std::uint32_t all() const { return storage_buffers() + storage_images + sampled_images; }
 };
 
-/// For a form that has a descriptor for each memory; the wide form has none for buffers.
+/// The counts of a form that has a descriptor for each memory. The wide form has none for buffers: for it, the caller
+/// sets `buffers` to 0.
 DescriptorCounts count_descriptors(const Kernel& kernel, const Form& form);
 
 /// Whether the device has enough descriptors for forms that take one for each buffer.

@@ -85,10 +85,11 @@ private:
     CommandBatch* batch_ = nullptr;
     VkPipeline bound_ = VK_NULL_HANDLE;
     Hazards hazards_;
-    Slice
-        prepared_;  ///< the list of the last preparation: passes are added to it while their values stay what they are
+    /// The list of passes that the last preparing pass reads (prepare_indirect.comp). Passes are added to it as long as
+    /// nothing has written the values that they take.
+    Slice prepared_;
     std::uint32_t prepared_count_ = 0;
-    std::uint64_t prepared_at_ = 0;  ///< Hazards::writes() then
+    std::uint64_t prepared_at_ = 0;  ///< Hazards::writes() when that pass was recorded
     bool reported_ = false;          ///< a draw since the last barrier may have written its status record
     bool draws_ = false;             ///< barriers order graphics stages, too: from the first draw on
 };

@@ -10,7 +10,8 @@ namespace glift::detail {
 
 namespace {
 
-/// A level and a face, of a memory that may be a part of an image.
+/// The subresource of one mip level and face. If the memory is a part of an image, `mip` and `face` count from the
+/// part's first.
 VkImageSubresourceLayers subresource(const VulkanMemory& image, std::uint32_t mip, std::uint32_t face) {
     const Texels& part = image.texels();
     return {vulkan_aspect(image.description().format), part.mip + mip, part.layer + face, 1};
@@ -40,7 +41,8 @@ std::vector<VkBufferImageCopy> image_copies(const VulkanMemory& image, std::span
     return result;
 }
 
-/// Larger copies and fills are split: not every driver counts their bytes in 64 bits.
+/// The most bytes of one buffer copy or vkCmdFillBuffer here. Larger ones are split, since some drivers count bytes in
+/// 32 bits. Uploads arrive in smaller parts already (vulkan_stream.cpp).
 constexpr std::uint64_t most_at_once = std::uint64_t(1) << 30;
 
 std::vector<VkBufferCopy> buffer_copies(std::span<const CopyRegion> regions, VkDeviceSize from, VkDeviceSize to) {
@@ -53,7 +55,8 @@ std::vector<VkBufferCopy> buffer_copies(std::span<const CopyRegion> regions, VkD
     return result;
 }
 
-/// Larger fills use vkCmdFillBuffer, which then reaches the memory's bandwidth.
+/// Fills of up to this many bytes are compute dispatches (VulkanDevice::fill_pass): around vkCmdFillBuffer an H200
+/// waits for all work. Larger ones use vkCmdFillBuffer, which reaches the memory's bandwidth at that size.
 constexpr std::uint64_t most_filled_by_pass = 1u << 20;
 
 std::uint32_t count(const auto& list) { return static_cast<std::uint32_t>(list.size()); }

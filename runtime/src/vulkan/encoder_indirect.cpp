@@ -20,7 +20,7 @@ struct ConditionSource {
 };
 static_assert(sizeof(PatchSource) == 24 && sizeof(ConditionSource) == 16);
 
-/// The passes of one dispatch of the shader.
+/// The most passes that one dispatch of the shader prepares: one an invocation of its only workgroup.
 constexpr std::uint32_t most_prepared = 32;
 
 VkDeviceAddress address_of(const DeviceValue& value) { return vulkan_memory(value.memory).address + value.offset; }
@@ -42,7 +42,8 @@ bool Encoder::patches_size(const Pipeline& pipeline, const Call& call) const {
     });
 }
 
-/// Whether the values are what they were when the last preparation was recorded.
+/// Whether no recorded command has written these values since the last preparing pass, which can then read them for
+/// another pass.
 bool Encoder::is_prepared_with(std::span<const Patch> patches, std::span<const Condition> conditions) const {
     const auto was_written = [&](const DeviceValue& value) {
         return hazards_.was_written_since(vulkan_memory(value.memory).id, prepared_at_);
@@ -52,7 +53,8 @@ bool Encoder::is_prepared_with(std::span<const Patch> patches, std::span<const C
                         [&](const Condition& condition) { return was_written(condition.value); });
 }
 
-/// Records the pass that prepares others; which ones is filled in until the commands are submitted.
+/// Records the pass that prepares others. The list of those is filled in as they are recorded, until the commands are
+/// submitted.
 void Encoder::open_preparation(std::span<const Patch> patches, std::span<const Condition> conditions) {
     const auto conflicts = [&](const DeviceValue& value) {
         return hazards_.conflicts(vulkan_memory(value.memory).id, Access::read);
@@ -71,7 +73,8 @@ void Encoder::open_preparation(std::span<const Patch> patches, std::span<const C
     prepared_at_ = hazards_.writes();
 }
 
-/// The indirect command that the preparation writes.
+/// Adds a pass to those that the preparing pass prepares, which is recorded if there is none to add to. Returns where
+/// it will write the pass's indirect command.
 Slice Encoder::prepare(PrepareArguments arguments, std::span<const Patch> patches,
                        std::span<const Condition> conditions) {
     if (!prepared_.chunk || prepared_count_ == most_prepared || !is_prepared_with(patches, conditions))
@@ -105,7 +108,7 @@ Slice Encoder::prepare(PrepareArguments arguments, std::span<const Patch> patche
     return command;
 }
 
-/// The same for a pass, or a part of it that has this size.
+/// Adds this pass, or a part of it that has this size.
 Slice Encoder::prepare(const Pipeline& pipeline, const Call& call, const Slice& block,
                        const std::array<std::uint32_t, 4>& size) {
     const Kernel& kernel = *pipeline.kernel;

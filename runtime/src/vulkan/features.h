@@ -11,7 +11,7 @@
 
 namespace glift::detail {
 
-/// Everything that the physical device offers and Glift may use, chained and ready for VkDeviceCreateInfo.
+/// The features that the physical device offers and Glift may use, chained and ready for VkDeviceCreateInfo.
 struct FeatureChain {
     FeatureChain(const Instance& instance, VkPhysicalDevice physical);
     FeatureChain(const FeatureChain&) = delete;
@@ -30,7 +30,7 @@ struct FeatureChain {
     void require() const;         ///< throws unsupported_version or missing_feature
 };
 
-/// Those of the extensions that the physical device lacks, as text; empty if none.
+/// The names of those extensions that the physical device lacks; empty if none.
 std::string lacking_extensions(const Instance& instance, VkPhysicalDevice physical,
                                std::span<const std::string> wanted);
 

@@ -16,7 +16,7 @@ constexpr std::uint32_t mode_of(std::uint32_t capability) { return capability - 
 /// Whether a device has a mode for floats of 16, 32 and 64 bits.
 using Widths = std::array<bool, 3>;
 
-/// Without the widths that must have the same mode as others that have none.
+/// Leaves out widths whose mode the device ties to that of another width, which lacks it.
 Widths allowed(Widths widths, VkShaderFloatControlsIndependence independence) {
     auto& [half, single, full] = widths;
     if (independence == VK_SHADER_FLOAT_CONTROLS_INDEPENDENCE_NONE && !(half && single && full)) return {};
@@ -36,8 +36,8 @@ FloatControls FloatControls::of(const VkPhysicalDeviceVulkan12Properties& proper
     FloatControls controls{.modes = {},
                            .hides_zeros = properties.driverID == VK_DRIVER_ID_MESA_LLVMPIPE,
                            .keeps_sums = properties.driverID == VK_DRIVER_ID_NVIDIA_PROPRIETARY};
-    // NVIDIA's driver has the first for 16 bits only; with it, it keeps subnormal numbers of 32 bits, too: without it,
-    // comparisons, `sign` and conversions take them for zeros (seen on an H200, driver 580).
+    // NVIDIA's driver has DenormPreserve for 16 bits only, but with it keeps subnormal numbers of 32 bits, too. Without
+    // it, comparisons, `sign` and conversions take them for zeros (seen on an H200, driver 580).
     add(controls.modes, denorm_preserve,
         allowed(has(properties.shaderDenormPreserveFloat16, properties.shaderDenormPreserveFloat32,
                     properties.shaderDenormPreserveFloat64),

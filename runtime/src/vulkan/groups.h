@@ -1,4 +1,4 @@
-// Maps an iteration size to workgroups, as pass.h specifies; prepare_indirect.comp does the same on the device.
+// Maps an iteration size to workgroups, as kernel.h specifies; prepare_indirect.comp does the same on the device.
 #pragma once
 
 #include <glift/pass.h>
@@ -19,12 +19,12 @@ struct Groups {
 
 inline std::uint64_t div_ceil(std::uint64_t a, std::uint64_t b) { return (a + b - 1) / b; }
 
-/// Elements along each axis.
+/// The elements that a workgroup covers along each axis.
 inline std::array<std::uint32_t, 3> covered_by_group(const Kernel& kernel) {
     return {kernel.group[0] * kernel.items[0], kernel.group[1] * kernel.items[1], kernel.group[2] * kernel.items[2]};
 }
 
-/// Before folding.
+/// The workgroups of an iteration, before folding.
 inline Groups count_groups(const Kernel& kernel, const std::array<std::uint32_t, 4>& size) {
     const std::array<std::uint32_t, 3> covered = covered_by_group(kernel);
     return {{div_ceil(size[0], covered[0]), div_ceil(size[1], covered[1]),

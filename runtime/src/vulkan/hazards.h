@@ -39,7 +39,7 @@ public:
         state.written_at = ++writes_;
     }
 
-    /// Writes so far, and whether a memory was written after so many.
+    /// The number of writes so far, and whether a memory was written after the number was `writes`.
     std::uint64_t writes() const { return writes_; }
     bool was_written_since(MemoryId id, std::uint64_t writes) const {
         if (id.slot >= states_.size()) return false;

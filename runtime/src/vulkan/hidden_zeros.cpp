@@ -111,7 +111,7 @@ private:
     std::unordered_map<std::uint32_t, std::uint32_t> types_;       ///< values of these types: their type
     std::map<std::uint32_t, Constant> constants_;                  ///< ordered, so that the output is deterministic
     std::vector<Words> function_;                                  ///< the function being read
-    std::unordered_map<std::uint32_t, std::uint32_t> replaced_;    ///< in it: constants, by the id of their replacement
+    std::unordered_map<std::uint32_t, std::uint32_t> replaced_;    ///< in it: constants, and the ids that replace them
     std::uint32_t bit_ = 0;                                        ///< in it: the hidden zero, a uint
 };
 
@@ -208,8 +208,8 @@ std::uint32_t Hiding::hide(Module& module, std::uint32_t id) {
     return result;
 }
 
-/// The hidden zero as a number of an integer type. One of 64 bits is made of two halves: of one that is converted, as
-/// of every 32-bit integer that is, Mesa gets comparisons wrong.
+/// The hidden zero as a value of an integer type. One of 64 bits is composed of two halves, since Mesa gets comparisons
+/// of converted 32-bit integers wrong.
 std::uint32_t Hiding::bit_as(Module& module, std::uint32_t type) {
     if (type == uint_) return bit_;
     const std::uint32_t width = integers_.at(type);
@@ -248,7 +248,8 @@ std::uint32_t Hiding::with_bit(Module& module, std::uint32_t operand) {
     return result;
 }
 
-/// The same for each of its bits: parts of it become floats.
+/// The same for an integer whose parts become floats: negated, the hidden zero may change every bit, as far as the
+/// compiler knows.
 std::uint32_t Hiding::with_all_bits(Module& module, std::uint32_t operand) {
     const std::uint32_t bits = fresh(), result = fresh();
     append(module, s_negate, {uint_, bits, bit_});
@@ -280,7 +281,8 @@ bool is_atomic(std::uint32_t op) { return op == atomic_exchange || (op >= atomic
 
 bool is_widening(std::uint32_t op) { return op == s_convert || op == u_convert; }
 
-/// The place of an integer that becomes a float, of whose bits a driver may know all; 0: this instruction has none.
+/// The index of the operand that is an integer and becomes a float, which a driver may know; 0: this instruction has
+/// none.
 std::size_t place_of_integer(Words w) {
     const std::uint32_t op = op_of(w);
     if (op == convert_s_to_f || op == convert_u_to_f || op == bitcast) return 3;

@@ -66,12 +66,13 @@ private:
         if (!operands.empty()) mark_if(w[2], std::ranges::all_of(operands, [&](auto id) { return known_[id]; }));
     }
 
-    /// The variable of this shader that a pointer leads into; of a function's parameter, itself; 0: other memory.
+    /// The variable of this shader that a pointer leads into; for a parameter of a function that is a pointer, the
+    /// parameter; 0: other memory.
     std::uint32_t place(std::uint32_t pointer) const {
         const std::uint32_t of = variable_of_[pointer];
         return of == 0 && known_[pointer] ? pointer : of;
     }
-    /// Of an argument: a value, or the variable that it leads into.
+    /// Whether an argument is known: the value, or what the variable holds that a pointer leads into.
     bool holds_known(std::uint32_t argument) const {
         const std::uint32_t variable = variable_of_[argument];
         return known_[variable == 0 ? argument : variable];
@@ -80,7 +81,7 @@ private:
         if (const std::uint32_t to = place(pointer); to != 0) mark_if(to, is_known);
     }
 
-    std::vector<bool> known_;                 ///< values; variables that hold such values
+    std::vector<bool> known_;                 ///< by id: values; variables that hold such values
     std::vector<std::uint32_t> variable_of_;  ///< pointers into this shader's own variables
     bool has_changed_ = false;
 };

@@ -16,7 +16,7 @@ namespace glift::detail {
 /// each memory that has a descriptor, the status record if the kernel reports.
 struct Pipeline {
     std::uint64_t digest = 0;
-    /// Of the call in progress only: the library that the kernel was in may be unloaded later.
+    /// Kernel and form are those of the call in progress: the library that the kernel was in may be unloaded later.
     const Kernel* kernel = nullptr;
     const Form* form = nullptr;
     FormName name = FormName::direct;
@@ -77,7 +77,7 @@ private:
         std::uint64_t digest = 0;
         Pipeline* pipeline = nullptr;  ///< null: there is none
         FormName form = FormName::direct;
-        bool plain = true;  ///< nothing is fixed
+        bool plain = true;  ///< no parameter is fixed
     };
 
     static std::size_t hash(std::uint64_t digest, FormName form) {
@@ -104,7 +104,7 @@ private:
     std::uint64_t created_ = 0;
 };
 
-/// Most kernels with a status record that one device keeps.
+/// The most kernels with a status record that one device keeps, and the bytes from one record to the next.
 inline constexpr std::uint32_t status_slots = 1024;
 inline constexpr VkDeviceSize status_stride = 256;
 

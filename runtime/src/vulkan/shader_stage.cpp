@@ -11,7 +11,7 @@ namespace glift::detail {
 
 namespace {
 
-/// Of generated shaders, by number.
+/// The specialisation constants of generated shaders, by number.
 enum Constant : std::uint32_t {
     exact_division = 100,  ///< true where the device rounds / and sqrt of floats correctly: those of CPUs do
     loop_rounds = 101,     ///< rounds of loops that an invocation may run; 0: any number

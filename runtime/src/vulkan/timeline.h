@@ -15,7 +15,7 @@ public:
     std::uint64_t submit(VkCommandBuffer commands);
     std::uint64_t submitted() const { return submitted_.load(std::memory_order_acquire); }
 
-    /// From any thread.
+    /// Both may be called from any thread.
     std::uint64_t completed();
     void wait(std::uint64_t value);
 

@@ -32,7 +32,7 @@ public:
     Statistics statistics() override;
     std::vector<std::string> validation_messages() override { return context_->instance->take_messages(); }
 
-    /// Held around everything that records, submits or allocates.
+    /// The device's lock, held around everything that records, submits or allocates.
     std::mutex& mutex() { return mutex_; }
 
     Context& context() { return *context_; }
@@ -40,19 +40,19 @@ public:
     ImmediateStream& stream_of_device() { return *stream_; }
     VulkanCounters& counters() { return counters_; }
 
-    /// The lock is held in these.
+    /// The caller holds the lock in these.
     std::shared_ptr<VulkanMemory> new_object(const MemoryDescription& description);  ///< without storage
     std::shared_ptr<VulkanMemory> new_memory(const MemoryDescription& description);
-    /// Over an image of the user's.
+    /// A memory over an image of the user's.
     std::shared_ptr<VulkanMemory> adopted_image(const MemoryDescription& description, VkImage image,
                                                 VkImageUsageFlags usage, VkImageCreateFlags flags);
     ChunkPool& chunks() { return *chunks_; }
     Pipelines& pipelines() { return *pipelines_; }
     Queries& queries() { return *queries_; }
     VkBuffer status_buffer() const { return status_->buffer; }
-    /// Its push constant is the address of its arguments.
+    /// Runs prepare_indirect.comp. The push constant is the address of its arguments.
     InternalPass& prepare_pass() { return prepare_; }
-    /// Takes FillArguments; one invocation a word, 256 a workgroup.
+    /// Runs fill_words.comp. The push constants are FillArguments; one invocation a word, 256 a workgroup.
     InternalPass& fill_pass() { return fill_; }
     std::uint64_t submit(VkCommandBuffer commands);
     void collect();  ///< destroys or recycles what the device is done with
@@ -64,7 +64,7 @@ public:
     void set_retire_value(std::uint64_t value) { retire_value_ = value; }
     [[noreturn]] void throw_too_large(const MemoryDescription& description) const;
 
-    /// The lock is not held in these: submits if need be, waits, throws what kernels reported.
+    /// The caller does not hold the lock in this: submits if need be, waits, throws what kernels reported.
     void finish(std::uint64_t value);  ///< UINT64_MAX: everything recorded so far
 
     /// Batches are reused: a command buffer that was used before is cheaper to record, since drivers keep its memory.

@@ -64,7 +64,8 @@ VkImageView make_view(Context& context, VkImage image, const MemoryDescription& 
     return view;
 }
 
-/// Of the sampled texels all levels, of those that are stored to the first one, as far as the image's usage goes.
+/// The views of an image or of a part of it: all levels for sampling, the first one for stores, each if the image's
+/// usage allows it.
 MemoryParts::PartViews made_views(Context& context, const MemoryParts& parts, const MemoryDescription& d,
                                   const Texels& texels) {
     const VkImage image = parts.image;
@@ -106,7 +107,7 @@ VkImageUsageFlags image_usage(Context& context, const MemoryDescription& d) {
 }
 
 VkBufferCreateInfo buffer_info(const VulkanDevice& owner, const MemoryDescription& d) {
-    // Shaders may load vectors of four words: round up, so that the last one and a first one always fit.
+    // Rounded up, since shaders may load vectors of four words: the last one must fit, and one of an empty buffer.
     if (d.bytes > owner.properties().max_allocation_bytes - 16) owner.throw_too_large(d);
     const VkDeviceSize size = (std::max<VkDeviceSize>(d.bytes, 1) + 15) / 16 * 16;
     const bool in_pieces = size > owner.max_piece_bytes();

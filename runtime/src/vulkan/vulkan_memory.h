@@ -18,13 +18,13 @@ struct MemoryParts {
     bool is_mutable = false;                    ///< a user's image, which may have views of other formats
     VkImageView sampled_view = VK_NULL_HANDLE;  ///< all mips; null where the usage lacks it
     VkImageView storage_view = VK_NULL_HANDLE;  ///< mip 0; null for formats that cannot be stored to
-    /// What has been drawn to.
+    /// Views of levels and faces that have been drawn to.
     struct AttachmentView {
         std::uint32_t mip, face;
         VkImageView view;
     };
     std::vector<AttachmentView> attachment_views;
-    /// Of parts of the image.
+    /// Views of parts of the image (Memory::mip, Memory::layer).
     struct PartViews {
         Texels texels;
         MemoryKind kind;
@@ -45,7 +45,7 @@ struct MemoryParts {
 class VulkanMemory final : public MemoryObject {
 public:
     VulkanMemory(std::shared_ptr<DeviceObject> device, const MemoryDescription& description);
-    /// A part of an image, which has the views: command buffers that use them hold the image.
+    /// Makes a part of an image. The image owns the part's views, since command buffers that use them hold the image.
     VulkanMemory(const std::shared_ptr<VulkanMemory>& whole, const MemoryDescription& description,
                  const Texels& texels);
     ~VulkanMemory() override;
@@ -66,7 +66,7 @@ public:
     void place(std::vector<Allocation> pieces);
     void place(std::shared_ptr<VulkanMemory> block, VkDeviceSize offset);
 
-    /// Of one level and face, to be drawn to; throws missing_feature. The device's lock is held.
+    /// The view of one level and face for draws; throws missing_feature. The device's lock is held.
     VkImageView attachment_view(std::uint32_t mip, std::uint32_t face);
 
     /// As a kernel's binding of this kind sees the image: a cube also as its faces. The device's lock is held.
@@ -84,7 +84,7 @@ public:
 
     MemoryParts parts;
     MemoryId id;
-    VkDeviceSize range = 0;       ///< buffers: bytes that descriptors cover, a multiple of 4, at least 4
+    VkDeviceSize range = 0;       ///< buffers: bytes that descriptors cover, a multiple of 16, at least 16
     VkDeviceAddress address = 0;  ///< buffers
 
 private:

@@ -63,15 +63,16 @@ template <class T> void atomic_bit_xor(T& target, T value) {
     std::atomic_ref<T>(target).fetch_xor(value, std::memory_order_relaxed);
 }
 
-// Memory that workgroups share within a pass.
+// Accesses to elements that workgroups share within a pass (`coherent` parameters).
 namespace memory {
 
-/// The unit of one atomic access to an element: a whole scalar, else as much as the alignment allows.
+/// The unit of one atomic access to an element: a scalar is accessed as a whole, a compound by 32-bit words if it is
+/// aligned to them, else by bytes.
 template <class T> using Piece =
     std::conditional_t<std::is_arithmetic_v<T>, T,
                        std::conditional_t<alignof(T) % sizeof(std::uint32_t) == 0, std::uint32_t, unsigned char>>;
 
-/// Relaxed atomic loads: not torn within a piece, not reordered into a register by the compiler.
+/// Relaxed atomic loads: not torn within a piece, and not replaced by a value that the compiler kept in a register.
 template <class T> T read(T& place) {
     using P = Piece<T>;
     alignas(T) P pieces[sizeof(T) / sizeof(P)];

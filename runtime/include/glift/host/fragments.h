@@ -1,5 +1,5 @@
-// What the fragment parts of draws are made of on the host device: the pixels of a block, what is interpolated there,
-// derivatives, and how they are drawn.
+// Functions that generated fragment shaders call on the host device: sets of pixels of a block, interpolation of
+// varyings, derivatives, the late depth test, blending.
 #pragma once
 
 #include <glift/host/image.h>
@@ -14,7 +14,7 @@ namespace glift::host {
 
 inline constexpr std::uint32_t block_pixels = Fragments::side * Fragments::side;
 
-/// The first of a set of pixels, which is not empty.
+/// The first pixel of a set, which is not empty.
 inline std::uint32_t first_of(std::uint64_t pixels) { return static_cast<std::uint32_t>(std::countr_zero(pixels)); }
 
 /// All pixels of the quads that have one of these.
@@ -24,7 +24,7 @@ inline std::uint64_t quads_of(std::uint64_t pixels) {
     return pixels | (pixels >> 8 & top) | (pixels & top) << 8;
 }
 
-/// Writes the floats of what a vertex part hands on; integers keep their bits. Gives the place behind them.
+/// Writes a varying to a vertex's floats; integers keep their bits. Returns the address behind it.
 template <class T> float* put(float* to, const T& value) {
     static_assert(sizeof(T) == detail::components<T> * sizeof(float));
     std::memcpy(to, &value, sizeof(T));
@@ -51,7 +51,8 @@ template <class T> T between_all(const Fragments& fragments, std::uint32_t at, f
 
 }  // namespace detail
 
-// What the vertices of the triangle have at float `at`, perspective-correct, linear in the window, of the first corner.
+// A varying that begins at float `at` of each vertex: interpolated perspective-correctly, linearly in the window, or
+// that of the first vertex.
 template <class T> T smooth(const Fragments& fragments, std::uint32_t pixel, std::uint32_t at) {
     return detail::between_all<T>(fragments, at, fragments.smooth1[pixel], fragments.smooth2[pixel]);
 }
@@ -85,7 +86,7 @@ template <class T> T fwidth(const T (&values)[block_pixels], std::uint32_t pixel
     return abs(dFdx(values, pixel)) + abs(dFdy(values, pixel));
 }
 
-/// The late test, with depths that the fragment part gave.
+/// The late depth test, with depths that the fragment shader assigned; returns the pixels that pass.
 inline std::uint64_t test_depth(const Fragments& fragments, std::uint64_t pixels, const float* depths) {
     Fragments given = fragments;
     for (std::uint32_t pixel = 0; pixel < block_pixels; ++pixel) given.depth[pixel] = clamp(depths[pixel], 0.0f, 1.0f);
@@ -96,7 +97,7 @@ namespace detail {
 
 template <Format F> constexpr bool is_fraction = std::is_same_v<typename decltype(texel_of<F>())::Channel, Unorm8>;
 
-/// A channel, as Vulkan blends it: `alpha` is the source's.
+/// One channel, blended as by Vulkan: `alpha` is the source's.
 template <Blend B> float blended(float source, float stored, float alpha) {
     if constexpr (B == Blend::over) return source + (1.0f - alpha) * stored;
     else if constexpr (B == Blend::add) return source + stored;

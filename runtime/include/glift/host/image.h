@@ -33,7 +33,7 @@ inline void encode(Unorm8& c, float v) {
 }
 inline void encode(half& c, float v) { c = half(v); }
 inline void encode(float& c, float v) { c = v; }
-/// Clamped to the format's largest value.
+/// Integers are clamped to the format's largest value.
 inline void encode(std::uint8_t& c, std::uint32_t v) { c = static_cast<std::uint8_t>(v < 255u ? v : 255u); }
 inline void encode(std::uint16_t& c, std::uint32_t v) { c = static_cast<std::uint16_t>(v < 65535u ? v : 65535u); }
 inline void encode(std::uint32_t& c, std::uint32_t v) { c = v; }
@@ -123,7 +123,7 @@ template <Format F, class T> T decode_texel(const std::byte* address) {
 
 }  // namespace detail
 
-/// Zero outside of the image.
+/// The texel's value; zero outside of the image.
 template <Format F, class T, class At> T load_texel(const HostMemory& memory, const At& at, std::int32_t level = 0) {
     const std::byte* address =
         detail::texel_address<F>(memory, detail::coordinates(at), static_cast<std::uint32_t>(level));
@@ -171,7 +171,7 @@ inline std::uint32_t nearest_level(const HostMemory& memory, float level) {
     return convert<uint>(clamped);
 }
 
-/// Clamp to edge.
+/// The texel at coordinates that are clamped to the edge.
 template <Format F, class T>
 T clamped_texel(const HostMemory& memory, std::array<std::int64_t, 3> at, std::uint32_t level) {
     const Level mip = level_of(memory, level);
@@ -194,7 +194,7 @@ template <Format F, class T, class At> T sample_nearest(const HostMemory& memory
     return detail::clamped_texel<F, T>(memory, texel, mip);
 }
 
-/// Linear interpolation between texel centres along each axis, x first; of layers the nearest.
+/// Linear interpolation between texel centres along each axis, x first; the layer of an array is the nearest one.
 template <Format F, class T, class At> T sample_linear(const HostMemory& memory, const At& at, float level = 0.0f) {
     const std::array<float, 3> point = detail::as_array(at);
     const std::uint32_t mip = detail::nearest_level(memory, level);

@@ -61,7 +61,7 @@ inline half ceil(half x) { return ceil(static_cast<float>(x)); }
 inline float trunc(float x) { return __builtin_truncf(x); }
 inline double trunc(double x) { return __builtin_trunc(x); }
 inline half trunc(half x) { return trunc(static_cast<float>(x)); }
-/// Half to even.
+/// Rounds halves to even.
 inline float round(float x) { return __builtin_rintf(x); }
 inline double round(double x) { return __builtin_rint(x); }
 inline half round(half x) { return round(static_cast<float>(x)); }
@@ -366,7 +366,7 @@ requires is_floating<T>
 inline T atan2(T y, detail::same<T> x) {
     return static_cast<T>(std::atan2(static_cast<detail::wide<T>>(y), static_cast<detail::wide<T>>(x)));
 }
-/// Not fused: as devices without a fused operation compute it.
+/// Not fused: the result is that of devices without a fused operation.
 template <class T>
 requires is_floating<T>
 constexpr T fma(T a, detail::same<T> b, detail::same<T> c) { return a * b + c; }
@@ -382,7 +382,7 @@ GLIFT_MATH_3(fma)
 
 namespace detail {
 
-/// The identities of the maximum and the minimum.
+/// The identities of the maximum (least) and of the minimum.
 template <class T> constexpr T least() {
     if constexpr (std::is_same_v<T, half>) return half(-std::numeric_limits<float>::infinity());
     else if constexpr (is_floating<T>) return -std::numeric_limits<T>::infinity();

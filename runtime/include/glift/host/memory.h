@@ -42,7 +42,7 @@ struct HostMemory {
     std::uint64_t bytes;
     std::array<std::uint32_t, 3> extent;  ///< images; the third is how many layers or faces there are
     Format format;
-    std::uint32_t mips;  ///< one level after the other, level 0 first; cubes: six faces in each level
+    std::uint32_t mips;  ///< number of levels, which lie one after the other; cubes: six faces in each
     bool has_layers = false;
 };
 

@@ -32,7 +32,7 @@
 #define GLIFT_INDEPENDENT
 #endif
 
-// Before such a loop over one block (block_elements): a few vectors, no remainder, no unrolling.
+// Before such a loop over the block_elements elements of a block: a few vectors, no remainder, no unrolling.
 #if defined(__clang__)
 #define GLIFT_BLOCK _Pragma("clang loop vectorize(assume_safety)")
 #elif defined(__GNUC__)
@@ -43,7 +43,7 @@
 
 namespace glift::host {
 
-// <algorithm> takes longer to read than all of this.
+// In place of std::min and std::max, since <algorithm> takes longer to compile than this header.
 namespace detail {
 template <class T> constexpr T least(T a, T b) { return b < a ? b : a; }
 template <class T> constexpr T most(T a, T b) { return a < b ? b : a; }
@@ -244,10 +244,10 @@ inline Part interior_of(const Row& row, uint first, uint domain, uint radius) {
     return interior_of(flat, uint2{first, radius}, uint2{domain, 2 * radius + 1}, radius);
 }
 
-/// The part of a row where no clamp has an effect, for values that grow by one with each element.
+/// The part of a row where no clamp changes its operand, for operands that grow by one with each element.
 class Unclamped {
 public:
-    /// A value that is `value` at the row's first element.
+    /// Adds an operand that is `value` at the row's first element and is clamped to [low, high].
     void keep(std::int32_t value, std::int32_t low, std::int32_t high) {
         from_ = detail::most(from_, std::int64_t{low} - value);
         to_ = detail::least(to_, std::int64_t{high} - value + 1);
@@ -262,7 +262,7 @@ private:
     std::int64_t from_ = 0, to_ = INT64_MAX;
 };
 
-/// An array of a block's own. What is not written has no value; indices lie inside.
+/// An array for the values of one block of a structure. Not initialised; indices are not checked.
 template <class T, std::size_t N> struct Scratch {
     alignas(64) T values[N];
 
@@ -270,14 +270,14 @@ template <class T, std::size_t N> struct Scratch {
     const T& operator[](std::size_t i) const { return values[i]; }
 };
 
-/// The next numbers in a row from memory to an array: at least as fast as any loop, whatever the compiler knows of
-/// them.
+/// Copies N numbers in a row from memory to an array. memcpy is at least as fast as any loop, whatever the compiler
+/// knows of the addresses.
 template <std::size_t N, class T> void copy_row(const T* from, T* to) {
     std::memcpy(static_cast<void*>(to), from, N * sizeof(T));
 }
 
-/// Elements of a block, which is computed with one vector of the widest kind or a few narrow ones. There is no scalar
-/// remainder: the last block of a part overlaps the one before it.
+/// The number of elements of a block, which is computed with one vector of the widest kind or a few narrow ones. There
+/// is no scalar remainder: the last block of a part overlaps the one before it.
 inline constexpr std::size_t block_elements = 16;
 
 /// Where block `block` (a multiple of block_elements) begins: the last one is moved back so that it ends with the part.
@@ -296,7 +296,7 @@ struct Section {
     bool is_middle;
 };
 
-/// In the order of their addresses.
+/// The sections of [begin, end), in the order of their addresses.
 inline std::array<Section, 3> sections(uint begin, const Part& middle, uint end) {
     return {Section{begin, middle.begin, false}, Section{middle.begin, middle.end, true},
             Section{middle.end, end, false}};

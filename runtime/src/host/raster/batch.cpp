@@ -108,7 +108,7 @@ void Chunk::add_triangles(const Window& window, const Clipper& clipper, std::uin
     }
 }
 
-/// Both sides of what lines and points become are seen from before.
+/// The triangles that lines and points become are front-facing, whatever their orientation.
 void Chunk::add_others(Topology topology, const Window& window, const Clipper& clipper, std::uint32_t count) {
     const std::size_t stride = window.layout.stride();
     const std::uint32_t step = corners_of(topology);

@@ -17,7 +17,7 @@ struct Tiles {
 };
 Tiles tiles_of(uint2 size);
 
-/// Vertices of a triangle, a line, a point.
+/// The number of vertices of a primitive.
 std::uint32_t corners_of(Topology topology);
 
 /// Consecutive triangles of the draw, and for each tile those that touch it, in order.

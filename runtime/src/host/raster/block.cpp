@@ -26,8 +26,8 @@ std::uint64_t box(std::int32_t left, std::int32_t top, std::int32_t right, std::
     return all;
 }
 
-/// The sign bits of a block's edge values, set outside of an edge, in the rows from `top` to `bottom`: most triangles
-/// of large meshes have few.
+/// A bit for each pixel of a block, set where an edge value is negative: outside of the triangle. Only in the rows from
+/// `top` to `bottom`: most triangles of large meshes have few.
 GLIFT_HOST_KERNEL std::uint64_t outside(const std::int32_t (&start)[3], const std::int32_t (&a)[3],
                                         const std::int32_t (&b)[3], std::int32_t top, std::int32_t bottom) {
     std::uint64_t result = 0;
@@ -84,7 +84,7 @@ std::uint64_t coverage(const Triangle& triangle, std::int32_t x, std::int32_t y)
     }
     const std::int32_t top = std::max(triangle.top - y, 0), bottom = std::min(triangle.bottom - y, block_side);
     const std::int32_t left = std::max(triangle.left - x, 0), right = std::min(triangle.right - x, block_side);
-    constexpr std::int32_t few = 6;  // pixels that take no longer one by one
+    constexpr std::int32_t few = 6;  // so few pixels take no longer one by one
     if ((right - left) * (bottom - top) <= few) return few_inside(start, a, b, left, top, right, bottom);
     const std::uint64_t inside = box(left, top, right, bottom);
     return inside & ~outside(start, a, b, top, bottom);

@@ -14,13 +14,13 @@ std::uint64_t coverage(const Triangle& triangle, std::int32_t x, std::int32_t y)
 struct Rows {
     int first, end;
 };
-/// Of the quads that have one of these pixels, of which there is one.
+/// The rows of the quads that have one of these pixels, of which there must be one.
 Rows rows_of(std::uint64_t covered);
 
 /// Depth and linear weights in these rows of the block at (x, y).
 void interpolate_depth(const Triangle& triangle, std::int32_t x, std::int32_t y, const Rows& rows,
                        Fragments& fragments);
-/// After that, the perspective-correct weights.
+/// The perspective-correct weights, from the linear ones that interpolate_depth has set.
 void interpolate_smooth(const Triangle& triangle, const Rows& rows, Fragments& fragments);
 
 /// Tests the depths of a block against the stored ones, and stores and returns those of the pixels that pass.

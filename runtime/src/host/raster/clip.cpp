@@ -29,7 +29,7 @@ float Clipper::distance(unsigned plane, const float* corner) const {
     }
 }
 
-/// False for NaN, too. The same as distances to all planes, without a choice for each: nearly all corners are inside.
+/// False for NaN, too. The same as distances to all planes, without a branch for each: nearly all corners are inside.
 bool Clipper::is_inside(const float* corner) const {
     const float x = corner[0], y = corner[1], z = corner[2], w = corner[3];
     bool inside = (w > 0.0f) & (z >= 0.0f) & (w - z >= 0.0f) & (band_x_ * w - x >= 0.0f) & (band_x_ * w + x >= 0.0f) &

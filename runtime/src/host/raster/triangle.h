@@ -29,25 +29,25 @@ struct Triangle {
     float offset[3];            ///< what the top-left rule subtracted from the edge functions
     float z[3], inverse_w[3];
     const float* corner[3];                 ///< varyings
-    const float* flat = nullptr;            ///< those of the draw's first vertex: clipping changes none
+    const float* flat = nullptr;            ///< varyings of the primitive's first vertex, before clipping
     std::int32_t left, top, right, bottom;  ///< pixels that may be covered, the last ones exclusive
     bool is_front;
 };
 
 /// The state of a draw that triangle setup needs.
 struct Window {
-    uint2 first,
-        end;  ///< its pixels; the first one is 0 or 1, as in the framebuffer, so that blocks begin at even pixels
+    /// Its pixels. The first one is 0 or 1, even or odd as in the framebuffer, so that blocks begin at even pixels.
+    uint2 first, end;
     Cull cull;
     CornerLayout layout;
 };
 
-/// In the window, in 1/256 of a pixel; pixel centres are multiples of 256. The guard band keeps it within 2^24.
+/// A point in the window, in 1/256 of a pixel; pixel centres are multiples of 256. The guard band keeps it within 2^24.
 struct Point {
     std::int32_t x, y;
 };
 
-/// A vertex where it is in the window, or beside that: those of lines and points.
+/// A vertex and a point in the window: its own, or one beside it, where a line or a point is widened to triangles.
 struct Corner {
     Point point;
     float inverse_w;
@@ -60,7 +60,7 @@ Point snapped(float2 place);
 inline Corner corner_of(const Window& window, const float* vertex) {
     return {snapped(place_of(window, vertex)), 1.0f / vertex[3], vertex};
 }
-/// The same for `count` vertices in a row, wherever they are. Of those outside the guard band any point comes out.
+/// The same for `count` consecutive vertices. The points of those outside the guard band mean nothing.
 void corners_of(const Window& window, const float* vertices, std::uint32_t count, Corner* corners);
 
 /// Sets up a triangle; none if it covers no pixel or is culled.
