@@ -1,8 +1,9 @@
-// Hand-written GLSL versions of stdlib/algorithms, tuned for lavapipe, correct on every device with full subgroups of
-// one size. No workgroup waits for another.
+// Hand-written GLSL versions ("twins") of stdlib/algorithms, tuned for lavapipe, correct on every device with full
+// subgroups of one size. No workgroup waits for another.
 //
-// Millions of u32 a second: twice the elements divided by the CPU time of both threads, so that the load of other
-// programs does not count; lavapipe 22.3 on 2 Sapphire Rapids threads, 2^24 elements (sort: 2^22):
+// What was tried, in millions of u32 a second: twice the elements divided by the CPU time of both threads, so that the
+// load of other programs does not count; lavapipe 22.3 on 2 Sapphire Rapids threads, 2^24 elements (sort: 2^22).
+// "taken": the variant that the shaders have.
 //
 //   copy, uvec4 an invocation                                        930   the limit: a read is 0.9 ns, a write 1.3
 //   scan, a lane has 64 elements in sequence, shared memory          455
@@ -40,7 +41,7 @@ public:
                 std::uint32_t count) const;
 
 private:
-    std::uint32_t tile_;  ///< elements
+    std::uint32_t tile_;  ///< elements that one subgroup scans
     glift::Memory sums_;
 };
 
