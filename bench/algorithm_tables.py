@@ -22,7 +22,7 @@ def cell(our, rival):
 
 
 def speeds(group):
-    """A row for each algorithm and rival, a column for each size: ours / rival = ratio, in G elements/s."""
+    """A row for each algorithm and rival, a column for each size: Glift's speed / rival's = ratio, in G elements/s."""
     rows = [row for row in group["rows"] if row["algorithm"] not in ("tridiagonal", "move_equations")]
     panels = figures.panels({"rows": rows})
     sizes = sorted({row["elements"] for row in rows})

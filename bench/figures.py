@@ -39,8 +39,8 @@ def median_row(same):
 
 
 def panel_of(row):
-    """The title of the panel that a row is drawn in. Tridiagonal systems of all sizes share a panel; other variants have one
-    each."""
+    """The title of the panel that a row is drawn in. Tridiagonal systems of all sizes share a panel, one for each number of
+    right-hand sides; every other variant has its own."""
     if row["algorithm"] != "tridiagonal":
         return row["algorithm"] + ", " + row["variant"].replace("_", " ")
     return "tridiagonal, " + ("three right-hand sides" if row["variant"].endswith("_three") else "one right-hand side")

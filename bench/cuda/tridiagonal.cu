@@ -12,8 +12,9 @@ namespace rivals {
 
 namespace {
 
-/// Equation i of n * n: lower * x[i - 1] + diagonal * x[i] + upper * x[i + 1] = right. Diagonally dominant; the
-/// products with powers of two are exact, so that every compiler gets the same bits.
+/// The coefficients of equation i of n * n: lower * x[i - 1] + diagonal * x[i] + upper * x[i + 1] = right. The matrices
+/// are diagonally dominant. Factors are powers of two, so that products are exact and every compiler gets the same
+/// bits.
 struct Lower {
     std::uint32_t n;
     __host__ __device__ float operator()(std::size_t i) const {
@@ -53,7 +54,7 @@ private:
     cusparseHandle_t handle_ = nullptr;
 };
 
-/// Thomas' algorithm in double precision, one system.
+/// Solves one system by Thomas' algorithm in double precision.
 std::vector<double> solved(std::size_t first, std::uint32_t n) {
     std::vector<double> c(n), x(n);
     for (std::uint32_t k = 0; k < n; ++k) {

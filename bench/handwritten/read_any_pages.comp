@@ -28,7 +28,7 @@ void main() {
     bool there = inside && entry != 0u;
     uint frame = there ? entry - 1u : 0u;
     uvec3 place = uvec3(frame & ((1u << bits.x) - 1u), frame >> bits.x & ((1u << bits.y) - 1u), frame >> (bits.x + bits.y));
-    uint element = (o.z * size.y + o.y) * size.x + o.x;   // row-major in its page; frames are 8^3, whatever a page's shape
+    uint element = (o.z * size.y + o.y) * size.x + o.x;   // row-major in its page; all frames are stored as 8^3
     uvec3 texel = place << 3u | uvec3(element & 7u, element >> 3u & 7u, element >> 6u & 7u);
     float value = texelFetch(frames, ivec3(texel), 0).x;
     g[i] = there ? value : 0.0;

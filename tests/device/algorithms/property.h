@@ -31,7 +31,10 @@ std::uint64_t first_seed();
 /// GLIFT_DEVICE names the host.
 std::optional<glift::Device> device_of(const std::string& which);
 
+/// How the input is stored: dense in a buffer, folded into an image, or in tiles; or what view computes it from a dense
+/// one: every step-th element, or a function of every element.
 enum class Form : std::uint32_t { dense, folded, tiled, strided, mapped };
+/// What an algorithm takes: a whole structure, a part, or a part whose length is a value on the device.
 enum class Taken : std::uint32_t { whole, part, counted };
 
 /// The random parameters of one round of a test.

@@ -241,7 +241,8 @@ TEST_P(Diffusion, KeepsTheEnergyOfAPoint) {
         double sum = 0;
         for (const float4& c : blurred(input)) sum += static_cast<double>(c.y);
         EXPECT_NEAR(sum, 1, 1e-3) << circle;
-        // The sum is kept for circles of different sizes, too: what leaves a pixel arrives at the next.
+        // The sum is kept for circles of different sizes, too: conduction between pixels moves colour and keeps its
+        // sum.
         const Input other = random_input(input.size, circle, 5);
         input.distances = other.distances;
         sum = 0;
