@@ -33,7 +33,7 @@
 
 namespace bench {
 
-/// y[i] = x[0] + .. + x[i - 1], modulo 2^32.
+/// Exclusive scan: y[i] = x[0] + .. + x[i - 1], modulo 2^32.
 class ScanTwin {
 public:
     ScanTwin(const glift::Device& device, std::uint32_t most);  ///< for at most `most` elements, below 2^31
@@ -45,7 +45,7 @@ private:
     glift::Memory sums_;
 };
 
-/// The multiples of 8 of x, in their order, to y, and their number to `kept`.
+/// Compaction: writes the multiples of 8 of x, in their order, to y, and their number to `kept`.
 class CompactTwin {
 public:
     CompactTwin(const glift::Device& device, std::uint32_t most);
@@ -57,7 +57,7 @@ private:
     glift::Memory sums_, bits_;
 };
 
-/// x in ascending order to y.
+/// Sorts x in ascending order into y.
 class RadixSortTwin {
 public:
     RadixSortTwin(const glift::Device& device, std::uint32_t most);

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""How fast gliftc is, from the start of the process to its exit, with all outputs but SPIR-V.
+"""Measures how fast gliftc is, from the start of the process to its exit, with all outputs but SPIR-V.
 
     bench/compile_speed.py GLIFTC [--runs N] [--json FILE]
 

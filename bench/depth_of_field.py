@@ -83,7 +83,7 @@ def draw_panel(axes, group):
 
 
 def draw(groups, file):
-    """A panel a device; the extension of the file gives the format."""
+    """Draws a panel for each device; the extension of the file gives the format."""
     plt = plot.pyplot()
     groups = [group for group in groups if by_size(group, "two_layers", figures.OURS)]
     figure, axes = plt.subplots(1, len(groups), figsize=(5.2 * len(groups), 4), squeeze=False, layout="constrained")

@@ -12,7 +12,7 @@ struct KeyValue {
     std::uint32_t key, value;
 };
 
-/// y[i] = x[0] + .. + x[i - 1], modulo 2^32. Returns the sum of all. tbb::parallel_scan.
+/// Exclusive scan by tbb::parallel_scan: y[i] = x[0] + .. + x[i - 1], modulo 2^32. Returns the sum of all elements.
 std::uint32_t exclusive_scan(std::span<const std::uint32_t> x, std::span<std::uint32_t> y);
 std::uint32_t exclusive_scan_narrow(std::span<const std::uint32_t> x, std::span<std::uint32_t> y);
 
@@ -29,7 +29,7 @@ float sum_narrow(std::span<const float> x);
 std::size_t copy_multiples_of_8(std::span<const std::uint32_t> x, std::span<std::uint32_t> y);
 std::size_t copy_multiples_of_8_narrow(std::span<const std::uint32_t> x, std::span<std::uint32_t> y);
 
-/// tbb::parallel_sort: ascending, not stable.
+/// Sorts by tbb::parallel_sort: ascending, not stable.
 void sort(std::span<std::uint32_t> keys);
 void sort(std::span<KeyValue> pairs);
 

@@ -47,7 +47,7 @@ template <class Grid> double largest_error(const Coefficients& a, const Grid& ri
             double difference = 0, size_of_exact = 0;
             for (std::uint32_t i = 0; i < n; ++i) {
                 const double distance = std::abs(component(x[i], k) - exact[i]);
-                difference = distance <= difference ? difference : distance;  // not-a-number stays
+                difference = distance <= difference ? difference : distance;  // keeps a NaN
                 size_of_exact = std::max(size_of_exact, std::abs(exact[i]));
             }
             const double error = difference / size_of_exact;

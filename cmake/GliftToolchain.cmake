@@ -18,7 +18,7 @@ if(PROJECT_IS_TOP_LEVEL)
     set(CMAKE_CXX_FLAGS_DEBUG "-O1 -g1")
 endif()
 
-# A switch over an enum that misses a value is an error in every build: nodes have no `default:`.
+# A switch over an enum that misses a value is an error in every build: switches over kinds of nodes have no `default:`.
 add_compile_options($<$<COMPILE_LANGUAGE:CXX>:-Wall> $<$<COMPILE_LANGUAGE:CXX>:-Wextra> $<$<COMPILE_LANGUAGE:CXX>:-Wno-missing-field-initializers>
                     $<$<COMPILE_LANGUAGE:CXX>:-Werror=switch>)
 if(GLIFT_WERROR)

@@ -76,7 +76,7 @@ public:
     T front() const { return first(1)[0]; }
     std::vector<T> all() const { return first(size_); }
 
-    /// Element i becomes make(i).
+    /// Sets element i to make(i), for all i.
     template <class Make> void fill(Make make) const;
 
 private:

@@ -78,7 +78,7 @@ double largest_error(const DeviceArray<float>& x, std::uint32_t n) {
         double difference = 0, size_of_exact = 0;
         for (std::uint32_t k = 0; k < n; ++k) {
             const double distance = std::abs(found[first + k] - exact[k]);
-            difference = distance <= difference ? difference : distance;  // not-a-number stays
+            difference = distance <= difference ? difference : distance;  // keeps a NaN
             size_of_exact = std::max(size_of_exact, std::abs(exact[k]));
         }
         const double error = difference / size_of_exact;

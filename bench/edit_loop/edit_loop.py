@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The time from an edit of one kernel's body to a linked program: bench/edit_loop/app.glift, in user CPU seconds.
+"""Measures the time from an edit of one kernel's body to a linked program: bench/edit_loop/app.glift, in user CPU seconds.
 
     bench/edit_loop/edit_loop.py GLIFTC INCLUDE LIBRARY_FOLDER [--runs N]
 

@@ -255,7 +255,7 @@ std::vector<float4> odd_triangle(unsigned kind, Numbers& number) {
         break;  // beyond the far plane
     case 11:
         for (float4& p : made) p.z = -1;
-        break;  // before the near one
+        break;  // before the near plane
     case 12:
         for (float4& p : made) p = float4(p.x * 1e-30f, p.y * 1e-30f, p.z, p.w);
         break;

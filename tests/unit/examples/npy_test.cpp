@@ -1,4 +1,4 @@
-// .npy files: every supported type and order, and errors for other files.
+// Reads and writes .npy files: every supported type and order, and errors for other files.
 #include "examples/common/npy.h"
 #include "support/process.h"
 
