@@ -129,7 +129,7 @@ TEST_P(Scans, AnOperatorThatDoesNotCommute) {
     });
 }
 
-/// Flags that start segments: at random distances, at most elements, or nowhere.
+/// Flags that start segments: at random distances, or at nearly every element.
 std::vector<std::uint32_t> starts_of_segments(Round& round, std::uint32_t count) {
     std::vector<std::uint32_t> starts(count);
     const std::uint32_t mean = round.chance(4) ? 1 : 1 + round.below(round.chance(2) ? 10 : 5000);

@@ -276,7 +276,7 @@ TEST(Raster, ClipDistancesCut) {
 TEST(Raster, FacesAreCulled) {
     const uint2 viewport(32, 32);
     Scene scene;
-    scene.corners = {at_window(viewport, 0, 0), at_window(viewport, 0, 32), at_window(viewport, 32, 0)};  // a front face
+    scene.corners = {at_window(viewport, 0, 0), at_window(viewport, 0, 32), at_window(viewport, 32, 0)};  // to the left
     int fragments = 0, fronts = 0;
     scene.fragment = [&](const Fragments& f, int) { ++fragments, fronts += f.is_front; };
     Draw one = scene.draw(viewport);
