@@ -50,7 +50,7 @@ def called(line, call, head):
 
 
 CPP, ALL = ["--target", "cpp", "--target", "host", "--host-only"], []
-# Position: (targets, cost, maker of a module from numbered words). The sample is smaller where the cost is higher.
+# Position: (options of gliftc, cost of a word, maker of a module from numbered words). Samples are smaller where words cost more.
 POSITIONS = {
     "fields": (ALL, 1, in_body(lambda i, w: (
         f"pub struct Z{i} {{ {w}: float; zb: uint; }}\n", f"    {{ let zv = Z{i}(zs, 2u); zs = zv.{w}; }}\n"))),

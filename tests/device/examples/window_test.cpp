@@ -116,7 +116,8 @@ struct Windows : testing::Test {
         EXPECT_EQ(result.exit_code, 0) << result.err;
         return picture::read(file("headless.png"));
     }
-    /// The picture of the arguments that the program printed: a run without a window with them makes the same picture.
+    /// The program prints the arguments with which a run without a window makes the same picture. Returns that run's
+    /// picture.
     Picture said(const Running& running) {
         const std::string out = running.out(), before = "the same picture: depth_of_field ";
         const std::size_t at = out.find(before);
