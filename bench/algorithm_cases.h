@@ -1,4 +1,4 @@
-// The cases of bench_algorithms.
+// The work that bench_algorithms times: algorithms of the standard library with their input.
 #pragma once
 
 #include <glift/glift.h>
@@ -11,7 +11,7 @@ namespace bench {
 
 struct AlgorithmCase {
     std::string algorithm, variant;
-    std::uint64_t elements = 0, bytes = 0;  ///< bytes: the minimum memory traffic
+    std::uint64_t elements = 0, bytes = 0;  ///< bytes: the least memory traffic: input read once, output written once
     std::function<void(const glift::Commands&)> work;
     std::function<double()> error = nullptr;  ///< relative error of the result; null: it is exact
 };

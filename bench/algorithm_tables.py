@@ -1,4 +1,4 @@
-"""Markdown tables of a device's algorithms against their rivals."""
+"""Markdown tables of a device: the standard library's algorithms against their rivals (other implementations)."""
 import figures
 
 
@@ -22,7 +22,7 @@ def cell(our, rival):
 
 
 def speeds(group):
-    """A row for each algorithm and rival, a column for each size: ours / rival = ratio, in G elements/s."""
+    """A row for each algorithm and rival, a column for each size: Glift's speed / rival's = ratio, in G elements/s."""
     rows = [row for row in group["rows"] if row["algorithm"] not in ("tridiagonal", "move_equations")]
     panels = figures.panels({"rows": rows})
     sizes = sorted({row["elements"] for row in rows})
@@ -44,7 +44,7 @@ def error_of(row):
 
 
 def systems(group):
-    """Tridiagonal systems with one and three right-hand sides, against a rival's one; G equations/s, and largest errors."""
+    """Tridiagonal systems with one and three right-hand sides, against a rival's with one: G equations/s, and largest errors."""
     rows = {(row["by"], row["variant"]): row for row in group["rows"] if row["algorithm"] == "tridiagonal"}
     sides = sorted({int(variant.split("_")[1]) for _, variant in rows})
     if not sides:

@@ -35,7 +35,7 @@ constexpr glift::Binding digit_counts_bindings[] = {buffer("x", Access::read), b
 constexpr glift::Binding digit_scatter_bindings[] = {buffer("x", Access::read), buffer("offsets", Access::read),
                                                      buffer("y", Access::write)};
 
-// Constants that the shaders share.
+// Constants that have the same values in the shaders.
 constexpr std::uint32_t group = 64, scan_items = 64, compact_items = 256, digits = 256, digit_bits = 8;
 constexpr std::uint32_t smallest_chunk = 512, largest_chunk = 4096;
 
@@ -118,15 +118,16 @@ glift::Memory scratch(const glift::Device& device, const char* name, std::uint64
     return device.allocate({.name = name, .bytes = 4 * words, .zeroed = false});
 }
 
-/// Keys per lane: few enough that 1024 lanes have work, within bounds that keep the counts few and the lanes' streams
-/// of keys close together.
+/// Keys that one lane counts and moves in sequence. Few, so that 1024 lanes have work; within bounds, so that the table
+/// of counts stays small and the addresses that neighbouring lanes read at one time are close together.
 std::uint32_t chunk_size(std::uint32_t count) {
     return std::clamp(std::bit_ceil(count / 1024), smallest_chunk, largest_chunk);
 }
 
 std::uint32_t chunks_of(std::uint32_t count) { return (count + chunk_size(count) - 1) / chunk_size(count); }
 
-/// An upper bound for fewer keys, too: chunks grow where there would be more than 1026.
+/// The size of a table of counts that is enough for any number of keys up to `most`. Fewer keys may have more chunks:
+/// up to 1026, while the size of chunks still grows with the number of keys.
 std::uint32_t most_counts(std::uint32_t most) {
     return digits * std::max(chunks_of(most), std::min(2048u, most / smallest_chunk + 1));
 }

@@ -1,8 +1,9 @@
-// Hand-written GLSL versions of stdlib/algorithms, tuned for lavapipe, correct on every device with full subgroups of
-// one size. No workgroup waits for another.
+// Hand-written GLSL versions ("twins") of stdlib/algorithms, tuned for lavapipe, correct on every device with full
+// subgroups of one size. No workgroup waits for another.
 //
-// Millions of u32 a second: twice the elements divided by the CPU time of both threads, so that the load of other
-// programs does not count; lavapipe 22.3 on 2 Sapphire Rapids threads, 2^24 elements (sort: 2^22):
+// What was tried, in millions of u32 a second: twice the elements divided by the CPU time of both threads, so that the
+// load of other programs does not count; lavapipe 22.3 on 2 Sapphire Rapids threads, 2^24 elements (sort: 2^22).
+// "taken": the variant that the shaders have.
 //
 //   copy, uvec4 an invocation                                        930   the limit: a read is 0.9 ns, a write 1.3
 //   scan, a lane has 64 elements in sequence, shared memory          455
@@ -32,7 +33,7 @@
 
 namespace bench {
 
-/// y[i] = x[0] + .. + x[i - 1], modulo 2^32.
+/// Exclusive scan: y[i] = x[0] + .. + x[i - 1], modulo 2^32.
 class ScanTwin {
 public:
     ScanTwin(const glift::Device& device, std::uint32_t most);  ///< for at most `most` elements, below 2^31
@@ -40,11 +41,11 @@ public:
                 std::uint32_t count) const;
 
 private:
-    std::uint32_t tile_;  ///< elements
+    std::uint32_t tile_;  ///< elements that one subgroup scans
     glift::Memory sums_;
 };
 
-/// The multiples of 8 of x, in their order, to y, and their number to `kept`.
+/// Compaction: writes the multiples of 8 of x, in their order, to y, and their number to `kept`.
 class CompactTwin {
 public:
     CompactTwin(const glift::Device& device, std::uint32_t most);
@@ -56,7 +57,7 @@ private:
     glift::Memory sums_, bits_;
 };
 
-/// x in ascending order to y.
+/// Sorts x in ascending order into y.
 class RadixSortTwin {
 public:
     RadixSortTwin(const glift::Device& device, std::uint32_t most);

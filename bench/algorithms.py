@@ -1,4 +1,5 @@
-"""Runs stdlib/algorithms and all their rivals alternately, and joins the results into groups of figures (figures.py)."""
+"""Runs stdlib/algorithms and all rivals (other implementations) alternately, and joins the results into groups of figures
+(figures.py)."""
 import os
 import shutil
 import subprocess
@@ -25,7 +26,7 @@ def nvcc():
 
 
 def build_cuda(folder):
-    """The program of CUDA rivals, or none where there is no nvcc."""
+    """Builds the CUDA rivals and returns the path of their program; None where there is no nvcc."""
     if not nvcc():
         print("No nvcc: no CUDA rivals.\n")
         return None

@@ -1,4 +1,4 @@
-// The input of all benches of algorithms; bench/cuda/rivals.cuh generates the same.
+// The input of all algorithm benches; bench/cuda/rivals.cuh generates the same.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,6 @@
-// bench_blocks [side]: kernels over pages against dense ones, on the host device and on the Vulkan device, alternately.
-// Prints the least time of each and the ratio to dense.
+// bench_blocks [side]: kernels over a dense array, over the same array in pages visited page by page, and over pages
+// visited like a dense array; on the host device and on the Vulkan device. Prints the least time of each and the ratio
+// to dense.
 #include "blocks.glift.hpp"
 
 #include <algorithm>
@@ -17,7 +18,7 @@ template <class Run> double seconds(const glift::Device& device, const Run& run)
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-/// The least of several rounds, in which all three take turns.
+/// Times the three alternately and keeps the least time of each.
 template <class Dense, class Blocks, class Whole> void
 compare(const glift::Device& device, const char* what, const Dense& dense, const Blocks& blocks, const Whole& whole) {
     constexpr int rounds = 7;

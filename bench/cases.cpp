@@ -66,7 +66,7 @@ const glift::Kernel gather_twin = {.name = "gather by hand",
                                    .direct = {.spirv = gather_places, .parameter_bytes = 16, .push_constants = true},
                                    .items = {2, 1, 1}};
 
-/// One call of a twin.
+/// Dispatches a hand-written kernel (the "twin" of a generated one) once.
 template <class Block, std::size_t n> void dispatch(const glift::Commands& commands, const glift::Kernel& kernel,
                                                     const Block& block, const glift::Memory (&memories)[n],
                                                     glift::Extent size) {
@@ -91,7 +91,8 @@ template <class S> std::function<std::vector<std::byte>()> reader(std::shared_pt
     };
 }
 
-/// Sets what the two passes share: the result, and the shaders whose instructions are counted.
+/// Makes a case with everything but its two passes: name, number of elements, how `g` is read and cleared, and the
+/// SPIR-V of the generated and of the hand-written shader (`twin`).
 template <class S>
 Case begin(const char* name, std::uint64_t elements, std::shared_ptr<S> g, std::span<const std::uint32_t> twin) {
     Case one{.name = name, .elements = elements};

@@ -1,4 +1,4 @@
-// The cases of the bench: a generated pass and its hand-written twin over the same memories.
+// The cases of a bench: a generated pass and its hand-written "twin", which does the same over the same memories.
 #pragma once
 
 #include <glift/glift.h>
@@ -14,12 +14,12 @@ struct Case {
     std::string name;
     std::uint64_t elements = 0;
     std::function<void(const glift::Commands&)> generated, handwritten;
-    std::function<std::vector<std::byte>()> result;  ///< what the last pass wrote
-    std::function<void()> clear;                     ///< clears it
+    std::function<std::vector<std::byte>()> result;  ///< reads the output of the last pass
+    std::function<void()> clear;                     ///< overwrites the output
     std::vector<std::uint32_t> generated_spirv, handwritten_spirv;
 };
 
-/// `scale` 1 is for lavapipe; larger devices need more work to be measured.
+/// All cases of glift_bench. The work grows with `scale`: 1 suits lavapipe; faster devices need more to be measured.
 std::vector<Case> make_cases(const glift::Device& device, std::uint32_t scale);
 
 }  // namespace bench

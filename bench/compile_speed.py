@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""How fast gliftc is, from the start of the process to its exit, with all outputs but SPIR-V.
+"""Measures how fast gliftc is, from the start of the process to its exit, with all outputs but SPIR-V.
 
     bench/compile_speed.py GLIFTC [--runs N] [--json FILE]
 
-A small file (bench/small.glift), and generated files, each also at twice its length: functions that nothing calls, which are
-read and checked, and public kernels, of which every line becomes code of all targets.
+Times bench/small.glift, and generated files, each also at twice its length: functions that nothing calls, which are
+only parsed and checked, and public kernels, which are compiled for every target.
 """
 import argparse
 import json
@@ -55,7 +55,8 @@ HEADERS = {
     "kernels": "module large;\n\nuse std.address;\nuse std.array;\n\npub structure Volume = Array<3, float>;\n",
 }
 BODIES = {"functions": FUNCTION, "kernels": KERNEL}
-# What is generated, how many lines of it, and how far it is compiled. Kernels written out make hundreds of lines each: fewer.
+# Name: (what is generated, its number of lines, options of gliftc). Fewer lines of kernels where they are compiled for
+# all targets: each kernel makes hundreds of lines of output.
 CASES = {
     "functions, all outputs": ("functions", 100000, OUTPUTS),
     "kernels, read and checked": ("kernels", 100000, ["--stop-after=sema"]),

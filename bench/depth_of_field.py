@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Two layers of depth of field on the Vulkan device and on the host: time, share of the copy bound, beside cuSPARSE.
+"""Depth of field in two layers on the Vulkan device and on the host: its time, its share of the copy bound, and cuSPARSE's
+time.
 
     bench/depth_of_field.py FILE.json... -o FILE.png      draws time against pixels; files as bench_depth_of_field, the CUDA rivals
                                                           and run.py write them
@@ -54,7 +55,7 @@ def table(group):
 
 
 def lines_of(group):
-    """{name: [(pixels, milliseconds)]}."""
+    """{name of the line: [(pixels, milliseconds)]}, sorted by pixels."""
     found = {}
     for name, rows in (("two layers, all passes", by_size(group, "two_layers", figures.OURS)),
                        ("copy of the bytes to be moved", by_size(group, "two_layers", "copy"))):
@@ -82,7 +83,7 @@ def draw_panel(axes, group):
 
 
 def draw(groups, file):
-    """A panel a device; the extension of the file gives the format."""
+    """Draws a panel for each device; the extension of the file gives the format."""
     plt = plot.pyplot()
     groups = [group for group in groups if by_size(group, "two_layers", figures.OURS)]
     figure, axes = plt.subplots(1, len(groups), figsize=(5.2 * len(groups), 4), squeeze=False, layout="constrained")

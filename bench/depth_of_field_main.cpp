@@ -1,5 +1,5 @@
-// bench_depth_of_field: all passes of two layers of examples/depth_of_field, beside a copy of the bytes that they have
-// to move.
+// bench_depth_of_field: all passes of depth of field in two layers (examples/depth_of_field), beside a copy of the
+// bytes that they have to move.
 //
 //     bench_depth_of_field [--device NAME] [--sizes 512x512,1920x1080] [--runs N] [--json FILE]
 #include "figures.h"
@@ -18,8 +18,9 @@
 
 namespace {
 
-/// Of a pixel, whatever the passes are: rows read colour (16) and distance (4) and write two layers (32); columns,
-/// which need whole rows before, read these (32) and the distance (4) and write the picture (16).
+/// The least traffic per pixel of any implementation: the passes over rows read colour (16 bytes) and distance (4) and
+/// write two layers (32); those over columns, which start when whole rows are done, read the two layers (32) and the
+/// distance (4) and write the picture (16).
 constexpr std::uint64_t bytes_a_pixel = 104;
 
 struct Options {
@@ -37,10 +38,10 @@ glift::uint2 size_of(const std::string& text) {
     return {width, height};
 }
 
-/// 50 mm at f/0.7 on 36 mm of film, focused at 4 m.
+/// A lens of 50 mm at f/0.7 before 36 mm of film, focused at 4 m.
 dof::Lens lens_of(std::uint32_t width) { return {0.05f, 0.05f / 0.7f, 4.0f, static_cast<float>(width) / 0.036f}; }
 
-/// Colours without a pattern, and stripes of several distances.
+/// A picture of pseudo-random colours, and stripes of several distances.
 struct Input {
     dof::Picture colour, result;
     dof::Distances distances;
@@ -69,7 +70,8 @@ void photograph(const glift::Commands& commands, const Input& input) {
                     input.result);
 }
 
-/// Seconds from the call to the picture, one after the other; each is one submission, on the host device none.
+/// Median seconds of the host from the call to the finished picture, for single pictures. Each is one submission, on
+/// the host device none.
 double alone(const glift::Device& device, const Input& input, int runs) {
     std::vector<double> seconds;
     const std::uint64_t before = device.statistics().submissions;

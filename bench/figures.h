@@ -1,4 +1,4 @@
-// Results of benches of algorithms: rows, grouped by device, as bench/figures.py reads them.
+// Results of the algorithm benches: rows, grouped by device, in the format that bench/figures.py reads.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -10,16 +10,16 @@
 namespace bench {
 
 struct Figure {
-    std::string by;  ///< who: `Glift`, or a rival
+    std::string by;  ///< who made the implementation: `Glift`, or the name of a rival
     std::string algorithm, variant;
     std::uint64_t elements = 0;
     double seconds = 0;             ///< median
-    std::uint64_t bytes_moved = 0;  ///< the minimum traffic
+    std::uint64_t bytes_moved = 0;  ///< the least traffic: input read once, output written once
     int runs = 0;
     double error = -1;  ///< largest relative error; negative: results are exact
 };
 
-/// To stderr, as it is measured.
+/// Prints a row to stderr as soon as it is measured.
 void print(const Figure& figure);
 
 struct DeviceFigures {

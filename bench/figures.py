@@ -10,7 +10,7 @@ OURS = "Glift"
 
 
 def load(file, part="algorithms"):
-    """The groups of a file: one that a bench wrote, or that of `run.py --json`, of which a part."""
+    """The groups in a file. `run.py --json` writes a dictionary, of which `part` is taken; the benches write a list of groups."""
     with open(file, encoding="utf-8") as text:
         found = json.load(text)
     return found[part] if isinstance(found, dict) else found
@@ -21,7 +21,7 @@ def key_of(row):
 
 
 def joined(groups):
-    """One group a device; of rows that were measured several times, the median."""
+    """Joins the groups of each device into one; of rows that were measured several times, the median."""
     devices = {}
     for group in groups:
         rows = devices.setdefault(group["device"], {})
@@ -39,14 +39,16 @@ def median_row(same):
 
 
 def panel_of(row):
-    """The panel and the line that a row is drawn in: systems of all sizes in one panel, sorts of keys and of pairs in two."""
+    """The title of the panel that a row is drawn in. Tridiagonal systems of all sizes share a panel, one for each number of
+    right-hand sides; every other variant has its own."""
     if row["algorithm"] != "tridiagonal":
         return row["algorithm"] + ", " + row["variant"].replace("_", " ")
     return "tridiagonal, " + ("three right-hand sides" if row["variant"].endswith("_three") else "one right-hand side")
 
 
 def panels(group):
-    """{panel: {by: [rows, by size]}}, where there are figures of ours. Systems solved from memory are only in a table."""
+    """{panel: {by: [rows, sorted by size]}}, for panels that have rows of Glift's. Rows of systems solved from memory are left
+    out."""
     found = {}
     for row in group["rows"]:
         if row["variant"].endswith("_from_memory"):
@@ -59,5 +61,5 @@ def panels(group):
 
 
 def throughput(row):
-    """G elements/s."""
+    """Billions of elements a second."""
     return row["elements"] / row["seconds"] * 1e-9

@@ -1,11 +1,12 @@
-// The host's cost of a pass recorded by generated functions: single kernel calls, and a pipeline.
+// Measures the host's time per dispatch by generated functions: single kernel calls, and a pipeline.
 #include "dispatch.glift.hpp"
 
 #include <benchmark/benchmark.h>
 
 namespace {
 
-constexpr int kernel_passes = 500;  // below the size at which the device's own stream submits by itself
+// Fewer than the 512 operations after which the device submits its open batch, so that the timed part submits nothing.
+constexpr int kernel_passes = 500;
 constexpr glift::uint pipeline_passes = 1000;
 
 void per_pass(benchmark::State& state, int passes) {
@@ -37,7 +38,7 @@ void record_volume_kernels(const glift::Commands& commands, const Volumes& volum
     }
 }
 
-/// Into the device's own stream; what the device then does is not counted.
+/// Records kernel calls into the device's own stream; the time until the device has run them is not counted.
 template <class Structures, void (*record)(const glift::Commands&, const Structures&)>
 void generated_kernel(benchmark::State& state) {
     const Structures structures;
@@ -71,7 +72,7 @@ void record_pipeline(benchmark::State& state) {
 }
 BENCHMARK(record_pipeline)->Name("generated_pipeline_record")->Unit(benchmark::kMicrosecond);
 
-/// One submission of all passes.
+/// Submits a recording of all passes; each replay must be one submission.
 void replay_pipeline(benchmark::State& state) {
     Lines lines;
     const auto recording = lines.device.record(

@@ -24,7 +24,7 @@ constexpr float rate = 0.125f;
 struct Options {
     int runs = 20;
     std::uint32_t size = 256;
-    int steps = 8;  ///< pairs of them in one run
+    int steps = 8;  ///< pairs of steps in one run
     std::string json;
 };
 
@@ -48,7 +48,7 @@ Options parse(int count, char** arguments) {
     return options;
 }
 
-/// Zeroed memory, allocated and aligned as that of the host device.
+/// Zeroed memory, allocated and aligned like the memory of the host device.
 class Aligned {
 public:
     explicit Aligned(std::size_t count) : storage_(std::calloc(count + 32, sizeof(float)), &std::free) {
@@ -63,7 +63,8 @@ private:
     float* data_;
 };
 
-/// Runs the work twice and times the second run: the first one finds the rival's data in the caches.
+/// Runs the work twice and times the second run: in the first one the caches still hold the other implementation's
+/// data.
 double seconds_of(const std::function<void()>& work) {
     work();
     const auto start = std::chrono::steady_clock::now();
@@ -75,7 +76,7 @@ using Twin = void (*)(const float* u, float* v, handwritten::Extent3 extent, flo
 
 struct Measured {
     const char* name;
-    double generated, handwritten, ratio;  ///< seconds of one step, medians; the median of the ratios
+    double generated, handwritten, ratio;  ///< median seconds of one step; median of the runs' ratios
     bool agree;
 };
 

@@ -24,7 +24,7 @@ using Range = tbb::blocked_range<std::size_t>;
 
 constexpr std::size_t grain = std::size_t{1} << 16;  // minimum elements of a task
 
-// The loops. Below, each is compiled with and without function multiversioning.
+// The loops. Each is compiled with function multiversioning (`Wide`) and without (`Narrow`).
 
 inline std::uint32_t sum_elements(const std::uint32_t* x, std::size_t count) {
     std::uint32_t sum = 0;
@@ -32,7 +32,7 @@ inline std::uint32_t sum_elements(const std::uint32_t* x, std::size_t count) {
     return sum;
 }
 
-// Sixteen independent sums: a single one would be bound by the latency of additions.
+// Sixteen independent sums: a single one would be limited by the latency of additions.
 inline float sum_elements(const float* x, std::size_t count) {
     constexpr std::size_t lanes = 16;
     float sums[lanes] = {};
@@ -46,7 +46,7 @@ inline float sum_elements(const float* x, std::size_t count) {
     return sum;
 }
 
-// Four at a time: the dependent additions from element to element are the bottleneck.
+// Four elements in a round: each addition needs the result of the one before, and that latency is the bottleneck.
 inline std::uint32_t scan_elements(const std::uint32_t* x, std::size_t count, std::uint32_t run, std::uint32_t* y) {
     std::size_t i = 0;
     for (; i + 4 <= count; i += 4) {
@@ -68,7 +68,7 @@ inline std::uint32_t scan_elements(const std::uint32_t* x, std::size_t count, st
 inline bool is_kept(std::uint32_t value) { return value % 8 == 0; }
 
 inline std::size_t count_elements(const std::uint32_t* x, std::size_t count) {
-    std::uint32_t kept = 0;  // of a block
+    std::uint32_t kept = 0;  // in a block
     for (std::size_t i = 0; i < count; ++i) kept += is_kept(x[i]);
     return kept;
 }
@@ -112,7 +112,7 @@ template <class Loops> float sum_with(std::span<const float> x) {
     return tbb::parallel_deterministic_reduce(Range(0, x.size(), grain), 0.0f, add, std::plus<>());
 }
 
-/// Branch-free: each element is written to a small buffer, whose end advances if the element is kept.
+/// Without branches: each element is written to the end of a small buffer; the end advances if the element is kept.
 std::size_t copy_block(const std::uint32_t* x, std::size_t count, std::uint32_t* y) {
     constexpr std::size_t room = 1024;
     std::uint32_t buffer[room + 1];

@@ -1,6 +1,6 @@
-// Hand-written C++ versions of stdlib/algorithms with oneTBB: their rivals on the host device. All run on all cores.
-// Those whose loops are vectorised have a second form, `narrow`, without function multiversioning: only vectors that
-// the compiler's flags allow.
+// Hand-written C++ versions of stdlib/algorithms with oneTBB: rivals on the host device. All run on all cores.
+// Functions with vectorised loops have a second form, `narrow`, without function multiversioning: vectors only as wide
+// as the compiler's flags allow.
 #pragma once
 
 #include <cstdint>
@@ -12,24 +12,24 @@ struct KeyValue {
     std::uint32_t key, value;
 };
 
-/// y[i] = x[0] + .. + x[i - 1], modulo 2^32. Returns the sum of all. tbb::parallel_scan.
+/// Exclusive scan by tbb::parallel_scan: y[i] = x[0] + .. + x[i - 1], modulo 2^32. Returns the sum of all elements.
 std::uint32_t exclusive_scan(std::span<const std::uint32_t> x, std::span<std::uint32_t> y);
 std::uint32_t exclusive_scan_narrow(std::span<const std::uint32_t> x, std::span<std::uint32_t> y);
 
-/// tbb::parallel_reduce.
+/// The sum by tbb::parallel_reduce.
 std::uint32_t sum(std::span<const std::uint32_t> x);
 std::uint32_t sum_narrow(std::span<const std::uint32_t> x);
 
-/// tbb::parallel_deterministic_reduce: the same bits every time.
+/// The sum by tbb::parallel_deterministic_reduce: the same bits every time.
 float sum(std::span<const float> x);
 float sum_narrow(std::span<const float> x);
 
-/// The multiples of 8 of x, in their order, to y, which has room for all of x. Returns their number. Two passes: blocks
-/// count, then write.
+/// Copies the multiples of 8 of x, in order, to y, which has room for all of x. Returns their number. Two passes over
+/// blocks: the first counts, the second writes.
 std::size_t copy_multiples_of_8(std::span<const std::uint32_t> x, std::span<std::uint32_t> y);
 std::size_t copy_multiples_of_8_narrow(std::span<const std::uint32_t> x, std::span<std::uint32_t> y);
 
-/// tbb::parallel_sort: ascending, not stable.
+/// Sorts by tbb::parallel_sort: ascending, not stable.
 void sort(std::span<std::uint32_t> keys);
 void sort(std::span<KeyValue> pairs);
 

@@ -25,11 +25,11 @@ std::vector<std::uint32_t> read_spirv(const std::string& path) {
 
 namespace {
 
-/// What the passes of `spirv-opt -O` leave, after those that are registered.
+/// The SPIR-V after the passes that are registered already, followed by those of `spirv-opt -O`.
 std::vector<std::uint32_t> optimised(spvtools::Optimizer& optimizer, const std::vector<std::uint32_t>& spirv) {
     optimizer.RegisterPerformancePasses();
     spvtools::OptimizerOptions options;
-    options.set_run_validator(false);  // it does not take scalar layout for granted
+    options.set_run_validator(false);  // the validator would refuse scalar block layout
     std::vector<std::uint32_t> words;
     if (!optimizer.Run(spirv.data(), spirv.size(), &words, options)) throw std::runtime_error("spirv-opt failed");
     return words;

@@ -1,4 +1,4 @@
-// How many instructions a shader has.
+// Counts the instructions of a shader.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@ namespace bench {
 
 std::vector<std::uint32_t> read_spirv(const std::string& path);
 
-/// Instructions inside functions after spirv-opt -O, without lines and labels of debug information.
+/// Instructions inside functions after spirv-opt -O, without the line numbers of debug information.
 std::size_t instructions_of(const std::vector<std::uint32_t>& spirv);
 
 struct Shader {
@@ -18,7 +18,7 @@ struct Shader {
     std::map<std::uint32_t, std::uint32_t> constants;  ///< values of specialisation constants
 };
 
-/// With these constants in place.
+/// The same, after the specialisation constants have been replaced by their values.
 std::size_t instructions_of(const Shader& shader);
 
 }  // namespace bench

@@ -50,7 +50,8 @@ constexpr glift::Binding of_pages[] = {buffer("p"), buffer("table"), image("fram
 constexpr glift::Binding of_tree[] = {buffer("x"), buffer("best"), buffer("unused"),
                                       image("frames", MemoryKind::image2d, glift::Filter::linear), written};
 
-/// A twin whose whole block of parameters can be fixed.
+/// The parameters of a hand-written kernel ("twin") as one parameter, `block`, so that a specialised call can fix all
+/// of them.
 template <class Block> constexpr glift::Parameter whole[] = {{"block", 0, sizeof(Block)}};
 
 template <class Block, std::size_t words> glift::Kernel twin(const char* name, std::span<const glift::Binding> bindings,
@@ -80,7 +81,7 @@ template <class Block, std::size_t n> void dispatch(const glift::Commands& comma
                                .size = {block.count, 1, 1, 1}});
 }
 
-/// What all cases share: what they write.
+/// Makes a case with what all cases have alike: name, number of elements, how the output `g` is read and cleared.
 template <class S> Case begin(const char* name, std::shared_ptr<S> g) {
     Case one{.name = name, .elements = g->domain()};
     one.result = [g] {
@@ -112,7 +113,7 @@ Case stream_case(const glift::Device& device, Number count) {
     return one;
 }
 
-/// A table of pages of which seven in eight are there, a pool for them, and places to read.
+/// A page table seven in eight of whose pages are resident, an image of frames for them, and addresses to read.
 struct Paged {
     Paged(const glift::Device& device, Number side, Number count)
         : extent(side, side, side), pages(side / 8, side / 8), capacity(pages.x * pages.x * pages.x),

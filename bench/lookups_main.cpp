@@ -1,5 +1,6 @@
-// bench_lookups [--runs N] [--seconds S] [--scale N] [--json FILE]: thesis table 6.1. The instructions of three reads,
-// generated and by hand, with and without what a call gives known when its pipeline is made; and their times.
+// bench_lookups [--runs N] [--seconds S] [--scale N] [--json FILE]: table 6.1 of Lefohn's thesis (2006). Counts the
+// instructions of its reads, generated and hand-written, with parameters at run time and with parameters fixed when the
+// pipeline is made; and times them.
 #include "lookup_cases.h"
 #include "measure.h"
 #include "spy.h"

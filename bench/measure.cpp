@@ -11,8 +11,8 @@ namespace {
 
 using Pass = std::function<void(const glift::Commands&)>;
 
-/// Seconds of one pass, by device timestamps. The first pass, which finds the rival's data in the caches, is not
-/// counted.
+/// Seconds of one pass, by device timestamps. A first pass is not counted: the caches may still hold the other pass's
+/// data.
 double time_of(const glift::Device& device, const Pass& pass, int repeats) {
     glift::Commands commands = device.commands();
     pass(commands);

@@ -1,4 +1,4 @@
-// Device time of two passes, run alternately.
+// Compares the device times of a case's generated and hand-written passes.
 #pragma once
 
 #include "cases.h"
@@ -11,7 +11,8 @@ struct Measured {
     bool agree = false;                     ///< both wrote the same bytes
 };
 
-/// `runs` pairs, each pass repeated so often that a run takes about `seconds`; which goes first alternates.
+/// Times `runs` pairs of the two passes; which goes first alternates. Each is repeated so often that a run takes about
+/// `seconds`.
 Measured measure(const glift::Device& device, const Case& one, int runs, double seconds);
 
 }  // namespace bench

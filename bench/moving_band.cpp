@@ -1,10 +1,11 @@
-// bench_moving_band [--seconds S] [--steps N] [--json FILE]: the shell of examples/narrow_band in domains of three
-// sizes with the same surface, and that of 1024^3 whose radius follows the domain. Times are of replayed recordings, by
-// device timestamps.
+// bench_moving_band [--seconds S] [--steps N] [--json FILE]: the pages around a moving spherical shell
+// (examples/narrow_band), for three domain sizes with the same shell, and for 1024^3 with a shell whose radius is in
+// proportion to the domain. A "change" of topology allocates and releases pages; a step is a change and two stencils
+// over the resident pages. Times are of replayed recordings, by device timestamps.
 //
-// What grows with the domain is apart: `tables` is the change of a domain in which no page is wanted, so that bit sets
-// and scans over all pages are all that it does. `ask` is part of the topology; `everywhere` would be the same question
-// to all pages.
+// Costs that grow with the domain are measured apart: `tables` is a change in a domain in which no page is wanted,
+// which leaves only the bit sets and scans over all pages. `ask`, part of each change, asks for the pages that are
+// wanted next; `everywhere` puts the same question to all pages.
 #include "moving_shell.glift.hpp"
 #include "timing.h"
 
@@ -25,12 +26,12 @@ struct Case {
 };
 
 constexpr Case cases[] = {{256, 0.39f * 256}, {512, 0.39f * 256}, {1024, 0.39f * 256}, {1024, 0.39f * 1024}};
-constexpr std::uint32_t same_surface = 3;  ///< the first cases
-constexpr float largest_growth = 16;       ///< of the radius, over a period
+constexpr std::uint32_t same_surface = 3;  ///< the first so many cases have the same surface
+constexpr float largest_growth = 16;       ///< of the radius during a period, in elements
 
 struct Times {
     std::uint32_t pages = 0;
-    std::uint64_t passes = 0;  ///< of a change
+    std::uint64_t passes = 0;  ///< passes of one change
     double ask = 0, everywhere = 0, tables = 0, change = 0, stencils = 0, step = 0;
 };
 
@@ -61,7 +62,8 @@ Times measure(const glift::Device& device, const Case& one, const Options& optio
     once.submit();
     device.wait();
     times.passes = device.statistics().passes - before;
-    // Every run the same steps, about the middle of the period: its last radius is its first one.
+    // Every run takes the same steps, centred on the middle of the period: the last radius equals the first one, so
+    // that runs can follow each other.
     const auto time_steps = [&](const std::function<void(const glift::Commands&)>& work) {
         moving_shell::set(device, clock, 32 - options.steps / 2);
         moving_shell::ask_everywhere(device, band, clock, one.radius);
@@ -78,7 +80,7 @@ Times measure(const glift::Device& device, const Case& one, const Options& optio
         moving_shell::tick(c, clock);
     });
     times.tables = time([&](const glift::Commands& c) { nothing.update(c); });
-    // As many pages as at the middle of a period.
+    // With the pages of the middle of a period.
     moving_shell::set(device, clock, 32);
     moving_shell::ask_everywhere(device, band, clock, one.radius);
     band.update(device);
@@ -102,7 +104,7 @@ void print(const Case& one, const Times& times) {
     std::fflush(stdout);
 }
 
-/// The largest of the cases with the same surface over the smallest.
+/// The largest time over the smallest among the cases with the same surface; of `part`, less `without` if given.
 double spread(const std::vector<Times>& all, double Times::*part, double Times::*without) {
     double least = 1e9, most = 0;
     for (std::size_t i = 0; i < same_surface; ++i) {

@@ -1,6 +1,5 @@
-// bench_neighbours [--seconds S] [--points N] [--json FILE]: a grid of lists of random points is built anew, and what
-// lies within a radius of each point is counted, about 20 neighbours each. Times are of replayed recordings, by device
-// timestamps.
+// bench_neighbours [--seconds S] [--points N] [--json FILE]: builds a grid of lists of random points anew, and counts
+// the neighbours within a radius of each point, about 20. Times are of replayed recordings, by device timestamps.
 #include "bench_input.h"
 #include "neighbours.glift.hpp"
 #include "timing.h"
@@ -22,7 +21,8 @@ struct Options {
     std::string json;
 };
 
-/// In a cube whose side is a whole number of radii, so that there are about as many neighbours as asked for.
+/// The side of the cube with the points, in radii: a whole number, such that a point has about as many neighbours as
+/// asked for.
 std::uint32_t side_of(const Options& options) {
     const double inside = 4 * std::numbers::pi / 3;
     return static_cast<std::uint32_t>(std::lround(std::cbrt(options.points * inside / options.neighbours)));

@@ -1,6 +1,7 @@
-// bench_pages [--seconds S] [--runs N] [--plane SIDE] [--volume SIDE] [--json FILE]: thesis figure 6.1. How fast arrays
-// in pages are read, through tables of one level and of two, by the size of a page, beside an array without pages.
-// Frames lie in random order. Only elements that are read count, not tables.
+// bench_pages [--seconds S] [--runs N] [--plane SIDE] [--volume SIDE] [--json FILE]: figure 6.1 of Lefohn's thesis
+// (2006). How fast paged arrays are read, through page tables of one level and of two, by the size of a page, beside an
+// array without pages. Frames are in random order. Speeds count the bytes of the elements that are read, not those of
+// tables.
 #include "bench_input.h"
 #include "pages.glift.hpp"
 #include "timing.h"
@@ -19,11 +20,11 @@ using Number = std::uint32_t;
 struct Options {
     double seconds = 0.05;
     int runs = 5;
-    Number plane = 0, volume = 0;  ///< 0: by the kind of device
+    Number plane = 0, volume = 0;  ///< sides of the arrays; 0: chosen by the kind of device
     std::string json;
 };
 
-/// What depends on the number of axes.
+/// What depends on the number of axes; for planes.
 struct Planar {
     using Dense = pages::Plane;
     using Address = glift::uint2;
@@ -49,7 +50,7 @@ Number power(Number base, int exponent) { return exponent == 0 ? 1 : base * powe
 Number quotient(Number a, Number b) { return a / b; }
 Number rest(Number a, Number b) { return a % b; }
 
-/// 1 to n in random order: no entry is empty.
+/// 1 to n in random order. An entry of a page table is the frame's number + 1 (0: no page), so all pages are resident.
 std::vector<Number> shuffled(Number n) {
     std::vector<Number> entries(n);
     for (Number i = 0; i < n; ++i) entries[i] = i + 1;
@@ -101,7 +102,7 @@ private:
         });
     }
 
-    /// `number_of` says which value lies at an address.
+    /// `number_of` gives the number from which the value at an address was computed.
     template <class Field, class NumberOf>
     nlohmann::ordered_json measure(const Field& f, Number page, int levels, const NumberOf& number_of) {
         const auto rows = [&](const glift::Commands& c) { pages::rows(c, f, rows_); };

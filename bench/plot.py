@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Draws throughput against size: a panel an algorithm, a line for ours and for each rival.
+"""Draws throughput against size: a panel for each algorithm, a line for Glift and for each rival (other implementation).
 
     bench/plot.py FILE.json... -o FILE
 
-The files are those of `run.py --json`, bench_algorithms, bench_rivals or the CUDA rivals. FILE ends in .svg or .png; of several
-devices each has a file, named after it.
+The files are those of `run.py --json`, bench_algorithms, bench_rivals or the CUDA rivals. FILE ends in .svg or .png. If
+there are several devices, each has a file of its own, named after it.
 """
 import argparse
 import math
@@ -34,7 +34,7 @@ def pyplot():
 
 
 def styles(panels):
-    """The same colour and marker for the same maker in every panel; ours first."""
+    """The colour and marker of each maker (`by` in a row), the same in every panel; Glift first."""
     makers = [figures.OURS] + sorted({by for lines in panels.values() for by in lines} - {figures.OURS})
     return {by: {"color": COLOURS[k % len(COLOURS)], "marker": MARKERS[k % len(MARKERS)]} for k, by in enumerate(makers)}
 

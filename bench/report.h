@@ -1,4 +1,4 @@
-// The table and the JSON.
+// Prints the results of glift_bench as a table and as JSON.
 #pragma once
 
 #include "measure.h"

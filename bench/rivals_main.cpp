@@ -1,9 +1,9 @@
-// bench_rivals: the hand-written rivals of stdlib/algorithms checked against the C++ standard library, and their speed.
+// bench_rivals: checks the hand-written rivals of stdlib/algorithms against the C++ standard library, and times them.
 //
 //     bench_rivals [--device NAME] [--log2 22,24] [--host-log2 22,24] [--runs N] [--unchecked] [--json FILE]
 //
-// The GLSL versions run on the device given by --device or GLIFT_DEVICE, which cannot be the host; those in C++ on the
-// host.
+// The GLSL versions ("twins") run on the device given by --device or GLIFT_DEVICE, which cannot be the host device;
+// those in C++ run on the host.
 #include "algorithm_twins.h"
 #include "bench_input.h"
 #include "figures.h"
@@ -36,7 +36,7 @@ struct Options {
     bool unchecked = false;
 };
 
-/// The three memories of an algorithm on a device, and what the host expects of it.
+/// The memories and the algorithms on a device; checks read results from here.
 class OnDevice {
 public:
     OnDevice(const glift::Device& device, std::uint32_t most)
@@ -146,7 +146,7 @@ void check_host(const Words& x, const Expected& expected) {
     check_sorts(x, expected);
 }
 
-/// Inputs: hashes; numbers that are all selected; none selected; keys of which many are equal.
+/// Inputs: hashes; numbers that are all selected; numbers of which none is selected; keys many of which are equal.
 std::vector<Words> inputs_of(std::uint32_t count) {
     Words all = bench::hashed(count), none = all, equal = all;
     for (std::uint32_t& value : all) value &= ~7u;
@@ -196,10 +196,10 @@ void check(const glift::Device& device) {
     }
 }
 
-/// A case, as in bench_algorithms.
+/// What a row of results is about: names, as in bench_algorithms, and traffic.
 struct What {
     const char *by, *algorithm, *variant;
-    std::uint64_t bytes;  ///< minimum traffic for an element
+    std::uint64_t bytes;  ///< least traffic per element
 };
 
 constexpr double seconds_of_a_run = 0.005;

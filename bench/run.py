@@ -3,7 +3,7 @@
 
     bench/run.py BUILD_FOLDER [--only PART] [--json FILE] [--plots FOLDER] [--runs N] [options of algorithms.py]
 
-The device is the one that GLIFT_DEVICE names, or the best there is; algorithms run on the host device, too.
+The Vulkan device is the one that GLIFT_DEVICE names, or the best there is; algorithms run on the host device, too.
 """
 import argparse
 import json

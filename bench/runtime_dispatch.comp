@@ -1,4 +1,4 @@
-// g = factor * f: a minimal pass.
+// g = factor * f: the minimal pass whose dispatch runtime_dispatch.cpp times.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 layout(local_size_x = 64) in;

@@ -1,4 +1,5 @@
-// A device that keeps the shader of the last pipeline that was made, as the driver got it.
+// A device that keeps the shader of the last compute pipeline that was made, as the driver got it: it intercepts Vulkan
+// functions.
 #pragma once
 
 #include "instructions.h"
@@ -7,11 +8,11 @@
 
 namespace bench {
 
-/// A second device over the Vulkan device of `device`, which has to live as long.
+/// Makes a second device over the Vulkan device of `device`, which has to outlive it.
 glift::Device spy_on(const glift::Device& device);
 
-/// The shader of the last compute pipeline that a spy made: with parameters that were fixed, and the values of its
-/// specialisation constants.
+/// The shader of the last compute pipeline that such a device made, with the values of its specialisation constants.
+/// Parameters that a specialised call fixed are constants in it.
 Shader last_shader();
 
 }  // namespace bench

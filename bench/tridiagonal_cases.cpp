@@ -34,7 +34,7 @@ template <class T> std::vector<double> solved(const std::vector<float>& lower, c
     return x;
 }
 
-/// Of some of the systems, the largest max |x - exact| / max |exact|.
+/// The largest max |x - exact| / max |exact| of the systems that are checked.
 template <class Grid> double largest_error(const Coefficients& a, const Grid& right, const Grid& found, int sides) {
     const std::uint32_t n = found.domain().x, rows = found.domain().y, checked = std::min(rows, systems_checked);
     double largest = 0;
@@ -47,7 +47,7 @@ template <class Grid> double largest_error(const Coefficients& a, const Grid& ri
             double difference = 0, size_of_exact = 0;
             for (std::uint32_t i = 0; i < n; ++i) {
                 const double distance = std::abs(component(x[i], k) - exact[i]);
-                difference = distance <= difference ? difference : distance;  // not-a-number stays
+                difference = distance <= difference ? difference : distance;  // keeps a NaN
                 size_of_exact = std::max(size_of_exact, std::abs(exact[i]));
             }
             const double error = difference / size_of_exact;
@@ -71,7 +71,7 @@ Systems systems_of(const glift::Device& device, std::uint32_t n) {
     return made;
 }
 
-/// The solutions' memory, shared by all cases, which run one after the other.
+/// The solutions, shared by all cases, which run one after the other.
 struct Unknowns {
     solvers::Grid one;
     solvers::Grid3 three;
@@ -84,7 +84,7 @@ void solve_three(const glift::Commands& commands, const Systems& s, const Unknow
     solvers::solve_three(commands, s.a.lower, s.a.middle, s.a.upper, s.right3, x.three);
 }
 
-/// Cycling through this many bytes leaves none in a cache.
+/// Cycling through this many bytes leaves none of them in a cache.
 constexpr std::uint64_t beyond_caches = std::uint64_t{128} << 20;
 
 }  // namespace

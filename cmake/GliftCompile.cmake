@@ -2,8 +2,9 @@
 #               [SHARDS n] [CHECKED])
 #
 # Compiles the files with gliftc, in one run, and adds the output to the target, with its include directory and the
-# runtime that it calls. Works the same with add_subdirectory and with find_package(glift). The target also gets the include
-# directories in which gliftc looks for the headers of `extern struct`: the folders of the files, and IMPORT_DIRS.
+# runtime that it calls. Works the same with add_subdirectory and with find_package(glift). The target also gets the
+# include directories in which gliftc looks for the headers of `extern struct`: the folders of the files, and
+# IMPORT_DIRS.
 #
 # Outputs for each file: docs/language.md, "Modules". Code that several files use is in the sources of the first.
 #
@@ -17,8 +18,8 @@
 #
 # In builds of type Debug and RelWithDebInfo debuggers stop at lines of the .glift files on the host device.
 #
-# gliftc rewrites an output only when its bytes change. The stamp is what says that it ran; the outputs are byproducts,
-# so an import that was only touched compiles no C++, and a second build does nothing.
+# gliftc rewrites an output only if its bytes change. So the build rule's output is a stamp file, and gliftc's outputs
+# are byproducts: an import that was only touched compiles no C++ again, and a second build does nothing.
 
 include(CheckCXXSourceCompiles)
 
@@ -105,7 +106,7 @@ function(glift_compile)
         endforeach()
     endforeach()
     list(REMOVE_DUPLICATES include_dirs)
-    # In a build of the compiler itself: gliftc opens this library at run time to read C++ headers.
+    # In a build of the compiler itself: gliftc loads this library at run time to read C++ headers.
     if(TARGET glift_clang)
         foreach(source IN LISTS sources)
             set(externs)
@@ -138,7 +139,7 @@ function(glift_compile)
     # change no value: they let the compiler vectorise.
     set_source_files_properties(${codes} PROPERTIES COMPILE_OPTIONS
         "-ffp-contract=off;-fwrapv;-fno-math-errno;-fno-trapping-math;$<$<CONFIG:Release>:-O3>")
-    # Sources of one module have internal names in common: parameters of kernels.
+    # Sources of one module define the same internal names, those for parameters of kernels.
     set_source_files_properties(${codes} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
     # ninja compiles in the build's root; a relative path lets compiler caches serve several builds.
     set(folder ${out})

@@ -1,11 +1,11 @@
 # Everything Glift needs from the system, all of it in Debian 12 (tools/setup installs it).
 # The order matters: glslang's and SPIRV-Tools' packages name targets of the ones before them.
 
-# The runtime's.
+# Dependencies of the runtime.
 find_package(Threads REQUIRED)
 find_package(Vulkan REQUIRED)
 find_package(TBB CONFIG REQUIRED)
-# The compiler's: a gliftc that is built already needs none of them here.
+# Dependencies of the compiler, not needed if a gliftc is given that is built already.
 if(NOT GLIFT_GLIFTC)
     find_package(SPIRV-Tools-opt CONFIG REQUIRED)
     find_package(SPIRV-Tools-link CONFIG REQUIRED)

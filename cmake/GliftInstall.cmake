@@ -1,4 +1,5 @@
-# cmake --install: the compiler, the runtime, the library in Glift, find_package(glift) and pkg-config glift.
+# Rules of `cmake --install`: the compiler, the runtime, the standard library, and files for find_package(glift) and
+# pkg-config.
 
 include(CMakePackageConfigHelpers)
 set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/glift)
@@ -12,7 +13,7 @@ if(TARGET gliftc AND TARGET glift_runtime)
     install(EXPORT gliftTargets NAMESPACE glift:: DESTINATION ${config_dir})
     install(DIRECTORY ${PROJECT_SOURCE_DIR}/runtime/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
     install(DIRECTORY ${PROJECT_SOURCE_DIR}/stdlib/ DESTINATION share/glift/stdlib FILES_MATCHING PATTERN "*.glift")
-    # The examples of `gliftc explain ID`.
+    # The files that `gliftc explain ID` shows as examples of diagnostics.
     install(DIRECTORY ${PROJECT_SOURCE_DIR}/tests/errors/ DESTINATION share/glift/diagnostics
             FILES_MATCHING PATTERN "*.glift" PATTERN "*.*.glift" EXCLUDE PATTERN support EXCLUDE)
     if(TARGET glift_clang)
@@ -24,7 +25,7 @@ if(TARGET gliftc AND TARGET glift_runtime)
     install(FILES ${PROJECT_BINARY_DIR}/gliftConfig.cmake ${PROJECT_BINARY_DIR}/gliftConfigVersion.cmake
                   ${PROJECT_SOURCE_DIR}/cmake/GliftCompile.cmake ${PROJECT_SOURCE_DIR}/cmake/GliftDepfile.cmake
             DESTINATION ${config_dir})
-    # Relative to itself, since `cmake --install --prefix` may put it anywhere.
+    # The path is relative to the file itself, since `cmake --install --prefix` may put it anywhere.
     cmake_path(RELATIVE_PATH CMAKE_INSTALL_PREFIX BASE_DIRECTORY ${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_LIBDIR}/pkgconfig
                OUTPUT_VARIABLE GLIFT_PREFIX_FROM_PKGCONFIG)
     configure_file(${PROJECT_SOURCE_DIR}/cmake/glift.pc.in ${PROJECT_BINARY_DIR}/glift.pc @ONLY)

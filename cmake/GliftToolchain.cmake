@@ -1,11 +1,12 @@
 # Language level, warnings, linker, compiler cache and sanitizers of this project's own targets.
-# Directory scope: a project that adds Glift as a subdirectory keeps its own settings.
+# These settings have directory scope: a project that adds Glift as a subdirectory keeps its own.
 
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
-# A test with definitions of its own may not match the shared precompiled header, and is then compiled without it.
+# The flags of a test that has its own definitions may not match the shared precompiled header; it is then compiled
+# without it.
 set(CMAKE_PCH_WARN_INVALID OFF)
 
 if(PROJECT_IS_TOP_LEVEL AND NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
@@ -17,7 +18,7 @@ if(PROJECT_IS_TOP_LEVEL)
     set(CMAKE_CXX_FLAGS_DEBUG "-O1 -g1")
 endif()
 
-# A switch over an enum that misses a value is an error in every build: nodes have no `default:`.
+# A switch over an enum that misses a value is an error in every build: switches over kinds of nodes have no `default:`.
 add_compile_options($<$<COMPILE_LANGUAGE:CXX>:-Wall> $<$<COMPILE_LANGUAGE:CXX>:-Wextra> $<$<COMPILE_LANGUAGE:CXX>:-Wno-missing-field-initializers>
                     $<$<COMPILE_LANGUAGE:CXX>:-Werror=switch>)
 if(GLIFT_WERROR)

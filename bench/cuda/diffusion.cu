@@ -1,8 +1,9 @@
-// Only the solves of two layers of depth of field (examples/depth_of_field): rows, then columns, by cuSPARSE's batched
-// solvers without pivoting. A picture's row is one row of numbers for each of its seven planes (red, green and blue of
-// two layers and the weight that the background spreads), so that rows lie as cusparseSgtsv2StridedBatch wants them and
-// columns as cusparseSgtsvInterleavedBatch does: nothing is transposed. Both are timed for both directions;
-// coefficients are there before. `elements` are pixels.
+// The solves alone of depth of field in two layers (examples/depth_of_field): all rows, then all columns, by cuSPARSE's
+// batched tridiagonal solvers without pivoting. A picture has seven planes (red, green and blue of two layers, and the
+// weight that the background spreads); each row of the picture is stored as seven rows of numbers, one per plane. So
+// rows have the layout of cusparseSgtsv2StridedBatch and columns that of cusparseSgtsvInterleavedBatch, and nothing is
+// transposed. Both solvers are timed for both directions; the coefficients are computed before. `elements` of a result
+// are pixels.
 #include "rivals.cuh"
 
 #include <cusparse.h>
@@ -21,7 +22,8 @@ void require(cusparseStatus_t status) {
     if (status != CUSPARSE_STATUS_SUCCESS) fail(std::string("cuSPARSE: ") + cusparseGetErrorString(status));
 }
 
-/// Number `i` of `systems` systems of n equations, which lie one after the other, or interleaved.
+/// How `systems` systems of n equations are laid out: one system after the other, or interleaved (equation by
+/// equation). `i` is an index into the stored numbers.
 struct Place {
     std::uint32_t n;
     std::size_t systems;
@@ -33,7 +35,8 @@ struct Place {
     }
 };
 
-/// What flows to the neighbour before or after: circles of some 20 pixels, nothing over the ends.
+/// The coefficient of the unknown before or after, for circles of confusion of some 20 pixels (20^2 / 32); zero at the
+/// ends.
 struct Off {
     Place place;
     bool after;
@@ -51,7 +54,7 @@ struct Right {
     __host__ __device__ float operator()(std::size_t i) const { return unit(static_cast<std::uint32_t>(i)); }
 };
 
-/// The residual of the first, the middle and the last system.
+/// Checks the residuals of the first, the middle and the last system.
 void check(const std::vector<float>& x, const Place& place, const std::string& what) {
     for (const std::size_t system : {std::size_t{0}, place.systems / 2, place.systems - 1}) {
         for (std::size_t k = 0; k < place.n; ++k) {

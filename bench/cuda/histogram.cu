@@ -1,4 +1,4 @@
-// 256 bins: of the keys' low byte, extracted while reading, and of keys that are below 256 already (CUB's fastest case).
+// Histograms of 256 bins: by the keys' low byte, extracted while reading, and of keys below 256 (CUB's fastest case).
 #include "rivals.cuh"
 
 #include <cub/device/device_histogram.cuh>

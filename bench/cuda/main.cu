@@ -1,4 +1,4 @@
-// rivals: times CUB, cuSPARSE and a copy on this GPU, and writes JSON.
+// rivals: times CUB, cuSPARSE and a copy on this GPU, and writes the results as JSON.
 //
 //     rivals [--log2 20,22,24,26,28] [--runs N] [--only FAMILY] [--json FILE]
 #include "rivals.cuh"
@@ -69,7 +69,7 @@ const char* rival_of(const std::string& algorithm) {
     return is_diffusion || algorithm == "tridiagonal" ? "cuSPARSE" : "CUB";
 }
 
-/// In the format that bench/figures.py reads.
+/// Writes the rows as JSON in the format that bench/figures.py reads.
 void print(std::ostream& out, const std::vector<rivals::Row>& rows) {
     cudaDeviceProp device;
     RIVALS_CUDA(cudaGetDeviceProperties(&device, 0));

@@ -1,4 +1,4 @@
-// Two sorted halves to one sorted whole.
+// Merges two sorted halves into one sorted array.
 #include "rivals.cuh"
 
 #include <cub/device/device_merge.cuh>
@@ -10,7 +10,7 @@ namespace rivals {
 
 namespace {
 
-/// An ascending sequence over all of the 32 bits.
+/// An ascending sequence that spreads over all 32-bit numbers.
 struct Ascending {
     std::uint32_t gap, seed;
     __host__ __device__ std::uint32_t operator()(std::size_t i) const {

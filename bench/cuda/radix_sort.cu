@@ -1,4 +1,4 @@
-// Ascending, out of place: a run does not change its input.
+// Sorts in ascending order, out of place, so that a run does not change its input.
 #include "rivals.cuh"
 
 #include <cub/device/device_radix_sort.cuh>
@@ -56,7 +56,7 @@ void sort_pairs(Bench& bench, std::size_t count) {
     values.fill(Positions{});
     const Work run = with_workspace(sort);
     if (bench.checks(count)) {
-        for (std::uint32_t run_length : {8u, 1u}) {  // equal keys keep their order
+        for (std::uint32_t run_length : {8u, 1u}) {  // checks that the sort is stable
             keys.fill(Hashed{run_length});
             run();
             require_sorted_pairs(sorted_keys, sorted_values, count, Hashed{run_length});

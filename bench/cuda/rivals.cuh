@@ -1,9 +1,9 @@
-// Shared by the CUDA rivals: device memory, input, timing, rows of the table.
+// Shared by the CUDA rivals: device memory, input, timing, rows of results.
 //
-// Times are device times: CUDA events around one run, the median of many. A kernel that blocks the stream until the host
-// has launched the whole run precedes it, so that launch latency is hidden; `refill`, which restores input that a run
-// overwrites, comes before that and is not timed. All runs use the same memories, so that what fits the caches is read
-// from there, as in the benches of Glift.
+// Times are device times: CUDA events around one run, the median of many. Before each run a kernel blocks the stream
+// until the host has launched the whole run, so that launch latency is hidden; before that kernel comes `refill`, which
+// restores input that a run overwrites and is not timed. All runs use the same memories, so that data that fits into
+// the caches is read from there, as in the benches of Glift.
 #pragma once
 
 #include <cuda_runtime.h>
@@ -36,7 +36,7 @@ __host__ __device__ inline std::uint32_t hash32(std::uint32_t x) {
 
 constexpr std::uint32_t input_seed = 0x9e3779b9u;
 
-/// A float of 24 bits in [0, 1).
+/// A pseudo-random float in [0, 1) with 24 bits.
 __host__ __device__ inline float unit(std::uint32_t x) {
     return static_cast<float>(hash32(x ^ input_seed) >> 8) * (1.0f / 16777216.0f);
 }
@@ -65,7 +65,7 @@ public:
     T* data() const { return data_; }
     std::size_t bytes() const { return size_ * sizeof(T); }
 
-    /// Fills it with a pattern, so that elements which are not written are found.
+    /// Fills the memory with a pattern, so that a check finds elements that a run did not write.
     void poison() const { RIVALS_CUDA(cudaMemset(data_, 0xa5, bytes())); }
 
     std::vector<T> first(std::size_t count) const {
@@ -76,7 +76,7 @@ public:
     T front() const { return first(1)[0]; }
     std::vector<T> all() const { return first(size_); }
 
-    /// Element i becomes make(i).
+    /// Sets element i to make(i), for all i.
     template <class Make> void fill(Make make) const;
 
 private:
@@ -97,7 +97,7 @@ template <class T> template <class Make> void DeviceArray<T>::fill(Make make) co
     RIVALS_CUDA(cudaDeviceSynchronize());
 }
 
-/// The same elements on the host.
+/// The elements that DeviceArray::fill makes, on the host.
 template <class T, class Make> std::vector<T> on_host(std::size_t count, Make make) {
     std::vector<T> values(count);
     for (std::size_t i = 0; i < count; ++i) values[i] = static_cast<T>(make(i));
@@ -114,7 +114,8 @@ void require_equal(const std::string& what, const std::vector<T>& found, const s
 
 using Work = std::function<void()>;
 
-/// A call of CUB: call(workspace, bytes), which returns the workspace that it needs if called with none.
+/// Makes work of a function of CUB: call(workspace, bytes) sets `bytes` to the size of the workspace that it needs if
+/// `workspace` is null, else runs.
 template <class Call> Work with_workspace(Call call) {
     std::size_t bytes = 0;
     RIVALS_CUDA(call(static_cast<void*>(nullptr), bytes));
@@ -134,20 +135,20 @@ struct Row {
     double error = -1;  ///< largest relative error; negative: results are exact
 };
 
-/// The measurements asked for, and their results. All work is put into the default stream.
+/// The sizes and the number of runs that were asked for, and the results. All work is put into the default stream.
 class Bench {
 public:
     Bench(std::vector<std::size_t> sizes, int runs) : sizes_(std::move(sizes)), runs_(runs) {}
 
     const std::vector<std::size_t>& sizes() const { return sizes_; }
-    bool checks(std::size_t size) const { return size == sizes_.front(); }  ///< the smallest
+    bool checks(std::size_t size) const { return size == sizes_.front(); }  ///< only the smallest
 
     /// Adds a row and prints it to stderr.
     void time(
         const std::string& algorithm, const std::string& variant, std::uint64_t elements, std::uint64_t bytes_moved,
         const Work& run, const Work& refill = [] {});
 
-    /// Of the row that was added last.
+    /// Sets the error of the row that was added last.
     void note_error(double error);
 
     const std::vector<Row>& rows() const { return rows_; }
@@ -158,7 +159,7 @@ private:
     std::vector<Row> rows_;
 };
 
-// The families.
+// The families: each function times all variants of one algorithm.
 void copy(Bench& bench);
 void scan(Bench& bench);
 void reduce(Bench& bench);

@@ -1,4 +1,4 @@
-// One element in eight is kept: by a flag of 8 bits each, and by a predicate.
+// Keeps one element in eight: selected by an array of 8-bit flags, and by a predicate.
 #include "rivals.cuh"
 
 #include <cub/device/device_select.cuh>

@@ -1,5 +1,6 @@
-// n systems of n unknowns, one right-hand side: cuSPARSE's batched solver without pivoting, one system after the other
-// in memory. `elements` are equations. Several right-hand sides cost it as many calls.
+// n systems of n unknowns with one right-hand side: cuSPARSE's batched solver without pivoting, one system after the
+// other in memory. `elements` are equations. Several right-hand sides take cuSPARSE one call each, so they are not
+// measured.
 #include "rivals.cuh"
 
 #include <cusparse.h>
@@ -11,8 +12,9 @@ namespace rivals {
 
 namespace {
 
-/// Equation i of n * n: lower * x[i - 1] + diagonal * x[i] + upper * x[i + 1] = right. Diagonally dominant; the
-/// products with powers of two are exact, so that every compiler gets the same bits.
+/// The coefficients of equation i of n * n: lower * x[i - 1] + diagonal * x[i] + upper * x[i + 1] = right. The matrices
+/// are diagonally dominant. Factors are powers of two, so that products are exact and every compiler gets the same
+/// bits.
 struct Lower {
     std::uint32_t n;
     __host__ __device__ float operator()(std::size_t i) const {
@@ -52,7 +54,7 @@ private:
     cusparseHandle_t handle_ = nullptr;
 };
 
-/// Thomas' algorithm in double precision, one system.
+/// Solves one system by Thomas' algorithm in double precision.
 std::vector<double> solved(std::size_t first, std::uint32_t n) {
     std::vector<double> c(n), x(n);
     for (std::uint32_t k = 0; k < n; ++k) {
@@ -65,7 +67,7 @@ std::vector<double> solved(std::size_t first, std::uint32_t n) {
     return x;
 }
 
-/// Of some of the systems, the largest max |x - exact| / max |exact|.
+/// The largest max |x - exact| / max |exact| of the systems that are checked.
 double largest_error(const DeviceArray<float>& x, std::uint32_t n) {
     constexpr std::size_t checked = 16;  // evenly spread, the first and the last among them
     const std::vector<float> found = x.all();
@@ -76,7 +78,7 @@ double largest_error(const DeviceArray<float>& x, std::uint32_t n) {
         double difference = 0, size_of_exact = 0;
         for (std::uint32_t k = 0; k < n; ++k) {
             const double distance = std::abs(found[first + k] - exact[k]);
-            difference = distance <= difference ? difference : distance;  // not-a-number stays
+            difference = distance <= difference ? difference : distance;  // keeps a NaN
             size_of_exact = std::max(size_of_exact, std::abs(exact[k]));
         }
         const double error = difference / size_of_exact;
@@ -109,7 +111,8 @@ void measure(Bench& bench, const Handle& handle, std::uint32_t n) {
     bench.note_error(largest_error(x, n));
 }
 
-/// The minimum traffic of a solver: reads three coefficients and `sides` right-hand sides, writes as many unknowns.
+/// Moves the bytes that a solver has to move at least: reads three coefficients and `sides` right-hand sides, writes as
+/// many unknowns.
 template <int sides> __global__ void move_elements(const float4* from, float4* to, std::size_t count) {
     const std::size_t stride = static_cast<std::size_t>(gridDim.x) * blockDim.x;
     for (std::size_t i = static_cast<std::size_t>(blockIdx.x) * blockDim.x + threadIdx.x; i < count; i += stride) {
@@ -122,7 +125,8 @@ template <int sides> __global__ void move_elements(const float4* from, float4* t
     }
 }
 
-/// Moves the same elements each time, or, to measure memory, cycles through so many that none stays in a cache.
+/// Times these moves: of the same elements each time, or, to measure memory, cycling through so many sets that none
+/// stays in a cache.
 template <int sides> void measure_moving(Bench& bench, std::uint32_t n, const std::string& variant, bool from_memory) {
     constexpr std::size_t beyond_caches = std::size_t{128} << 20;
     const std::size_t count = std::size_t{n} * n, vectors = count / 4, bytes = 5 * sizeof(float) * count;

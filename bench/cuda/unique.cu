@@ -1,4 +1,4 @@
-// The first of each run of equal elements, and the runs' lengths; runs of 1, 8 and 256.
+// Finds the first element of each run of equal elements, and the runs' lengths; for runs of 1, 8 and 256 elements.
 #include "rivals.cuh"
 
 #include <cub/device/device_run_length_encode.cuh>

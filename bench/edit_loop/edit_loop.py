@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""The time from an edit of one kernel's body to a linked program: bench/edit_loop/app.glift, in user CPU seconds.
+"""Measures the time from an edit of one kernel's body to a linked program: bench/edit_loop/app.glift, in user CPU seconds.
 
     bench/edit_loop/edit_loop.py GLIFTC INCLUDE LIBRARY_FOLDER [--runs N]
 
-User time, of gliftc and of the C++ compiler, so that other work on the machine counts little; the least of N runs. Sources
-are compiled anew where gliftc wrote them anew, as a build system does, with the options that glift_compile gives.
+The time is user time of gliftc and of the C++ compiler, so that other work on the machine counts little; the least of N
+runs. As in a build, only those C++ sources are compiled again that gliftc wrote again, with the options of
+glift_compile.
 """
 import argparse
 import os

@@ -1,7 +1,8 @@
 #version 460
 #extension GL_KHR_shader_subgroup_arithmetic : require
 #extension GL_KHR_shader_subgroup_ballot : require
-// Writes the elements that kept_bits.comp kept, in their order, and how many there are. Reads no others.
+// The last of a compaction's three passes: writes the elements whose bits kept_bits.comp set, in order, and their
+// number. Elements that are not kept are not read.
 
 layout(local_size_x = 64) in;
 

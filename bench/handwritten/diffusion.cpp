@@ -9,7 +9,8 @@ namespace handwritten {
 
 namespace {
 
-/// A row and its four neighbours; those beyond the border are the row itself.
+/// Pointers to a row of the source, to its four neighbour rows and to the row to write. A neighbour beyond the border
+/// is the row itself.
 struct Rows {
     const float *centre, *above, *below, *behind, *before;
     float* target;

@@ -1,7 +1,7 @@
 #version 460
-// How often each digit occurs in each chunk of keys: first part of a pass of the radix sort. Each invocation counts one
-// chunk by itself. Counts lie digit by digit, chunk by chunk within a digit, so that their exclusive scan says where
-// each chunk's keys of each digit go.
+// First part of a pass of the radix sort: counts how often each digit occurs in each chunk of keys. Each invocation
+// counts one chunk by itself. Counts are stored by digit, within a digit by chunk, so that their exclusive scan is the
+// place where each chunk's keys of each digit begin.
 
 layout(local_size_x = 64) in;
 

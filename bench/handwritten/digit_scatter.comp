@@ -1,5 +1,6 @@
 #version 460
-// Moves the keys to where the scan of digit_counts.comp says, chunk by chunk, one after the other within a chunk: stable.
+// Last part of a pass of the radix sort: moves the keys to the places that the scan of digit_counts.comp's counts
+// gives. Each invocation moves one chunk in sequence, so that the sort is stable.
 
 layout(local_size_x = 64) in;
 

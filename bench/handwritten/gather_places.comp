@@ -27,10 +27,10 @@ void main() {
     // More than 65535 workgroups along x are folded into y.
     uint i = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * 512u + gl_LocalInvocationID.x;
     if (i >= count) return;
-    uint j = i + 256u < count ? i + 256u : i;  // beyond the end, the first again: no branch
+    uint j = i + 256u < count ? i + 256u : i;  // beyond the end, element i again: no branch
     uvec3 p = places[i], q = places[j];
     bool inside = all(lessThan(p, extent)), next_inside = all(lessThan(q, extent));
-    // Always a load, never a branch.
+    // Loads always, from address 0 outside, then selects: no branch.
     float value = f[inside ? place(p) : 0u], next = f[next_inside ? place(q) : 0u];
     g[i] = inside ? value : 0.0;
     g[j] = next_inside ? next : 0.0;

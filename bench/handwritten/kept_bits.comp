@@ -1,7 +1,7 @@
 #version 460
 #extension GL_KHR_shader_subgroup_arithmetic : require
-// Which elements a compaction keeps, a bit each, and how many of each tile: first of its three passes (scan_sums.comp,
-// compact.comp). A tile is what one subgroup takes: `steps` words of 32 bits a lane.
+// First of a compaction's three passes (then scan_sums.comp, compact.comp): sets a bit for each element that is kept,
+// and counts them for each tile. A tile is the elements of one subgroup: `steps` words of 32 bits a lane.
 
 layout(local_size_x = 64) in;
 

@@ -1,6 +1,6 @@
 #version 460
-// The Laplacian of a 4-D array, row-major in a buffer; zero outside. An invocation takes two elements, one row and the
-// next, which share the tests along the other axes.
+// The Laplacian of a 4-D array, row-major in a buffer; zero outside. An invocation takes two elements that are
+// neighbours along y, which share the tests along the other axes.
 
 layout(local_size_x = 32, local_size_y = 4, local_size_z = 2) in;
 
@@ -18,13 +18,13 @@ void main() {
     bool xp = p.x + 1u < extent.x, zp = p.z + 1u < extent.z, wp = p.w + 1u < extent.w;
     bool xm = p.x > 0u, ym = p.y > 0u, zm = p.z > 0u, wm = p.w > 0u;
     bool has_next = p.y + 1u < extent.y, yp = p.y + 2u < extent.y;
-    // Steps are zero at the border: always a load, never a branch; neighbours outside count as zero.
+    // Offsets to neighbours outside are zero, so that each load is unconditional; neighbours outside count as zero.
     uint to_xp = xp ? 1u : 0u, to_xm = xm ? 1u : 0u, to_zp = zp ? plane : 0u, to_zm = zm ? plane : 0u;
     uint to_wp = wp ? box : 0u, to_wm = wm ? box : 0u;
 
     uint i = ((p.w * extent.z + p.z) * extent.y + p.y) * extent.x + p.x;
     uint j = i + (has_next ? row : 0u);
-    float fi = f[i], fj = f[j];  // each the other's neighbour
+    float fi = f[i], fj = f[j];  // two elements, each of which is a neighbour of the other
     float fxp = f[i + to_xp], fxm = f[i - to_xm], fym = f[i - (ym ? row : 0u)];
     float fzp = f[i + to_zp], fzm = f[i - to_zm], fwp = f[i + to_wp], fwm = f[i - to_wm];
     precise float sum = -8.0 * fi;

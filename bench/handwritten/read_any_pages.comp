@@ -1,6 +1,7 @@
 #version 460
 #extension GL_EXT_scalar_block_layout : require
-// As read_pages.comp, but for the table's pages, whose size is a parameter; zero where no page is.
+// Random reads through a page table, as read_pages.comp, but the size of the table's pages is a parameter; zero where
+// no page is resident.
 
 layout(local_size_x = 256) in;
 
@@ -27,7 +28,7 @@ void main() {
     bool there = inside && entry != 0u;
     uint frame = there ? entry - 1u : 0u;
     uvec3 place = uvec3(frame & ((1u << bits.x) - 1u), frame >> bits.x & ((1u << bits.y) - 1u), frame >> (bits.x + bits.y));
-    uint element = (o.z * size.y + o.y) * size.x + o.x;   // a frame of the pool has 8^3, however they are counted
+    uint element = (o.z * size.y + o.y) * size.x + o.x;   // row-major in its page; all frames are stored as 8^3
     uvec3 texel = place << 3u | uvec3(element & 7u, element >> 3u & 7u, element >> 6u & 7u);
     float value = texelFetch(frames, ivec3(texel), 0).x;
     g[i] = there ? value : 0.0;

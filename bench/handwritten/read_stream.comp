@@ -18,7 +18,7 @@ void main() {
     if (i >= count) return;
     uint j = i + 256u < count ? i + 256u : i;
     uint p = places[i], q = places[j];
-    // Texels outside of the image are undefined: the first one, then a select.
+    // Fetches outside of the image are undefined: fetches texel 0 there, then selects zero.
     uint at = p < size ? p : 0u, next_at = q < size ? q : 0u;
     float value = texelFetch(f, ivec2(at % width, at / width), 0).x;
     float next = texelFetch(f, ivec2(next_at % width, next_at / width), 0).x;

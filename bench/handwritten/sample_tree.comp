@@ -1,14 +1,15 @@
 #version 460
 #extension GL_EXT_scalar_block_layout : require
-// Samples a quadtree of pages of 16^2 cells, whose frames of 17^2 texels lie in an image, 2^bits beside each other; and where in its
-// page the node before the point lies. One lookup: `best` has frame + 1 of the finest page, and its level above 27 bits.
+// Samples a quadtree of pages of 16^2 cells. Their frames of 17^2 texels are in an image with 2^bits frames along x.
+// Also writes the texel within its page of the node at or before the point. One lookup: `best` holds the finest
+// resident page's frame + 1, and its level from bit 27 on.
 
 layout(local_size_x = 256) in;
 
 layout(push_constant, scalar) uniform Parameters {
     uint count;
-    uint along;    // finest pages along an axis
-    uint first;    // the number of the first of them
+    uint along;    // pages of level 0 (the finest) along an axis
+    uint first;    // index in `best` of the first page of level 0
     uint bits;
     vec2 extent;   // of the image
 };
@@ -26,7 +27,7 @@ void main() {
     uvec2 page = min(low >> 4u, along - 1u);
     uint entry = best[first + page.y * along + page.x];
     uint level = entry >> 27u, frame = (entry & 0x7ffffffu) - 1u;
-    uvec2 begin = (page >> level) << 4u;   // of the page, in nodes of its level
+    uvec2 begin = (page >> level) << 4u;   // of the page's first node, counted in nodes of its level
     vec2 inside = node * uintBitsToFloat((127u - level) << 23u) - vec2(begin);
     vec2 corner = vec2(uvec2(frame & ((1u << bits) - 1u), frame >> bits) * 17u);
     float value = textureLod(frames, (corner + inside + 0.5) / extent, 0.0).x;

@@ -1,8 +1,8 @@
 #version 460
 #extension GL_KHR_shader_subgroup_arithmetic : require
 #extension GL_KHR_shader_subgroup_ballot : require
-// The exclusive scan of each tile of tile_sums.comp, from what lies before it. No shared memory and no barrier:
-// subgroups need nothing from each other.
+// Last of a scan's three passes: the exclusive scan of each tile's elements (tiles as in tile_sums.comp), beginning
+// with the sum of all tiles before. No shared memory and no barrier: subgroups need nothing from each other.
 
 layout(local_size_x = 64) in;
 

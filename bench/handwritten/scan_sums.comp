@@ -1,17 +1,18 @@
 #version 460
 #extension GL_KHR_shader_subgroup_arithmetic : require
-// The exclusive scan, in place, of the tiles' sums, and after them the sum of all; by one workgroup.
+// Second pass of a scan: one workgroup makes the exclusive scan of the tiles' sums, in place, and writes the sum of all
+// after them.
 
 layout(local_size_x = 256) in;
 
-const uint steps = 8;   // uvec4 an invocation and round
+const uint steps = 8;   // uvec4 that an invocation takes in a round
 
 layout(push_constant) uniform Parameters { uint count; };
 
 layout(set = 0, binding = 1) buffer Sums { uint sums[]; };
 layout(set = 0, binding = 1) buffer Sums4 { uvec4 sums4[]; };
 
-shared uint totals[gl_WorkGroupSize.x];   // of subgroups, which may be of one lane
+shared uint totals[gl_WorkGroupSize.x];   // sum of each subgroup; a subgroup may have a single lane
 
 void main() {
     uint carry = 0u;
@@ -29,7 +30,7 @@ void main() {
             for (uint i = first; i < count; ++i) sum += sums[i];
         }
         uint within = subgroupInclusiveAdd(sum);
-        barrier();   // the round before has read the totals
+        barrier();   // until all have read the totals of the round before
         if (gl_SubgroupInvocationID == gl_SubgroupSize - 1u) totals[gl_SubgroupID] = within;
         barrier();
         uint run = carry + within - sum;

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Builds tests/cmake/consumer outside the tree and checks that exactly the outdated files are rebuilt.
+"""Builds tests/cmake/consumer outside the tree, and checks that after a change exactly the outdated files are rebuilt.
 
     consumer_test.py subdirectory SOURCE_TREE          Glift by add_subdirectory
     consumer_test.py prebuilt SOURCE_TREE GLIFTC       the same, with a gliftc that is built already
@@ -36,7 +36,7 @@ class Consumer:
         run("cmake", "-G", "Ninja", "-S", self.source, "-B", self.build_dir, "-DCMAKE_BUILD_TYPE=Release", *settings)
 
     def build(self):
-        # Longer than the granularity of time stamps, so that every change is seen.
+        # Longer than the granularity of file time stamps, so that the build sees every change.
         time.sleep(0.05)
         return run("cmake", "--build", self.build_dir, "--target", "consumer")
 
@@ -50,7 +50,7 @@ class Consumer:
         return next(self.build_dir.rglob(f"{name}.cpp.o")).stat().st_mtime_ns
 
     def times(self):
-        """Time stamps of gliftc's run and of the objects of its outputs."""
+        """The time stamps of gliftc's last run and of the object files of its outputs."""
         objects = [f"{name}.glift{part}" for name in ("scale", "shift") for part in ("", ".library", ".kernels", ".library.kernels")]
         return {"gliftc run": self.stamp("scale.stamp")} | {name: self.object(name) for name in objects}
 
@@ -89,7 +89,7 @@ def check(consumer):
 
 
 def check_pkg_config(folder, prefix):
-    """The same program without CMake: what pkg-config says is all that is known."""
+    """Builds the same program without CMake, with the flags that pkg-config gives and no others."""
     made, program = folder / "made", folder / "program"
     source = pathlib.Path(__file__).parent / "consumer"
     libraries = [str(p.parent) for p in prefix.rglob("glift.pc")]
@@ -116,7 +116,7 @@ def main():
             settings = [f"-DGLIFT_SOURCE={source}", "-DCMAKE_CXX_FLAGS_RELEASE=-O0"]
         elif mode == "prebuilt":
             settings = [f"-DGLIFT_SOURCE={source}", f"-DGLIFT_GLIFTC={sys.argv[3]}", "-DCMAKE_CXX_FLAGS_RELEASE=-O0"]
-            # As on a machine that has none of the compiler's dependencies.
+            # Simulates a machine that has none of the compiler's dependencies.
             settings += [f"-DCMAKE_DISABLE_FIND_PACKAGE_{package}=ON" for package in (
                 "SPIRV-Tools-opt", "SPIRV-Tools-link", "glslang", "fmt", "CLI11", "nlohmann_json", "LLVM", "Clang", "GTest")]
         else:

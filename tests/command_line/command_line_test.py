@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Options, exit codes and `explain`: command_line_test.py GLIFTC"""
+"""Tests options, exit codes and `gliftc explain`: command_line_test.py GLIFTC"""
 import json
 import os
 import pty
@@ -48,7 +48,7 @@ for code in ("0 done", "1 errors", "2 wrong usage", "3 a bug", "4 a file"):
 
 
 def on_terminal(**environment):
-    """The output of gliftc on a terminal."""
+    """The output of gliftc when it writes to a terminal."""
     mine, its = pty.openpty()
     subprocess.run([compiler, "--check", "bad.glift"], cwd=here.path, stderr=its, env={**os.environ, **environment})
     os.close(its)
@@ -58,7 +58,7 @@ def on_terminal(**environment):
 expect("\x1b[" in on_terminal(NO_COLOR=""), "errors are coloured on a terminal")
 expect("\x1b[" not in on_terminal(NO_COLOR="1"), "NO_COLOR turns colours off")
 
-# Modules by a wrong name.
+# Modules whose name is not that of their file.
 here.write("my-file.glift", "module my_file;\npub fn one() -> int { return 1; }\n")
 says(here.run("--check", "my-file.glift"), 0)
 here.write("other.glift", "module wrong;\nfn f() -> int { return y; }\n")

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""`gliftc -g`: debuggers stop at lines of the .glift file on the host device. source_lines_test.py GLIFTC CXX"""
+"""Tests `gliftc -g`: debuggers stop at lines of the .glift file on the host device. source_lines_test.py GLIFTC CXX"""
 import shutil
 import subprocess
 import sys

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Compiles every glift block of the documents: snippets.py GLIFTC FILE.md…"""
+"""Compiles every code block in the language of the given documents: snippets.py GLIFTC FILE.md…"""
 import pathlib
 import re
 import subprocess

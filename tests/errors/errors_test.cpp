@@ -1,4 +1,5 @@
-// Every file of tests/errors gives exactly the diagnostics in its comments (README.md there), and every id has a file.
+// Every file of tests/errors gives exactly the diagnostics that its comments expect (README.md there), and every id of
+// a diagnostic has a file.
 
 #include "expectations.h"
 
@@ -16,7 +17,7 @@ const std::filesystem::path folder = GLIFT_SOURCE_DIR "/tests/errors";
 class Errors : public testing::TestWithParam<std::filesystem::path> {};
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(Errors);
 
-/// The elements of `these` that are not in `those`.
+/// The elements of `these` that are not in `those`, as multisets.
 std::vector<std::string> missing_from(const std::vector<Report>& those, const std::vector<Report>& these) {
     std::multiset<Report> left(those.begin(), those.end());
     std::vector<std::string> missing;

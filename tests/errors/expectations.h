@@ -1,4 +1,4 @@
-// Expectations written into a .glift file, and diagnostics read from what gliftc printed, in one form.
+// Diagnostics in one form: those that comments of a .glift file expect, and those read from the output of gliftc.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 namespace glift::test {
 
 struct Report {
-    std::string file;  ///< name without folder; empty: no place
+    std::string file;  ///< name without folder; empty for a diagnostic without a location
     int line = 0;
     int first_column = 0;
     int last_column = 0;
@@ -20,13 +20,13 @@ struct Report {
 
 std::string to_string(const Report& report);
 
-/// The `//~` comments of a file named `file`.
+/// The diagnostics that the `//~` comments of a file expect; `file` is its name.
 std::vector<Report> read_expectations(const std::string& file, const std::string& text);
 
 /// The diagnostics in gliftc's text format.
 std::vector<Report> read_diagnostics(const std::string& printed);
 
-/// The words after "// gliftc:" on the first line.
+/// The arguments after "// gliftc:" on the first line.
 std::vector<std::string> extra_arguments(const std::string& text);
 
 }  // namespace glift::test

@@ -1,4 +1,4 @@
-// The runner of the error tests, tested: it must see what is there and nothing else.
+// Tests the runner of the error tests: it must read all expectations and diagnostics, and no others.
 
 #include "expectations.h"
 

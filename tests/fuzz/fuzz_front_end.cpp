@@ -1,4 +1,4 @@
-// Arbitrary text through the whole compiler, with the standard library to import: no crash, hang or sanitizer report.
+// Compiles arbitrary text, which can import the standard library: there must be no crash, hang or sanitizer report.
 
 #include "diag/render.h"
 #include "driver/compile.h"
@@ -10,7 +10,7 @@
 
 namespace {
 
-/// The disk, each file read once: the library does not change while the fuzzer runs.
+/// The files of the disk, each read once: the library does not change while the fuzzer runs.
 gliftc::FileSystem library_once() {
     static std::map<std::string, gliftc::ReadResult> read_already;
     static const gliftc::FileSystem disk = gliftc::disk();

@@ -1,4 +1,4 @@
-// Arbitrary bytes through the lexer and the parser: no crash, hang or sanitizer report.
+// Parses arbitrary bytes: there must be no crash, hang or sanitizer report.
 
 #include "diag/render.h"
 #include "syntax/parser.h"

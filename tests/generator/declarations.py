@@ -1,4 +1,4 @@
-"""A program's declarations other than kernels: types, helpers for them, functions, generic functions."""
+"""A random program's declarations other than kernels and structures: types, helpers for them, functions, generic functions."""
 import re
 
 from expressions import Function
@@ -89,14 +89,15 @@ class Types:
         return scalar in self.scalars
 
     def is_evaluable(self, t):
-        """Whether the compile-time evaluator can compute with it: not with matrices."""
+        """Whether the compile-time evaluator can compute with a type. It cannot with matrices."""
         return not isinstance(t, Matrix)
 
     def is_comparable(self, t):
         return not isinstance(t, Array) and parts_of(t) <= 64
 
     def has_digest(self, t, evaluable):
-        """Whether there is a digest of such values. The evaluator computes none of floats, which need their bits."""
+        """Whether there is a function that digests values of a type. The compile-time evaluator has none for floats, which
+        would need their bits."""
         if isinstance(t, Vector) and isinstance(t.scalar, Scalar) or isinstance(t, Scalar):
             return not evaluable or scalar_of(t) not in FLOATS
         return t in self.all and not evaluable
@@ -141,7 +142,7 @@ class Types:
 
 
 def split_declarations(text):
-    """Splits the text before each declaration that begins a line."""
+    """Splits a text before each line that begins with a declaration."""
     return [part.strip() for part in re.split(r"\n(?=fn |struct |translator |@|kernel |///)", text) if part.strip()]
 
 
@@ -160,7 +161,7 @@ def parts_of(t):
 
 
 def name_of(t):
-    """A type's name as part of an identifier."""
+    """A type's name in a form that can be part of an identifier."""
     if isinstance(t, Vector):
         return f"{t.scalar.name}{t.size}"
     if isinstance(t, Array):
@@ -171,7 +172,7 @@ def name_of(t):
 
 
 class Functions:
-    """Random functions. Each may call the earlier ones."""
+    """Makes random functions. Each may call those made before."""
 
     def __init__(self, random, types, statements):
         self.random, self.types, self.statements = random, types, statements
@@ -191,7 +192,7 @@ class Functions:
         return Node(f"fn {name}({', '.join(f'{n}: {t.text()}' for n, t in params)}) -> {result.text()}", body)
 
     def generics(self):
-        """Generic functions; `known` lists the instances that a program may call."""
+        """Makes generic functions; adds to `known` the instances that a program may call."""
         texts = []
         for i in range(3):
             operators = [self.random.choice(["+", "-", "*"]) for _ in range(3)]

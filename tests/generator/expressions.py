@@ -1,4 +1,4 @@
-"""Random expressions of a given type, whose result is the same on every device."""
+"""Random expressions of a given type that have the same result on every device."""
 from intrinsics import EVALUATED, EVERYWHERE, RANGES, read_table
 from model import (BOOL, DOUBLE, FLOAT, FLOATS, HALF, INT, INT64, INTEGERS, NUMBERS, SIGNED, UINT, UINT64, Array, Enum, Matrix, Node,
                    Optional, Scalar, Struct, Vector, is_shaped, joined, literal, scalar_of, size_of, vector)
@@ -11,14 +11,14 @@ INTRINSICS = read_table()
 
 
 class Scope:
-    """The names that an expression may use."""
+    """What an expression may use: variables, functions, and reads of structures."""
 
     def __init__(self, variables=(), functions=(), evaluable=False, reads=(), unknown=None):
         self.variables = list(variables)  # (name, type, is assignable)
         self.functions = list(functions)
         self.evaluable = evaluable        # restrict to what the compile-time evaluator can compute
-        self.reads = list(reads)          # reads of structures: (type, generator function of Expressions, scope and depth)
-        self.unknown = unknown            # a uint that is not known at compile time
+        self.reads = list(reads)          # (type, maker): maker(expressions, scope, depth) reads a value of this type
+        self.unknown = unknown            # a variable of type uint whose value is not known at compile time
 
     def inner(self):
         return Scope(self.variables, self.functions, self.evaluable, self.reads, self.unknown)
@@ -33,7 +33,7 @@ class Function:
 class Expressions:
     def __init__(self, random, types):
         self.random = random
-        self.types = types  # those of the program
+        self.types = types  # the types of the program
 
     def of(self, t, scope, depth):
         """An expression of type t."""
@@ -79,7 +79,7 @@ class Expressions:
         return self.constant(t, scope)
 
     def from_variable(self, t, scope):
-        """An expression of type t from a variable of another type."""
+        """An expression of type t made from a variable of another type."""
         if not isinstance(t, Scalar) or not scope.variables or self.random.chance(30):
             return None
         name, type, _ = self.random.choice(scope.variables)
@@ -129,7 +129,8 @@ class Expressions:
             text = self.random.choice(choices) + suffix
         if t not in SIGNED or not self.random.chance(25):
             return text
-        # A literal without a suffix takes the expected type, which could be unsigned: negative ones are made int.
+        # A literal without a suffix takes the expected type, which could be unsigned: negative ones are converted to
+        # int explicitly.
         return f"int(-{text})" if t == INT else f"(-{text})"
 
     # ------------------------------------------------------------------------------------------------ operators
@@ -138,7 +139,7 @@ class Expressions:
         return Node("(", left, f" {operator} ", right, ")", type=t)
 
     def operands(self, t, scope, depth):
-        """Two operands of a vector operation, of which one may be a scalar."""
+        """Two operands of an operation on vectors, one of which may be a scalar."""
         left = right = t
         if isinstance(t, Vector) and self.random.chance(30):
             left, right = (t.scalar, t) if self.random.chance(50) else (t, t.scalar)
@@ -151,7 +152,7 @@ class Expressions:
 
     def bits(self, t, scope, depth):
         if self.random.chance(40):
-            # The shift amount has the value's type.
+            # The shift amount has the type of the value that is shifted.
             return self.binary(self.of(t, scope, depth - 1), self.random.choice(["<<", ">>"]), self.of(t, scope, depth - 1), t)
         left, right = self.operands(t, scope, depth)
         return self.binary(left, self.random.choice(["&", "|", "^"]), right, t)
@@ -159,7 +160,7 @@ class Expressions:
     def unary(self, t, scope, depth):
         operators = (["-"] if scalar_of(t) in SIGNED else []) + (["~"] if scalar_of(t) in INTEGERS else [])
         operand = self.of(t, scope, depth - 1)
-        name = "int" if t == INT and operand.text()[0].isdigit() else ""  # as in number()
+        name = "int" if t == INT and operand.text()[0].isdigit() else ""  # an explicit int, as in number()
         return Node(f"{name}(", self.random.choice(operators), operand, ")", type=t)
 
     def comparison(self, t, scope, depth):
@@ -188,7 +189,7 @@ class Expressions:
     # ------------------------------------------------------------------------------------------------ parts of values
 
     def part(self, t, scope, depth):
-        """A field, or an element at an index that may be out of range."""
+        """A field of a variable, or an element at an index that may be out of range."""
         found = []
         for name, type, _ in scope.variables:
             if isinstance(type, Array) and type.element == t:
@@ -209,7 +210,7 @@ class Expressions:
     def index(self, size, scope, depth):
         if self.random.chance(30):
             return Node(f"{self.random.below(size)}")
-        # Out of range, a constant index is an error, and the evaluator does not compute the result.
+        # A constant index out of range is an error, and the evaluator cannot compute a read out of range.
         if scope.evaluable or not scope.unknown or self.random.chance(70):
             return Node("(", self.of(UINT, scope, depth - 1), f" % {size}u)")
         return Node(f"({scope.unknown} % {size + 3}u)")
@@ -243,7 +244,8 @@ class Expressions:
     def converted(self, t, scope, depth):
         source = vector(size_of(t), self.random.choice([s for s in self.types.numbers if s != scalar_of(t)]))
         value = self.of(source, scope, depth - 1)
-        # Literals take the type that a conversion gives, which an operator of integers alone, as %, may not have.
+        # A literal takes the type of the conversion around it, for which an operator of integers alone, such as %,
+        # would be an error.
         if scalar_of(source) == INT:
             value = Node(source.text(), "(", value, ")", type=source)
         return Node(t.text(), "(", value, ")", type=t)
@@ -296,7 +298,8 @@ class Expressions:
         return self._defined(intrinsic.name, types, arguments, t)
 
     def _defined(self, name, types, arguments, t):
-        """A call with a deterministic result: the bits of a NaN are not, nor the sign of a zero from min, max and clamp."""
+        """A call whose result is the same on every device: the bits of a NaN would not be, nor the sign of a zero from min, max
+        and clamp."""
         if name.endswith(("BitsToUint", "BitsToInt", "BitsToUint64", "Half2x16", "packUnorm4x8")) and not name.startswith("unpack"):
             arguments = [Node("without_nan(", argument, ")", type=type) for argument, type in zip(arguments, types)]
         node = Node(name, "(", *joined(arguments), ")", type=t)

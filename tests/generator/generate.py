@@ -3,9 +3,10 @@
 
     generate.py GLIFTC [--seeds FIRST..LAST] [--kernels N] [--minutes M] [--device NAME] [--keep FOLDER] [--found FOLDER]
 
-A program has N kernels and, for each function that the compiler can evaluate, constants computed with it. `gliftc test`
-runs it twice: as it is, and with the wide form of each kernel (GLIFT_WIDE_ELEMENTS). A program that fails is shrunk to a
-small .glift file, which is printed and stored in FOUND. --keep keeps the built programs, which run without a compiler.
+A program has N kernels with tests and, for each function that the compiler can evaluate, constants computed with it.
+`gliftc test` runs it twice: as it is, and with the wide form (64-bit addresses) of each kernel (GLIFT_WIDE_ELEMENTS). A
+program that fails is shrunk to a small .glift file, which is printed and stored in the folder of --found. --keep keeps
+the built programs, which run without a compiler.
 """
 import argparse
 import os
@@ -24,12 +25,12 @@ COMPILE_SECONDS = 60   # time limit for gliftc
 SECONDS = 600          # time limit to compile, build and run
 
 
-# Modes, and the environment variables that each adds.
+# How a program is run: the name of each mode, and the environment variables that it sets.
 MODES = {"": {}, "wide": {"GLIFT_WIDE_ELEMENTS": "1"}}
 
 
 class Outcome:
-    """The result of a program. `kind`: of the failure, '' for none. `mode`: a key of MODES."""
+    """The result of a program. `kind` is the kind of failure, '' for none. `mode` is a key of MODES."""
 
     def __init__(self, kind, text, seconds=0.0, mode=""):
         self.kind, self.text, self.seconds, self.mode = kind, text, seconds, mode
@@ -51,7 +52,7 @@ class Runner:
         return done.returncode, done.stdout + done.stderr
 
     def compiled(self, name, text):
-        """Checks that gliftc accepts the program, within the time limit."""
+        """Checks that gliftc accepts the program within the time limit."""
         path = self.folder / f"{name}.glift"
         path.write_text(text)
         start = time.monotonic()
@@ -65,7 +66,7 @@ class Runner:
         return Outcome(kind, "\n".join(l for l in output.splitlines() if "warning" not in l)[-3000:], seconds)
 
     def tested(self, name, text, modes=tuple(MODES)):
-        """Compiles, builds and runs."""
+        """Compiles, builds and runs the program in the given modes."""
         outcome = self.compiled(name, text)
         if outcome.kind:
             return outcome
@@ -115,7 +116,7 @@ def failures_of(output):
 
 
 def shrink(runner, program, failure, options):
-    """The smallest program found that fails in the same way."""
+    """Returns the smallest program that was found to fail in the same way."""
     kind = failure.kind
 
     def fails(text):

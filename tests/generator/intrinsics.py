@@ -1,4 +1,4 @@
-"""The intrinsics of compiler/ir/intrinsics.def: the argument types of each for a given result type."""
+"""The intrinsics of compiler/ir/intrinsics.def, and the argument types with which they have a given result type."""
 import pathlib
 import re
 
@@ -9,7 +9,7 @@ FIXED = {"f": FLOAT, "u": UINT, "i": INT, "b": BOOL, "2": Vector(2, FLOAT), "4":
 SCALARS = {"F": FLOATS, "G": FLOATS[:2], "V": FLOATS, "N": NUMBERS, "I": INTEGERS, "J": (INT, UINT), "U": (UINT,), "R": (FLOAT,),
            "D": (DOUBLE,), "L": (UINT64,), "S": (INT,), "B": (BOOL,)}
 
-# What ir/evaluate.cpp computes at compile time.
+# The intrinsics that the compile-time evaluator (ir/evaluate.cpp) computes.
 EVALUATED = {"abs", "sign", "floor", "ceil", "round", "trunc", "min", "max", "clamp", "mod", "sqrt", "any", "all", "lessThan",
              "lessThanEqual", "greaterThan", "greaterThanEqual", "equal", "notEqual", "bitCount", "findLSB", "findMSB"}
 
@@ -23,7 +23,7 @@ class Intrinsic:
     def __init__(self, name, signature, exact):
         self.name, self.exact = name, exact
         letters, self.result = signature.split(":")
-        # "Nn": the argument may be a vector like the first, or a scalar of its element type.
+        # "Nn" and "Fn": the argument may be a vector like the first argument, or a scalar of its element type.
         self.params = re.findall(r"[NF]n|.", letters)
 
     def arguments_for(self, wanted, random):
@@ -43,7 +43,7 @@ class Intrinsic:
         return shape
 
     def _shape_for(self, wanted, random):
-        """The type for the signature's first generic letter."""
+        """The type that the signature's first letter stands for, if it is generic."""
         first = self.params[0][0] if self.params else ""
         if self.result in FIXED and FIXED[self.result] != wanted:
             return None
@@ -65,7 +65,7 @@ class Intrinsic:
 
 
 def read_table():
-    """Those that any kernel may call: no operations of subgroups, of coherent memory, of quads."""
+    """The intrinsics that any kernel may call: none of subgroups, coherent memory or quads."""
     found = re.findall(r'^INTRINSIC\((\w+), "([^"]*)", (\w+)\)', TABLE.read_text(), re.MULTILINE)
     return [Intrinsic(name, signature, exactness == "exact") for name, signature, exactness in found
             if not name.startswith(("subgroup", "atomic")) and not signature.endswith("+")]

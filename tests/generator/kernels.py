@@ -12,8 +12,8 @@ SUBGROUPS = {"add": "subgroupAdd", "min": "subgroupMin", "max": "subgroupMax", "
 class Parameter:
     def __init__(self, name, text, structure=None, value=None, moves=False, extent=None):
         self.name, self.text, self.structure, self.value = name, text, structure, value
-        self.moves = moves    # iterated over: has the kernel's extent
-        self.extent = extent  # its own one if it is not iterated over
+        self.moves = moves    # whether the kernel iterates over it, so that it has the kernel's extent
+        self.extent = extent  # its own extent if the kernel does not iterate over it
 
 
 class Kernel:
@@ -23,7 +23,7 @@ class Kernel:
         self.name, self.axes, self.extent = name, axes, extent
         self.params = []
         self.scope = Scope()
-        self.writes = []  # functions from a scope to a statement
+        self.writes = []  # functions that take a scope and return a statement
 
 
 class Kernels:
@@ -32,7 +32,7 @@ class Kernels:
         self.expressions, self.functions = statements.expressions, functions
 
     def kernel(self, number):
-        """A kernel and its test."""
+        """Makes a kernel and its test."""
         maker = self.random.weighted([(10, self.plain), (4, self.grouped), (2, self.rows), (1, self.inexact)])
         return maker(f"k{number}")
 
@@ -152,7 +152,7 @@ class Kernels:
         kernel.writes.append(lambda scope: Node(f"{name} = ", self.mixed(structure.element, scope), ";"))
 
     def mixed(self, t, scope):
-        """A value that depends on `sum`, and so on what the kernel has computed so far."""
+        """A value that depends on `sum`, and so on everything that the kernel has computed before."""
         value = self.expressions.of(t, scope, 4)
         if t in (INT, UINT):
             return Node("(", value, f" ^ {t.name}(sum))", type=t)
@@ -180,7 +180,7 @@ class Kernels:
                                                 self.expressions.of(UINT, scope, 3), ");"))
 
     def has_course(self, kernel):
-        """Whether a parameter has the kernel iterate; else it needs an `at`."""
+        """Whether a parameter determines the addresses over which the kernel runs; if none does, it needs an `at`."""
         return any(p.moves and " near<" not in p.text for p in kernel.params)
 
     def ensure_course(self, kernel):
@@ -213,7 +213,7 @@ class Kernels:
         return items
 
     def write(self, write, scope):
-        """A write: unconditional, in a branch or in a loop."""
+        """A statement that writes: unconditionally, in a branch or in a loop."""
         kind = self.random.weighted([(6, "here"), (2, "if"), (1, "else"), (1, "for")])
         if kind == "here":
             return write(scope)
@@ -228,7 +228,7 @@ class Kernels:
         return Node(*parts)
 
     def inexact(self, name):
-        """A kernel that stores the results of inexact functions, and does not compute with them."""
+        """A kernel that stores results of inexact functions, but does not compute with them."""
         kernel = self.begin(name, 1)
         self.add_inputs(kernel)
         found = [s for s in self.of_axes(1, each=True) if s.element == FLOAT]
@@ -289,7 +289,7 @@ class Kernels:
         return self.finished(kernel, items, f" group({', '.join(map(str, sides))})")
 
     def add_phase(self, kernel, items, name, group):
-        """Statements, a store to workgroup memory by each invocation, and a barrier."""
+        """Adds statements, a store to workgroup memory by each invocation, and a barrier."""
         scope = kernel.scope
         for _ in range(self.random.below(3)):
             items.parts.append(self.statements.statement(scope, 2, 1, None, None))
@@ -306,7 +306,7 @@ class Kernels:
         return None
 
     def add_tally(self, scope, items, name):
-        """Reduces values in workgroup memory, by atomics or subgroup operations whose order does not matter."""
+        """Adds a reduction in workgroup memory, by atomics or subgroup operations whose order does not matter."""
         operation, size = self.random.choice(OPERATIONS), self.random.between(1, 9)
         items.parts.insert(0, Node(f"shared {name}: uint[{size}];"))
         items.parts.append(Node(f"if local_index() < {size}u {{\n{name}[local_index()] = 9u;\n}}\nbarrier();"))
@@ -342,7 +342,7 @@ class Kernels:
         return Node(f'test "{kernel.name}" {{\n', Items([Node(line) for line in lines + calls]), "\n}")
 
     def box(self, kernel):
-        """A random slice of the kernel's extent."""
+        """A random box of the kernel's extent, as a slice."""
         first = [self.random.below(side) for side in kernel.extent]
         last = [self.random.between(low, side) for low, side in zip(first, kernel.extent)]
         return f"[{extent_text(first)}..{extent_text(last)}]"

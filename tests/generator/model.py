@@ -23,7 +23,7 @@ class Vector:
 
 @dataclass(frozen=True)
 class Matrix:
-    """Of floats."""
+    """A matrix of floats."""
     columns: int
     rows: int
 
@@ -87,12 +87,13 @@ def size_of(t):
 
 
 def is_shaped(t):
-    """A scalar or a vector."""
+    """Whether a type is a scalar or a vector."""
     return isinstance(t, (Scalar, Vector))
 
 
 class Node:
-    """Text and child nodes, in order. A node with a type is an expression, which another one of that type may replace."""
+    """Text and child nodes, in order. A node with a type is an expression; the shrinker may put another of that type in its
+    place."""
 
     def __init__(self, *parts, type=None):
         self.parts = list(parts)
@@ -106,7 +107,7 @@ class Node:
 
 
 class Items(Node):
-    """Statements or declarations. Each may be removed."""
+    """Statements or declarations. The shrinker may remove each of them."""
 
     def __init__(self, items=()):
         super().__init__(*items)
@@ -116,7 +117,7 @@ class Items(Node):
 
 
 def joined(nodes, separator=", "):
-    """Parts for a Node: the nodes, with the separator between them."""
+    """The nodes with the separator between them, as parts of a Node."""
     parts = []
     for i, node in enumerate(nodes):
         if i:

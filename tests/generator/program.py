@@ -1,4 +1,4 @@
-"""A random program: one module of kernels with tests, and constant expressions for the compile-time evaluator."""
+"""Makes a random program: a module of kernels with tests, and constant expressions for the compile-time evaluator."""
 from declarations import Functions, Types
 from expressions import Expressions, Scope
 from kernels import Kernels
@@ -28,7 +28,7 @@ class Program:
             self.items.parts += maker.kernel(number)
 
     def add_evaluated(self):
-        """Tests that functions give the same result at compile time and in a kernel."""
+        """Adds tests that functions give the same result at compile time and in a kernel."""
         for function in self.functions.known:
             if not function.evaluable or (function.generic and not self.random.chance(15)):
                 continue

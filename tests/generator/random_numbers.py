@@ -18,7 +18,7 @@ class Random:
         return self.word() % limit
 
     def between(self, low, high):
-        """Both ends included."""
+        """An integer from `low` to `high`, both included."""
         return low + self.below(high - low + 1)
 
     def chance(self, percent):

@@ -1,4 +1,4 @@
-"""Test case reduction: removes declarations and statements, and simplifies expressions, while the failure stays."""
+"""Test case reduction: removes declarations and statements and simplifies expressions, as long as the program still fails."""
 import re
 
 from model import Items, Node, literal
@@ -9,13 +9,14 @@ DECLARED = re.compile(r"\s*(?:@\w+\s+)?(?:fn|kernel|structure|struct|enum|transl
 
 
 class Shrinker:
-    """`is_interesting` tests a text for the failure; `program` is always the smallest one found with it."""
+    """Shrinks `program`. `is_interesting` says whether a text still has the failure; `program` is always the smallest one that
+    has."""
 
     def __init__(self, program, is_interesting, most_asked=400):
         self.program, self.is_interesting, self.left = program, is_interesting, most_asked
 
     def run(self, title=""):
-        """`title`: the failing test's; may be empty."""
+        """Shrinks. `title` is that of the failing test, if known."""
         if title:
             self.keep_test(title)
         before = None
@@ -59,7 +60,7 @@ class Shrinker:
             self.remove_items(child)
 
     def remove_from(self, items):
-        """Removes halves, quarters and so on, from the end, since later items use earlier ones."""
+        """Removes halves, then quarters and so on, starting from the end, since later items use earlier ones."""
         size = len(items.parts)
         while size > 0:
             end = len(items.parts)
@@ -83,7 +84,7 @@ class Shrinker:
             self.simplify(node.parts[i])
 
     def simplest(self, node, i):
-        """Replaces an expression by a literal, or by a subexpression of the same type."""
+        """Replaces an expression by a literal, or by one of its subexpressions of the same type."""
         part = node.parts[i]
         candidates = [Node(literal(part.type), type=part.type)] + inner_of_type(part, part.type)
         for candidate in sorted(candidates, key=lambda c: len(c.text())):

@@ -1,4 +1,4 @@
-"""Random statements: bodies of functions and of kernels."""
+"""Makes random statements: the bodies of functions and kernels."""
 from expressions import Scope
 from model import (BOOL, INT, INTEGERS, FLOATS, UINT, Array, Items, Matrix, Node, Optional, Scalar, Struct, Vector, literal, scalar_of)
 
@@ -13,7 +13,8 @@ class Statements:
         return f"{stem}{self.names}"
 
     def block(self, scope, size, depth, jumps=None, result=None):
-        """A block with its own scope. `jumps`: it is in a loop; `result`: the function's result type."""
+        """A block with its own scope. `jumps`: whether it is in a loop, so that it may break or continue. `result`: the
+        function's result type."""
         inner = scope.inner()
         items = Items([self.statement(inner, size, depth, jumps, result) for _ in range(size)])
         items.parts += self.uses(inner, len(scope.variables))
@@ -67,7 +68,7 @@ class Statements:
         return Node(target, f" {operator} ", self.expressions.of(t, scope, self.random.between(1, 4)), ";")
 
     def target(self, name, t, scope):
-        """A variable or a part of it."""
+        """A target of an assignment: a variable or a part of it."""
         parts = [name]
         while self.random.chance(60):
             if isinstance(t, Array):
@@ -131,7 +132,7 @@ class Statements:
         return Node(f"for {name} in ", range_, *self.braced(inner, self.inner_size(), depth - 1, True, result))
 
     def open_loop(self, scope, size, depth, jumps, result):
-        """A `while` with a random condition and a bound on its iterations."""
+        """A `while` loop with a random condition and a limit of its iterations."""
         name, limit = self.name("n"), self.random.between(1, 5)
         inner = scope.inner()
         inner.variables.append((name, UINT, False))

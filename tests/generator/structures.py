@@ -1,4 +1,4 @@
-"""Random structures: those of the library, translators of the program's own, page tables, views."""
+"""Random structures: those of the library, and translators, page tables and views that the program defines."""
 from declarations import split_declarations
 from model import FLOAT, INT, UINT, Matrix, Node, Vector, literal, vector
 
@@ -70,7 +70,7 @@ class Structure:
         self.name, self.axes, self.element, self.extra = name, axes, element, extra
         self.each = each          # allows `out each`
         self.is_dense = is_dense  # every element of the domain is stored
-        self.capacity = capacity  # page tables: the page's size along each axis; else None
+        self.capacity = capacity  # structures with a page table: the page's size along each axis; else None
         self.buffer = buffer
 
     def make(self, extent):
@@ -142,7 +142,7 @@ class Structures:
         return Structure(name, axes, t), f"structure {name} = MortonArray<{axes}, {t.text()}>;"
 
     def line_of(self, t, count, edges=("none", "none", "clamp", "repeat")):
-        """Memory of so many elements: a buffer, or a structure that may be less regular."""
+        """Memory for a number of elements: a buffer, or a structure, which may have an edge mode."""
         edge = self.random.choice(list(edges))
         made = f"Array<1, {t.text()}, {edge}>({count})"
         return made if self.random.chance(40) else f"buffer<{t.text()}>[{count}]"
@@ -168,7 +168,8 @@ class Structures:
     def paged(self, name, axes, t):
         page = [self.random.between(2, 4) for _ in range(axes)]
         address = vector(axes, UINT).text()
-        # Frames that the memory does not have must not lead to others: kernels write through the table.
+        # An entry for a frame that the memory does not have must not lead to another element: kernels write through the
+        # table.
         memory = self.line_of(t, f"capacity * volume({extent_text(page)})", edges=["none"])
         text = (f"structure {name}(extent: {address}, capacity: uint) {{\n    memory pages = {memory};\n"
                 f"    structure table = Array<{axes}, PageEntry>(div_ceil(extent, {extent_text(page)}));\n"

@@ -1,4 +1,4 @@
-// Writes the golden files of every case, or of those whose path contains the first argument. Run by tools/bless.
+// Writes the golden files of all cases, or of those whose path contains the first argument. tools/bless runs it.
 
 #include "golden.h"
 

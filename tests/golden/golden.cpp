@@ -26,7 +26,7 @@ GoldenOutputs compile_golden(const std::filesystem::path& source, const std::fil
     GoldenOutputs result;
     const std::string name = source.stem().string();
     const ProcessResult run = run_process(
-        // Without the SPIR-V inside, which nobody reads.
+        // SPIR-V is left out of the C++, since nobody reads it.
         gliftc(source, {"--host-only", "--target=glsl", "--target=cpp", "--target=host", "--target=json", "-o",
                         folder.string()}));
     const ProcessResult ir = run_process(gliftc(source, {"--dump=lower"}));
@@ -35,7 +35,7 @@ GoldenOutputs compile_golden(const std::filesystem::path& source, const std::fil
         return result;
     }
     for (const std::filesystem::path& output : files_under(folder, "")) {
-        if (output.extension() == ".d") continue;  // names where things lie on this machine
+        if (output.extension() == ".d") continue;  // contains paths of this machine
         result.files[golden_name(name, output.filename().string())] = read_file(output);
     }
     result.files[name + ".expected.ir"] = ir.out;

@@ -1,4 +1,4 @@
-// A golden case: a .glift file and, beside it, the expected outputs of the compiler.
+// A golden case: a .glift file and, next to it, the expected outputs of the compiler.
 #pragma once
 
 #include <filesystem>
@@ -8,12 +8,12 @@
 
 namespace glift::test {
 
-/// Every tests/golden/**/<name>.glift outside the folders named "support" (what cases import).
+/// All cases: tests/golden/**/<name>.glift, except files in folders named "support", which cases import.
 std::vector<std::filesystem::path> golden_cases();
 
 /// The outputs of gliftc for a case.
 struct GoldenOutputs {
-    /// Name of the golden file (fold.expected.hpp, fold.expected.ir …) → contents.
+    /// {name of the golden file (fold.expected.hpp, fold.expected.ir …): contents}
     std::map<std::string, std::string> files;
     std::string error;  ///< empty: gliftc succeeded
 };
@@ -21,7 +21,7 @@ struct GoldenOutputs {
 /// Runs gliftc, writing into `folder`.
 GoldenOutputs compile_golden(const std::filesystem::path& source, const std::filesystem::path& folder);
 
-/// The golden files that stand beside a case.
+/// The golden files that are stored next to a case.
 std::map<std::string, std::string> stored_goldens(const std::filesystem::path& source);
 
 }  // namespace glift::test

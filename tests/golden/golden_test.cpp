@@ -1,5 +1,5 @@
-// Every golden case: what gliftc makes now equals what stands beside it, and holds up by itself: the GLSL passes
-// glslang and spirv-val, the C++ compiles. Nothing here writes goldens: tools/bless does.
+// For every golden case: the output of gliftc is equal to the stored files, glslang and spirv-val accept the GLSL, and
+// the C++ compiles. Nothing here writes golden files: tools/bless does.
 
 #include "golden.h"
 

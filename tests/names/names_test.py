@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
-"""Every name that the language allows, wherever a user may write one, comes out as C++ and GLSL that compile.
+"""Checks that every name that the language allows, in every position, gives C++ and GLSL that compile.
 
     names_test.py GLIFTC INCLUDE_FOLDER CXX [--all] [POSITION…]
 
-A module a position in the language (names of fields, of locals, of kernels, …) has one line for each word. gliftc writes
-it, which compiles its GLSL; the C++ compiler then reads the C++ after the C and POSIX headers. Words are keywords of C++
-and GLSL, what headers of C and of the runtime declare, and what gliftc's own output calls anything; a sample of them
-without --all. A word that the module itself needs is not tried where it would hide that.
+For each position in the language (names of fields, of locals, of kernels, …) a module has one declaration for each
+word. gliftc compiles the module to C++ and GLSL, and the GLSL to SPIR-V; then the C++ compiler reads the C++ after the
+C and POSIX headers. Words are keywords of C++ and GLSL, names that headers of C and of the runtime declare, and names
+in gliftc's own output; without --all a sample of them. A word that the module itself uses is left out in positions
+where it would hide that name.
 """
 import concurrent.futures
 import os
@@ -28,7 +29,8 @@ BODY = "pub kernel zuse%d(zx: in each<ZLine>, zy: out each<ZLine>) {\n    var zs
 
 
 def in_body(line):
-    """Words that stand in functions and in bodies of kernels, a dozen in each: declaration, use."""
+    """Makes a module whose words are used in functions and in bodies of kernels, a dozen in each. `line` gives (declaration,
+    use)."""
     def module(entries):
         lines = [line(i, w) for i, w in entries]
         uses = [use for _, use in lines]
@@ -42,13 +44,13 @@ def declared(line):
 
 
 def called(line, call, head):
-    """Declarations, each used in one pipeline."""
+    """Makes a module of declarations each of which is used in one pipeline."""
     return lambda entries: "".join(line(i, w) for i, w in entries) + head + "".join(
         call(i, w) for i, w in entries) + "}\n"
 
 
 CPP, ALL = ["--target", "cpp", "--target", "host", "--host-only"], []
-# What is compiled, how many words a sample has for one that takes no time, how a module is made of numbered words.
+# Position: (options of gliftc, cost of a word, maker of a module from numbered words). Samples are smaller where words cost more.
 POSITIONS = {
     "fields": (ALL, 1, in_body(lambda i, w: (
         f"pub struct Z{i} {{ {w}: float; zb: uint; }}\n", f"    {{ let zv = Z{i}(zs, 2u); zs = zv.{w}; }}\n"))),
@@ -134,7 +136,7 @@ def run(command):
 
 
 def module_of(position, chunk, folder, gliftc):
-    """Writes the C++ of a module; returns its sources."""
+    """Writes the C++ of a module; returns the paths of its sources."""
     targets, _, make = POSITIONS[position]
     name = "z" + re.sub(r"\W", "_", position) + f"_{chunk[0][0]}"
     path = folder / f"{name}.glift"
@@ -162,7 +164,7 @@ def check(position, chunk, folder, gliftc, cxx, include):
 
 
 def check_modules(words, folder, gliftc, cxx, include):
-    """Names of modules: one header after the other."""
+    """Checks names of modules: one C++ file includes all of their headers."""
     text = ""
     for word in words:
         path = folder / f"{word}.glift"

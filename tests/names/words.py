@@ -46,7 +46,8 @@ def identifiers(paths):
 
 
 def words_for(root, position, limit, needed):
-    """Words in an order that depends only on the position, without those that the position needs: all, or a sample."""
+    """The words for a position, all or a sample, in an order that depends only on the position; without words that its module
+    needs."""
     always = [w for w in dict.fromkeys(CPP + GLSL + C)]
     members = identifiers(root.glob("runtime/include/glift/*structure*.h"))
     generated = identifiers(root.glob("tests/golden/kernels/*.expected.cpp")) | identifiers(

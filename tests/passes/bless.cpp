@@ -1,4 +1,4 @@
-// Writes the expected output of the passes' tests; called by tools/bless.
+// Writes the expected output of the tests of passes; tools/bless runs it.
 #include "passes.h"
 
 #include <cstdio>

@@ -1,6 +1,6 @@
-// A case of a pass, in tests/passes/<pass>. For a pass over the IR, <case>.ir has the text before and, below a line
-// "---", after it. For a pass over checked kernels, <case>.glift has their source, and <case>.after the output of
-// --dump-after.
+// A test case of a compiler pass, in tests/passes/<pass>. For a pass over lowered bodies, <case>.ir has the text before
+// the pass and, below a line "---", after it. For a pass over checked kernels, <case>.glift has their source, and
+// <case>.after the output of --dump-after.
 #pragma once
 
 #include <filesystem>
@@ -18,8 +18,7 @@ PassCase read_pass_case(const std::filesystem::path& path);
 
 void write_pass_case(const std::filesystem::path& path, const PassCase& pass_case);
 
-/// Runs the pass that the folder is named after on the case. Throws if the text cannot be parsed, or the result is
-/// invalid.
+/// Runs the pass with the name of the folder on the case. Throws if the text cannot be parsed or the result is invalid.
 std::string run_pass(const std::filesystem::path& path, const std::string& before);
 
 }  // namespace gliftc::test

@@ -16,7 +16,7 @@ TEST_P(Passes, DoWhatTheyDid) {
     EXPECT_EQ(run_pass(GetParam(), expected.before), expected.after);
 }
 
-/// share/loads.ir → share_loads
+/// share/loads.ir becomes share_loads.
 std::string case_name(const testing::TestParamInfo<std::filesystem::path>& info) {
     return info.param.parent_path().filename().string() + "_" + info.param.stem().string();
 }

@@ -1,5 +1,5 @@
-// Compiles truncated files of the library, the examples and the golden tests: the compiler reports an error where
-// something is unclosed, and never crashes.
+// Compiles files of the library, the examples and the golden tests that are cut at many places: the compiler must
+// report an error where something is unclosed, and must never crash.
 
 #include "driver/compile.h"
 #include "support/process.h"
@@ -13,10 +13,10 @@
 namespace glift::test {
 namespace {
 
-/// Cuts fall on every byte of a short file and on every few bytes of a long one.
+/// The most places where a file is cut: a short file at every byte, a long one at every few bytes.
 constexpr std::size_t most_cuts = 150;
 
-/// The file being compiled, printed after a crash.
+/// The file that is being compiled, printed after a crash.
 char now_compiling[512];
 
 void print_cut(int signal) {
@@ -25,7 +25,7 @@ void print_cut(int signal) {
     raise(signal);
 }
 
-/// The disk, with the text of one file replaced.
+/// The files of the disk, with the text of one replaced.
 gliftc::FileSystem disk_with(const std::string& path, const std::string& text) {
     gliftc::FileSystem files = gliftc::disk();
     files.read = [path, text, read = files.read](const std::string& wanted) {

@@ -1,4 +1,4 @@
-// Compares the arithmetic of a device with the host's, bit for bit, and its functions with double precision.
+// Compares the exact functions of a device with the host's, bit for bit, and its other functions with double precision.
 #include "functions.h"
 
 #include <gtest/gtest.h>
@@ -38,7 +38,7 @@ std::vector<float> results(const glift::Device& device, accuracy::Kernel kernel,
     return r.read(0, size);
 }
 
-/// Random bits, with uniformly distributed exponents, and all pairs of special values.
+/// Pairs of operands: random bits (that is, uniformly distributed exponents), and all pairs of special values.
 std::pair<std::vector<float>, std::vector<float>> any_numbers() {
     std::mt19937 bits(3);
     std::vector<float> x, y;
@@ -95,7 +95,7 @@ double error_of(const Near& function, float got, double exact) {
     return std::abs(got - exact) / std::ldexp(1.0, std::ilogb(size) - 23);
 }
 
-/// Uniformly distributed, or logarithmically where the range spans many powers.
+/// Arguments that are uniformly distributed, or logarithmically where the range spans many powers of ten.
 std::vector<float> arguments(const Near& function, unsigned seed) {
     std::mt19937 engine(seed);
     std::uniform_real_distribution<double> place(0, 1);
@@ -130,7 +130,10 @@ TEST_P(Function, IsWithinItsBound) {
     }
 }
 
-/// `| exp | 64 | …` in docs/language.md.
+/// Checks that docs/language.md has the row of the function: `| exp
+/// from to …
+/// 64
+/// …`.
 TEST_P(Function, HasItsBoundInTheDocs) {
     std::ifstream file(GLIFT_LANGUAGE_MD);
     const std::string text{std::istreambuf_iterator<char>(file), {}};

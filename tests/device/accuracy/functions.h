@@ -1,4 +1,4 @@
-// The error bounds of docs/language.md ("Accuracy"), and the ranges of arguments.
+// The functions to test, with their error bounds as in docs/language.md ("Accuracy") and the ranges of their arguments.
 #pragma once
 
 #include "accuracy.glift.hpp"
@@ -11,7 +11,7 @@ namespace accuracy {
 using Kernel = void (*)(const glift::Commands&, const glift::Range<Numbers>& x, const glift::Range<Numbers>& y,
                         const glift::Range<Numbers>& r);
 
-enum class Zero { signed_, either };  ///< either: the sign of a zero is unspecified
+enum class Zero { signed_, either };  ///< how zeros are compared; either: the sign of a zero is unspecified
 
 /// A function whose bits are the same on every device.
 struct Exact {
@@ -25,7 +25,7 @@ struct Near {
     const char* name;
     Kernel kernel;
     double (*exact)(double x, double y);
-    double from, to;  ///< arguments
+    double from, to;  ///< range of the arguments
     double least;
     double bound;
 };

@@ -1,11 +1,12 @@
-// Boxes of two-dimensional structures: systems of equations and rows that are filtered.
+// Random boxes of two-dimensional structures, for tests of algorithms over rows or columns ("systems"): tridiagonal
+// systems and filters.
 #pragma once
 
 #include "property.h"
 
 namespace property {
 
-/// The part of a two-dimensional structure that an algorithm works on; `along` is the axis of a system.
+/// The box that an algorithm works on; every line of it along axis `along` is one system.
 struct Box {
     Taken taken = Taken::whole;
     unsigned along = 0;
@@ -15,18 +16,18 @@ struct Box {
 
     Box(Round& round, unsigned along) : taken(round.taken()), along(along) {
         length = round.size();
-        // Long systems are few; now and then there are more systems than elements in one.
+        // Systems are few where they are long; now and then there are more systems than elements in one.
         systems = round.size(std::min(limit() / std::max(length, 1u), round.chance(4) ? 3000u : 70u));
         if (round.chance(4)) std::swap(length, systems);
         size = along == 0 ? glift::uint2(length, systems) : glift::uint2(systems, length);
         capacity = size;
-        // Long columns have few neighbours that are not taken.
+        // Small where columns are long, to bound the number of elements around the box.
         const std::uint32_t most = std::min(600u, limit() / std::max(size.y, 1u) + 3);
         if (taken == Taken::counted) capacity.x += round.below(round.chance(2) ? most : 3);
         if (taken != Taken::whole) origin = {round.below(20), round.below(20)};
         extent = taken == Taken::whole ? size : origin + capacity + glift::uint2(round.below(20), round.below(20));
         if (extent.x == 0 || extent.y == 0) {
-            // Structures have an element at least.
+            // Structures have at least one element, so an empty box is a part of one.
             if (taken == Taken::whole) taken = Taken::part;
             extent = {std::max(extent.x, 1u), std::max(extent.y, 1u)};
         }
@@ -36,11 +37,11 @@ struct Box {
                     std::to_string(capacity.x) + " x " + std::to_string(capacity.y));
     }
 
-    /// Area of forms.glift.
+    /// The box as struct `Area` of forms.glift.
     template <class Area> Area area() const {
         return {.taken = static_cast<glift::uint>(taken), .origin = origin, .size = capacity};
     }
-    /// The size, on the device.
+    /// The size in an element on the device, for boxes whose size the device knows.
     template <class Extents> Extents size_on(const glift::Device& device) const {
         Extents sizes(device, 1);
         sizes.write(std::vector<glift::uint2>{size});
@@ -48,7 +49,7 @@ struct Box {
     }
 
     std::size_t count() const { return std::size_t{extent.x} * extent.y; }
-    /// Element i of a system in row-major memory.
+    /// The row-major index of element i of a system.
     std::size_t place(std::uint32_t system, std::uint32_t i) const {
         const std::size_t x = origin.x + (along == 0 ? i : system), y = origin.y + (along == 0 ? system : i);
         return y * extent.x + x;

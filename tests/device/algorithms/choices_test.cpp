@@ -1,4 +1,4 @@
-// Compares with std::copy_if, std::stable_partition and std::unique_copy.
+// Compares compactions, partitions and run lengths with std::copy_if, std::stable_partition and std::unique_copy.
 #include "chosen.h"
 #include "input.h"
 

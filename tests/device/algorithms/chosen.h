@@ -1,4 +1,4 @@
-// Algorithms that write as many elements as they find to the start of a structure, and give their number.
+// For algorithms that write as many elements as they find to the start of a structure, and return their number.
 #pragma once
 
 #include "property.h"
@@ -7,7 +7,7 @@
 
 namespace property {
 
-/// The structure after such an algorithm, with its unchanged further elements; and the returned number.
+/// The structure after such an algorithm, including elements that must be unchanged; and the returned number.
 template <class T> struct Found {
     std::vector<T> elements;
     std::uint32_t count = 0;
@@ -26,17 +26,17 @@ template <class T> testing::AssertionResult start_with(const Round& round, const
     return equal(round, all, found.elements, which);
 }
 
-/// The output's size; now and then too small, so that elements are left out.
+/// The size of the output for `count` elements; now and then too small, so that the algorithm leaves elements out.
 inline std::uint32_t room_for(Round& round, std::uint32_t count) {
     return std::max(round.chance(4) ? round.below(count + std::uint64_t{1}) : count + round.below(50), 1u);
 }
 
-/// A limit that selects some, none or all of arbitrary numbers.
+/// A limit such that some, none or all of arbitrary numbers are below it.
 inline std::uint32_t limit_of(Round& round) {
     return round.chance(4) ? 0 : round.chance(4) ? UINT32_MAX : static_cast<std::uint32_t>(round.engine()());
 }
 
-/// Runs it twice over the same initial contents.
+/// Runs the algorithm twice over the same initial contents, expects equal results, and returns one.
 template <class S, class T, class Run>
 Found<T> run_twice(const glift::Device& device, const Round& round, S& to, const std::vector<T>& before, Run run) {
     const auto once = [&] {

@@ -1,4 +1,4 @@
-// Input of an algorithm in one of the forms, and its output with surrounding elements that must not change.
+// The input of an algorithm in one of the forms of property.h, and its output among elements that must not change.
 #pragma once
 
 #include "property.h"
@@ -8,7 +8,7 @@ namespace property {
 /// The part of a structure that an algorithm works on.
 struct Placed {
     Taken taken = Taken::whole;
-    std::uint32_t extent = 0, first = 0, capacity = 0, count = 0;  ///< capacity: of the part; count: of its elements
+    std::uint32_t extent = 0, first = 0, capacity = 0, count = 0;  ///< capacity: of the part; count: elements taken
 
     Placed(Round& round, std::uint32_t size) : taken(round.taken()), count(size) {
         const bool whole = taken == Taken::whole;
@@ -23,12 +23,12 @@ struct Placed {
                         std::to_string(capacity));
     }
 
-    /// Inserts `values` among other elements.
+    /// Puts `values` into the part of `others`.
     template <class T> std::vector<T> among(std::vector<T> others, const std::vector<T>& values) const {
         std::copy(values.begin(), values.end(), others.begin() + first);
         return others;
     }
-    /// Part of forms.glift.
+    /// The part as struct `Part` of forms.glift.
     template <class Part> Part part() const {
         return {.taken = static_cast<glift::uint>(taken), .extent = extent, .first = first, .count = capacity};
     }
@@ -38,7 +38,7 @@ template <class T> constexpr bool is_vector_of_floats = requires(T x) {
     requires std::is_floating_point_v<decltype(x.x)>;
 };
 
-/// Numbers and vectors of them; structs of integers.
+/// A random value: a number, a vector of floats, or a struct of integers.
 template <class T> T arbitrary(Round& round) {
     if constexpr (std::is_floating_point_v<T>) {
         return static_cast<T>(round.real());
@@ -59,13 +59,13 @@ template <class T> T arbitrary(Round& round) {
     }
 }
 
-/// As in forms.glift; of structs, where these are.
+/// `mirrored` of forms.glift on the host; tests with structs of their own specialise it.
 template <class T> T mirrored(T x) {
     if constexpr (std::is_floating_point_v<T> || is_vector_of_floats<T>) return -x;
     else return static_cast<T>(~x);
 }
 
-/// `values` in the algorithm's form of input.
+/// `values` as the part of an input in the form of the round.
 template <class Dense, class Folded, class Tiled, class Line> struct Input {
     using T = typename Dense::Element;
 
@@ -105,7 +105,7 @@ private:
     static bool used_by_dense(Form form) { return form != Form::folded && form != Form::tiled; }
 };
 
-/// A structure like the input's of which the algorithm writes the same part.
+/// A structure as long as the input, whose same part the algorithm writes.
 template <class S> struct Output {
     using T = typename S::Element;
 
@@ -117,7 +117,7 @@ template <class S> struct Output {
         for (T& x : before) x = arbitrary<T>(round);
     }
 
-    /// The contents after a run over the same initial contents.
+    /// The contents of the structure after `run`, which starts from the contents `before`.
     template <class Run> std::vector<T> after(Run run) {
         structure.write(before);
         run(structure);
@@ -135,7 +135,7 @@ template <class T> std::vector<T> arbitrary_values(Round& round, std::uint32_t c
     return values;
 }
 
-/// Few distinct values in runs, so that neighbours are equal; or arbitrary values.
+/// Either runs of equal values, of few different ones, so that neighbours are often equal; or arbitrary values.
 template <class T> std::vector<T> values_with_repeats(Round& round, std::uint32_t count) {
     const std::uint32_t kinds = round.chance(3) ? 0 : 1 + round.below(round.chance(2) ? 3 : 300);
     const std::uint32_t run = round.chance(3) ? 1 + round.below(500) : 1;

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <numeric>
 
-/// As in items.glift.
+/// `mirrored` of items.glift on the host.
 template <> items::Item property::mirrored(items::Item x) { return {~x.key, ~x.weight, ~x.tag}; }
 
 namespace {
@@ -22,7 +22,7 @@ using In = Input<items::Items, items::Items, items::TiledItems, Line>;
 
 GLIFT_PROPERTY_SUITE(Items);
 
-/// Of few different keys and weights, in runs, or of any.
+/// Items with runs of few different keys and weights, or with arbitrary ones; tags count up.
 Values items_of(Round& round, std::uint32_t count) {
     const auto keys = values_with_repeats<std::uint32_t>(round, count);
     const auto weights = values_with_repeats<std::int32_t>(round, count);
@@ -31,7 +31,7 @@ Values items_of(Round& round, std::uint32_t count) {
     return values;
 }
 
-/// A limit that splits the items in two.
+/// A limit between the items' keys, now and then one that all or none are below.
 std::uint32_t limit_among(Round& round, const Values& values) {
     return values.empty() || round.chance(8) ? limit_of(round) : values[round.below(values.size())].key;
 }
@@ -63,7 +63,7 @@ TEST_P(Items, CompactFlagged) {
         const Placed placed(round, round.size());
         const auto values = arbitrary_values<std::uint32_t>(round, placed.count);
         const Folded in(device(), round, placed, values);
-        // Now and then of too few elements.
+        // Now and then there are fewer flags than elements.
         Numbers flags(std::max(round.chance(3) ? round.below(placed.count) : placed.count, 1u));
         for (std::uint32_t& flag : flags) flag = round.chance(2) ? 0 : arbitrary<std::uint32_t>(round);
         const auto count = std::min(static_cast<std::uint32_t>(flags.size()), placed.count);
@@ -235,7 +235,7 @@ TEST_P(Items, Gather) {
         Numbers places(placed.count);
         Values expected;
         for (std::uint32_t& place : places) {
-            // Some are outside, some far.
+            // Some indices are just beyond the end, a few far beyond.
             place = round.chance(100) ? UINT32_MAX - round.below(3) : round.below(count + std::uint64_t{3});
             expected.push_back(place < count ? values[place] : Item{});
         }
@@ -254,7 +254,7 @@ TEST_P(Items, Scatter) {
         const Placed placed(round, round.size());
         const Values values = items_of(round, placed.count);
         const In in(device(), round, placed, values);
-        // Each place once, some outside.
+        // Each index occurs once; some are out of range.
         const std::uint32_t room = std::max(placed.count + round.below(100), 1u);
         Numbers places(std::max(placed.extent, room + 5));
         std::iota(places.begin(), places.end(), 0u);
@@ -304,7 +304,7 @@ TEST_P(Items, Find) {
         round.only(Form::mapped);
         const Placed placed(round, round.size());
         Values values = items_of(round, placed.count);
-        // Anywhere, or nowhere.
+        // The first match may be anywhere, or nowhere.
         const std::uint32_t limit = 1 + round.below(1000);
         for (Item& x : values) x.key = round.chance(1 + placed.count) ? round.below(limit) : std::max(x.key, limit);
         const In in(device(), round, placed, values);

@@ -1,5 +1,5 @@
-// Ranges of GLIFT_PROPERTY_ELEMENTS elements (default 100,003), bounded by the device's largest memory where they are
-// stored. Sorting pairs takes 16 bytes an element.
+// Algorithms over GLIFT_PROPERTY_ELEMENTS elements (default 100,003); fewer where they are stored and would exceed the
+// device's largest memory. Sorting pairs takes 16 bytes an element.
 #include "property.h"
 
 #include "large.glift.hpp"

@@ -16,7 +16,7 @@ using Uints = Input<Line, merges::Folded, merges::Folded, Line>;
 
 GLIFT_PROPERTY_SUITE(Merges);
 
-/// What fits in `to`, whose further elements stay as they are.
+/// The expected output: `merged`, cut to the output's size; elements after it keep their values from `before`.
 template <class T> std::vector<T> fitted(std::vector<T> before, const std::vector<T>& merged) {
     std::copy_n(merged.begin(), std::min(merged.size(), before.size()), before.begin());
     return before;

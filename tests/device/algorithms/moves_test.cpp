@@ -1,4 +1,4 @@
-// Compares with std::transform, std::fill, std::reverse_copy and plain loops.
+// Compares transforms, fills, gathers, scatters and histograms with std::transform, std::fill and plain loops.
 #include "input.h"
 
 #include "moves.glift.hpp"
@@ -64,7 +64,7 @@ TEST_P(Moves, Gather) {
         const bool view = round.form() == Form::strided || round.form() == Form::mapped;
         if (view && placed.count == 0) return;
         for (std::uint32_t& place : places) {
-            // Some are outside, some far.
+            // Some indices are just beyond the end, a few far beyond.
             place = round.below(placed.count + (view ? 0 : std::uint64_t{3}));
             if (!view && round.chance(100)) place = UINT32_MAX - round.below(3);
             expected.push_back(place < placed.count ? values[place] : 0);
@@ -84,7 +84,7 @@ TEST_P(Moves, Scatter) {
         const Placed placed(round, round.size());
         const Values values = arbitrary_values<std::uint32_t>(round, placed.count);
         const Uints in(device(), round, placed, values);
-        // Each place once, some outside.
+        // Each index occurs once; some are out of range.
         const std::uint32_t room = std::max(placed.count + round.below(100), 1u);
         Values places(std::max(placed.extent, room + 5));
         std::iota(places.begin(), places.end(), 0u);
@@ -136,7 +136,7 @@ TEST_P(Moves, Reverse) {
 TEST_P(Moves, Histogram) {
     for_all("histogram", [&](Round& round) {
         const Placed placed(round, round.size());
-        // Around the number of bins that fit workgroup memory.
+        // Now and then about as many bins as fit into workgroup memory.
         const std::uint32_t bins =
             round.chance(3) ? 1023 + round.below(3) : 1 + round.below(round.chance(2) ? 20 : 5000);
         Values values(placed.count);

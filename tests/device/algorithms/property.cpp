@@ -14,8 +14,8 @@ std::uint64_t number(const char* name, std::uint64_t otherwise) {
     return text && *text ? std::strtoull(text, nullptr, 10) : otherwise;
 }
 
-/// Closes the devices after the tests: drivers loaded after the first static object are unloaded before it is
-/// destroyed.
+/// Closes the devices after the tests rather than at exit: a driver that is loaded after the first static object is
+/// made is unloaded before that object is destroyed.
 class OpenDevices : public testing::Environment {
 public:
     static std::map<std::string, glift::Device>& all() {

@@ -1,4 +1,5 @@
-// Property tests: compares an algorithm on a device with the C++ library's, over random sizes, forms and values.
+// Property tests: compare an algorithm on a device with the C++ library's, over random sizes, values and forms of
+// input. The form is how the input is stored or computed (Form); algorithms take all of it or a part (Taken).
 //
 // Environment: GLIFT_PROPERTY_ROUNDS, rounds for each property (15); GLIFT_PROPERTY_LIMIT, the largest number of
 // elements (20000); GLIFT_PROPERTY_SEED, the seed of the first round (1), incremented for each round. Seed and limit
@@ -26,10 +27,14 @@ std::uint64_t rounds();
 std::uint32_t limit();
 std::uint64_t first_seed();
 
-/// One device for all tests of a process. Empty where GLIFT_DEVICE names the host and `which` does not.
+/// Opens a device, once for all tests of a process. Empty where `which` is another device than the host, but
+/// GLIFT_DEVICE names the host.
 std::optional<glift::Device> device_of(const std::string& which);
 
+/// How the input is stored: dense in a buffer, folded into an image, or in tiles; or what view computes it from a dense
+/// one: every step-th element, or a function of every element.
 enum class Form : std::uint32_t { dense, folded, tiled, strided, mapped };
+/// What an algorithm takes: a whole structure, a part, or a part whose length is a value on the device.
 enum class Taken : std::uint32_t { whole, part, counted };
 
 /// The random parameters of one round of a test.
@@ -37,7 +42,7 @@ class Round {
 public:
     Round(std::string algorithm, std::uint64_t seed);
 
-    std::uint32_t below(std::uint64_t bound);  ///< 0 where the bound is
+    std::uint32_t below(std::uint64_t bound);  ///< from 0 to bound - 1; 0 if the bound is 0
     bool chance(std::uint32_t one_in) { return below(one_in) == 0; }
     /// A size up to `most`: logarithmically distributed, or close to a tile size.
     std::uint32_t size(std::uint32_t most = limit());
@@ -49,7 +54,7 @@ public:
     Taken taken() const { return taken_; }
     void only(Form form) { form_ = form; }
     void only(Taken taken) { taken_ = taken; }
-    void about(const std::string& what) { about_ += ", " + what; }  ///< for the message
+    void about(const std::string& what) { about_ += ", " + what; }  ///< adds to the message of a failure
     void has_size(std::uint64_t size) { about("size " + std::to_string(size)); }
 
     /// A failure, with everything needed to reproduce the round.
@@ -69,7 +74,7 @@ protected:
     void TearDown() override;
 
     const glift::Device& device() const { return *device_; }
-    /// Ends at the first round that fails.
+    /// Runs the body for each round, up to the first that fails.
     void for_all(const char* algorithm, const std::function<void(Round&)>& body);
 
 private:
@@ -81,7 +86,7 @@ private:
     INSTANTIATE_TEST_SUITE_P(, Suite, testing::Values("host", "vulkan"),                                               \
                              [](const testing::TestParamInfo<const char*>& which) { return which.param; })
 
-/// Same bits; structs are compared member by member.
+/// Whether values have the same bits; structs are compared member by member.
 template <class T> bool same(const T& a, const T& b) {
     if constexpr (std::is_floating_point_v<T>) return std::memcmp(&a, &b, sizeof(T)) == 0;
     else return a == b;
@@ -101,7 +106,7 @@ template <class T> std::string text_of(const T& value) {
     return text.str();
 }
 
-/// Bit for bit, and the first difference.
+/// Compares bit for bit; a failure names the first difference.
 template <class T> testing::AssertionResult equal(const Round& round, const std::vector<T>& expected,
                                                   const std::vector<T>& found, const char* which = "") {
     if (expected.size() != found.size())
@@ -114,7 +119,7 @@ template <class T> testing::AssertionResult equal(const Round& round, const std:
     return testing::AssertionSuccess();
 }
 
-/// Each within its bound of what is exact; a bound that is not a number takes everything.
+/// Compares each value with the exact one; it must be within its bound. A bound of NaN accepts everything.
 template <class T> testing::AssertionResult near(const Round& round, const std::vector<double>& exact,
                                                  const std::vector<double>& bounds, const std::vector<T>& found,
                                                  const char* which = "") {
@@ -126,7 +131,7 @@ template <class T> testing::AssertionResult near(const Round& round, const std::
     return testing::AssertionSuccess();
 }
 
-/// The result of `run`, if two runs give the same bits.
+/// The result of `run`; expects that two runs give the same bits.
 template <class Run> auto twice(const Round& round, Run run) {
     auto first = run();
     const testing::AssertionResult again = equal(round, first, run(), "run to run:");

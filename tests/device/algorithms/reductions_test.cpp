@@ -17,14 +17,15 @@ using Floats = Input<reductions::Reals, reductions::TiledReals, reductions::Tile
 
 GLIFT_PROPERTY_SUITE(Reductions);
 
-/// Sums of n floats however grouped are off by no more than (n - 1) u / (1 - (n - 1) u) times the sum of the absolute
-/// values (Higham, Accuracy and Stability of Numerical Algorithms, 4.2), u = 2^-24; one more for rounded products.
+/// The error of a sum of n floats, grouped in any way, is at most (n - 1) u / (1 - (n - 1) u) times the sum of the
+/// absolute values, u = 2^-24 (Higham, Accuracy and Stability of Numerical Algorithms, 4.2). Rounded products take one
+/// more step: n for n - 1.
 double bound_of(double sum_of_sizes, double n) {
     const double nu = n * 0x1p-24;
     return nu < 0.5 ? sum_of_sizes * nu / (1 - nu) : std::numeric_limits<double>::infinity();
 }
 
-/// Numbers whose sums are floats, so that any order gives them exactly; or any numbers.
+/// Either small whole numbers, whose sums are exact in any order; or numbers of very different sizes.
 std::vector<float> float_values(Round& round, std::uint32_t size) {
     std::vector<float> values(size);
     const bool exact = round.chance(2);

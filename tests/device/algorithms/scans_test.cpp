@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numeric>
 
-/// As in scans.glift.
+/// `mirrored` of scans.glift on the host.
 template <> scans::Affine property::mirrored(scans::Affine x) { return {x.offset, x.scale}; }
 
 namespace {
@@ -58,8 +58,8 @@ TEST_P(Scans, ExclusiveSumsToAnImage) {
     });
 }
 
-/// Each is within (n - 1) u / (1 - (n - 1) u) of the sum of sizes up to it, however grouped (Higham, 4.2), and the same
-/// bits in each run; whole numbers come out exactly.
+/// However it is grouped, each sum is within (n - 1) u / (1 - (n - 1) u) times the sum of absolute values up to it
+/// (Higham, 4.2), and has the same bits in each run; sums of whole numbers are exact.
 TEST_P(Scans, SumsOfFloats) {
     for_all("exclusive_scan, sums of floats", [&](Round& round) {
         round.only(Form::dense);
@@ -129,7 +129,7 @@ TEST_P(Scans, AnOperatorThatDoesNotCommute) {
     });
 }
 
-/// Starts of segments of any length, or at every element, or nowhere.
+/// Flags that start segments: at random distances, or at nearly every element.
 std::vector<std::uint32_t> starts_of_segments(Round& round, std::uint32_t count) {
     std::vector<std::uint32_t> starts(count);
     const std::uint32_t mean = round.chance(4) ? 1 : 1 + round.below(round.chance(2) ? 10 : 5000);

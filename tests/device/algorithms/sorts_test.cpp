@@ -30,7 +30,7 @@ struct Precedes {
     }
 };
 
-/// Replaces all NaNs by one.
+/// Replaces every NaN by the same one.
 template <class T> std::vector<T> plain(std::vector<T> keys) {
     if constexpr (std::is_floating_point_v<T>)
         for (T& x : keys)
@@ -41,7 +41,7 @@ template <class T> std::vector<T> plain(std::vector<T> keys) {
 template <class T> std::vector<T> keys_of(Round& round, std::uint32_t count) {
     std::vector<T> keys = values_with_repeats<T>(round, count);
     if constexpr (std::is_floating_point_v<T>) {
-        // All bits, some that matter, and what comes out of values_with_repeats.
+        // Arbitrary bits; or special values among the others; or the values as values_with_repeats makes them.
         const std::uint32_t kind = round.below(3);
         using Bits = std::conditional_t<sizeof(T) == 8, std::uint64_t, std::uint32_t>;
         static constexpr T smallest = std::numeric_limits<T>::denorm_min();
@@ -49,7 +49,8 @@ template <class T> std::vector<T> keys_of(Round& round, std::uint32_t count) {
         for (T& x : keys) {
             if (kind == 1) {
                 x = std::bit_cast<T>(arbitrary<Bits>(round));
-                // A device may flush subnormal numbers to zero, and change the bits of a NaN.
+                // A device may flush subnormal numbers to zero and change the bits of a NaN, so all NaNs get the same
+                // bits.
                 if (x != x) x = NAN;
             }
             if (kind == 2 && round.chance(2)) x = special[round.below(std::size(special))];
@@ -57,7 +58,7 @@ template <class T> std::vector<T> keys_of(Round& round, std::uint32_t count) {
     } else if (round.chance(4)) {
         for (T& x : keys) x = round.chance(2) ? std::numeric_limits<T>::max() : std::numeric_limits<T>::min();
     } else if (sizeof(T) == 8 && round.chance(3)) {
-        // Different in one digit.
+        // Keys that differ in one 8-bit digit.
         const unsigned shift = 8 * round.below(8);
         for (T& x : keys) x = static_cast<T>(static_cast<std::uint64_t>(round.below(256)) << shift);
     }
@@ -87,7 +88,7 @@ TEST_P(Sorts, UintsFromAnImage) {
     });
 }
 
-/// Keys alone: `sort(keys, part, length, descending)`.
+/// Sorts keys without values by `sort(keys, part, length, descending)`, in place, and checks the result.
 template <class S, class Sort> void in_place(const glift::Device& device, Round& round, Sort sort) {
     using T = typename S::Element;
     round.only(Form::dense);
@@ -135,13 +136,13 @@ TEST_P(Sorts, Doubles) {
     });
 }
 
-/// What is to be sorted in place: `count` elements of the part as in `from`.
+/// Copies the elements to be sorted in place from `from` to the same part of `to`; `count` has their number.
 template <class S> void overlay(const Part& part, const Line& count, const S& from, const S& to) {
     const glift::uint n = count.read()[0];
     if (n > 0) S(to).write(part.first, n, from.read(part.first, n));
 }
 
-/// Keys with their positions as values, which show whether the sort is stable.
+/// Sorts keys with their positions as values, which show whether the sort is stable.
 template <class In, class To, class Sort> void pairs(const glift::Device& device, Round& round, Form form, Sort sort) {
     using T = typename To::Element;
     round.only(form);

@@ -1,12 +1,12 @@
 // Compares tridiagonal solvers with the Thomas algorithm in double precision.
 //
 // The bound. Elimination without pivoting of a tridiagonal matrix A that is diagonally dominant solves (A + E) x = b
-// with |E| <= 12 u |A|, u = 2^-24: f(u) = 4 u of the factors and of the two substitutions, with |L| |U| <= 3 |A|
+// with |E| <= 12 u |A|, u = 2^-24: the factors and the two substitutions contribute f(u) = 4 u, and |L| |U| <= 3 |A|
 // (Higham, Accuracy and Stability of Numerical Algorithms, 9.6). Methods that eliminate in log2(n) levels do this once
 // a level, to matrices that stay at least as dominant: 12 (1 + log2 n) u. So |x' - x| <= 12 (1 + log2 n) u |A^-1| |A|
-// |x|, and of a matrix that is dominant by rows |A^-1| is at most 1 / min (|d| - |l| - |r|) in the maximum norm, |A|
-// max (|d| + |l| + |r|). Where all of a row's sums are given and off-diagonals are negative, the sum is that
-// difference.
+// |x|. For a matrix that is dominant by rows, with coefficients l, d, u of a row, |A^-1| is at most 1 / min (|d| - |l|
+// - |u|) in the maximum norm, and |A| is max (|d| + |l| + |u|). Where sums of rows are given in place of diagonals, and
+// off-diagonals are negative, the sum is that difference.
 #include "box.h"
 
 #include "tridiagonals.glift.hpp"
@@ -20,7 +20,7 @@ using forms::Area;
 
 GLIFT_PROPERTY_SUITE(Tridiagonals);
 
-/// One equation.
+/// An equation: its coefficients and right-hand side.
 struct Row {
     double lower = 0, diagonal = 0, upper = 0, right = 0;
 };
@@ -38,7 +38,7 @@ std::vector<double> thomas(std::vector<Row> rows) {
     return x;
 }
 
-/// Of every solution of the system.
+/// The bound on the error of a solver's solution of a system whose exact solution is x.
 double bound_of(const std::vector<Row>& rows, const std::vector<double>& x) {
     double least = INFINITY, most = 0, size = 0;
     for (const Row& row : rows) {
@@ -51,7 +51,7 @@ double bound_of(const std::vector<Row>& rows, const std::vector<double>& x) {
     return 12 * levels * 0x1p-24 * most / least * size + 0x1p-149;
 }
 
-/// What a solution should be; around it, what was there.
+/// The expected elements and their bounds; elements outside of the box keep their values.
 struct Expected {
     std::vector<double> exact, bounds;
 

@@ -28,8 +28,8 @@ std::int64_t wrapping_sum(std::int64_t a, std::int64_t b) {
     return static_cast<std::int64_t>(static_cast<std::uint64_t>(a) + static_cast<std::uint64_t>(b));
 }
 
-/// Sums of n floats however grouped are off by no more than this times the sum of the absolute values (Higham, Accuracy
-/// and Stability of Numerical Algorithms, 4.2).
+/// The error of a sum of n floats, grouped in any way, is at most this times the sum of the absolute values (Higham,
+/// Accuracy and Stability of Numerical Algorithms, 4.2).
 double relative_bound(double n) {
     const double nu = n * 0x1p-24;
     return nu < 0.5 ? nu / (1 - nu) : INFINITY;
@@ -58,7 +58,8 @@ TEST_P(Types, SumOfLongs) {
     });
 }
 
-/// Multiples of 2^-30 from -1 to 1: sums of a million are exact however grouped, but not in single precision.
+/// Multiples of 2^-30 from -1 to 1. Sums of a million of them are exact in double precision, in any order, but not in
+/// single precision.
 std::vector<double> fractions(Round& round, std::uint32_t count) {
     std::vector<double> values(count);
     for (double& x : values) x = std::round(round.real() * 0x1p30) * 0x1p-30;

@@ -1,5 +1,5 @@
-// Rasters of the language: which pixels triangles, lines and points cover, on the host device and on Vulkan, under
-// validation. Whole meshes, and a soup of triangles that nobody should draw.
+// Compares which pixels rasters (draws of the language) cover on the host device and on Vulkan, under validation:
+// triangles, lines, points, whole meshes, and degenerate or huge triangles, which must do no harm.
 #include "tests/device/guards/on_every_device.h"
 
 #include "coverage.glift.hpp"
@@ -51,7 +51,7 @@ protected:
         return drawn(
             device, [](auto&&... all) { coverage::overdraw(all...); }, list, size);
     }
-    /// The pixels that differ; there must be some that do not.
+    /// The pixels whose counts differ between the two devices; some pixels must be covered and equal.
     template <class Draw>
     std::vector<uint2> differing(const Draw& draw, const std::vector<float4>& list, uint2 size) const {
         const auto a = drawn(host, draw, list, size), b = drawn(vulkan, draw, list, size);
@@ -80,7 +80,8 @@ protected:
         return {counts.read(), nearest.read()};
     }
 
-    /// Whether the pixels are the same, but for what clipping explains; on GPUs, but for what rounding explains, too.
+    /// Expects equal counts of triangles in all pixels, except where clipping explains the difference, and on GPUs also
+    /// where the rounding of vertices explains it (edges.h).
     void compare(const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& b,
                  const std::vector<float4>& places, uint2 size) const {
         std::uint64_t fragments = 0;
@@ -114,7 +115,7 @@ protected:
         }
         std::printf("%zu pixels show another triangle\n", others);
         EXPECT_GT(drawn, a.nearest.size() / 20);
-        // Where depths are within their last bits, either triangle is in front.
+        // Where depths differ only in their last bits, either triangle may be in front.
         EXPECT_LE(others, a.nearest.size() / 1000);
     }
     void same(const std::vector<float4>& places, uint2 size) const {
@@ -122,7 +123,7 @@ protected:
     }
 };
 
-/// Numbers of one seed.
+/// Random numbers from a seed.
 class Numbers {
 public:
     explicit Numbers(unsigned seed) : random_(seed) {}
@@ -154,7 +155,8 @@ void draw_points(const glift::Device& device, const coverage::Places& places, co
     coverage::points_over(device, places, counts);
 }
 
-/// In any direction, of any length, in perspective; some level, upright or diagonal, from centre to centre of pixels.
+/// Lines of any direction and length, in perspective; and lines that are horizontal, vertical or diagonal, between
+/// centres of pixels.
 TEST_F(Coverage, OfLines) {
     constexpr uint2 size(301, 203);
     Numbers number(11);
@@ -168,7 +170,7 @@ TEST_F(Coverage, OfLines) {
                                 std::clamp(y + number.between(-length, length), -1.0f, 1.0f) * w, 0.5f * w, w);
         }
     }
-    constexpr uint2 square(64, 64);  // whose pixels' centres are exact
+    constexpr uint2 square(64, 64);  // a size for which the pixels' centres are exact in clip coordinates
     for (int i = 0; i < 2000; ++i) {
         const auto cell = [&] { return std::floor(number.between(0, 63.99f)); };
         const float x = cell(), y = cell(), length = cell();
@@ -197,7 +199,7 @@ TEST_F(Coverage, OfPoints) {
         places.emplace_back(number.between(-1.1f, 1.1f) * w, number.between(-1.1f, 1.1f) * w,
                             number.between(-0.1f, 1.1f) * w, w);
     }
-    // Corners, sides and centres of pixels.
+    // Points at corners, on sides and at centres of pixels.
     for (int i = 0; i <= 128; ++i)
         for (int k = 0; k <= 128; ++k)
             grid.emplace_back(static_cast<float>(i) / 64 - 1, static_cast<float>(k) / 64 - 1, 0.5f, 1.0f);
@@ -213,7 +215,7 @@ TEST_F(Coverage, OfScenes) {
     }
 }
 
-/// Where the data is: beside the project, or where GLIFT_DATA says.
+/// Draws a large mesh, if its file exists: beside the project, or in the folder that GLIFT_DATA names.
 TEST_F(Coverage, OfTheDragon) {
     const char* named = std::getenv("GLIFT_DATA");
     const std::filesystem::path file = std::filesystem::path(named ? named : GLIFT_DATA_BESIDE) / "dragon_vrip.ply.gz";
@@ -226,7 +228,7 @@ TEST_F(Coverage, OfTheDragon) {
     same_mesh(mesh, {middle + float3(0.9f, 0.35f, 1.3f), middle, float3(0, 1, 0), 0.8f, 0.05f, 5}, {1024, 1024});
 }
 
-/// One of the kinds of triangles that should be harmless, with numbers of its own.
+/// A triangle of one of the kinds that should be harmless: degenerate, with NaN or infinity, invisible or tiny.
 std::vector<float4> odd_triangle(unsigned kind, Numbers& number) {
     constexpr float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
     const auto corner = [&](float size, float w) {
@@ -253,7 +255,7 @@ std::vector<float4> odd_triangle(unsigned kind, Numbers& number) {
         break;  // beyond the far plane
     case 11:
         for (float4& p : made) p.z = -1;
-        break;  // before the near one
+        break;  // before the near plane
     case 12:
         for (float4& p : made) p = float4(p.x * 1e-30f, p.y * 1e-30f, p.z, p.w);
         break;
@@ -275,7 +277,7 @@ TEST_F(Coverage, OfDegenerateTrianglesAndNaNs) {
     }
 }
 
-/// Some corners far outside of the window, before the near plane, or behind the eye.
+/// Triangles some of whose corners are far outside of the window, before the near plane, or behind the eye.
 TEST_F(Coverage, OfHugeAndClippedTriangles) {
     for (const float reach : {3.0f, 50.0f, 1000.0f, 1e6f, 1e20f, 3e38f}) {
         Numbers number(static_cast<unsigned>(std::log2(static_cast<double>(reach))));
@@ -292,7 +294,7 @@ TEST_F(Coverage, OfHugeAndClippedTriangles) {
     }
 }
 
-/// All at once, in any order: the next draw is whole, whatever came before.
+/// Draws all kinds of harmless triangles at once, then normal ones: what came before must not disturb them.
 TEST_F(Coverage, OfASoup) {
     Numbers number(99);
     std::vector<float4> places;

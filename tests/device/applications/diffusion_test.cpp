@@ -1,4 +1,5 @@
-// Depth of field by heat diffusion: what dof.glift promises of its numbers (direct.h), edges, energy, widths and time.
+// Depth of field by heat diffusion: compares dof.glift with direct solutions (direct.h); sharp edges, energy, widths of
+// blur and time.
 #include "direct.h"
 #include "tests/device/guards/on_every_device.h"
 
@@ -20,10 +21,10 @@ using direct::Plane;
 using glift::float4;
 using glift::uint2;
 
-/// The largest circle is so many pixels; what is at distance 1 is in focus.
+/// A lens whose largest circle of confusion is `largest` pixels; objects at distance 1 are in focus.
 dof::Lens lens_with(float largest) { return {0.5f, 1.0f, 1.0f, largest}; }
 
-/// Where a circle is so large, behind what is in focus.
+/// The distance, behind the focus, at which the circle of confusion has this size.
 float distance_of(float circle, float largest) { return 1 / (1 - circle / largest); }
 
 struct Input {
@@ -38,7 +39,7 @@ struct Input {
     }
     std::size_t place(std::uint32_t x, std::uint32_t y) const { return std::size_t{y} * size.x + x; }
 
-    /// As the device has them, in double precision.
+    /// The circles of confusion, computed as the device does, in double precision.
     Plane circles() const {
         Plane made{size.x, size.y, {}};
         const double largest = static_cast<double>(lens.pixels) * lens.aperture * lens.focal /
@@ -53,14 +54,14 @@ struct Input {
     }
 };
 
-/// Random colours; circles from 0 to `circle`, some in focus.
+/// A picture of random colours; circles of confusion from 0 to `circle`, some pixels in focus.
 Input random_input(uint2 size, float circle, unsigned seed) {
     Input made(size, 2 * circle);
     std::mt19937 random(seed);
     const auto number = [&] { return static_cast<float>(random() >> 8) * 0x1p-24f; };
     for (std::size_t i = 0; i < made.colours.size(); ++i) {
         made.colours[i] = float4(number(), number(), number(), 1);
-        // Neighbours are alike for a while, as in pictures: only so much flows far.
+        // Runs of equal circles, as in pictures: colour diffuses far only where neighbours are alike.
         if (i % 97 == 0 || number() < 0.02f) made.distances[i] = distance_of(circle * number(), 2 * circle);
         else made.distances[i] = made.distances[i - 1];
         if (number() < 0.005f) made.distances[i] = 1;
@@ -68,7 +69,7 @@ Input random_input(uint2 size, float circle, unsigned seed) {
     return made;
 }
 
-/// The fence, drawn.
+/// The scene "fence", drawn on the device.
 Input drawn_input(const glift::Device& device, uint2 size, float circle) {
     const scenes::Scene scene = scenes::fence(0);
     photograph::Corners corners(device, static_cast<std::uint32_t>(scene.mesh.corners.size()));
@@ -115,7 +116,7 @@ protected:
         blur(images, layers);
         return images.result.read();
     }
-    /// The largest difference to the direct solution.
+    /// The largest difference between one layer on the device and the direct solution.
     double error_of(const Input& input) const {
         const std::vector<float4> result = blurred(input);
         const Plane circles = input.circles(),
@@ -128,7 +129,8 @@ protected:
         }
         return worst;
     }
-    /// The same of two layers, circles raised.
+    /// The same for two layers. Circles of the background are raised to at least half the largest one, as dof.glift
+    /// does.
     double error_of_two(const Input& input) const {
         const std::vector<float4> result = blurred(input, Layers::two);
         const Plane circles = input.circles();
@@ -225,7 +227,7 @@ TEST_P(Diffusion, DoesNotBleedAcrossAStep) {
         }
 }
 
-/// A point of light in the middle of circles of one size.
+/// A single bright pixel in the middle; all circles of confusion have one size.
 Input point_of_light(std::uint32_t side, float circle) {
     Input input({side, side}, 2 * circle);
     std::fill(input.distances.begin(), input.distances.end(), distance_of(circle, 2 * circle));
@@ -239,7 +241,8 @@ TEST_P(Diffusion, KeepsTheEnergyOfAPoint) {
         double sum = 0;
         for (const float4& c : blurred(input)) sum += static_cast<double>(c.y);
         EXPECT_NEAR(sum, 1, 1e-3) << circle;
-        // Also among circles of all sizes: what leaves a pixel arrives at the next.
+        // The sum is kept for circles of different sizes, too: conduction between pixels moves colour and keeps its
+        // sum.
         const Input other = random_input(input.size, circle, 5);
         input.distances = other.distances;
         sum = 0;
@@ -248,7 +251,7 @@ TEST_P(Diffusion, KeepsTheEnergyOfAPoint) {
     }
 }
 
-/// A disc of diameter d, evenly lit, has the variance d * d / 16 along each axis.
+/// The blur of a point has the variance of its circle: an evenly lit disc of diameter d has d * d / 16 along each axis.
 TEST_P(Diffusion, SpreadsAPointAsWideAsItsCircle) {
     for (const float circle : {8.0f, 20.0f, 40.0f}) {
         const Input input = point_of_light(513, circle);
@@ -270,7 +273,7 @@ TEST_P(Diffusion, SpreadsAPointAsWideAsItsCircle) {
     }
 }
 
-/// Both are measured in turns until the shortest times of both agree: others use this machine, too.
+/// Times both alternately until the shortest times agree, since other programs use this machine, too.
 TEST_P(Diffusion, TakesAsLongForEveryBlur) {
     const Images narrow(device, random_input({256, 256}, 2, 1)), wide(device, random_input({256, 256}, 200, 1));
     const auto seconds = [&](const Images& images) {

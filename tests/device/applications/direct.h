@@ -1,4 +1,5 @@
-// The diffusion of dof.glift in double precision: the Thomas algorithm, line by line.
+// The diffusion of dof.glift in double precision: the Thomas algorithm, line by line. `circle` is each pixel's diameter
+// of the circle of confusion.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +9,7 @@
 
 namespace direct {
 
-/// Numbers of a picture's pixels, row by row.
+/// One value for each pixel of a picture, row by row.
 struct Plane {
     std::size_t width = 0, height = 0;
     std::vector<double> values;
@@ -17,15 +18,17 @@ struct Plane {
     double at(std::size_t x, std::size_t y) const { return values[y * width + x]; }
 };
 
-/// One line: weight * (x - value) = what flows in - what flows out.
+/// Solves one line for x: weight[i] * (x[i] - value[i]) = b[i - 1] * (x[i - 1] - x[i]) + b[i] * (x[i + 1] - x[i]),
+/// where b[i] is the conductivity between i and i + 1.
 inline std::vector<double> solved(const std::vector<double>& value, const std::vector<double>& weight,
                                   const std::vector<double>& circle) {
     const std::size_t n = value.size();
-    const auto flow = [&](std::size_t i) {  // between i and i + 1
+    const auto flow = [&](std::size_t i) {  // b[i], as in dof.glift: the smaller circle squared, over 32
         const double least = std::min(circle[i], circle[i + 1]);
         return least * least / 32;
     };
-    // What is left of a pivot without the flow onwards: a sum of positive numbers, so that nothing cancels.
+    // The pivot of row i is rest + after. `rest` is computed as a sum of positive numbers, not as a difference, so that
+    // nothing cancels.
     std::vector<double> upper(n), x(n);
     double rest = 0;
     for (std::size_t i = 0; i < n; ++i) {
@@ -38,7 +41,7 @@ inline std::vector<double> solved(const std::vector<double>& value, const std::v
     return x;
 }
 
-/// All lines of one direction.
+/// Solves all rows, or all columns.
 inline Plane along(const Plane& value, const Plane& weight, const Plane& circle, bool is_row) {
     Plane made = value;
     const std::size_t lines = is_row ? value.height : value.width, length = is_row ? value.width : value.height;
@@ -56,7 +59,8 @@ inline Plane along(const Plane& value, const Plane& weight, const Plane& circle,
     return made;
 }
 
-/// Rows with the weights, then columns with the weights that came out of the rows.
+/// Diffuses `value` along rows with `weight`, then along columns. The columns' weights are `weight` itself diffused
+/// along rows, and at least `least`.
 inline Plane spread(const Plane& value, const Plane& weight, const Plane& circle, double least) {
     Plane second = along(weight, weight, circle, true);
     for (double& w : second.values) w = std::max(w, least);

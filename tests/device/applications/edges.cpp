@@ -15,14 +15,14 @@ bool leaves_the_view(const float4& p) {
     return !(std::abs(p.x) <= p.w && std::abs(p.y) <= p.w && p.z >= 0 && p.z <= p.w);
 }
 
-/// Clip coordinates in double precision.
+/// A vertex in clip coordinates, in double precision.
 using Place = std::array<double, 4>;
 
 Place place_of(const float4& p) {
     return {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z), static_cast<double>(p.w)};
 }
 
-/// Of a pixel's centre to the line through two places, in pixels.
+/// The distance of a pixel's centre to the infinite line through two vertices, in pixels.
 double distance_to_line(const Place& a, const Place& b, uint2 size, std::uint32_t x, std::uint32_t y) {
     const auto in_window = [&](const Place& p) {
         return std::array<double, 3>{(p[0] + p[3]) * size.x / 2, (p[1] + p[3]) * size.y / 2, p[3]};
@@ -32,7 +32,7 @@ double distance_to_line(const Place& a, const Place& b, uint2 size, std::uint32_
     return std::abs(line[0] * (x + 0.5) + line[1] * (y + 0.5) + line[2]) / std::hypot(line[0], line[1]);
 }
 
-/// Where the near or the far plane cuts a triangle's edges.
+/// The points where the near or the far plane cuts a triangle's edges.
 std::vector<Place> cuts_of(const Place (&corners)[3], bool is_far) {
     const auto height = [&](const Place& p) { return is_far ? p[3] - p[2] : p[2]; };
     std::vector<Place> cuts;
@@ -46,9 +46,9 @@ std::vector<Place> cuts_of(const Place (&corners)[3], bool is_far) {
     return cuts;
 }
 
-/// Of a triangle that is clipped, as near as its corners are rounded.
+/// Whether an edge of a triangle that is clipped is so near to the pixel's centre that rounding may decide.
 bool has_clipped_edge_at(const Place (&corners)[3], uint2 size, std::uint32_t x, std::uint32_t y) {
-    constexpr double rounding = 1.5 / 256;  // half a step in x and in y, twice: before clipping, and after
+    constexpr double rounding = 1.5 / 256;  // half a step of 1/256 in x and in y, twice: before and after clipping
     const auto is_near = [&](const Place& a, const Place& b) { return distance_to_line(a, b, size, x, y) <= rounding; };
     for (int k = 0; k < 3; ++k)
         if (is_near(corners[k], corners[(k + 1) % 3])) return true;
@@ -59,7 +59,7 @@ bool has_clipped_edge_at(const Place (&corners)[3], uint2 size, std::uint32_t x,
     return false;
 }
 
-/// Of a pixel's centre to the line between two places, in pixels; both are before the eye.
+/// The distance of a pixel's centre to the line segment between two vertices, in pixels; both are before the eye.
 double distance_to_segment(const Place& a, const Place& b, uint2 size, std::uint32_t x, std::uint32_t y) {
     const double left = (a[0] / a[3] + 1) * size.x / 2, top = (a[1] / a[3] + 1) * size.y / 2;
     const double dx = (b[0] / b[3] + 1) * size.x / 2 - left, dy = (b[1] / b[3] + 1) * size.y / 2 - top;
@@ -68,14 +68,15 @@ double distance_to_segment(const Place& a, const Place& b, uint2 size, std::uint
     return std::hypot(px - t * dx, py - t * dy);
 }
 
-/// Of a triangle that is whole in the view.
+/// The same for a triangle that is not clipped.
 bool has_whole_edge_at(const Place (&corners)[3], uint2 size, std::uint32_t x, std::uint32_t y) {
     for (int k = 0; k < 3; ++k)
         if (distance_to_segment(corners[k], corners[(k + 1) % 3], size, x, y) <= 1.0 / 256) return true;
     return false;
 }
 
-/// How many triangles have an edge at the pixel's centre that devices may place on different sides of it.
+/// How many triangles have an edge so near to the pixel's centre that devices may disagree on which side of it the
+/// centre is.
 std::uint32_t edges_at(const std::vector<float4>& places, uint2 size, std::uint32_t x, std::uint32_t y, Rule rule) {
     std::uint32_t found = 0;
     for (std::size_t i = 0; i + 3 <= places.size(); i += 3) {
@@ -88,7 +89,7 @@ std::uint32_t edges_at(const std::vector<float4>& places, uint2 size, std::uint3
     return found;
 }
 
-/// Between the near and the far plane, in the window; none where nothing is between them.
+/// The ends in the window of a line, cut at the near and the far plane; none where nothing is between the planes.
 std::vector<std::array<double, 2>> ends_of(const Place& a, const Place& b, uint2 size) {
     double from = 0, to = 1;
     const auto cut = [&](double first, double second) {

@@ -1,4 +1,5 @@
-// Where devices may cover other pixels: the geometry of edges, in double precision.
+// Says where two correct devices may cover different pixels: near edges of triangles and lines. Computed in double
+// precision.
 #pragma once
 
 #include <glift/vector.h>
@@ -10,21 +11,24 @@
 namespace edges {
 
 enum class Rule {
-    exact,   ///< the same rounding of corners: only clipping, which makes new ones, may differ
-    rounded  ///< corners rounded to the same grid, after other arithmetic: a centre within 1/256 pixel of an edge may
-             ///< differ
+    exact,   ///< devices round vertices to the same positions: only clipping, which makes new vertices, explains
+             ///< differences
+    rounded  ///< vertices are rounded to the same grid after other arithmetic: a centre within 1/256 pixel of an edge
+             ///< may differ, too
 };
 
 struct Difference {
-    std::size_t pixels = 0;                 ///< that differ
-    std::vector<glift::uint2> unexplained;  ///< those by more triangles than have an edge there
+    std::size_t pixels = 0;                 ///< number of pixels that differ
+    std::vector<glift::uint2> unexplained;  ///< pixels that differ by more triangles than have an edge near the centre
 };
 
-/// Two devices' numbers of triangles over each pixel, three places in clip coordinates each.
+/// Compares two devices' numbers of triangles over each pixel. `places` are the vertices in clip coordinates, three a
+/// triangle.
 Difference compared(const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& b,
                     const std::vector<glift::float4>& places, glift::uint2 size, Rule rule);
 
-/// Whether the pixel's centre lies where the border of some line is, two places each, as near as that is rounded.
+/// Whether a pixel's centre is so near to the border of some line (one pixel wide) that rounding may decide. `places`
+/// has two vertices a line.
 bool is_beside_a_line(const std::vector<glift::float4>& places, glift::uint2 size, glift::uint2 pixel);
 
 }  // namespace edges

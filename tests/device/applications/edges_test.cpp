@@ -1,4 +1,5 @@
-// The rule by which coverage is compared between devices finds what it should, and excuses nothing else.
+// Tests the rule by which coverage is compared between devices (edges.h): it excuses differences near edges, and no
+// others.
 #include "edges.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +12,7 @@ using glift::uint2;
 
 constexpr uint2 size(8, 8);
 
-/// A triangle whose left edge is upright, so many pixels left of the centres of column 3; it reaches from row 1 to 7.
+/// A triangle from row 1 to 7 whose left edge is vertical, `beside` pixels left of the centres of column 3.
 std::vector<float4> triangle(double beside) {
     const auto at = [](double x, double y, float w) {
         return float4(static_cast<float>(x / 4 - 1) * w, static_cast<float>(y / 4 - 1) * w, 0.5f * w, w);
@@ -19,7 +20,7 @@ std::vector<float4> triangle(double beside) {
     return {at(3.5 - beside, 1, 1), at(3.5 - beside, 7, 2), at(7, 4, 0.5f)};
 }
 
-/// The number of pixels that the rule does not explain, where one device has one more triangle at a pixel.
+/// The number of pixels that the rule does not excuse if one device has `more` more triangles at a pixel.
 std::size_t unexplained(const std::vector<float4>& places, uint2 pixel, Rule rule, std::uint32_t more = 1) {
     const std::vector<std::uint32_t> a(size.x * size.y, 5);
     std::vector<std::uint32_t> b = a;

@@ -1,4 +1,5 @@
-// Boxes of elements moved between host and device, over every kind of translator: each element once, no others changed.
+// Moves boxes of elements between host and device, over every kind of translator: each element must be moved once, and
+// no others changed.
 #include "calls.glift.hpp"
 
 #include <gtest/gtest.h>
@@ -80,8 +81,8 @@ TEST(Rows, AreCopiedAsOneWhereTheyFollowEachOther) {
     EXPECT_FALSE(glift::detail::HasRows<calls::Picture>) << "an image";
 }
 
-// Sides that Morton order interleaves to more than 32 bits: the memory has them all, so that no two elements share a
-// place.
+// An extent for which Morton order interleaves more than 32 bits: the size of its memory is computed exactly, so that
+// no two elements share an address.
 TEST(Sides, BeyondThirtyTwoBitsOfMortonOrderAreCountedExactly) {
     const auto device = glift::Device::open("host");
     try {

@@ -1,4 +1,4 @@
-// Conditions, counts and loops that stay on the device: called, recorded and replayed.
+// Conditions, counts and loops whose values stay on the device: called, recorded and replayed.
 #include "conditions.glift.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ Values counted(std::size_t n) {
     return values;
 }
 
-/// What `settle` does, and how often.
+/// `settle` on the host; returns the number of rounds.
 std::uint32_t settled(Values& a, const Values& counts) {
     std::uint32_t rounds = 0;
     while (std::ranges::any_of(a, [&](std::uint32_t x) { return x > counts[0]; })) {

@@ -1,4 +1,4 @@
-// A program fills a pipeline's argument whose type only another module declares.
+// A program fills an argument of a pipeline whose type is declared only in another module.
 #include "imported.glift.hpp"
 
 #include <gtest/gtest.h>

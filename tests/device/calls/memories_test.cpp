@@ -1,4 +1,4 @@
-// Structures over memory that they share, as C++ classes: they keep it alive, and are seen to share it.
+// C++ classes of structures that share memory: each keeps the memory alive, and calls that alias it are refused.
 #include "memories.glift.hpp"
 
 #include <gtest/gtest.h>
@@ -72,14 +72,14 @@ TEST(Memories, fields_share_a_table) {
         one.fill(5.0f);
         memories::scaled(device, one, other, 2.0f);
         EXPECT_EQ(other.read({3, 0}, {2, 1}), (std::vector<float>{-2.0f, 10.0f}));
-        EXPECT_EQ(other.read({3, 4}, {2, 1}), (std::vector<float>{-2.0f, 10.0f}));  // frame 2 of 2; frame 0
+        EXPECT_EQ(other.read({3, 4}, {2, 1}), (std::vector<float>{-2.0f, 10.0f}));  // frame 2: none; frame 0
         table.write(std::vector<std::uint32_t>{1, 0, 0, 0});
         EXPECT_EQ(other.read({0, 0}, {1, 1}), std::vector<float>{10.0f});
         EXPECT_EQ(one.frames().read({0, 0}, {1, 2}), (std::vector<float>{5.0f, 5.0f}));
     }
 }
 
-/// That the call is refused, with both parameters' names.
+/// Expects that the call is refused because arguments share memory, with both parameters' names.
 template <class Call> void expect_refused(Call&& call) {
     try {
         call();
@@ -118,7 +118,7 @@ TEST(Memories, who_has_a_container_sees_its_members_replaced) {
     }
 }
 
-/// That it throws, and that the text says so.
+/// Expects that the call throws an error that contains the text.
 template <class Call> void expect_error(const char* text, Call&& call) {
     try {
         call();

@@ -1,4 +1,4 @@
-// Wrong uses of generated structures: each throws a glift::Error that names the structure and a remedy.
+// Wrong uses of generated structures: each throws a glift::Error that names the structure and says what to do.
 #include "misuse.glift.hpp"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ protected:
 INSTANTIATE_TEST_SUITE_P(, Misuse, testing::Values("host", "lavapipe"),
                          [](const testing::TestParamInfo<const char*>& which) { return which.param; });
 
-/// The text of the Error that the action throws, which must have a remedy.
+/// The text of the Error that the action throws, which must say where it is and what to do.
 std::string error_of(const std::function<void()>& action) {
     try {
         action();
@@ -43,7 +43,7 @@ void expect_error(const char* words, const std::function<void()>& action) {
     EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
 }
 
-/// Every method of a structure, empty.
+/// Calls every method of a structure that is empty: default-constructed or moved from.
 template <class S> void use_empty(S& s, const S& other, const glift::Commands& commands) {
     using Address = typename S::Address;
     using Element = typename S::Element;
@@ -179,7 +179,7 @@ TEST_P(Misuse, OfBoxes) {
     EXPECT_NE(around.find("the domain of f is {4}"), std::string::npos) << around;
 }
 
-/// What a window reads beside its range counts: the elements 9 to 20 of these.
+/// What windows read outside of their range counts, too: the elements 9 to 20 here.
 TEST_P(Misuse, WindowsReachBeyondTheirRange) {
     const Line line(device, 100);
     expect_error("'f' reads windows in", [&] { misuse::around(device, line.range(10, 10), line.range(20, 10)); });
@@ -224,7 +224,7 @@ TEST_P(Misuse, RecordingsHoldWhatTheirBodiesDo) {
     const auto recording = device.record([&](const glift::Commands& commands) {
         line.fill(1);
         misuse::add_one(commands, line);
-        misuse::add_one(device, line);  // the device's stream is the recording's here
+        misuse::add_one(device, line);  // within a recording, the device's own stream is the recording's
         Line made(device, 4);
         made.write(std::vector<float>(4, 0.5f));
         misuse::add_one(commands, made);
@@ -256,7 +256,7 @@ TEST_P(Misuse, RecordingsRefuseWhatWaits) {
     fails("Recording::submit", [&](const Commands&) { earlier.submit(); });
     fails("Device::wait", [&](const Commands&) { device.wait(); });
     fails("cannot be recorded", [&](const Commands&) { device.commands().flush(); });
-    line.fill(3);  // after the errors the device's stream is its own again
+    line.fill(3);  // after the errors the device's own stream is used again
     EXPECT_EQ(line.read()[0], 3.0f);
 }
 

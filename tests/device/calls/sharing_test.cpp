@@ -1,4 +1,4 @@
-// One structure is one C++ class, whichever modules name it.
+// A structure is one C++ class, even if several modules use it.
 #include "calls.glift.hpp"
 #include "imported.glift.hpp"
 #include "misuse.glift.hpp"

@@ -1,4 +1,4 @@
-// Parameters fixed when pipelines are made: the same results, a pipeline for each set of values.
+// Calls that fix parameters as constants of the pipeline: the same results, and one pipeline for each set of values.
 #include "calls.glift.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// A struct from a C++ header of the program's.
+// Uses a struct that is declared in a C++ header of the program.
 #include "voxels.glift.hpp"
 
 #include <gtest/gtest.h>

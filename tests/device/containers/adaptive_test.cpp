@@ -1,6 +1,6 @@
-// Quadtrees and octrees of random pages and random values, sampled everywhere, on the edges of pages and at hanging
-// nodes too, compared with an interpolator of doubles that knows nothing of frames and tables. Pools that are too
-// small, by every policy, against a model of which pages are there.
+// Adaptive fields (quadtrees and octrees) with random pages and values, sampled everywhere, also on the edges of pages
+// and at hanging nodes; compared with an interpolator in double precision that has no frames or tables. For pools that
+// are too small, each policy is compared with a model of which pages are resident.
 #include "model.h"
 #include "property.h"
 
@@ -19,8 +19,8 @@ using Number = std::uint32_t;
 
 GLIFT_PROPERTY_SUITE(Adaptive);
 
-/// The weights of a GPU's filter have 8 bits, of each axis; elsewhere a point in the image of frames has 24. Values are
-/// between -1 and 1.
+/// Bounds on the error of samples, for values from -1 to 1. The weights of a GPU's linear filter have 8 bits for each
+/// axis; elsewhere a coordinate in the image of frames has 24.
 constexpr double filter_error = 3 * 2.0 / 256, exact_error = 1e-4;
 
 Number mixed(Number x) {
@@ -28,7 +28,8 @@ Number mixed(Number x) {
     return b ^ (b >> 16);
 }
 
-/// Of a table, the entries of pages that are there; 0 for those that others stand for.
+/// The entries of a table whose pages are resident. Other entries name a coarser page, and from bit 27 on how many
+/// levels coarser; they become 0.
 std::vector<Number> own(std::vector<Number> entries) {
     for (Number& entry : entries)
         if (entry >> 27 != 0) entry = 0;
@@ -38,7 +39,7 @@ std::vector<Number> own(std::vector<Number> entries) {
 template <int N> using Place = std::array<Number, N>;
 template <int N> using Point = std::array<double, N>;
 
-/// The field, from the pages that are there.
+/// The model: the field as interpolated from the pages that are resident.
 template <int N> class Field {
 public:
     struct Page {
@@ -55,7 +56,7 @@ public:
     void put(const Page& page) { pages_.insert(page); }
     void clear() { pages_.clear(); }
 
-    /// Pages are numbered from the coarsest level on, and row by row.
+    /// Numbers of pages count from the coarsest level on, and row by row within a level.
     Number number_of(const Page& page) const {
         Number first = 0, number = 0;
         for (Number level = levels_ - 1; level > page.level; --level) first += pages_of(level);
@@ -74,7 +75,7 @@ public:
         return all;
     }
 
-    /// Parents stand for the pages of a level.
+    /// Replaces the pages of a level by their parents, as the policy `coarsen` does.
     void raise(Number level) {
         std::set<Page> raised;
         for (Page page : pages_) {
@@ -87,7 +88,7 @@ public:
         pages_ = std::move(raised);
     }
 
-    /// All pages that have a node.
+    /// All pages of a level that share a node.
     std::vector<Page> with_node(const Place<N>& node, Number level) const {
         std::vector<Page> found;
         for (Number corner = 0; corner < 1U << N; ++corner) {
@@ -103,7 +104,7 @@ public:
         return found;
     }
 
-    /// x in nodes of level 0, from node 0 on.
+    /// Samples at x, which is counted in nodes of level 0, from node 0 on.
     double sample(Point<N> x, Number level) const {
         Page page{level, {}};
         for (int axis = 0; axis < N; ++axis) {
@@ -150,7 +151,8 @@ private:
         return sum;
     }
 
-    /// Of a node as pages of its level have it: what the coarsest page beside it says.
+    /// The value of a node in pages of its level: where a coarser page is beside it (a hanging node), the interpolant
+    /// of the coarsest.
     double value(Place<N> node, Number level) const {
         for (Number& at : node)
             if (repeats_) at %= cells_ * along(level);
@@ -179,8 +181,8 @@ private:
 
 enum class Policy { enough, coarsen, fail, drop, evict, grow };
 
-/// The largest differences between samples beside each other on the two sides of an edge, less what the exact field
-/// changes there.
+/// The largest difference between samples on the two sides of a page's edge, less the change of the exact field between
+/// them.
 struct Jump {
     double largest = 0;
     int edges = 0;
@@ -217,7 +219,7 @@ private:
                                          : model::Overflow::drop;
     }
 
-    /// All that may be asked for, or 1/2, 1/4, 1/8, 1/16 of all pages.
+    /// A capacity for all pages that may be requested, or for 1/2 to 1/16 of all pages; for `coarsen` a few.
     Number capacity_of(Policy policy) {
         if (policy == Policy::enough) return N == 2 ? 400 : 1200;
         return policy == Policy::coarsen ? 1 + round_.below(60) : std::max(1U, field_.count() >> 1 >> round_.below(4));
@@ -228,7 +230,7 @@ private:
         else pages_.request(field_.number_of(page));
     }
 
-    /// The coarsest page and those of some nodes.
+    /// Requests the coarsest page and the pages of some nodes.
     void change() {
         field_.clear();
         std::vector<uint4> asked{{0, 0, 0, levels_ - 1}};
@@ -252,7 +254,7 @@ private:
         for (const auto& [page, frame] : pages_.frames()) field_.put(field_.page_of(page));
     }
 
-    /// What the policy says, and where it says it.
+    /// Compares status and table of pages with the model of the policy.
     testing::AssertionResult layout_is_right() {
         const auto status = tree_.status(device_);
         const model::Status found{status.requested, status.granted, status.refused, status.resident, status.capacity};
@@ -271,7 +273,7 @@ private:
         return points;
     }
 
-    /// Points on a face, an edge or a corner of a page, and others a hair beside them.
+    /// Points on faces, edges or corners of pages, and others very near to them.
     std::vector<Point<N>> on_edges() {
         std::vector<Point<N>> points = anywhere();
         for (Point<N>& point : points)
@@ -314,7 +316,7 @@ private:
         ASSERT_TRUE(property::near(round_, exact, bounds, sampled(given), "sample"));
     }
 
-    /// Across faces of pages, some of them at an edge, a corner or the edge of the field too.
+    /// Samples on both sides of faces of pages, some also at an edge, a corner or the border of the field.
     void measure_jumps() {
         constexpr double aside = 1.0 / 4096;
         std::vector<float4> given;
@@ -347,7 +349,7 @@ private:
     Tree tree_;
 };
 
-/// Says how continuous the fields were.
+/// Prints how continuous the fields were.
 void report(const glift::Device& device, const Jump& jump) {
     const std::string name = device.properties().name;
     testing::Test::RecordProperty("largest_jump", std::to_string(jump.largest));
@@ -369,7 +371,7 @@ TEST_P(Adaptive, Octrees) {
     report(device(), jump);
 }
 
-/// Pages at opposite edges are beside each other.
+/// Fields that repeat: pages at opposite borders are neighbours.
 TEST_P(Adaptive, QuadtreesThatRepeat) {
     Jump jump;
     for_all("quadtree that repeats",
@@ -385,7 +387,7 @@ TEST_P(Adaptive, OctreesThatRepeat) {
     report(device(), jump);
 }
 
-/// Requests that do not fit are granted on coarser levels, and what was not requested goes.
+/// Requests that do not fit are granted on coarser levels; pages that were not requested are released.
 TEST_P(Adaptive, Coarsen) {
     Jump jump;
     for_all("coarsened",
@@ -416,7 +418,7 @@ TEST_P(Adaptive, Grow) {
             [&](Round& round) { Trees<2, adaptive::Growing>(device(), round, 4, Policy::grow, jump).run(); });
 }
 
-/// A pool that grows has what a pool has that was large from the start, bit for bit; pages keep what they have.
+/// A pool that grows has the same contents as one that was large from the start, bit for bit; pages keep their values.
 TEST_P(Adaptive, GrowsToWhatALargeOneIs) {
     for_all("tree that grows", [&](Round& round) {
         const Number levels = 2 + round.below(4), all = (1U << 2 * levels) / 3, capacity = 1 + round.below(8);

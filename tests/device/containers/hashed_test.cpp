@@ -1,7 +1,7 @@
-// Random requests, dismissals, writes, refinements and reads of sparse arrays whose page table is a hash of pages, at
-// both ends of the axes and in the middle, compared with std::unordered_map after each change, for each policy of pools
-// that are too small: status, contents, the order of frames and the layout of the hash, which are the same on every run
-// and device.
+// Sparse arrays whose page table is a hash map of pages: random requests, dismissals, writes, refinements and reads, at
+// both ends of the axes and in the middle. Each change is compared with std::unordered_map, for each policy of pools
+// that are too small: status, contents, the order of frames and the layout of the hash map, which are the same on every
+// run and device.
 #include "property.h"
 
 #include "hashed.glift.hpp"
@@ -40,7 +40,7 @@ template <> constexpr Policy policy_of<hashed::Strict> = Policy::fail;
 template <> constexpr Policy policy_of<hashed::Evicting> = Policy::evict;
 template <> constexpr Policy policy_of<hashed::Growing> = Policy::grow;
 
-/// Pages that come and go, with what they have.
+/// The model: resident pages with their contents.
 class Model {
 public:
     struct Status {
@@ -54,7 +54,8 @@ public:
 
     void dismiss(uint2 page) { contents_.erase(page); }
 
-    /// Frames of what has gone are given back, those that stay keep their order, and what comes stands behind them.
+    /// Allocates what was requested. Frames of released pages are freed, pages that stay keep their order, and new
+    /// pages follow them.
     void allocate() {
         ++round_;
         std::ranges::sort(wanted_, in_row_major_order);
@@ -84,7 +85,8 @@ public:
         }
     }
 
-    /// Where an element is; null: its page is not there, or it is the last one of an axis, which is outside.
+    /// An element in the model; null if its page is not resident, or if it is at the last coordinate of an axis, which
+    /// is outside.
     Number* element(uint2 place) {
         if (place.x == 0xffffffff || place.y == 0xffffffff) return nullptr;
         const auto at = contents_.find(page_of(place));
@@ -97,7 +99,7 @@ public:
                 for (Number i = 0; i < page_volume; ++i) at->second[i] += by + i;
     }
 
-    /// Each entry goes on from its key's place, and later ones give way.
+    /// The hash map: linear probing from each key's slot, in the order of the entries.
     std::vector<Number> index() const {
         const Number size = 2 * status_.capacity;
         std::vector<Number> places(size);
@@ -122,7 +124,7 @@ public:
     const std::vector<uint2>& order() const { return order_; }
 
 private:
-    /// As many pages go as there are frames too few: those that were requested longest ago.
+    /// Evicts as many pages as frames are missing: those that were requested longest ago.
     void evict() {
         std::vector<uint2> all;
         for (const auto& [page, content] : contents_) all.push_back(page);
@@ -140,8 +142,8 @@ private:
     Policy policy_;
     Status status_;
     Number round_ = 0;
-    std::unordered_map<uint2, Number, Hash> last_;  ///< the change that last requested a page
-    std::vector<uint2> wanted_, order_;             ///< order: those that were there at the last change
+    std::unordered_map<uint2, Number, Hash> last_;  ///< number of the change that last requested a page
+    std::vector<uint2> wanted_, order_;             ///< order: pages that were resident at the last change
     std::unordered_map<uint2, std::array<Number, page_volume>, Hash> contents_;
 };
 
@@ -168,7 +170,7 @@ public:
     }
 
 private:
-    /// Beside each other, in one of a few places far from each other.
+    /// Addresses near to each other, in one of a few regions far apart.
     std::vector<uint2> places(Number most) {
         static constexpr uint2 middles[] = {{0, 0}, {4000000000u, 12}, {0u - 40, 0x80000000u}, {1u << 31, 0u - 3}};
         std::vector<uint2> made(1 + round_.below(most));
@@ -186,8 +188,8 @@ private:
         return made;
     }
 
-    /// Kernels may request as many pages as there are places in the set of wanted ones, twice the capacity; a list may
-    /// be longer where pools grow.
+    /// Requests from kernels are limited by the set of wanted pages, whose size is twice the capacity. A list of pages
+    /// may be longer if the pool grows.
     void request() {
         const bool is_long = policy_of<Sheet> == Policy::grow && round_.chance(2);
         std::vector<uint2> asked = places(is_long ? 5 * capacity_ : 2 * capacity_);
@@ -279,7 +281,7 @@ TEST_P(SparseHashed, KeepsWhatAMapKeeps) {
     });
 }
 
-/// The change is one submission, and nothing is read back; each replay takes what was requested since the last one.
+/// A change is one submission, and nothing is read back. Each replay takes the requests since the last one.
 TEST_P(SparseHashed, RecordedOnce) {
     for_all("sparse array over a hash, recorded", [&](Round& round) {
         const Number capacity = 1 + round.below(200), most = 2 * capacity;

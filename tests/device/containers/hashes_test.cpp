@@ -1,5 +1,5 @@
 // Random insertions, erasures and searches of hash maps and sets, compared with std::unordered_map and with the order
-// and the layout that the library promises.
+// and the memory layout that the library promises.
 #include "property.h"
 
 #include "hashes.glift.hpp"
@@ -31,7 +31,7 @@ struct Hash {
     std::size_t operator()(const auto& key) const { return hash_of(key); }
 };
 
-/// A map whose entries keep the order in which they came.
+/// The model: a map whose entries keep the order of insertion.
 template <class Key> class Model {
 public:
     explicit Model(Number capacity) : capacity_(capacity) {}
@@ -74,7 +74,7 @@ public:
         refused_ = 0;
     }
 
-    /// Each entry goes on from its key's place, and later ones give way.
+    /// The hash table: linear probing from each key's slot, in the order of the entries.
     std::vector<Number> index() const {
         std::vector<Number> places(2 * capacity_);
         for (Number number = 0; number < keys_.size(); ++number) {
@@ -119,7 +119,7 @@ std::vector<Number> numbers(Round& round, std::size_t n) {
     return all;
 }
 
-/// Few enough keys that many are equal.
+/// Random keys out of `kinds` different ones, so that many are equal.
 std::vector<uint2> keys(Round& round, Number kinds) {
     std::vector<uint2> all(1 + round.below(round.chance(3) ? 600 : 60));
     for (uint2& key : all) {
@@ -203,8 +203,8 @@ TEST_P(Hashes, MapsInBatches) {
     for_all("hash map", [&](Round& round) { Maps(device(), round).run(); });
 }
 
-/// Entries have no order, and neither have equal keys in a pass: each key has one value in it. Invocations that insert
-/// a key at the same moment each take an entry, until `tidy`.
+/// Entries of a kernel have no order, so each key has one value in a pass. Invocations that insert a key at the same
+/// moment may each take an entry; `tidy` removes the surplus ones.
 TEST_P(Hashes, MapsFromKernels) {
     for_all("hash map, kernels", [&](Round& round) {
         constexpr Number capacity = 2000;

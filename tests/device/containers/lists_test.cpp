@@ -1,5 +1,4 @@
-// Random pushes and pops of linked lists, stacks and queues, and grids of lists, compared with the C++ library's
-// containers.
+// Linked lists, stacks, queues and grids of lists: random operations, compared with the C++ library's containers.
 #include "property.h"
 
 #include "lists.glift.hpp"
@@ -34,7 +33,7 @@ std::vector<Number> first(std::vector<Number> all, std::size_t n) {
     return all;
 }
 
-/// Linked lists whose nodes are taken in order.
+/// The model of linked lists: nodes are taken in order.
 struct Linked {
     std::vector<Number> heads, links, items;
     Number capacity, refused = 0;
@@ -89,7 +88,7 @@ TEST_P(Lists, LinkedInBatches) {
     });
 }
 
-/// In any order: each list as a set.
+/// Kernels push in any order, so each list is compared as a set.
 TEST_P(Lists, LinkedFromKernels) {
     for_all("linked lists, kernels", [&](Round& round) {
         const Number cells = 1 + round.below(100);
@@ -136,7 +135,7 @@ TEST_P(Lists, Grids) {
     });
 }
 
-/// What is popped is what lies there; which invocation gets what is not said.
+/// How each container pops in the model. Which invocation gets which element is unspecified.
 template <class Container> struct Ends;
 
 template <> struct Ends<lists::Stack> {
@@ -173,7 +172,7 @@ template <class Container> void pushes_and_pops(const glift::Device& device, Rou
         if (round.chance(2)) {
             const std::vector<Number> items = numbers(round, round.below(200));
             const std::size_t room = std::min<std::size_t>(items.size(), capacity - model.size());
-            // From a kernel only where there is room for all: which of them find some is not said.
+            // From a kernel only where there is room for all: which invocations find room is unspecified.
             if (room == items.size() && round.chance(2)) {
                 const std::vector<Number> same(items.size(), items.empty() ? 0 : items[0]);
                 Ends<Container>::push(device, on_device(device, same), found);

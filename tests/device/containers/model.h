@@ -1,4 +1,4 @@
-// What a sparse array of std.sparse does, on the host: pages, frames and contents in ordinary containers.
+// A model on the host of the sparse arrays of std.sparse: pages, frames and contents in ordinary containers.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +19,7 @@ struct Status {
     bool operator==(const Status&) const = default;
 };
 
-/// Pages that come and go, by number.
+/// The pages of a pool by number: requested, granted, released.
 class Pages {
 public:
     Pages(Overflow policy, Number bound, Number capacity) : policy_(policy), bound_(bound) {
@@ -33,7 +33,7 @@ public:
         if (page < bound_) unwanted_.insert(page);
     }
 
-    /// The change that the requests ask for; what is granted, ascending.
+    /// Makes the change that was requested. Returns the numbers of the pages that were granted, ascending.
     std::vector<Number> change(bool releases_others) {
         ++round_;
         std::vector<Number> missing, gone;
@@ -62,7 +62,7 @@ public:
         return missing;
     }
 
-    /// Pages beyond the first frames go into free ones: from frame, to frame.
+    /// Moves pages out of frames beyond the first resident() ones into free ones. Returns {from: to}.
     std::map<Number, Number> compact() {
         std::map<Number, Number> moves;
         std::set<Number> holes;
@@ -95,7 +95,7 @@ private:
         }
     }
 
-    /// So many pages that were not requested in this round, requested longest ago; ascending.
+    /// The n pages that were not requested in this round and were requested longest ago, ascending.
     std::vector<Number> oldest(Number n) const {
         std::vector<std::pair<Number, Number>> ages;
         for (const auto& [page, frame] : frames_)
@@ -110,7 +110,7 @@ private:
 
     Overflow policy_;
     Number bound_;
-    Number round_ = 0, next_ = 0;  ///< the first frame that was never used
+    Number round_ = 0, next_ = 0;  ///< next_: the first frame that was never used
     Status status_;
     std::map<Number, Number> frames_;
     std::unordered_map<Number, Number> used_;

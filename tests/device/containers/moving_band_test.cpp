@@ -1,5 +1,5 @@
-// The shell of examples/narrow_band, step by step, against a dense computation on the host: which pages are there, and
-// every element of both fields, bit for bit. Steps are replays of one recording.
+// The moving shell of examples/narrow_band, step by step, compared with a dense computation on the host: which pages
+// are resident, and every element of both fields, bit for bit. Steps are replays of one recording.
 #include "property.h"
 
 #include "moving_shell.glift.hpp"
@@ -21,8 +21,8 @@ constexpr float background = 1.5f;
 struct Dense {
     std::vector<float> now = std::vector<float>(side * side * side, background), next = now;
     std::set<std::uint32_t> there;
-    std::size_t came = 0, went = 0;  ///< in all changes
-    std::uint32_t granted = 0;       ///< in the last one
+    std::size_t came = 0, went = 0;  ///< pages that were allocated and released, in all changes
+    std::uint32_t granted = 0;       ///< in the last change
 
     static std::size_t index(std::uint32_t x, std::uint32_t y, std::uint32_t z) { return (z * side + y) * side + x; }
     static std::uint32_t page_of(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
@@ -82,13 +82,13 @@ struct Dense {
     }
 };
 
-/// One submission a step, no wait; what stays keeps its values, what comes has the background.
+/// Each step is one submission without a wait. Pages that stay keep their values; new pages have the background value.
 TEST_P(MovingBand, IsWhatADenseFieldIs) {
     struct Case {
         float radius;
         std::uint32_t steps;
     };
-    // Inside the domain, for a whole period; cut off by its faces.
+    // A shell inside the domain, for a whole period; and one that the domain's faces cut off.
     for (const auto& [radius, steps] : {Case{12, 66}, Case{0.39f * side, 27}}) {
         Round round("moving band", 1);
         Dense dense;

@@ -1,5 +1,5 @@
-// The neighbours that a grid of lists finds, against a comparison of all particles with all: as sets, of particles that
-// lie anywhere in the box, on its sides, and several in one place.
+// The neighbours that a grid of lists finds, compared with all pairs of particles, as sets. Particles are anywhere in
+// the box, on its sides, and several at one point.
 #include "property.h"
 
 #include "neighbours.glift.hpp"
@@ -30,7 +30,7 @@ std::vector<neighbours::Numbered> particles(Round& round, uint3 cells, Number n)
     return made;
 }
 
-/// Ascending, without those that find no room.
+/// The neighbours' numbers by comparing all pairs, ascending, of any number.
 std::vector<std::vector<Number>> by_comparison(const std::vector<neighbours::Numbered>& all, float radius) {
     std::vector<std::vector<Number>> found(all.size());
     for (const auto& own : all)
@@ -69,8 +69,7 @@ TEST_P(Neighbours, AreThoseOfAComparisonOfAllWithAll) {
     });
 }
 
-/// A step of something that moves is one submission, and nothing is read back; what is found does not depend on how
-/// often.
+/// A step of a simulation is one submission, and nothing is read back; replays find the same neighbours.
 TEST_P(Neighbours, ComeWithOneSubmission) {
     for_all("neighbours, recorded", [&](Round& round) {
         const uint3 cells{6, 5, 4};

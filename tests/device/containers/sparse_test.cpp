@@ -1,6 +1,6 @@
-// Random requests, releases, writes, refinements and reads of sparse arrays with pools of many sizes and with tables of
-// one and two levels, compared with a model after each change: status, table, frames, free list, and every element of
-// every page.
+// Sparse arrays with pools of many sizes and page tables of one and two levels: random requests, releases, writes,
+// refinements and reads, compared with a model after each change: status, table, frames, free list, and every element
+// of every page.
 #include "model.h"
 #include "property.h"
 
@@ -15,7 +15,7 @@ using property::Round;
 GLIFT_PROPERTY_SUITE(Sparse);
 
 constexpr Number background = 77, page_x = 4, page_y = 2, page_volume = page_x * page_y, unmapped = 0xffffffff;
-constexpr Number leaf_entries = 5;  ///< of a table of two levels
+constexpr Number leaf_entries = 5;  ///< entries in a page of the lower level of a table
 
 template <class Grid> class Sequence {
 public:
@@ -43,7 +43,7 @@ public:
     }
 
 private:
-    /// One for each page at most, and no more than there are.
+    /// The model of the pages of a two-level table's lower level: as many as pages may need, but no more than exist.
     model::Pages leaves_of(model::Overflow policy) const {
         const Number all = (along_.x * along_.y + leaf_entries - 1) / leaf_entries;
         return {model::Overflow::drop, all, policy == model::Overflow::grow ? all : std::min(all, capacity_)};
@@ -53,7 +53,7 @@ private:
     bool is_inside(uint2 place) const { return place.x < extent_.x && place.y < extent_.y; }
     static Number element_of(uint2 place) { return place.y % page_y * page_x + place.x % page_x; }
 
-    /// Places beside each other and far from each other, some of them outside.
+    /// Addresses near to each other, starting anywhere, and some far outside.
     std::vector<uint2> places(Number most) {
         std::vector<uint2> made(1 + round_.below(most));
         const uint2 first{round_.below(extent_.x), round_.below(extent_.y)};
@@ -124,7 +124,7 @@ private:
             std::copy_n(before.begin() + from * page_volume, page_volume, contents_.begin() + to * page_volume);
     }
 
-    /// Where the model has an element; null: its page is not there.
+    /// An element in the model; null if its page is not resident.
     Number* element(uint2 place) {
         if (!is_inside(place)) return nullptr;
         const auto at = pages_.frames().find(page_of(place));
@@ -157,8 +157,8 @@ private:
         return property::equal(round_, contents_, grid_.field().frames().read(), "frames");
     }
 
-    /// Of a table of two levels: there are the parts of the lower one in which pages are, and what the upper one says
-    /// of them.
+    /// Checks a two-level table: those pages of the lower level are resident that have entries, and the upper level
+    /// names their frames.
     testing::AssertionResult tables_are_right() {
         if constexpr (requires { grid_.leaves(); }) {
             std::vector<Number> top(leaves_.bound()), owners(leaves_.status().capacity), active;
@@ -199,13 +199,12 @@ private:
     uint2 extent_, along_;
     Number capacity_;
     model::Pages pages_;
-    model::Pages leaves_;  ///< the parts of the table's lower level, where there are two
+    model::Pages leaves_;  ///< pages of the table's lower level, where there are two
     Grid grid_;
-    std::vector<Number> contents_ = std::vector<Number>(capacity_ * page_volume);  ///< of all frames
+    std::vector<Number> contents_ = std::vector<Number>(capacity_ * page_volume);  ///< contents of all frames
 };
 
-/// A step of something that moves: requests and the change that they ask for are one submission, and nothing is read
-/// back.
+/// A step of a simulation: requests and the change that they ask for are one submission, and nothing is read back.
 TEST_P(Sparse, RecordedOnce) {
     for_all("sparse array, recorded", [&](Round& round) {
         const uint2 extent{200, 100};

@@ -1,5 +1,5 @@
-// A page format of a user's own (tests/outside/tiles.glift: tiles of 4 x 16 in a hash map), of which compiler, runtime
-// and library know nothing, under random requests, boxes written and read by the host, samples and sorts, against
+// A page format that a user defines (tests/outside/tiles.glift: tiles of 4 x 16 in a hash map), which compiler, runtime
+// and library do not know: random requests, boxes written and read by the host, samples and sorts, compared with
 // std::unordered_map.
 #include "property.h"
 
@@ -48,7 +48,7 @@ private:
         return made;
     }
 
-    /// Tiles that were requested and no others, the first ones in row-major order where there are too many.
+    /// Requests tiles. Only these are then resident; where they are too many, the first ones in row-major order.
     void request() {
         const std::vector<uint2> asked = places(30);
         tiles::Places given(device_, static_cast<Number>(asked.size()));
@@ -68,7 +68,7 @@ private:
 
     static std::uint64_t number_of(uint2 at) { return std::uint64_t{at.y} << 32 | at.x; }
 
-    /// Null: nothing is there.
+    /// An element in the model; null if its tile is not resident.
     float* element(uint2 at) {
         const bool is_there = at.x < extent_.x && at.y < extent_.y && there_.contains({at.y / 16, at.x / 4});
         return is_there ? &values_.at(number_of(at)) : nullptr;
@@ -100,7 +100,7 @@ private:
         return property::equal(round_, expected, sheet_.field().read(first, size), "box");
     }
 
-    /// A quarter of an element beyond the centres.
+    /// Samples a quarter of an element beyond the centres of elements.
     testing::AssertionResult samples_are_right() {
         const std::vector<uint2> asked = places(50);
         tiles::Places given(device_, static_cast<Number>(asked.size()));
@@ -116,7 +116,7 @@ private:
         return property::near(round_, exact, bounds, found.read(), "samples");
     }
 
-    /// What tiles have beyond the end of the sheet is not there: it sorts, and counts, as the background.
+    /// Elements of tiles beyond the end of the sheet are unmapped: they sort, and count, as the background.
     testing::AssertionResult order_is_right() {
         tiles::Values sorted(device_, capacity_ * 64), total(device_, 1);
         tiles::sort_there(device_, sheet_, sorted, total);

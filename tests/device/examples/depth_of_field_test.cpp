@@ -1,4 +1,4 @@
-// The depth-of-field example as a user runs it, beside a direct solution in double precision.
+// Runs the depth-of-field example as a user does and compares its pictures with a direct solution in double precision.
 #include "run_example.h"
 
 #include "examples/common/picture.h"
@@ -23,16 +23,16 @@ struct DepthOfField : testing::Test {
     }
 };
 
-/// The lens that the example has without options, but for the focus.
+/// The diameter of the circle of confusion at distance z, by the example's default lens with another focus.
 double circle(double z, double focus, double width) {
     const double focal = 0.05, aperture = 0.025, film = 0.036;
     return width / film * aperture * focal / (focus - focal) * std::abs(focus / z - 1);
 }
 
-/// One line of the diffusion, by the Thomas algorithm.
+/// Solves one line of the diffusion, by the Thomas algorithm.
 std::vector<double> solved(const std::vector<double>& right, const std::vector<double>& circles) {
     const std::size_t n = right.size();
-    const auto flow = [&](std::size_t i) {  // between i and i + 1
+    const auto flow = [&](std::size_t i) {  // the conductivity between i and i + 1
         const double least = std::min(circles[i], circles[i + 1]);
         return least * least / 32;
     };
@@ -47,7 +47,7 @@ std::vector<double> solved(const std::vector<double>& right, const std::vector<d
     return x;
 }
 
-/// Rows, then columns, of one channel.
+/// Diffuses a channel along rows, then along columns.
 std::vector<double> diffused(const Picture& picture, unsigned channel, double focus) {
     const std::size_t width = picture.width, height = picture.height;
     std::vector<double> values, circles;

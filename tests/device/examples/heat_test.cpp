@@ -17,7 +17,7 @@ struct Heat : testing::Test {
     std::string file(const std::string& name) const { return folder.path() / name; }
 };
 
-/// The scheme of heat.glift, in double precision.
+/// Computes the scheme of heat.glift in double precision.
 std::vector<double> diffused(const npy::Array& volume, int steps) {
     const int n[3] = {int(volume.extent[0]), int(volume.extent[1]), int(volume.extent[2])};
     std::vector<double> u(volume.values.begin(), volume.values.end());
@@ -57,7 +57,7 @@ TEST_F(Heat, DiffusesAVolumeAlikeOnBothDevices) {
         const double before = std::accumulate(volume.values.begin(), volume.values.end(), 0.0);
         EXPECT_NEAR(std::accumulate(out.values.begin(), out.values.end(), 0.0), before, 1e-3);
     }
-    // The middle slice across z is the left part of the picture.
+    // In the left part of the picture is the middle slice across z.
     const png::Picture picture = png::read(file("pictures/before.png"));
     const auto [low, high] = std::minmax_element(volume.values.begin(), volume.values.end());
     const std::uint32_t zoom = picture.height / 6;

@@ -1,4 +1,5 @@
-// The mesh example as a user runs it: a draw of the language, the same picture on both devices.
+// Runs the mesh example as a user does: it draws by a raster of the language, and the picture is the same on both
+// devices.
 #include "run_example.h"
 
 #include "examples/common/picture.h"
@@ -36,7 +37,7 @@ TEST_F(Meshes, LookTheSameOnBothDevices) {
         differ += farthest(host.pixels[i], vulkan.pixels[i]) > 1e-3f;
         sky += farthest(host.pixels[i], host.pixels[0]) == 0;
     }
-    // What an edge covers depends on the last bits of its corners' places.
+    // Whether pixels at edges are covered depends on the last bits of the vertices.
     EXPECT_LE(differ, host.pixels.size() / 1000);
     EXPECT_GT(sky, host.pixels.size() / 10);
     EXPECT_LT(sky, host.pixels.size() * 9 / 10);

@@ -1,5 +1,5 @@
-// The narrow band as a user runs it: pages follow a front, the same on both devices, and the front is where it has to
-// be.
+// Runs the narrow-band example as a user does: pages follow a front, the result is the same on both devices, and the
+// front is at its expected position.
 #include "run_example.h"
 
 #include "examples/common/picture.h"
@@ -28,7 +28,7 @@ struct NarrowBand : testing::Test {
     }
 };
 
-/// What is inside the front is warm.
+/// The number of pixels inside the front, which have warm colours.
 std::size_t inside(const Picture& slice) {
     std::size_t n = 0;
     for (const glift::float4& pixel : slice.pixels) n += pixel.x > 2 * pixel.z;
@@ -50,7 +50,7 @@ TEST_F(NarrowBand, MovesAlikeOnBothDevices) {
     }
     const Picture before = picture_of("host", "slice_0000.png"), after = picture_of("host", "slice_0024.png");
     EXPECT_GT(inside(before), 20u);
-    EXPECT_GT(inside(after), inside(before));  // what is inside grows
+    EXPECT_GT(inside(after), inside(before));  // the front expands
 }
 
 TEST_F(NarrowBand, SaysWhenThePoolIsTooSmall) {

@@ -1,4 +1,5 @@
-// Particles as a user runs them: a step is one submission, both devices draw the same, and the fluid falls and flows.
+// Runs the particles example as a user does: a step is one submission, both devices draw the same, and the fluid falls
+// and flows.
 #include "run_example.h"
 
 #include "examples/common/picture.h"
@@ -26,10 +27,10 @@ struct Particles : testing::Test {
     }
 };
 
-/// Nothing else has so much blue: the sky and the floor are dark, the ball is red.
+/// Tells the fluid by its blue: the sky and the floor are dark, the ball is red.
 bool is_fluid(const glift::float4& pixel) { return pixel.z > 0.1f; }
 
-/// Where the fluid is in the middle, to the right and up; both from 0 to 1.
+/// The centre of the fluid's pixels, to the right and up; both from 0 to 1.
 glift::float2 middle_of(const Picture& picture) {
     glift::float2 sum{0, 0};
     float n = 0;

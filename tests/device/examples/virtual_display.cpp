@@ -17,7 +17,7 @@ struct VirtualDisplay::Connection {
 
     explicit Connection(const std::string& name) : display(XOpenDisplay(name.c_str())) {
         if (!display) throw std::runtime_error("no connection to Xvfb " + name);
-        XSetErrorHandler([](Display*, XErrorEvent*) { return 0; });  // windows may go away at any time
+        XSetErrorHandler([](Display*, XErrorEvent*) { return 0; });  // windows may disappear at any time
     }
     ~Connection() { XCloseDisplay(display); }
     Connection(const Connection&) = delete;
@@ -34,7 +34,7 @@ struct VirtualDisplay::Connection {
 
 namespace {
 
-/// Xvfb chooses a free number and writes it.
+/// The display's number, which Xvfb chooses and writes to the pipe.
 std::string number_from(int pipe) {
     std::string text;
     char letter = 0;
@@ -50,7 +50,7 @@ VirtualDisplay::VirtualDisplay() {
     if (pipe(ends) != 0) throw std::runtime_error("no pipe");
     process_ = fork();
     if (process_ == 0) {
-        prctl(PR_SET_PDEATHSIG, SIGKILL);  // also where the test ends before its end
+        prctl(PR_SET_PDEATHSIG, SIGKILL);  // Xvfb ends also if the test is killed
         close(ends[0]);
         const int nowhere = open("/dev/null", O_WRONLY);
         dup2(nowhere, STDOUT_FILENO);

@@ -1,12 +1,12 @@
-// A display without a screen (Xvfb), and a person in front of it: pointer and keys by XTest, the window manager's
-// messages, what is seen.
+// A virtual display (Xvfb) and the actions of a user: pointer and keys by XTest, messages of a window manager, and the
+// contents of the window.
 #pragma once
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
-/// Eight bits a channel, row by row.
+/// The pixels of a window: eight bits a channel, row by row.
 struct Seen {
     std::uint32_t width = 0, height = 0;
     struct Colour {
@@ -25,7 +25,7 @@ public:
 
     const std::string& name() const { return name_; }  ///< for DISPLAY
 
-    /// Whether a window of this title is there; the other calls are about the last one that was found.
+    /// Whether there is a window of this title. The other calls are about the last one that was found.
     bool has_window(const std::string& title);
     Seen seen() const;
     void move_to(int x, int y) const;
@@ -36,7 +36,7 @@ public:
     void minimise() const;
     void restore() const;
     void ask_to_close() const;
-    void end();  ///< the display goes away
+    void end();  ///< ends Xvfb, as if the display went away
 
 private:
     struct Connection;

@@ -1,5 +1,5 @@
-// Voxels of a mesh as a user makes them: those that triangles touch, counted in whole numbers, and the same pictures on
-// both devices.
+// Runs the voxelise example as a user does: the voxels that triangles touch are counted exactly, in integers, and the
+// pictures are the same on both devices.
 #include "run_example.h"
 
 #include "examples/common/picture.h"
@@ -27,7 +27,7 @@ Vector cross(const Vector& a, const Vector& b) {
 }
 std::int64_t dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-/// Whether a plane across an axis lies between a triangle and the cube of side 2 around a centre.
+/// Whether `axis` is a separating axis of a triangle and the cube of side 2 around a centre.
 bool separates(const Vector& axis, const Triangle& t, const Vector& centre) {
     const std::int64_t reach = std::abs(axis[0]) + std::abs(axis[1]) + std::abs(axis[2]);
     std::int64_t low = INT64_MAX, high = INT64_MIN;
@@ -38,7 +38,8 @@ bool separates(const Vector& axis, const Triangle& t, const Vector& centre) {
     return low > reach || high < -reach;
 }
 
-/// By all 13 axes that may separate them. Everything is in half voxels, so that nothing is rounded.
+/// Whether a triangle touches a voxel, by the 13 candidates for a separating axis. Lengths are in half voxels, so that
+/// nothing is rounded.
 bool touches(const Triangle& t, const Vector& centre) {
     const std::array<Vector, 3> edges = {t[1] - t[0], t[2] - t[1], t[0] - t[2]},
                                 axes = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
@@ -51,7 +52,7 @@ bool touches(const Triangle& t, const Vector& centre) {
     return true;
 }
 
-/// A triangle that only touches the upper side of a voxel is in the next one alone.
+/// Adds the voxels that a triangle touches. A point on the upper side of a voxel belongs to the next voxel alone.
 void add_touched(const Triangle& t, std::set<Vector>& voxels) {
     Vector low, high;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -64,7 +65,8 @@ void add_touched(const Triangle& t, std::set<Vector>& voxels) {
                 if (touches(t, {2 * x + 1, 2 * y + 1, 2 * z + 1})) voxels.insert({x, y, z});
 }
 
-/// Small and large ones, from 8 to 56 voxels along each axis, of which two touch the ends: placed as they are.
+/// Small and large triangles, from 8 to 56 voxels along each axis. The first one spans all of this, so that the
+/// example, which fits a mesh to this range, leaves it as it is.
 std::vector<Triangle> random_triangles(std::mt19937& random) {
     std::vector<Triangle> triangles = {{{{16, 16, 16}, {112, 20, 30}, {40, 112, 112}}}};
     while (triangles.size() < 60) {

@@ -1,5 +1,5 @@
-// The depth-of-field example in a window, as a person uses it, under a display without a screen: what is seen is what
-// a run without a window makes. Validation is on, and ends the example where it finds something.
+// Uses the depth-of-field example in a window, on a virtual display: the window must show what a run without a window
+// computes. Validation is on, and ends the example if it reports something.
 #include "run_example.h"
 #include "virtual_display.h"
 
@@ -23,7 +23,7 @@ namespace {
 using picture::Picture;
 using testing::HasSubstr;
 
-/// Until it holds; false after half a minute.
+/// Waits until the condition holds; false after half a minute.
 template <class Condition> bool waited_for(const Condition& condition) {
     const auto start = std::chrono::steady_clock::now();
     while (std::chrono::steady_clock::now() - start < std::chrono::seconds(30)) {
@@ -33,7 +33,7 @@ template <class Condition> bool waited_for(const Condition& condition) {
     return false;
 }
 
-/// A program that runs beside the test.
+/// A program that runs in parallel to the test.
 class Running {
 public:
     Running(const std::string& out, const std::string& err, std::vector<std::string> words)
@@ -54,7 +54,7 @@ public:
     }
     Running(const Running&) = delete;
 
-    /// Waits for its end; -1 where that does not come, or a signal ended it.
+    /// Waits for the program's end; -1 if it does not end, or a signal ended it.
     int exit_code() {
         int status = 0;
         const bool has_ended = waited_for([&] { return waitpid(process_, &status, WNOHANG) == process_; });
@@ -69,7 +69,7 @@ private:
     int process_;
 };
 
-/// The largest difference of a channel, in 255ths of white; 255 where the sizes differ.
+/// The largest difference of a channel, in steps of 8-bit colour; 255 where the sizes differ.
 double farthest(const Seen& seen, const Picture& picture) {
     if (seen.width != picture.width || seen.height != picture.height) return 255;
     const auto coded = [](float x) {
@@ -86,7 +86,7 @@ double farthest(const Seen& seen, const Picture& picture) {
     return most;
 }
 
-/// The bound of the formats: both are rounded to eight bits.
+/// The largest difference that rounding to eight bits explains: both pictures are rounded.
 constexpr double rounding = 1.01;
 
 struct Windows : testing::Test {
@@ -116,7 +116,8 @@ struct Windows : testing::Test {
         EXPECT_EQ(result.exit_code, 0) << result.err;
         return picture::read(file("headless.png"));
     }
-    /// What the program said that makes the same picture.
+    /// The program prints the arguments with which a run without a window makes the same picture. Returns that run's
+    /// picture.
     Picture said(const Running& running) {
         const std::string out = running.out(), before = "the same picture: depth_of_field ";
         const std::size_t at = out.find(before);
@@ -131,7 +132,7 @@ struct Windows : testing::Test {
     bool shows(const Picture& picture) {
         return waited_for([&] { return farthest(display.seen(), picture) <= rounding; });
     }
-    /// A picture that stays the same for some frames, other than one that was seen before.
+    /// Waits for a picture that stays the same for some frames and differs from `other`.
     Seen settled(const Seen& other) {
         Seen last;
         unsigned same = 0;
@@ -167,7 +168,7 @@ TEST_F(Windows, ShowWhatARunWithoutOneMakes) {
     EXPECT_GT(farthest(with_sliders, expected), 20) << "the sliders cover a part";
     display.type("Tab");
     EXPECT_TRUE(shows(expected)) << running->err();
-    // Minimised and restored, it shows the same.
+    // After it was minimised and restored, the window shows the same.
     display.minimise();
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
     display.restore();

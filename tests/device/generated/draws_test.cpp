@@ -1,4 +1,4 @@
-// Draws of the language in recordings, and in a program's own command buffer.
+// Draws of the language in recordings, and in the command buffer of a program that uses Vulkan itself.
 #include "draws.glift.hpp"
 #include "plain_vulkan.h"
 #include "user_image.h"
@@ -10,7 +10,7 @@ using glift::uint2;
 
 constexpr uint2 size = {40, 24};
 
-/// A triangle at a depth, which covers the window's left half; and one that covers all of it.
+/// `left_half`: a triangle at depth z that covers the window's left half; `everything`: one that covers all of it.
 std::vector<float4> left_half(float z) { return {{-1, -1, z, 1}, {-1, 3, z, 1}, {0, -1, z, 1}}; }
 std::vector<float4> everything(float z) { return {{-1, -1, z, 1}, {-1, 3, z, 1}, {3, -1, z, 1}}; }
 
@@ -29,7 +29,7 @@ struct Drawing {
         count.fill(6);
     }
     void show(const glift::Commands& commands) const { draws::show(commands, corners, count, picture); }
-    /// Of the first row: at the left, at the right.
+    /// The pixels at the left and at the right end of the first row.
     std::pair<glift::uint, glift::uint> ends() const {
         const std::vector<glift::uint> pixels = picture.read();
         return {pixels.front(), pixels[size.x - 1]};
@@ -45,18 +45,18 @@ TEST(Draws, AreReplayedWithOneSubmission) {
     Drawing drawing(device);
     const auto recording = device.record([&](const glift::Commands& commands) { drawing.show(commands); });
     const auto replayed = [&] {
-        device.wait();  // what was written before
+        device.wait();  // earlier writes are done
         const auto before = device.statistics().submissions;
         recording.submit();
         EXPECT_EQ(device.statistics().submissions - before, 1u);
         return drawing.ends();
     };
     EXPECT_EQ(replayed(), Ends(shade_of(0.25f), shade_of(0.5f)));
-    // The same commands see what corners and counts are by then; the depth is cleared each time.
+    // A replay reads the corners and the count as they are then; the depth is cleared each time.
     drawing.corners.write(joined(everything(0.75f), left_half(0.875f)));
     EXPECT_EQ(replayed(), Ends(shade_of(0.75f), shade_of(0.75f)));
     drawing.corners.write(joined(left_half(0.125f), everything(0.5f)));
-    drawing.count.fill(5);  // one triangle, and two corners of none
+    drawing.count.fill(5);  // one triangle, and two corners without a third
     EXPECT_EQ(replayed(), Ends(shade_of(0.125f), 0));
     drawing.count.fill(0);
     EXPECT_EQ(replayed(), Ends(0, 0));
@@ -78,7 +78,7 @@ TEST(Draws, GoIntoTheProgramsCommandBuffer) {
     const PlainVulkan mine;
     const auto device = glift::vulkan::adopt(mine.objects());
     Drawing drawing(device);
-    device.commands().flush();  // before the program's own commands
+    device.commands().flush();  // submitted before the program's own commands
     const VkCommandBuffer commands = mine.begin();
     {
         const glift::Commands into = glift::vulkan::record_into(device, commands);
@@ -90,8 +90,8 @@ TEST(Draws, GoIntoTheProgramsCommandBuffer) {
     for (const std::string& message : device.validation_messages()) ADD_FAILURE() << message;
 }
 
-/// Draws the left half into images of the program's own, in its own command buffer, after its own clears and before its
-/// own copy: one layer of one level, with the program's depths.
+/// Draws the left half into images that the program made, in its own command buffer, between its clears and its copy:
+/// into one layer of one level, with the program's depths.
 TEST(Draws, GoIntoTheProgramsImages) {
     const PlainVulkan mine;
     const auto device = glift::vulkan::adopt(mine.objects());
@@ -127,7 +127,7 @@ TEST(Draws, GoIntoTheProgramsImages) {
     EXPECT_EQ(ends(colours.texels(mine, 1, 2), level.x), Ends(shade_of(0.25f), 77));
     EXPECT_EQ(ends(colours.texels(mine, 1, 1), level.x), Ends(77, 77));
     EXPECT_EQ(ends(colours.texels(mine, 0, 2), size.x), Ends(77, 77));
-    // Glift's own stream sees the same texels.
+    // A download in Glift's own stream reads the same texels.
     const glift::ImageRegion first[] = {{.extent = {1, 1, 1}}};
     EXPECT_EQ(kernels::values_of<std::uint32_t>(device.commands().download_image(part.data(), first, 4).get()).front(),
               shade_of(0.25f));
@@ -174,7 +174,7 @@ TEST(Draws, ToTheProgramsImagesNeedWhatTheyAreMadeFor) {
     other = colours.description();
     other.extent.y = 0;
     wrong(other, "no texels");
-    // A structure of another size does not take it.
+    // A structure of another size does not accept the image.
     EXPECT_EQ(error_of([&] {
                   draws::Picture(device, {41, 24}, glift::vulkan::adopt_image(device, colours.description()));
               }).code(),
@@ -183,7 +183,8 @@ TEST(Draws, ToTheProgramsImagesNeedWhatTheyAreMadeFor) {
     for (const std::string& message : device.validation_messages()) ADD_FAILURE() << message;
 }
 
-/// On lavapipe, pixels beside a triangle load zeros from buffers: it refuses what would be wrong, and nothing else.
+/// On lavapipe, helper invocations (the pixels beside a triangle that derivatives need) load zeros from buffers. Draws
+/// whose derivatives would be wrong are refused there, and no others.
 TEST(Draws, DeriveWhatTheyLoadWhereTheDeviceCan) {
     for (const char* name : {"host", "lavapipe"}) {
         const auto device = glift::Device::open(name);

@@ -1,4 +1,4 @@
-// A program passes structs without fields, alone and within others.
+// A program passes structs without fields, alone and as fields of others.
 #include "operators.glift.hpp"
 
 #include <gtest/gtest.h>

@@ -14,7 +14,7 @@ TEST(GeneratedPipeline, AThousandPassesReplayWithOneSubmission) {
     chain::Line f(device, 100), g(device, 100);
     const auto recording =
         device.record([&](const glift::Commands& commands) { chain::chain(commands, f, g, passes / 2); });
-    device.wait();  // f and g are initialised
+    device.wait();  // until f and g are initialised
 
     glift::uint expected = 0;
     for (int replay = 0; replay < 3; ++replay) {

@@ -1,4 +1,4 @@
-// Kernels that use what a device lacks are refused by name; the others run.
+// Kernels that use features that the device lacks are refused with an error that names them; others run.
 #include "plain_vulkan.h"
 #include "subgroups.glift.hpp"
 

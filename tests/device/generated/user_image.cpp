@@ -5,7 +5,7 @@
 
 namespace {
 
-/// Of the first type that fits and has the properties.
+/// Allocates memory of the first type that the image accepts and that has the wanted properties.
 VkDeviceMemory memory_for(const PlainVulkan& vulkan, const VkMemoryRequirements& needs, VkMemoryPropertyFlags wanted) {
     VkPhysicalDeviceMemoryProperties types;
     vkGetPhysicalDeviceMemoryProperties(vulkan.physical, &types);

@@ -1,4 +1,4 @@
-// An image of a program's own, in VK_IMAGE_LAYOUT_GENERAL once it was cleared.
+// An image that a program makes itself, without Glift; in VK_IMAGE_LAYOUT_GENERAL once it was cleared.
 #pragma once
 
 #include "plain_vulkan.h"
@@ -7,7 +7,7 @@
 
 class UserImage {
 public:
-    /// The handle is filled in.
+    /// Makes the image that `wanted` describes; its handle is filled in.
     UserImage(const PlainVulkan& vulkan, const glift::vulkan::UserImage& wanted);
     ~UserImage();
     UserImage(const UserImage&) = delete;
@@ -15,7 +15,7 @@ public:
     const glift::vulkan::UserImage& description() const { return description_; }
     void clear(VkCommandBuffer commands, const VkClearColorValue& value) const;
     void clear(VkCommandBuffer commands, const VkClearDepthStencilValue& value) const;
-    /// Of four bytes each, of one layer of a level. Waits.
+    /// The texels, of four bytes each, of a layer of a level. Waits for the device.
     std::vector<std::uint32_t> texels(const PlainVulkan& vulkan, std::uint32_t mip, std::uint32_t layer) const;
 
 private:

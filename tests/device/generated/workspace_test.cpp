@@ -1,4 +1,4 @@
-// The temporaries of a pipeline: their bytes are known before it runs, and sharing storage does not change results.
+// The temporaries of a pipeline: their size is known before it runs, and sharing storage does not change results.
 #include "test_device.h"
 #include "workspace.glift.hpp"
 
@@ -20,14 +20,14 @@ protected:
     glift::Recording recorded(Pipeline pipeline) const {
         return device.record([&](const glift::Commands& commands) { pipeline(commands, x, y); });
     }
-    /// Waits until storage of freed memories is reclaimed, once the device is done with them.
+    /// Waits until the storage of freed memories is reclaimed, which happens once the device has finished using it.
     void collect() const {
         for (int time = 0; time < 2; ++time) {
             device.commands().fill(y.data(), 0, 4);
             device.wait();
         }
     }
-    /// Bytes that a second recording adds: the first one allocates staging, which is kept.
+    /// The bytes that a second recording adds. The first one also allocates staging memory, which is kept.
     std::uint64_t taken(Pipeline pipeline) const {
         recorded(pipeline);
         collect();
@@ -61,9 +61,9 @@ TEST_P(Workspaces, AreWhatARecordingTakes) {
 
 TEST_P(Workspaces, OfLivesThatDoNotMeetAreShared) {
     EXPECT_GE(measured(workspace::chained), 2u * 4 * n);
-    EXPECT_LT(measured(workspace::chained), 2u * 4 * n + 1024);  // of three
+    EXPECT_LT(measured(workspace::chained), 2u * 4 * n + 1024);  // 3 n elements without sharing
     EXPECT_GE(measured(workspace::shrinking), 4u * 4 * n);
-    EXPECT_LT(measured(workspace::shrinking), 4u * 4 * n + 1024);  // of six
+    EXPECT_LT(measured(workspace::shrinking), 4u * 4 * n + 1024);  // 6 n elements without sharing
     EXPECT_LT(measured(workspace::zeros), 4u * n + 1024);
     EXPECT_LT(measured(workspace::sorted), 4u * 4 * n);
 }
@@ -97,7 +97,7 @@ TEST_P(Workspaces, ShareStorageUnharmed) {
     EXPECT_EQ(replayed(workspace::scan), scanned);
 }
 
-/// Zero, write, zero for the next temporary, write: these must be ordered by barriers.
+/// Temporaries that share storage: zero, write, zero for the next one, write. These must be ordered by barriers.
 TEST_P(Workspaces, ComeToTheNextAfterABarrier) {
     if (device.is_host()) GTEST_SKIP() << "no barriers";
     const std::uint64_t before = device.statistics().barriers;
@@ -111,7 +111,7 @@ TEST_P(Workspaces, AreUnknownWhereAValueIsAwaited) {
     EXPECT_NE(std::string(error.what()).find("workspace"), std::string::npos);
 }
 
-/// A temporary that a program keeps has its storage to itself for as long.
+/// A temporary that the program keeps a handle of does not share its storage.
 TEST_P(Workspaces, LeaveAloneWhatAProgramHolds) {
     x.fill(5);
     std::optional<workspace::Line> held;
@@ -127,7 +127,7 @@ TEST_P(Workspaces, LeaveAloneWhatAProgramHolds) {
     EXPECT_EQ(y.read(), Values(n, 9));
 }
 
-/// Structures made while measuring have no storage.
+/// Structures made while the workspace is measured have no storage.
 TEST_P(Workspaces, OfMeasuringAreOfNoUseElsewhere) {
     std::optional<workspace::Line> held;
     device.workspace_bytes([&](const glift::Commands& commands) { held.emplace(commands, n); });

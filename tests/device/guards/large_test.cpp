@@ -1,4 +1,4 @@
-// Structures larger than a descriptor covers: kernels access them by 64-bit address, in their wide form.
+// Structures larger than a descriptor can cover: kernels access them by 64-bit addresses, in their wide form.
 #include "on_every_device.h"
 
 #include "large.glift.hpp"
@@ -13,8 +13,8 @@ constexpr std::uint32_t piece = 1000;
 
 float mark(std::uint32_t address) { return static_cast<float>(address % 16777213u); }
 
-/// Addresses where a 32-bit byte count, a descriptor or a grid could overflow: the ends, and both sides of powers of
-/// two.
+/// First addresses of pieces in which a 32-bit byte count, a descriptor or a grid could overflow: both ends, and around
+/// powers of two.
 std::vector<std::uint32_t> origins() {
     std::vector<std::uint32_t> result{0, count - piece};
     for (const std::uint32_t power : {24u, 25u, 26u, 27u, 28u}) result.push_back((1u << power) - piece / 2);
@@ -58,7 +58,7 @@ TEST_P(Large, AddressesFarApartAreGatheredAndScattered) {
     large::gather(device, places, line, gathered);
     EXPECT_EQ(gathered.read(), numbers);
     for (std::uint32_t i = 0; i < n; ++i) EXPECT_EQ(line.read({at[i]}, {1})[0], numbers[i]);
-    // Beyond the end there is nothing.
+    // Beyond the end writes are discarded and reads give zero.
     places.write(std::vector<std::uint32_t>(n, count));
     large::scatter(device, places, values, line);
     large::gather(device, places, line, gathered);

@@ -1,4 +1,4 @@
-// Loops longer than a device allows: the right result, or an error that names kernel and loop. Never wrong data.
+// Loops longer than a device allows: the result is right, or there is an error that names kernel and loop.
 #include "on_every_device.h"
 
 #include "loops.glift.hpp"
@@ -14,8 +14,8 @@ class Loops : public OnEveryDevice {
 protected:
     bool is_cut() const { return device.properties().loop_round_limit != glift::unlimited; }
 
-    /// Runs on a line of `elements`, then expects all of them to be `expected`; or, `beyond` the limit of a device that
-    /// has one, an error that names both.
+    /// Runs on a line of `elements` and expects all of them to be `expected`. If `beyond`, and if the device has a
+    /// limit, expects an error that names kernel and loop instead.
     template <class Run> void expect(const char* kernel, const char* loop, bool beyond, std::uint32_t elements,
                                      std::uint32_t expected, Run run) {
         Line line(device, elements);
@@ -45,7 +45,7 @@ TEST_P(Loops, ToACountOfTheCall) {
     for (const std::uint32_t rounds : {65534u, 65535u, 65536u, 100000u, 1000000u}) {
         expect("count", "loops.glift:12", true, 100, rounds, [&](Line& line) { loops::count(device, line, rounds); });
     }
-    // Reported once: what comes after is right again.
+    // The error is reported once: later calls are right again.
     expect("count", "loops.glift:12", false, 100, 7, [&](Line& line) { loops::count(device, line, 7); });
 }
 
@@ -64,7 +64,7 @@ TEST_P(Loops, OfWhichEachInvocationRunsFew) {
     }
 }
 
-// A device that runs both sides of every branch executes its iterations as well.
+// A device that runs both sides of every branch executes the inner loop's iterations, too, and they count.
 TEST_P(Loops, ThatNoInvocationEnters) {
     expect("rarely", "loops.glift:93", false, 64, 30000, [&](Line& line) { loops::rarely(device, line, 30000); });
     expect("rarely", "loops.glift:93", true, 64, 40000, [&](Line& line) { loops::rarely(device, line, 40000); });
@@ -126,7 +126,7 @@ TEST_P(Loops, OfAtomicUpdatesAreCountedToo) {
         loops::add_up(device, from, 20000, sum);
         result = sum.read({0}, {1});
     });
-    ASSERT_EQ(error.has_value(), is_cut());  // 20 000 rounds of eight tries each
+    ASSERT_EQ(error.has_value(), is_cut());  // 20 000 rounds with eight tries of compare-and-swap each
     if (error) {
         EXPECT_EQ(error->code(), glift::ErrorCode::loop_limit) << error->what();
     } else {

@@ -1,5 +1,5 @@
-// Tests on the host device and on Vulkan (lavapipe unless GLIFT_TEST_DEVICE says otherwise), the latter under the
-// validation layer.
+// Tests that run on the host device and on Vulkan (lavapipe unless GLIFT_TEST_DEVICE names another device), the latter
+// under the validation layer.
 #pragma once
 
 #include <glift/glift.h>
@@ -29,7 +29,7 @@ protected:
     INSTANTIATE_TEST_SUITE_P(, Fixture, testing::Values("host", "vulkan"),                                             \
                              [](const testing::TestParamInfo<const char*>& which) { return which.param; })
 
-/// The Error that the action throws, if it throws one.
+/// The Error that the action throws, if any.
 template <class Action> std::optional<glift::Error> thrown_by(Action action) {
     try {
         action();

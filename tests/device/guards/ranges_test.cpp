@@ -1,4 +1,4 @@
-// Checked builds: out-of-bounds accesses by address are reported, and those that may be out of bounds are not.
+// Checked builds: accesses by address that are out of bounds are reported; accesses that may be out of bounds are not.
 #include "on_every_device.h"
 
 #include "ranges.glift.hpp"
@@ -9,7 +9,7 @@ using testing::HasSubstr;
 
 class Ranges : public OnEveryDevice {
 protected:
-    /// Runs and waits; the error says line, kernel, memory and virtual address.
+    /// Runs and waits; expects an error that names line, kernel, memory and virtual address.
     template <class Run> void expect_report(Run run, const char* line, const char* kernel, const char* why) {
         const auto error = thrown_by([&] {
             run();
@@ -21,7 +21,7 @@ protected:
         EXPECT_THAT(error->where(), HasSubstr(std::string("kernel ") + kernel));
         EXPECT_THAT(error->why(), HasSubstr(why));
         EXPECT_FALSE(error->remedy().empty());
-        device.wait();  // reported once
+        device.wait();  // must not report it again
     }
 
     template <class Run> void expect_silence(Run run) {

@@ -1,5 +1,5 @@
 // A dense volume whose kernels compute addresses in 64 bits: written, computed on, summed, gathered, read back.
-// GLIFT_TEST_GIB is its size in GiB, a power of two; without it the volume is small, and GLIFT_WIDE_ELEMENTS makes the
+// GLIFT_TEST_GIB is its size in GiB, a power of two. Without it the volume is small, and GLIFT_WIDE_ELEMENTS makes the
 // runtime treat it as a large one.
 #include "on_every_device.h"
 
@@ -18,7 +18,7 @@ std::uint64_t gibibytes() {
     return text ? std::strtoull(text, nullptr, 10) : 0;
 }
 
-/// 2^28 elements for each GiB, with powers of two as close to a cube as possible.
+/// Sides that are powers of two, as nearly equal as possible: 2^28 elements for each GiB.
 glift::uint3 extent_of_volume() {
     if (gibibytes() == 0) return {67, 45, 33};
     glift::uint3 extent{1024, 512, 512};
@@ -33,7 +33,7 @@ std::uint32_t mark(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
     return ((x * 2654435761u) ^ (y * 2246822519u) ^ (z * 3266489917u)) >> 22u;
 }
 
-/// Of 2 * mark + 1 over the volume, modulo 2^32.
+/// The sum of 2 * mark + 1 over the volume, modulo 2^32.
 std::uint32_t expected_sum(const glift::uint3& extent) {
     const unsigned count = std::max(1u, std::thread::hardware_concurrency());
     std::vector<std::uint32_t> sums(count);
@@ -52,7 +52,7 @@ std::uint32_t expected_sum(const glift::uint3& extent) {
     return total;
 }
 
-/// The corners, and elements on both sides of powers of two in physical order.
+/// The corners, and elements on both sides of physical addresses that are powers of two.
 std::vector<glift::uint3> sites_of(const glift::uint3& extent) {
     std::vector<glift::uint3> sites;
     for (const std::uint32_t z : {0u, extent.z - 1})
@@ -113,7 +113,7 @@ TEST_P(Volume, IsGatheredFromAndScatteredTo) {
     EXPECT_EQ(volume.read({1, 1, 1}, {2, 1, 1}), (std::vector<float>{3.0f, 3.0f}));
 }
 
-// 2^31 elements of GLIFT_TEST_GIB=8: numbers that pass what signed 32-bit numbers hold.
+// With GLIFT_TEST_GIB=8 the line has 2^31 elements, more than a signed 32-bit number can hold.
 TEST_P(Volume, AsALineIsReducedByTheLibrary) {
     const std::uint64_t elements = std::min<std::uint64_t>(bytes_of(extent_of_volume()) / 4, std::uint64_t{1} << 31);
     if (!has_memory_for(device, 4 * elements))

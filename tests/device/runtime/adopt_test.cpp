@@ -1,4 +1,4 @@
-// Glift in a program that has its own Vulkan device.
+// Glift in a program that has its own Vulkan device: the runtime adopts the program's objects.
 #include "plain_vulkan.h"
 
 namespace {
@@ -20,7 +20,7 @@ TEST(Adopt, TheSameCallsWork) {
     expect_no_messages(device);
 }
 
-// A device made without VK_KHR_push_descriptor: descriptor sets come from pools, more than one pool.
+// A device made without VK_KHR_push_descriptor: descriptor sets come from pools, and more than one pool is needed.
 TEST(Adopt, WithoutPushDescriptors) {
     const PlainVulkan mine;
     auto objects = mine.objects();
@@ -48,7 +48,7 @@ TEST(Adopt, PassesGoIntoTheProgramsCommandBuffer) {
         run_add(into, g, 64, 1);
         run_add(into, g, 64, 2);
         glift::vulkan::finish(into);
-        // A command of the program's own, on what Glift wrote.
+        // A command of the program's own that reads what Glift wrote.
         const auto from = glift::vulkan::buffer(g), to = glift::vulkan::buffer(copy);
         const VkBufferCopy region = {from.offset, to.offset, 256};
         vkCmdCopyBuffer(commands, from.buffer, to.buffer, 1, &region);
@@ -141,7 +141,7 @@ TEST(Adopt, TheHostDeviceHasNoVulkanObjects) {
               glift::ErrorCode::wrong_argument);
 }
 
-// What windows need: surfaces on the instance, swapchains on the device.
+// Opens a device with extensions that windows need: surfaces on the instance, swapchains on the device.
 TEST(Open, WithExtensionsOfTheUsers) {
     const char *const surface[] = {VK_KHR_SURFACE_EXTENSION_NAME}, *const swapchain[] = {
                                                                        VK_KHR_SWAPCHAIN_EXTENSION_NAME};
@@ -168,7 +168,7 @@ TEST(Open, ExtensionsThatAreNotThereAreNamed) {
     EXPECT_EQ(error_of([] { glift::vulkan::open({}, "host"); }).code(), glift::ErrorCode::wrong_argument);
 }
 
-// That the layer is on and its messages arrive: the other tests rely on it.
+// Checks that the validation layer is on and that its messages arrive, which the other tests rely on.
 TEST(Validation, ReportsAMistake) {
     if (!std::getenv("GLIFT_VALIDATE")) GTEST_SKIP() << "GLIFT_VALIDATE is not set";
     const auto device = glift::Device::open(vulkan_name());
@@ -181,7 +181,7 @@ TEST(Validation, ReportsAMistake) {
     EXPECT_TRUE(device.validation_messages().empty());  // cleared
 }
 
-// Synchronization validation, between submissions too: a copy of the program's own that nothing orders after a pass.
+// Synchronization validation also works between submissions: the program copies what a pass writes without a barrier.
 TEST(Validation, ReportsAMissingBarrierBetweenSubmissions) {
     if (!std::getenv("GLIFT_VALIDATE")) GTEST_SKIP() << "GLIFT_VALIDATE is not set";
     const auto device = glift::Device::open(vulkan_name());

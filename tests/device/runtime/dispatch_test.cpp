@@ -1,4 +1,4 @@
-// Passes: forms, folding, splitting, device values.
+// Passes: forms of kernels, grids that are folded or split, and parameters from the device.
 #include "test_device.h"
 
 #include <numeric>
@@ -46,7 +46,7 @@ TEST_P(Dispatch, NothingRunsOverNothing) {
     EXPECT_TRUE(device.commands().download(g, 0, 0).get().empty());
 }
 
-// More workgroups than lavapipe allows along x.
+// More workgroups than lavapipe allows along x: the grid is folded into y.
 TEST_P(Dispatch, LongIterationsFold) {
     constexpr std::uint32_t n = 5'000'001;
     const auto f = buffer(device, "f.data", 4ull * n), g = buffer(device, "g.data", 4ull * n);
@@ -59,7 +59,7 @@ TEST_P(Dispatch, TallIterationsSplit) {
     const std::array<std::uint32_t, 4> size = {1, 70000, 2, 1};
     const auto g = buffer(device, "g.data", 4 * 140000);
     const std::uint32_t block[8] = {size[0], size[1],
-                                    size[2]};  // then the base and the address, which are the runtime's
+                                    size[2]};  // then the base and the address, which the runtime fills in
     const std::span<const std::byte> bytes = bytes_of(block);
     const glift::Commands commands = device;
     const bool wide = commands.needs_wide(mark_grid, {&g, 1}, size);
@@ -72,7 +72,7 @@ TEST_P(Dispatch, TallIterationsSplit) {
     for (std::uint32_t i = 0; i < 140000; ++i) ASSERT_EQ(visits[i], 1 + i % 70000) << i;
 }
 
-// The count and the factor come from the device; elements beyond the count stay as they were.
+// Size and factor come from values on the device; elements beyond the size stay as they were.
 TEST_P(Dispatch, DeviceValuesSetSizeAndParameters) {
     constexpr std::uint32_t n = 1000;
     for (const std::uint32_t wanted : {0u, 1u, 64u, 777u, 1000u, 5000u}) {
@@ -125,7 +125,7 @@ TEST_P(Dispatch, PassesOverOneMemoryHappenInOrder) {
     for (const std::uint32_t value : read<std::uint32_t>(device, g, n)) ASSERT_EQ(value, expected);
 }
 
-// Each set of values makes one pipeline, and a fixed value is not read from the parameters any more.
+// Each set of fixed values makes one pipeline, and a fixed value is not read from the parameter block.
 TEST_P(Dispatch, FixedParametersAreConstantsOfThePipeline) {
     const auto g = buffer(device, "g.data", 64);
     for (const std::uint32_t value : {1u, 2u, 1u}) {
@@ -168,7 +168,7 @@ TEST_P(Dispatch, ImagesAreSampledAndStored) {
     }
 }
 
-// Simulates unloading a library with kernels and loading another one at the same addresses.
+// Simulates that a library with kernels is unloaded and another one is loaded at the same addresses.
 TEST_P(Dispatch, KernelsAreKnownByWhatTheyHoldNotByTheirAddress) {
     const auto g = buffer(device, "g.data", 256);
     glift::Kernel kernel = store_value;

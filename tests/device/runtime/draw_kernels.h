@@ -1,4 +1,4 @@
-// Hand-written kernels that draw, in the form that gliftc emits.
+// Hand-written kernels that draw, in the form that gliftc generates.
 #pragma once
 
 #include "kernels.h"
@@ -12,10 +12,11 @@ struct Corner {
 
 struct DrawParameters {
     std::uint32_t corners, instances;
-    float shift;  ///< of instance 1, in the window's half widths
+    float shift;  ///< shift of instance 1, in half widths of the window
 };
 
-/// general; corners, counts; colour into rgba32f, depth less and written; back faces culled where its name says so.
+/// All have the general form only; bindings: corners, counts; they write colour to an rgba32f image. draw_replacing and
+/// draw_culled test depth (less) and write it; draw_culled culls back faces; draw_over blends and has no depth.
 extern const glift::Kernel draw_replacing, draw_over, draw_culled;
 
 }  // namespace kernels

@@ -1,4 +1,5 @@
-// Draws: coverage, blending, depth test, counts from the device; on the host and on Vulkan, compared with each other.
+// Draws: coverage, blending, depth test, counts from the device; on the host device and on Vulkan, and compared between
+// the two.
 #include "draw_kernels.h"
 #include "test_device.h"
 
@@ -11,7 +12,7 @@ namespace {
 using namespace kernels;
 using glift::uint2;
 
-/// Targets, and the call that draws to them.
+/// A list of corners, the images to draw to, and the calls that draw.
 struct Scene {
     glift::Device device;
     uint2 extent;
@@ -39,7 +40,7 @@ struct Scene {
         device.commands().upload_image(depth, all, bytes_of(ones));
     }
     struct How {
-        uint2 origin = {0, 0}, extent = {0, 0};  ///< no extent: the whole image
+        uint2 origin = {0, 0}, extent = {0, 0};  ///< the viewport; no extent: the whole image
         std::uint32_t instances = 1;
         float shift = 0.0f;
         std::vector<glift::Patch> patches = {};
@@ -73,7 +74,7 @@ struct Scene {
 
 Corner corner(float x, float y, float z, float r, float a = 1.0f) { return {{x, y, z, 1.0f}, {r, 0.0f, 0.0f, a}}; }
 
-/// Two triangles over the whole viewport.
+/// Two triangles that cover the whole viewport.
 std::vector<Corner> sheet(float z, float r, float a = 1.0f) {
     const Corner p = corner(-1, -1, z, r, a), q = corner(1, -1, z, r, a), s = corner(-1, 1, z, r, a),
                  t = corner(1, 1, z, r, a);
@@ -159,7 +160,7 @@ TEST_P(Draw, FacesAreCulled) {
     EXPECT_EQ(back.count(), 0u);
 }
 
-/// Barriers between draws, compute passes and copies, in both orders.
+/// Draws, compute passes and copies that depend on each other are ordered by barriers.
 TEST_P(Draw, PassesBeforeAndAfterAreOrdered) {
     const Scene scene(device, uint2(64, 64), sheet(0.5f, 1));
     for (int round = 1; round <= 20; ++round) {
@@ -212,7 +213,7 @@ TEST_P(Draw, WrongTargetsAreErrors) {
     EXPECT_EQ(scene.count(), 0u);
 }
 
-/// Within twice the viewport: lavapipe clips larger triangles, which makes new vertices.
+/// Triangles within twice the viewport: lavapipe clips larger ones, which makes new vertices.
 std::vector<Corner> random_triangles(std::size_t count) {
     std::mt19937 random(11);
     const auto number = [&](float low, float high) {
@@ -232,8 +233,8 @@ std::vector<Corner> random_triangles(std::size_t count) {
     return corners;
 }
 
-/// The largest slope of depth between pixels, which is steep for slivers. Devices interpolate depth in floats over the
-/// viewport.
+/// The largest change of depth between neighbouring pixels, which is steep for thin triangles. It bounds how far
+/// devices' depths may differ, since they interpolate depth in floats over the viewport.
 float depth_slope(uint2 extent, const Corner* corners) {
     double x[3], y[3], z[3];
     for (int i = 0; i < 3; ++i) {
@@ -247,7 +248,7 @@ float depth_slope(uint2 extent, const Corner* corners) {
     return static_cast<float>(std::abs(dx) + std::abs(dy));
 }
 
-/// Each pixel shows the triangle that it shows on Vulkan, except where depths are nearly equal.
+/// Each pixel shows the same triangle as on Vulkan, except where depths are nearly equal.
 TEST(DrawBeside, HostAndVulkanShowTheSame) {
     const glift::Device host = glift::Device::open("host"), vulkan = glift::Device::open(vulkan_name());
     const uint2 extent(320, 200);

@@ -1,4 +1,4 @@
-// Every error has a problem, a location, a cause and a remedy.
+// Every error says what failed, where, why, and what to do.
 #include "test_device.h"
 
 #include <filesystem>
@@ -9,7 +9,7 @@ namespace {
 using namespace kernels;
 using glift::ErrorCode;
 
-/// Sets an environment variable for as long as it lives.
+/// Sets an environment variable until the object is destroyed.
 class Environment {
 public:
     Environment(const char* name, const char* value) : name_(name) {
@@ -165,7 +165,7 @@ TEST(PipelineCache, SurvivesDamage) {
     }
     std::fstream(file, std::ios::in | std::ios::out | std::ios::binary).seekp(30).put('!');
     run();
-    // A header whose length exceeds the file's.
+    // A damaged header: a length that exceeds the file's.
     std::fstream(file, std::ios::in | std::ios::out | std::ios::binary).seekp(11).put('\x3f');
     run();
     EXPECT_EQ(fs::file_size(file), size);

@@ -1,5 +1,5 @@
-// Fault injection: each Vulkan call that can fail is made to fail once. The result is an Error or the right data, never
-// a crash or wrong data.
+// Fault injection: each Vulkan call that can fail is made to fail once. The result must be an Error or the right data,
+// never a crash or wrong data.
 #include "plain_vulkan.h"
 
 namespace {
@@ -32,7 +32,7 @@ void use_everything(const glift::vulkan::Objects& objects) {
     device.wait();
 }
 
-/// Counts objects that were leaked when the device was destroyed, as reported by the layer.
+/// Fails the test for each object that was not destroyed before the device, as the validation layer reports it.
 VKAPI_ATTR VkBool32 VKAPI_CALL on_leak(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
                                        const VkDebugUtilsMessengerCallbackDataEXT* data, void*) {
     if (std::string(data->pMessage).find("has not been destroyed") != std::string::npos)
@@ -62,7 +62,7 @@ private:
     VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
 };
 
-/// Fails the first call, then the second, until there are no more. Returns the number of calls.
+/// Fails the first call, then the second, and so on, until there are no more. Returns the number of calls.
 std::uint64_t fail_each(const PlainVulkan& mine, const glift::vulkan::Objects& objects, VkResult failure) {
     for (std::uint64_t call = 1;; ++call) {
         pretence.calls = 0;
@@ -86,7 +86,7 @@ void fail_everywhere(VkResult failure) {
     auto objects = mine.objects();
     objects.get_instance_proc_addr = pretending_loader;
     EXPECT_GT(fail_each(mine, objects, failure), 50u);
-    objects.extensions = {};  // sets from pools in place of push descriptors
+    objects.extensions = {};  // without push descriptors, descriptor sets come from pools
     EXPECT_GT(fail_each(mine, objects, failure), 50u);
     mine.destroy_device();
 }

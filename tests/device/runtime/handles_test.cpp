@@ -1,5 +1,5 @@
-// Every method of every handle, where the handle is empty: default-constructed or moved from. Each throws and says what
-// to do.
+// Calls every method of every handle that is empty, that is, default-constructed or moved from. Each must throw an
+// Error that says what to do.
 #include "test_device.h"
 
 #include <functional>
@@ -105,7 +105,7 @@ void use_commands(const glift::Commands& commands, const glift::Memory& f, const
 }
 
 // long: a line for each call that takes a memory
-/// As the argument of every call that takes a memory.
+/// Passes the memory, which is empty, to every call that takes one.
 void use_memory(const glift::Memory& memory, const glift::Commands& commands, const glift::Memory& other) {
     EXPECT_FALSE(memory);
     EXPECT_EQ(memory, glift::Memory());

@@ -1,5 +1,5 @@
-// Barriers are recorded exactly where they are needed. They are counted, since validation does not detect a missing one
-// between two writes, and lavapipe works without any.
+// Barriers must be recorded exactly where they are needed. The tests count them, since validation does not detect a
+// missing one between two writes, and lavapipe works without any.
 #include "test_device.h"
 
 namespace {
@@ -17,7 +17,7 @@ protected:
         for (const std::string& message : device.validation_messages()) ADD_FAILURE() << message;
     }
 
-    /// The number of barriers that the action records, after all earlier work is done.
+    /// The number of barriers that the action records; all earlier work is done before.
     template <class Action> std::uint64_t count(Action action) {
         device.wait();
         const std::uint64_t before = device.statistics().barriers;
@@ -82,8 +82,8 @@ TEST_F(Barriers, OneServesAllBeforeIt) {
     EXPECT_EQ(count([&] {
                   scale(0, 1);
                   scale(2, 3);
-                  scale(1, 4);  // the barrier here
-                  scale(3, 5);  // is enough for this too
+                  scale(1, 4);  // a barrier here
+                  scale(3, 5);  // no further one: that barrier covers this, too
               }),
               1u);
 }
@@ -95,7 +95,7 @@ TEST_F(Barriers, CopiesFillsAndUploadsCountAsWritesAndReads) {
                   device.commands().copy(memories[0], 0, memories[1], 0, 4096);  // reads what was filled
                   device.commands().upload(memories[0], 0, bytes_of(value));     // writes what was copied from
                   scale(0, 2);                                                   // reads what was uploaded
-                  device.commands().upload(memories[1], 0, bytes_of(value));     // the copy is behind two barriers
+                  device.commands().upload(memories[1], 0, bytes_of(value));     // barriers after the copy cover this
               }),
               3u);
 }
@@ -111,7 +111,7 @@ TEST_F(Barriers, DeviceValuesAreReads) {
                                                               .size = {256, 1, 1, 1},
                                                               .patches = {&patch, 1}});
               }),
-              2u);  // before the parameters are made, and after
+              2u);  // one before the parameters are made from the value, one after
 }
 
 TEST_F(Barriers, NothingWaitsForTheHost) {

@@ -1,4 +1,4 @@
-// Levels and layers of images as memories over the same texels.
+// Memories that are a level or a layer of an image: they share its texels.
 #include "test_device.h"
 
 #include <numeric>

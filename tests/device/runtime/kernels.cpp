@@ -157,7 +157,7 @@ void run_scale(const glift::Commands& commands, const glift::Memory& f, const gl
     const glift::Memory memories[] = {f, g};
     struct Block {
         ScaleParameters parameters;
-        std::uint64_t addresses[2];  ///< the runtime's
+        std::uint64_t addresses[2];  ///< filled in by the runtime
     } const block = {{size, factor}, {}};
     const std::array<std::uint32_t, 4> axes = {size, 1, 1, 1};
     if (commands.needs_wide(scale, memories, axes))

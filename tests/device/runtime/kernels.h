@@ -1,4 +1,4 @@
-// Hand-written kernels in the form that gliftc generates: GLSL in shaders/, C++ in kernels.cpp.
+// Hand-written kernels in the form that gliftc generates: GLSL in shaders/, C++ in kernels.cpp. Braces list parameters.
 #pragma once
 
 #include <glift/glift.h>
@@ -8,12 +8,12 @@
 
 namespace kernels {
 
-extern const glift::Kernel scale;         ///< direct, general and wide; f, g; {size, factor}
+extern const glift::Kernel scale;         ///< g = factor * f, in all three forms; {size, factor}
 extern const glift::Kernel add_in_place;  ///< g = 2 g + amount; {size, amount}
-extern const glift::Kernel store_value;   ///< g = value + constant 7; {size, value}
-extern const glift::Kernel mark_grid;     ///< three-dimensional, general; {size[3], base[3]}
-extern const glift::Kernel image_step;    ///< sampled and stored images; {size[2]}
-extern const glift::Kernel report;        ///< reports element 10; {size}
+extern const glift::Kernel store_value;   ///< g = value; {size, value}
+extern const glift::Kernel mark_grid;     ///< counts visits of a 3-D grid; general form; {size[3], base[3]}
+extern const glift::Kernel image_step;    ///< samples one image and stores to another; {size[2]}
+extern const glift::Kernel report;        ///< reports an error for elements from 10 on; {size}
 
 struct ScaleParameters {
     std::uint32_t size;
@@ -37,7 +37,7 @@ template <class T> std::vector<T> values_of(std::span<const std::byte> bytes) {
 
 glift::Memory buffer(const glift::Device& device, const char* name, std::uint64_t bytes);
 
-/// Picks the form as generated code does.
+/// Picks the form of the kernel as generated code does.
 void run_scale(const glift::Commands& commands, const glift::Memory& f, const glift::Memory& g, std::uint32_t size,
                float factor);
 void run_add(const glift::Commands& commands, const glift::Memory& g, std::uint32_t size, std::uint32_t amount);

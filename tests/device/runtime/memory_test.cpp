@@ -19,7 +19,7 @@ std::vector<std::uint32_t> counting(std::size_t count, std::uint32_t first = 1) 
 }
 
 TEST_P(Memories, StartAsZeros) {
-    for (int round = 0; round < 3; ++round) {  // the second round gets used memory
+    for (int round = 0; round < 3; ++round) {  // from the second round on, memory is reused
         const auto f = buffer(device, "f", 4 * 5000);
         for (const std::uint32_t value : read<std::uint32_t>(device, f, 5000)) ASSERT_EQ(value, 0u);
         device.commands().fill(f, 0, 4 * 5000, 0xDEADBEEF);
@@ -96,7 +96,7 @@ TEST_P(Memories, ImagesKeepTheirTexels) {
             region.extent[axis] = std::max(c.extent[axis] >> c.mip, 1u);
             texels *= region.extent[axis];
         }
-        // Depth holds only what is a depth; 0 to 1 is.
+        // Bytes that are valid depths, 0 to 1, when read as floats.
         std::vector<std::byte> values(texels * texel_bytes(c.format));
         for (std::size_t i = 0; i < values.size(); ++i) values[i] = std::byte(i % 60);
         const auto zeros = device.commands().download_image(image, {&region, 1}, values.size());
@@ -142,7 +142,7 @@ TEST_P(Memories, AreFreedWhenTheLastHandleIsGone) {
     }
     buffer(device, "h", 16);
     device.wait();
-    buffer(device, "h", 16);  // an allocation reclaims memory that the device is done with
+    buffer(device, "h", 16);  // an allocation reclaims memory that the device has finished using
     const auto after = device.statistics();
     EXPECT_LE(after.memories, before.memories + 2);
     EXPECT_LE(after.bytes_used, before.bytes_used + (9 << 20));
@@ -163,7 +163,7 @@ TEST_P(Memories, HandlesMayGoBeforeTheDeviceIsDone) {
     for (const float value : values_of<float>(download.get())) ASSERT_EQ(value, 6.0f);
 }
 
-// Larger than lavapipe's maxStorageBufferRange, and so accessed by address, in the wide form.
+// Larger than lavapipe's maxStorageBufferRange, so that kernels access it by address, in the wide form.
 TEST_P(Memories, LargeOnesGoThroughAddresses) {
     constexpr std::uint32_t n = 40'000'000;
     const auto f = buffer(device, "f", 4ull * n), g = buffer(device, "g", 4ull * n);
@@ -176,7 +176,7 @@ TEST_P(Memories, LargeOnesGoThroughAddresses) {
     EXPECT_EQ(tail[99], 10.0f);
 }
 
-// Twice 1.25 GiB: written from the host, computed on, read back, all of it.
+// Two memories of 1.25 GiB: written from the host, computed on, and read back completely.
 TEST_P(Memories, OverAGibibyte) {
     constexpr std::uint32_t n = 335'544'320, part = 16'777'216;
     const auto f = buffer(device, "f", 4ull * n), g = buffer(device, "g", 4ull * n);

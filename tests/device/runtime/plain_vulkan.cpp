@@ -48,7 +48,7 @@ VKAPI_ATTR VkResult VKAPI_CALL allocate(VkDevice device, const VkMemoryAllocateI
     return pretence.no_memory ? VK_ERROR_OUT_OF_DEVICE_MEMORY : vkAllocateMemory(device, info, callbacks, memory);
 }
 
-// The runtime uses vkQueueSubmit2 only; a call of vkQueueSubmit would not be counted.
+// The runtime must use vkQueueSubmit2 only: calls of vkQueueSubmit are not counted.
 VKAPI_ATTR VkResult VKAPI_CALL submit_in_the_old_way(VkQueue queue, std::uint32_t count, const VkSubmitInfo* infos,
                                                      VkFence fence) {
     ADD_FAILURE() << "vkQueueSubmit";
@@ -59,7 +59,7 @@ template <class Function> PFN_vkVoidFunction erased(Function function) {
     return reinterpret_cast<PFN_vkVoidFunction>(function);
 }
 
-/// A Vulkan function that can fail, and a wrapper that makes it fail.
+/// Wraps a Vulkan function that can fail, and makes it fail when `pretence` says so.
 template <int number, class Pointer> struct Failing;
 template <int number, class... Parameters> struct Failing<number, VkResult(VKAPI_PTR*)(Parameters...)> {
     static inline VkResult(VKAPI_PTR* real)(Parameters...) = nullptr;
@@ -69,7 +69,7 @@ template <int number, class... Parameters> struct Failing<number, VkResult(VKAPI
     static VKAPI_ATTR VkResult VKAPI_CALL call(Parameters... parameters) {
         if (++pretence.calls != pretence.failing_call) return real(parameters...);
         pretence.failed = name;
-        // A device that is lost runs nothing any more.
+        // Fake device loss must look real: no work is left running on a lost device.
         if (pretence.failure == VK_ERROR_DEVICE_LOST) vkDeviceWaitIdle(device);
         return pretence.failure;
     }

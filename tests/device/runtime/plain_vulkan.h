@@ -1,5 +1,5 @@
-// A program's own Vulkan objects, created without Glift (but with the features that it needs), and a loader whose
-// results a test can change.
+// A program's own Vulkan objects, created without Glift (but with the features that it needs), and a loader of Vulkan
+// functions whose results a test can change.
 #pragma once
 
 #include "test_device.h"
@@ -9,22 +9,22 @@
 #include <memory>
 #include <vector>
 
-/// Faults that the loader injects, and calls that it counted. Reset at the start of each test.
+/// Faults that the loader injects, and calls that it counts. Reset at the start of each test.
 struct Pretence {
     bool vulkan_1_2 = false;
     bool no_timeline = false;
-    bool lost = false;  ///< the next submission and every wait
+    bool lost = false;  ///< the next submission and every wait fail
     bool no_memory = false;
-    bool no_shuffles = false;          ///< subgroups do not exchange values, nor reduce 64-bit ones
+    bool no_shuffles = false;          ///< subgroups support no shuffles and no 64-bit reductions
     bool no_push_descriptors = false;  ///< the device was made without the extension
 
-    std::uint64_t calls = 0;         ///< of the device's functions that can fail
-    std::uint64_t failing_call = 0;  ///< counted from 1, which fails with `failure`; 0: none
+    std::uint64_t calls = 0;         ///< calls of the device's functions that can fail
+    std::uint64_t failing_call = 0;  ///< number, from 1, of the call that fails with `failure`; 0: none
     VkResult failure = VK_ERROR_OUT_OF_HOST_MEMORY;
-    const char* failed = "";  ///< its name
+    const char* failed = "";  ///< name of the function that failed
 
-    std::uint64_t submissions = 0;      ///< of the device
-    std::uint64_t command_buffers = 0;  ///< in them
+    std::uint64_t submissions = 0;      ///< submissions to the device
+    std::uint64_t command_buffers = 0;  ///< command buffers in them
 };
 extern Pretence pretence;
 PFN_vkVoidFunction VKAPI_CALL pretending_loader(VkInstance instance, const char* name);
@@ -33,7 +33,7 @@ class PlainVulkan {
 public:
     PlainVulkan();
     ~PlainVulkan();
-    void destroy_device();  ///< before the rest
+    void destroy_device();  ///< for tests that destroy the device before the other objects
 
     glift::vulkan::Objects objects() const { return {instance, physical, device, queue, 0, extensions, nullptr}; }
     VkCommandBuffer begin() const;

@@ -25,7 +25,7 @@ TEST_P(Recordings, AThousandPassesReplayWithOneSubmission) {
     const auto after = device.statistics();
     EXPECT_EQ(after.submissions - before.submissions, device.is_host() ? 0u : 1u);
     EXPECT_EQ(after.passes - before.passes, 1000u);
-    recording.submit();  // at once: the first may still run
+    recording.submit();  // submitted at once: the first replay may still run
     replay();
     EXPECT_EQ(read<std::uint32_t>(device, g, n)[n - 1], expected);
 }

@@ -1,5 +1,5 @@
-// Every test here runs on the host and on Vulkan (lavapipe unless GLIFT_TEST_DEVICE says otherwise), the latter with
-// the validation layer, and fails on any message.
+// Tests that run on the host device and on Vulkan (lavapipe unless GLIFT_TEST_DEVICE names another device), the latter
+// with the validation layer: any message fails the test.
 #pragma once
 
 #include "kernels.h"
@@ -29,7 +29,7 @@ protected:
     INSTANTIATE_TEST_SUITE_P(, Fixture, testing::Values("host", "vulkan"),                                             \
                              [](const testing::TestParamInfo<const char*>& which) { return which.param; })
 
-/// The code of the Error that the action throws; records a failure if it throws none.
+/// The Error that the action throws; fails the test if it throws none.
 template <class Action> glift::Error error_of(Action action) {
     try {
         action();

@@ -1,4 +1,4 @@
-// One device used by several threads at once. Run under the thread sanitizer by tools/check.
+// Several threads use one device at once. tools/check runs this under the thread sanitizer.
 #include "test_device.h"
 
 #include <thread>
@@ -10,7 +10,7 @@ using namespace kernels;
 constexpr int threads = 4, rounds = 4;
 constexpr std::uint32_t n = 64;
 
-/// Runs body(k) on threads of their own, all at once.
+/// Runs body(k) on several threads at once.
 template <class Body> void on_threads(Body body) {
     std::vector<std::thread> all;
     for (int k = 0; k < threads; ++k) all.emplace_back([&body, k] { body(k); });
@@ -35,7 +35,7 @@ TEST_P(Threads, HaveMemoriesOfTheirOwn) {
     for (std::uint32_t k = 0; k < threads; ++k) EXPECT_EQ(results[k], 2 * k + 1);
 }
 
-// Passes of several threads over one memory are serialised in some order.
+// Passes of several threads over one memory run one after the other, in some order.
 TEST_P(Threads, ShareAMemory) {
     const auto g = buffer(device, "g.data", 4 * n);
     device.commands().fill(g, 0, 4 * n, 1);
@@ -86,7 +86,7 @@ TEST_P(Threads, PutCommandsIntoOneRecording) {
     EXPECT_EQ(read<std::uint32_t>(device, g, n)[n - 1], 1u << threads * rounds);
 }
 
-// Within a body the device's stream is the recording's for the thread that runs it, and for no other.
+// While a recording is made, the device's own stream is the recording's for the thread that makes it, and for no other.
 TEST_P(Threads, AreNotRecordedByAnother) {
     const auto g = buffer(device, "g.data", 4 * n), h = buffer(device, "h.data", 4 * n);
     const auto recording = device.record([&](const glift::Commands&) {

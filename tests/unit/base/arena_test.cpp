@@ -54,7 +54,7 @@ TEST(Arena, AdoptsBlocks) {
                 branch.fill_block();
                 ends.push_back(branch.size());
             }
-            trunk.adopt(branch, ends[2], ends[3]);  // in another order than they were made
+            trunk.adopt(branch, ends[2], ends[3]);  // not in the order in which they were made
             trunk.adopt(branch, ends[0], ends[1]);
             branch.add(counted);
         }

@@ -17,7 +17,7 @@ TEST(Parallel, WorksOnEachOnce) {
 
 TEST(Parallel, UsesTheThreadsThatItIsAskedFor) {
     std::atomic<int> started = 0;
-    // Each waits for the others: they do run at once.
+    // Each thread waits until all have started, which shows that they run at once.
     on_threads(4, [&] {
         ++started;
         while (started < 4) std::this_thread::yield();

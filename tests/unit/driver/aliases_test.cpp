@@ -1,4 +1,4 @@
-// Names that modules give to structures: a module's names do not depend on other modules of the compilation.
+// Names that modules give to structures: they do not depend on which other modules are compiled in the same run.
 #include "driver/compile.h"
 
 #include <gmock/gmock.h>
@@ -22,7 +22,7 @@ const std::map<std::string, std::string> texts = {
     {"three.glift", "module three;\nuse one;\npub kernel clear(x: out each<Line>) { x = 0u; }\n"},
 };
 
-/// Outputs by their names, without SPIR-V; the library is the one of the sources.
+/// The outputs of a compilation by their names, without SPIR-V. The standard library is that of the sources.
 std::map<std::string, std::string> outputs_of(std::vector<std::string> files) {
     Options options;
     options.files = std::move(files);
@@ -61,7 +61,7 @@ TEST(Aliases, OfWhatIsImportedAreTakenOver) {
     EXPECT_THAT(outputs["three.glift.hpp"], HasSubstr("const glift::Range<::one::Line>& x);"));
 }
 
-/// The public outputs of a module: its header and its functions for shaders.
+/// The outputs of a compilation that a user includes: headers, and functions for shaders.
 std::map<std::string, std::string> seen_of(std::vector<std::string> files) {
     auto outputs = outputs_of(std::move(files));
     std::erase_if(outputs, [](const auto& output) {
@@ -70,7 +70,7 @@ std::map<std::string, std::string> seen_of(std::vector<std::string> files) {
     return outputs;
 }
 
-/// The header without the declarations of the headers that it includes, and without the includes.
+/// The declarations of functions in a header, without its includes and other declarations.
 std::string functions_of(const std::string& header) {
     std::string functions;
     std::istringstream lines(header);
@@ -100,7 +100,7 @@ TEST(Modules, IncludeTheHeadersOfThoseTheyUse) {
     EXPECT_THAT(outputs["three.glift.hpp"], Not(HasSubstr("class ")));
 }
 
-// An instance that two modules use is compiled with the first.
+// An instance that two modules use is in the output of the first.
 TEST(Modules, CompileWhatTheyShareOnce) {
     auto outputs = outputs_of({"one.glift", "three.glift"});
     EXPECT_THAT(outputs["one.glift.library.cpp"], HasSubstr("Array_1_uint_none_buffer::domain() const"));

@@ -1,4 +1,4 @@
-// The compiler as a function, over in-memory files.
+// Calls the compiler as a function, with files in memory.
 #include "driver/command_line.h"
 #include "driver/compile.h"
 

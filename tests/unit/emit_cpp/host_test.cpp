@@ -1,5 +1,5 @@
-// Kernels as rows: what the printer writes. That the code is right is shown by tests/device and `gliftc
-// test`.
+// What the printer writes for kernels that run over rows. Tests on devices show that the code is right (tests/device
+// and `gliftc test`).
 #include "builder.h"
 
 #include "emit/cpp/kernel_parts.h"

@@ -1,4 +1,4 @@
-// Makes small lowered kernels by hand.
+// Builds small lowered kernels by hand, to test the printer without a front end.
 #pragma once
 
 #include "ir/pass.h"
@@ -182,7 +182,8 @@ struct Builder {
         return with(Op::load, pass.bindings[binding].element, {at}, binding);
     }
 
-    /// One axis: address = gl_GlobalInvocationID.x, in_range = address < size.
+    /// Sets up a one-dimensional kernel: address = gl_GlobalInvocationID.x, in_range = address < size. Returns the
+    /// address.
     ExprId one_axis() {
         ExprId size = parameter("size", types().uint, ParameterSource::size);
         ExprId global = make(Op::builtin, types().vector(types().uint, 3));

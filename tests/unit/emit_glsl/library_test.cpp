@@ -1,4 +1,4 @@
-// The functions of a structure, included in a user's shader.
+// The generated functions of a structure that a user's own shader includes.
 #include "driver/compile.h"
 #include "emit/glsl/library.h"
 #include "emit/spirv/emit.h"
@@ -11,7 +11,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// The libraries of the public structures of the text.
+/// The function libraries of the public structures of a module `own` with this text.
 std::vector<std::string> libraries(const std::string& text) {
     FileSystem files = disk();
     auto read = files.read;
@@ -34,7 +34,7 @@ std::vector<std::string> libraries(const std::string& text) {
     return texts;
 }
 
-/// Of the only one.
+/// The library of a module's only public structure.
 std::string library(const std::string& text) {
     const std::vector<std::string> texts = libraries(text);
     EXPECT_EQ(texts.size(), 1u);
@@ -67,7 +67,8 @@ TEST(Library, OfAnArray) {
           "result = Field_read(id);\n");
 }
 
-// The including shader sets the state: the constructor's arguments, nothing computed from them.
+// The including shader provides the structure's state, which is its constructor's arguments and nothing computed from
+// them.
 TEST(Library, StateIsThatOfTheStructure) {
     std::string text = library("module own;\nuse std.tiled;\npub structure Plane = Tiled<2, float, uint2(8, 8)>;\n");
     EXPECT_THAT(text, HasSubstr("buffer Plane_state {\n    uvec2 Plane_extent;\n};"));
@@ -98,7 +99,8 @@ TEST(Library, OfATranslatorWithALoop) {
     prove(text, "#define FEW_BINDING 0\n", "Few_write(id.x, Few_read(id.y));\n");
 }
 
-// They share a struct, each has its own functions, and both contain the functions that both call.
+// Libraries in one shader: a struct that several use is shared, each has its own functions, and each contains the
+// helper functions that it calls.
 TEST(Library, SeveralInOneShader) {
     const std::vector<std::string> texts =
         libraries("module own;\nuse std.array;\nuse std.tiled;\nstruct Particle { x: float; v: float2; }\n"

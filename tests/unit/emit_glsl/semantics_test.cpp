@@ -1,4 +1,5 @@
-// Operations that the language defines and GLSL leaves undefined: guarded where needed, and only there.
+// Operations that the language defines for all operands and GLSL does not: printed with guards where they are needed,
+// and only there.
 #include "builder.h"
 
 #include "emit/glsl/emit.h"
@@ -20,7 +21,7 @@ std::string proved(Builder& b) {
     return text;
 }
 
-/// A kernel that stores `value(address)` of any type.
+/// The text of a kernel that stores `value(address)`, of any type.
 template <class Make> std::string stored(Make make) {
     Builder b;
     ExprId address = b.one_axis();
@@ -68,7 +69,7 @@ TEST(Division, OfIntsGoesThroughAFunction) {
     EXPECT_THAT(stored(vectors), HasSubstr("ivec3(quotient(a.x, b.x), quotient(a.y, b.y), quotient(a.z, b.z))"));
 }
 
-/// As `stored`, with division and square root corrected.
+/// The same for a device whose division and square root are inexact and get corrected.
 template <class Make> std::string corrected(Make make) {
     Builder b;
     ExprId address = b.one_axis();
@@ -206,7 +207,7 @@ TEST(Atomics, OfFloatsAreLoopsOfCompareAndSwap) {
     EXPECT_THAT(text, HasSubstr("g_data[0u] = floatBitsToUint(uintBitsToFloat(g_data[1u]));"));
 }
 
-/// One expression a line of intrinsics.def, with operands that its signature takes.
+/// Compiles an expression for each line of intrinsics.def, with operands that its signature accepts.
 TEST(Intrinsics, AllCompile) {
     const std::vector<Intrinsic> floats = {
         Intrinsic::abs,   Intrinsic::sign, Intrinsic::floor, Intrinsic::ceil,       Intrinsic::round, Intrinsic::trunc,

@@ -1,4 +1,4 @@
-// Whole shaders: the text, and that glslang and the SPIR-V validator accept it.
+// Whole shaders: their text, and that glslang and the SPIR-V validator accept them.
 #include "builder.h"
 
 #include "emit/glsl/emit.h"
@@ -13,7 +13,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-/// The readable shader, validated with both forms of line markers.
+/// The readable text of a shader. Validates it, and the same shader with line directives.
 std::string proved(Builder& b) {
     std::string text = glsl::glsl_of(b.program, b.sources, b.pass);
     auto plain = spirv::spirv_of(text);

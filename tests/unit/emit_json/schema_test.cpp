@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// The part of JSON Schema that the schema uses. Returns the first violation, or nothing.
+/// Validates JSON by the part of JSON Schema that our schema uses. Returns the first violation, or nothing.
 struct Validator {
     const Json& root;
 
@@ -86,7 +86,7 @@ std::string reflection_of_file(const std::string& path) {
     return "";
 }
 
-/// Modules that together have all that a reflection may have.
+/// Modules that together have everything that a reflection may contain.
 std::vector<std::string> modules() {
     std::vector<std::string> found;
     for (const char* folder :

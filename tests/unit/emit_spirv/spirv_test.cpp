@@ -33,7 +33,7 @@ TEST(Spirv, NeverContractsFloatArithmetic) {
     Spirv made = spirv_of(
         head + "void main() { uint i = gl_GlobalInvocationID.x; f[i] = f[i] * f[i] + f[i] / 3.0 - (-f[i]); }\n");
     ASSERT_EQ(made.error, "");
-    // *, +, /, -, unary -
+    // The five operations *, +, /, - and unary -.
     EXPECT_EQ(count(disassembled(made.words), " NoContraction"), 5u);
 }
 

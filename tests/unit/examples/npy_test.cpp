@@ -1,4 +1,4 @@
-// .npy files: every supported type and order, and errors for other files.
+// Reads and writes .npy files: every supported type and order, and errors for other files.
 #include "examples/common/npy.h"
 #include "support/process.h"
 
@@ -119,7 +119,7 @@ TEST_F(Npy, SaysWhatIsWrong) {
     EXPECT_THROW(npy::read(path), std::runtime_error);
 }
 
-// A header cut anywhere is an error, never a crash.
+// A file that is cut anywhere is refused, never a crash.
 TEST_F(Npy, EveryPrefixIsRefused) {
     const std::string whole = with_header(header_of("<f4", "(1, 1)"), "1234");
     for (std::size_t length = 0; length < whole.size(); ++length)

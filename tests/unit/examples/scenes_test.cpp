@@ -26,7 +26,7 @@ TEST(Scenes, AreWholeAndMove) {
         EXPECT_EQ(mesh.corners, later.mesh.corners) << name << ": the triangles stay, their points move";
         EXPECT_NE(mesh.points, later.mesh.points) << name;
         EXPECT_EQ(mesh.points, scenes::make(name, 0.5f).mesh.points) << name;
-        // The camera sees its target, and the light's box holds what the camera looks at.
+        // The far planes of camera and light are beyond their targets.
         EXPECT_LT(glift::length(scene.view.target - scene.view.eye), scene.view.far) << name;
         EXPECT_LT(glift::length(scene.light.target - scene.light.eye), scene.light.far) << name;
     }

@@ -1,4 +1,4 @@
-// Import of C++ structs and formatting, through the same dlopen as gliftc.
+// Import of C++ structs, and formatting, by the plugin, which is loaded with dlopen as gliftc does it.
 
 #include "interop/interop.h"
 

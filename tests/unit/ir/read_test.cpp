@@ -1,4 +1,4 @@
-// The text of a pass is complete: parsing and printing it again gives the same text.
+// The text of a pass is complete: when it is parsed, it prints to the same text again.
 #include "ir/print.h"
 #include "ir/read.h"
 #include "ir/validate.h"
@@ -43,7 +43,7 @@ std::string error_of(std::string_view text) {
     return "";
 }
 
-/// The text of a golden's passes stands beside its source.
+/// The file with the text of a golden test's passes, next to the test's source.
 std::filesystem::path text_of(std::filesystem::path source) { return source.replace_extension(".expected.ir"); }
 
 TEST(Read, GivesWhatWasPrintedForEveryGolden) {

@@ -1,11 +1,11 @@
-// Which shared arrays share memory.
+// Which workgroup arrays (`shared`) share memory with each other.
 #include "../lower/lowered.h"
 #include "layout/layout.h"
 
 namespace gliftc {
 namespace {
 
-/// The allocations of the shared arrays of a kernel `k`, `a+b c` if a and b share one, and the total bytes.
+/// How the workgroup arrays of kernel `k` are allocated, with the total bytes: `a+b c` if a and b share memory.
 std::string places(const std::string& kernel) {
     Lowering module(R"(
 structure Line(extent: uint3) {

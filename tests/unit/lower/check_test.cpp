@@ -12,7 +12,7 @@ std::string checked(const std::string& kernel) {
     const Lowering lowering(kernel, lower::Checks::ranges);
     const std::string text = lowering.direct("k");
     EXPECT_EQ(lowering.forms("k").direct.has_reports, count(text, "report(") > 0) << text;
-    // Without checks there is no trace of them.
+    // Without checks no reports are generated.
     EXPECT_THAT(Lowering(kernel).direct("k"), Not(HasSubstr("report(")));
     return text;
 }

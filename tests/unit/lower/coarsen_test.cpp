@@ -12,7 +12,7 @@ using testing::Not;
 
 const ir::Variant& shader_variant(const ir::Pass& pass) { return variant_for(pass, ir::Devices::shaders); }
 
-/// Elements that an invocation takes along each axis, the same in all forms.
+/// The number of elements that an invocation takes along each axis; all forms must have the same.
 std::array<std::uint32_t, 3> taken(const Lowering& lowering) {
     const ir::Lowered::Forms& forms = lowering.forms("k");
     for (const ir::Pass* pass : {&forms.general, &forms.wide}) {
@@ -107,7 +107,8 @@ TEST(Coarsen, ARowFurtherIsTheSecondElementItself) {
     EXPECT_THAT(text, HasSubstr("(address.y + 2u) < $f_extent.y"));
 }
 
-/// A value computed under a condition is not available to the second element, for which the condition may not hold.
+/// A value that is loaded under a condition is not shared with the second element, for which the condition may not
+/// hold.
 TEST(Coarsen, ARowFurtherUnderAConditionIsNotShared) {
     Lowering lowering("kernel k(f: in near<Field, 1>, g: out each<Field>, s: float) {"
                       "    var sum = f[0]; if sum > s { sum += f[int3(0, 1, 0)]; } g = sum; }");
@@ -136,8 +137,8 @@ TEST(Coarsen, OneElementThatIsWorkEnough) {
     EXPECT_EQ(taken("kernel k(f: in near<Field, 4>, g: out each<Field>) { g = " + sum + "; }"), one);
 }
 
-/// The general form has more to compute and may exceed the limit alone; all forms of a kernel must take as many
-/// elements.
+/// The general form has more to compute and may exceed the limit when the direct form does not; all forms of a kernel
+/// must still take the same number of elements.
 TEST(Coarsen, AllFormsTakeAsMany) {
     const auto kernel_of = [](int steps) {
         std::string text = "kernel k(f: in near<Field, 1>, g: out each<Field>) { var x = f[int3(0, 1, 0)];";

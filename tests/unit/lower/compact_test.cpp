@@ -6,7 +6,7 @@
 namespace gliftc {
 namespace {
 
-/// The number of nodes of an operation that are reachable from the passes and their functions.
+/// The number of nodes with an operation that can be reached from the passes and their functions.
 std::size_t reachable(const Lowering& lowering, ir::Op op) {
     std::set<ir::ExprId> found;
     const auto note = [&](ir::ExprId id) {

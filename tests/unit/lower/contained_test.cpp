@@ -1,4 +1,4 @@
-// Which accesses are bounds-checked: those that are not proved in bounds.
+// Which accesses are bounds-checked: those that are not proved to be in bounds.
 #include "lower/symbolic.h"
 #include "lowered.h"
 
@@ -34,7 +34,7 @@ TEST(Symbols, EndsOfWhatVaries) {
     EXPECT_EQ(symbols.highest(y * m + (m - number(1) - x)), m * n - number(1));
     EXPECT_EQ(symbols.lowest(m - x), number(1));
     EXPECT_EQ(symbols.highest(symbols.varying({number(0), {}})), std::nullopt);
-    // A triangle: y (y + 1) + x.
+    // The address of an element in a triangular array: y (y + 1) + x.
     EXPECT_EQ(symbols.highest(y * y + y + x), n * n - n + m - number(1));
 }
 
@@ -49,7 +49,7 @@ TEST(Symbols, QuotientAndRest) {
     EXPECT_EQ(more, m + number(63));
 }
 
-/// A structure over a translator's body, from addresses `uint2`, and whether its accesses are guarded.
+/// Whether accesses are bounds-checked in a structure whose translator, from uint2 addresses, has this body.
 bool is_guarded(const std::string& memory, const std::string& body, const std::string& result = "uint") {
     const Lowering lowering("translator T : uint2 -> " + result + " { extent: uint2; domain() { return extent; } " +
                             "translate(va) { " + body + " } }\n" + "structure S(extent: uint2) { memory data = " +
@@ -103,7 +103,7 @@ TEST(Contained, WhatMayLieBeyond) {
     EXPECT_TRUE(is_guarded("buffer<float>[64]", "return (va.x * 31u + va.y) % 65u;"));
     EXPECT_TRUE(is_guarded("buffer<float>[64]", "return va.x | 63u;"));
     EXPECT_TRUE(is_guarded("image2d<float>(extent)", "return va.yx;", "uint2"));
-    // An empty domain, for which this translator still returns addresses.
+    // The domain may be empty, but the translator returns addresses for it.
     EXPECT_TRUE(is_guarded("buffer<float>[extent.x * extent.y]",
                            "let a = min(va, max(extent, 1u) - 1u); return a.y * extent.x + a.x;", "uint?"));
 }

@@ -60,7 +60,7 @@ TEST(Iterators, RandomReadsAreGuarded) {
 TEST(Iterators, PageTablesAreReadOnceAnElement) {
     Lowering lowering("kernel k(f: in each<Sparse>, g: inout each<Sparse>) { g = g + f; }");
     std::string text = lowering.direct("k");
-    // Each structure has a table of its own.
+    // Each structure has its own page table.
     EXPECT_EQ(count(text, "= f_table_data["), 1u) << text;
     EXPECT_EQ(count(text, "= g_table_data["), 1u) << text;
     EXPECT_THAT(text, HasSubstr("if g_found {"));
@@ -135,7 +135,7 @@ kernel k(f: in any<Field>, g: out each<Field>, a: at<Field>) { if let i = first(
     EXPECT_EQ(pass.loop_rounds, 101u);
 }
 
-// Loops bounded by a bit count, a remainder, a mask.
+// Loops whose trip count is bounded by a bit count, a remainder or a mask.
 TEST(Iterators, RoundsAreKnownOfLimitsThatHaveABound) {
     Lowering lowering(R"(kernel k(g: out each<Field>, a: at<Field>) {
         var sum = 0.0;
@@ -145,7 +145,7 @@ TEST(Iterators, RoundsAreKnownOfLimitsThatHaveABound) {
         for i in 0..a.x >> 28u { sum += 1.0; }
         g = sum;
     })");
-    // The last test of a loop counts as an iteration.
+    // The final, failing test of a loop counts as an iteration.
     EXPECT_EQ(lowering.forms("k").direct.loop_rounds, 33u + 10u + 8u + 16u);
 }
 

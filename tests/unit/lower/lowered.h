@@ -1,4 +1,4 @@
-// Parses, checks and lowers a text, for tests. No module is imported.
+// Parses, checks and lowers a text, for tests. The text can import no module.
 #pragma once
 
 #include "ir/print.h"
@@ -13,7 +13,7 @@
 
 namespace gliftc {
 
-/// Structures and translators that the tests share.
+/// Structures and translators that the tests use; they are put before each text.
 inline const std::string library = R"(module test;
 fn linearize3(a: uint3, e: uint3) -> uint { return (a.z * e.y + a.y) * e.x + a.x; }
 translator Linear3 : uint3 -> uint {

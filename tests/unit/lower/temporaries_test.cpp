@@ -7,7 +7,7 @@
 namespace gliftc {
 namespace {
 
-/// A pipeline of temporaries and statements that use them, made by hand.
+/// Builds a pipeline of temporaries and of statements that use them, by hand.
 struct Steps {
     Names names;
     ir::Program program;

@@ -5,7 +5,7 @@ namespace {
 
 constexpr int kernels = 60;
 
-/// Each is different, and lowering it adds new types and names to the program.
+/// The text of kernel number k. Each kernel is different, and lowering it adds new types and names to the program.
 std::string kernel(int k) {
     const std::string n = std::to_string(k);
     const std::string rest = "fn rest" + n + "(s: Edged, a: uint3) -> float { var x" + n + " = 0.0; while x" + n +

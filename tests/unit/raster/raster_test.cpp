@@ -1,4 +1,5 @@
-// Compares coverage with exact integer arithmetic, weights and clipping with double precision.
+// Compares the rasteriser's coverage with exact integer arithmetic, and its interpolation and clipping with double
+// precision.
 #include <glift/host/raster.h>
 
 #include <gtest/gtest.h>
@@ -21,7 +22,7 @@ struct Corner {
     float x, y, z, w;
 };
 
-/// Draws vertices given in clip coordinates. Varyings: the vertex's index in `corners`, flat, and a smooth value.
+/// Draws vertices given in clip coordinates. Varyings: the vertex's index in `corners` (flat), and a value (smooth).
 struct Scene {
     std::vector<Corner> corners;
     std::vector<float> values;  ///< each vertex's smooth varying; empty: zeros
@@ -58,7 +59,7 @@ struct Scene {
 
 int2 pixel_of(const Fragments& fragments, int pixel) { return fragments.first + int2(pixel % 8, pixel / 8); }
 
-/// Clip coordinates from window coordinates.
+/// The clip coordinates of a point in window coordinates.
 Corner at_window(uint2 viewport, double x, double y, float z = 0.5f, float w = 1.0f) {
     const double across = viewport.x, down = viewport.y;
     return {static_cast<float>((2 * x / across - 1) * w), static_cast<float>((2 * y / down - 1) * w), z * w, w};
@@ -73,7 +74,7 @@ std::array<std::int64_t, 2> snapped(uint2 viewport, const Corner& corner) {
     return {snap(corner.x * (1.0f / corner.w), viewport.x), snap(corner.y * (1.0f / corner.w), viewport.y)};
 }
 
-/// Whether exact arithmetic and the top-left rule say that a pixel is covered.
+/// Whether a pixel is covered by exact arithmetic and the top-left rule.
 bool covers(std::array<std::array<std::int64_t, 2>, 3> p, std::int64_t x, std::int64_t y) {
     const auto cross = [](const auto& a, const auto& b, std::int64_t px, std::int64_t py) {
         return (b[0] - a[0]) * (py - a[1]) - (b[1] - a[1]) * (px - a[0]);
@@ -152,8 +153,8 @@ TEST(Raster, TrianglesOfAMeshCoverEachPixelOnce) {
         ++count[static_cast<std::size_t>(p.y * 640 + p.x)];
     };
     draw(scene.draw(viewport));
-    // Rounding of vertices may fold a cell over, whose pixels then belong to three triangles; each pixel has at least
-    // one.
+    // Rounding of vertices may make cells overlap, so that some pixels belong to three triangles; but each pixel
+    // belongs to one at least.
     const auto once = std::count_if(count.begin(), count.end(), [](const auto& n) { return n == 1; });
     EXPECT_EQ(std::count_if(count.begin(), count.end(), [](const auto& n) { return n == 0; }), 0);
     EXPECT_GT(once, 640 * 480 - 2000);
@@ -162,7 +163,7 @@ TEST(Raster, TrianglesOfAMeshCoverEachPixelOnce) {
 TEST(Raster, PixelsSeeTrianglesInOrder) {
     const uint2 viewport(100, 100);
     Scene scene;
-    const int triangles = 100000;  // several batches
+    const int triangles = 100000;  // more than one batch
     for (int i = 0; i < triangles; ++i) {
         const double x = i * 37 % 90, y = i * 53 % 90;
         for (const auto& [dx, dy] : {std::pair(0, 0), std::pair(12, 1), std::pair(3, 11)})
@@ -210,7 +211,8 @@ TEST(Raster, SmoothValuesAreCorrectInPerspective) {
     EXPECT_LT(worst_depth, 1e-6);
 }
 
-/// A plane close to the eye: parts of its triangles lie behind the eye, in front of the near plane, far outside.
+/// A plane close to the eye, whose triangles have parts behind the eye, before the near plane and far outside of the
+/// view.
 TEST(Raster, WhatReachesBehindTheEyeIsClipped) {
     const uint2 viewport(160, 120);
     // A floor at y = 1 below the eye, which looks along z: clip = (x, 1, z - 0.1, z).
@@ -234,7 +236,7 @@ TEST(Raster, WhatReachesBehindTheEyeIsClipped) {
     draw(all);
     for (int y = 0; y < 120; ++y) {
         const double ndc = 2 * (y + 0.5) / 120 - 1;
-        const bool is_floor = ndc > 1 / far;  // nearer than the end of the floor
+        const bool is_floor = ndc > 1 / far;  // whether the row is below the floor's far end
         const double beside = std::abs(ndc - 1 / far) * 60;
         for (int x = 0; beside > 0.02 && x < 160; ++x)
             ASSERT_EQ(count[static_cast<std::size_t>(y * 160 + x)], is_floor) << x << ' ' << y;

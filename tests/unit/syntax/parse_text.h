@@ -1,4 +1,4 @@
-// Parses a text and prints the syntax tree.
+// Parses a text and prints its syntax tree.
 #pragma once
 
 #include "diag/render.h"
@@ -21,7 +21,7 @@ struct Parsed {
         module = parse(file, sources, names, tree, diagnostics);
     }
     std::string printed() const { return print(module, tree, names); }
-    /// "3:14 expected ';', found 'return'", one a line
+    /// The errors, one a line, such as: 3:14 expected ';', found 'return'
     std::string errors() const {
         std::string all;
         for (const Diagnostic& d : diagnostics.all()) {

@@ -1,4 +1,4 @@
-// Operations that the language defines where C++ does not, and the layout of its types.
+// Operations that are defined in the language but not in C++, and the memory layout of its types.
 #include <glift/host/math.h>
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Conversion, bounds checks and filtering of texels.
+// Loads, stores and filtering of texels on the host device: conversion and bounds checks.
 #include <glift/host/image.h>
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Rows cover an iteration exactly once, whatever its shape.
+// Parallel loops over rows visit each element of a range exactly once, for any shape of range.
 #include <glift/host/atomics.h>
 #include <glift/host/parallel.h>
 

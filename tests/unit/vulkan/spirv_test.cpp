@@ -34,7 +34,8 @@ std::string error_of(const std::vector<std::uint32_t>& words) {
     return tools.Validate(words) ? "" : error;
 }
 
-/// A shader with integers of 32 and 64 bits, whose value number 64 has 32.
+/// A shader with 32-bit and 64-bit integers. Id %64 is a value of a 32-bit type: its number must not be taken for a
+/// width.
 const std::string shader = R"(
     OpCapability Shader
     OpCapability Int64
@@ -68,8 +69,9 @@ TEST(HiddenZeros, TellTheWidthOfATypeFromAValue) {
     EXPECT_THAT(disassembled(hidden), Not(HasSubstr("OpFMul %float %65 %float_0")));
 }
 
-/// Sums and differences of a constant and: a constant (40), a loaded number (41), what a variable holds, which a
-/// constant is stored to after the load (43), what a loaded number is stored to (45); and of vectors of constants (46).
+/// Sums and differences of a constant with: itself (%40), a loaded number (%41), the value of a variable that a
+/// constant is stored to after the load (%43), the value of a variable that a loaded number is stored to (%45); and of
+/// vectors of constants (%46).
 const std::string sums = R"(
     OpCapability Shader
     OpMemoryModel Logical GLSL450

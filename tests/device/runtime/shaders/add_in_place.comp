@@ -1,4 +1,4 @@
-// g[i] = g[i] * 2 + amount, many times over the same memory: order shows in the result.
+// g[i] = g[i] * 2 + amount: repeated over the same memory, the result shows the order of passes.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 layout(local_size_x = 64) in;

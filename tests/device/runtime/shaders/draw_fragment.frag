@@ -1,4 +1,4 @@
-// Writes the colour and counts fragments.
+// Writes the colour and counts fragments in count[0].
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 layout(early_fragment_tests) in;

@@ -1,4 +1,4 @@
-// g = factor * f, push constants.
+// g = factor * f, direct form: parameters are push constants.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 layout(local_size_x = 64) in;

@@ -1,4 +1,4 @@
-// g = factor * f, parameters in a buffer.
+// g = factor * f, general form: parameters are in a buffer.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 layout(local_size_x = 64) in;

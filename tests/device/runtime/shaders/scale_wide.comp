@@ -1,4 +1,4 @@
-// g = factor * f, buffers by address.
+// g = factor * f, wide form: buffers are accessed by address.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_EXT_buffer_reference : require

@@ -1,4 +1,4 @@
-// g[i] = value: nothing but a write.
+// g[i] = value: a kernel that only writes.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 layout(local_size_x = 64) in;
