@@ -12,8 +12,8 @@ namespace gliftc {
 
 struct ExplainedDraw {
     std::string name, place;
-    std::vector<std::pair<std::string, std::string>>
-        facts;  ///< what is said of the draw: {"draws", "triangles of corner"}
+    /// What is said of the draw, such as {"draws", "triangles of corner"}.
+    std::vector<std::pair<std::string, std::string>> facts;
 };
 
 /// The draws in the modules on the command line.
