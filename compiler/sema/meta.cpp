@@ -470,8 +470,7 @@ std::string to_text(const Context& c, const Meta& meta) {
 
 std::string to_qualified_text(const Context& c, const Meta& meta) {
     if (meta.kind == MetaKind::type) return ir::to_qualified_text(c.program, meta.type);
-    if (meta.kind == MetaKind::value &&
-        meta.value.lanes.size() != 1)  // a vector or struct: with its type, qualified by its module
+    if (meta.kind == MetaKind::value && meta.value.lanes.size() != 1)  // a vector or struct: type with its module
         return ir::to_qualified_text(c.program, meta.value.type) + ir::to_text(c.program, meta.value);
     if (meta.kind != MetaKind::translator) return to_text(c, meta);
     std::string text;

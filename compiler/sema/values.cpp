@@ -41,8 +41,7 @@ private:
     Span span_;
     ir::Kernel kernel_;
     ir::Operands arguments_;
-    std::map<ir::LocalId, ir::LocalId>
-        known_;  ///< locals of the pipeline that lie on the device: the kernel's parameter
+    std::map<ir::LocalId, ir::LocalId> known_;  ///< the kernel's parameter for each local that lies on the device
 };
 
 void Maker::add_param(ir::KernelParam param) {
