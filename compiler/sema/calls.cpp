@@ -377,7 +377,7 @@ static void note_functions(const Context& c, Diagnostic& diagnostic, const Meta&
     note(diagnostic, span, "this is a module; it has " + all + (names.size() > most ? ", …" : ""));
 }
 
-/// Whether the container has a function or pipeline of its own of that name, with so many parameters.
+/// Whether the container itself declares a function or pipeline of that name with this number of parameters.
 static bool has_method(const Context& c, std::uint32_t container, Name name, std::size_t arguments) {
     return std::ranges::any_of(items_of(c, container), [&](const ast::Item& item) {
         if (!item.decl || c[item.decl].name.name != name) return false;

@@ -173,7 +173,7 @@ void find_domain(Context& c, const ast::Kernel& written, ir::Kernel& kernel, boo
                  first->span, "the iteration follows this one");
         }
     }
-    // Parameters with errors have no pattern here: the source decides whether the kernel has something to run over.
+    // The patterns as written count: a parameter with an error has another one in the kernel.
     const bool is_asked = std::ranges::any_of(written.params, [](const ast::Param& param) {
         return param.pattern == ast::Pattern::each || param.pattern == ast::Pattern::at;
     });

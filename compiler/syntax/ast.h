@@ -295,7 +295,7 @@ struct Varying {
     ExprId type;
 };
 
-/// What a raster has that a kernel has not. Its vertex part is the kernel's body.
+/// The parts of a raster that other kernels do not have. Its vertex part is the kernel's body.
 struct Raster {
     std::vector<RasterState> states;
     std::vector<Varying> varyings;
