@@ -1,4 +1,4 @@
-// Tunes malloc for gliftc.
+// Settings of glibc's malloc that suit gliftc.
 #pragma once
 
 #include <cstdlib>

@@ -1,4 +1,4 @@
-// Arenas of values behind typed ids: the storage of every tree in the compiler.
+// Arenas whose values are referred to by typed ids (indices): the storage of the nodes of every tree in the compiler.
 #pragma once
 
 #include <cassert>
@@ -69,8 +69,8 @@ public:
         for (std::uint32_t i = first_; i < size_; ++i)
             if (own_[(i - first_) >> shift]) at(i).~T();
     }
-    /// An arena that shares the values of `base` and adds its own after them. The base must outlive it, and neither may
-    /// change the shared values.
+    /// An arena that begins with the values of `base`: full blocks are shared, the rest is copied. The base must
+    /// outlive it, and neither may change the shared values.
     static Arena extending(const Arena& base) {
         Arena made;
         const std::uint32_t full = base.size_ >> shift;
@@ -96,7 +96,7 @@ public:
         }
         size_ += end - begin;
     }
-    /// Destroys the values from this index on; their memory is reused.
+    /// Destroys the values from index `size` on. Their memory is used by the next ones added.
     void truncate(std::uint32_t size) {
         while (size_ > size) at(--size_).~T();
     }
@@ -132,8 +132,8 @@ private:
     const T& at(std::uint32_t i) const { return const_cast<Arena*>(this)->at(i); }
 
     std::vector<Block*> blocks_;
-    std::vector<std::unique_ptr<Block>> own_;  ///< without those of the arena that this one extends
-    std::uint32_t first_ = 0;                  ///< index of the first value in its own blocks
+    std::vector<std::unique_ptr<Block>> own_;  ///< the blocks not shared with the arena that this one extends
+    std::uint32_t first_ = 0;                  ///< index of the first value in own_
     std::uint32_t size_ = 0;
 };
 

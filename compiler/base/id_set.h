@@ -1,4 +1,5 @@
-// A set of visited ids. Most walks visit few nodes: these are stored inline, more on the heap.
+// A set of ids, such as the nodes that a walk has visited. Most sets are small: few ids are stored inline, more on the
+// heap.
 #pragma once
 
 #include "base/arena.h"
@@ -9,7 +10,7 @@
 
 namespace gliftc {
 
-/// Open addressing, never more than half full.
+/// A hash table with open addressing, never more than half full.
 template <class T> class IdSet {
 public:
     IdSet() { clear(); }

@@ -18,8 +18,8 @@ struct Name {
     auto operator<=>(const Name&) const = default;
 };
 
-/// Owns the text of all names of one compilation. Every identifier of the source passes through intern(), so it has its
-/// own table: open addressing, never more than half full.
+/// Owns the text of all names of one compilation. Every identifier of the source passes through intern(): its hash
+/// table is therefore one made for speed, with open addressing, never more than half full.
 class Names {
 public:
     Names() : slots_(1024) { intern(""); }
@@ -80,8 +80,8 @@ private:
     }
 
     const Names* base_ = nullptr;
-    std::uint32_t first_ = 0;        ///< index of the first name that is not the base's
-    std::deque<std::string> texts_;  ///< from the first on
+    std::uint32_t first_ = 0;        ///< index of the first name that is not in `base_`
+    std::deque<std::string> texts_;  ///< of the names from first_ on
     std::vector<Slot> slots_;
 };
 

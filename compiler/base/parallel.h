@@ -1,4 +1,4 @@
-// Independent work on several threads.
+// Runs independent work items on several threads.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace gliftc {
 
-/// Hands each number below a count to one of the threads that take one.
+/// A counter shared by threads: take() gives each number below `count` once, to whichever thread asks.
 class Tickets {
 public:
     explicit Tickets(std::size_t count) : count_(count) {}
@@ -40,7 +40,7 @@ template <class Work> void on_threads(std::size_t threads, Work&& work) {
     for (std::future<void>& other : others) other.get();
 }
 
-/// Calls work(i) for every i below `count`, in no order, on one thread for each `share` of them.
+/// Calls work(i) for every i below `count`, in no order, on threads_for(count, share) threads.
 template <class Work> void for_each_parallel(std::size_t count, std::size_t share, Work&& work) {
     Tickets tickets(count);
     on_threads(threads_for(count, share), [&] {

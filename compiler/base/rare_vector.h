@@ -1,4 +1,5 @@
-// A vector for members that are empty in nearly every node: one pointer, which is null while it is empty.
+// A vector for members that are empty in nearly every node: it takes one pointer, which is null while the vector is
+// empty.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +10,7 @@
 
 namespace gliftc {
 
-/// Converts to a const std::vector for readers.
+/// Readers get it as a const std::vector, by conversion.
 template <class T> class RareVector {
 public:
     RareVector() = default;

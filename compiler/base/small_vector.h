@@ -15,7 +15,7 @@
 
 namespace gliftc {
 
-/// Elements are trivially copyable. More than `Inside` of them are stored on the heap.
+/// Elements must be trivially copyable. Up to `Inside` of them are stored in the object, more on the heap.
 template <class T, std::uint32_t Inside> class SmallVector {
     static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
 
@@ -78,7 +78,7 @@ public:
         size_ += static_cast<std::uint32_t>(count);
     }
     void append(const SmallVector& other) {
-        reserve(std::size_t{size_} + other.size_);  // the other may be this one
+        reserve(std::size_t{size_} + other.size_);  // first, since `other` may be this vector, whose data() changes
         append(other.data(), other.size_);
     }
     void assign(std::size_t count, T value) {

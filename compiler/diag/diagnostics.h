@@ -1,4 +1,5 @@
-// Diagnostics: a table of ids (diagnostics.def), and the sink that collects them.
+// Errors and warnings of the compiler: their ids and texts (diagnostics.def), and the collector to which stages report
+// them.
 #pragma once
 
 #include "source/source.h"
@@ -24,7 +25,7 @@ enum class Diag : std::uint16_t {
 
 Severity severity_of(Diag id);
 std::string_view id_of(Diag id);    ///< "unknown-name"
-std::string_view text_of(Diag id);  ///< with {0}, {1} … in it
+std::string_view text_of(Diag id);  ///< the text with placeholders {0}, {1} …
 
 struct Note {
     Span span;  ///< may be empty: a note without a location
@@ -43,12 +44,12 @@ struct Diagnostic {
 /// dropped.
 class Diagnostics {
 public:
-    /// Reports `id` at `span`; returns where notes can be added (valid until the next report).
+    /// Reports `id` at `span`. Notes can be added to the diagnostic returned, until the next report.
     Diagnostic& report(Diag id, Span span, std::initializer_list<std::string_view> arguments = {});
 
     /// Adds the diagnostics of another collector with the same settings.
     void append(Diagnostics&& others);
-    /// Where the collector is now, and back to there: what was reported since is forgotten.
+    /// A state of the collector. back_to() forgets what was reported since mark().
     struct Mark {
         std::size_t count, errors;
     };
@@ -78,7 +79,7 @@ private:
     Diagnostic dropped_{};
 };
 
-/// The diagnostic of an id as users write it: "unknown-name".
+/// The diagnostic whose id users write like this: "unknown-name".
 std::optional<Diag> find_diagnostic(std::string_view id);
 
 /// The id nearest to a misspelled one; empty if none is near.

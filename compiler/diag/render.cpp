@@ -67,7 +67,7 @@ Shown show_line(Span span, const Sources& sources) {
         bool control = static_cast<unsigned char>(c) < 0x20 && c != '\t';
         shown.line += control || c == 0x7f ? ' ' : c;
         if (!begins_character(c)) continue;
-        // A tab under a tab keeps the columns whatever the terminal's tab width.
+        // A tab under a tab keeps the carets aligned for every tab width of the terminal.
         if (i < begin) shown.carets += c == '\t' ? '\t' : ' ';
         if (i >= begin && i < end) shown.carets += i == begin ? '^' : '~';
     }

@@ -29,14 +29,14 @@ const std::map<std::string, DiagnosticsFormat> format_names{{"text", Diagnostics
 const std::map<std::string, ColourChoice> colour_names{
     {"auto", ColourChoice::automatic}, {"always", ColourChoice::always}, {"never", ColourChoice::never}};
 
-/// Arguments as text; converted to Options once all are parsed.
+/// Values of options as typed; converted to Options once all are parsed.
 struct Typed {
     std::vector<std::string> defines, warnings;
     std::string stop_after, dump, format, colour;
     std::vector<std::string> targets;
 };
 
-/// The value of `word`; if there is none, throws what CLI11 prints as wrong usage.
+/// The value that `names` has for `word`. Throws ValidationError, which CLI11 reports as wrong usage, if it has none.
 template <class T>
 T look_up(const std::map<std::string, T>& names, const std::string& option, const std::string& word) {
     if (auto found = names.find(word); found != names.end()) return found->second;
@@ -79,7 +79,7 @@ void finish(Options& options, const Typed& typed) {
     }
 }
 
-/// Refuses combinations of options that would be ignored or contradict each other.
+/// Throws ValidationError for options that contradict each other, or of which one would be ignored.
 void check_combinations(const Options& options) {
     const bool stops =
         options.stop_after || options.dump || !options.stop_after_pass.empty() || !options.dump_after.empty();
@@ -174,7 +174,8 @@ void add_input_options(CLI::App& app, Options& options, Typed& typed) {
         ->group("Input");
 }
 
-/// Translates options spelled as in C and C++ compilers: CLI11 has no multi-letter options with a single dash.
+/// Replaces -MD and -MF, spelled as in C compilers, by options with two dashes: CLI11 has no options of several letters
+/// with one.
 void translate_customs(std::vector<std::string>& words) {
     for (std::string& word : words) {
         if (word == "-MD") word = "--make-rule";
@@ -182,7 +183,7 @@ void translate_customs(std::vector<std::string>& words) {
     }
 }
 
-/// `gliftc NAME file.glift…`; the options of gliftc may come before or after the name.
+/// Adds a command, `gliftc NAME file.glift…`. Options may come before or after its name.
 CLI::App* add_command(CLI::App& app, Options& options, const char* name, const char* description, Command command) {
     CLI::App* sub = app.add_subcommand(name, description);
     sub->fallthrough();

@@ -1,4 +1,4 @@
-// argv to Options.
+// Parses the command line.
 #pragma once
 
 #include "driver/options.h"
@@ -10,13 +10,13 @@ namespace gliftc {
 /// What gliftc returns to the shell.
 enum class ExitCode : int {
     done = 0,
-    source_errors = 1,  ///< or tests that fail
+    source_errors = 1,  ///< errors in the source, failed tests
     wrong_usage = 2,
     internal_error = 3,
-    environment = 4,  ///< a file that cannot be written, no C++ compiler for `gliftc test`
+    environment = 4,  ///< EnvironmentError: a file cannot be written, `gliftc test` finds no C++ compiler
 };
 
-/// The options; or, after --help, --version and wrong usage (all printed), what to exit with.
+/// The options; or the exit code after --help, --version and wrong usage, whose text has been printed.
 std::variant<Options, ExitCode> read_command_line(int argc, char** argv);
 
 }  // namespace gliftc

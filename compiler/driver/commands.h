@@ -1,4 +1,4 @@
-// What each command of gliftc does. All return the exit code.
+// The commands of gliftc, a function each, which returns the exit code.
 #pragma once
 
 #include "driver/options.h"
@@ -7,6 +7,7 @@ namespace gliftc {
 
 struct Compilation;
 
+/// `gliftc FILE`: compiles, and writes the outputs.
 int run_compile(const Options& options);
 
 /// `gliftc test FILE`: builds the tests with the system's C++ compiler and runs them.
@@ -18,10 +19,11 @@ int run_explain(const Options& options);
 /// `gliftc fmt FILE`: rewrites files in the canonical format.
 int run_format(const Options& options);
 
-/// Settings of the diagnostics that the options ask for.
+/// Sets which warnings are reported, which are errors, and the error limit.
 void configure(Diagnostics& diagnostics, const Options& options);
 
-/// Prints all diagnostics to standard error as the options ask; returns the exit code that they give.
+/// Prints all diagnostics to standard error in the format of the options. Returns the exit code: whether there are
+/// errors.
 int report(const Compilation& compilation, const Options& options);
 
 }  // namespace gliftc

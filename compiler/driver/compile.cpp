@@ -15,7 +15,7 @@ namespace gliftc {
 
 namespace {
 
-/// Times the stages.
+/// Measures how long each stage takes.
 class Stopwatch {
 public:
     explicit Stopwatch(std::vector<StageTime>& times) : times_(times) {}
@@ -53,7 +53,7 @@ std::string escape_for_make(std::string_view path) {
 Result compile(const Options& options, const FileSystem& files, Compilation& c) {
     Result result;
     Stopwatch clock(result.times);
-    // That a module's name does not match its file (`misnamed` counts such errors) does not keep it from being checked.
+    // A module whose name does not match its file (`misnamed` counts such errors) is checked all the same.
     auto has_errors = [&] { return c.diagnostics.error_count() > c.loaded.misnamed; };
     auto stops_after = [&](Stage stage) { return has_errors() || options.stops_after(stage); };
 

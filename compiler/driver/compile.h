@@ -1,4 +1,5 @@
-// The whole compiler as one function; it touches nothing but the files it is given.
+// The whole compiler as one function. It reads files through a FileSystem and returns its outputs instead of writing
+// them.
 #pragma once
 
 #include "driver/file_system.h"
@@ -13,8 +14,8 @@
 
 namespace gliftc {
 
-/// Everything one compilation owns. Separate from compile() so that its caller can render diagnostics with the sources,
-/// and may end the process without destroying it.
+/// Everything that one compilation owns. The caller of compile() has it, to render diagnostics with the sources, and to
+/// end the process without destroying it, which saves time.
 struct Compilation {
     Sources sources;
     Names names;
@@ -23,13 +24,13 @@ struct Compilation {
     LoadedModules loaded;
     ir::Program program;
     ir::Lowered lowered;
-    std::vector<std::string> read_files;  ///< besides the sources: imported C++ headers
+    std::vector<std::string> read_files;  ///< files read besides the sources: imported C++ headers
 };
 
 struct Output {
-    std::string name;  ///< of the file, in the output folder
+    std::string name;  ///< file name in the output folder
     std::string bytes;
-    std::vector<cpp::TestName> tests{};  ///< of a test program
+    std::vector<cpp::TestName> tests{};  ///< the main source of a test program: the tests that it runs
 };
 
 struct StageTime {
@@ -38,18 +39,19 @@ struct StageTime {
 };
 
 struct Result {
-    std::vector<Output> outputs;  ///< empty where there are errors
-    std::string dump;             ///< of `--dump=`
+    std::vector<Output> outputs;  ///< empty if there are errors
+    std::string dump;             ///< the text that `--dump=` or `--dump-after=` asks for
     std::vector<StageTime> times;
 };
 
 /// Runs the stages that the options ask for; stops after the first that reports an error.
 Result compile(const Options& options, const FileSystem& files, Compilation& compilation);
 
-/// Checks and compiles a text on its own, for fuzzers: no file is read or written.
+/// Compiles one text as the only file that exists, for fuzzers; returns what was reported.
 Diagnostics check_text(std::string_view text);
 
-/// A Makefile rule: the outputs depend on every file that was read. Paths as the compiler opened them.
+/// A Makefile rule by which the outputs depend on every file that was read. Its paths are those by which files were
+/// opened.
 std::string make_depfile(const Options& options, const Result& result, const Compilation& compilation);
 
 }  // namespace gliftc

@@ -19,7 +19,7 @@ void print_times(const Result& result) {
     std::fprintf(stderr, "%-10s %9.3f ms\n", "all", all);
 }
 
-/// Stops at the first failed write: others would fail for the same reason.
+/// Throws at the first failed write: others would have failed for the same reason.
 void check_written(const std::string& path, const std::optional<std::string>& error) {
     if (error) throw EnvironmentError("cannot write '" + path + "': " + *error);
 }

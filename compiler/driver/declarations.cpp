@@ -21,7 +21,7 @@ bool declares(std::string_view line, std::string_view name) {
     return rest.starts_with(name) && (rest.size() == name.size() || !is_word(rest[name.size()]));
 }
 
-/// Searches line by line, so that files which do not parse are covered, too.
+/// Whether the text has such a line. It is not parsed, so that files with syntax errors count, too.
 bool has_declaration(const std::string& text, std::string_view name) {
     for (std::size_t begin = 0; begin < text.size();) {
         const std::size_t end = std::min(text.find('\n', begin), text.size());

@@ -1,4 +1,4 @@
-// Hashes of texts, as keys of caches.
+// A hash of texts for keys of caches.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace gliftc {
 
-/// FNV-1a from two offset bases: 128 bits.
+/// A hash of a sequence of texts, of 128 bits: 64-bit FNV-1a from two offset bases. Not cryptographic.
 class Digest {
 public:
     void add(std::string_view text) {
@@ -16,7 +16,7 @@ public:
             a_ = (a_ ^ c) * prime;
             b_ = (b_ ^ c) * prime;
         }
-        a_ = (a_ ^ 0x100) * prime;  // ends a text: {"ab", "c"} is not {"a", "bc"}
+        a_ = (a_ ^ 0x100) * prime;  // an end mark: {"ab", "c"} and {"a", "bc"} differ
         b_ = (b_ ^ 0x100) * prime;
     }
     std::string digits() const {

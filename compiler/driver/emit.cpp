@@ -51,19 +51,19 @@ std::string styled(const Options& options, std::string text) {
     return std::move(formatted.text);
 }
 
-/// Where the file lies that a comment in generated code names; of several, the first that was read.
+/// The path of a file that generated code names without its folder; of several, the first that was read.
 std::string path_of(const Compilation& c, std::string_view name) {
     for (std::uint32_t file = 0; file < c.sources.size(); ++file)
         if (const std::string& path = c.sources[file].path; std::filesystem::path(path).filename() == name) return path;
     return std::string(name);
 }
 
-/// The texts of a kernel's shaders: of one, or of both parts of a draw.
+/// The GLSL of a kernel, for people to read. `shader`: that of a draw's vertex part, too; `fragment`: draws only.
 struct Readable {
     std::string shader, fragment;
 };
 
-/// Of each kernel the form that is easiest to read.
+/// The GLSL of each kernel, in the form that is easiest to read: the direct one, if there is one.
 std::vector<Readable> readable_shaders(const Compilation& c, const std::vector<std::uint32_t>& kernels) {
     constexpr std::size_t share = 64;  // starting a thread for fewer does not pay off
     std::vector<Readable> texts(kernels.size());
@@ -124,7 +124,7 @@ void emit_cpp(const Options& options, const Compilation& c, std::uint32_t module
     }
 }
 
-/// Functions of the public structures, to include in shaders of one's own: `laplacian.Field.glsl`.
+/// Adds the GLSL libraries of public structures, which users include in their own shaders: `laplacian.Field.glsl`.
 void emit_libraries(const Compilation& c, std::uint32_t module, const std::string& base, std::vector<Output>& outputs) {
     for (const ir::Library& library : c.lowered.libraries)
         if (library.module == module)
@@ -167,7 +167,7 @@ std::vector<Output> emit(const Options& options, const Compilation& c) {
             throw std::runtime_error("two files on the command line are called '" + base + "'");
         std::vector<ShaderSet> shaders =
             compile_shaders(c, kernels_with_code(options, c, m, cpp, defined), options.optimize);
-        // In parallel: printing C++ takes as long as everything else together.
+        // On another thread, since printing C++ takes as long as everything else together.
         auto others = std::async(std::launch::async, [&] {
             std::vector<Output> made;
             emit_shaders(options, c, m, base, shaders, made);

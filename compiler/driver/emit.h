@@ -1,4 +1,4 @@
-// Generates the outputs of the modules on the command line: runs the targets and names the files.
+// Runs the printers of the selected targets over the modules on the command line, and names the output files.
 #pragma once
 
 #include "driver/compile.h"

@@ -1,4 +1,5 @@
-// `gliftc explain FILE`: properties of translators and structures, and how each is known.
+// `gliftc explain FILE`: prints properties of translators and structures, and whether each is inferred, declared or
+// tested.
 #include "driver/command_line.h"
 #include "driver/commands.h"
 #include "driver/compile.h"
@@ -29,7 +30,7 @@ struct ExplainedStructure {
     std::string name, type, place, addresses, elements;
     std::vector<std::pair<std::string, std::string>> memories;
     std::vector<Explained> via;
-    std::string blocks;  ///< or empty: the domain is one
+    std::string blocks;  ///< the blocks that it declares, as text; empty if it declares none
 };
 
 std::string shape_of(const ir::Program& program, const ir::Memory& memory) {
@@ -73,7 +74,7 @@ public:
     }
 
     std::vector<ExplainedStructure> structures;
-    std::vector<Explained> translators;  ///< the others
+    std::vector<Explained> translators;  ///< those that none of `structures` uses
     std::vector<ExplainedDraw> draws;
 
 private:
@@ -106,7 +107,8 @@ private:
         structures.push_back(std::move(shown));
     }
 
-    /// What of the domain is visited. That blocks do not overlap is the structure's promise.
+    /// The text about the blocks of a structure, outside which kernels visit nothing; that they do not overlap is not
+    /// checked.
     std::string blocks_of(const ir::Structure& structure) const {
         const auto place = ir::blocks_of(program_, structure, {});
         if (!place) return "";
@@ -289,7 +291,7 @@ std::string as_json(const Explainer& explainer, const std::vector<ExplainedMade>
 
 int run_explain(const Options& options) {
     if (names_diagnostic(options)) return explain_diagnostic(options);
-    auto& compilation = *new Compilation;  // ends with the process
+    auto& compilation = *new Compilation;  // never destroyed: see run_compile
     configure(compilation.diagnostics, options);
     compile(options, disk(), compilation);
     int code = report(compilation, options);

@@ -1,4 +1,4 @@
-// `gliftc explain unknown-name`: what a diagnostic means, with an example.
+// `gliftc explain unknown-name`: prints the text of a diagnostic with an example.
 #pragma once
 
 #include "driver/options.h"

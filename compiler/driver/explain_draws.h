@@ -1,4 +1,4 @@
-// What a draw is, for `gliftc explain`: a file and the modules that it names.
+// What `gliftc explain` says of draws (`raster`).
 #pragma once
 
 #include "driver/compile.h"
@@ -12,10 +12,11 @@ namespace gliftc {
 
 struct ExplainedDraw {
     std::string name, place;
-    std::vector<std::pair<std::string, std::string>> facts;  ///< what, and how it is
+    /// What is said of the draw, such as {"draws", "triangles of corner"}.
+    std::vector<std::pair<std::string, std::string>> facts;
 };
 
-/// Of the modules on the command line.
+/// The draws in the modules on the command line.
 std::vector<ExplainedDraw> explained_draws(const Compilation& c);
 
 }  // namespace gliftc

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t largest_file = std::size_t{1} << 30;
 
-/// A descriptor that closes itself.
+/// A file descriptor that is closed by its destructor.
 struct Descriptor {
     int number;
     ~Descriptor() {
@@ -47,7 +47,7 @@ ReadResult read_from_disk(const std::string& path) {
     return {std::move(text), {}};
 }
 
-/// Whether the file's contents are these bytes; compared piece by piece, so that large files need no memory.
+/// Whether the file's contents are these bytes. Compares in pieces, so that a large file is never in memory as a whole.
 bool holds(const std::string& path, std::string_view bytes) {
     struct stat info {};
     if (stat(path.c_str(), &info) != 0 || static_cast<std::size_t>(info.st_size) != bytes.size()) return false;

@@ -10,29 +10,30 @@ namespace gliftc {
 
 struct ReadResult {
     std::string text;
-    std::string error;  ///< empty: read
+    std::string error;  ///< empty if the file was read
 };
 
 struct FileSystem {
     std::function<ReadResult(const std::string& path)> read;  ///< "-" is standard input
-    std::function<bool(const std::string& path)> exists;      ///< and is a file
+    std::function<bool(const std::string& path)> exists;      ///< whether the path is that of an existing file
     std::function<std::vector<std::string>(const std::string& folder)>
         list;                                                      ///< names of the files in a folder, sorted
-    std::function<std::string(const std::string& path)> identity;  ///< the same for two paths to one file
+    std::function<std::string(const std::string& path)> identity;  ///< a text that is equal for two paths to one file
 };
 
-/// The disk.
+/// The files of the operating system.
 FileSystem disk();
 
-/// One file, "input.glift", and nothing else.
+/// A file system with one file, "input.glift".
 FileSystem only_text(std::string text);
 
-/// Writes the file unless its contents are `bytes` already; creates its folder. Returns an error, or nothing.
+/// Writes the file, unless its contents are `bytes` already, so that build tools see no change. Creates its folder.
+/// Returns the error, if there is one.
 std::optional<std::string> write_if_changed(const std::string& path, const std::string& bytes);
 
-/// The folder of the standard library beside this executable: ../share/glift/stdlib.
+/// The folder of the standard library, relative to that of this executable: ../share/glift/stdlib.
 std::string library_beside_executable();
-/// The folder of the diagnostics' examples beside this executable: ../share/glift/diagnostics.
+/// The folder of the examples of diagnostics, relative to that of this executable: ../share/glift/diagnostics.
 std::string diagnostics_beside_executable();
 
 }  // namespace gliftc

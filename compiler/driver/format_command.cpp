@@ -10,7 +10,7 @@ namespace gliftc {
 
 namespace {
 
-/// Writes the formatted text back, or to standard output; true if the file was not formatted already.
+/// Writes the formatted text to the file or, for "-", to standard output. True if the file was not formatted.
 bool put(const Options& options, const std::string& path, const std::string& before, const std::string& after,
          int& code) {
     if (path == "-" && !options.check_only) std::fwrite(after.data(), 1, after.size(), stdout);
@@ -29,7 +29,7 @@ bool put(const Options& options, const std::string& path, const std::string& bef
 }  // namespace
 
 int run_format(const Options& options) {
-    auto& compilation = *new Compilation;  // ends with the process
+    auto& compilation = *new Compilation;  // never destroyed: see run_compile
     configure(compilation.diagnostics, options);
     FileSystem files = disk();
     int code = static_cast<int>(ExitCode::done);

@@ -37,7 +37,7 @@ public:
         : options_(options), files_(files), c_(c) {}
 
     void complete(ast::Module& module) {
-        // Imports append declarations to the module, which are complete already.
+        // Only declarations that the source has: import() appends others, which are complete.
         std::size_t written = module.decls.size();
         for (std::size_t i = 0; i < written; ++i) {
             const auto* record = std::get_if<ast::Struct>(&c_.tree.decls[module.decls[i]].body);
@@ -80,7 +80,7 @@ private:
         return {};
     }
 
-    /// A struct inside the imported one is a declaration of its own, unless the module has imported it by name.
+    /// Declares the struct of a field of an imported struct, unless the module declares that name.
     void add_nested(ast::Module& module, const ast::Decl& outer, const ImportResult& imported, std::size_t index) {
         Name name = c_.names.intern(last_part(imported.structs[index].name));
         for (ast::DeclId other : module.decls)

@@ -29,7 +29,7 @@ std::string if_there(const FileSystem& files, const fs::path& path) {
     return files.exists(name) ? name : std::string();
 }
 
-/// The module name for a file: my_file for my-file.glift.
+/// The module name that a file must have: my_file for my-file.glift.
 std::string module_of_stem(std::string stem) {
     for (char& c : stem) {
         const bool fits = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.';
@@ -62,8 +62,8 @@ private:
         std::uint32_t index = not_found;
     };
 
-    /// The module's index, loading it if it is new. `use` is the import; `name` the name that the module must have, or
-    /// empty.
+    /// The index of the module in the file; loads it if it is new. `use` is the import that names it; `name` the name
+    /// that the module must have, or empty.
     std::uint32_t load(const std::string& path, Span use, const std::string& name) {
         std::string shown = path == "-" ? path : fs::path(path).lexically_normal().generic_string();
         auto [entry, is_new] = known_.try_emplace(files_.identity(shown));

@@ -1,7 +1,7 @@
 // Finds, reads and parses the files of a compilation and all that they import.
 //
-// `use std.a` is <library>/<folder>/a.glift in the first of its folders that has it; `use ./a` is beside the file; `use
-// a.b` is a/b.glift beside the file that names it, else in the first -I folder that has it.
+// `use std.a` is <library>/<folder>/a.glift, in the first folder of the library that has it. `use ./a` is a.glift
+// beside the importing file. `use a.b` is a/b.glift beside the importing file, else in the first -I folder that has it.
 #pragma once
 
 #include "driver/file_system.h"
@@ -13,15 +13,15 @@
 
 namespace gliftc {
 
-/// The module's path in the folder of a standard library; empty if there is none.
+/// The path of a module's file in the standard library whose folder is `library`; empty if there is none.
 std::string find_in_library(const FileSystem& files, const std::string& library, std::string_view module);
 
-/// The folders of the standard library that have modules.
+/// The folders inside that of the standard library that have modules.
 std::vector<std::string> library_folders_of(const Options& options);
 
 struct LoadedModules {
     std::deque<ast::Module> trees;
-    std::vector<sema::LoadedModule> modules;  ///< imports before importers, each once
+    std::vector<sema::LoadedModule> modules;  ///< each module once, imported ones before those that import them
     std::size_t misnamed = 0;                 ///< errors about wrong module names, which do not stop the compilation
 };
 

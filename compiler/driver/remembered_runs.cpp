@@ -8,7 +8,7 @@ namespace gliftc {
 
 namespace {
 
-// A line each: kind, answer, what is asked about. Programs and their tests follow.
+// The first letter of a record's lines. Questions: letter, answer or its digest, path. Programs and their tests follow.
 constexpr char reads = 'r', exists = 'e', identity = 'i', lists = 'l', program = 'p', test = 't';
 
 std::string digest_of(const std::string& text) {
@@ -25,7 +25,7 @@ std::string answer_of(const std::vector<std::string>& names) {
     return digest.digits();
 }
 
-/// What the disk answers now; empty: it is no question.
+/// The answer of the disk to a question now; empty if the letter is not that of a question.
 std::string answer_now(char kind, const std::string& path, const FileSystem& disk) {
     switch (kind) {
     case reads: return answer_of(disk.read(path));

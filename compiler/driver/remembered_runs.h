@@ -1,5 +1,5 @@
-// A memo of runs of `gliftc test`: the files that a run read, and the program that it built. While the files are the
-// same, the next run starts that program.
+// A cache of runs of `gliftc test`: a record of the files that a run read, and of the programs that it built. As long
+// as the files are the same, a later run with the same options starts these programs without compiling.
 #pragma once
 
 #include "driver/file_system.h"
@@ -11,18 +11,19 @@
 
 namespace gliftc {
 
-/// A test program by its name in the cache, and the tests in it.
+/// A test program: its name in the cache, and its tests.
 struct TestProgram {
     std::string name;
     std::vector<cpp::TestName> tests;
 };
 
-/// A record of every question that a compilation asks the disk (is there this file, what is in it), with a digest of
-/// the answer.
+/// A record of every question that a compilation asks the file system (does this file exist, what is in it), each with
+/// a digest of the answer.
 class Questions {
 public:
+    /// A file system that answers as `disk` does, and records each question.
     FileSystem noting(const FileSystem& disk);
-    /// Notes a file that was read by other means than `noting`.
+    /// Records a file that was read by other means.
     void note_read(const std::string& path);
     const std::string& text() const { return text_; }
 
@@ -32,10 +33,11 @@ private:
     std::string text_;
 };
 
-/// Writes the record of a run that printed no messages, and the programs that it made.
+/// Writes the record of a run, to the file `record`. To be called for runs without messages only, since a recalled run
+/// prints none.
 void remember_run(const std::string& record, const Questions& questions, const std::vector<TestProgram>& programs);
 
-/// The programs of that run, if the disk answers every question as it did then.
+/// The programs of a recorded run, if the disk answers every question as it did then.
 std::optional<std::vector<TestProgram>> recall_run(const std::string& record, const FileSystem& disk);
 
 }  // namespace gliftc

@@ -1,4 +1,4 @@
-// Compiles kernels to SPIR-V on all cores: by far the longest part of a compilation.
+// Compiles kernels to SPIR-V, on all cores, since it is by far the longest part of a compilation.
 #pragma once
 
 #include "driver/compile.h"
@@ -7,15 +7,15 @@
 
 namespace gliftc {
 
-/// The words of each form of a kernel; empty if the form does not exist or is not wanted. Of draws the vertex shaders,
-/// and the fragment shaders besides.
+/// The SPIR-V words of each form of a kernel; empty if the form does not exist or is not wanted. Draws have vertex
+/// shaders in the first three and fragment shaders in the others.
 struct ShaderSet {
     std::vector<std::uint32_t> direct, general, wide;
     std::vector<std::uint32_t> direct_fragment, general_fragment, wide_fragment;
 };
 
-/// Indexed as Program::kernels; filled for `kernels`. Throws std::runtime_error, with the .glift line, if glslang
-/// rejects the generated GLSL.
+/// The shaders by index in Program::kernels; only those of `kernels` are compiled. Throws std::runtime_error, with the
+/// .glift line, if glslang rejects the generated GLSL.
 std::vector<ShaderSet> compile_shaders(const Compilation& compilation, const std::set<std::uint32_t>& kernels,
                                        bool optimize);
 

@@ -29,7 +29,7 @@ std::string text_of(const fs::path& file) {
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// Runs a test program. True if no test failed; a crash is a failure of the test that ran.
+/// Runs a test program. True if no test failed; where it crashes, the test that was running has failed.
 bool run_program(const Options& options, const std::string& program) {
     const fs::path now = fs::temp_directory_path() / ("gliftc-test-now." + std::to_string(getpid()));
     setenv("GLIFT_TEST_NOW", now.c_str(), 1);
@@ -50,7 +50,7 @@ bool is_wanted(const Options& options, const cpp::TestName& test) {
     return test.title.find(options.test_filter) != std::string::npos;
 }
 
-/// Whether the program has a test which the filter lets through.
+/// Whether the program has a test that the options (--filter) ask for.
 bool is_wanted(const Options& options, const std::vector<cpp::TestName>& tests) {
     return std::ranges::any_of(tests, [&](const cpp::TestName& test) { return is_wanted(options, test); });
 }
@@ -61,7 +61,7 @@ void list(const Options& options, const Result& result) {
             if (is_wanted(options, test)) std::printf("%s (%s)\n", test.title.c_str(), test.place.c_str());
 }
 
-/// No test to run: an error if the filter is to blame.
+/// The exit code where there is no test to run: an error if there is a filter.
 int nothing_to_run(const Options& options) {
     if (options.test_filter.empty()) {
         std::printf("no tests\n");
@@ -72,7 +72,7 @@ int nothing_to_run(const Options& options) {
     return static_cast<int>(ExitCode::wrong_usage);
 }
 
-/// All outputs of the same source file.
+/// All outputs that come from the same .glift file.
 std::vector<Output> sources_of(const Output& output, const Result& result) {
     const std::string stem = output.name.substr(0, output.name.rfind(".glift.") + 7);
     std::vector<Output> sources;
@@ -81,7 +81,7 @@ std::vector<Output> sources_of(const Output& output, const Result& result) {
     return sources;
 }
 
-/// Folders of the headers of `extern struct`.
+/// The folders in which headers of `extern struct` may be.
 std::vector<std::string> include_folders(const Options& options) {
     std::vector<std::string> folders;
     for (const std::string& file : options.files) folders.push_back(fs::absolute(file).parent_path().string());
@@ -89,9 +89,10 @@ std::vector<std::string> include_folders(const Options& options) {
     return folders;
 }
 
-/// Compiles the modules and builds the programs whose tests are wanted: their names, or what to exit with.
+/// Compiles the modules and builds the programs that have wanted tests. Returns all programs, or the exit code after
+/// errors.
 std::variant<std::vector<TestProgram>, int> build_programs(const Options& options, TestPrograms& built) {
-    auto& compilation = *new Compilation;  // never taken down: see run_compile
+    auto& compilation = *new Compilation;  // never destroyed: see run_compile
     configure(compilation.diagnostics, options);
     Questions questions;
     const Result result = compile(options, questions.noting(disk()), compilation);
@@ -110,9 +111,11 @@ std::variant<std::vector<TestProgram>, int> build_programs(const Options& option
     return programs;
 }
 
-/// The programs of an earlier run, if nothing has changed since and those that are wanted are there.
+/// The programs of an earlier run with these options, if no file has changed since and the cache still has those with
+/// wanted tests.
 std::optional<std::vector<TestProgram>> programs_of_earlier_run(const Options& options, const TestPrograms& built) {
-    if (std::ranges::find(options.files, "-") != options.files.end()) return std::nullopt;  // can be read only once
+    if (std::ranges::find(options.files, "-") != options.files.end())
+        return std::nullopt;  // standard input can be read only once
     std::optional<std::vector<TestProgram>> programs = recall_run(built.record_of(options), disk());
     if (!programs) return std::nullopt;
     for (const TestProgram& program : *programs)

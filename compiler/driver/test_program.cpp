@@ -20,10 +20,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t entries_kept = 128;  ///< programs, records of runs, compiled headers
+constexpr std::size_t entries_kept = 128;  ///< in the cache: programs, records of runs, precompiled headers
 constexpr int cannot_run = 127;
 
-/// What all sources of test programs include but those of kernels.
+/// The headers that all sources of test programs except those of kernels include.
 constexpr const char* common_headers = "#include <glift/host/math.h>\n#include <glift/structure.h>\n"
                                        "#include <glift/translation_checks.h>\n";
 
@@ -34,7 +34,7 @@ std::string text_of(const fs::path& path) {
     return text.str();
 }
 
-/// Identifies a file's version: its path, size and time.
+/// A text that identifies a version of a file: path, size and modification time.
 std::string identity_of(const fs::path& path) {
     std::error_code error;
     const auto size = fs::file_size(path, error);
@@ -42,7 +42,7 @@ std::string identity_of(const fs::path& path) {
     return path.string() + ":" + std::to_string(size) + ":" + std::to_string(time);
 }
 
-/// The program that the shell would run.
+/// The path of the program that a shell would run for this name.
 fs::path find_program(const std::string& name) {
     if (name.find('/') != std::string::npos) return name;
     const char* path = std::getenv("PATH");
@@ -92,7 +92,7 @@ std::vector<pid_t> start_all(const std::vector<std::vector<std::string>>& comman
     return children;
 }
 
-/// Waits for commands of the compiler; true if all went well.
+/// Waits for processes of the C++ compiler; true if all succeeded.
 bool wait_for_all(const std::vector<pid_t>& children) {
     bool well = true, found = true;
     for (pid_t child : children) {
@@ -108,7 +108,7 @@ bool wait_for_all(const std::vector<pid_t>& children) {
 
 bool run_and_wait_for(const std::vector<std::string>& command) { return wait_for_all(start_all({command})); }
 
-/// The runtime beside this executable: ../include and ../lib, in a build tree as in an installed one.
+/// The folder of the runtime's library below `root`, the same in a build tree and in an installed one.
 fs::path library_folder(const fs::path& root) {
     for (const char* folder : {"lib", "lib64", "lib/x86_64-linux-gnu", "lib/aarch64-linux-gnu"})
         if (fs::exists(root / folder / "libglift.so") || fs::exists(root / folder / "libglift.a")) return root / folder;
@@ -168,14 +168,15 @@ TestPrograms::~TestPrograms() {
 
 std::vector<std::string> TestPrograms::compile_command() const {
     std::vector<std::string> words = compiler_words();
-    // -Og compiles faster than -O1 and is good for debugging. Kernels are not cloned for several vector widths.
+    // -Og compiles faster than -O1 and suits debuggers. The empty GLIFT_HOST_KERNEL keeps kernels from being compiled
+    // once for each vector width.
     words.insert(words.end(), {"-std=c++20", "-Og", "-DGLIFT_HOST_KERNEL=", "-ffp-contract=off", "-fwrapv",
                                "-fno-math-errno", "-fno-trapping-math", "-I" + include_.string()});
     return words;
 }
 
-/// Precompiles the headers that all test programs include: parsing them takes most of a small program's build. Returns
-/// the file to include first; empty if the compiler does not support it.
+/// Precompiles the common headers, whose parsing takes most of a small program's build. Returns the header to be
+/// included first; empty if the C++ compiler cannot precompile.
 fs::path TestPrograms::compiled_headers() {
     if (is_temporary_) return {};
     const fs::path folder = folder_ / ("headers-" + tools_);
@@ -219,7 +220,7 @@ void TestPrograms::compile(const fs::path& folder, const std::vector<Output>& ou
         (is_of_kernels ? of_kernels : others).push_back(command_of(output));
         link.push_back((folder / output.name).string() + ".o");
     }
-    // Those of kernels include little, and need not wait for the headers.
+    // Sources of kernels do not include the common headers: their compilation starts before these are precompiled.
     std::vector<pid_t> children = start_all(of_kernels);
     if (const fs::path headers = compiled_headers(); !headers.empty())
         for (std::vector<std::string>& words : others) words.insert(words.end(), {"-include", headers.string()});

@@ -12,14 +12,14 @@ namespace gliftc {
 /// How a program ended.
 struct Ended {
     int code = 0;
-    int signal = 0;  ///< that ended it; 0: it exited
+    int signal = 0;  ///< the signal that ended the program; 0: it exited
 };
 
-/// Runs a program with this one's input and outputs.
+/// Runs a program with the standard input and outputs of this one, and waits for it.
 Ended run_and_wait(const std::vector<std::string>& words);
 
-/// The cache of test programs: GLIFT_CACHE_DIR, else XDG_CACHE_HOME/glift, else ~/.cache/glift. The oldest are removed.
-/// If there is no such folder, a temporary one that this object removes.
+/// The cache of test programs, in the folder GLIFT_CACHE_DIR, else XDG_CACHE_HOME/glift, else ~/.cache/glift, else a
+/// temporary one that the destructor removes. The oldest entries are removed.
 class TestPrograms {
 public:
     TestPrograms();
@@ -27,19 +27,19 @@ public:
     TestPrograms(const TestPrograms&) = delete;
     TestPrograms& operator=(const TestPrograms&) = delete;
 
-    /// The name of the program made of `outputs`, in which the C++ compiler looks for headers in `include_folders`: the
-    /// same for the same outputs, headers, runtime and compiler.
+    /// The name of the program made of `outputs`, for which the C++ compiler looks for headers in `include_folders`. It
+    /// is a hash of outputs, headers (`read_files`), runtime and compiler.
     std::string name_of(const std::vector<Output>& outputs, const std::vector<std::string>& include_folders,
                         const std::vector<std::string>& read_files) const;
-    /// Whether it is there from an earlier run.
+    /// Whether the cache has the program from an earlier run.
     bool has(const std::string& name) const;
-    /// Builds it. Throws std::runtime_error where the compiler refuses it.
+    /// Builds the program. Throws std::runtime_error if the C++ compiler fails.
     void build(const std::string& name, const std::vector<Output>& outputs,
                const std::vector<std::string>& include_folders);
-    /// The path of one that is there.
+    /// The path of a program that the cache has.
     std::string use(const std::string& name) const;
 
-    /// The file in which a run with these options is remembered.
+    /// The file for the record of a run with these options (remembered_runs.h).
     std::string record_of(const Options& options) const;
 
 private:
@@ -49,7 +49,7 @@ private:
     std::filesystem::path compiled_headers();
     void remove_oldest() const;
 
-    std::filesystem::path include_, library_;  ///< the runtime beside this executable
+    std::filesystem::path include_, library_;  ///< the runtime's headers and library, found by this executable's path
     std::filesystem::path folder_;
     bool is_temporary_ = false;
     std::string tools_;  ///< identifies the versions of the compiler and the runtime

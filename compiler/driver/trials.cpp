@@ -13,7 +13,8 @@ namespace {
 using ir::Value;
 using Words = std::vector<std::uint64_t>;
 
-/// Small and odd, so that neither one row nor a power of two hides a mistake.
+/// Extents to try, by number of axes. Some sides are 1, others odd or of different lengths, to show mistakes that a
+/// power of two or a square hides.
 const std::vector<Words>& extents_of(std::size_t axes) {
     static const std::vector<Words> extents[] = {
         {}, {{1}, {4}, {4093}}, {{1, 1}, {13, 7}, {61, 67}}, {{1, 1, 1}, {17, 16, 15}}, {{1, 1, 1, 1}, {9, 8, 8, 7}}};
@@ -38,7 +39,7 @@ std::string text_of(const Words& words) {
     return text + "}";
 }
 
-/// A structure with given constructor arguments: evaluates expressions over it.
+/// Evaluates expressions over a structure with given constructor arguments.
 class Made {
 public:
     Made(const ir::Program& program, const ir::Structure& structure, std::vector<Value> arguments)
@@ -48,7 +49,8 @@ public:
         return ir::evaluate(program_, expr, [this](const ir::Expr& asked) { return property(asked, asked.place); });
     }
 
-    /// A member, a memory's extent or the domain of the structure at `place` in this one.
+    /// The value of `asked`: a constructor argument, a memory's extent or the domain of the structure at `place` in
+    /// this one.
     std::optional<Value> property(const ir::Expr& asked, const ir::Place& place, std::size_t depth = 0) const {
         if (depth < place.members.size()) {
             const ir::MemberStructure& member = structure_.members[place.members[depth]];
@@ -73,7 +75,7 @@ private:
     std::vector<Value> arguments_;
 };
 
-/// One translator with the state that one structure gives it.
+/// One translator of a structure, with the state that the structure gives it.
 class Tried {
 public:
     Tried(const ir::Program& program, const Made& made, const ir::Stage& stage)
@@ -81,7 +83,8 @@ public:
         for (ir::ExprId scalar : stage.scalars) state_.push_back(made.value_of(scalar));
     }
 
-    /// Tries all addresses of the domain; false if something cannot be evaluated.
+    /// Translates all addresses of the domain and notes collisions and wrong inverses in `trial`. False if something
+    /// cannot be evaluated.
     bool run(const Words& domain, Trial& trial) const {
         std::map<Words, Words> seen;  // virtual addresses by physical ones
         Words address(domain.size(), 0);

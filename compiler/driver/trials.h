@@ -1,4 +1,4 @@
-// Tests translators by the compiler's interpreter, exhaustively over domains of a few thousand addresses.
+// Tests translators with the compiler's evaluator: all addresses of domains of a few thousand.
 #pragma once
 
 #include "ir/ir.h"
@@ -9,12 +9,14 @@ namespace gliftc {
 
 /// The result for one translator of a structure.
 struct Trial {
-    std::size_t addresses = 0;  ///< of the largest domain that was tried as a whole; 0: none could be
-    std::string collision;      ///< "{0} and {1} both map to {0}"; empty: none
+    std::size_t addresses =
+        0;                  ///< number of addresses of the largest domain tried; 0: the translator cannot be evaluated
+    std::string collision;  ///< "{0} and {1} both map to {0}"; empty: none
     std::string wrong_inverse;  ///< "invert(translate({1, 0})) is {0, 1}"; empty: none
 };
 
-/// Tests a stage of a structure's `via`, if the structure's only arguments are extents and the stage reads no table.
+/// Tests one translator of a structure's `via`, if the structure has only extents as arguments and the translator reads
+/// no structure.
 Trial try_translator(const ir::Program& program, const ir::Structure& structure, const ir::Stage& stage);
 
 }  // namespace gliftc

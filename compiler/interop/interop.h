@@ -1,7 +1,7 @@
-// Clang tooling for gliftc: import of C++ structs and formatting of generated code to the user's own style.
+// What gliftc uses clang for: import of C++ structs, and formatting of generated code in the user's style.
 //
-// Implemented in libglift_clang.so (interop/clang/), which is opened at the first call: linking libLLVM adds 15 ms to
-// every start, and most runs need neither function.
+// Implemented in libglift_clang.so (interop/clang/), which is opened at the first call: a gliftc linked with libLLVM
+// would take 15 ms longer to start, and most runs need neither function.
 #pragma once
 
 #include <cstdint>
@@ -11,21 +11,21 @@
 
 namespace gliftc {
 
-/// The element type of an imported field. Struct: see ImportedType::record.
+/// The scalar type of an imported field; Struct: the field is a struct, ImportedType::record.
 enum class ImportedScalar : std::uint8_t { Bool, Int, Uint, Float, Half, Double, Int64, Uint64, Struct };
 
 struct ImportedType {
     ImportedScalar scalar = ImportedScalar::Float;
     std::uint32_t components = 1;              ///< 2 to 4 for float2 … uint4
     std::uint32_t record = 0;                  ///< Struct: an index into ImportedHeader::structs
-    std::vector<std::uint64_t> array_extents;  ///< outermost first; empty when it is no array
+    std::vector<std::uint64_t> array_extents;  ///< outermost first; empty if the field is no array
 };
 
 struct ImportedField {
     std::string name;
     ImportedType type;
     std::uint64_t offset = 0;  ///< bytes
-    std::uint32_t line = 0;    ///< in the header that declares it
+    std::uint32_t line = 0;    ///< line of the field in its header
 };
 
 struct ImportedStruct {
@@ -37,17 +37,17 @@ struct ImportedStruct {
 
 struct ImportRequest {
     std::string header;                     ///< path of the header
-    std::vector<std::string> include_dirs;  ///< where its own includes are looked for
+    std::vector<std::string> include_dirs;  ///< the folders in which the header's own includes are looked for
     std::string name;                       ///< "Particle" or "sim::Particle"
 };
 
-/// Either structs, or an error with its location in the C++ header.
+/// The structs, or an error with its location in the C++ header.
 struct ImportResult {
-    std::vector<ImportedStruct> structs;  ///< each after those it contains: the one asked for is the last
-    std::vector<std::string> read_files;  ///< the headers read that are not the system's: for the depfile
+    std::vector<ImportedStruct> structs;  ///< each after those that it contains, so that the requested one is the last
+    std::vector<std::string> read_files;  ///< the headers read, system headers left out: for the depfile
     std::string error;                    ///< empty: done
-    std::string error_file;               ///< may be empty
-    std::uint32_t error_line = 0;         ///< 0: no line
+    std::string error_file;               ///< empty if the error has no location
+    std::uint32_t error_line = 0;         ///< 0 if unknown
 };
 
 /// Parses the header with clang as C++20 and lays the struct out as the C++ compiler does on this machine.

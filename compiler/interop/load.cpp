@@ -17,7 +17,7 @@ struct Plugin {
     std::string error;
 };
 
-/// GLIFT_CLANG, else the path relative to the executable, the same in build and install trees.
+/// The path of libglift_clang.so: GLIFT_CLANG, else relative to the executable, the same in build and install trees.
 std::string plugin_path() {
     if (const char* path = std::getenv("GLIFT_CLANG")) return path;
     std::error_code error;

@@ -1,4 +1,5 @@
-// The exports of libglift_clang.so. Both sides are built together; the version detects a library of another build.
+// The functions that libglift_clang.so exports. It is built together with gliftc; the version detects a library of
+// another build.
 #pragma once
 
 #include "interop/interop.h"

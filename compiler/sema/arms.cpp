@@ -1,5 +1,6 @@
-// Control flow on conditions that the host does not know: the passes of an arm run over nothing where it does not run.
-// And variables on the device, which keep their value there.
+// Control flow of pipelines on conditions that the host does not know. The host records the passes of both arms; those
+// of an arm whose condition is not met are dispatched over nothing. A variable that is assigned in an arm lies on the
+// device, and keeps its value where the arm does not run.
 #include "sema/arms.h"
 
 #include "ir/walk.h"
@@ -12,13 +13,14 @@ namespace gliftc::sema {
 
 namespace {
 
-/// How many arms were open where the local was declared.
+/// How many arms were around the declaration of the local.
 std::size_t depth_of(const Body& body, ir::LocalId local) {
     const auto found = body.depths.find(local);
     return found == body.depths.end() ? 0 : found->second;
 }
 
-/// Whether the arms from `depth` on run; open.
+/// The conjunction of the conditions of the arms from `depth` on, as an expression for a pass to compute
+/// (sema/values.h).
 ir::ExprId runs(Body& body, std::size_t depth, Span span) {
     ir::Program& p = body.program();
     ir::ExprId all;
@@ -33,8 +35,8 @@ ir::ExprId runs(Body& body, std::size_t depth, Span span) {
     return all;
 }
 
-/// What calls functions, which may loop, is not computed from what an arm that does not run has left undone: it is a
-/// value by itself, whose pass runs where the arm does.
+/// Whether the value calls a function. Such a value gets a pass of its own, which runs only where the arm does: a
+/// function may loop, with operands that the arm has not computed where it does not run.
 bool calls_functions(Body& body, ir::ExprId value) {
     bool found = false;
     ir::for_each_node(body.program(), value,
@@ -42,7 +44,7 @@ bool calls_functions(Body& body, ir::ExprId value) {
     return found;
 }
 
-/// The statements of an arm, as one statement.
+/// An `arms` statement on the condition, without statements yet.
 ir::StmtId arm_of(Body& body, ir::LocalId condition, Span span) {
     const ir::StmtId id = add(body.program(), ir::StmtOp::arms, span);
     body.program().stmts[id].value = make_local(body.program(), condition, span);
@@ -125,7 +127,8 @@ void check_arms(Body& body, const ast::Stmt& stmt, ir::ExprId condition) {
 
 namespace {
 
-/// A round of a loop whose condition lives on the device: `statements` are those that the condition needs.
+/// One round of a loop whose condition lies on the device. `running` is a variable on the device: whether all
+/// conditions so far were true. `statements` compute what the condition needs.
 void check_round(Body& body, const ast::Stmt& stmt, ir::LocalId running, ir::ExprId condition,
                  std::vector<ir::StmtId> statements) {
     ir::Program& p = body.program();

@@ -1,24 +1,28 @@
-// Control flow on conditions that live on the device, and variables that do.
+// Pipelines: `if` and loops whose condition is a value on the device, which the host does not know, and variables on
+// the device.
 #pragma once
 
 #include "sema/body.h"
 
 namespace gliftc::sema {
 
-/// `if c { … } else { … }` where c lives on the device.
+/// `if c { … } else { … }` where c lies on the device: emits StmtOp::arms.
 void check_arms(Body&, const ast::Stmt&, ir::ExprId condition);
-/// The condition and the statements of `for i in a..b while c { … }`, in the loop; `before`: what stands before it.
+/// Checks c and the body of `for i in a..b while c { … }`, and emits both into the loop; what must run once before the
+/// loop goes to `before`.
 void check_rounds(Body&, const ast::Stmt&, std::vector<ir::StmtId>& before);
 
-/// `target = value;` and the like for a variable of a pipeline. One that turns out to lie on the device is noted: the
-/// pipeline is then checked again (check_pipeline_body).
+/// `target = value;`, `target += value;` for a variable of a pipeline. Where this shows that the variable must lie on
+/// the device, it is added to Body::device_variables, and the pipeline is then checked again (check_pipeline_body).
 void check_variable(Body&, const ast::Stmt&, ir::ExprId target);
+/// Records how many arms are around the declaration of the variable (Body::depths).
 void declare_variable(Body&, ir::LocalId);
+/// Whether an earlier check of this pipeline found that the variable declared at `name` lies on the device.
 bool lies_on_device_later(const Body&, Span name);
 
-/// Reports what an arm must not contain, with the remedy.
+/// Whether the code being checked is in an arm, which must not contain `what`; reports it with the remedy.
 bool is_refused_in_arm(Body&, std::string_view what, Span, std::string remedy);
-/// Notes that the pipeline can be called in no arm: it waits, or changes what the host knows.
+/// Records that the pipeline cannot be called in an arm, since at `span` it waits for the device or changes host state.
 void needs_host(Body&, Span);
 
 }  // namespace gliftc::sema

@@ -1,4 +1,5 @@
-// Definite assignment: what every path through a part of a draw gives a value.
+// Definite assignment: which variables (position, varyings, clip distances, targets) every path through the vertex or
+// fragment part of a draw assigns.
 #include "ir/walk.h"
 #include "sema/raster.h"
 
@@ -17,7 +18,8 @@ Locals both(const Locals& one, const Locals& other) {
     return result;
 }
 
-/// What has been assigned on every path to a statement, and what on some path; `ends`: no path leads on.
+/// The locals assigned on every path to a statement, and on some path; `ends`: control flow does not reach what
+/// follows.
 struct State {
     Locals always, sometimes;
     bool ends = false;
@@ -27,7 +29,7 @@ class Assigned {
 public:
     Assigned(Context& context, ir::LocalId once) : c(context), once_(once) {}
 
-    /// What all paths that end the part, other than by `discard`, have assigned; absent: none does.
+    /// The locals that every path through the part assigns, those that end in `discard` left out; absent: all paths do.
     std::optional<Locals> of(const std::vector<ir::StmtId>& part) {
         State state;
         walk(part, state);
@@ -126,7 +128,7 @@ void check_fragment(Context& c, const ir::Kernel& kernel) {
         return;
     }
     const std::optional<Locals> assigned = Assigned(c, {}).of(raster.fragment);
-    if (!assigned) return;  // it always discards
+    if (!assigned) return;  // every path discards
     for (const ir::ColourTarget& target : raster.colours)
         if (!assigned->contains(target.value))
             note(c.error(Diag::varying_unassigned, kernel.params[target.param].span,

@@ -10,7 +10,7 @@ namespace gliftc::sema {
 
 namespace {
 
-/// Whether a name stands for a structure or for a declaration of structures.
+/// Whether a name denotes a symbol in scope, a type, or a declaration of structures.
 bool names_structure(Body& body, ast::Identifier name) {
     if (find_symbol(body, name.name)) return true;
     const Context& c = body.context;
@@ -22,7 +22,7 @@ bool names_structure(Body& body, ast::Identifier name) {
            std::holds_alternative<ast::Adaptor>(decl) || std::holds_alternative<ast::Alias>(decl);
 }
 
-/// Notes the memory: what stands at the place, by the name of the item.
+/// Makes the structure `base`, at `place`, the memory of structure `index`, under the name that the item gives.
 void set_base(Body& body, std::uint32_t index, const ast::Item& item, const ir::Place& place, std::uint32_t base) {
     Context& c = body.context;
     const ir::Structure& memory = c.program.structures[base];
@@ -40,7 +40,8 @@ void set_base(Body& body, std::uint32_t index, const ast::Item& item, const ir::
     structure.base_span = item.name.span;
 }
 
-/// Whether one path begins with the other: one of the two structures is a part of the other one, or is it.
+/// Whether one path of members begins with the other: one of the two structures contains the other, or both are the
+/// same.
 bool is_within(const ir::Place& one, const std::vector<std::uint32_t>& other) {
     const auto [a, b] = std::mismatch(one.members.begin(), one.members.end(), other.begin(), other.end());
     return a == one.members.end() || b == other.end();

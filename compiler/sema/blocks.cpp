@@ -29,7 +29,8 @@ bool returns_none(const Context& c, const std::vector<ast::StmtId>& body) {
     });
 }
 
-/// A function of a structure whose types are known: those of what it takes need not be written.
+/// Checks a function that a structure declares, whose types are fixed by the language, so that its parameters are
+/// written without them.
 ir::FunctionId make_function(Context& c, const Env& env, std::uint32_t index, ast::DeclId id,
                              const std::vector<ir::TypeId>& params, ir::TypeId result) {
     const ast::Decl& decl = c[id];
@@ -73,7 +74,8 @@ bool reads_elements(const ir::Program& p, ir::ExprId id) {
     return reads;
 }
 
-/// A number that the host knows and the value does not exceed: the value, or an operand of its `min`.
+/// An upper bound of the value that the host can compute: the value itself, or an operand of a `min`; absent if there
+/// is none.
 ir::ExprId bound_of(const ir::Program& p, ir::ExprId value) {
     if (!value || !reads_elements(p, value)) return value;
     const ir::Expr& expr = p.exprs[value];
@@ -164,7 +166,7 @@ std::optional<Operand> call_of_blocks(Body& body, const Operand& self, ast::Iden
 
 namespace {
 
-/// The structure that declares the parameter's blocks.
+/// The structure that declares the blocks of the parameter's structure: that one, or a memory along its chain.
 std::optional<std::uint32_t> owner_of(const ir::Program& p, const ir::KernelParam& param) {
     const auto place = ir::blocks_of(p, p.structures[param.structure], {});
     if (!place) return std::nullopt;
@@ -173,7 +175,7 @@ std::optional<std::uint32_t> owner_of(const ir::Program& p, const ir::KernelPara
     return owner;
 }
 
-/// The parameters that say what is visited.
+/// The parameters whose ranges decide what the kernel visits.
 std::vector<std::uint32_t> deciding(const ir::Kernel& kernel) {
     const auto chosen = [&](const auto& decides) {
         std::vector<std::uint32_t> found;
@@ -196,7 +198,7 @@ std::vector<std::uint32_t> deciding(const ir::Kernel& kernel) {
 }  // namespace
 
 void find_space(Context& c, ir::Kernel& kernel) {
-    // Those with a group, or with several elements an invocation, work with positions.
+    // Kernels with a group, and those that take several elements an invocation, compute with positions in the range.
     if (kernel.raster || kernel.grouped() || kernel.items != 1) return;
     const std::vector<std::uint32_t> params = deciding(kernel);
     if (params.empty()) return;
@@ -215,7 +217,7 @@ void find_space(Context& c, ir::Kernel& kernel) {
     kernel.same_space.assign(params.begin() + 1, params.end());
     const ir::Blocks& blocks = *c.program.structures[owner].blocks;
     if (blocks.is_known || blocks.counter) return;
-    const auto counter = pipeline_of_function(c, blocks.count, kernel.span);  // may add structures
+    const auto counter = pipeline_of_function(c, blocks.count, kernel.span);  // may reallocate Program::structures
     c.program.structures[owner].blocks->counter = counter;
 }
 

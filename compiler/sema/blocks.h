@@ -1,26 +1,28 @@
-// Blocks: what of a structure's domain is there, and which blocks a kernel visits.
+// Blocks: equal boxes that a structure declares, outside which its domain has no elements; and which blocks a kernel
+// visits.
 #pragma once
 
 #include "sema/body.h"
 
 namespace gliftc::sema {
 
-/// What a structure declares of its blocks: the declarations of those names, or nothing.
+/// The functions of these names that a structure declares; absent where it does not.
 struct BlockItems {
     ast::DeclId blocks, block, block_size;
 
-    /// Takes the declaration if its name is one of these.
+    /// Keeps the declaration if it has one of these names.
     void note(const Context&, ast::DeclId);
 };
 
-/// Checks the declarations. The structure has its domain type and extent.
+/// Checks the declarations and sets Structure::blocks. To be called once the structure has its domain.
 void add_blocks(Context&, const Env&, std::uint32_t structure, const BlockItems&);
 
-/// `s.blocks()`, `s.block(i)`, `s.block_size()`; absent: another name.
+/// A call of `s.blocks()`, `s.block(i)` or `s.block_size()`; absent if the method has another name.
 std::optional<Operand> call_of_blocks(Body&, const Operand& self, ast::Identifier method, const ast::Expr& call);
 
-/// Sets Kernel::space: what is written by `each` says what is visited; if nothing is, then `at`; else what is read by
-/// `each` and `near`.
+/// Sets Kernel::space, the parameter whose blocks the kernel visits: the first that is written by `each`; if there is
+/// none, by `at`; else the first that is read by `each` or `near`. It stays empty if one of these parameters has no
+/// blocks.
 void find_space(Context&, ir::Kernel&);
 
 }  // namespace gliftc::sema

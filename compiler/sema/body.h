@@ -21,25 +21,28 @@ enum class BodyKind : std::uint8_t {
 
 enum class SymbolKind : std::uint8_t { local, structure, state, member, memory, iterator, host_state };
 
-/// How the elements of a structure are accessed under a name: read by address, or as its pattern says. `calls`: read
-/// by address, and functions that write may be called.
+/// How code may access a structure through one name. `any`: reads by address only. `scatter`, `coherent`: as that
+/// pattern allows; `combine` says how scatter merges writes to one address. `calls`: reads by address, and calls of
+/// functions that write.
 struct Writing {
     ir::Pattern pattern = ir::Pattern::any;
     ir::Combine combine = ir::Combine::replace;
-    Span span;  ///< of its declaration
+    Span span;  ///< where the pattern is declared; empty if none is
     bool is(ir::Pattern wanted) const { return pattern == wanted; }
 };
 
-/// The meaning of a name in scope.
+/// The meaning of a name in scope. The comment of a field begins with the kinds for which it is set.
 struct Symbol {
     SymbolKind kind = SymbolKind::local;
-    Span span;
-    ir::TypeId type;
-    ir::LocalId local;
-    ir::Place place;
-    std::uint32_t structure = 0;
+    Span span;                    ///< all kinds: where the name is declared
+    ir::TypeId type;              ///< local, state, member, host_state
+    ir::LocalId local;            ///< local
+    ir::Place place;              ///< structure, member, memory, iterator
+    std::uint32_t structure = 0;  ///< structure, iterator, memory (the one that has it): index in Program::structures
+    /// state, member, memory, host_state, iterator: index in the translator's scalars; the structure's constructor
+    /// values, memories, host state; the kernel's parameters.
     std::uint32_t slot = 0;
-    std::uint32_t window = 0;  ///< structure: the radius of a `near` parameter of a function; 0: not a window
+    std::uint32_t window = 0;  ///< structure: the radius, if it is a `near` parameter of a function; else 0
     Writing writing;           ///< structure
     bool used = false;
     bool warn_unused = false;
@@ -47,66 +50,78 @@ struct Symbol {
 
 enum class OperandKind : std::uint8_t { error, value, meta, structure, memory, iterator };
 
-/// A checked expression.
+/// A checked expression. The comment of a field begins with the kinds for which it is set.
 struct Operand {
     OperandKind kind = OperandKind::error;
     Span span;
     ir::ExprId expr;              ///< value
-    ir::TypeId type;              ///< value
+    ir::TypeId type;              ///< value; structure, where it is a local of a pipeline
     Meta meta;                    ///< meta
-    ir::Place place;              ///< structure, memory
-    ir::LocalId local;            ///< structure, in pipelines: where `place` starts
-    std::uint32_t structure = 0;  ///< structure: its instance
-    std::uint32_t slot = 0;       ///< memory: which; iterator: which kernel parameter
-    std::uint32_t window = 0;     ///< structure: as in Symbol
-    bool is_slice = false;        ///< structure: `local` is a slice
-    Writing writing;              ///< structure
+    ir::Place place;              ///< structure, memory, iterator
+    ir::LocalId local;            ///< structure, in pipelines: the local (a temporary, a parameter, a slice) from which
+                                  ///< `place` leads to a member; none: the container that owns the pipeline
+    std::uint32_t structure = 0;  ///< structure, iterator, memory (the one that has it): index in Program::structures
+    std::uint32_t slot = 0;       ///< memory: index in the structure's memories; iterator: in the kernel's parameters
+    std::uint32_t window = 0;  ///< structure: the radius, if it is a `near` parameter of a kernel or function; else 0
+    bool is_slice = false;     ///< structure: `local` is a slice
+    Writing writing;           ///< structure
 };
 
+/// The state of the check of one body. Words before a colon in the comment of a field name the kinds of body that use
+/// it.
 struct Body {
     Context& context;
     const Env& env;
     BodyKind kind = BodyKind::function;
     std::vector<std::unordered_map<Name, Symbol>> scopes = {{}};
-    ir::Definitions lets;                                ///< initialisers of immutable locals
-    std::unordered_map<ir::LocalId, ir::Operands> made;  ///< pipelines: what temporaries were made with
-    std::vector<ir::StmtId>* block = nullptr;            ///< where statements go; null: expressions only
-    ir::TypeId result;                                   ///< of return
-    unsigned loops = 0;
-    unsigned depth = 0;
+    ir::Definitions lets;  ///< initialisers of immutable locals
+    /// Pipelines: the constructor arguments of each structure that the pipeline makes.
+    std::unordered_map<ir::LocalId, ir::Operands> made;
+    std::vector<ir::StmtId>* block = nullptr;  ///< the list to which statements are added; null: expressions only
+    ir::TypeId result;                         ///< the type that `return` gives
+    unsigned loops = 0;                        ///< how many loops `break` may leave here
+    unsigned depth = 0;                        ///< how deeply the statement is nested
     ir::Kernel* kernel = nullptr;
-    ir::Part part = ir::Part::whole;  ///< of a draw
-    std::optional<std::uint32_t>
-        container;  ///< whose function or pipeline this is: its members are in scope, at root 0
+    ir::Part part = ir::Part::whole;  ///< the vertex or the fragment part of a draw; whole: the kernel does not draw
+    /// The structure, view or adaptor that declares this function or pipeline, if any. Its members are in scope; their
+    /// Place::root is 0.
+    std::optional<std::uint32_t> container;
     std::array<std::uint32_t, 3> group = {0, 0, 0};  ///< the workgroup of the kernel or function; all 0: none
-    std::vector<ir::LocalId>* shared = nullptr;      ///< its workgroup memory
-    Span last;                                       ///< functions with a workgroup: the statement that may return
-    std::vector<std::uint32_t> structures;           ///< functions: structure parameters so far (Place roots)
-    std::vector<ir::Place> coherent;                 ///< what is accessed as coherent memory
-    std::vector<ir::Effect>* effects = nullptr;      ///< of the function or kernel
-    enum class Returns : std::uint8_t { nothing, host, device } returns = Returns::nothing;  ///< of a pipeline, so far
+    std::vector<ir::LocalId>* shared = nullptr;      ///< the workgroup memory (`shared`) of the kernel or function
+    /// Functions with a workgroup: the last statement, the only one that may be a return, since all invocations must
+    /// reach every barrier.
+    Span last;
+    std::vector<std::uint32_t> structures;  ///< functions: the structure of each structure parameter, by Place::root
+    std::vector<ir::Place> coherent;        ///< the places that are accessed by the pattern coherent
+    std::vector<ir::Effect>* effects = nullptr;  ///< functions and kernels: what they write, themselves or by calls
+    /// Pipelines: whether the returned values seen so far lie on the host or on the device.
+    enum class Returns : std::uint8_t { nothing, host, device } returns = Returns::nothing;
     std::optional<ir::TypeId> range_result;  ///< pipelines that return a range: its type, known from the first return
     bool in_test = false;
-    bool is_open = false;            ///< pipelines: what is checked is part of an expression that a pass may compute
-    std::vector<ir::ExprId> leaves;  ///< of that expression, so far (sema/values.h)
-    std::string key;                 ///< pipelines: the same in every compilation
+    /// Pipelines: the expression being checked is part of a larger one that a pass may compute, so that values on the
+    /// device may stand in it (sema/values.h).
+    bool is_open = false;
+    std::vector<ir::ExprId> leaves;  ///< the values on the device (Op::device_value) in that expression, so far
+    std::string key;  ///< pipelines: prefix of the keys of generated kernels, the same in every compilation
+    /// A branch whose condition lies on the device.
     struct Arm {
         ir::LocalId condition;
-        bool where = true;  ///< the arm runs where the condition is this
+        bool where = true;  ///< the value of the condition for which the arm runs
         Span span;
     };
-    std::vector<Arm> arms;                                ///< pipelines: those around what is checked (sema/arms.h)
-    std::unordered_map<ir::LocalId, std::size_t> depths;  ///< of variables: how many arms were around them
-    std::vector<Span> device_variables;                   ///< names of variables that lie on the device
-    Span host_needed;  ///< where the pipeline first waits, or changes what the host knows
+    std::vector<Arm> arms;  ///< pipelines: the arms around the statement being checked (sema/arms.h)
+    std::unordered_map<ir::LocalId, std::size_t> depths;  ///< number of arms around each variable's declaration
+    std::vector<Span> device_variables;  ///< the declarations of the variables found to lie on the device
+    Span host_needed;  ///< where the pipeline first waits for the device or changes host state; empty: nowhere
+    /// A statement `member = temporary;`.
     struct Replacement {
         std::uint32_t member;
         ir::LocalId temporary;
         Span span;
-        const std::vector<ir::StmtId>* block;
+        const std::vector<ir::StmtId>* block;  ///< the list that the statement is in
     };
-    std::vector<Replacement> replacements;  ///< pipelines: members that get other memory (sema/replace.h)
-    unsigned values = 0;                    ///< pipelines: passes that compute values, so far
+    std::vector<Replacement> replacements;  ///< pipelines: all such statements (sema/replace.h)
+    unsigned values = 0;                    ///< pipelines: how many passes that compute values have been made
     bool allow_await = false;
 
     bool grouped() const { return group[0] != 0; }
@@ -117,14 +132,14 @@ struct Body {
 
 // scopes
 void open_scope(Body&);
-void close_scope(Body&);                       ///< warns of unused variables
+void close_scope(Body&);                       ///< warns about unused variables
 void declare(Body&, ast::Identifier, Symbol);  ///< reports duplicates in the same scope
 Symbol* find_symbol(Body&, Name);
 ir::LocalId declare_local(Body&, ast::Identifier, ir::TypeId, bool is_mutable, bool warn_unused = true);
 /// A compiler-made local with this value.
 ir::LocalId emit_temporary(Body&, std::string_view name, ir::ExprId value, Span);
 void emit(Body&, ir::StmtId);
-/// The value of an expression if it is known at compile time, by the definitions of locals, too.
+/// The value of an expression if it is known at compile time; the initialisers of immutable locals are followed.
 std::optional<ir::Value> known_value(Body&, ir::ExprId);
 /// The environment for a compile-time expression in the body, with bindings for the names in scope that it uses.
 const Env& env_for(Body&, ast::ExprId);
@@ -134,8 +149,8 @@ const Env& env_for(Body&, const std::vector<ast::ExprId>&);
 /// `hint` is the type that the context prefers (bidirectional typing): literals, `none`, tuples and generic calls take
 /// it where nothing else determines theirs. It is not enforced: use check_value or coerce for that.
 Operand check(Body&, ast::ExprId, ir::TypeId hint = {});
-ir::ExprId check_hinted(Body&, ast::ExprId, ir::TypeId hint);  ///< the same, as a value
-/// The expression as a value, of exactly the wanted type if given; else reports and returns an error node.
+ir::ExprId check_hinted(Body&, ast::ExprId, ir::TypeId hint);  ///< check(), then to_value()
+/// The expression as a value. If `wanted` is given, of that type: reports another one and returns an error node.
 ir::ExprId check_value(Body&, ast::ExprId, ir::TypeId wanted = {});
 ir::ExprId to_value(Body&, const Operand&);
 /// Coerces `expr` to the wanted type: itself, or wrapped into an optional; reports a mismatch.
@@ -147,7 +162,7 @@ Operand error_operand(Span);
 ir::ExprId error_value(Body&, Span);
 bool is_error(const Body&, ir::ExprId);
 
-// parts of expressions, a file each
+// kinds of expressions
 Operand check_member(Body&, ast::ExprId);
 std::optional<Operand> check_device_member(Body&, const ast::Expr&);
 Operand unknown_member(Body&, std::string_view what, ast::Identifier, const std::vector<std::string_view>& known);
@@ -165,7 +180,8 @@ ir::ExprId check_compound(Body&, const ast::Stmt&, ir::ExprId before);
 Operand make_swizzle_of(Body&, ir::ExprId, ast::Identifier);
 
 // calls
-/// A call of a structure's function with values: a node, or the pass that it is.
+/// Calls a structure's function with checked values. Gives an Op::call node; in a pipeline, where the host cannot
+/// evaluate it, a call of a generated pipeline that computes it on the device.
 Operand call_of(Body&, ir::FunctionId, const Operand& self, ir::Operands values, Span);
 
 Operand call_function(Body&, const std::vector<ast::DeclId>& overloads, const Env* owner,
@@ -203,13 +219,13 @@ bool check_iterator_assignment(Body&, const ast::Stmt&);
 Operand iterator_value(Body&, const Operand&);
 
 // pipelines
-void check_range_return(Body&, const ast::Stmt&);        ///< of a pipeline that returns a range
-bool check_pipeline_statement(Body&, const ast::Stmt&);  ///< false: not one of theirs
+void check_range_return(Body&, const ast::Stmt&);        ///< `return` in a pipeline that returns a range
+bool check_pipeline_statement(Body&, const ast::Stmt&);  ///< false: to be checked as in functions
 std::optional<Operand> check_pipeline_call(Body&, const std::vector<ast::DeclId>&,
                                            const std::vector<ast::ExprId>& generics, const ast::Expr& call,
                                            const Operand* owner = nullptr);
 std::optional<Operand> check_pipeline_builtin(Body&, std::string_view name, const ast::Expr& call);
-/// A slice or a temporary structure as an operand of kind `structure`, from which places can start.
+/// A slice, or a structure constructed in the expression, as an operand of kind `structure`, by a new local for it.
 std::optional<Operand> as_structure(Body&, const Operand&);
 Operand check_pipeline_index(Body&, const Operand& structure, const ast::Expr& index);
 Operand construct_structure(Body&, ir::TypeId, const ast::Expr& call);

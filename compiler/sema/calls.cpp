@@ -21,7 +21,7 @@ Operand call_type(Body& body, ir::TypeId type, const ast::Expr& call) {
     return construct_value(body, type, call);
 }
 
-/// Ids within a grouped kernel.
+/// The functions for ids and sizes of a workgroup or subgroup, which only kernels with `group` have.
 std::optional<ir::Invocation> find_invocation(std::string_view name) {
     if (name == "local_index") return ir::Invocation::local_index;
     if (name == "group_index") return ir::Invocation::group_index;
@@ -38,14 +38,14 @@ std::vector<ast::ExprId> arguments_of(const ast::Expr& call) {
     return {call.operands.begin() + 1, call.operands.end()};
 }
 
-/// Functions of the language itself, which no module declares.
+/// A call of a function that is built into the language; absent if the name is none.
 std::optional<Operand> call_builtin(Body& body, const std::string& name, const ast::Expr& call, ir::TypeId wanted) {
     if (name == "select") return call_select(body, call, wanted);
     if (auto called = call_in_raster(body, name, call)) return called;
     if (name == "position" && body.kernel) {
         if (!arguments_of(call).empty())
             body.context.error(Diag::argument_count, call.span, {name, "0", std::to_string(call.operands.size() - 1)});
-        if (!body.kernel->domain_type) return error_operand(call.span);  // no iteration: already reported
+        if (!body.kernel->domain_type) return error_operand(call.span);  // nothing to run over: already reported
         return value_operand(body, add(body.program(), ir::Op::position, body.kernel->domain_type, call.span),
                              call.span);
     }
@@ -128,7 +128,7 @@ Operand construct_value(Body& body, ir::TypeId id, const ast::Expr& call) {
     std::size_t wanted = ir::lane_count(body.program(), id), have = 0;
     for (ast::ExprId argument : written) {
         bool flexible = is_flexible(c, argument);
-        // A float literal is converted as any value is: uint(1.5) is 1.
+        // A float literal of another scalar type is converted like any value: uint(1.5) is 1.
         ir::TypeId hint = flexible ? scalar : ir::TypeId{};
         ir::ExprId value = check_hinted(body, argument, hint == types.bool_ ? ir::TypeId{} : hint);
         if (is_error(body, value)) return error_operand(call.span);
@@ -216,7 +216,7 @@ static Operand several_elements(Body& body, const Operand& self, ast::Identifier
     return value_operand(body, add(body.program(), ir::Op::constant, body.types().void_, call.span), call.span);
 }
 
-/// Whether an address is in a view's domain: all elements there exist.
+/// A bool expression: whether the address is in the view's domain. A view has an element at each address of its domain.
 static ir::ExprId is_in_view(Body& body, const Operand& view, ir::ExprId address, Span span) {
     ir::Program& p = body.program();
     const ir::TypeId type = p.exprs[address].type;
@@ -229,7 +229,7 @@ static ir::ExprId is_in_view(Body& body, const Operand& view, ir::ExprId address
     return all;
 }
 
-/// An optional: the element at the address if `is`, else none.
+/// The value of `find`, an optional: the element at the address if `is` holds, else none.
 static Operand found_where(Body& body, const Operand& structure, ir::ExprId is, ir::ExprId address, Span span) {
     const ir::TypeId optional = body.types().optional(body.program().structures[structure.structure].element);
     const ir::ExprId some =
@@ -242,7 +242,8 @@ static const std::vector<ast::Item>& items_of(const Context& c, std::uint32_t st
     return items_of(c[c.structure_decl.at(structure)]);
 }
 
-/// Whether the structure's memory declares functions or pipelines of that name, or the memory's memory does.
+/// Whether a structure along the memory chain, the structure itself left out, declares a function or pipeline of that
+/// name.
 static bool has_method_of_base(const Context& c, const ir::Structure& structure, Name name) {
     for (const ir::Structure* link = &structure; !link->base.empty();) {
         link = &ir::structure_at(c.program, *link, link->base);
@@ -269,7 +270,7 @@ Operand call_method(Body& body, const Operand& self, ast::Identifier method, con
         c.error(Diag::argument_count, call.span, {name, "1", std::to_string(arguments.size())});
         return error_value(body, call.span);
     };
-    // What the declaration itself offers comes first: a structure may define its own `find`.
+    // Functions of the declaration itself come before built-in ones: a structure may define its own `find`.
     const std::vector<ast::Item>& items = items_of(c, self.structure);
     std::vector<ast::DeclId> overloads, pipelines;
     for (const ast::Item& item : items) {
@@ -316,7 +317,7 @@ Operand call_method(Body& body, const Operand& self, ast::Identifier method, con
         if (name == "contains") return value_operand(body, has, call.span);
         return found_where(body, self, has, at, call.span);
     }
-    // What the structure does not declare is its memory's.
+    // A function that the structure does not declare is looked for in its memory.
     if (has_method_of_base(c, body.program().structures[self.structure], method.name))
         return call_method(body, structure_member(body, self, base_name(body, self, method.span)), method, generics,
                            call, wanted);
@@ -331,7 +332,7 @@ Operand call_method(Body& body, const Operand& self, ast::Identifier method, con
     return error_operand(call.span);
 }
 
-/// Notes a module's functions, where the module itself was called.
+/// Where a module was called like a function: adds a note that lists its functions.
 static void note_functions(const Context& c, Diagnostic& diagnostic, const Meta& meta, Span span) {
     if (meta.kind != MetaKind::module) return;
     std::vector<std::string> names;
@@ -350,7 +351,7 @@ static void note_functions(const Context& c, Diagnostic& diagnostic, const Meta&
     note(diagnostic, span, "this is a module; it has " + all + (names.size() > most ? ", …" : ""));
 }
 
-/// Whether the container has a function or pipeline of its own of that name, with so many parameters.
+/// Whether the container itself declares a function or pipeline of that name with this number of parameters.
 static bool has_method(const Context& c, std::uint32_t container, Name name, std::size_t arguments) {
     return std::ranges::any_of(items_of(c, container), [&](const ast::Item& item) {
         if (!item.decl || c[item.decl].name.name != name) return false;

@@ -18,7 +18,7 @@ namespace gliftc::sema {
 namespace {
 
 void check_function(Context& c, ast::DeclId id, const Env& env) {
-    // A function over structures is checked when it is called with one.
+    // A function with structure parameters is checked when it is called, for the structure passed.
     for (const ast::Param& param : std::get<ast::Function>(c[id].body).params)
         if (c.types().kind(type_of(c, env, param.type)) == ir::TypeKind::structure) return;
     instantiate_function(c, id, env, {}, c[id].name.span);
@@ -32,7 +32,7 @@ void check_constant(Context& c, ast::DeclId id) {
         {decl.name.name, c.program.exprs[value].type, value, c.module_of.at(id), decl.is_pub, decl.doc});
 }
 
-/// The root modules that make a structure public.
+/// The root modules in which the structure has a public name.
 std::vector<std::uint32_t> makers_of(const Context& c, std::uint32_t structure) {
     std::vector<std::uint32_t> makers;
     for (std::uint32_t i = 0; i < c.modules.size(); ++i)
@@ -40,7 +40,8 @@ std::vector<std::uint32_t> makers_of(const Context& c, std::uint32_t structure) 
     return makers;
 }
 
-/// A public pipeline over ranges is instantiated for every public structure of the modules that matches its ranges.
+/// Instantiates a public pipeline; one with range parameters, for every structure that is public in `modules` and
+/// matches the ranges.
 void check_pipeline(Context& c, ast::DeclId id, const Env& env, std::optional<std::uint32_t> owner,
                     const std::vector<std::uint32_t>& modules) {
     const ast::Decl& decl = c[id];
@@ -74,7 +75,7 @@ void check_pipeline(Context& c, ast::DeclId id, const Env& env, std::optional<st
     for (const auto& choice : choices) instantiate_pipeline(c, id, env, choice, owner, decl.name.span);
 }
 
-/// Those with generic parameters are instantiated where they are called.
+/// Checks an adaptor's pipelines; those with generic parameters are instantiated where they are called.
 void check_adaptor_pipelines(Context& c, std::uint32_t index) {
     const auto& adaptor = std::get<ast::Adaptor>(c[c.structure_decl.at(index)].body);
     for_each_item(c, *c.structure_env.at(index), adaptor.items, [&](const ast::Item& item) {
@@ -83,7 +84,7 @@ void check_adaptor_pipelines(Context& c, std::uint32_t index) {
     });
 }
 
-/// Types first, so that pipelines over ranges find the public structures.
+/// Instantiates the types of a module, before its pipelines: those over ranges need all public structures.
 void check_types(Context& c, std::uint32_t module, const std::vector<ast::DeclId>& decls) {
     for (ast::DeclId id : decls) {
         const ast::Decl& decl = c[id];
@@ -112,7 +113,8 @@ void check_code(Context& c, std::uint32_t module, const std::vector<ast::DeclId>
     }
 }
 
-/// Programs create and fill the arguments of public kernels and pipelines, whichever module declares their types.
+/// Requires transfers for the arguments of public kernels and pipelines: programs create and fill those, whichever
+/// module declares their types.
 void require_transfers_of_arguments(Context& c) {
     std::vector<std::pair<std::uint32_t, Span>> passed;
     const auto is_seen = [&](const auto& declared) { return declared.is_pub && c.modules[declared.module].is_root; };
@@ -127,7 +129,8 @@ void require_transfers_of_arguments(Context& c) {
     for (const auto& [structure, span] : passed) require_transfers(c, structure, span);
 }
 
-/// `gliftc test` reads the tables of translators on the host, and memories that are structures.
+/// Requires transfers for structures that translators read and for memories that are structures: `gliftc test` reads
+/// both on the host.
 void require_transfers_of_tables(Context& c) {
     for (std::size_t i = 0; i < c.program.structures.size(); ++i) {
         std::vector<std::uint32_t> tables;
@@ -185,7 +188,7 @@ ir::Program check(const std::vector<LoadedModule>& modules, const ast::Tree& tre
     }
     if (!diagnostics.has_errors()) check_given(c);
     if (!diagnostics.has_errors()) require_transfers_of_arguments(c);
-    // Beside an error: what it kept from being checked may have been what was meant.
+    // No warnings beside errors: code that an error kept from being checked may have used what seems unused.
     for (std::uint32_t i = 0; i < modules.size() && !diagnostics.has_errors(); ++i)
         if (modules[i].is_root) warn(c, modules[i].tree->decls);
     if (!diagnostics.has_errors() && settings.looks_into_tables) require_transfers_of_tables(c);

@@ -18,9 +18,10 @@ namespace gliftc::sema {
 struct Settings {
     /// `-D name=value`: constants of the root modules whose value is replaced.
     std::vector<std::pair<std::string, std::string>> defines;
-    /// The tables of translators are readable on the host: `gliftc test` checks the translators with them.
+    /// Makes kernels that copy the structures which translators read to the host: `gliftc test` checks translators with
+    /// them.
     bool looks_into_tables = false;
-    /// A module that is not loaded and declares this public name; empty if none is known. For messages.
+    /// The name of a module that is not loaded and declares this public name, or "". For messages.
     std::function<std::string(std::string_view name)> module_with;
 };
 

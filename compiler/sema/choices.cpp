@@ -40,7 +40,8 @@ std::pair<ir::ExprId, ir::ExprId> check_sides(Body& body, ast::ExprId yes, ast::
 Operand check_choice(Body& body, const std::vector<ast::ExprId>& parts, ir::TypeId wanted, Span span) {
     std::optional<Parts> operands(std::in_place, body);
     const ir::ExprId condition = check_value(body, parts[0], body.types().bool_);
-    // Where the host chooses, what it does not choose is not computed either: each side is a value by itself.
+    // If the host knows the condition, only the side it chooses shall be computed: each side on the device gets a pass
+    // of its own.
     if (!is_open(body, condition)) operands.reset();
     auto [yes, no] = check_sides(body, parts[1], parts[2], wanted);
     if (is_error(body, yes) || is_error(body, no)) return error_operand(span);

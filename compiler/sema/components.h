@@ -1,4 +1,4 @@
-// Instances of structures, views, adaptors and translators.
+// Instances of structures, views, adaptors and translators, and the passes by which pipelines call their functions.
 #pragma once
 
 #include "sema/body.h"
@@ -13,13 +13,14 @@ ir::TypeId make_adaptor(Context&, ast::DeclId, const Env&);
 /// with Place root 0.
 void bring_members_into_scope(Body&, std::uint32_t structure);
 
-/// Declares scalar constructor parameters as locals of the structure, and structure parameters as members by reference.
+/// Adds value parameters of the constructor as locals of the structure, and structure parameters as members by
+/// reference.
 void add_constructor(Context&, const Env&, const std::vector<ast::Param>&, ir::Structure&);
 
 /// Adds `structure name = Type(arguments)`, and declares its name. False after an error.
 bool add_member(Body&, std::uint32_t structure, const ast::Item&);
 
-/// Visits items; of an `if` those that its constant condition selects.
+/// Calls visit(item) for each item; for an `if`, for the items that its constant condition selects.
 template <class Visit>
 void for_each_item(Context& c, const Env& env, const std::vector<ast::Item>& items, const Visit& visit) {
     for (const ast::Item& item : items) {
@@ -32,29 +33,31 @@ void for_each_item(Context& c, const Env& env, const std::vector<ast::Item>& ite
     }
 }
 
-/// Copies an expression of a translator's function into a structure: the stage's arguments replace the state.
+/// Copies an expression from a translator's function into the structure that uses it: the arguments given in `via`
+/// (Stage) replace the translator's state.
 ir::ExprId substitute_state(Context&, ir::ExprId, const ir::Stage&);
 
 /// The value returned by a function that is a single `return`; else absent.
 ir::ExprId single_return(const ir::Program&, ir::FunctionId);
 
-/// The linear buffer of std.transfer with that many dimensions.
+/// An instance of the structure of std.transfer that holds a box of elements, with that many dimensions, in a buffer.
 std::optional<std::uint32_t> box_of(Context&, std::uint32_t dimensions, ir::TypeId element, Span use);
 
-/// Whether statements of a function read elements of a structure, themselves or by what they call.
+/// Whether the statements read elements of a structure, directly or in functions that they call.
 bool reads_memory(const ir::Program&, const std::vector<ir::StmtId>&);
 
-/// The pipeline that gives the function's result on the device. Its parameters are the function's structures, then its
-/// values, of which some may be on the device.
+/// A pipeline that calls the function in a pass of one invocation and returns the result, which stays on the device.
+/// Its parameters are the function's structures, then its values; `on_device` says which of these lie on the device.
 std::optional<std::uint32_t> pipeline_of_function(Context&, ir::FunctionId, Span use,
                                                   const std::vector<bool>& on_device = {});
 
-/// The pipeline that runs a kernel of one invocation over an element that nobody has yet, its last argument, and gives
-/// that. `pipeline` has its parameters, `arguments` are the other arguments of the kernel.
+/// Adds a pipeline that makes a temporary of one element, of structure `box`, runs the kernel over it and returns the
+/// element. The temporary is the kernel's last argument, `arguments` are the others. `pipeline` comes with its name and
+/// parameters.
 std::uint32_t pipeline_of_kernel(Context&, ir::Kernel kernel, ir::Pipeline pipeline, ir::Operands arguments,
                                  std::uint32_t box);
 
-/// Finds what the adaptor's public functions are in C++: methods.
+/// Fills Structure::methods: the adaptor's public functions that its C++ class gets as methods.
 void check_methods(Context&, std::uint32_t structure);
 
 bool is_address(const ir::Types&, ir::TypeId);  ///< uint, uint2, uint3, uint4

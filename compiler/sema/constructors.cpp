@@ -8,14 +8,15 @@ namespace gliftc::sema {
 
 namespace {
 
-/// Whether the argument is a structure with a name, a parameter's or a member's: checking it has no effect.
+/// Whether the argument is a name in scope or a path of members from one. Checking such an argument twice is harmless:
+/// it emits no statements.
 bool is_named(Body& body, ast::ExprId id) {
     const ast::Expr* expr = &body.context[id];
     while (expr->kind == ast::ExprKind::member) expr = &body.context[expr->operands[0]];
     return expr->kind == ast::ExprKind::name && find_symbol(body, expr->name) != nullptr;
 }
 
-/// The generic declaration that a constructor's name stands for.
+/// The generic structure, view or adaptor that a constructor's name denotes; absent if it denotes anything else.
 ast::DeclId generic_declaration(Body& body, const ast::Expr& name) {
     Context& c = body.context;
     if (name.kind != ast::ExprKind::name || body.env.find(name.name)) return {};

@@ -24,7 +24,7 @@ enum class MetaKind : std::uint8_t {
     format,        // a texel format
     memory_shape,  // buffer, image2d, …
     constraint,    // a built-in constraint
-    running,       // a run-time value: a local, a parameter, a member
+    running,       // a name whose value is known only at run time: a local, a parameter, a member
 };
 
 enum class Constraint : std::uint8_t { type, texel, number, integer, floating, structure, translator };
@@ -60,11 +60,11 @@ struct ModuleScope {
     std::vector<std::uint32_t> imports;
 };
 
-/// An instance, complete or in progress: index in the Program's table of its kind.
+/// An instance of a generic declaration, complete or in progress. `index`: in the Program's table of its kind.
 struct Instance {
     enum class State : std::uint8_t { in_progress, done, failed } state = State::in_progress;
     std::uint32_t index = 0;
-    std::vector<std::uint32_t> stages;  ///< translator aliases that compose several
+    std::vector<std::uint32_t> stages;  ///< an alias `A then B`: its translators, in order
     ir::TypeId type;
 };
 
@@ -83,18 +83,20 @@ struct Context {
     ir::Program& program;
 
     std::vector<ModuleScope> scopes;
-    std::unordered_map<ast::DeclId, std::uint32_t> module_of;  ///< of every declaration, members too
+    std::unordered_map<ast::DeclId, std::uint32_t> module_of;  ///< the module of every declaration, also of members
     std::unordered_map<std::string, Instance> instances;
-    std::unordered_map<ast::DeclId, ir::ExprId> constants;  ///< checked `const`s
+    std::unordered_map<ast::DeclId, ir::ExprId> constants;  ///< values of the `const`s checked so far
     std::vector<ast::DeclId> constants_under_way;           ///< being checked, to detect cycles
     std::vector<std::string> interfaces_under_way;  ///< types being checked against an interface, to detect cycles
     std::vector<Request> requests;                  ///< the stack of instantiations, outermost first
     std::vector<std::unique_ptr<Env>> environments;
-    std::unordered_map<std::uint32_t, const Env*> structure_env;  ///< of structure instances
+    /// By index in Program::structures, translators or structs: the environment, declaration and generic arguments of
+    /// each instance.
+    std::unordered_map<std::uint32_t, const Env*> structure_env;
     std::unordered_map<std::uint32_t, ast::DeclId> structure_decl;
     std::unordered_map<std::uint32_t, const Env*> translator_env;
     std::unordered_map<std::uint32_t, ast::DeclId> translator_decl;
-    std::unordered_map<std::uint32_t, std::vector<Meta>> arguments_of;  ///< generic arguments of structure instances
+    std::unordered_map<std::uint32_t, std::vector<Meta>> arguments_of;  ///< of structures
     std::unordered_map<std::uint32_t, std::vector<Meta>> struct_arguments;
     std::unordered_map<std::uint32_t, std::vector<Meta>> translator_arguments;
     std::unordered_map<std::uint32_t, ast::DeclId> struct_decl;
@@ -109,7 +111,7 @@ struct Context {
 
     /// Reports an error, with a note for each instantiation in progress.
     Diagnostic& error(Diag id, Span span, std::initializer_list<std::string_view> arguments = {});
-    /// Adds an instance's environment.
+    /// A new environment, without bindings, that lives as long as the context.
     Env& new_env(std::uint32_t module);
 };
 

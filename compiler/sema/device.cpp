@@ -22,7 +22,7 @@ constexpr std::array<Property, 6> properties{{
     {"shared_memory_bytes", ir::DeviceProperty::shared_memory_bytes, false},
 }};
 
-/// Whether the expression is the name `device`, with no other meaning here.
+/// Whether the expression is the name `device` in a pipeline, where no declaration gives that name another meaning.
 bool is_device(Body& body, ast::ExprId id) {
     Context& c = body.context;
     const ast::Expr& expr = c[id];

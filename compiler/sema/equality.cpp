@@ -6,7 +6,7 @@ namespace gliftc::sema {
 
 namespace {
 
-/// The number of comparisons for a value of the type.
+/// The number of comparisons of scalars or vectors that `==` of two values of the type takes.
 std::uint64_t comparisons(const ir::Program& p, ir::TypeId id) {
     const ir::Type& type = p.types[id];
     switch (type.kind) {
@@ -64,7 +64,7 @@ ir::ExprId make_equal(ir::Program& p, ir::ExprId left, ir::ExprId right, Span sp
     }
 }
 
-/// A value that can be used several times: a local, or a temporary for it.
+/// The value as an expression that may be repeated: a local, a constant, or a new temporary for it.
 ir::ExprId named(Body& body, ir::ExprId value, Span span) {
     ir::Op op = body.program().exprs[value].op;
     if (!body.block || is_open(body, value) || op == ir::Op::local || op == ir::Op::constant) return value;

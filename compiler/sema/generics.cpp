@@ -8,7 +8,7 @@ namespace gliftc::sema {
 
 namespace {
 
-/// Is the constraint one that takes types (rather than values)?
+/// Whether the constraint is one on types rather than values.
 bool takes_type(Context& c, const Env& env, ast::ExprId constraint) {
     const ast::Expr& expr = c[constraint];
     const ast::Expr& name = expr.kind == ast::ExprKind::generic ? c[expr.operands[0]] : expr;
@@ -253,7 +253,8 @@ void Arguments::infer(ast::ExprId pattern, ir::TypeId actual) {
         infer(expr.operands[2], c.types().scalar_of(actual));
         return;
     }
-    // Array<N, T> against an instance of Array, Pair<A, B> against an instance of the struct Pair.
+    // The pattern Array<N, T> with an instance of the structure Array, or Pair<A, B> with an instance of the struct
+    // Pair.
     const std::vector<Meta>* arguments = nullptr;
     ast::DeclId instance_decl;
     if (type.kind == ir::TypeKind::structure) {

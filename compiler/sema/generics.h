@@ -33,7 +33,7 @@ struct Arguments {
 /// Binds a parameter by the default type of a literal argument. After all other inference.
 void infer_from_literal(Arguments&, ast::ExprId pattern, ast::ExprId literal);
 
-/// "Array<4, float>" for a declaration and its environment.
+/// The declaration's name with its generic arguments: "Array<4, float>".
 std::string display_of(const Context&, const ast::Decl&, const Env&);
 /// The same with qualified names: unique, and the same in every compilation.
 std::string qualified_display_of(const Context&, ast::DeclId, const Env&);

@@ -1,4 +1,4 @@
-// long: what stands in pipelines alone, whose checks call each other
+// long: the checks of statements and expressions of pipelines call each other
 // Statements and expressions that only pipelines and tests have: temporaries, passes, slices, device values, checks.
 #include "sema/arms.h"
 #include "sema/body.h"
@@ -49,7 +49,7 @@ void emit_temp(Body& body, ir::LocalId local, ir::Operands arguments, Span span)
     require_transfers(body.context, body.types()[body.program().locals[local].type].index, span);
 }
 
-/// A structure (mostly a view) that is constructed within an expression: declares a temporary for it.
+/// If the operand constructs a structure (mostly a view) within an expression: declares a temporary, and gives that.
 Operand declared(Body& body, const Operand& operand) {
     if (operand.kind != OperandKind::value || body.types().kind(operand.type) != ir::TypeKind::structure)
         return operand;
@@ -84,7 +84,7 @@ std::vector<Argument> check_arguments(Body& body, const ast::Expr& call, bool& f
     return result;
 }
 
-/// A value for a kernel or pipeline parameter, of the host or of the device.
+/// A value argument of a kernel or pipeline, which may lie on the host or on the device.
 ir::ExprId value_argument(Body& body, const Argument& argument, ir::TypeId wanted) {
     const ir::ExprId value =
         argument.waits ? check_hinted(body, argument.written, wanted) : to_value(body, argument.operand);
@@ -92,7 +92,7 @@ ir::ExprId value_argument(Body& body, const Argument& argument, ir::TypeId wante
     return fits ? value : coerce(body, value, wanted, body.context[argument.written].span);
 }
 
-/// The operand of a call without a result, such as a pass.
+/// The operand that a call without a result gives, such as that of a kernel.
 Operand no_value(Body& body, Span span) {
     return value_operand(body, add(body.program(), ir::Op::constant, body.types().void_, span), span);
 }
@@ -105,7 +105,7 @@ std::optional<ir::Operands> kernel_arguments(Body& body, std::uint32_t kernel_in
         Span span = c[arguments[i].written].span;
         if (param.pattern == ir::Pattern::value) {
             values.push_back(value_argument(body, arguments[i], body.program().locals[param.local].type));
-            // In the order in which they are written, before the pass.
+            // Values that take a pass are computed in the order in which they are written, before the kernel.
             if (is_on_device(body, values.back()) && body.program().exprs[values.back()].op != ir::Op::local)
                 values.back() =
                     make_local(body.program(), emit_temporary(body, c.text(param.name), values.back(), span), span);
@@ -125,7 +125,7 @@ std::optional<ir::Operands> kernel_arguments(Body& body, std::uint32_t kernel_in
     return values;
 }
 
-/// Inserts the omitted argument of the `at` parameter: that of the parameter which gives the range.
+/// Inserts the omitted argument of the `at` parameter: it is the argument of the parameter that gives the range.
 void insert_address(const std::vector<ir::KernelParam>& params, std::size_t at, std::vector<Argument>& arguments) {
     auto giver = ir::range_giver(params, at);
     if (giver)
@@ -485,7 +485,8 @@ bool check_pipeline_statement(Body& body, const ast::Stmt& stmt) {
     switch (stmt.kind) {
     case ast::StmtKind::temp: return check_structure_declaration(body, stmt);
     case ast::StmtKind::let:
-        // Views and slices have no type in the source language; values are checked as in functions.
+        // A structure or slice has no type to be written after the name; `let` of anything else is checked as in
+        // functions.
         if (stmt.type || !stmt.value || stmt.binding == ast::Binding::const_ || !is_structure_value(body, stmt.value))
             return false;
         return check_structure_declaration(body, stmt);
@@ -496,7 +497,7 @@ bool check_pipeline_statement(Body& body, const ast::Stmt& stmt) {
         if (operand.kind == OperandKind::value) {
             const ir::Expr& node = body.program().exprs[operand.expr];
             if (node.op == ir::Op::constant && node.type == body.types().void_)
-                return true;  // a pass or an expect: emitted already
+                return true;  // a call of a kernel, or an expect: emitted already
             if (node.op != ir::Op::call && node.op != ir::Op::pipeline_call) c.error(Diag::no_effect, call.span);
             ir::StmtId id = add(body.program(), ir::StmtOp::evaluate, stmt.span);
             body.program().stmts[id].value = operand.expr;

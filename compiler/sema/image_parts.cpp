@@ -17,7 +17,8 @@ ir::ExprId first_two(ir::Program& p, ir::ExprId vector, Span span) {
     return both;
 }
 
-/// The extent of a level, no less than a texel along each axis; there are as many layers in each.
+/// The extent of a mip level: halved once a level, one texel at least along each axis. The number of layers stays the
+/// same.
 ir::ExprId extent_of_level(Body& body, ir::ExprId extent, ir::MemoryShape shape, ir::ExprId level, Span span) {
     ir::Program& p = body.program();
     const ir::TypeId type = p.exprs[extent].type;
@@ -45,7 +46,7 @@ bool is_image_part(Body& body, ast::ExprId id) {
     const ast::Expr& callee = c[expr.operands[0]];
     if (callee.kind != ast::ExprKind::member) return false;
     const std::string& name = c.text(callee.name);
-    // `module.layer(…)` is a structure made there.
+    // `module.layer(…)`, where the callee is `name.name`, constructs a structure that a module declares.
     return (name == "mip" || name == "layer") && c[callee.operands[0]].kind == ast::ExprKind::member;
 }
 

@@ -1,11 +1,12 @@
-// Structures over images, and over levels and layers of the images of others: `memory data = of.data.mip(1);`.
+// Structures whose memory is an image, or a mip level or layer of another structure's image: `memory data =
+// of.data.mip(1);`.
 #pragma once
 
 #include "sema/body.h"
 
 namespace gliftc::sema {
 
-/// Whether what `memory name = …` says is `….mip(n)` or `….layer(n)` of a memory.
+/// Whether the expression in `memory name = …` is `….mip(n)` or `….layer(n)` of a memory.
 bool is_image_part(Body&, ast::ExprId);
 
 void add_image_part(Body&, std::uint32_t structure, const ast::Item&);
@@ -18,10 +19,10 @@ inline bool has_layers(ir::MemoryShape shape) {
 /// Whether the structure keeps element a in texel a of an image.
 bool keeps_texels(const Context&, const ir::Structure&);
 
-/// Whether these have levels that devices filter.
+/// Whether the structure keeps texels, as above, of an image with mip levels and a format that devices can filter.
 bool has_filtered_levels(const Context&, const ir::Structure&);
 
-/// Adds the memory to the structure, and its name to what is in scope.
+/// Adds the memory to the structure, and brings its name into scope.
 void declare_memory(Body&, std::uint32_t structure, const ir::Memory&);
 
 }  // namespace gliftc::sema

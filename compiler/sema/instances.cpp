@@ -139,7 +139,7 @@ static void declare_params(Body& body, const std::vector<ast::Param>& params, ir
             note(c.error(Diag::function_pattern, param.pattern_span), param.pattern_span,
                  "a function gives its value by 'return'; the current element is written by the kernel");
         else if (is_out) c.error(Diag::function_out, param.direction_span);
-        if (!seen || is_out) {  // avoids errors that follow from this one
+        if (!seen || is_out) {  // declared with the error type, so that uses report no further errors
             const ir::LocalId local = declare_local(body, param.name, c.types().error, true, false);
             if (c.types().kind(type) == ir::TypeKind::structure) ++first_structure;
             else function.params.push_back(local);
@@ -177,7 +177,7 @@ static void cut_after_return(const ir::Program& program, std::vector<ir::StmtId>
     if (found != body.end()) body.erase(found + 1, body.end());
 }
 
-// long: what a function is made of, in the order of its declaration
+// long: the checks of one declaration, in the order of its words
 std::optional<ir::FunctionId> instantiate_function(Context& c, ast::DeclId id, const Env& env,
                                                    const std::vector<std::uint32_t>& structures, Span use) {
     const ast::Decl& decl = c[id];

@@ -5,13 +5,15 @@
 
 namespace gliftc::sema {
 
-/// A struct, enum, structure, view, adaptor, or an alias of one, as a type. Arguments are already checked, in `env`.
+/// The type that a struct, enum, structure, view, adaptor, or an alias of one is with the generic arguments in `env`,
+/// which have been checked.
 ir::TypeId instantiate_type(Context&, ast::DeclId, const Env&, Span use);
 
 /// The translator instances that a translator declaration or alias denotes.
 std::optional<std::vector<std::uint32_t>> instantiate_translator(Context&, ast::DeclId, const Env&, Span use);
 
-/// `structures`: the structure instances passed for the function's structure parameters.
+/// `structures`: the instances passed for the function's structure parameters; of a function that a structure declares,
+/// that structure first.
 std::optional<ir::FunctionId> instantiate_function(Context&, ast::DeclId, const Env&,
                                                    const std::vector<std::uint32_t>& structures, Span use);
 
@@ -22,19 +24,21 @@ std::uint32_t window_radius(Context&, const Env&, const ast::Param&);
 /// The extents after `group`; all 0 if there are none.
 std::array<std::uint32_t, 3> group_of(Context&, const Env&, const std::vector<ast::ExprId>& written);
 
-/// `passed`: for each parameter of pattern range, the structure instance; for a value `lies_on_device` where it does,
-/// else 0. `owner`: an adaptor's instance.
+/// `passed` has an entry for each parameter: of a range, the structure instance; of a value, `lies_on_device` if the
+/// argument does; else 0. `owner`: the instance of the adaptor that declares the pipeline, if one does.
 std::optional<std::uint32_t> instantiate_pipeline(Context&, ast::DeclId, const Env&,
                                                   const std::vector<std::uint32_t>& passed,
                                                   std::optional<std::uint32_t> owner, Span use);
 inline constexpr std::uint32_t lies_on_device = 0xffffffffu;
 
-/// Instantiates the kernels that move boxes of the structure between host and device: Program::transfers.
+/// Instantiates the kernels that move boxes of the structure between host and device, and adds them to
+/// Program::transfers.
 void require_transfers(Context&, std::uint32_t structure, Span use);
 
 void instantiate_test(Context&, ast::DeclId);
 
-/// The scope of one instantiation: adds a Request, reports infinite recursion.
+/// RAII for one instantiation: adds a Request to the stack, and reports an instantiation depth that only infinite
+/// recursion reaches.
 class InstantiationScope {
 public:
     InstantiationScope(Context& context, std::string display, Span use);

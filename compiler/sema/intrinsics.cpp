@@ -12,10 +12,10 @@ namespace gliftc::sema {
 
 namespace {
 
-/// One parameter of a signature.
+/// One parameter of a signature. `letter`: the types that it takes, as ir/intrinsics.def explains.
 struct Shape {
     char letter;
-    bool or_scalar;  // "Nn": a scalar of the element type is accepted, too
+    bool or_scalar;  // "Nn": a scalar of the vector's element type is accepted, too
 };
 
 struct Signature {
@@ -113,7 +113,7 @@ ir::TypeId result_of(ir::Types& types, char letter, ir::TypeId argument) {
     }
 }
 
-/// Bit casts have a result letter other than the first parameter's.
+/// The type of the result. Result F with a first parameter U or S is a bit cast: floats in place of integers.
 ir::TypeId result_type(ir::Types& types, const Signature& signature, ir::TypeId argument) {
     if (signature.result == 'F' && !signature.params.empty() &&
         (signature.params[0].letter == 'U' || signature.params[0].letter == 'S'))
@@ -137,12 +137,13 @@ ir::TypeId fixed_type(ir::Types& types, char letter) {
     }
 }
 
-/// Whether the expected result type is a hint for this parameter: the signature gives both the same type.
+/// Whether the signature gives the result and this parameter the same type, so that the expected result type is a hint.
 bool has_type_of_result(const Signature& signature, const Shape& shape) {
     return signature.result == shape.letter || signature.result == '=';
 }
 
-/// The type hint for literals: the type of the other arguments, else the expected one, else float where required.
+/// The type hint for literals: the type of the other arguments, else the expected type, else the only one that the
+/// letter allows.
 ir::TypeId literal_hint(ir::Types& types, char letter, ir::TypeId common, ir::TypeId wanted) {
     if (common) return types.scalar_of(common);
     if (wanted && accepts(types, letter, wanted)) return types.scalar_of(wanted);
@@ -164,7 +165,7 @@ Operand wrong_argument(Body& body, ir::Intrinsic intrinsic, char letter, Span sp
     return error_operand(span);
 }
 
-/// GLSL's abs and sign take signed numbers; for unsigned x, abs is x and sign is min(x, 1).
+/// abs(x) and sign(x) for unsigned x, which GLSL does not have: x and min(x, 1).
 std::optional<ir::ExprId> of_unsigned(Body& body, ir::Intrinsic intrinsic, const ir::Operands& operands, Span span) {
     if (intrinsic != ir::Intrinsic::abs && intrinsic != ir::Intrinsic::sign) return std::nullopt;
     ir::Types& types = body.types();
@@ -193,7 +194,7 @@ std::optional<ir::Intrinsic> find_intrinsic(std::string_view name) {
     return found == table.end() ? std::nullopt : std::optional(found->second);
 }
 
-/// Of the structure at a place of a kernel or a function.
+/// The element type of the structure at a place in a kernel or a function.
 static ir::TypeId element_at(const Body& body, const ir::Place& place) {
     const std::uint32_t structure =
         body.kernel ? body.kernel->params[place.root].structure : body.structures[place.root];

@@ -1,4 +1,5 @@
-// Reads and assignments of iterator parameters in kernel bodies.
+// Reads and assignments, in kernel bodies, of iterator parameters: those whose name is the current element (each, at,
+// near, target).
 #include "sema/body.h"
 #include "sema/raster.h"
 
@@ -36,7 +37,7 @@ void assign_element(Body& body, const ast::Stmt& stmt, const Symbol& symbol) {
     if (!is_error(body, value)) emit_set_element(body, symbol.slot, value, stmt.span);
 }
 
-/// `g.x = v` and `g[i] = v` on the current element: read, modify, write back.
+/// `g.x = v` and `g[i] = v`, where g is the current element: reads it, modifies the copy, writes it back.
 void assign_part(Body& body, const ast::Stmt& stmt, Symbol& symbol, ast::ExprId root) {
     const ir::KernelParam& param = body.kernel->params[symbol.slot];
     if (param.direction != ir::Direction::inout) {

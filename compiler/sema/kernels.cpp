@@ -54,15 +54,15 @@ void check_extra(Context& c, const Env& env, const ast::Param& param, ir::Kernel
         made.radius = window_radius(c, env, param);
         return;
     }
-    if (made.pattern == ir::Pattern::at) return;      // its argument concerns the whole iteration: read_items
-    if (made.pattern == ir::Pattern::target) return;  // how it is blended or tested: add_target
+    if (made.pattern == ir::Pattern::at) return;      // its argument is for the whole kernel: read_items
+    if (made.pattern == ir::Pattern::target) return;  // its argument is the blending or depth test: add_target
     if (made.pattern != ir::Pattern::scatter) {
         if (!param.extra.empty()) c.error(Diag::pattern_arguments, c[param.extra[0]].span);
         return;
     }
     if (!param.extra.empty()) made.combine = check_combine(c, param.extra[0], made.structure);
 }
-/// The invocations of a pass run in no order, so no two of them may write the same element.
+/// Reports `out each` over a many-to-one translator: two invocations, which run in no order, would write one element.
 void check_exclusive(Context& c, const ast::Param& param, const ir::KernelParam& made) {
     if (made.pattern != ir::Pattern::each || made.direction == ir::Direction::in) return;
     const ir::Translator* translator = ir::many_to_one_stage(c.program, made.structure);
@@ -73,7 +73,7 @@ void check_exclusive(Context& c, const ast::Param& param, const ir::KernelParam&
     note(diagnostic, param.pattern_span, "scatter<S, op> combines writes to one element: min, max, add, and, or, xor");
 }
 
-/// Devices write texels of depth formats as targets only.
+/// Reports a parameter other than a target that writes a structure of a depth format: devices cannot.
 void check_depth_written(Context& c, const ast::Param& param, const ir::KernelParam& made) {
     if (made.direction == ir::Direction::in || made.pattern == ir::Pattern::target) return;
     if (!has_depth_format(c.program.structures[made.structure])) return;
@@ -81,8 +81,8 @@ void check_depth_written(Context& c, const ast::Param& param, const ir::KernelPa
          "a raster writes depths, to an 'inout target<S, always>' for instance; clear_depth of std.image fills all");
 }
 
-/// Whether a kernel can touch what is of the type so. An adaptor has no elements: kernels read its members, and call
-/// its functions.
+/// Whether a kernel can access a parameter of this type by this pattern. An adaptor has no elements: `any` reads its
+/// members, `calls` calls its functions.
 bool is_touched(Context& c, const ast::Param& param, ir::Pattern pattern, ir::TypeId type) {
     if (c.types().kind(type) != ir::TypeKind::structure) {
         if (type != c.types().error) c.error(Diag::pattern_needs_structure, c[param.type].span, {c.text(type)});
@@ -95,7 +95,7 @@ bool is_touched(Context& c, const ast::Param& param, ir::Pattern pattern, ir::Ty
     return false;
 }
 
-/// A parameter without a structure to look at: uses of its name say nothing more.
+/// Adds a parameter whose declaration has an error, with the error type, so that its uses report nothing more.
 void add_broken(Body& body, const ast::Param& param, ir::KernelParam made, ir::Kernel& kernel) {
     const ir::TypeId error = body.types().error;
     Symbol broken;
@@ -160,7 +160,7 @@ void add_param(Body& body, const ast::Param& param, ir::Kernel& kernel) {
     if (made.pattern == ir::Pattern::target) add_target(body, param, made, index);
 }
 
-/// The virtual domain that the kernel runs over: all its each and at parameters share it.
+/// Finds the address type of the domain that the kernel runs over, which all its each and at parameters share.
 void find_domain(Context& c, const ast::Kernel& written, ir::Kernel& kernel, bool parameters_are_good) {
     const ir::KernelParam* first = nullptr;
     for (const ir::KernelParam& param : kernel.params) {
@@ -173,7 +173,7 @@ void find_domain(Context& c, const ast::Kernel& written, ir::Kernel& kernel, boo
                  first->span, "the iteration follows this one");
         }
     }
-    // No further error if a parameter's structure has one.
+    // The patterns as written count: a parameter with an error has another one in the kernel.
     const bool is_asked = std::ranges::any_of(written.params, [](const ast::Param& param) {
         return param.pattern == ast::Pattern::each || param.pattern == ast::Pattern::at;
     });
@@ -192,15 +192,16 @@ void find_domain(Context& c, const ast::Kernel& written, ir::Kernel& kernel, boo
     }
 }
 
-/// Whether two parameters of one structure are likely to be passed with the same state (size): they are visited
-/// together, or declared with the same type name (`S` and `S`, not `S` and `D`).
+/// Whether two parameters of one structure type are likely to get arguments of the same size, so that they can share
+/// their parameters and address arithmetic: they are visited together, or declared by the same type name (`S` and `S`,
+/// not `S` and `D`).
 bool are_alike(const Context& c, const ast::Kernel& written, const ir::Kernel& kernel, std::size_t i, std::size_t k) {
     const ir::KernelParam &one = kernel.params[i], &other = kernel.params[k];
     if (one.pattern == ir::Pattern::value || other.pattern == ir::Pattern::value) return false;
     if (one.structure != other.structure) return false;
     if (one.pattern == ir::Pattern::calls || other.pattern == ir::Pattern::calls) return false;
     if (c.program.structures[one.structure].kind == ir::StructureKind::adaptor) return false;
-    // Corners, instances and pixels of a draw are counted each for themselves.
+    // The ranges of corners, instances and pixels of a draw have sizes independent of each other.
     if (kernel.raster && one.pattern != other.pattern && (ir::visits(one.pattern) || ir::visits(other.pattern)))
         return false;
     if (ir::follows_iteration(one.pattern) && ir::follows_iteration(other.pattern)) return true;
@@ -215,7 +216,7 @@ void find_alike(const Context& c, const ast::Kernel& written, ir::Kernel& kernel
     }
 }
 
-/// `at<S, 16>`: the kernel runs once for 16 consecutive elements.
+/// Reads `at<S, 16>`: the kernel runs once for 16 consecutive elements.
 void read_items(Context& c, const Env& env, const ast::Kernel& written, ir::Kernel& kernel) {
     const ast::Param* first = nullptr;
     for (const ast::Param& param : written.params) {
@@ -240,7 +241,7 @@ void read_items(Context& c, const Env& env, const ast::Kernel& written, ir::Kern
     }
 }
 
-/// The parameter that an attribute names.
+/// The index of the parameter that an attribute names.
 std::optional<std::uint32_t> parameter_named(const Context& c, const ir::Kernel& kernel, ast::ExprId id) {
     const ast::Expr& name = c[id];
     for (std::uint32_t i = 0; i < kernel.params.size(); ++i)
@@ -248,7 +249,7 @@ std::optional<std::uint32_t> parameter_named(const Context& c, const ir::Kernel&
     return std::nullopt;
 }
 
-/// `@disjoint(read, written)`.
+/// Reads the attributes of a kernel: `@disjoint(read, written)` alone.
 void read_attributes(Context& c, const ast::Decl& decl, ir::Kernel& kernel) {
     for (const ast::Attribute& attribute : decl.attributes) {
         if (c.text(attribute.name.name) != "disjoint") {
@@ -291,7 +292,7 @@ std::array<std::uint32_t, 3> group_of(Context& c, const Env& env, const std::vec
     return {1, 1, 1};
 }
 
-/// What tells a kernel in keys from those of its name that its module declares before it.
+/// A suffix of the kernel's key: its number among the kernels of its name in its module; empty for the first.
 static std::string overload_text(const Context& c, ast::DeclId id) {
     const auto& names = c.scopes[c.module_of.at(id)].names;
     const auto found = names.find(c[id].name.name);
@@ -303,7 +304,7 @@ static std::string overload_text(const Context& c, ast::DeclId id) {
     return kernels == 0 ? "" : "<overload " + std::to_string(kernels + 1) + ">";
 }
 
-/// Of a kernel that does not draw.
+/// Checks what a kernel that does not draw runs over.
 static void check_iteration(Body& body, const ast::Kernel& written, bool parameters_are_good) {
     find_domain(body.context, written, *body.kernel, parameters_are_good);
     read_items(body.context, body.env, written, *body.kernel);

@@ -12,7 +12,7 @@ bool contains(const std::vector<ast::DeclId>& list, ast::DeclId decl) {
     return std::find(list.begin(), list.end(), decl) != list.end();
 }
 
-/// The module that declares the type, or the struct or enum that it is an aggregate of.
+/// The module that declares the struct or enum that the type is, or is an array or optional of.
 std::optional<std::uint32_t> home_of(const Context& c, ir::TypeId id) {
     const ir::Type& type = c.program.types[id];
     switch (type.kind) {

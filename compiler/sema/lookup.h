@@ -5,8 +5,8 @@
 
 namespace gliftc::sema {
 
-/// The declarations of a name in a module: its own, else the public ones of its imports. If there are none, `hidden`
-/// are private ones of the imports.
+/// The declarations of a name that a module can see: its own, else the public ones of its imports. If it sees none,
+/// `hidden` has the private ones of the imports, for messages.
 struct Visible {
     std::vector<ast::DeclId> found, hidden;
 };
@@ -14,7 +14,7 @@ struct Visible {
 /// Reports a name that several imports declare, unless all declare functions.
 Visible look_up(Context&, std::uint32_t module, ast::Identifier name);
 
-/// Kernels and pipelines, which are overloaded together.
+/// Whether all are kernels or pipelines, which are overloaded together.
 bool is_pass(const Context&, const std::vector<ast::DeclId>&);
 bool is_function(const Context&, const std::vector<ast::DeclId>&);
 bool some_module_has_function(const Context&, Name);

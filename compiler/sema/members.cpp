@@ -136,7 +136,7 @@ Operand index_part(Body& body, ir::ExprId value, const ast::Expr& expr) {
     ir::TypeId part = type.kind == ir::TypeKind::matrix ? body.types().vector(type.element, type.rows) : type.element;
     std::uint32_t count = type.count;
     if (body.types().is_scalar(body.program().exprs[value].type)) {
-        part = body.program().exprs[value].type;  // a vector of one component
+        part = body.program().exprs[value].type;  // a scalar counts as a vector of one component
         count = 1;
     } else if (type.kind != ir::TypeKind::vector && type.kind != ir::TypeKind::matrix &&
                type.kind != ir::TypeKind::array) {
@@ -184,7 +184,7 @@ Operand index_window(Body& body, const Operand& window, std::uint32_t structure,
     return value_operand(body, near, expr.span);
 }
 
-/// Reports a read of what is only written.
+/// Reports a read by address of a scatter parameter, which is only written.
 Operand scatter_read(Body& body, const Operand& structure, const ast::Expr& expr) {
     Context& c = body.context;
     const ast::Expr& named = c[expr.operands[0]];
@@ -246,7 +246,7 @@ Operand make_swizzle_of(Body& body, ir::ExprId value, ast::Identifier member) {
     return value_operand(body, swizzle, member.span);
 }
 
-/// What a path of members leads to.
+/// The structure to which a path of members leads.
 static Operand member_at(const Body& body, const Operand& left, const std::vector<std::uint32_t>& path, Span span) {
     Operand nested = left;
     nested.span = span;

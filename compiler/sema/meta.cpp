@@ -57,7 +57,7 @@ constexpr std::array constraints = {
     ConstraintName{"Translator", Constraint::translator},
 };
 
-/// Scalars, `float3`, `float4x4`; the error id (absent) if the text names none.
+/// The built-in type of that name (`uint`, `float3`, `float4x4`); an absent id if there is none.
 ir::TypeId builtin_type(ir::Types& types, std::string_view text) {
     struct ScalarName {
         std::string_view name;
@@ -99,7 +99,7 @@ Meta builtin(Context& c, std::string_view text) {
     return meta;
 }
 
-/// Records a name that a module gives to a structure.
+/// Records that a module gives the structure a name by `structure Name = …`.
 void note_alias(Context& c, ast::DeclId id, ir::TypeId structure) {
     const ast::Decl& decl = c[id];
     if (!decl.generics.empty()) return;
@@ -470,7 +470,7 @@ std::string to_text(const Context& c, const Meta& meta) {
 
 std::string to_qualified_text(const Context& c, const Meta& meta) {
     if (meta.kind == MetaKind::type) return ir::to_qualified_text(c.program, meta.type);
-    if (meta.kind == MetaKind::value && meta.value.lanes.size() != 1)  // a struct's type needs its module
+    if (meta.kind == MetaKind::value && meta.value.lanes.size() != 1)  // a vector or struct: type with its module
         return ir::to_qualified_text(c.program, meta.value.type) + ir::to_text(c.program, meta.value);
     if (meta.kind != MetaKind::translator) return to_text(c, meta);
     std::string text;

@@ -8,7 +8,8 @@ namespace gliftc::sema {
 /// The declarations of `name` in a module: its own, else those that it imports. Reports ambiguity; empty if unknown.
 std::vector<ast::DeclId> find_declarations(Context&, std::uint32_t module, ast::Identifier name);
 
-/// The meaning of a name in an instance: generic argument, declaration, built-in type. kind none if unknown.
+/// The meaning of a name in the environment of an instance: generic argument, declaration, built-in type. Kind none if
+/// unknown.
 Meta find_meta(Context&, const Env&, ast::Identifier name);
 
 /// The meaning of `structure Field = …`, with its generic arguments bound. Records the name with the structure.
@@ -17,10 +18,10 @@ Meta meta_of_alias(Context&, ast::DeclId, const Env&, Span use);
 /// The meaning of a type expression; reports an invalid one and returns none.
 Meta meta_of(Context&, const Env&, ast::ExprId);
 
-/// The type of a texel's value: float4 of rgba8.
+/// The type of a texel's value: float4 for rgba8.
 ir::TypeId value_of_format(ir::Types&, ir::Format);
 
-/// Where a type is wanted, a texel format means that of its values.
+/// The meaning where a type is wanted: a texel format stands for the type of its values, anything else is unchanged.
 Meta as_type(Context&, const Meta&);
 
 /// The concrete type that an expression denotes; else reports and returns the error type.
@@ -32,7 +33,7 @@ std::optional<ir::Value> constant_of(Context&, const Env&, ast::ExprId, ir::Type
 /// The checked value of a `const` declaration.
 ir::ExprId constant_declaration(Context&, ast::DeclId);
 
-/// The value of a compile-time expression of integer type: array sizes, group sizes, radii.
+/// The value of a compile-time integer (array size, group size, radius); reports otherwise.
 std::optional<std::uint32_t> count_of(Context&, const Env&, ast::ExprId);
 
 /// The visible name most similar to `name`, for "did you mean".

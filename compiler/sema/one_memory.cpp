@@ -10,14 +10,15 @@ namespace gliftc::sema {
 
 namespace {
 
-/// A structure of a pipeline: a local, then members.
+/// A structure in a pipeline: a local, then a path of members from it.
 struct Whole {
     ir::LocalId local;
     ir::Place place;
     bool operator==(const Whole&) const = default;
 };
 
-/// What a member that was given to a temporary stands for: the structure that was given.
+/// Where `whole` is a member by reference of a temporary: replaces it by the structure that the temporary's constructor
+/// was given for that member. False if it is not.
 bool follow_given(Body& body, Whole& whole) {
     const ir::Program& p = body.program();
     const auto made = body.made.find(whole.local);
@@ -25,7 +26,7 @@ bool follow_given(Body& body, Whole& whole) {
     const ir::Structure& structure = p.structures[p.types[p.locals[whole.local].type].index];
     const std::uint32_t member = whole.place.members[0];
     if (!structure.members[member].by_reference) return false;
-    // Those that are given are the first members, in the order of the arguments.
+    // Members by reference come first, in the order of the constructor's structure arguments.
     std::uint32_t given = 0;
     for (ir::ExprId argument : made->second) {
         const ir::Expr& expr = p.exprs[argument];
@@ -39,7 +40,7 @@ bool follow_given(Body& body, Whole& whole) {
     return false;
 }
 
-/// Where the elements of a whole structure lie: none for slices and values.
+/// The structure at the end of the memory chain of an argument, which has its elements; none for slices and values.
 std::optional<Whole> root_of(Body& body, const ir::Expr& argument) {
     const ir::Program& p = body.program();
     if (argument.op != ir::Op::structure_value || p.types.kind(argument.type) != ir::TypeKind::structure)
@@ -67,7 +68,8 @@ void report(Context& c, Diag id, const ir::Kernel& kernel, const ir::KernelParam
              c.text((reads ? one : other).name) + ", " + c.text((reads ? other : one).name) + ")");
 }
 
-/// Whether invocations may race where one memory is reached through two translators.
+/// Whether invocations may race where the two parameters reach one memory through different translators, by which one
+/// element may have two addresses.
 bool may_meet_through_two(const ir::KernelParam& one, const ir::KernelParam& other) {
     const bool is_element = ir::traits_of(one.pattern).reach == ir::Reach::element &&
                             ir::traits_of(other.pattern).reach == ir::Reach::element;
@@ -75,7 +77,8 @@ bool may_meet_through_two(const ir::KernelParam& one, const ir::KernelParam& oth
     return is_element ? writes : ir::may_meet(one, other);
 }
 
-/// A whole structure that a kernel's parameter accesses, or a member that functions write which are called through it.
+/// A structure that a kernel accesses through a parameter; `is_member`: a member, which functions called through a
+/// `calls` parameter write.
 struct Touched {
     Whole root;
     ir::KernelParam param;

@@ -1,11 +1,12 @@
-// One structure, or one memory of several, given for several parameters of a pass.
+// Aliases: one structure, or several that share a memory, passed for several parameters of a kernel.
 #pragma once
 
 #include "sema/body.h"
 
 namespace gliftc::sema {
 
-/// Reports parameters of a call that are given one memory as a whole where invocations would race.
+/// Reports two parameters that access one memory where invocations would race. Only whole structures are compared:
+/// slices are left to the runtime.
 void check_one_memory(Body&, const ir::Kernel&, const ir::Operands& arguments);
 
 }  // namespace gliftc::sema

@@ -95,7 +95,7 @@ Pair check_sides(Body& body, const ast::Expr& expr, ir::TypeId wanted) {
     return pair;
 }
 
-/// The expected type of the operands, where `wanted` is that of the result. None where the operator does not take it.
+/// The expected type of the operands, where `wanted` is that of the result; absent if it says nothing about them.
 ir::TypeId wanted_of_sides(const ir::Types& types, ast::BinaryOp op, ir::TypeId wanted) {
     const Family family = family_of(op);
     const bool compares = family == Family::ordering || family == Family::equality;
@@ -164,7 +164,7 @@ ir::TypeId result_type(ir::Types& types, ast::BinaryOp op, ir::TypeId left, ir::
     return types.components(left) == 1 ? right : ir::TypeId{};
 }
 
-/// Warns of a constant zero divisor: defined, but probably a mistake.
+/// Warns about a divisor that is a constant with a zero: the result is defined, but probably not meant.
 void warn_of_zero(Body& body, ast::BinaryOp op, ir::ExprId divisor, Span span) {
     const auto known = ir::evaluate(body.program(), divisor);
     if (!known || std::ranges::none_of(known->lanes, [](const ir::Lane& lane) { return lane.bits == 0; })) return;

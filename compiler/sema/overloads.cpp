@@ -12,7 +12,7 @@ namespace gliftc::sema {
 
 namespace {
 
-/// A viable overload, and its rank.
+/// A viable overload, and the properties by which is_better() ranks it.
 struct Candidate {
     ast::DeclId decl;
     std::unique_ptr<Env> env;
@@ -20,7 +20,7 @@ struct Candidate {
     bool gives_wanted = true;
     bool is_generic = false;
     bool takes_as_they_are = true;  ///< no argument is wrapped into an optional
-    bool takes_literals = true;     ///< at their default types
+    bool takes_literals = true;     ///< literals keep their default types
 };
 
 struct CheckedArguments {
@@ -125,7 +125,7 @@ std::unique_ptr<Env> match(Body& body, ast::DeclId id, const Env* owner,
     return env;
 }
 
-/// A function's window must not be larger than that of the kernel's parameter.
+/// Whether the window of a function's `near` parameter is no larger than that of the argument; reports where it is.
 bool fits_window(Body& body, const Env& env, const ast::Param& param, const Operand& argument) {
     if (param.pattern != ast::Pattern::near) return true;
     std::uint32_t radius = window_radius(body.context, env, param);
@@ -136,7 +136,7 @@ bool fits_window(Body& body, const Env& env, const ast::Param& param, const Oper
     return false;
 }
 
-/// A function with a workgroup is called by kernels and functions with the same one.
+/// Whether the caller has the workgroup that the function declares, if it declares one; reports where not.
 bool fits_group(Body& body, ast::DeclId id, const Env& env, const ast::Expr& call) {
     Context& c = body.context;
     const auto& function = std::get<ast::Function>(c[id].body);
@@ -156,8 +156,8 @@ bool fits_group(Body& body, ast::DeclId id, const Env& env, const ast::Expr& cal
     return false;
 }
 
-/// A call that the host cannot evaluate by itself: it names one whole structure, reads none, and has values that the
-/// host knows.
+/// Whether a call in a pipeline needs a pass. The host can evaluate one that takes no structure, or one whole structure
+/// of which it reads no elements, if it knows all values.
 bool is_pass(Body& body, ir::FunctionId function, const std::vector<Operand>& structures, const ir::Operands& values) {
     if (body.kind != BodyKind::pipeline || structures.empty()) return false;
     if (std::ranges::any_of(values, [&](ir::ExprId value) { return is_open(body, value); })) return true;
@@ -179,7 +179,7 @@ Operand call_as_pass(Body& body, ir::FunctionId function, const std::vector<Oper
     return value_operand(body, result, span);
 }
 
-/// The node of a call, or the pass that it is.
+/// The node of a call, or where the host cannot evaluate it, a call of the pass that does (call_as_pass).
 Operand call_instance(Body& body, ir::FunctionId function, const std::vector<Operand>& structures, ir::Operands values,
                       Span span) {
     if (is_pass(body, function, structures, values)) return call_as_pass(body, function, structures, values, span);
@@ -191,7 +191,8 @@ Operand call_instance(Body& body, ir::FunctionId function, const std::vector<Ope
     return value_operand(body, result, span);
 }
 
-/// Finishes a call of a matched function: the waiting arguments, then the call node.
+/// Finishes a call of a matched function: checks the arguments that waited for parameter types, and makes the call
+/// node.
 Operand finish_call(Body& body, ast::DeclId id, const Env& env, CheckedArguments& arguments,
                     const std::vector<ast::ExprId>& written, const ast::Expr& call, const Operand* self) {
     Context& c = body.context;

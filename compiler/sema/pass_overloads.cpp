@@ -33,7 +33,7 @@ bool takes(Body& body, const Env& env, const ast::Param& param, const PassArgume
     return own != c.types().float_ || c.types().is_floating(taken);
 }
 
-/// The parameters that the call's arguments are for.
+/// The parameters for which the call gives arguments: without the `at` parameter where its argument is omitted.
 std::vector<ast::Param> given_params(const ast::Decl& decl, std::size_t arguments) {
     std::vector<ast::Param> params = params_of(decl);
     if (arguments + 1 != params.size() || !std::holds_alternative<ast::Kernel>(decl.body)) return params;

@@ -1,4 +1,4 @@
-// Pipelines: host code that runs passes in sequence.
+// Instances of pipelines and tests: host code that runs passes in sequence.
 #include "sema/components.h"
 #include "sema/constructors.h"
 #include "sema/generics.h"
@@ -12,7 +12,7 @@ namespace gliftc::sema {
 
 namespace {
 
-/// The domain type of `-> range<1, T>` and `range<N, T>` parameters, which are slices of any structure with it.
+/// The address type for `range<N, T>`: such parameters and results are slices of any structure with that address type.
 ir::TypeId range_domain(Context& c, const Env& env, ast::ExprId dimensions) {
     auto n = count_of(c, env, dimensions);
     if (!n || *n < 1 || *n > 4) {
@@ -72,8 +72,8 @@ ir::TypeId result_type(Context& c, const Env& env, const ast::Pipeline& written,
 
 namespace {
 
-/// Once more from the beginning where a variable turned out to be assigned values of the device: it lies there from its
-/// declaration on.
+/// Checks the body, again from the beginning as long as a variable is found that is assigned values on the device: it
+/// must lie there from its declaration on.
 void check_pipeline_body(Body& body, const std::vector<ast::StmtId>& statements, ir::Pipeline& pipeline) {
     const Body fresh = body;
     const Diagnostics::Mark mark = body.context.diagnostics.mark();
@@ -100,7 +100,7 @@ void check_pipeline_body(Body& body, const std::vector<ast::StmtId>& statements,
 
 }  // namespace
 
-// The type of a range result is that of the returned slices.
+// The type of a range result is that of the returned slices, which must all be of one structure.
 void check_range_return(Body& body, const ast::Stmt& stmt) {
     Context& c = body.context;
     ir::StmtId id = add(body.program(), ir::StmtOp::return_, stmt.span);
@@ -121,7 +121,7 @@ void check_range_return(Body& body, const ast::Stmt& stmt) {
     emit(body, id);
 }
 
-/// The pipelines of that name, of a container or of the module.
+/// All declarations with the name of the pipeline, in its container or in its module.
 static std::vector<ast::DeclId> overloads_of(const Context& c, ast::DeclId id, std::optional<std::uint32_t> owner) {
     std::vector<ast::DeclId> all;
     if (!owner) {
@@ -134,7 +134,7 @@ static std::vector<ast::DeclId> overloads_of(const Context& c, ast::DeclId id, s
     return all;
 }
 
-/// What tells the pipeline from others of its name.
+/// A suffix of the pipeline's key: its container, and its number among the overloads unless it is the first.
 static std::string overload_text(const Context& c, ast::DeclId id, std::optional<std::uint32_t> owner) {
     const std::vector<ast::DeclId> all = overloads_of(c, id, owner);
     const auto place = std::ranges::find(all, id) - all.begin();

@@ -44,7 +44,7 @@ template <class Value, std::size_t N> std::string list_of(const Words<Value, N>&
     return text;
 }
 
-/// The word of a pattern's second argument; empty where there is none.
+/// The second argument of a pattern, a word such as `less`; empty if there is none, "?" if it is no name.
 std::string_view operation_of(const Context& c, const ast::Param& param) {
     if (param.extra.empty()) return {};
     const ast::Expr& expr = c[param.extra[0]];
@@ -55,7 +55,7 @@ Span operation_span(const Context& c, const ast::Param& param) {
     return param.extra.empty() ? param.pattern_span : c[param.extra[0]].span;
 }
 
-/// Whether elements lie in a 2-D image at their own addresses.
+/// Whether element a of the structure is texel a of a 2-D image.
 bool is_image(const Context& c, const ir::Structure& structure) {
     return keeps_texels(c, structure) && structure.memories[structure.via_memory].shape == ir::MemoryShape::image2d;
 }
@@ -158,7 +158,8 @@ void add_varying(Body& body, const ast::Varying& written) {
     body.kernel->raster->varyings.push_back(made);
 }
 
-/// Corners and instances are numbered by one uint each.
+/// Checks the address types of corners, instances and pixels, and that the draw has corners and pixels; sets
+/// Raster::pixels, the parameter whose range is drawn to.
 void check_iteration(Context& c, const ast::Kernel& written, ir::Kernel& kernel) {
     kernel.domain_type = c.types().vector(c.types().uint, 2);
     bool has_corners = false;

@@ -1,41 +1,46 @@
-// Draws: what a raster's declaration and its two parts may say.
+// Draws (`raster`): kernels of a vertex and a fragment part with the rasteriser between them. Checks of the declaration
+// and both parts.
 #pragma once
 
 #include "sema/body.h"
 
 namespace gliftc::sema {
 
-/// A parameter of the pattern `target`, after what all parameters are checked for.
+/// Checks what is special to a parameter with pattern `target`, after the checks that all parameters get, and adds the
+/// target to the draw.
 void add_target(Body&, const ast::Param&, const ir::KernelParam&, std::uint32_t index);
 
-/// Whether parameters of this pattern are for passes of this kind; reports where not.
+/// Whether a draw (`in_raster`) or else a kernel may have parameters of this pattern; reports one that is not allowed.
 bool is_at_home(Context&, const ast::Param&, ir::Pattern, bool in_raster);
 
-/// States, varyings, the iteration and both parts. The parameters are in scope.
+/// Checks `cull`, `draw` and the like, the varyings, the ranges that are drawn, and both parts. The parameters are in
+/// scope.
 void check_raster(Body&, const ast::Kernel& written);
 
 /// Whether the structure's elements are texels of depth.
 bool has_depth_format(const ir::Structure&);
 
-/// Reports what every path through a part must have assigned, and what is assigned twice.
+/// Reports variables that some path through a part leaves unassigned (position, varyings, clip distances, targets), and
+/// a corner that is placed twice.
 void check_assigned(Context&, const ir::Kernel&);
 
-/// The value of a target: a local of the fragment part.
+/// The local of the fragment part that holds the value for a target; absent if the target had an error.
 ir::LocalId target_value(const ir::Kernel&, std::uint32_t param);
 
 /// `colour = value;`
 void assign_target(Body&, const ast::Stmt&, const Symbol&, ast::ExprId root);
 
-/// The part in which the current element of such a parameter has a meaning.
+/// The part in which parameters of this pattern can be used: vertex for corners and instances, fragment for pixels and
+/// targets; whole: both.
 ir::Part part_of(ir::Pattern);
 
 /// `discard;`
 void check_discard(Body&, const ast::Stmt&);
 
-/// Built-in functions of the two parts. Absent: it is none of them.
+/// A call of a built-in function of the vertex or fragment part; absent if the name is none of these.
 std::optional<Operand> call_in_raster(Body&, std::string_view name, const ast::Expr& call);
 
-/// Reports that something belongs to another part, or to no kernel; true where it is in the right one.
+/// Whether the code being checked is in the wanted part; reports the use of `name` elsewhere.
 bool is_in_part(Body&, ir::Part wanted, std::string_view name, Span);
 
 }  // namespace gliftc::sema

@@ -1,4 +1,5 @@
-// What stands in the parts of a draw: targets, built-in functions, discard.
+// Statements and built-in functions of the vertex and fragment parts of a draw: assignments to targets, place,
+// clip_distance, discard.
 #include "sema/raster.h"
 #include "sema/typing.h"
 
@@ -23,7 +24,7 @@ void emit_assign(Body& body, ir::LocalId local, ir::ExprId value, Span span) {
     emit(body, id);
 }
 
-/// The one argument of place and clip_distance.
+/// The argument of a call of place or clip_distance, which take exactly one.
 ir::ExprId only_argument(Body& body, std::string_view name, const ast::Expr& call, ir::TypeId type) {
     if (call.operands.size() == 2) return check_value(body, call.operands[1], type);
     body.context.error(Diag::argument_count, call.span, {name, "1", std::to_string(call.operands.size() - 1)});
@@ -49,7 +50,7 @@ Operand clip(Body& body, const ast::Expr& call) {
     return nothing(body, call.span);
 }
 
-/// A value that the rasteriser gives to a fragment.
+/// A built-in value without arguments that the rasteriser computes for each fragment.
 Operand given(Body& body, std::string_view name, const ast::Expr& call, ir::Op op, ir::TypeId type) {
     if (call.operands.size() != 1)
         body.context.error(Diag::argument_count, call.span, {name, "0", std::to_string(call.operands.size() - 1)});
@@ -91,7 +92,7 @@ void assign_target(Body& body, const ast::Stmt& stmt, const Symbol& symbol, ast:
     const std::string& name = c.text(param.name);
     if (!is_in_part(body, ir::Part::fragment, name, c[stmt.target].span)) return;
     const ir::LocalId local = target_value(*body.kernel, symbol.slot);
-    if (!local) return;  // reported at the parameter
+    if (!local) return;  // the parameter has an error, which was reported
     if (stmt.op || root != stmt.target) {
         note(c.error(Diag::target_read, stmt.span, {name}), param.span,
              "make the value in a local, then assign it: the whole target is written at once");

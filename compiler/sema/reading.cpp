@@ -1,4 +1,5 @@
-// Functions that read memory, called by the host: one pass of one invocation, which leaves the result on the device.
+// Calls of functions that read memory, in pipelines and from C++: a generated pipeline calls the function in a pass of
+// one invocation, and its result stays on the device.
 #include "ir/levels.h"
 #include "ir/walk.h"
 #include "sema/components.h"
@@ -19,14 +20,15 @@ bool reads_memory(const ir::Program& program, const std::vector<ir::StmtId>& bod
 
 namespace {
 
-/// What tells the function from others of its name: its structures, too.
+/// A key that is unique among functions of this name, since the structures are part of it.
 std::string key_of(const Context& c, const ir::Function& function) {
     std::string key = function.key;
     for (std::uint32_t structure : function.structures) key += "<" + c.program.structures[structure].key + ">";
     return key;
 }
 
-/// `out result: each<Box>` set to a call of the function, with its structures and values as parameters.
+/// A kernel that assigns a call of the function to the parameter `out result: each<Box>`. Its other parameters are the
+/// function's structures and values.
 ir::Kernel kernel_of(Context& c, ir::FunctionId id, std::uint32_t box) {
     ir::Program& program = c.program;
     const ir::Function function = program.functions[id];
@@ -80,7 +82,7 @@ ir::PipelineParam structure_param(Context& c, std::uint32_t structure, Span span
     return param;
 }
 
-/// A structure's local as an argument.
+/// The local as an argument of a pass: as a structure if it is one.
 ir::ExprId structure_argument(Context& c, ir::LocalId local, Span span) {
     const ir::ExprId argument = make_local(c.program, local, span);
     if (c.types().kind(c.program.locals[local].type) == ir::TypeKind::structure)
@@ -167,7 +169,7 @@ void check_methods(Context& c, std::uint32_t index) {
         const auto function = instantiate_function(c, item.decl, env, {index}, decl.name.span);
         if (!function) return;
         const ir::Function& made = c.program.functions[*function];
-        // Kernels call what writes. Memory, where a pass leaves its result, holds no optionals.
+        // Functions that write are called by kernels only. A result is left in memory, which cannot hold optionals.
         if (!made.effects.empty() || c.types().kind(made.result) == ir::TypeKind::optional) return;
         ir::Method method{*function, std::nullopt};
         if (c.program.functions[*function].reads_memory) {

@@ -12,7 +12,7 @@ namespace gliftc::sema {
 
 namespace {
 
-/// Why a structure keeps the memory that it has; empty: it can get other memory.
+/// Why the memory of a structure cannot be replaced; empty if it can.
 std::string why_kept(Body& body, const Operand& target) {
     if (target.local || !body.container) return "it is no member of the container whose pipeline this is";
     const ir::Structure& container = body.program().structures[*body.container];
@@ -23,7 +23,8 @@ std::string why_kept(Body& body, const Operand& target) {
     return "";
 }
 
-/// Whether the temporary was made over `other` as the member is made over `given`, a member of the container.
+/// Whether the temporary was constructed over `other` wherever the member is constructed over `given`, a member of the
+/// container.
 bool is_made_over(const Body& body, ir::LocalId temporary, const ir::MemberStructure& member, std::uint32_t given,
                   ir::LocalId other) {
     std::vector<ir::Expr> structures;
@@ -41,7 +42,7 @@ bool is_made_over(const Body& body, ir::LocalId temporary, const ir::MemberStruc
     return true;
 }
 
-/// The temporary of this block that a name stands for.
+/// The temporary that the name denotes, if it is declared in the innermost block.
 std::optional<ir::LocalId> temporary_of(const Body& body, const ast::Expr& value, const Operand& operand) {
     const bool is_whole = operand.kind == OperandKind::structure && operand.local && operand.place.members.empty() &&
                           !operand.is_slice && body.made.contains(operand.local);
@@ -49,10 +50,11 @@ std::optional<ir::LocalId> temporary_of(const Body& body, const ast::Expr& value
     return body.scopes.back().contains(value.name) ? std::optional(operand.local) : std::nullopt;
 }
 
-/// A member of an instance.
+/// Index of a structure instance, then of its member.
 using Member = std::pair<std::uint32_t, std::uint32_t>;
 
-/// Calls visit(const Stmt&) for the statements that may run: of an `if` whose condition is a constant, one arm.
+/// Calls visit(const Stmt&) for all statements that may run: an `if` with a constant condition is entered on one side
+/// only.
 template <class Visit>
 void for_each_running(const ir::Program& program, const std::vector<ir::StmtId>& body, Visit&& visit) {
     for (ir::StmtId id : body) {
@@ -65,7 +67,7 @@ void for_each_running(const ir::Program& program, const std::vector<ir::StmtId>&
     }
 }
 
-/// The pipelines that run: what programs can call, and what is called anywhere.
+/// The pipelines that may run: public ones, and those that any pipeline calls.
 std::set<std::uint32_t> running_pipelines(const ir::Program& program) {
     std::set<std::uint32_t> running;
     for (std::uint32_t i = 0; i < program.pipelines.size(); ++i) {
@@ -82,7 +84,7 @@ std::set<std::uint32_t> running_pipelines(const ir::Program& program) {
     return running;
 }
 
-/// The members that get other memory, and where.
+/// The members whose memory some pipeline replaces, and where.
 std::map<Member, Span> replaced_members(const ir::Program& program) {
     std::map<Member, Span> replaced;
     for (std::uint32_t i : running_pipelines(program)) {
@@ -95,7 +97,8 @@ std::map<Member, Span> replaced_members(const ir::Program& program) {
     return replaced;
 }
 
-/// Where something on the path from a structure gets other memory, from step `first` of the path on.
+/// Where a member on the path from a structure is replaced, if one is; the first `first` steps of the path do not
+/// count.
 std::optional<Span> replaced_on_path(const ir::Program& program, const std::map<Member, Span>& replaced,
                                      std::uint32_t structure, const ir::Place& place, std::size_t first) {
     for (std::size_t k = 0; k < place.members.size(); ++k) {
@@ -153,7 +156,7 @@ void check_given(Context& c) {
             note(error, *where, "here " + given + " may get other memory");
             note(error, span, "make it where it is used, in pipelines: let " + std::string(c.text(name)) + " = …");
         };
-        // What a container gives away of its own members: check_replaced_together().
+        // Step 0 is a member of the container itself, which check_replaced_together() checks.
         for (const ir::MemberStructure& member : structure.members)
             for (const ir::Place& place : member.structures) check(member.name, member.span, place, 1);
         for (const ir::Memory& memory : structure.memories)
@@ -196,7 +199,7 @@ bool check_replace(Body& body, const ast::Stmt& stmt) {
     body.program().stmts[id].local = *temporary;
     body.replacements.push_back({target.place.members[0], *temporary, written.span, body.block});
     emit(body, id);
-    body.scopes.back().erase(c[stmt.value].name);  // its memory is the member's
+    body.scopes.back().erase(c[stmt.value].name);  // the member has its memory now
     return true;
 }
 

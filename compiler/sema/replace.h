@@ -1,19 +1,19 @@
-// `member = temporary;` in a pipeline: a member of the container gets other memory.
+// `member = temporary;` in a pipeline of an adaptor: the member gets the memory of the temporary.
 #pragma once
 
 #include "sema/body.h"
 
 namespace gliftc::sema {
 
-/// Whether the assignment is to a structure, which is checked then, and the statement emitted.
+/// Whether the assignment is to a structure. If so, checks it and emits the statement.
 bool check_replace(Body&, const ast::Stmt&);
 
-/// At the end of a pipeline: what was given to other members is replaced together with them, so that they do not keep
-/// the memory that it had.
+/// At the end of a pipeline: reports a member whose memory was replaced while another member, whose constructor was
+/// given the first, was not made anew over the new memory: it would keep the old one.
 void check_replaced_together(Body&);
 
-/// Once all pipelines are known: no container gives to one of its members what a member of its members may get other
-/// memory for: what was made over it would keep the memory that it had.
+/// Once all pipelines are known: reports a member whose constructor is given a structure inside another member that
+/// some pipeline of that member may replace: the first would keep the old memory.
 void check_given(Context&);
 
 }  // namespace gliftc::sema

@@ -5,7 +5,7 @@ namespace gliftc::sema {
 void open_scope(Body& body) { body.scopes.emplace_back(); }
 
 void close_scope(Body& body) {
-    // Not after errors: code that was not checked may have used the name.
+    // No warnings after errors: code that was skipped because of them may have used the name.
     const bool is_sure = !body.context.diagnostics.has_errors();
     for (const auto& [name, symbol] : body.scopes.back())
         if (is_sure && symbol.warn_unused && !symbol.used && !body.context.text(name).starts_with('_'))
@@ -75,7 +75,7 @@ const Env& env_for(Body& body, const std::vector<ast::ExprId>& written) {
     std::vector<std::pair<Name, Meta>> bindings;
     for (ast::ExprId id : written) bind_symbols(body, id, bindings);
     if (bindings.empty()) return body.env;
-    // Before those of the declaration: locals hide outer names.
+    // The first binding of a name is found, so that locals hide outer names.
     Env& env = body.context.new_env(body.env.module);
     env.self = body.env.self;
     env.bindings = std::move(bindings);

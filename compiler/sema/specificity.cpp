@@ -77,7 +77,7 @@ struct Matcher {
         const auto& patterns = params_of(taking);
         const auto& types = params_of(taken);
         for (std::size_t i = 0; i < patterns.size() && i < types.size(); ++i) {
-            // Both accept the arguments, so a type without generics is an instance of the other.
+            // Both overloads accept the arguments, so that a type without generics is an instance of the other's type.
             if (!names_generic(c, taken, types[i].type)) continue;
             if (!names_generic(c, taking, patterns[i].type) || !takes(patterns[i].type, types[i].type)) return false;
         }

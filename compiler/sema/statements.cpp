@@ -63,7 +63,7 @@ void check_shared(Body& body, const ast::Stmt& stmt) {
     body.shared->push_back(local);
 }
 
-/// The local that an assignment changes, if the target is one or a component of one.
+/// The expression at the start of an assignment's target: of the target `a.b[i].x`, `a`.
 const ir::Expr* root_of(const Body& body, ir::ExprId target) {
     const ir::Expr* expr = &body.context.program.exprs[target];
     while (expr->op == ir::Op::index || expr->op == ir::Op::field || expr->op == ir::Op::swizzle)
@@ -162,7 +162,7 @@ void check_if_let(Body& body, const ast::Stmt& stmt) {
     emit(body, id);
 }
 
-/// An arm of a constant `if` in a function with a workgroup: it may end in a return.
+/// A side of a constant `if` in a function with a workgroup. It may end in a return: only the selected side is kept.
 std::vector<ir::StmtId> check_arm(Body& body, const std::vector<ast::StmtId>& arm) {
     Span outer = std::exchange(body.last, arm.empty() ? Span{} : body.context[arm.back()].span);
     auto result = check_nested(body, arm);
@@ -170,7 +170,8 @@ std::vector<ir::StmtId> check_arm(Body& body, const std::vector<ast::StmtId>& ar
     return result;
 }
 
-/// The arm of a constant `if` in a pipeline that never runs: the host takes no part in it, and no condition lies above it.
+/// The side of a constant `if` in a pipeline that never runs: it may wait for the device, since no arm counts as around
+/// it and host_needed is left as it was.
 std::vector<ir::StmtId> check_dead_arm(Body& body, const std::vector<ast::StmtId>& arm) {
     const Span host_needed = body.host_needed;
     auto arms = std::exchange(body.arms, {});
@@ -261,7 +262,8 @@ void check_for(Body& body, const ast::Stmt& stmt) {
     emit(body, id);
 }
 
-/// The condition of a while is evaluated in each iteration: statements that it emits must be inside the loop.
+/// Statements that the condition emits are put into the loop's body, since the condition is evaluated in each
+/// iteration.
 void check_while(Body& body, const ast::Stmt& stmt) {
     std::vector<ir::StmtId> inner;
     auto* outer = std::exchange(body.block, &inner);
@@ -294,7 +296,7 @@ void check_while(Body& body, const ast::Stmt& stmt) {
     emit(body, id);
 }
 
-/// The value of a return. If a pipeline returns a value on the device, all its returns must.
+/// The value of a return. All returns of a pipeline give values of the host, or all give values on the device.
 ir::ExprId returned(Body& body, const ast::Stmt& stmt) {
     if (body.kind != BodyKind::pipeline) return check_value(body, stmt.value, body.result);
     ir::ExprId value = to_value(body, check(body, stmt.value, body.result));
@@ -337,7 +339,7 @@ void check_return(Body& body, const ast::Stmt& stmt) {
 
 const char* barrier_name(ir::StmtOp barrier) { return barrier == ir::StmtOp::barrier ? "barrier" : "subgroupBarrier"; }
 
-/// The barrier that the expression calls, if it does.
+/// The kind of barrier, if the expression is a call of one.
 std::optional<ir::StmtOp> barrier_of(Body& body, const ast::Expr& expr) {
     const Context& c = body.context;
     if (expr.kind != ast::ExprKind::call) return std::nullopt;

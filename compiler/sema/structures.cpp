@@ -1,4 +1,4 @@
-// long: structures, views and adaptors are made of the same items
+// long: structures, views and adaptors share the checks of their items
 // Structures, views and adaptors: constructor, memories, nested structures, `via`, domain.
 #include "ir/chain.h"
 #include "ir/empty.h"
@@ -47,7 +47,7 @@ constexpr const char* memory_remedy = "write buffer<T>[n], image1d<F>(n), image2
                                       "layers), image3d<F>(extent), imagecube<F>(side), a structure "
                                       "with its arguments, or the name of one";
 
-/// The parts of `buffer<T>[n]` or `image2d<F>(extent, layers)`: shape, element, extent, layers or none.
+/// The parts of `buffer<T>[n]` or `image2d<F>(extent, layers)` as written; `layers` may be absent.
 struct MemoryText {
     Name shape;
     Span shape_span;
@@ -69,7 +69,7 @@ std::optional<MemoryText> read_memory(Context& c, ast::ExprId id) {
     return std::nullopt;
 }
 
-/// Whether the type is a generic parameter, whose argument is given elsewhere.
+/// Whether the type is the name of a generic parameter: an error in its argument is then reported where that is given.
 bool is_generic_name(const Body& body, ast::ExprId type) {
     const ast::Expr& expr = body.context[type];
     return expr.kind == ast::ExprKind::name && body.env.find(expr.name) != nullptr;
@@ -168,7 +168,7 @@ const std::vector<ast::Param>& params_of(const Context& c, std::uint32_t structu
     return *constructor_of(c[c.structure_decl.at(structure)]);
 }
 
-/// The values and the structures that the member's constructor is given.
+/// Checks the arguments of the member's constructor, and sorts them into values and structures.
 void give_arguments(Body& body, const ast::Expr& call, ir::MemberStructure& member) {
     Context& c = body.context;
     const std::vector<ast::Param>& params = params_of(c, member.structure);
@@ -197,7 +197,7 @@ bool add_member(Body& body, std::uint32_t index, const ast::Item& item) {
         c.error(Diag::member_form, call.span);
         type = c.types().error;
     }
-    if (type == c.types().error) {  // declared all the same, so that its uses give no further errors
+    if (type == c.types().error) {  // declared in spite of the error, so that its uses report none
         declare_local(body, item.name, type, false, false);
         return false;
     }
@@ -254,7 +254,7 @@ std::vector<std::uint32_t> stage_translators(Body& body, const ast::Expr& call, 
     return made ? *made : std::vector<std::uint32_t>{};
 }
 
-/// Assigns the arguments to the fields of the translators, in the order of declaration.
+/// Assigns the arguments to the fields of the translators, in the order in which the fields are declared.
 bool fill_stages(Body& body, const ast::Expr& call, const std::vector<Operand>& arguments,
                  const std::vector<std::uint32_t>& translators, std::vector<ir::Stage>& stages) {
     Context& c = body.context;
@@ -361,7 +361,7 @@ ir::ExprId domain_from_item(Body& body, const ast::Item& item, ir::TypeId wanted
     return check_value(body, c[function.body[0]].value, wanted);
 }
 
-/// The domain of the first translator, as an expression over the structure.
+/// What domain() of the first translator returns, with the structure's arguments in place of the translator's state.
 ir::ExprId domain_from_translator(Context& c, const ir::Structure& structure) {
     const ir::Translator& translator = c.program.translators[structure.via[0].translator];
     if (!translator.domain) return {};
@@ -373,7 +373,7 @@ ir::ExprId domain_from_translator(Context& c, const ir::Structure& structure) {
     return substitute_state(c, value, structure.via[0]);
 }
 
-/// The extent of the structure's domain: declared, its first translator's, or its memory's.
+/// The extent of the structure's domain: from its own domain(), else from its first translator, else from its memory.
 ir::ExprId domain_of(Body& body, std::uint32_t index, const ast::Item* declared) {
     Context& c = body.context;
     const ir::Structure structure = c.program.structures[index];
@@ -382,8 +382,8 @@ ir::ExprId domain_of(Body& body, std::uint32_t index, const ast::Item* declared)
     return domain_of_base(body, index);
 }
 
-/// Whether `via` gives what the memory takes. The structure's addresses are those of its first translator, or of its
-/// memory.
+/// Whether the translators of `via` fit together and end with the address type of the memory; reports where not. Sets
+/// the address type of the structure: that of its first translator, or of its memory.
 bool check_addresses(Context& c, std::uint32_t index) {
     ir::Structure& structure = c.program.structures[index];
     const bool has_base = !structure.base.empty();
@@ -559,7 +559,7 @@ ir::TypeId make_structure(Context& c, ast::DeclId id, const Env& env) {
         case ast::ItemKind::condition: break;
         }
     });
-    // The translator has an error, which was reported there.
+    // `via` named a translator with an error, which was reported there.
     if (has_via && c.program.structures[index].via.empty()) return c.types().error;
     if (c.diagnostics.error_count() == errors) finish_structure(body, index, domain, otherwise);
     if (c.diagnostics.error_count() == errors) add_blocks(c, env, index, blocks);
@@ -618,7 +618,7 @@ ir::TypeId make_adaptor(Context& c, ast::DeclId id, const Env& env) {
             break;
         }
         case ast::ItemKind::function:
-        case ast::ItemKind::pipeline: break;  // when called
+        case ast::ItemKind::pipeline: break;  // instantiated when called
         case ast::ItemKind::memory:
         case ast::ItemKind::via:
         case ast::ItemKind::otherwise: c.error(Diag::item_not_here, item.span, {"an adaptor"}); break;

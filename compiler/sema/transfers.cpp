@@ -102,8 +102,8 @@ void require_transfers(Context& c, std::uint32_t index, Span use) {
     if (!read) return;
     constexpr std::uint32_t none = 0xffffffffu;
     std::uint32_t write = none, fill = none;
-    // With a many-to-one translator, writing a box is ambiguous: only kernels write there, by combining. Depths are
-    // written by draws.
+    // With a many-to-one translator, several elements of a box may lie at one physical address: only kernels write
+    // there, by scatter with an operation. Depths are written by draws alone.
     const bool is_written = !ir::many_to_one_stage(c.program, index) && !has_depth_format(structure);
     if (structure.kind == ir::StructureKind::stored && is_written) {
         Meta element;
@@ -111,7 +111,9 @@ void require_transfers(Context& c, std::uint32_t index, Span use) {
         element.type = structure.element;
         if (auto kernel = transfer_kernel(c, "write_box", {linear, self}, use)) {
             write = *kernel;
-            c.program.kernels[write].space.reset();  // a box is mostly a small part of what is there
+            // It runs over the elements of the box, not over the structure's blocks, of which a box is mostly a small
+            // part.
+            c.program.kernels[write].space.reset();
         }
         if (auto kernel = transfer_kernel(c, "fill_box", {self, element}, use)) fill = *kernel;
     }

@@ -72,7 +72,7 @@ ir::FunctionId make_method(Context& c, ast::DeclId id, const Env& env, const ir:
 void add_fields(Context& c, const Env& env, const ast::Translator& written, ir::Translator& translator) {
     std::set<Name> seen;
     for (const ast::Field& field : written.fields) {
-        if (!seen.insert(field.name.name).second) continue;  // reported by collect_modules
+        if (!seen.insert(field.name.name).second) continue;  // a duplicate, reported by collect_modules
         ir::TypeId type = type_of(c, env, field.type);
         if (c.types().kind(type) == ir::TypeKind::structure) {
             translator.structures.push_back(c.types()[type].index);

@@ -33,7 +33,8 @@ Typing typing_of_binary(const Context& c, const ast::Expr& expr) {
     return Typing::own;
 }
 
-/// The common type of two operands; either may be absent.
+/// The common default type of two operands made of literals. An absent type is that of `none`, and makes the result an
+/// optional.
 ir::TypeId joined(ir::Types& types, ir::TypeId a, ir::TypeId b) {
     if (!a || !b) {
         const ir::TypeId type = a ? a : b;

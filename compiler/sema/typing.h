@@ -7,13 +7,13 @@ namespace gliftc::sema {
 
 /// In the order in which operands are checked: earlier ones determine the types of later ones.
 enum class Typing : std::uint8_t {
-    own,      // some operand has a type
-    literal,  // literals without suffixes, and operators and choices over them
+    own,      // has a type by itself, since some operand has one
+    literal,  // a literal without suffix, or operators and choices over such literals
     none,     // `none` alone
 };
 Typing typing_of(const Context&, ast::ExprId);
 
-/// A literal, or operators and conditionals over literals: its context determines the type.
+/// Whether the expression is made of literals without suffix, so that its context determines its type.
 inline bool is_flexible(const Context& c, ast::ExprId id) { return typing_of(c, id) == Typing::literal; }
 
 /// Whether an argument is checked only once its parameter's type is known.
@@ -22,11 +22,11 @@ bool waits_for_parameter(const Context&, ast::ExprId);
 /// The default type of a flexible expression: int or float, or an optional of it.
 ir::TypeId own_type(Context&, ast::ExprId literal);
 
-/// The hint for an operand, from the type expected of the result, without `optional` or `device`: operators work on
-/// values.
+/// The type hint for an operand, given the type expected of the result: that without `optional` and `device`, since
+/// operators work on plain values.
 ir::TypeId operand_hint(const ir::Types&, ir::TypeId wanted);
 
-/// Whether `from` converts implicitly to `to`: the same type, or an optional of it.
+/// Whether `from` converts implicitly to `to`: `to` is the same type, or an optional of it.
 bool becomes(const ir::Types&, ir::TypeId from, ir::TypeId to);
 
 /// Whether the type is or contains an optional.

@@ -1,5 +1,6 @@
-// A forward data-flow analysis of a kernel's body. Functions that declare a workgroup (`group`) are analysed at each
-// call, since they contain barriers. Levels only rise; the walk is repeated until none does, then once more to report.
+// A forward data-flow analysis of a kernel's body: where are values and control flow uniform? Functions that declare a
+// workgroup (`group`) are analysed at each call, since they contain barriers. Levels only rise; the walk is repeated
+// until none does, then once more to report.
 #include "sema/uniformity.h"
 
 #include "ir/effects.h"
@@ -13,14 +14,14 @@ namespace gliftc::sema {
 
 namespace {
 
-/// The scope within which a value is uniform; `invocation`: it is divergent.
+/// The largest scope in which a value is the same for all invocations; `invocation`: it is divergent.
 enum class Level : std::uint8_t { workgroup, subgroup, invocation };
 
 /// The uniformity of a value or of the control flow to a statement.
 struct Flow {
     Level level = Level::workgroup;
-    Span why;        ///< the divergent expression
-    Span condition;  ///< of control flow: the divergent condition or loop
+    Span why;        ///< the expression that is divergent
+    Span condition;  ///< control flow: the condition or loop bound that is divergent
 };
 
 Flow worse(const Flow& one, const Flow& other) { return other.level > one.level ? other : one; }
@@ -96,18 +97,18 @@ private:
     const ir::Program& p;
     const ir::Kernel& kernel_;
     std::map<std::pair<Call, ir::LocalId>, Flow> locals_;
-    std::map<std::pair<Call, ir::StmtId>, Flow> exits_;          ///< of loops: control flow to breaks and continues
-    std::map<std::pair<Call, ir::StmtId>, Interval> intervals_;  ///< at the end of a loop's body
+    std::map<std::pair<Call, ir::StmtId>, Flow> exits_;  ///< for each loop: control flow to its breaks and continues
+    std::map<std::pair<Call, ir::StmtId>, Interval> intervals_;  ///< for each loop: accesses at the end of its body
     std::map<std::pair<Call, ir::ExprId>, Call> calls_;
     std::set<std::pair<ir::LocalId, ir::ExprId>> races_;          ///< reads of workgroup memory that race with a write
-    std::set<std::pair<std::uint32_t, std::uint32_t>> reported_;  ///< file and offset of barriers
+    std::set<std::pair<std::uint32_t, std::uint32_t>> reported_;  ///< file and offset of what was reported
 
     Call call_ = 0;
     std::vector<std::uint32_t> roots_;  ///< the kernel's parameter behind each Place root
     Flow control_flow_;
-    Flow left_;  ///< control flow to the returns and discards so far: what follows them runs without those that left
+    Flow left_;  ///< control flow to the returns and discards so far: invocations that took them are missing afterwards
     Flow result_;
-    Flow* exit_ = nullptr;  ///< of the innermost loop
+    Flow* exit_ = nullptr;  ///< the innermost loop's entry of exits_
     Interval interval_;
     bool changed_ = false, reports_ = false;
 };
@@ -130,7 +131,7 @@ void Uniformity::visit(ir::StmtId id) {
     case ir::StmtOp::discard: return leave();
     case ir::StmtOp::barrier: return barrier(stmt, Level::workgroup);
     case ir::StmtOp::subgroup_barrier: return barrier(stmt, Level::subgroup);
-    default: break;  // expressions and statements within
+    default: break;  // below: its expressions and nested statements
     }
     ir::for_each_root(stmt, [&](ir::ExprId root) { value(root); });
     walk(stmt.body);
@@ -168,7 +169,7 @@ void Uniformity::loop_(ir::StmtId id) {
         if (stmt.op == ir::StmtOp::for_ && bound == stmt.value) raise(locals_[{call_, stmt.local}], flow);
     }
     control_flow_ = worse(control_flow_, exit);
-    if (stmt.op == ir::StmtOp::while_) value(stmt.value);  // again, under what breaks and continues decide
+    if (stmt.op == ir::StmtOp::while_) value(stmt.value);  // again, in the control flow that breaks and continues leave
     const Interval entry = interval_;
     const bool reports = std::exchange(reports_, false);
     if (may_leave) walk(stmt.body);  // an invocation that leaves in one round is missing from the start of the next
@@ -235,7 +236,7 @@ Flow Uniformity::value(ir::ExprId id) {
     }
 }
 
-/// Operands behind the first are evaluated only where it says so.
+/// `?:`, `select`, `&&`, `||`: the first operand decides whether the others are evaluated.
 Flow Uniformity::choice(const ir::Expr& node) {
     Flow flow = value(node.operands[0]);
     const Flow before = control_flow_;
@@ -275,7 +276,7 @@ Flow Uniformity::operands(const ir::Expr& node) {
     return flow;
 }
 
-/// Workgroup memory is uniform after a barrier, until an invocation writes it.
+/// A local's value. Workgroup memory is uniform after a barrier, until an invocation writes it.
 Flow Uniformity::local(ir::ExprId id, const ir::Expr& node) {
     if (p.locals[node.local].storage != ir::Storage::shared)
         return worse(locals_[{call_, node.local}], varying(node.local));
@@ -330,7 +331,7 @@ Flow Uniformity::intrinsic(const ir::Expr& node) {
     case ir::Intrinsic::subgroupBroadcast:
     case ir::Intrinsic::subgroupBroadcastFirst:
         return flow.level == Level::workgroup ? flow : differs(node, Level::subgroup);
-    case ir::Intrinsic::subgroupAdd:  // even of uniform values: subgroups may have different numbers of lanes
+    case ir::Intrinsic::subgroupAdd:  // differs between subgroups, whose numbers of active lanes may differ
     case ir::Intrinsic::subgroupMul:
     case ir::Intrinsic::subgroupXor:
     case ir::Intrinsic::subgroupBallot:

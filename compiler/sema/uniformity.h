@@ -9,7 +9,8 @@ namespace gliftc::sema {
 /// a condition or in a loop that may differ between the invocations that the barrier synchronises.
 void check_barriers(Context&, const ir::Kernel&);
 
-/// Reports derivatives in a fragment part where the fragments of a quad may have taken different ways.
+/// Reports derivatives (dFdx and the like) in a fragment part where control flow may differ between the fragments of a
+/// quad.
 void check_derivatives(Context&, const ir::Kernel&);
 
 }  // namespace gliftc::sema

@@ -15,7 +15,7 @@ namespace gliftc::sema {
 
 namespace {
 
-/// Makes the kernel of one invocation that computes an open expression.
+/// Makes the kernel of one invocation that computes an open expression (sema/values.h), and the pipeline that runs it.
 class Maker {
 public:
     Maker(Body& body, Span span) : body_(body), c_(body.context), p_(body.program()), span_(span) {
@@ -41,7 +41,7 @@ private:
     Span span_;
     ir::Kernel kernel_;
     ir::Operands arguments_;
-    std::map<ir::LocalId, ir::LocalId> known_;  ///< the parameter of each local that is an argument
+    std::map<ir::LocalId, ir::LocalId> known_;  ///< the kernel's parameter for each local that lies on the device
 };
 
 void Maker::add_param(ir::KernelParam param) {
@@ -92,7 +92,8 @@ bool Maker::is_known(ir::ExprId id) const {
             std::ranges::all_of(expr.operands, [&](ir::ExprId part) { return is_known(part); }));
 }
 
-/// What the host knows becomes parameters, as large as it can be.
+/// The expression for the kernel's body. The largest parts that the host can evaluate become parameters; constants
+/// stay.
 ir::ExprId Maker::rewritten(ir::ExprId id) {
     if (p_.exprs[id].op == ir::Op::device_value) return argument(id);
     if (is_known(id)) return id;
@@ -109,7 +110,7 @@ ir::ExprId Maker::rewritten(ir::ExprId id) {
 
 ir::ExprId Maker::call(ir::ExprId expr, std::uint32_t box) {
     const ir::TypeId type = p_.exprs[expr].type;
-    // A pipeline may be checked again: most of its values are what they were then.
+    // A pipeline may be checked several times (check_pipeline_body): a value found again by this key keeps its kernel.
     const std::string what = "value " + body_.key + " " + std::to_string(span_.begin) + " " +
                              std::to_string(span_.end) + " " + ir::print(p_, expr);
     const ir::StmtId set = add(p_, ir::StmtOp::set_element, span_);
@@ -149,7 +150,8 @@ ir::ExprId Maker::call(ir::ExprId expr, std::uint32_t box) {
     return call;
 }
 
-/// An element that is a leaf already is read before what comes now: a pipeline that may write it.
+/// Copies the elements that are leaves so far, since what is evaluated next is a call of a pipeline that may write
+/// them.
 void keep_leaves(Body& body) {
     for (ir::ExprId leaf : std::exchange(body.leaves, {})) {
         const ir::ExprId read = body.program().exprs[leaf].operands[0];

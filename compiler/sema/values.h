@@ -1,15 +1,17 @@
-// Values of the device: what pipelines compute from elements that the host does not know.
+// Values of the device: values that a pipeline computes from elements of structures, so that the host does not know
+// them.
 //
-// An expression with such a value in it is *open* while it is checked: a tree of the types that the language has, whose
-// leaves are Op::device_value. Where it is used it is *closed*: a pass of one invocation computes it, and what is left
-// is a value of a device type.
+// While such an expression is being checked it is *open*: a tree of plain types, as if the host knew the values, whose
+// leaves on the device are nodes Op::device_value. Where the whole expression is used it is *closed*: one pass of one
+// invocation computes it, and a call of that pass replaces the tree, with a device type.
 #pragma once
 
 #include "sema/body.h"
 
 namespace gliftc::sema {
 
-/// While it lives, operands are checked as parts of an expression that a pass may compute.
+/// While an object of this class lives, expressions are checked as operands of a larger one: values on the device stay
+/// open, so that one pass computes all.
 class Parts {
 public:
     explicit Parts(Body& body) : body_(body), outer_(body.is_open) { body.is_open = true; }
@@ -21,23 +23,25 @@ private:
     bool outer_;
 };
 
-/// An operand of such an expression.
+/// Checks an operand of a larger expression: check() while a Parts lives.
 Operand check_part(Body&, ast::ExprId);
-/// Whether a pass must compute the expression.
+/// Whether the expression has a leaf on the device, so that a pass must compute it.
 bool is_open(const Body&, ir::ExprId);
-/// A value of a device type as a leaf of an expression; other operands are what they are.
+/// Makes a value of a device type a leaf (Op::device_value) of an open expression; returns any other operand unchanged.
 Operand opened(Body&, Operand);
 ir::ExprId opened(Body&, ir::ExprId);
-/// An open expression as a value of a device type; other operands are what they are.
+/// Makes a value of a device type of an open expression, by a pass where it is more than a leaf; returns any other
+/// operand unchanged.
 Operand closed(Body&, Operand);
 ir::ExprId closed(Body&, ir::ExprId);
-/// A value of the host on the device.
+/// Computes the expression in a pass, also if the host knows its value: a value of a device type.
 ir::ExprId on_device(Body&, ir::ExprId);
+/// Whether the expression has a device type.
 bool is_on_device(const Body&, ir::ExprId);
 
-/// Lets a kernel's value lie on the device.
+/// Changes a value parameter of the kernel to pattern `argument`: a value on the device.
 void make_argument(Context&, ir::Kernel&, std::size_t param, Span use);
-/// A kernel some of whose values are on the device.
+/// The variant of a kernel whose parameters with `on_device` set are values on the device.
 std::uint32_t kernel_with_arguments(Context&, std::uint32_t kernel, const std::vector<bool>& on_device, Span use);
 
 }  // namespace gliftc::sema

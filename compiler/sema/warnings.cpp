@@ -9,13 +9,13 @@ namespace gliftc::sema {
 
 namespace {
 
-/// The names in a body.
+/// The names that a body mentions.
 class Mentions {
 public:
     Mentions(const Context& context, const std::vector<ast::StmtId>& body) : c(context) { statements(body); }
 
     bool is_named(Name name) const { return named_.contains(name.index); }
-    /// Assigned to, or handed to a call that may write it.
+    /// Whether the name is assigned to, or passed to a call, which may write it.
     bool may_be_written(Name name) const { return written_.contains(name.index); }
 
 private:
@@ -42,7 +42,7 @@ private:
     std::unordered_set<std::uint32_t> named_, written_;
 };
 
-/// Ranges that kernels run over are needed even where no element is.
+/// Whether the parameter's range is iterated over: it is needed even if the body uses no element of it.
 bool is_visited(ast::Pattern pattern) {
     return pattern == ast::Pattern::each || pattern == ast::Pattern::at || pattern == ast::Pattern::instance;
 }
@@ -59,7 +59,8 @@ void check_param(Context& c, const ast::Param& param, const Mentions& mentions) 
          "a name that begins with '_' may stay unused");
 }
 
-/// The type of a struct tells overloads apart, and finds the functions of an interface.
+/// Whether the parameter is a struct: its type selects among overloads and functions of interfaces, so that it may be
+/// unused.
 bool chooses_function(Context& c, const Env& env, const ast::Param& param) {
     return param.pattern == ast::Pattern::none && c.types().kind(type_of(c, env, param.type)) == ir::TypeKind::struct_;
 }
@@ -90,7 +91,7 @@ bool always_leaves(const Context& c, const std::vector<ast::StmtId>& body) {
     return std::ranges::any_of(body, [&](ast::StmtId id) { return always_leaves(c, c[id]); });
 }
 
-/// The first statement after one that always leaves, in each block.
+/// Warns, in each block, about the first statement after one that always jumps away.
 void check_reached(Context& c, const std::vector<ast::StmtId>& body) {
     for (std::size_t i = 0; i < body.size(); ++i) {
         const ast::Stmt& stmt = c[body[i]];
@@ -103,7 +104,7 @@ void check_reached(Context& c, const std::vector<ast::StmtId>& body) {
     }
 }
 
-/// `x = x;` of one name.
+/// Warns about `x = x;`.
 void check_self_assignments(Context& c, const std::vector<ast::StmtId>& body) {
     for (ast::StmtId id : body) {
         const ast::Stmt& stmt = c[id];
@@ -117,7 +118,7 @@ void check_self_assignments(Context& c, const std::vector<ast::StmtId>& body) {
     }
 }
 
-/// A kernel or a pipeline.
+/// Checks a kernel or a pipeline.
 void check_pass(Context& c, const std::vector<ast::Param>& params, const std::vector<ast::StmtId>& body) {
     check_reached(c, body);
     check_self_assignments(c, body);
@@ -125,7 +126,7 @@ void check_pass(Context& c, const std::vector<ast::Param>& params, const std::ve
     for (const ast::Param& param : params) check_param(c, param, mentions);
 }
 
-/// Both parts of a draw.
+/// Checks both parts of a draw.
 void check_raster(Context& c, const ast::Kernel& raster) {
     check_reached(c, raster.body);
     check_reached(c, raster.raster->fragment);
@@ -141,7 +142,7 @@ void check_function(Context& c, ast::DeclId id, const ast::Function& function) {
     if (!function.has_body) return;
     check_reached(c, function.body);
     check_self_assignments(c, function.body);
-    if (!c[id].generics.empty()) return;  // its types are not known
+    if (!c[id].generics.empty()) return;  // the types of its parameters are not known
     const Mentions mentions(c, function.body);
     const Env& env = c.new_env(c.module_of.at(id));
     for (const ast::Param& param : function.params)

@@ -1,12 +1,12 @@
-// What is well formed, but surely not meant: parameters that nothing uses, results that nothing writes, statements
-// after a jump.
+// Warnings about code that is valid but surely not meant: unused parameters, results that are never written,
+// unreachable statements, `x = x`.
 #pragma once
 
 #include "sema/context.h"
 
 namespace gliftc::sema {
 
-/// Looks at what is written, not at instances, so that generic code is warned about once.
+/// Looks at syntax trees, not at instances, so that each generic declaration is warned about once.
 void warn(Context&, const std::vector<ast::DeclId>& declarations);
 
 }  // namespace gliftc::sema

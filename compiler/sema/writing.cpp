@@ -35,14 +35,14 @@ std::string_view word_of(ir::Combine combine) {
     return "";
 }
 
-/// `scatter<name, or>`, as it is written.
+/// The source text of a pattern: `scatter<name, or>`.
 std::string pattern_text(ir::Pattern pattern, ir::Combine combine, const std::string& of) {
     std::string text = std::string(ir::traits_of(pattern).name) + "<" + of;
     if (combine != ir::Combine::replace) text += ", " + std::string(word_of(combine));
     return text + ">";
 }
 
-/// `grid.wanted`: the path of members from a name.
+/// The source text of a path of members from a name: `grid.wanted`.
 std::string path_text(const Context& c, std::string name, std::uint32_t structure, const ir::Place& place) {
     for (std::uint32_t member : place.members) {
         const ir::MemberStructure& next = c.program.structures[structure].members[member];
@@ -182,7 +182,7 @@ void declare_writing(Body& body, const ast::Param& param, ir::KernelParam made, 
 
 namespace {
 
-/// The member that a `with` names, whose elements a function may write; else reports.
+/// The member named in a `with`; reports a name that is no member, or whose elements cannot be written.
 Symbol* written_member(Body& body, const ast::MemberPattern& pattern) {
     Context& c = body.context;
     Symbol* symbol = body.container ? find_symbol(body, pattern.member.name) : nullptr;
@@ -253,7 +253,7 @@ bool fits_writing(Body& body, const Env& env, const ast::Param& param, const Ope
 
 namespace {
 
-/// Whether the effect may be had by what calls it, through the structure that was given.
+/// Whether the caller may have this effect through the structure that it passes; reports where not.
 bool may_have(Body& body, const ir::Function& called, const ir::Effect& effect, const Operand& through, Span span) {
     Context& c = body.context;
     if (body.effects == nullptr) {
@@ -290,7 +290,8 @@ bool add_effects(Body& body, ir::FunctionId id, const std::vector<Operand>& give
     const ir::Function called = body.program().functions[id];
     for (ir::Effect effect : called.effects) {
         const Operand& through = given[effect.place.root];
-        // A parameter that writes was given what is written so.
+        // A parameter with a pattern: fits_writing() has checked that the caller declares the same pattern, and so has
+        // the effect.
         const bool is_param = effect.place.members.empty() && !(is_method && effect.place.root == 0);
         ir::Place place = through.place;
         place.members.append(effect.place.members);
@@ -325,7 +326,7 @@ std::string call_text(const Context& c, const ir::Effect& effect, const std::str
 
 }  // namespace
 
-/// The first read of what the kernel writes otherwise.
+/// Reports the first read, by plain address, of a memory that the kernel also writes by scatter or through functions.
 template <class MemoryOf, class TextOf>
 static void check_reads(Context& c, const ir::Kernel& kernel, MemoryOf&& memory_of, TextOf&& text_of) {
     bool is_reported = false;

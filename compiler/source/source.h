@@ -34,7 +34,7 @@ struct Position {
 
 /// One file's text with its line starts.
 struct SourceFile {
-    std::string path;  ///< as given on the command line or as an import resolved to; '/' separators
+    std::string path;  ///< as given on the command line, or as found for an import; separators are '/'
     std::string text;
     std::vector<std::uint32_t> line_starts;  ///< byte offset of each line's first byte
 };
@@ -47,8 +47,8 @@ public:
     std::uint32_t size() const { return static_cast<std::uint32_t>(files_.size()); }
 
     std::string_view text(Span span) const;
-    Position position(Span span) const;                                   ///< of the span's first byte
-    std::uint32_t line_of(Span span) const;                               ///< the position's line
+    Position position(Span span) const;                                   ///< position of the span's first byte
+    std::uint32_t line_of(Span span) const;                               ///< line of the span's first byte
     std::string_view line(std::uint32_t file, std::uint32_t line) const;  ///< without its end of line
 
 private:

@@ -1,4 +1,5 @@
-// The syntax tree: made by the parser, read by sema. No names are resolved.
+// The syntax tree: made by the parser, read by sema. No names are resolved. Comments of enumerators show the syntax or
+// say which fields of the node are used; words before a colon in the comment of a field name the kinds that use it.
 //
 // Types are expressions: `Array<4, float>`, `float4`, `T[8]`, `vec<N, uint>?` use the same nodes as values, and sema
 // interprets an expression as a type or as a value by its context.
@@ -41,8 +42,8 @@ enum class ExprKind : std::uint8_t {
     name,            // name
     generic,         // operands[0] < operands[1..] >, `Array<4, float>`
     member,          // operands[0] . name
-    index,           // operands[0] [ operands[1..] ]; as a type: an array; an empty bracket: one operand
-    call,            // operands[0] ( operands[1..] ); named arguments in `labels`
+    index,           // operands[0] [ operands[1..] ]; as a type: an array; `T[]` has one operand
+    call,            // operands[0] ( operands[1..] ); names of arguments in `labels`
     unary,           // op operands[0]
     binary,          // operands[0] op operands[1]; includes ?? and `then`
     conditional,     // operands[0] ? operands[1] : operands[2]
@@ -88,7 +89,7 @@ struct Expr {
     std::uint64_t value = 0;  ///< int_literal, bool_literal
     double number = 0;        ///< float_literal
     std::vector<ExprId> operands;
-    std::vector<Identifier> labels;  ///< call, tuple: one an argument where any is named, else empty
+    std::vector<Identifier> labels;  ///< call, tuple: a name (or none) for each argument; empty if no argument is named
 };
 
 // ----------------------------------------------------------------------------------------------------- statements
@@ -126,7 +127,7 @@ struct Stmt {
     std::vector<StmtId> body;       ///< if_, for_, while_, block
     std::vector<StmtId> otherwise;  ///< if_: the else part (one if_ statement for `else if`)
     bool has_else = false;
-    bool is_uninitialized = false;  ///< temp
+    bool is_uninitialized = false;  ///< temp: written with `uninitialized`
 };
 
 // --------------------------------------------------------------------------------------------------- declarations
@@ -138,10 +139,11 @@ struct GenericParam {
     ExprId default_value;  ///< or absent
 };
 
-/// How a kernel or pipeline parameter, or a function's, is passed.
+/// Whether a parameter is read, written or both.
 enum class Direction : std::uint8_t { none, in, out, inout };
 
-/// The access pattern of an iterator.
+/// The access pattern of a parameter: how it may be accessed, and which elements (docs/language.md, "Kernels and
+/// iterators").
 enum class Pattern : std::uint8_t { none, each, near, any, at, scatter, coherent, calls, target, instance, range };
 
 /// `name: [in|out|inout] [each|near|any|at|scatter|coherent|calls|target|instance|range]<type, extra…> [= default]`, or
@@ -177,7 +179,7 @@ struct MemberPattern {
 /// too.
 struct Function {
     std::vector<Param> params;
-    std::vector<ExprId> group;  ///< of the kernels that call it; empty: any
+    std::vector<ExprId> group;  ///< the workgroup that its callers must have; empty: any or none
     std::vector<MemberPattern> with;
     ExprId result;  ///< or absent
     std::vector<StmtId> body;
@@ -193,9 +195,9 @@ struct Field {
 
 struct Struct {
     std::vector<Field> fields;
-    std::string extern_header;  ///< `extern struct X from "file.hpp";`, else empty
+    std::string extern_header;  ///< "file.hpp" of `extern struct X from "file.hpp";`, else empty
     Span extern_span;
-    // Filled from the header before sema, with `fields`:
+    // Filled from the C++ header before sema, as are `fields`:
     std::string extern_name;             ///< as C++ writes it: "sim::Particle"
     std::vector<std::uint32_t> offsets;  ///< bytes, one a field
     std::uint32_t size = 0;              ///< bytes
@@ -293,12 +295,12 @@ struct Varying {
     ExprId type;
 };
 
-/// What a raster has that a kernel has not. Its vertex part is the kernel's body.
+/// The parts of a raster that other kernels do not have. Its vertex part is the kernel's body.
 struct Raster {
     std::vector<RasterState> states;
     std::vector<Varying> varyings;
     std::vector<StmtId> fragment;
-    Span fragment_span;  ///< of the word `fragment`; absent: there is no such part
+    Span fragment_span;  ///< the word `fragment`; absent if there is no fragment part
 };
 
 /// `kernel name<…>(params) [group(x[, y[, z]])] { … }`, or `raster name<…>(params) { … vertex { … } fragment { … } }`
@@ -312,7 +314,7 @@ struct Kernel {
 /// `pipeline name<…>(params) [-> type] { … }`
 struct Pipeline {
     std::vector<Param> params;
-    Pattern result_pattern = Pattern::none;  ///< `-> range<1, T>`: range, result is N, result_extra is T
+    Pattern result_pattern = Pattern::none;  ///< range for `-> range<N, T>`, where result is N and result_extra is T
     ExprId result;
     ExprId result_extra;
     std::vector<StmtId> body;

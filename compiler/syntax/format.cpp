@@ -28,7 +28,7 @@ public:
 private:
     // ---- ends of constructs
 
-    /// The piece after the statement that begins at `from`, without its trailing comments.
+    /// The index of the piece after the statement that begins at `from`; its trailing comments are not part of it.
     std::uint32_t end_of_statement(std::uint32_t from, std::uint32_t limit) const {
         for (std::uint32_t i = from; i < limit; ++i) {
             const Piece& piece = pieces_[i];
@@ -43,7 +43,7 @@ private:
         return limit;
     }
 
-    /// The piece after `@name(arguments) @name…` if a new line follows, else `from`.
+    /// The index of the piece after `@name(arguments) @name…` if that begins a new line, else `from`.
     std::uint32_t end_of_attribute(std::uint32_t from, std::uint32_t limit) const {
         std::uint32_t end = from;
         while (end < limit && pieces_[end].is(TokenKind::at_sign) && (end == from || !pieces_[end].first_on_line)) {
@@ -114,7 +114,7 @@ private:
         return pieces_[i].kind == PieceKind::line_comment || i + 1 >= limit || pieces_[i + 1].first_on_line;
     }
 
-    /// Comments after code on the same line.
+    /// Appends comments that follow code on the same line.
     void trailing_comments(std::uint32_t limit) {
         while (at_ < limit && pieces_[at_].is_comment() && !pieces_[at_].first_on_line) {
             trailing_.push_back({line_start_, out_.size()});
@@ -189,7 +189,7 @@ private:
         ++at_;
     }
 
-    /// One a line.
+    /// Formats enumerators, one a line.
     void enumerators(std::uint32_t close, std::size_t indent) {
         while (at_ < close) {
             new_line(indent);

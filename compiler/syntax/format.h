@@ -11,8 +11,8 @@
 namespace gliftc {
 
 /// The file in canonical format: indentation of 4, 120 columns, one statement a line, comments kept, no two empty lines
-/// in a row. A block on one line stays there if it fits. Formatting is idempotent. Nothing, with errors reported, if
-/// the file does not parse.
+/// in a row. A block written on one line stays on it if it fits. Formatting is idempotent. Absent, with errors
+/// reported, if the file does not parse.
 std::optional<std::string> format(std::uint32_t file, const Sources& sources, Names& names, Diagnostics& diagnostics);
 
 }  // namespace gliftc

@@ -17,8 +17,8 @@ struct Piece {
     std::string_view text;
     bool first_on_line = false;  ///< in the source
     bool blank_before = false;   ///< an empty line precedes it in the source
-    bool space_before = false;   ///< space, or the end of a line
-    std::uint32_t partner = 0;   ///< of an opening bracket: the piece that closes it
+    bool space_before = false;   ///< white space precedes it in the source
+    std::uint32_t partner = 0;   ///< opening brackets: index of the piece that closes it
 
     bool is(TokenKind wanted) const { return kind == PieceKind::token && token == wanted; }
     bool is_comment() const { return kind == PieceKind::line_comment || kind == PieceKind::block_comment; }
@@ -33,8 +33,8 @@ struct Piece {
     }
 };
 
-/// The pieces of a file that parsed without errors; the last is `end`. `written` are its tokens, `read` the same after
-/// parsing.
+/// The pieces of a file that parsed without errors; the last is `end`. `written` are the lexer's tokens; `read` the
+/// same after parsing, which set roles and shortened tokens like `>>` that it took in parts.
 std::vector<Piece> make_pieces(std::string_view text, const TokenList& written, const TokenList& read);
 
 /// Whether there is a space between two neighbours on one line.

@@ -122,7 +122,7 @@ template <std::size_t n> std::string find(const Habit (&habits)[n], std::string_
     return found == std::end(habits) ? std::string() : std::string(found->hint);
 }
 
-/// vec3 is float3, mat4 is float4x4.
+/// The type for a name of GLSL: float3 for vec3, float4x4 for mat4; empty if it is none.
 std::string glsl_type(std::string_view name) {
     constexpr Habit scalars[] = {{"vec", "float"}, {"ivec", "int"},    {"uvec", "uint"},
                                  {"bvec", "bool"}, {"dvec", "double"}, {"mat", "float"}};
@@ -152,7 +152,7 @@ std::string hint_for_directive(std::string_view word) {
     return {};
 }
 
-/// The first token of the statement or the declaration that is being read.
+/// The first token of the statement or declaration being parsed.
 const Token& Parser::head() const {
     using enum TokenKind;
     std::uint32_t at = cursor_;
@@ -167,7 +167,8 @@ const Token& Parser::head() const {
     return tokens_[at];
 }
 
-/// A hint for syntax of another language: how Glift writes it. Found from the surrounding tokens.
+/// A hint for syntax of another language: how Glift writes it. Recognised by the tokens around the error; empty if
+/// nothing fits.
 std::string Parser::habit(std::string_view wanted) const {
     using enum TokenKind;
     const auto before = [&](std::uint32_t back) { return cursor_ >= back ? tokens_[cursor_ - back] : Token{}; };

@@ -1,4 +1,5 @@
-// Hints for names and syntax of C, C++, GLSL, HLSL, Rust and Python: what Glift uses instead.
+// Hints in error messages for users of C, C++, GLSL, HLSL, Rust and Python: what Glift has in place of names and syntax
+// of these.
 #pragma once
 
 #include <string>
@@ -9,10 +10,10 @@ namespace gliftc {
 /// The hint for a name of another language; empty if there is none.
 std::string hint_for_name(std::string_view name);
 
-/// The same for a word in place of a declaration.
+/// The hint for a word of another language where a declaration is expected; empty if there is none.
 std::string hint_for_declaration(std::string_view word);
 
-/// The same for a preprocessor directive.
+/// The hint for the name of a preprocessor directive; empty if there is none.
 std::string hint_for_directive(std::string_view word);
 
 }  // namespace gliftc

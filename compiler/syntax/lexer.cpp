@@ -28,7 +28,8 @@ CharClass class_of(char c) { return classes[static_cast<unsigned char>(c)]; }
 bool is_beyond_ascii(char c) { return (c & 0x80) != 0; }
 bool continues_word(char c) { return class_of(c) >= letter; }
 
-/// Keywords and words, indexed by the name's number: they are interned first, so that the table is short.
+/// Keywords and contextual keywords, indexed by Name::index. They are interned before other names, so that the table is
+/// short.
 class WordTable {
 public:
     explicit WordTable(Names& names) {
@@ -110,7 +111,8 @@ private:
         push(kind, begin, name, meaning);
     }
 
-    /// A word with letters beyond ASCII is one error, and still a name; a run of only such characters is not a name.
+    /// A word with letters beyond ASCII: one error, after which it counts as an identifier; without any ASCII letter it
+    /// does not.
     void foreign_word(std::size_t begin) {
         std::size_t first = begin;
         while (first < text_.size() && !is_beyond_ascii(text_[first])) ++first;
@@ -220,7 +222,7 @@ private:
         list_.comments.push_back({offset(begin), offset(last), offset(list_.tokens.size()), is_doc, first_on_line_});
     }
 
-    /// Does not nest, as in C.
+    /// Block comments do not nest, as in C.
     void block_comment() {
         std::size_t begin = at_;
         bool first = first_on_line_;
@@ -287,7 +289,7 @@ private:
         return !std::strchr("()[]{},;:@~.?=!<>+-*/%&|^\"", c) || c == '\0';
     }
 
-    /// One error for a whole run of them.
+    /// Reports a run of characters that begin no token as one error.
     void bad_characters() {
         std::size_t begin = at_++;
         auto code = static_cast<unsigned char>(text_[begin]);
@@ -311,11 +313,11 @@ private:
     Diagnostics& diagnostics_;
     std::size_t at_ = 0;
     bool first_on_line_ = true;
-    bool valid_ = true;  // is valid UTF-8; else bytes beyond ASCII are not reported individually
+    bool valid_ = true;  // the text is valid UTF-8; if not, characters beyond ASCII are not reported one by one
     TokenList list_;
 };
 
-/// The length of the valid sequence at `at`, or 0.
+/// The length in bytes of the UTF-8 character at `at`; 0 if it is invalid.
 std::size_t sequence_length(std::string_view text, std::size_t at) {
     auto byte = [&](std::size_t i) { return at + i < text.size() ? static_cast<unsigned char>(text[at + i]) : 0u; };
     auto continues = [&](std::size_t i) { return (byte(i) & 0xc0) == 0x80; };

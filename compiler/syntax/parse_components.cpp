@@ -1,4 +1,4 @@
-// Translators, structures, views, adaptors.
+// Declarations of translators, structures, views and adaptors.
 #include "syntax/parser_state.h"
 
 namespace gliftc {

@@ -19,7 +19,7 @@ struct Operator {
     int precedence = 0;
 };
 
-/// As in C, with `??` below `||`. Precedence 0: not a binary operator.
+/// Precedences are those of C; `??` binds less than `||`. Precedence 0: not a binary operator.
 constexpr int least_precedence = 1, additive_precedence = 10;
 
 constexpr auto binary_operators = [] {
@@ -60,7 +60,8 @@ std::optional<UnaryOp> prefix_of(TokenKind kind) {
     return std::nullopt;
 }
 
-/// Bounds the height of the tree, since later stages recurse over it: a chain `a + a + …` is as high as it is long.
+/// The largest height of an expression's tree, over which later stages recurse: a chain `a + a + …` is as high as it is
+/// long.
 constexpr std::uint16_t highest = 1000;
 
 }  // namespace
@@ -132,7 +133,7 @@ ast::ExprId Parser::parse_conditional() {
     return add(std::move(expr));
 }
 
-/// binary = unary { operator unary } ;      by precedence, all left-associative
+/// binary = unary { operator unary } ;      grouped by precedence; all operators are left-associative
 ast::ExprId Parser::parse_binary(int least) {
     std::uint32_t first = cursor_;
     ExprId left = parse_unary();

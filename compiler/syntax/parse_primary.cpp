@@ -119,7 +119,7 @@ ast::ExprId Parser::parse_literal() {
     return add(std::move(expr));
 }
 
-/// Continues as after a valid number, to report one error only.
+/// Reports a malformed number. The parser then continues as after a valid one, so that this is the only error.
 ast::ExprId Parser::parse_bad_number() {
     std::string_view text = text_of(peek());
     std::string note = text.starts_with('.') ? "write 0" + std::string(text)
@@ -299,7 +299,7 @@ ast::ExprId Parser::parse_generic_arguments(ExprId base, std::uint32_t first) {
     return add(std::move(expr));
 }
 
-/// Whether the token has several `>` and so also closes enclosing generic arguments.
+/// Whether the token, `>` and more characters, closes enclosing generic arguments.
 bool Parser::closes_outer(TokenKind kind) const {
     return open_angles_ > 0 && (kind == greater_greater || kind == greater_greater_equal || kind == greater_equal);
 }
@@ -321,7 +321,7 @@ bool Parser::generic_arguments_follow() const {
             ++angles;
         } else if (kind == greater || kind == greater_greater) {
             angles -= kind == greater ? 1 : 2;
-            if (angles < 0) return open_angles_ > 0;  // `>>` closes the outer ones too
+            if (angles < 0) return open_angles_ > 0;  // `>>` closes an enclosing list, too
             if (angles == 0) return after_generic_arguments.has(peek(i + 1).kind) || closes_outer(peek(i + 1).kind);
         } else if (kind == greater_greater_equal) {
             return angles == 1 && open_angles_ > 0;

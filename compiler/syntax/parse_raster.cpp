@@ -1,4 +1,4 @@
-// Draws: states, varyings, and the two parts.
+// Declarations of draws (`raster`): states, varyings, and the vertex and fragment parts.
 #include "syntax/parser_state.h"
 
 namespace gliftc {

@@ -10,7 +10,7 @@ namespace gliftc {
 /// Never fails: a syntax error is reported and becomes an error node, or is left out.
 ast::Module parse(std::uint32_t file, const Sources& sources, Names& names, ast::Tree& tree, Diagnostics& diagnostics);
 
-/// The same from tokens; sets the roles of the tokens.
+/// The same for a file that has been lexed; sets the roles of the tokens.
 ast::Module parse(TokenList& tokens, std::uint32_t file, const Sources& sources, Names& names, ast::Tree& tree,
                   Diagnostics& diagnostics);
 

@@ -80,7 +80,7 @@ private:
         bool ok;
     };
 
-    /// Between brackets a `>` is a comparison again.
+    /// While inside parentheses, brackets or braces: a `>` there is a comparison, also within generic arguments.
     struct Brackets {
         explicit Brackets(Parser& outer) : parser(outer), angles(std::exchange(outer.open_angles_, 0)) {}
         ~Brackets() { parser.open_angles_ = angles; }
@@ -196,16 +196,16 @@ private:
     Diagnostics& diagnostics_;
 
     std::uint32_t cursor_ = 0;
-    std::uint32_t previous_end_ = 0;  // of the last consumed token, or part of a split `>>`
+    std::uint32_t previous_end_ = 0;  // end of the last token consumed; of a split `>>` or `??`, of the part consumed
     bool lost_ = false;
     bool has_open_string_;
     int depth_ = 0;
-    int open_angles_ = 0;                 // enclosing generic arguments
-    std::uint32_t first_expr_;            // of this file, in the tree
-    std::vector<std::uint16_t> heights_;  // of its expressions
+    int open_angles_ = 0;                 // how many lists of generic arguments are open here
+    std::uint32_t first_expr_;            // index in the tree of this file's first expression
+    std::vector<std::uint16_t> heights_;  // of this file's expressions, from first_expr_ on: bounded, see add()
     std::uint32_t unclosed_at_ =
-        0xffffffffu;  // the token where a missing `}` was reported: not reported again for the outer braces
-    std::uint32_t badly_indented_ = 0xffffffffu;  // the first `{` whose `}` is in another column: the likely cause
+        0xffffffffu;  // where a missing `}` was reported, so that enclosing braces do not report it again
+    std::uint32_t badly_indented_ = 0xffffffffu;  // first `{` whose `}` is indented otherwise: likely lacks its own
 };
 
 }  // namespace gliftc

@@ -130,7 +130,7 @@ bool Parser::at_statement_keyword() const {
     return statement_keywords.has(peek().kind) || (item_words.has(peek().word) && peek(1).kind == identifier);
 }
 
-/// A contextual keyword that begins a declaration.
+/// Whether the token is a contextual keyword that begins declarations.
 bool Parser::at_declaration_word() const { return declaration_words.has(peek().word); }
 
 bool Parser::at_declaration() const {
@@ -139,7 +139,7 @@ bool Parser::at_declaration() const {
     return declaration_words.has(peek().word) && peek(1).kind == identifier;
 }
 
-/// A declaration in the first column ends open braces: a `}` is missing.
+/// Whether a declaration begins in the first column here. Within braces that means that a `}` is missing: it ends them.
 bool Parser::at_declaration_in_first_column() const {
     if (!peek().first_on_line || !at_declaration() || at(kw_const)) return false;
     std::uint32_t begin = peek().begin;

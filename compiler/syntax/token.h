@@ -11,13 +11,13 @@
 namespace gliftc {
 
 enum class TokenKind : std::uint8_t {
-    end,  // of the file; always the last token
+    end,  // the end of the file: always the last token
     identifier,
     integer,
     floating,
     bad_number,  // malformed
     string,
-    bad_character,  // or several; reported already
+    bad_character,  // one or several characters that no token has; reported already
 #define PUNCTUATION(name, text) name,
 #define KEYWORD(text) kw_##text,
 #define WORD(text)
@@ -39,7 +39,7 @@ enum class Word : std::uint8_t {
 #undef WORD
 };
 
-/// Disambiguates tokens with several meanings, for the formatter. Set by the parser.
+/// The meaning of a token whose spelling has several, such as `<`. Set by the parser, for the formatter.
 enum class Role : std::uint8_t {
     none,
     open_generic,
@@ -70,7 +70,7 @@ struct Comment {
 struct TokenList {
     std::vector<Token> tokens;
     std::vector<Comment> comments;
-    bool has_open_string = false;  ///< an unterminated string, which may have swallowed closing braces of its line
+    bool has_open_string = false;  ///< there is an unterminated string, which may contain brackets meant as tokens
 };
 
 /// "'{'", "'kernel'", "an identifier": for messages.

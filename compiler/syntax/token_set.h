@@ -1,4 +1,4 @@
-// Sets of tokens and of words, for questions like "can this begin a declaration?".
+// Sets of token kinds and of contextual keywords, for questions like "can this begin a declaration?".
 #pragma once
 
 #include "syntax/token.h"

@@ -1,4 +1,4 @@
-// format_code: clangFormat as a library.
+// Implements format_code with clangFormat as a library.
 
 #include "interop/plugin.h"
 
@@ -12,7 +12,7 @@ namespace {
 
 using clang::format::FormatStyle;
 
-/// The style of a file, or by name; an error says which of the two failed.
+/// The style in a .clang-format file or of that name; else an error that says which of the two failed.
 llvm::Expected<FormatStyle> find_style(std::string_view wanted) {
     const llvm::StringRef style(wanted.data(), wanted.size());
     if (!llvm::sys::fs::exists(style)) {

@@ -1,4 +1,4 @@
-// import_struct: parses a C++ header with clang and reads a struct's layout from the AST.
+// Implements import_struct: parses a C++ header with clang and reads a struct's fields and layout from the AST.
 
 #include "interop/plugin.h"
 
@@ -47,8 +47,8 @@ struct NamedVector {
     std::uint32_t components;
 };
 
-/// The vector that a C++ name stands for, float2 to uint64_4: one of the runtime, or a user's own of that name.
-/// Namespaces are not looked at; import_record() checks the size.
+/// The vector type that a C++ name, float2 to uint64_4, means: the runtime's, or a user's of the same name in any
+/// namespace. import_record() checks the size.
 std::optional<NamedVector> vector_named(llvm::StringRef name) {
     static const std::pair<llvm::StringRef, ImportedScalar> stems[] = {
         {"float", ImportedScalar::Float},  {"int", ImportedScalar::Int},        {"uint", ImportedScalar::Uint},
@@ -81,7 +81,7 @@ class Importer {
 public:
     Importer(ASTContext& context, ImportResult& result) : context_(context), result_(result) {}
 
-    /// Appends the struct, after those it contains, and returns its index; none when an error was reported.
+    /// Appends the struct, after those that it contains, and returns its index; none after an error.
     std::optional<std::uint32_t> import(const CXXRecordDecl& record) {
         if (const auto known = indices_.find(&record); known != indices_.end()) return known->second;
         if (!check(record)) return std::nullopt;
@@ -118,7 +118,8 @@ private:
         return context_.getSourceManager().getPresumedLoc(location).getLine();
     }
 
-    /// Whether the struct can be copied bytewise to the device and consists of its named fields only.
+    /// Whether the struct can be copied to the device byte by byte and has no data besides named fields; reports where
+    /// not.
     bool check(const CXXRecordDecl& record) {
         const std::string name = "'" + record.getQualifiedNameAsString() + "'";
         if (!record.isStruct() && !record.isClass()) {
@@ -193,8 +194,9 @@ private:
         return true;
     }
 
-    /// A vector is a struct named float3, a field whose type is an alias of that name, or an instance of a class
-    /// template called vec, of a scalar type and a number of components in either order.
+    /// The vector type that a field has, if it has one: its struct is named float3, its type is an alias of that name,
+    /// or it is an instance of a class template called vec with a scalar type and a number of components, in either
+    /// order.
     std::optional<NamedVector> vector_of(const CXXRecordDecl& record, const FieldDecl& field) const {
         if (const auto vector = vector_named(record.getName())) return vector;
         const auto* alias = field.getType()->getAs<TypedefType>();
@@ -244,8 +246,8 @@ private:
     std::map<const CXXRecordDecl*, std::uint32_t> indices_;
 };
 
-/// The definitions that `name` may mean: the one with exactly this qualified name; else, where `name` has no `::`,
-/// those of that name in any namespace.
+/// The definitions that `name` may mean: the one with exactly this qualified name; else, if `name` has no `::`, those
+/// with this name in any namespace.
 std::vector<const CXXRecordDecl*> find_records(ASTContext& context, llvm::StringRef name) {
     std::vector<const CXXRecordDecl*> found;
     const auto search = [&](const auto& self, const DeclContext& scope) -> void {
