@@ -197,7 +197,7 @@ void Validator::no_cpu_level(const std::vector<StmtId>& body) {
     });
 }
 
-/// What a body declares is not known after it.
+/// Locals that a body declares are out of scope after it.
 void Validator::body(const std::vector<StmtId>& body) {
     auto outer = known_;
     for (StmtId id : body) stmt(p.stmts[id]);
