@@ -14,7 +14,7 @@ namespace {
 
 bool has_effect(const Pass& pass, const Expr& node) {
     if (node.op == Op::load || node.op == Op::guarded_load)
-        return pass.bindings[node.slot].coherent;  // each one may see something else
+        return pass.bindings[node.slot].coherent;  // other invocations write it: each load may give another value
     if (node.op != Op::intrinsic) return false;
     return signature_of(node.intrinsic)[0] == '@' || is_collective(node.intrinsic);
 }
@@ -47,7 +47,7 @@ std::uint8_t Numbers::find_traits(ExprId id) {
     return trait;
 }
 
-/// What tells the node apart besides its operands.
+/// A hash of everything in the node but its operands.
 ShapeKey Numbers::shape_of(const Expr& node) const {
     ShapeKey key;
     key.mix(static_cast<std::uint64_t>(node.op) << 32 | node.type.index);
@@ -97,7 +97,7 @@ ValueNumber Numbers::of(ExprId id) {
     for (ExprId operand : node.operands) key.mix(of(operand));
     ValueNumber& number = memory_->number_of(key);
     if (number == 0) number = ++next_;
-    // What has an effect is another value each time.
+    // An expression with an effect has another value at each evaluation.
     if (!(traits & impure)) memory_->learn(id, number, !(traits & changes));
     return number;
 }
@@ -112,7 +112,7 @@ void Numbers::change_all(const Stmt& stmt) {
     change_all(stmt.otherwise);
 }
 
-/// Without the statements inside it.
+/// Notes what the statement itself changes, without the statements inside it.
 void Numbers::change_by(const Stmt& stmt) {
     if (stmt.op == StmtOp::assign) {
         ExprId root = stmt.target;

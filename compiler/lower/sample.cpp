@@ -1,4 +1,5 @@
-// Filtered reads: the device's sampler where a texel's address is its virtual address, else a weighted sum of reads.
+// Expander: filtered reads. They use the device's sampler if the memory is an image in which elements have their own
+// addresses, else a weighted sum of reads.
 #include "ir/chain.h"
 #include "lower/expand.h"
 
@@ -6,7 +7,8 @@ namespace gliftc::lower {
 
 using namespace ir;
 
-/// Whether the structure keeps element a in texel a of an image that devices filter: they need not filter depths.
+/// Whether the structure keeps element a in texel a of an image that devices can filter: not of depths, for which they
+/// need not support it.
 bool Expander::is_texel_address(const Place& place) {
     const Structure& structure = cx.structure_at(place);
     if (is_computed(p, structure)) return false;
@@ -37,7 +39,7 @@ ExprId Expander::sample(const Expr& node) {
         at = make.add(at, make.convert(make.type(at), from_origin(place, make.zero(structure.domain_type))));
     ExprId point = make.binary(BinaryOp::divide, at, size);
     if (root_memory(p, structure).shape == MemoryShape::image2darray) {
-        // Devices take the nearest layer, by its number.
+        // Samplers round the layer to the nearest number.
         Expr half;
         half.type = p.types.float_;
         half.number = 0.5;
@@ -53,7 +55,7 @@ ExprId Expander::sample(const Expr& node) {
     return p.exprs.add(std::move(sampled));
 }
 
-/// Element centres lie at +0.5: the 2^n elements around the point, weighted by its distance to each, x first.
+/// Linear filtering: interpolates between the 2^n elements around the point, along x first. Element centres lie at 0.5.
 ExprId Expander::filtered(const Place& place, ExprId at) {
     const Structure& structure = cx.structure_at(place);
     std::string name = cx.name_of(place);
@@ -66,7 +68,7 @@ ExprId Expander::filtered(const Place& place, ExprId at) {
     ExprId lower = named(name + "_lower", make.binary(BinaryOp::subtract, at, splat(p.exprs.add(half))));
     ExprId corner = named(name + "_corner", make.intrinsic(Intrinsic::floor, floats, {lower}));
     ExprId weight = named(name + "_weight", make.binary(BinaryOp::subtract, lower, corner));
-    // Negative corners wrap to addresses outside the domain, where reads give the structure's otherwise.
+    // Negative corners wrap to large addresses, outside the domain, where reads give the structure's `otherwise`.
     TypeId ints = p.types.with_scalar(numbers, p.types.int_);
     ExprId base = named(name + "_base", make.convert(numbers, make.convert(ints, corner)));
     Operands values;
