@@ -69,7 +69,7 @@ enum class BinaryOp : std::uint8_t {
     greater,
     greater_equal,
     equal,
-    not_equal,  // scalar operands, except equal/not_equal: any, giving one bool
+    not_equal,  // comparisons take scalars; equal and not_equal also take other types, and give one bool
     bit_and,
     bit_xor,
     bit_or,
@@ -165,8 +165,8 @@ struct Effect {
 };
 
 struct Function {
-    Name name;            ///< as written
-    std::string display;  ///< with generic arguments, for comments and messages: linearize<3>
+    Name name;            ///< the declaration's
+    std::string display;  ///< name with generic arguments, for comments and messages: linearize<3>
     std::string key;      ///< display with module-qualified names: identifies the instance across compilations
     Span span;
     std::vector<LocalId> params;
@@ -179,7 +179,7 @@ struct Function {
     bool reads_memory = false;    ///< it or a function that it calls reads elements of structures
     std::vector<Effect> effects;  ///< writes, its own and those of the functions that it calls
     std::uint32_t module = 0;
-    std::string extern_name;  ///< a C++ function (host only), else empty
+    std::string extern_name;  ///< the C++ function to call instead (host only); else empty
     std::string doc;
     bool grouped() const { return group[0] != 0; }
     /// Whether calls are expanded as statements, not within expressions: a barrier or a write must be executed exactly
@@ -198,8 +198,7 @@ struct StructField {
 struct Struct {
     Name name;
     std::string display;
-    std::string
-        key;  ///< display with module-qualified names: identifies the struct across compilations; so do all keys
+    std::string key;  ///< display with module-qualified names: identifies it across compilations, as do all keys below
     std::uint32_t module = 0;
     bool is_pub = false;
     std::vector<StructField> fields;
@@ -237,7 +236,7 @@ struct Properties {
     bool affine = false;            ///< physical address is an affine function of the virtual one
     bool uniform = true;            ///< every address takes the same path through the code, early `none`s aside
     std::string memory_complexity;  ///< "O(1)", or as declared: "O(n)", …; "not known"
-    std::string access_complexity;  ///< likewise
+    std::string access_complexity;  ///< of one translation: "O(1)", …; "not known"
     std::string location = "GPU and CPU";
 };
 
@@ -249,14 +248,14 @@ struct Translator {
     Span span;
     std::uint32_t module = 0;
     TypeId virtual_type;                    ///< uint or a vector of uint
-    TypeId physical_type;                   ///< without the optional
+    TypeId physical_type;                   ///< uint or a vector of uint; not the optional that translate may give
     std::vector<StructField> scalars;       ///< state that is values: Op::state reads the one at its slot
     std::vector<std::uint32_t> structures;  ///< state that is structures, as instances: Place root i in its functions
     std::vector<Name> structure_names;
-    FunctionId translate;     ///< (va) -> physical or physical?
+    FunctionId translate;     ///< (virtual address) -> physical address, or an optional of it
     FunctionId wide;          ///< copy of translate with a 64-bit result, if it is scalar; made by lower/widen
     FunctionId wide_of_wide;  ///< copy of translate with 64-bit arguments and a 64-bit result
-    FunctionId invert;        ///< (pa) -> va; absent if not invertible
+    FunctionId invert;        ///< (physical address) -> virtual address; absent if not invertible
     FunctionId ranges;        ///< not used
     FunctionId domain;        ///< () -> extent of the virtual domain
     Properties properties;
@@ -303,7 +302,7 @@ struct ImagePart {
     enum class Kind : std::uint8_t { mip, layer } kind = Kind::mip;
     Place of;                ///< the structure that has the image, as seen from the one that declares the part (root 0)
     std::uint32_t slot = 0;  ///< the image's index among that structure's memories
-    ExprId number;           ///< of the level or the layer
+    ExprId number;           ///< the number of the level or layer
 };
 
 struct Memory {
@@ -339,7 +338,7 @@ struct Method {
     std::optional<std::uint32_t> pipeline;
 };
 
-/// Host state of an adaptor.
+/// A variable of an adaptor's host state.
 struct HostField {
     Name name;
     TypeId type;
@@ -376,16 +375,16 @@ struct Structure {
     Span span;
     std::uint32_t module = 0;          ///< the one with the declaration
     TypeId domain_type;                ///< uint or vector of uint; adaptors: void
-    TypeId element;                    ///< adaptors: void
+    TypeId element;                    ///< type of its elements; adaptors: void
     std::vector<LocalId> constructor;  ///< scalar constructor parameters; Op::member slot i
     std::vector<Memory> memories;
     std::vector<MemberStructure> members;  ///< Place::members are indices here
     std::vector<Stage> via;        ///< the first stage takes the virtual address; the last gives the physical one
     std::uint32_t via_memory = 0;  ///< the index in `memories` of the memory that `via` addresses, if `base` is empty
-    /// The structure that is the memory: a path of members, empty where the memory is one of `memories`. Without `via`
-    /// its addresses are the structure's own. See ir/chain.h.
+    /// The structure that is the memory, as a path of members; empty if the memory is one of `memories`. Without `via`
+    /// both have the same addresses. See ir/chain.h.
     RareVector<std::uint32_t> base;
-    Name base_name;  ///< as declared
+    Name base_name;  ///< the name that the declaration gives to that memory
     Span base_span;
     ExprId otherwise;                      ///< value of reads at unmapped addresses; absent: zero
     ExprId domain;                         ///< extent of the virtual domain, over the structure (root 0)
@@ -467,8 +466,7 @@ struct Pipeline {
     std::vector<PipelineParam> params;
     TypeId result;  ///< void, a value, device value, or slice
     std::vector<StmtId> body;
-    Span host_needed;  ///< the first statement that waits or changes host state; none: it may run under a device
-                       ///< condition
+    Span host_needed;  ///< the first statement that waits or changes host state; none: allowed under a device condition
     bool is_value =
         false;  ///< made by sema/values.cpp: one pass of one invocation, which computes a value on the device
     std::string doc;

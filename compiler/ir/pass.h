@@ -49,11 +49,11 @@ enum class ParameterSource : std::uint8_t {
     uniform,  // `value`, an expression that the host evaluates for each call: constants, arithmetic, calls, locals that
               // are the kernel's value parameters, and member / memory_extent / domain of its structure parameters
     origin,   // first virtual address of the range of kernel parameter `param`
-    size,     // the iteration size (uint or vector of uint)
+    size,     // size of the visited range (uint or vector of uint)
     range_size,  // size of the range of kernel parameter `param`
     address,     // uint64: device address of binding `param`
     index,       // where kernel parameter `param`, a value on the device, lies: its element index in its buffer
-    base,        // uint3: added to the invocation's id, wide form: the origin of a part of the dispatch
+    base,        // uint3, wide form: origin of a dispatch that is part of a larger one; added to invocation ids
 };
 
 struct PassParameter {
@@ -62,7 +62,7 @@ struct PassParameter {
     ParameterSource source = ParameterSource::uniform;
     ExprId value;              ///< for uniform
     std::uint32_t param = 0;   ///< for origin, range_size, index: a kernel parameter; for address: a binding
-    std::uint32_t offset = 0;  ///< bytes, scalar layout; set by layout/
+    std::uint32_t offset = 0;  ///< byte offset in the parameter block; set by layout/
 };
 
 struct Pass {
@@ -92,7 +92,7 @@ struct Pass {
     std::vector<std::vector<LocalId>>
         shared_places;               ///< set by layout/: lists of arrays that share an allocation, in turn
     std::uint32_t shared_bytes = 0;  ///< set by layout/
-    std::vector<LocalId> params;     ///< of a library's function
+    std::vector<LocalId> params;     ///< of a library's function: its parameters
     std::uint64_t loop_rounds = 0;   ///< upper bound on how often one invocation tests the conditions of its loops;
                                      ///< UINT64_MAX: not known at compile time. The same in all forms
     Span longest_loop;
@@ -108,7 +108,7 @@ struct Pass {
     bool has_base() const { return form == Form::wide && rank > 1 && splits; }
     bool splits = false;  ///< the body does not depend on workgroups, so that several dispatches can run it
 
-    /// Whether shaders count the iterations of every loop, for devices that limit them.
+    /// Whether shaders count the iterations of every loop, for devices that limit them (lavapipe).
     bool counts_rounds() const { return loop_rounds == UINT64_MAX; }
     /// Whether there is a binding after the others for the status record, in which shaders write reports and loop
     /// counts.

@@ -1,4 +1,4 @@
-// What the printers of expressions, statements and passes share.
+// The class that prints expressions, statements and passes, for the files print*.cpp.
 #pragma once
 
 #include "ir/pass.h"

@@ -128,7 +128,7 @@ ExprId Reader::literal() {
     return add(std::move(node));
 }
 
-/// ( expr ) or ( expr : type )
+/// Reads the rest of "( expr )" or "( expr : type )".
 ExprId Reader::parenthesized() {
     const ExprId inside = expr();
     if (accept(":")) p.exprs[inside].type = type();
@@ -200,7 +200,7 @@ ExprId Reader::parameter() {
     return add({.op = Op::parameter, .type = current().parameters[slot].type, .slot = slot});
 }
 
-/// The member of that name; created at its first use.
+/// The index of the member of that name; the member is created at its first use.
 std::uint32_t Reader::member_of(std::uint32_t structure, const std::string& called) {
     const auto& members = p.structures[structure].members;
     for (std::uint32_t i = 0; i < members.size(); ++i)
@@ -271,7 +271,7 @@ ExprId Reader::of_local(const std::string& called) {
     return add({.op = Op::local, .type = p.locals[found->second].type, .local = found->second});
 }
 
-/// name(binding, operand…)
+/// Reads the rest of "name(binding, operand…)".
 ExprId Reader::of_binding(Op op) {
     expect("(");
     const auto found = bindings_.find(name());

@@ -17,7 +17,7 @@ constexpr Scalar scalars[] = {
 
 }  // namespace
 
-/// float, float3, float4x4: digits are part of the word.
+/// Reads a built-in type, such as float, float3 or float4x4, whose digits are part of the word.
 std::optional<TypeId> Reader::accept_builtin_type() {
     if (accept("nothing")) return p.types.void_;
     if (accept("vec<")) {
@@ -70,7 +70,7 @@ TypeId Reader::type() {
     }
 }
 
-/// The name extends to the brace: it may contain generic arguments and commas.
+/// Reads a struct. Its name extends to the brace, since it may contain generic arguments and commas.
 void Reader::declare_struct() {
     skip_space();
     const std::size_t end = text_.find(" {", at_);

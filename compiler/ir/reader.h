@@ -1,4 +1,4 @@
-// What the readers of expressions, statements and passes share.
+// The class that reads expressions, statements and passes, for the files read_*.cpp.
 #pragma once
 
 #include "base/concat.h"

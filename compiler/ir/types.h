@@ -22,15 +22,15 @@ enum class TypeKind : std::uint8_t {
     half,
     double_,
     int64,
-    uint64,     // scalars
+    uint64,     // the last of the scalars
     vector,     // element × count (2, 3, 4)
     matrix,     // element × columns (count) × rows (rows)
     array,      // element × count
-    struct_,    // Program::structs
-    enum_,      // Program::enums; its values are uints
+    struct_,    // a struct: Program::structs[index]
+    enum_,      // an enum: Program::enums[index]; its values are uints
     optional,   // element?
     range,      // lo..hi of element (int or uint): only in `for` and slices
-    structure,  // Program::structures: an instance of a structure, view or adaptor
+    structure,  // an instance of a structure, view or adaptor: Program::structures[index]
     slice,      // only in pipelines: a box of a structure (element is the structure type)
     device,     // only in pipelines: a value of type `element` that lives on the device until awaited
 };
@@ -91,7 +91,7 @@ public:
     }
     /// The number of a vector's components; 1 for a scalar.
     std::uint32_t components(TypeId id) const { return is_vector(id) ? arena_[id].count : 1; }
-    TypeId with_scalar(TypeId shape, TypeId scalar);  ///< bool4 from (float4, bool)
+    TypeId with_scalar(TypeId shape, TypeId scalar);  ///< the shape with other scalars: bool4 from (float4, bool)
 
 private:
     Arena<Type> arena_;

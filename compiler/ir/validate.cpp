@@ -201,7 +201,7 @@ void Validator::no_cpu_level(const std::vector<StmtId>& body) {
 void Validator::body(const std::vector<StmtId>& body) {
     auto outer = known_;
     for (StmtId id : body) stmt(p.stmts[id]);
-    // A node visited inside may use a local that is not in scope outside: check it anew there.
+    // Nodes that were checked inside may use locals that are out of scope now: they must be checked again.
     if (outer.size() != known_.size()) seen_.clear();
     known_ = std::move(outer);
 }

@@ -23,7 +23,7 @@ namespace gliftc::lower {
 /// places of the structures and of the translator state that it uses.
 struct FunctionKey {
     ir::FunctionId function;
-    std::vector<std::vector<std::uint32_t>> places;  ///< of each structure: root, then members
+    std::vector<std::vector<std::uint32_t>> places;  ///< for each structure its Place: root, then members
     std::vector<std::uint32_t> state;  ///< of a translator's function: place of the structure, then index of the stage
     bool is_within = false;            ///< called by a translator or view: checked builds do not check its accesses
     auto operator<=>(const FunctionKey&) const = default;
@@ -90,7 +90,7 @@ struct Context {
     LocalId new_local(Name name, TypeId type, Span span, bool is_mutable = false);
     LocalId new_local(std::string_view name, TypeId type, Span span, bool is_mutable = false);
     const ir::Structure& structure_at(const ir::Place& place) const;
-    std::string name_of(const ir::Place& place) const;  ///< f, f_table
+    std::string name_of(const ir::Place& place) const;  ///< a name for the place in generated code: f, f_table
 };
 
 /// The number of nodes of a uniform value: one that is the same for all invocations and that the host can compute

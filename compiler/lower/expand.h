@@ -221,7 +221,7 @@ private:
     std::string link_name(const ir::Place& link) const;
     Pair expanded(const ir::Place& place, const ir::Stage& stage, ExprId address, const std::string& name);
     Pair centre(std::uint32_t root);            ///< physical address of the current element
-    ExprId centre_address(std::uint32_t root);  ///< its virtual address
+    ExprId centre_address(std::uint32_t root);  ///< virtual address of the current element
     ExprId domain_of(const ir::Place& place);
     bool is_range(const ir::Place& place) const;
     ExprId range_size(std::uint32_t root);
@@ -407,7 +407,7 @@ private:
     Block* out_ = nullptr;
     const Block* top_ = nullptr;  ///< the kernel's top-level statements, which are executed unconditionally
     Block prelude_;               ///< statements before the body: addresses of the current element
-    Span span_;                   ///< of the statement being expanded
+    Span span_;                   ///< source location of the statement that is being expanded
     std::unordered_map<std::uint32_t, Pair> centres_;
     std::unordered_map<std::uint32_t, ExprId> addresses_;
     OwnBlock block_;

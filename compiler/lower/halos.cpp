@@ -228,7 +228,7 @@ Expander::Copied Expander::places_of(const Halo& halo, const Halo::Part& part, N
         const ExprId round = count == 1 ? make.uint(0) : make.local(local);
         copied.loops.push_back(local);
         ExprId limit = make.uint(count);
-        if (step > 0 && count > 1) {  // the domain may end in the neighbour
+        if (step > 0 && count > 1) {  // the domain may end within the adjacent block
             found.all = make.both(found.all, make.binary(BinaryOp::greater_equal, next.room, limit));
             limit = make.intrinsic(Intrinsic::min, p.types.uint, {limit, next.room});
         }

@@ -210,7 +210,7 @@ void agree(const Program& program, std::span<Pass* const> forms) {
     const std::uint64_t rounds = longest.loop_rounds;
     const Span loop = longest.longest_loop;
     const bool has_reports = std::ranges::any_of(forms, &Pass::has_reports);
-    // An image is a texture in all forms or in none: calls of any form may follow each other on it.
+    // An image is sampled in all forms or in none, since calls of different forms may follow each other on it.
     for (std::size_t i = 0; i < forms[0]->bindings.size(); ++i) {
         const bool is_sampled = std::ranges::all_of(forms, [&](Pass* pass) { return pass->bindings[i].sampled; });
         for (Pass* pass : forms) pass->bindings[i].sampled = is_sampled;

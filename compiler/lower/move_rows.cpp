@@ -13,9 +13,9 @@ namespace {
 
 struct RowMove {
     bool is_load = false;
-    ExprId array;  ///< the local, all of which is moved
+    ExprId array;  ///< the local array, which is copied as a whole
     std::uint32_t binding = 0;
-    ExprId first;  ///< the first row in memory
+    ExprId first;  ///< index of the first row in memory
 };
 
 /// factor * (the loop's variable) + offset

@@ -32,7 +32,7 @@ public:
     const Value* find(Id id) const { return const_cast<NodeMap*>(this)->find(id); }
     bool contains(Id id) const { return find(id) != nullptr; }
 
-    /// The value of the node and whether it was put there now.
+    /// The value of the node, and whether it was inserted by this call.
     std::pair<Value*, bool> emplace(Id id, Value value) {
         if (id.index < first_) return older_.emplace(id, std::move(value));
         const std::uint32_t at = id.index - first_;

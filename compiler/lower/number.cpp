@@ -40,7 +40,7 @@ std::uint8_t Numbers::find_traits(ExprId id) {
         trait |= loads;
         if (is_written(node.slot)) trait |= changes;
     }
-    // A function made for this pass may load.
+    // A function that is called may load.
     if (node.op == Op::call) trait |= loads;
     for (ExprId operand : node.operands) trait |= traits_of(operand) & (impure | loads | changes);
     cx.traits.emplace(id, trait);

@@ -12,7 +12,7 @@ using namespace ir;
 
 namespace {
 
-/// One value that may be used more than once.
+/// A value that may be used more than once.
 struct Record {
     std::uint32_t uses = 0;
     LocalId local;        ///< the local that holds it, once it is declared
