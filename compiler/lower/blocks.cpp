@@ -115,8 +115,8 @@ ExprId Expander::quotient_of(ExprId value, std::uint64_t divisor) {
     return {};
 }
 
-/// The extent of a block along one axis. Block numbers are clamped below 2^32 / size, so that no address in a block
-/// wraps around; blocks beyond lie outside every domain.
+/// The addresses of a block along one axis. A block with an address of 2^32 or more, which lies outside every domain,
+/// counts as nonexistent, so that no address of a block wraps around.
 Expander::OwnBlock::Axis Expander::block_along(std::uint32_t axis, ExprId first, ExprId size) {
     const std::string name = std::string("block_") + "xyzw"[axis];
     const auto width = make.bits_of(size);
