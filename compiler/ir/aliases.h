@@ -7,13 +7,13 @@
 
 namespace gliftc::ir {
 
-/// The public names that a module gives to the structure, in order.
+/// The public names that a module gives to the structure, in the order of its source.
 std::vector<Name> public_names(const Structure& structure, std::uint32_t module);
 
 bool is_public(const Structure& structure, std::uint32_t module);
 
-/// The name of the structure in a module: the module's first public name for it, else another of its own, else an
-/// imported one. Empty if it has none.
+/// The name of the structure in a module: the first public name that the module gives it, else the first private one,
+/// else that of a module that it imports. Empty if there is none.
 Name name_in(const Program& program, const Structure& structure, std::uint32_t module);
 
 }  // namespace gliftc::ir

@@ -52,7 +52,7 @@ std::optional<Place> blocks_of(const Program& program, const Structure& structur
 
 namespace {
 
-/// The places that a function reads, or hands on, where its structures are at these.
+/// Adds to `found` the places of structures that a function and its callees read; `at` are those of its own structures.
 void add_places(const Program& program, FunctionId function, const std::vector<Place>& at, std::vector<Place>& found) {
     const auto resolved = [&](const Place& place) {
         Place whole = at[place.root];

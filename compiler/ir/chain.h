@@ -1,50 +1,51 @@
-// Memory that is a structure: the chain of structures from one that is accessed to the one whose memory holds the
-// elements, its root.
+// The memory of a structure may be another structure, and so on: a chain, whose links are structures. Its last link,
+// the root, has the buffer or image that holds the elements, or is a view, which computes them.
 #pragma once
 
 #include "ir/ir.h"
 
 namespace gliftc::ir {
 
-/// What a path of members leads to, from a structure.
+/// The structure that a path of members leads to, from the structure `from`.
 const Structure& structure_at(const Program& program, const Structure& from, const RareVector<std::uint32_t>& members);
 
-/// The memory of the structure at a place, where that is a structure.
+/// The place of the next link: the structure that is the memory of `structure`, which is at `place`.
 Place base_of(const Structure& structure, const Place& place);
 
-/// The root of the structure at a place.
+/// The place of the root of `structure`, which is at `place`; and the root itself.
 Place root_of(const Program& program, const Structure& structure, const Place& place);
 const Structure& root_structure(const Program& program, const Structure& structure);
 
-/// The memory of the root. Only of structures that have one: is_computed() is false.
+/// The buffer or image of the root. Only for structures whose root is not a view: is_computed() is false.
 const Memory& root_memory(const Program& program, const Structure& structure);
 
-/// Where the structure's blocks are declared: by itself, or by its memory, where its addresses are the memory's.
-/// Absent: the whole domain is one block.
+/// The link that declares the structure's blocks: the structure itself, or further links as long as there is no `via`
+/// in between, so that addresses stay the same. Absent: the whole domain is one block.
 std::optional<Place> blocks_of(const Program& program, const Structure& structure, const Place& place);
 
-/// What the functions of blocks read: places over the structure that declares them.
+/// The structures that the functions `count` and `first` of blocks read: places over the structure that declares them.
 std::vector<Place> places_of_blocks(const Program& program, const Blocks& blocks);
 
-/// The blocks that a kernel visits; null: whole ranges.
+/// The blocks that a kernel visits; null: it visits whole ranges.
 const Blocks* visited_blocks(const Program& program, const Kernel& kernel);
 
-/// Whether the elements are computed: those of a view, and of what has a view as memory.
+/// Whether the root of the chain is a view, so that elements are computed and not loaded.
 bool is_computed(const Program& program, const Structure& structure);
 
-/// The address type of the structure's own memory; none where it has no memory.
+/// The type of the structure's physical addresses; none if it has no memory.
 TypeId physical_type(const Program& program, const Structure& structure);
 
-/// Whether some link of the chain translates by reading structures.
+/// Whether a translator of some link reads structures, such as a page table.
 bool translates_by_tables(const Program& program, const Structure& structure);
 
-/// Whether the first translator of the chain maps every address of its domain.
+/// Whether the first translator of the chain is total (not partial: it never gives `none`), or there is none.
 bool is_total(const Program& program, const Structure& structure);
 
-/// Whether some memory of the chain is a structure that maps addresses beyond its domain as it likes.
+/// Whether a link after the first has a partial translator, which decides itself what lies beyond its domain.
 bool leads_through_partial(const Program& program, const Structure& structure);
 
-/// Whether several addresses of the chain's domain may have one element, or none: as far as is known.
+/// Whether, as far as is known, an address may have no element, or several addresses the same one: some translator is
+/// partial or not known to be one-to-one.
 bool may_be_sparse(const Program& program, const Structure& structure);
 
 /// Whether programs can list the elements of a structure that are there: they need not be those of the whole domain.
@@ -56,10 +57,10 @@ RareVector<std::uint32_t> translated_by(const Program& program, const Structure&
 /// Whether no address leads beyond the structure's own memory, along all of its axes.
 bool is_contained(const Program& program, const Structure& structure);
 
-/// Whether memory is made where the structure is.
+/// Whether making the structure allocates memory: false for views all of whose members are given to them.
 bool makes_memory(const Program& program, const Structure& structure);
 
-/// The first structure of the chain that says what lies outside, as a place; absent: none does.
+/// The place of the first link with an `otherwise`, the value of reads at unmapped addresses; absent: none has one.
 std::optional<Place> says_otherwise(const Program& program, const Structure& structure, const Place& place);
 
 }  // namespace gliftc::ir

@@ -11,7 +11,7 @@ namespace gliftc::ir {
 
 namespace {
 
-/// Data-flow analysis: which locals depend on loads, until nothing changes.
+/// Data-flow analysis that finds the locals that depend on loads, iterated to a fixed point.
 class Loads {
 public:
     Loads(const Program& program, const Pass& pass) : program_(program), pass_(pass) {}
@@ -41,7 +41,7 @@ private:
         return found;
     }
 
-    /// `in_doubt`: whether it is reached depends on loads.
+    /// Whether the expression depends on a load. `in_doubt`: whether it is evaluated depends on a load.
     bool value(ExprId id, bool in_doubt) {
         bool depends = is_load(program_.exprs[id]);
         for (ExprId operand : program_.exprs[id].operands) depends = value(operand, in_doubt) || depends;
@@ -72,7 +72,8 @@ private:
         }
     }
 
-    /// A round that only some reach is in doubt from its first statement on.
+    /// Where leaving the loop or the part depends on a load, so does every statement of later iterations: the body is
+    /// followed a second time.
     void run_loop(const std::vector<StmtId>& body, bool in_doubt) {
         const bool was_out = is_out_;
         run(body, in_doubt);
@@ -83,8 +84,9 @@ private:
     const Program& program_;
     const Pass& pass_;
     std::set<LocalId> loaded_;
-    bool is_left_ = false, is_out_ = false;  ///< the part, the loop at hand: on a path that depends on loads
-    bool is_derived_ = false;
+    // A return or discard (is_left_), a break or continue of the current loop (is_out_), depends on a load.
+    bool is_left_ = false, is_out_ = false;
+    bool is_derived_ = false;  ///< a derivative depends on a load
 };
 
 }  // namespace

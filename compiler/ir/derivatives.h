@@ -1,13 +1,14 @@
-// What the derivatives of a fragment part depend on.
+// Whether derivatives (dFdx, dFdy, fwidth) in the fragment part of a draw depend on loads from memory.
 #pragma once
 
 #include "ir/pass.h"
 
 namespace gliftc::ir {
 
-/// Whether derivatives need what fragments beside the triangle load from buffers: a derived value, or what decides
-/// whether a derivative is reached, depends on a load. On some devices such fragments load zeros
-/// (DeviceProperties::helpers_load). False for what is no draw, and for loads from sampled images.
+/// Whether an operand of a derivative, or a condition under which a derivative is reached, depends on a load from a
+/// buffer or storage image. Derivatives also use helper invocations, the fragments of a quad that lie outside the
+/// triangle; on some devices their loads give zeros (DeviceProperties::helpers_load). Loads from sampled images do not
+/// count. False for kernels that do not draw.
 bool derives_loads(const Program& program, const Pass& pass);
 
 }  // namespace gliftc::ir

@@ -1,4 +1,5 @@
-// What a kernel reads and writes: the table of patterns (patterns.def), and what follows from it.
+// Properties of access patterns (patterns.def: how a kernel's parameter is accessed), and questions about which
+// accesses of a kernel may conflict.
 #pragma once
 
 #include "ir/pass.h"
@@ -11,11 +12,12 @@ inline bool is_load(Op op) {
            op == Op::image_gather || op == Op::image_compare;
 }
 
-/// Whether what is passed is a structure, or a range of one.
+/// Whether the argument is a structure or a range of one, and not a value.
 inline bool is_structure(const KernelParam& param) {
     return param.pattern != Pattern::value && param.pattern != Pattern::argument;
 }
 
+// The columns of patterns.def, which explains them.
 enum class Reach : std::uint8_t { nothing, element, window, anywhere };
 enum class Course : std::uint8_t { stays, follows, visits };
 enum class Directions : std::uint8_t { none, in, out, inout, all };
@@ -30,35 +32,36 @@ struct PatternTraits {
 const PatternTraits& traits_of(Pattern pattern);
 
 inline bool visits(Pattern pattern) { return traits_of(pattern).course == Course::visits; }
-/// The parameter's range is the iteration, or moves along with it.
+/// Whether the parameter's range has the size of the visited range.
 inline bool follows_iteration(Pattern pattern) { return traits_of(pattern).course != Course::stays; }
-/// Has a range of its own size.
+/// Whether the parameter is a range whose size is independent of the visited range.
 inline bool has_own_range(Pattern pattern) {
     return traits_of(pattern).course == Course::stays && traits_of(pattern).reach != Reach::nothing;
 }
 
-/// Whether the parameter's addresses map directly to the binding's memory, so that the parameter's reach applies to it.
+/// Whether the binding is the memory with the elements of the kernel's parameter, to which the parameter's pattern
+/// applies, and not a table that translators read.
 bool is_addressed(const Program& program, const Kernel& kernel, const PassBinding& binding);
 
-/// Whether the bindings may alias in a call (docs/language.md, "One memory given twice"): both are the invocation's own
-/// elements, of structures of one type.
+/// Whether a call may bind one memory to both (docs/language.md, "One memory given twice"): both parameters access only
+/// the invocation's own element, and their structures have one type.
 bool may_be_one_place(const Program& program, const Kernel& kernel, const PassBinding& one, const PassBinding& other);
 
-/// Whether two bindings of a lowered pass may alias.
+/// Whether there are two bindings in the pass that may alias.
 bool has_one_place(const Pass& pass);
 
 /// Whether invocations may race if both parameters are given the same whole structure.
 bool may_meet(const KernelParam& one, const KernelParam& other);
 
-/// Whether the kernel promises that what it accesses by these parameters is apart.
+/// Whether the kernel declares these two parameters @disjoint.
 bool is_promised_apart(const Kernel& kernel, std::uint32_t one, std::uint32_t other);
 
-/// When the depth of a fragment is tested: before its part runs, or after. `declared`: before, although the part has
-/// effects that Vulkan orders before the test unless it is told otherwise.
+/// When the depth of a fragment is tested: before the fragment part runs, or after. `declared`: before, although the
+/// part writes memory; Vulkan then tests after it unless the shader declares early_fragment_tests.
 enum class DepthOrder : std::uint8_t { before, declared, after };
 DepthOrder depth_order(const Program& program, const Pass& pass);
 
-/// The translator of the structure or of its memory that is declared many-to-one; or null.
+/// The first translator of the structure or of its chain of memories that is declared @many_to_one; or null.
 const Translator* many_to_one_stage(const Program& program, std::uint32_t structure);
 
 }  // namespace gliftc::ir

@@ -6,12 +6,13 @@
 
 namespace gliftc::ir {
 
-/// Whether it is an aggregate, which may be empty: a cheap test for every expression.
+/// A cheap test, made for every expression: only structs, arrays and optionals can be empty or have empty parts.
 inline bool may_be_empty(const Program& program, TypeId id) {
     const TypeKind kind = program.types.kind(id);
     return kind == TypeKind::struct_ || kind == TypeKind::array || kind == TypeKind::optional;
 }
 
+// The parts of is_empty and holds_empty for types that pass that test.
 bool is_empty_whole(const Program&, TypeId);
 bool has_empty_part(const Program&, TypeId);
 

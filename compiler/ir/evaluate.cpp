@@ -64,7 +64,7 @@ Lane apply_integer(const Types& types, BinaryOp op, TypeId type, Lane a, Lane b)
     switch (op) {
     case BinaryOp::multiply: result = x * y; break;
     case BinaryOp::divide:
-        if (y == 0) result = x;  // by zero divides by one
+        if (y == 0) result = x;  // as if divided by one
         else if (types.is_signed(type)) result = sy == -1 ? 0 - x : static_cast<std::uint64_t>(sx / sy);
         else result = x / y;
         break;
@@ -87,7 +87,7 @@ Lane apply_integer(const Types& types, BinaryOp op, TypeId type, Lane a, Lane b)
     return normalize(types, type, {.bits = result});
 }
 
-/// Runs pure code over locals; stops (stuck) at anything that is not known at compile time.
+/// Evaluates expressions and functions; stops (Flow::stuck) at anything that is not known at compile time.
 class Interpreter {
 public:
     Interpreter(const Program& program, const Definitions& definitions)
@@ -264,7 +264,7 @@ std::optional<Lane> apply_intrinsic(const Types& types, Intrinsic intrinsic, Typ
     const Lane &a = lanes[0], &b = lanes[1], &c = lanes[2];
     auto less = [&](const Lane& x, const Lane& y) { return compare(types, BinaryOp::less, type, x, y).bits != 0; };
     auto number = [&](double value) { return Lane{.number = round_to(types, type, value)}; };
-    // If one is NaN, the other.
+    // If one operand is NaN, the result is the other one.
     auto least = [&](const Lane& x, const Lane& y) { return less(y, x) || std::isnan(x.number) ? y : x; };
     auto greatest = [&](const Lane& x, const Lane& y) { return less(x, y) || std::isnan(x.number) ? y : x; };
     bool floating = types.is_floating(type), is_signed = types.is_signed(type);

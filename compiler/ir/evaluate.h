@@ -1,4 +1,4 @@
-// Compile-time values, and the interpreter that computes them from expressions and functions without structures.
+// Compile-time values, and the interpreter that computes them from expressions and functions that access no structures.
 #pragma once
 
 #include "ir/ir.h"
@@ -37,20 +37,21 @@ std::optional<Value> evaluate(const Program& program, ExprId expr);
 /// Initialisers of immutable locals.
 using Definitions = std::unordered_map<LocalId, ExprId>;
 
-/// The same; locals are evaluated by their definitions.
+/// The same; a local's value is that of its expression in `definitions`.
 std::optional<Value> evaluate(const Program& program, ExprId expr, const Definitions& definitions);
 
-/// Values of operations that depend on the context (state, member, memory_extent, domain); nothing: not known.
+/// Gives the values of operations that depend on the context (state, member, memory_extent, domain), or nothing where
+/// one is not known.
 using Surroundings = std::function<std::optional<Value>(const Expr&)>;
 
-/// The same with these values.
+/// The value of `expr`, where `surroundings` gives the values of operations that depend on the context.
 std::optional<Value> evaluate(const Program& program, ExprId expr, const Surroundings& surroundings);
 
 /// The result of a function for these arguments.
 std::optional<Value> call(const Program& program, FunctionId function, std::vector<Value> arguments,
                           const Surroundings& surroundings);
 
-/// Makes an expression of constants with this value.
+/// Makes a constant, or a construction from constants, with this value.
 ExprId materialize(Program& program, const Value& value, Span span);
 
 /// As written in the language: 4, 1.5, uint2(8, 8).

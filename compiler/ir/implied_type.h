@@ -1,5 +1,5 @@
-// The type of an operation as implied by its operands. The text of the IR gives a type only where it differs, or where
-// none is implied.
+// The type of an operation as implied by its operands. The text of the IR (print.h) gives a type only where the actual
+// one differs, or where none is implied.
 #pragma once
 
 #include "ir/pass.h"

@@ -19,9 +19,10 @@ std::string_view name_of(Intrinsic intrinsic);
 std::string_view signature_of(Intrinsic intrinsic);
 Exactness exactness_of(Intrinsic intrinsic);
 
-/// Whether it takes values of other invocations, so that it must stay where control flow is as it was written.
+/// Whether the result depends on values of other invocations (subgroup operations, derivatives), so that the operation
+/// must not be moved into or out of a branch.
 bool is_collective(Intrinsic intrinsic);
-/// Of a quad of fragments: a derivative.
+/// Whether it is a derivative: a difference between the fragments of a quad.
 bool is_derivative(Intrinsic intrinsic);
 
 }  // namespace gliftc::ir

@@ -1,4 +1,4 @@
-// What an invocation is told about itself, and a pipeline about its device.
+// Built-in inputs: ids of an invocation in kernels and shaders, and properties of the device in pipelines.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +27,7 @@ enum class DeviceProperty : std::uint8_t {
     shared_memory_bytes
 };
 
-/// Built-in inputs of shaders; only made by lower/dispatch and lower/raster.
+/// Built-in inputs of shaders in lowered passes.
 enum class Builtin : std::uint8_t {
     global_id,
     local_id,
@@ -38,11 +38,11 @@ enum class Builtin : std::uint8_t {
     subgroup_lane,
     subgroup_index,
     subgroup_count,
-    corner,          // uint: number of the corner
-    instance,        // uint
+    corner,          // uint: the vertex index
+    instance,        // uint: the instance index
     fragment_place,  // float4: the pixel's centre in the framebuffer, depth, 1 / w
     is_front,        // bool
-    skips_branches,  // bool, of the device: a branch that no lane takes costs nothing
+    skips_branches,  // bool, a specialisation constant: the device jumps over a branch that no lane takes
 };
 
 }  // namespace gliftc::ir

@@ -36,12 +36,12 @@ using LocalId = Id<Local>;
 using FunctionId = Id<Function>;
 using Operands = SmallVector<ExprId, 4>;
 
-/// A structure seen from a function or kernel: structure parameter `root`, then nested structure members by index.
-/// In a structure's own expressions (memory sizes, via arguments, …) root 0 is the structure itself; in a translator's
-/// functions root i is the i-th of the translator's structure-typed fields. In pipelines and tests `root` is unused:
-/// the Expr's or Stmt's `local` (a temp, a structure parameter, a slice) is where `members` starts; without a local it
-/// starts at the adaptor that owns the pipeline. This holds for every operation that has a place (member, domain,
-/// host_read, slice, …).
+/// A path to a structure: `root` says where the path starts, `members` are the indices of nested members from there.
+/// In kernels and functions root is the index of a parameter (of a function: among its structures). In a structure's
+/// own expressions (memory sizes, via arguments, …) root 0 is the structure itself; in a translator's functions root i
+/// is the i-th of the translator's structure-typed fields. In pipelines and tests `root` is unused: the path starts at
+/// the Expr's or Stmt's `local` (a temp, a structure parameter, a slice), or without a local at the adaptor that owns
+/// the pipeline. This holds for every operation that has a place (member, domain, host_read, slice, …).
 struct Place {
     std::uint32_t root = 0;
     RareVector<std::uint32_t> members;
@@ -69,7 +69,7 @@ enum class BinaryOp : std::uint8_t {
     greater,
     greater_equal,
     equal,
-    not_equal,  // scalar operands, except equal/not_equal: any, giving one bool
+    not_equal,  // comparisons take scalars; equal and not_equal also take other types, and give one bool
     bit_and,
     bit_xor,
     bit_or,
@@ -77,7 +77,8 @@ enum class BinaryOp : std::uint8_t {
     logical_or,
 };
 
-/// There are hundreds of them for a line of source: small members are packed, and rare ones take only a pointer.
+/// An expression: an operation and its operands. operations.def says which fields each operation uses. A line of source
+/// becomes hundreds of them, so small members are packed, and rare ones take only a pointer.
 struct Expr {
     Op op = Op::constant;
     UnaryOp unary = {};
@@ -95,7 +96,7 @@ struct Expr {
     std::uint64_t bits = 0;
     double number = 0;
     Place place;
-    RareVector<Place> places;  ///< call: one a structure parameter of the function
+    RareVector<Place> places;  ///< of a call: the structures passed to it, in the order of Function::structures
 };
 
 // ----------------------------------------------------------------------------------------------------- statements
@@ -105,10 +106,10 @@ enum class StmtOp : std::uint8_t {
 #include "ir/statements.def"
 };
 
-/// Slot of StmtOp::report for structures without memory (views).
+/// Slot of a StmtOp::report about a structure without memory (a view), which has no binding.
 inline constexpr std::uint32_t no_binding = 0xffffffffu;
 
-/// Consecutive elements that are loaded or stored as one vector.
+/// The number of consecutive elements that are loaded or stored as one vector.
 inline constexpr std::uint32_t row_width = 4;
 
 /// How scatter combines writes to one address.
@@ -124,8 +125,8 @@ enum class Pattern : std::uint8_t {
 struct Stmt {
     StmtOp op = StmtOp::block;
     Combine combine = Combine::replace;
-    bool unrolled = false;       ///< for_: shaders have an unroll hint
-    bool uninitialized = false;  ///< temp: its memory is not zeroed; let: has no value, and is not zeroed either
+    bool unrolled = false;       ///< of a for_: printed with an unroll hint in shaders
+    bool uninitialized = false;  ///< of a temp: its memory is not zeroed; of a let without a value: likewise
     Span span;
     LocalId local;
     ExprId target;
@@ -135,7 +136,7 @@ struct Stmt {
     RareVector<StmtId> body;
     RareVector<StmtId> otherwise;
     Operands arguments;
-    RareVector<LocalId> locals;  ///< release
+    RareVector<LocalId> locals;  ///< of a release: the temporaries
     Place place;
 };
 
@@ -152,35 +153,37 @@ struct Local {
 
 // ------------------------------------------------------------------------------------------------------ functions
 
-/// What a function, or what a kernel calls, writes: the elements of the structure at a place, by scatter or coherent.
+/// A write by a function, or by a function that a kernel calls: to elements of the structure at a place, by scatter or
+/// coherent access.
 struct Effect {
-    Place place;  ///< root: of Function::structures, of Kernel::params
+    Place place;  ///< its root is an index in Function::structures or in Kernel::params
     Pattern pattern = Pattern::scatter;
     Combine combine = Combine::replace;
-    Span span;            ///< where a function declares it, or a kernel calls what does it
-    Name by;              ///< the function
-    bool is_own = false;  ///< a function declares it
+    Span span;            ///< where the function declares it, or where the kernel calls the function
+    Name by;              ///< the function that writes
+    bool is_own = false;  ///< the function itself declares it; false: inherited from a call
 };
 
 struct Function {
-    Name name;            ///< as written
-    std::string display;  ///< with generic arguments, for comments and messages: linearize<3>
-    std::string key;      ///< display with the modules of all it names: the same in every compilation
+    Name name;            ///< the declaration's
+    std::string display;  ///< name with generic arguments, for comments and messages: linearize<3>
+    std::string key;      ///< display with module-qualified names: identifies the instance across compilations
     Span span;
     std::vector<LocalId> params;
-    std::vector<std::uint32_t> structures;           ///< structure instances that calls pass at `places`
-    std::array<std::uint32_t, 3> group = {0, 0, 0};  ///< of the kernels that call it; all 0: any
-    std::vector<LocalId> shared;                     ///< workgroup memory, the same at every call
+    std::vector<std::uint32_t> structures;           ///< instances of the structures that calls pass at Expr::places
+    std::array<std::uint32_t, 3> group = {0, 0, 0};  ///< workgroup size that callers must have; all 0: any kernel
+    std::vector<LocalId> shared;                     ///< its workgroup memory: one allocation for all calls
     TypeId result;
     std::vector<StmtId> body;  ///< a function with a group returns only by its last statement
     bool is_pub = false;
-    bool reads_memory = false;    ///< elements of structures, itself or by what it calls
-    std::vector<Effect> effects;  ///< what it writes, itself or by what it calls
+    bool reads_memory = false;    ///< it or a function that it calls reads elements of structures
+    std::vector<Effect> effects;  ///< writes, its own and those of the functions that it calls
     std::uint32_t module = 0;
-    std::string extern_name;  ///< a C++ function (host only), else empty
+    std::string extern_name;  ///< the C++ function to call instead (host only); else empty
     std::string doc;
     bool grouped() const { return group[0] != 0; }
-    /// Whether calls become statements: what happens in them happens where they stand, once.
+    /// Whether calls are expanded as statements, not within expressions: a barrier or a write must be executed exactly
+    /// once, where the call stands.
     bool is_statements() const { return grouped() || !effects.empty(); }
 };
 
@@ -195,14 +198,14 @@ struct StructField {
 struct Struct {
     Name name;
     std::string display;
-    std::string key;  ///< display with qualified names: the same in every compilation, as are all keys below
+    std::string key;  ///< display with module-qualified names: identifies it across compilations, as do all keys below
     std::uint32_t module = 0;
     bool is_pub = false;
     std::vector<StructField> fields;
-    std::string extern_header;  ///< imported from C++: its header as written, and its C++ name in extern_name
-    std::string extern_name;
-    std::vector<std::uint32_t> offsets;  ///< imported: byte offsets that layout must keep; else empty
-    std::uint32_t size = 0;
+    std::string extern_header;  ///< of a struct imported from C++: the header, as written in the source; else empty
+    std::string extern_name;    ///< of an imported struct: its name in C++
+    std::vector<std::uint32_t> offsets;  ///< of an imported struct: the fields' byte offsets in C++; else empty
+    std::uint32_t size = 0;              ///< of an imported struct: its size in C++; else 0
     std::string doc;
     Span span;
 };
@@ -225,15 +228,15 @@ enum class Mapping : std::uint8_t {
     many_to_one,         ///< declared by @many_to_one
 };
 
-/// What is inferred of a translator, or declared by @attributes and checked (thesis section 3.2.3).
+/// Properties of a translator: inferred, or declared by @attributes and checked against the code.
 struct Properties {
     bool partial = false;     ///< translate gives an optional
     bool invertible = false;  ///< has invert
     Mapping mapping = Mapping::unknown;
     bool affine = false;            ///< physical address is an affine function of the virtual one
-    bool uniform = true;            ///< the same work for every address, but for early exits with `none`
+    bool uniform = true;            ///< every address takes the same path through the code, early `none`s aside
     std::string memory_complexity;  ///< "O(1)", or as declared: "O(n)", …; "not known"
-    std::string access_complexity;  ///< likewise
+    std::string access_complexity;  ///< of one translation: "O(1)", …; "not known"
     std::string location = "GPU and CPU";
 };
 
@@ -245,26 +248,26 @@ struct Translator {
     Span span;
     std::uint32_t module = 0;
     TypeId virtual_type;                    ///< uint or a vector of uint
-    TypeId physical_type;                   ///< without the optional
-    std::vector<StructField> scalars;       ///< state: Op::state slot i
-    std::vector<std::uint32_t> structures;  ///< state that is structures: instances; Place root i in its functions
+    TypeId physical_type;                   ///< uint or a vector of uint; not the optional that translate may give
+    std::vector<StructField> scalars;       ///< state that is values: Op::state reads the one at its slot
+    std::vector<std::uint32_t> structures;  ///< state that is structures, as instances: Place root i in its functions
     std::vector<Name> structure_names;
-    FunctionId translate;     ///< (va) -> physical or physical?
-    FunctionId wide;          ///< the same with a 64-bit result, if that is a scalar; set by lower/widen
-    FunctionId wide_of_wide;  ///< the same with 64-bit arguments, too
-    FunctionId invert;        ///< (pa) -> va; absent if not invertible
-    FunctionId ranges;        ///< absent: derived
+    FunctionId translate;     ///< (virtual address) -> physical address, or an optional of it
+    FunctionId wide;          ///< copy of translate with a 64-bit result, if it is scalar; made by lower/widen
+    FunctionId wide_of_wide;  ///< copy of translate with 64-bit arguments and a 64-bit result
+    FunctionId invert;        ///< (physical address) -> virtual address; absent if not invertible
+    FunctionId ranges;        ///< not used
     FunctionId domain;        ///< () -> extent of the virtual domain
     Properties properties;
     std::string doc;
 };
 
-/// A translator within a structure: `via A then B`, one stage.
+/// One translator of a structure's `via`: `via A then B` has two stages.
 struct Stage {
     std::uint32_t translator = 0;
     std::vector<ExprId>
-        scalars;  ///< a value for each scalar of its state: expressions over the structure (place root 0)
-    std::vector<Place> structures;  ///< a nested structure for each structure of its state (root 0 is the structure)
+        scalars;  ///< initial values of Translator::scalars: expressions over the structure (place root 0)
+    std::vector<Place> structures;  ///< the structures passed as Translator::structures (root 0 is the structure)
 };
 
 /// image2darray: the third component of addresses and extents is the layer.
@@ -300,9 +303,9 @@ enum class Compare : std::uint8_t { less, less_equal, greater, greater_equal };
 /// What an image that is not made anew is a part of.
 struct ImagePart {
     enum class Kind : std::uint8_t { mip, layer } kind = Kind::mip;
-    Place of;                ///< the structure that has the image, over the structure that has the part (root 0)
-    std::uint32_t slot = 0;  ///< which of its memories
-    ExprId number;           ///< of the level or the layer
+    Place of;                ///< the structure that has the image, as seen from the one that declares the part (root 0)
+    std::uint32_t slot = 0;  ///< the image's index among that structure's memories
+    ExprId number;           ///< the number of the level or layer
 };
 
 struct Memory {
@@ -322,36 +325,39 @@ struct MemberStructure {
     Name name;
     std::uint32_t structure = 0;  ///< instance
     std::vector<ExprId>
-        arguments;  ///< of its constructor, over the owner (root 0); empty where passed by reference (views)
-    std::vector<Place> structures;  ///< those that its constructor is given, over the owner (root 0)
-    bool by_reference = false;      ///< the member is a constructor argument that is itself a structure
+        arguments;  ///< values for its constructor, as expressions over the owner (root 0); empty if by_reference
+    std::vector<Place> structures;  ///< structures for its constructor, as seen from the owner (root 0)
+    bool by_reference = false;      ///< the owner's constructor is given this structure, and does not make it
     Span span;
 };
 
 enum class StructureKind : std::uint8_t { stored, view, adaptor };
 
-/// A function of an adaptor that programs call: on the host, or by a pipeline that gives the result on the device.
+/// A public function of an adaptor that C++ programs call as a method.
 struct Method {
     FunctionId function;
-    std::optional<std::uint32_t> pipeline;  ///< Program::pipelines: the function reads memory
+    /// Of a function that reads memory: the pipeline (an index in Program::pipelines) that evaluates it on the device.
+    /// None: the host evaluates it.
+    std::optional<std::uint32_t> pipeline;
 };
 
-/// Host state of an adaptor.
+/// A variable of an adaptor's host state.
 struct HostField {
     Name name;
     TypeId type;
     ExprId initial;
 };
 
-/// What of a structure's domain is there: blocks of one size, which do not overlap.
+/// The parts of a structure's domain that kernels visit, such as resident pages: blocks of one size, which do not
+/// overlap.
 struct Blocks {
     FunctionId count;  ///< () -> uint; structures[0] of all three is the structure that declares them
-    FunctionId first;  ///< (number) -> the first address, or an optional: none, the block is not there
+    FunctionId first;  ///< (number) -> the block's first address, or an optional: `none` if the block does not exist
     FunctionId size;   ///< () -> the extent of every block
-    ExprId extent;     ///< what `size` gives, over the structure (root 0): the host knows it
-    ExprId bound;      ///< a number that the host knows and `count` does not exceed, over the structure; absent: none
-    bool is_known = false;  ///< `count` is the bound itself
-    /// Program::pipelines: gives `count` on the device, where a kernel needs it.
+    ExprId extent;     ///< the value of `size` as the host evaluates it, over the structure (root 0)
+    ExprId bound;      ///< an upper bound of `count` that the host evaluates, over the structure; absent: none is known
+    bool is_known = false;  ///< `bound` equals `count`, so that the host knows the number of blocks
+    /// The pipeline (an index in Program::pipelines) that computes `count` on the device; none: no kernel needs it.
     std::optional<std::uint32_t> counter;
 };
 
@@ -365,35 +371,36 @@ struct Alias {
 /// One instance of a structure, view or adaptor.
 struct Structure {
     StructureKind kind = StructureKind::stored;
-    Name name;                   ///< of the declaration: Array
+    Name name;                   ///< the declaration's: Array
     std::string display;         ///< Array<4, float>
     std::string key;             ///< std.array.Array<4, float>
-    std::vector<Alias> aliases;  ///< of all modules, each module's in its order
+    std::vector<Alias> aliases;  ///< names in all modules; those of one module in the order of its source
     Span span;
-    std::uint32_t module = 0;          ///< of the declaration
+    std::uint32_t module = 0;          ///< the one with the declaration
     TypeId domain_type;                ///< uint or vector of uint; adaptors: void
-    TypeId element;                    ///< adaptors: void
+    TypeId element;                    ///< type of its elements; adaptors: void
     std::vector<LocalId> constructor;  ///< scalar constructor parameters; Op::member slot i
     std::vector<Memory> memories;
-    std::vector<MemberStructure> members;  ///< Place members index these
-    std::vector<Stage> via;        ///< first stage takes the virtual address; the last gives the address in memory 0
-    std::uint32_t via_memory = 0;  ///< the memory that `via` addresses, where it is not a structure
-    /// The structure that is the memory: a path of members, empty where the memory is one of `memories`. Without `via`
-    /// its addresses are the structure's own. See ir/chain.h.
+    std::vector<MemberStructure> members;  ///< Place::members are indices here
+    std::vector<Stage> via;        ///< the first stage takes the virtual address; the last gives the physical one
+    std::uint32_t via_memory = 0;  ///< the index in `memories` of the memory that `via` addresses, if `base` is empty
+    /// The structure that is the memory, as a path of members; empty if the memory is one of `memories`. Without `via`
+    /// both have the same addresses. See ir/chain.h.
     RareVector<std::uint32_t> base;
-    Name base_name;  ///< as declared
+    Name base_name;  ///< the name that the declaration gives to that memory
     Span base_span;
-    ExprId otherwise;              ///< value of an unmapped read; absent: zero
-    ExprId domain;                 ///< extent of the virtual domain, over the structure (root 0)
-    std::optional<Blocks> blocks;  ///< as declared here; see blocks_of() of ir/chain.h
-    FunctionId at;                 ///< views: (address) -> element; structures[] of the function are [this structure]
-    std::vector<FunctionId> functions;     ///< other fns: structures[0] is this structure
-    std::vector<HostField> host;           ///< adaptors
-    std::vector<std::uint32_t> pipelines;  ///< adaptors: Program::pipelines
-    /// The axes along which no address leads beyond its own memory, a bit each: set by lower/contained.cpp.
+    ExprId otherwise;                      ///< value of reads at unmapped addresses; absent: zero
+    ExprId domain;                         ///< extent of the virtual domain, over the structure (root 0)
+    std::optional<Blocks> blocks;          ///< as declared here; see blocks_of() of ir/chain.h
+    FunctionId at;                         ///< of a view: (address) -> element; its only structure is this one
+    std::vector<FunctionId> functions;     ///< its other functions: their structures[0] is this structure
+    std::vector<HostField> host;           ///< of an adaptor: its host state
+    std::vector<std::uint32_t> pipelines;  ///< of an adaptor: indices in Program::pipelines
+    /// A bit for each axis of physical addresses: set if no address of the domain leads outside the memory along that
+    /// axis, so that accesses need no test. Set by lower/contained.cpp.
     std::uint8_t contained_axes = 0;
-    std::vector<Method> methods;  ///< adaptors: public functions
-    bool copyable = true;         ///< elements can be read and written from the host (not views)
+    std::vector<Method> methods;  ///< of an adaptor: its public functions
+    bool copyable = true;         ///< the host can read and write its elements: false for views
     std::string doc;
 };
 
@@ -403,11 +410,11 @@ struct KernelParam {
     Pattern pattern = Pattern::value;
     Direction direction = Direction::in;
     std::uint32_t structure = 0;  ///< instance; Place root is the index of this parameter among the kernel's params
-    std::uint32_t radius = 0;     ///< near
-    Combine combine = Combine::replace;  ///< scatter
-    LocalId local;                       ///< value, argument
+    std::uint32_t radius = 0;     ///< of near: the window's
+    Combine combine = Combine::replace;  ///< of scatter
+    LocalId local;                       ///< of value and argument: holds the value in the body
     std::uint32_t alike =
-        0;  ///< the first parameter assumed to have the same state: the direct form passes that state once
+        0;  ///< the first parameter that the direct form assumes to have the same state (sizes), passed once for both
 };
 
 /// A kernel before lowering. Its body uses Place{root = index in params}.
@@ -421,16 +428,17 @@ struct Kernel {
     std::vector<KernelParam> params;
     std::array<std::uint32_t, 3> group = {0, 0, 0};  ///< all 0: the compiler chooses
     std::uint32_t items = 1;                         ///< at<S, items>: consecutive elements that one invocation takes
-    TypeId domain_type;                              ///< of the iteration: uint or vector of uint
+    TypeId domain_type;                              ///< type of the visited addresses: uint or vector of uint
     std::vector<StmtId> body;
     std::vector<LocalId> shared;  ///< workgroup memory
-    std::vector<Effect> effects;  ///< what functions write through `calls` parameters
-    /// @disjoint(read, written): what is read through the first parameter is not written in this pass by the second.
+    std::vector<Effect> effects;  ///< writes of the functions that it calls through `calls` parameters
+    /// Pairs of parameters declared @disjoint(read, written): no element that is read through the first one is written
+    /// through the second one in the same pass.
     std::vector<std::pair<std::uint32_t, std::uint32_t>> disjoint;
-    std::optional<Raster> raster;  ///< of a draw, whose body is the vertex part
-    /// The parameter whose blocks are visited; none: the whole range is.
+    std::optional<Raster> raster;  ///< of a kernel that draws: `body` is then the vertex part
+    /// The parameter whose blocks the kernel visits (see Blocks); none: it visits a whole range.
     std::optional<std::uint32_t> space;
-    std::vector<std::uint32_t> same_space;  ///< parameters whose blocks must be the same ones in every call
+    std::vector<std::uint32_t> same_space;  ///< other parameters, whose blocks must in every call be those of `space`
     std::string doc;
     bool grouped() const { return group[0] != 0; }
 };
@@ -446,8 +454,8 @@ struct PipelineParam {
     Span span;
     HostPattern pattern = HostPattern::value;
     Direction direction = Direction::in;
-    std::uint32_t structure = 0;  ///< structure, range
-    LocalId local;                ///< always: value, structure or slice, used by the body as Op::local
+    std::uint32_t structure = 0;  ///< of structure and range: the instance
+    LocalId local;                ///< the value, structure or slice: the body uses it as Op::local
 };
 
 struct Pipeline {
@@ -457,13 +465,13 @@ struct Pipeline {
     Span span;
     std::uint32_t module = 0;
     bool is_pub = false;
-    std::optional<std::uint32_t> owner;  ///< an adaptor's pipeline: its structure instance; its members by Place root 0
+    std::optional<std::uint32_t> owner;  ///< of an adaptor's pipeline: the adaptor's instance
     std::vector<PipelineParam> params;
     TypeId result;  ///< void, a value, device value, or slice
     std::vector<StmtId> body;
-    Span host_needed;  ///< where it first waits, or changes what the host knows
+    Span host_needed;  ///< the first statement that waits or changes host state; none: allowed under a device condition
     bool is_value =
-        false;  ///< one pass of one invocation, without effects: a value of the device that another one computes
+        false;  ///< made by sema/values.cpp: one pass of one invocation, which computes a value on the device
     std::string doc;
 };
 
@@ -471,7 +479,7 @@ struct Test {
     std::string title;
     Span span;
     std::uint32_t module = 0;
-    std::uint32_t pipeline = 0;  ///< Program::pipelines
+    std::uint32_t pipeline = 0;  ///< index in Program::pipelines
 };
 
 struct Constant {
@@ -487,7 +495,7 @@ struct Module {
     Name name;  ///< "std.array"
     std::uint32_t file = 0;
     bool is_root = false;                ///< named on the command line: outputs are generated for it
-    std::vector<std::uint32_t> imports;  ///< Program::modules that it uses, transitively; sorted
+    std::vector<std::uint32_t> imports;  ///< indices in Program::modules of those that it uses, transitively; sorted
     std::string doc;
 };
 
@@ -508,7 +516,8 @@ struct Program {
     std::vector<Kernel> kernels;
     std::vector<Pipeline> pipelines;
     std::vector<Test> tests;
-    /// The kernel that copies elements of structure i to (out) or from (in) a linear buffer: Program::kernels, or none.
+    /// The kernels (indices in Program::kernels) that move a box of a structure's elements between the structure and a
+    /// linear buffer, an instance of `box_structure`, or fill the box with a value.
     struct Transfer {
         std::uint32_t structure, read_kernel, write_kernel, fill_kernel;
         std::uint32_t box_structure;

@@ -1,7 +1,7 @@
-// Levels of the IR: each operation and each kind of statement belongs to one.
+// Levels of the IR: each operation and each kind of statement belongs to one, which says where it may occur.
 //
-// Kernels as sema makes them hold values and structures, pipelines and tests values and host operations, lowered passes
-// values and memory; their variants for the host device also what the passes for it make.
+// Kernels as sema makes them contain operations of the levels value, shape and structure; pipelines and tests value,
+// shape and host; lowered passes value and memory; their variants for the host device also cpu.
 #pragma once
 
 #include "ir/ir.h"
@@ -11,13 +11,13 @@
 namespace gliftc::ir {
 
 enum class Level : std::uint8_t {
-    value,      ///< arithmetic, locals, control flow: everywhere
-    shape,      ///< what a structure was made with, its extents: kernels before lowering, pipelines, uniform parameters
-    structure,  ///< elements, addresses, windows: kernels before lowering
-    host,       ///< passes, read-back, slices: pipelines and tests
-    guarded,    ///< accesses with the condition that they need: lowered bodies before the pass "guard"
-    memory,     ///< loads, stores, parameters: passes after lowering
-    cpu,        ///< rows of memory, workgroups as loops: variants for the host device
+    value,      ///< arithmetic, locals, control flow; allowed everywhere
+    shape,      ///< a structure's arguments and extents; in kernels before lowering, pipelines, uniform parameters
+    structure,  ///< elements, addresses, windows; in kernels before lowering
+    host,       ///< dispatches, read-back, slices; in pipelines and tests
+    guarded,    ///< loads with the condition under which they are allowed; in lowered bodies before the pass "guard"
+    memory,     ///< loads, stores, parameters; in passes after lowering
+    cpu,        ///< accesses to rows of memory, workgroups as loops; in variants for the host device
 };
 
 Level level_of(Op op);
@@ -26,7 +26,7 @@ std::string_view name_of(Op op);
 std::string_view name_of(StmtOp op);
 std::string_view name_of(Level level);
 
-/// Reports an internal error: an operation of the wrong level.
+/// Throws an internal error: an operation occurs where its level does not allow it.
 [[noreturn]] void misplaced(Op op, std::string_view where);
 [[noreturn]] void misplaced(StmtOp op, std::string_view where);
 

@@ -1,5 +1,6 @@
-// A kernel lowered to one form: memory operations on numbered bindings, uniform values as numbered parameters. lower/
-// makes it, layout/ fills in offsets, every target prints it.
+// A pass: a kernel lowered to one of its forms. Its bodies are memory operations on numbered bindings; uniform values,
+// the same for all invocations, are numbered parameters. lower/ makes it, layout/ fills in offsets, every target prints
+// it.
 #pragma once
 
 #include "ir/ir.h"
@@ -10,7 +11,9 @@
 
 namespace gliftc::ir {
 
-/// Which assumptions a lowered kernel may make; see runtime/include/glift/pass.h.
+/// The form says what a lowered kernel may assume of a call. direct: every range is a whole structure, and alike
+/// structures have equal sizes; general: ranges with origins, sizes computed on the device; wide: general, for memories
+/// and dispatches of any size, buffers accessed by 64-bit address.
 enum class Form : std::uint8_t { direct, general, wide };
 
 inline constexpr std::uint32_t no_kernel = 0xffffffffu;
@@ -20,10 +23,10 @@ enum class Access : std::uint8_t { read, write, read_write };
 /// One memory that the kernel accesses.
 struct PassBinding {
     std::string name;          ///< unique in the pass and readable: f_data, f_table_data
-    Place place;               ///< root: kernel parameter
-    std::uint32_t memory = 0;  ///< of the structure at `place`
+    Place place;               ///< the structure that has the memory; its root is a kernel parameter
+    std::uint32_t memory = 0;  ///< index among that structure's memories
     MemoryShape shape = MemoryShape::buffer;
-    TypeId element;  ///< of a buffer: any type; of an image: what a load gives
+    TypeId element;  ///< type that a load gives
     Format format = Format::none;
     Access access = Access::read;
     bool sampled = false;  ///< images: a combined image sampler (read only), else a storage image
@@ -33,91 +36,93 @@ struct PassBinding {
     bool ordered = false;            ///< floats, combined by min or max: kept as the integers that have their bits
     bool coherent =
         false;  ///< workgroups see each other's writes within the pass: accesses are neither moved nor merged
-    std::uint32_t one_place = 0;  ///< the first binding that may alias this one in a call: itself if there is none,
-                                  ///< and in the direct form, which aliasing calls do not take
-    bool in_rows = false;  ///< some load or store is of a vector of row_width scalars, whose index counts vectors
+    std::uint32_t one_place = 0;  ///< the first binding that may alias this one: itself if there is none, and always
+                                  ///< in the direct form, which calls with aliases do not use
+    bool in_rows = false;  ///< some load or store is of a vector of row_width scalars; its index then counts vectors
     std::uint32_t address_parameter = no_parameter;  ///< wide form, buffers: the parameter that holds the address
 };
 
-/// Whether a load or store of this type accesses a vector of four scalars, whatever the element type is.
+/// Whether a load or store of this type accesses a vector of row_width scalars, not an element.
 inline bool is_row(const Types& types, const PassBinding& binding, TypeId type) {
     return binding.in_rows && types.is_vector(type) && types.components(type) == row_width && type != binding.element;
 }
 
 enum class ParameterSource : std::uint8_t {
-    uniform,  // `value`: an expression over the kernel's structures and value parameters, evaluated on the host for
-              // each call: constants, arithmetic, calls, and member / memory_extent / domain with Place roots = kernel
-              // parameters, and locals that are the kernel's value parameters
+    uniform,  // `value`, an expression that the host evaluates for each call: constants, arithmetic, calls, locals that
+              // are the kernel's value parameters, and member / memory_extent / domain of its structure parameters
     origin,   // first virtual address of the range of kernel parameter `param`
-    size,     // the iteration size (uint or vector of uint)
+    size,     // size of the visited range (uint or vector of uint)
     range_size,  // size of the range of kernel parameter `param`
     address,     // uint64: device address of binding `param`
-    index,       // of the value on the device that kernel parameter `param` is, in its memory
-    base,        // uint3: added to the invocation's id, wide form: the origin of a part of the dispatch
+    index,       // where kernel parameter `param`, a value on the device, lies: its element index in its buffer
+    base,        // uint3, wide form: origin of a dispatch that is part of a larger one; added to invocation ids
 };
 
 struct PassParameter {
     std::string name;  ///< unique in the pass and readable: f_extent, g_origin, size, dt
     TypeId type;       ///< bool is stored as uint
     ParameterSource source = ParameterSource::uniform;
-    ExprId value;              ///< uniform
-    std::uint32_t param = 0;   ///< origin, range_size, index: kernel parameter; address: binding
-    std::uint32_t offset = 0;  ///< bytes, scalar layout; set by layout/
+    ExprId value;              ///< for uniform
+    std::uint32_t param = 0;   ///< for origin, range_size, index: a kernel parameter; for address: a binding
+    std::uint32_t offset = 0;  ///< byte offset in the parameter block; set by layout/
 };
 
 struct Pass {
-    std::uint32_t kernel = 0;  ///< Program::kernels; no_kernel: a function of a library
+    std::uint32_t kernel = 0;  ///< index in Program::kernels; no_kernel: a function of a library
     Form form = Form::direct;
-    bool exists = true;  ///< false: the form is not available (a structure has no memory, say)
-    std::array<std::uint32_t, 3> group = {64, 1, 1};
-    std::uint32_t rank = 1;
+    bool exists = true;  ///< false: no code is made (a wide form that would have nothing to do beyond the general one)
+    std::array<std::uint32_t, 3> group = {64, 1, 1};  ///< workgroup size
+    std::uint32_t rank = 1;                           ///< number of axes of the visited addresses
     bool of_blocks = false;   ///< it visits blocks: `address` is {position in the block, number of the block}
-    std::uint32_t items = 1;  ///< consecutive elements that the kernel visits at once; `address` is the first of them
+    std::uint32_t items = 1;  ///< at<S, items>: consecutive elements an invocation; `address` is the first of them
     std::vector<PassBinding> bindings;
     std::vector<PassParameter> parameters;
     std::uint32_t parameter_bytes = 0;  ///< set by layout/
     bool push_constants = false;        ///< set by layout/
-    bool uniform_buffer = false;        ///< of the parameters, else a storage buffer; set by layout/
+    bool uniform_buffer = false;  ///< parameters are in a uniform buffer, else in a storage buffer; set by layout/
 
-    /// The invocation's address relative to the range (uint or vector of uint). Shaders compute it in `prologue`; host
-    /// code makes it a loop nest, x innermost.
+    /// The invocation's address relative to the range (uint or vector of uint). Shaders compute it in `prologue`; on
+    /// the host device it is the variable of a loop nest, x innermost.
     LocalId address;
     std::vector<StmtId> prologue;  ///< shaders only: declares `address` from builtins, and `in_range`
-    LocalId in_range;  ///< bool. Kernels without a group return where it is false; grouped ones guard with it
+    LocalId in_range;  ///< bool: the address is in the range. Kernels without a group return if not; others test it
     /// The kernel's bodies, ordered from the fewest assumptions to the most. The first one is valid on every device and
     /// at every address.
     std::vector<Variant> variants = std::vector<Variant>(1);
-    std::vector<FunctionId> functions;  ///< called by the bodies, callees first, all low level
-    std::vector<LocalId> shared;
+    std::vector<FunctionId> functions;  ///< lowered functions that the bodies call, callees before callers
+    std::vector<LocalId> shared;        ///< arrays in workgroup memory
     std::vector<std::vector<LocalId>>
-        shared_places;               ///< set by layout/: which of them share memory, one after the other
+        shared_places;               ///< set by layout/: lists of arrays that share an allocation, in turn
     std::uint32_t shared_bytes = 0;  ///< set by layout/
-    std::vector<LocalId> params;     ///< of a library's function
-    std::uint64_t loop_rounds = 0;   ///< bound on the iterations of one invocation's loops, their last tests included;
+    std::vector<LocalId> params;     ///< of a library's function: its parameters
+    std::uint64_t loop_rounds = 0;   ///< upper bound on how often one invocation tests the conditions of its loops;
                                      ///< UINT64_MAX: not known at compile time. The same in all forms
     Span longest_loop;
     bool has_reports = false;          ///< some statement is a `report`. The same in all forms
-    std::vector<std::uint32_t> files;  ///< that reports name: the kernel's, then others. The same in all forms
+    std::vector<std::uint32_t> files;  ///< source files that reports name, the kernel's first. The same in all forms
     bool exact = true;                 ///< calls no inexact intrinsic: devices agree bit for bit
 
     Variant& plain() { return variants.front(); }
     const Variant& plain() const { return variants.front(); }
 
-    /// Whether an iteration larger than one dispatch may be is split into parts, whose origin shaders add to their ids.
+    /// Whether a range larger than the largest dispatch is run as several dispatches: shaders add the origin of theirs
+    /// (ParameterSource::base) to their ids.
     bool has_base() const { return form == Form::wide && rank > 1 && splits; }
-    bool splits = false;  ///< the body does not depend on the workgroup, so that the dispatch can be split
+    bool splits = false;  ///< the body does not depend on workgroups, so that several dispatches can run it
 
-    /// Whether shaders count the iterations of every loop, for devices that limit them.
+    /// Whether shaders count the iterations of every loop, for devices that limit them (lavapipe).
     bool counts_rounds() const { return loop_rounds == UINT64_MAX; }
-    /// Whether there is a binding for the status record, after the others.
+    /// Whether there is a binding after the others for the status record, in which shaders write reports and loop
+    /// counts.
     bool has_status() const { return has_reports || counts_rounds(); }
 };
 
-/// A function for the user's own shaders. Its body ends in `evaluate result`, or it returns nothing.
+/// A function of a structure, lowered for the user's own shaders. Its body ends with an `evaluate` of the result, or it
+/// returns nothing.
 struct LibraryFunction {
     std::string name;
     TypeId result;
-    Pass pass;  ///< parameters are the structure's state, nothing computed from it
+    Pass pass;  ///< its parameters are the structure's state: the host computes nothing from it
 };
 
 /// The functions of a structure that a module makes public.

@@ -11,10 +11,10 @@ namespace gliftc::ir {
 
 std::string print(const Program& program);
 std::string print(const Program& program, const Lowered& lowered);
-/// `facts` are conditions that hold throughout the body.
+/// `facts` are conditions that are known to hold throughout the body.
 std::string print(const Program& program, const Pass& pass, const std::vector<ExprId>& facts = {});
 
-/// One function, expression or list of statements; a pass gives the names of its bindings and parameters.
+/// One function, expression or list of statements. The names of bindings and parameters are those of `pass`.
 std::string print(const Program& program, FunctionId function, const Pass* pass = nullptr);
 std::string print(const Program& program, ExprId expr, const Pass* pass = nullptr);
 std::string print(const Program& program, const std::vector<StmtId>& body, const Pass* pass = nullptr);

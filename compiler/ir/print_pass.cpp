@@ -1,4 +1,4 @@
-// A pass as text that read.h reads back: its inputs, then its bodies. read.h has the grammar.
+// Prints a pass as text, inputs first, then bodies. read.h reads it back, and has the grammar.
 #include "ir/printer.h"
 #include "ir/spelling.h"
 #include "ir/walk.h"

@@ -1,4 +1,4 @@
-// What the printers of expressions, statements and passes share.
+// The class that prints expressions, statements and passes, for the files print*.cpp.
 #pragma once
 
 #include "ir/pass.h"
@@ -69,8 +69,8 @@ private:
     std::unordered_map<LocalId, std::string> locals_;
     std::unordered_map<FunctionId, std::string> functions_;
     std::unordered_map<std::uint32_t, std::string> structs_, enums_;
-    std::unordered_map<std::string, unsigned> taken_;
-    std::unordered_set<std::uint32_t> declared_;  ///< types, by id
+    std::unordered_map<std::string, unsigned> taken_;  ///< how often each name was asked for
+    std::unordered_set<std::uint32_t> declared_;       ///< ids of types whose structs and enums are declared
 };
 
 }  // namespace gliftc::ir

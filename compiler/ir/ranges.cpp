@@ -1,4 +1,4 @@
-// The default range of an `at` parameter.
+// The range that an `at` parameter takes if its argument is left out of a call.
 #include "ir/ir.h"
 
 namespace gliftc::ir {

@@ -6,19 +6,22 @@
 //               | "struct" type "{" [ field { "," field } ] "}" | "enum" type "{" [ name "=" n { "," name "=" n } ] "}"
 //               | "value" name ":" type | "structure" name | "given" name ":" type
 //               | "binding" name ":" shape "<" type ">" access { word } "of" place n [ "at" parameter ]
-//               | "parameter" name ":" type "=" ( expr | "origin" name | "size" | "range_size" name | "address" name )
+//               | "parameter" name ":" type "=" ( expr | "origin" name | "size" | "range_size" name | "address" name
+//               | "index" name | "base" )
 //               | "shared" name ":" type | "address" name ":" type | "in_range" name | "fact" expr ;
 //     function  = "fn" "@" name "(" [ name ":" type { "," name ":" type } ] ")" "->" type "{" { statement } "}" ;
 //     section   = ( "prologue" | variant ) { statement } ;
 //     variant   = [ "block" statements ] ( "body" | "vertex" | "fragment" ) { "," assumption } ;
 //     assumption = "on" ( "shaders" | "host" ) | "takes" n n n | "inside" n "of" parameter [ "from" parameter ]
+//               | "rows of" n
 //               | "bounds" "(" expr "," ( expr | "any" ) "," ( expr | "any" ) ")" | "any order" | "in blocks" ;
 //     statement = ( "let" | "tmp" | "var" ) name ":" type [ "=" ( expr | "uninitialized" ) ] ";"
 //               | "if" expr "{" … "}" [ "else" "{" … "}" ] | [ "unrolled" ] "for" name ":" type "in" operand ".."
 //               operand "{" … "}" | "while" expr "{" … "}" | "{" … "}" | "break" ";" | "continue" ";" | "return" [ expr
 //               ] ";" | "discard" ";" | "barrier()" ";" | "subgroupBarrier()" ";" | expr "=" expr ";" | expr ";" |
 //               "image_store(" binding "," expr "," expr ")" ";" | "atomic_…(" expr "," expr ")" ";" | "report(" … ")"
-//               ";" | "load_rows(" … ")" ";" | "store_rows(" … ")" ";" | "keep" ( "let" | "tmp" | "var" ) name ":" type
+//               ";" | "load_rows(" … ")" ";" | "store_rows(" … ")" ";" | "copy_row(" … ")" ";" | "keep" ( "let" | "tmp"
+//               | "var" ) name ":" type
 //               ";" | "invocations" "{" … "}" ;
 //     expr      = operand [ operator operand ] | operand "?" operand ":" operand ;
 //     operand   = [ "-" | "!" | "~" ] primary { "." name | "[" expr "]" } ;
@@ -29,7 +32,8 @@
 //               | place | "none" | "(" expr [ ":" type ] ")" ;
 //
 // An expression is followed by its type where its operands do not imply it (ir/implied_type.h). "tmp" is a let that a
-// pass introduced. "fact" is a condition that holds throughout the body; only tests write it.
+// pass introduced. "fact" is a condition that is known to hold throughout the body; only tests write it. "…" leaves out
+// what print.h writes there.
 #pragma once
 
 #include "ir/pass.h"

@@ -40,7 +40,7 @@ ExprId Reader::expr() {
         return implied({.op = Op::select, .operands = {left, yes, operand()}});
     }
     for (std::string_view sign : binary_signs) {
-        // Neither '=' of an assignment nor '..' of a range is among them.
+        // binary_signs has neither the '=' of an assignment nor the '..' of a loop's bounds.
         if (!accept(sign)) continue;
         const BinaryOp op = *spelled(sign, BinaryOp::logical_or);
         return implied({.op = Op::binary, .binary = op, .operands = {left, operand()}});
@@ -108,7 +108,7 @@ ExprId Reader::literal() {
         return add(std::move(node));
     }
     const char* const begin = text_.data() + at_;
-    // Dots of a range are not part of the number before them.
+    // In `0..8` the dots are not part of the number before them.
     const std::size_t dots = text_.find("..", at_);
     const char* const end = text_.data() + std::min(dots, text_.size());
     double number = 0;
@@ -128,7 +128,7 @@ ExprId Reader::literal() {
     return add(std::move(node));
 }
 
-/// ( expr ) or ( expr : type )
+/// Reads the rest of "( expr )" or "( expr : type )".
 ExprId Reader::parenthesized() {
     const ExprId inside = expr();
     if (accept(":")) p.exprs[inside].type = type();
@@ -136,7 +136,8 @@ ExprId Reader::parenthesized() {
     return inside;
 }
 
-/// A constant of an enum, a conversion, or a construction. A single operand of the same shape is a conversion.
+/// Reads what begins with a type: a constant of an enum, a conversion, or a construction. With a single operand of the
+/// same shape it is a conversion.
 ExprId Reader::made_of_type() {
     const TypeId made = type();
     if (p.types.kind(made) == TypeKind::enum_) {
@@ -168,7 +169,7 @@ ExprId Reader::intrinsic(const std::string& called) {
     fail("expected a function of ir/intrinsics.def before this");
 }
 
-/// A function that the text does not declare is called by the host for a uniform value: its type follows it.
+/// A function that the text does not declare is one that the host calls in a uniform value: the result type follows.
 ExprId Reader::call() {
     const std::string called = name();
     auto [found, is_new] = functions_.try_emplace(called);
@@ -199,7 +200,7 @@ ExprId Reader::parameter() {
     return add({.op = Op::parameter, .type = current().parameters[slot].type, .slot = slot});
 }
 
-/// The member of that name; created at its first use.
+/// The index of the member of that name; the member is created at its first use.
 std::uint32_t Reader::member_of(std::uint32_t structure, const std::string& called) {
     const auto& members = p.structures[structure].members;
     for (std::uint32_t i = 0; i < members.size(); ++i)
@@ -211,7 +212,7 @@ std::uint32_t Reader::member_of(std::uint32_t structure, const std::string& call
     return static_cast<std::uint32_t>(p.structures[structure].members.size() - 1);
 }
 
-/// f.table: ends before a name that is not a member.
+/// Reads a path like f.table, up to a name that is followed by no further member.
 Place Reader::place() {
     Place place;
     place.root = kernel_parameter_index();
@@ -270,7 +271,7 @@ ExprId Reader::of_local(const std::string& called) {
     return add({.op = Op::local, .type = p.locals[found->second].type, .local = found->second});
 }
 
-/// name(binding, operand…)
+/// Reads the rest of "name(binding, operand…)".
 ExprId Reader::of_binding(Op op) {
     expect("(");
     const auto found = bindings_.find(name());

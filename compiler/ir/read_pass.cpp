@@ -98,7 +98,7 @@ void Reader::binding() {
     made.memory = static_cast<std::uint32_t>(number());
     if (accept("at")) {
         expect("$");
-        name();  // its parameter comes later, and names this binding
+        name();  // the address parameter is declared later, and names this binding
     }
     bindings_[made.name] = static_cast<std::uint32_t>(current().bindings.size());
     current().bindings.push_back(std::move(made));
@@ -154,7 +154,7 @@ void Reader::function() {
     current().functions.push_back(id);
 }
 
-/// A local that the rasteriser gives or takes.
+/// Reads "given": a local that a part of a draw exchanges with the rasteriser (raster.h).
 void Reader::given() {
     const std::string called = name();
     expect(":");
@@ -238,7 +238,7 @@ Variant Reader::variant(Part part) {
     return made;
 }
 
-/// (value, low, high)
+/// Reads (value, low, high).
 Bounds Reader::bounds() {
     const auto limit = [&] {
         expect(",");
@@ -253,7 +253,7 @@ Bounds Reader::bounds() {
     return made;
 }
 
-/// inside radius of $domain from $origin
+/// Reads: inside radius of $domain from $origin.
 Interior Reader::interior() {
     const auto parameter = [&] {
         expect("$");

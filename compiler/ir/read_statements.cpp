@@ -3,7 +3,8 @@
 
 namespace gliftc::ir {
 
-/// A name is the same local throughout a text, even if two bodies declare it.
+/// The local with this name, made at its first declaration: a name is one local throughout a pass, even if two bodies
+/// declare it.
 LocalId Reader::declared(const std::string& called, Local local) {
     auto [found, is_new] = locals_.try_emplace(called);
     if (is_new) {
@@ -20,7 +21,7 @@ std::vector<StmtId> Reader::block() {
     return body;
 }
 
-/// Up to a brace, or to the next section of the pass.
+/// Reads statements up to a closing brace, or to the next section of the pass.
 std::vector<StmtId> Reader::statements() {
     std::vector<StmtId> body;
     while (!at("}") && !at("block\n") && !at("body") && !at("vertex") && !at("fragment") && !at("prologue"))
@@ -66,14 +67,14 @@ Stmt Reader::counted_loop() {
     return stmt;
 }
 
-/// load_rows(binding, first, array); store_rows(binding, first, array);
+/// Reads: load_rows(binding, first, array); or store_rows(binding, first, array);
 Stmt Reader::move_of_rows(StmtOp op) {
     Stmt stmt = memory_statement(op, Combine::replace);
     if (op == StmtOp::load_rows) std::swap(stmt.target, stmt.value);
     return stmt;
 }
 
-/// copy_row(binding, first, array[first], count);
+/// Reads: copy_row(binding, first, array[first], count);
 Stmt Reader::copy_of_row() {
     Stmt stmt;
     stmt.op = StmtOp::copy_row;
@@ -90,7 +91,7 @@ Stmt Reader::copy_of_row() {
     return stmt;
 }
 
-/// keep var name: type;
+/// Reads: keep var name: type;
 Stmt Reader::keep() {
     const bool is_mutable = accept("var"), is_temporary = !is_mutable && accept("tmp");
     if (!is_mutable && !is_temporary) expect("let");
@@ -99,7 +100,7 @@ Stmt Reader::keep() {
     return stmt;
 }
 
-/// image_store(binding, at, value); atomic_add(binding[at], value); report(binding, address)
+/// Reads: image_store(binding, at, value); or atomic_add(binding[at], value); or report(binding, address);
 Stmt Reader::memory_statement(StmtOp op, Combine combine) {
     Stmt stmt;
     stmt.op = op;
@@ -124,7 +125,7 @@ Stmt Reader::memory_statement(StmtOp op, Combine combine) {
     return stmt;
 }
 
-/// A load on the left of '=' becomes a store.
+/// Reads an assignment, a store (a load on the left of '='), or an expression that is evaluated for its effect.
 Stmt Reader::assignment() {
     Stmt stmt;
     const ExprId first = expr();
@@ -143,7 +144,7 @@ Stmt Reader::assignment() {
     return stmt;
 }
 
-/// A statement that is a single keyword.
+/// Reads the rest of a statement that is a single keyword.
 Stmt Reader::simple(StmtOp op) {
     Stmt stmt;
     stmt.op = op;

@@ -11,7 +11,7 @@ bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c =
 
 }  // namespace
 
-/// Skips comments, too.
+/// Skips white space and comments.
 void Reader::skip_space() {
     while (at_ < text_.size()) {
         if (text_.substr(at_).starts_with("//")) at_ = std::min(text_.find('\n', at_), text_.size());

@@ -9,7 +9,7 @@ struct Scalar {
     TypeId Types::*type;
 };
 
-/// Longer names come before their prefixes.
+/// A name comes before its prefixes, so that the longest one is found.
 constexpr Scalar scalars[] = {
     {"uint64", &Types::uint64}, {"int64", &Types::int64},  {"bool", &Types::bool_}, {"uint", &Types::uint},
     {"int", &Types::int_},      {"float", &Types::float_}, {"half", &Types::half},  {"double", &Types::double_},
@@ -17,7 +17,7 @@ constexpr Scalar scalars[] = {
 
 }  // namespace
 
-/// float, float3, float4x4: digits are part of the word.
+/// Reads a built-in type, such as float, float3 or float4x4, whose digits are part of the word.
 std::optional<TypeId> Reader::accept_builtin_type() {
     if (accept("nothing")) return p.types.void_;
     if (accept("vec<")) {
@@ -70,7 +70,7 @@ TypeId Reader::type() {
     }
 }
 
-/// The name extends to the brace: it may contain generic arguments and commas.
+/// Reads a struct. Its name extends to the brace, since it may contain generic arguments and commas.
 void Reader::declare_struct() {
     skip_space();
     const std::size_t end = text_.find(" {", at_);

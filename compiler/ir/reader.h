@@ -1,4 +1,4 @@
-// What the readers of expressions, statements and passes share.
+// The class that reads expressions, statements and passes, for the files read_*.cpp.
 #pragma once
 
 #include "base/concat.h"
@@ -24,8 +24,8 @@ private:
     bool accept(std::string_view token);
     void expect(std::string_view token);
     bool at_name();
-    std::string name();  ///< with its suffix: sum.2
-    std::string word();  ///< without: a field, a keyword
+    std::string name();  ///< a local, function, binding or parameter, with the suffix that makes it unique: sum.2
+    std::string word();  ///< a field or keyword: no suffix
     std::uint64_t number();
     [[noreturn]] void fail(std::string_view what);
 
@@ -105,7 +105,7 @@ private:
     std::unordered_map<std::string, FunctionId> functions_;
     std::unordered_map<std::string, std::uint32_t> bindings_, parameters_, roots_;
     std::map<std::string, TypeId, std::greater<>>
-        types_;  ///< structs and enums; longer names come before their prefixes
+        types_;  ///< structs and enums; in descending order, so that a name is tried before its prefixes
 };
 
 }  // namespace gliftc::ir

@@ -12,12 +12,12 @@ namespace {
 
 using Places = std::vector<Place>;
 
-/// What bodies read, as places of their own structures.
+/// Finds the structures whose memory a body reads, as places seen from that body.
 class Reads {
 public:
     explicit Reads(const Program& program) : p(program) {}
 
-    /// Of one expression, without its operands.
+    /// What one expression reads, its operands not included. `structures` are the types of the Place roots.
     Places of(const Expr& node, const std::vector<std::uint32_t>& structures, const std::vector<Effect>& effects) {
         Places found;
         switch (node.op) {
@@ -38,7 +38,7 @@ public:
         return found;
     }
 
-    /// The tables through which a write at the place goes.
+    /// The tables that translators read for a write to the structure at the place.
     Places of_write(const std::vector<std::uint32_t>& structures, const Place& place) {
         Places found;
         add_tables(found, structures, place);
@@ -56,7 +56,7 @@ private:
         return place;
     }
 
-    /// What is read within: places of what was given.
+    /// Adds what a function reads, `inner`, as places of its caller, which passed the structures `given`.
     static void add_inside(Places& found, const Places& inner, const std::vector<Place>& given) {
         for (const Place& place : inner)
             if (place.root < given.size()) found.push_back(beneath(given[place.root], place.members));

@@ -1,4 +1,4 @@
-// What a kernel reads of structures, itself and by what it calls: functions, translators, views.
+// The memories that a kernel reads, itself and through the functions, translators and views that it uses.
 #pragma once
 
 #include "ir/ir.h"
@@ -7,8 +7,8 @@
 
 namespace gliftc::ir {
 
-/// Visits the memories that are read, as places of their structures (chain.h, root_of), with the span of the access in
-/// the kernel's body. Reads of coherent memory by what declares it as coherent are left out.
+/// Visits the memories that are read: the place of the structure that has each (chain.h, root_of), with the span of the
+/// access in the kernel's body. Left out are reads of memory that the kernel or function itself declares coherent.
 void for_each_read(const Program& program, const Kernel& kernel, const std::function<void(const Place&, Span)>& visit);
 
 }  // namespace gliftc::ir

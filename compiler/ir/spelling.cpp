@@ -6,7 +6,7 @@ namespace gliftc::ir {
 
 namespace {
 
-/// The text of a value, from the texts of all values in their order.
+/// The text of an enumerator; `texts` has those of all enumerators in their order.
 template <class Enum, std::size_t count>
 std::string_view text_of(const std::array<std::string_view, count>& texts, Enum value) {
     const auto index = static_cast<std::size_t>(value);

@@ -1,4 +1,4 @@
-// Values and types in the language's syntax, and values as expressions.
+// Prints values and types in the language's syntax, and makes expressions of values.
 #include "ir/evaluate.h"
 
 #include <charconv>

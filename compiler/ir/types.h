@@ -13,7 +13,7 @@
 namespace gliftc::ir {
 
 enum class TypeKind : std::uint8_t {
-    error,  // reported already; compatible with every type
+    error,  // the type of wrong code, which has been reported; compatible with every type
     void_,
     bool_,
     int_,
@@ -22,17 +22,17 @@ enum class TypeKind : std::uint8_t {
     half,
     double_,
     int64,
-    uint64,     // scalars
+    uint64,     // the last of the scalars
     vector,     // element × count (2, 3, 4)
     matrix,     // element × columns (count) × rows (rows)
     array,      // element × count
-    struct_,    // Program::structs
-    enum_,      // Program::enums; its values are uints
+    struct_,    // a struct: Program::structs[index]
+    enum_,      // an enum: Program::enums[index]; its values are uints
     optional,   // element?
     range,      // lo..hi of element (int or uint): only in `for` and slices
-    structure,  // Program::structures: an instance of a structure, view or adaptor
-    slice,      // pipelines: a box of a structure (element is the structure type)
-    device,     // pipelines: a value of `element` that lives on the device until awaited
+    structure,  // an instance of a structure, view or adaptor: Program::structures[index]
+    slice,      // only in pipelines: a box of a structure (element is the structure type)
+    device,     // only in pipelines: a value of type `element` that lives on the device until awaited
 };
 
 struct Type;
@@ -67,15 +67,16 @@ public:
     TypeId of_enum(std::uint32_t index);
     TypeId of_structure(std::uint32_t index);
 
-    /// The type `id` of `other`, the types of a program with the same structs, enums and structures, as one of these.
+    /// The id here of the type that has the id `id` in `other`, the types of another program with the same structs,
+    /// enums and structures.
     TypeId same_as(const Types& other, TypeId id);
 
     TypeId intern(Type type);
-    TypeId find(const Type& type) const;  ///< error where there is none yet
+    TypeId find(const Type& type) const;  ///< `error` if the type was not interned yet
 
     std::uint32_t size() const { return arena_.size(); }
     TypeKind kind(TypeId id) const { return arena_[id].kind; }
-    /// bool to uint64
+    /// Kinds from bool_ to uint64.
     bool is_scalar(TypeId id) const { return kind(id) >= TypeKind::bool_ && kind(id) <= TypeKind::uint64; }
     bool is_number(TypeId id) const { return is_scalar(id) && id != bool_; }
     bool is_integer(TypeId id) const { return id == int_ || id == uint || id == int64 || id == uint64; }
@@ -83,14 +84,14 @@ public:
     bool is_floating(TypeId id) const { return id == float_ || id == half || id == double_; }
     bool is_vector(TypeId id) const { return kind(id) == TypeKind::vector; }
     bool is_matrix(TypeId id) const { return kind(id) == TypeKind::matrix; }
-    /// The element of a vector or matrix, else itself.
+    /// The element of a vector or matrix, else the type itself.
     TypeId scalar_of(TypeId id) const {
         const Type& type = arena_[id];
         return type.kind == TypeKind::vector || type.kind == TypeKind::matrix ? type.element : id;
     }
-    /// Of a vector; 1 for a scalar.
+    /// The number of a vector's components; 1 for a scalar.
     std::uint32_t components(TypeId id) const { return is_vector(id) ? arena_[id].count : 1; }
-    TypeId with_scalar(TypeId shape, TypeId scalar);  ///< bool4 from (float4, bool)
+    TypeId with_scalar(TypeId shape, TypeId scalar);  ///< the shape with other scalars: bool4 from (float4, bool)
 
 private:
     Arena<Type> arena_;

@@ -204,11 +204,11 @@ void Validator::no_cpu_level(const std::vector<StmtId>& body) {
     });
 }
 
-/// What a body declares is not known after it.
+/// Locals that a body declares are out of scope after it.
 void Validator::body(const std::vector<StmtId>& body) {
     auto outer = known_;
     for (StmtId id : body) stmt(p.stmts[id]);
-    // A node visited inside may use a local that is not in scope outside: check it anew there.
+    // Nodes that were checked inside may use locals that are out of scope now: they must be checked again.
     if (outer.size() != known_.size()) seen_.clear();
     known_ = std::move(outer);
 }

@@ -6,7 +6,7 @@ namespace gliftc::ir {
 
 namespace {
 
-/// As the first or only part of a pass.
+/// Whether the variant is a vertex part or whole kernel, for elements at any place of a block, and for these devices.
 bool runs_on(const Variant& variant, Devices devices) {
     return variant.part != Part::fragment && !variant.block &&
            (variant.devices == Devices::any || variant.devices == devices);

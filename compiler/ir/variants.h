@@ -1,5 +1,5 @@
-// The bodies of a lowered kernel: each says what it assumes and on which devices it runs. Printers take those that
-// their device may run.
+// Variants: the bodies of a lowered kernel. Each says what it assumes and on which devices it runs; printers of a
+// device take those that it may run.
 #pragma once
 
 #include "ir/ir.h"
@@ -16,34 +16,36 @@ inline constexpr std::uint32_t no_parameter = 0xffffffffu;
 
 enum class Devices : std::uint8_t { any, shaders, host };
 
-/// The invocation's virtual address lies at least `radius` elements from each side of a domain.
+/// The assumption that the invocation's virtual address lies at least `radius` elements from each side of a domain, so
+/// that all neighbours within the radius are inside.
 struct Interior {
     std::uint32_t radius = 0;
-    std::uint32_t domain = no_parameter;  ///< parameter that holds the domain's extent
-    std::uint32_t origin = no_parameter;  ///< parameter that holds the origin of the address' range; none: zero
+    std::uint32_t domain = no_parameter;  ///< pass parameter that holds the domain's extent
+    std::uint32_t origin = no_parameter;  ///< pass parameter that holds the range's origin; no_parameter: zero
 };
 
-/// low <= value <= high, each an int; an absent one is no limit.
+/// The assumption low <= value <= high, of type int; an absent limit is none.
 struct Bounds {
     ExprId value, low, high;
 };
 
 struct Assumptions {
-    std::array<std::uint32_t, 3> elements = {1, 1, 1};  ///< that an invocation takes along each axis
-    std::optional<Interior> interior;                   ///< none: true of every address
-    /// Of values that advance by one from each element of a row to the next, while their limits stay the same. They
-    /// name locals of the variant that assumes the same but for them.
+    std::array<std::uint32_t, 3> elements = {1, 1, 1};  ///< number of elements that an invocation takes along each axis
+    std::optional<Interior> interior;                   ///< none: the body is valid at every address
+    /// The values advance by one from each element of a row to the next, and their limits are the same for the whole
+    /// row, so that a printer can compute the part of the row where all bounds hold. The expressions use locals of
+    /// the variant with the same assumptions and no bounds.
     std::vector<Bounds> bounds;
-    /// Of blocks: elements are done in rows of so many, which begin at positions that are multiples of it; 0: the
-    /// block is one row.
+    /// In kernels over blocks: the number of elements in a row. Rows begin at positions in the block that are multiples
+    /// of it. 0: the block is one row.
     std::uint32_t row = 0;
 };
 
-/// How the elements of a row may be done.
+/// The order in which the host device may execute the elements of a row.
 enum class RowOrder : std::uint8_t {
     ascending,
     any,        ///< no element depends on what another one does
-    in_blocks,  ///< and some may be done twice, so that blocks of them may overlap
+    in_blocks,  ///< any order, and elements may be executed twice, so that vectors of them may overlap
 };
 
 struct Variant {
@@ -51,32 +53,33 @@ struct Variant {
     Devices devices = Devices::any;
     Assumptions assumes;
     std::vector<StmtId> body;
-    /// Of blocks all of whose elements are visited: what is done once a block, before the body. A statement evaluates
-    /// whether the block is such a one; what follows it is done where it is. Absent: of any element.
+    /// Present in the variant for blocks all of whose elements are visited: the statements that are executed once a
+    /// block, before the body. An `evaluate` statement among them is the condition that the block is such a one; the
+    /// statements after it and the body are executed only if it holds.
     std::optional<std::vector<StmtId>> block;
-    RowOrder order = RowOrder::ascending;  ///< the host device's, of kernels without a group
+    RowOrder order = RowOrder::ascending;  ///< used on the host device, for kernels without a group
 };
 
-/// What a device runs at any address: the last of its variants that assumes nothing about addresses. Of draws the
-/// vertex part.
+/// The variant that a device runs by default: the last of its variants that assumes nothing about addresses. For a
+/// draw the vertex part.
 const Variant& variant_for(const Pass& pass, Devices devices);
 
-/// The fragment part of a draw, if it has one.
+/// The fragment part of a draw; null: it has none.
 const Variant* fragment_for(const Pass& pass, Devices devices);
 
-/// What it may run for whole blocks instead, if there is such a variant.
+/// The variant that a device may run instead on blocks all of whose elements are visited; null: none.
 const Variant* block_variant_for(const Pass& pass, Devices devices);
 
-/// What it may run in the interior instead, if there is such a variant.
+/// The variant that a device may run instead where all neighbours are inside the domain; null: none.
 const Variant* interior_variant_for(const Pass& pass, Devices devices);
 
-/// What it may run instead of a variant where bounds hold, if there is such a variant.
+/// The variant that a device may run instead of `variant` where bounds hold; null: none.
 const Variant* bounded_variant_of(const Pass& pass, const Variant& variant);
 
-/// What the variant does for an element, what it does once a block included.
+/// The statements of `block`, if present, then those of the body.
 std::vector<StmtId> statements_of(const Variant& variant);
 
-/// The prologue, then the body of each variant.
+/// The prologue, then for each variant its `block`, if present, and its body.
 std::vector<std::vector<StmtId>*> bodies_of(Pass& pass);
 std::vector<const std::vector<StmtId>*> bodies_of(const Pass& pass);
 

@@ -16,7 +16,7 @@ template <class Visit> void for_each_statement(const Program& program, const std
     }
 }
 
-/// Whether there is a barrier among the statements, of a workgroup or of a subgroup.
+/// Whether there is a workgroup or subgroup barrier among the statements, at any depth.
 inline bool has_any_barrier(const Program& program, const std::vector<StmtId>& body) {
     bool found = false;
     for_each_statement(program, body, [&](const Stmt& stmt) {
@@ -25,7 +25,8 @@ inline bool has_any_barrier(const Program& program, const std::vector<StmtId>& b
     return found;
 }
 
-/// What an index, field or component is taken of, and so on: where an assignment or an atomic operation works.
+/// The variable or element at the bottom of a chain of indices, fields and components: the object that an assignment or
+/// an atomic operation changes.
 inline const Expr& place_of(const Program& program, ExprId id) {
     const Expr* expr = &program.exprs[id];
     while (expr->op == Op::index || expr->op == Op::field || expr->op == Op::swizzle)
@@ -52,7 +53,7 @@ template <class Visit> void for_each_node(const Program& program, ExprId id, IdS
     detail::walk_nodes(program, id, seen, visit);
 }
 
-/// Calls visit(ExprId) for the root of every expression of one statement, without the statements inside it.
+/// Calls visit(ExprId) for every expression of one statement, as a whole; not for those of statements inside it.
 template <class Visit> void for_each_root(const Stmt& stmt, Visit&& visit) {
     if (stmt.value) visit(stmt.value);
     if (stmt.target) visit(stmt.target);
@@ -76,8 +77,8 @@ template <class Visit> void walk_tree(const Program& program, ExprId id, Visit& 
 }
 }  // namespace detail
 
-/// The same without a set of visited nodes: a node with two parents is visited twice. For lowered code, where
-/// expressions are trees.
+/// for_each_expression without a set of visited nodes: a node with two parents is visited twice. For lowered code,
+/// where expressions are trees.
 template <class Visit>
 void for_each_expression_of_trees(const Program& program, const std::vector<StmtId>& body, Visit&& visit) {
     for_each_statement(program, body, [&](const Stmt& stmt) {

@@ -1,5 +1,5 @@
-// Sizes, alignments and offsets for all targets. Scalar layout: a type is aligned as its largest scalar, as in
-// GL_EXT_scalar_block_layout and in C++.
+// Sizes, alignments and offsets of types and pass parameters, the same for all targets. Scalar layout: a type is
+// aligned as its largest scalar, as in GL_EXT_scalar_block_layout and in C++.
 #pragma once
 
 #include "ir/pass.h"
@@ -26,7 +26,8 @@ inline constexpr std::uint32_t push_constant_limit = 128;
 /// Bytes of a uniform buffer that every device supports.
 inline constexpr std::uint32_t uniform_buffer_limit = 16384;
 
-/// Gives every pass's parameters their offsets and decides where they are passed.
+/// Gives the parameters of every pass their offsets, decides whether they are push constants or in a uniform or storage
+/// buffer, and allocates workgroup memory.
 void lay_out(ir::Program& program, ir::Lowered& lowered);
 
 }  // namespace gliftc::layout

@@ -12,7 +12,8 @@ using namespace ir;
 
 namespace {
 
-/// Positions in the body, counted in top-level statements: those under no condition and in no loop.
+/// The positions of the first and last top-level statement that name an array. Top-level: under no condition and in no
+/// loop.
 struct Lifetime {
     std::size_t first = 0, last = 0;
 };

@@ -1,4 +1,5 @@
-// Reads and writes of elements: the address, the guard, the load or store.
+// Expander: reads and writes of elements. Makes the address, the guard (the condition under which the access is
+// allowed), and the load or store.
 #include "ir/chain.h"
 #include "ir/walk.h"
 #include "lower/expand.h"
@@ -35,7 +36,7 @@ std::uint32_t Expander::binding(const Place& of_structure, Access access, std::o
     made.format = of.format;
     made.coherent = is_coherent(of_structure);
     made.access = made.coherent ? Access::read_write : access;
-    // Devices filter neither integers nor, if they do not like to, depths.
+    // Devices cannot filter integers, and need not support filtering of depths.
     made.linear = of.linear && of.format != Format::d32 && p.types.scalar_of(of.element) == p.types.float_;
     if (compare) {
         made.linear = true;
@@ -46,7 +47,7 @@ std::uint32_t Expander::binding(const Place& of_structure, Access access, std::o
     return static_cast<std::uint32_t>(bindings.size() - 1);
 }
 
-/// Arguments that lie on the device are read once, before everything else.
+/// Loads the kernel's arguments that are values on the device, once, at the start of the body.
 void Expander::read_arguments() {
     for (std::uint32_t i = 0; i < cx.kernel.params.size(); ++i) {
         const KernelParam& param = cx.kernel.params[i];
@@ -58,7 +59,8 @@ void Expander::read_arguments() {
     }
 }
 
-/// Whether the elements at the place are those that a coherent parameter shares, or a member that functions write so.
+/// Whether the memory of the structure at the place is that of a coherent parameter, or is written with coherent access
+/// by a function that the kernel calls.
 bool Expander::is_coherent(const Place& place) const {
     const auto is_memory_of = [&](const Place& shared) {
         return root_of(p, cx.structure_at(place), place) == root_of(p, cx.structure_at(shared), shared);
@@ -69,7 +71,7 @@ bool Expander::is_coherent(const Place& place) const {
     });
 }
 
-/// The same part of another element: the place of an atomic operation.
+/// The target of an atomic operation: `part`, a field or component of an element, with `element` as that element.
 ExprId Expander::part_of(ExprId part, ExprId element) {
     Expr node = p.exprs[part];
     if (node.op == Op::read) return element;
@@ -78,7 +80,7 @@ ExprId Expander::part_of(ExprId part, ExprId element) {
     return p.exprs.add(std::move(node));
 }
 
-/// An atomic operation on an element of a coherent parameter: beyond the structure it does nothing and gives zero.
+/// An atomic operation on an element of a coherent parameter. At an unmapped address it does nothing and gives zero.
 Pair Expander::atomic(const Expr& node) {
     const Expr target = place_of(p, node.operands[0]);
     Place place = resolved(target.place);
@@ -106,7 +108,7 @@ Pair Expander::atomic(const Expr& node) {
     return {make.local(before), {}};
 }
 
-/// An element of a view that is the memory of the structure at a place.
+/// An element of a structure whose root is a view: evaluates the view where `condition` holds, else gives `otherwise`.
 ExprId Expander::computed(const Place& place, ExprId address, ExprId condition, ExprId otherwise,
                           const std::string& name) {
     const Place root = root_of(p, cx.structure_at(place), place);
@@ -120,7 +122,7 @@ ExprId Expander::load(const Place& place, ExprId physical) {
     return load_from(cx, binding(place, Access::read), physical);
 }
 
-/// What a read that maps nowhere gives: what the first structure of the chain says that says something.
+/// The value of reads at unmapped addresses: that of the first structure of the chain with an `otherwise`, else zero.
 ExprId Expander::otherwise_of(const Place& place) {
     const std::optional<Place> says = says_otherwise(p, cx.structure_at(place), place);
     if (!says) return make.zero(cx.structure_at(place).element);
@@ -129,15 +131,16 @@ ExprId Expander::otherwise_of(const Place& place) {
     return inside(std::move(frame), [&] { return value_of(cx.structure_at(*says).otherwise); });
 }
 
-/// What a read that maps nowhere gives around the current element: zero to invocations of a group beyond the range.
+/// The same for reads of the current element and its neighbours. In grouped kernels, invocations beyond the range get
+/// zero.
 ExprId Expander::otherwise_around(const Place& place) {
     const ExprId otherwise = otherwise_of(place);
     if (!cx.kernel.grouped() || !says_otherwise(p, cx.structure_at(place), place)) return otherwise;
     return make.select(make.local(cx.pass.in_range), otherwise, make.zero(make.type(otherwise)));
 }
 
-/// The element where `guard` and the translation's own condition hold, else `otherwise`. `safe_address` must lie in the
-/// memory; without one it is zero.
+/// Loads the element if `guard` and the translation's condition `physical.has` hold, else gives `otherwise`.
+/// `safe_address` must be a physical address in the memory; absent: address zero.
 ExprId Expander::guarded_load(const Place& place, const Pair& physical, ExprId guard, ExprId safe_address,
                               ExprId otherwise, const std::string& name) {
     ExprId condition = make.both(guard, physical.has);
@@ -168,7 +171,7 @@ ExprId Expander::view(const Place& place, ExprId address) {
     });
 }
 
-/// An element of a view around the current one. Invocations that only fill up the last workgroup see zero.
+/// The current element of a view, or a neighbour. In grouped kernels, invocations beyond the range get zero.
 ExprId Expander::view_around(const Place& place, ExprId address) {
     if (!cx.kernel.grouped()) return view(place, address);
     TypeId type = cx.structure_at(place).element;
@@ -184,7 +187,7 @@ ExprId Expander::element(std::uint32_t root, Span) {
     ExprId value = guarded_load(place, centre(root), guard, {}, otherwise_around(place), cx.name_of(place) + "_value");
     const bool is_read_only = cx.kernel.params[root].direction == Direction::in && !may_be_written_elsewhere(cx, root);
     if (is_read_only || p.exprs[value].op == Op::local) return value;
-    // Written too: what was read must not move past a write.
+    // The memory is also written: a `let` keeps the load from moving past a store.
     return make.local(let(cx.name_of(place) + "_value", value, span_));
 }
 
@@ -229,7 +232,8 @@ std::optional<std::vector<std::int64_t>> Expander::offset_of(const Expr& node) {
     return result;
 }
 
-/// The centre lies in the domain: only the sides that the offset moves towards are asked.
+/// The condition that the neighbour at `offset` is in the domain. Since the current element is, only the sides towards
+/// which the offset points are tested.
 ExprId Expander::near_guard(std::uint32_t root, const std::vector<std::int64_t>& offset) {
     ExprId address = centre_address(root), domain = domain_of({root, {}}), guard;
     for (std::uint32_t axis = 0; axis < offset.size(); ++axis) {
@@ -261,7 +265,8 @@ std::string offset_name(const std::vector<std::int64_t>& offset) {
 
 }  // namespace
 
-/// Interior bodies are made for the domain of the first near structure: others must share it.
+/// Notes that a near parameter needs guards. An interior variant is made only if the domains of all such parameters are
+/// equal.
 void Expander::note_near_guard(std::uint32_t root) {
     has_near_guards = true;
     if (near_root == root) return;

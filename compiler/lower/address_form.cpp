@@ -1,5 +1,6 @@
-// Affine translators, whose code is followed once a structure: a kernel that looks at its neighbours translates one
-// address after the other, and to make the few nodes of the result again is much less work than to follow the code.
+// Expander: affine translators. A kernel that reads neighbours translates many addresses of one structure, so the
+// translator's code is expanded once, with a local for the address; for each address the few resulting nodes are
+// copied, which is much less work.
 #include "ir/walk.h"
 #include "lower/expand.h"
 
@@ -15,7 +16,8 @@ Pair Expander::through_form(const Place& place, const Stage& stage, ExprId addre
     return form.is_known ? made_again(form, address, name) : expanded(place, stage, address, name);
 }
 
-/// Whether no component of the address is uniform: calls with uniform arguments are the host's, and so other code.
+/// Whether no component of the address is uniform. Where one is, expanding the translator would give other code, since
+/// the host evaluates calls with uniform arguments.
 bool Expander::varies_in_all(ExprId address) {
     const Expr& node = p.exprs[address];
     if (is_uniform(cx, address)) return false;
@@ -53,7 +55,8 @@ void Expander::find_form(AddressForm& form, TypeId address) {
     form.is_known = is_value && (!form.has || make.is_constant(form.has)) && collect_nodes(form, first);
 }
 
-/// Whether the address is asked for its components alone: uint2(a.x, a.y) is folded to a, but not of every address.
+/// Collects the nodes of the form. True if they use only components of the address, not the vector as a whole: that
+/// would be the result of folding uint2(a.x, a.y) to a, which does not hold for every address.
 bool Expander::collect_nodes(AddressForm& form, ExprId first) {
     const bool is_vector = p.types.is_vector(make.type(form.address));
     bool is_known = !is_vector || form.value != form.address;

@@ -15,16 +15,17 @@ using namespace ir;
 
 namespace {
 
-/// How one scalar depends on the virtual address.
+/// How one scalar depends on the virtual address: not at all, as an affine function, or otherwise.
 enum class Degree : std::uint8_t { uniform, affine, other };
 
 struct Part {
     Degree degree = Degree::uniform;
-    std::optional<std::uint64_t> value;  ///< a known integer
+    std::optional<std::uint64_t> value;  ///< its value, where that is a constant integer
 };
 using Parts = std::vector<Part>;
 
-/// Follows a translator's code over degrees instead of numbers. Where it cannot follow, the result is `other`.
+/// Abstract interpretation of a translator's code, with a degree for each scalar instead of a number. Where code cannot
+/// be followed, the result is `other`.
 class Degrees {
 public:
     explicit Degrees(const Program& program) : p(program) {}
@@ -74,7 +75,7 @@ Parts Degrees::call(FunctionId id, std::vector<Parts> arguments) {
     return result;
 }
 
-/// Uniform from uniform operands, otherwise not affine.
+/// The result of an operation that is not linear: uniform if all operands are, else `other`.
 Parts Degrees::joined(const Expr& node) {
     Degree degree = Degree::uniform;
     for (ExprId operand : node.operands) degree = std::max(degree, highest(of(operand)));
@@ -140,7 +141,7 @@ Parts Degrees::of(ExprId id) {
     case Op::convert: {
         Parts parts = of(node.operands[0]);
         TypeId from = p.types.scalar_of(p.exprs[node.operands[0]].type), to = p.types.scalar_of(node.type);
-        // Between signed and unsigned of one width nothing is lost.
+        // Conversions between integers keep the degree.
         bool keeps = p.types.is_integer(from) && p.types.is_integer(to);
         for (Part& part : parts) {
             if (!keeps && part.degree == Degree::affine) part.degree = Degree::other;
@@ -215,7 +216,7 @@ bool Degrees::run_if(const Stmt& stmt) {
     if (!run(stmt.body)) return false;
     Frame taken = std::exchange(*frame_, before);
     if (!run(stmt.otherwise)) return false;
-    // Which side is taken decides what was assigned.
+    // What either side assigns depends on the condition.
     std::vector<StmtId> sides = stmt.body;
     sides.insert(sides.end(), stmt.otherwise.begin(), stmt.otherwise.end());
     for_each_statement(p, sides, [&](const Stmt& inner) {
@@ -229,7 +230,7 @@ bool Degrees::run_if(const Stmt& stmt) {
     return true;
 }
 
-/// False where the code cannot be followed.
+/// Follows the statements; false where it cannot.
 bool Degrees::run(const std::vector<StmtId>& body) {
     for (StmtId id : body) {
         const Stmt& stmt = p.stmts[id];

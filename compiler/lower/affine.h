@@ -1,4 +1,5 @@
-// Whether a translator's physical address is an affine function of the virtual one, its coefficients uniform.
+// Infers whether a translator's physical address is an affine function of the virtual address: a sum of its components
+// with coefficients that are the same for all addresses.
 #pragma once
 
 #include "ir/ir.h"

@@ -1,6 +1,7 @@
-// Neighbours in the blocks beside. An element at a constant offset, no further than a block is wide, lies in the own
-// block or in one of those that the offset reaches. They are looked up once a block, by the algebra of quotients that
-// serves the block itself, and each access chooses: no barrier, no copy, and nothing is asked of what the pass writes.
+// Expander: neighbour reads across block borders. A neighbour at a constant offset, no further away than a block is
+// wide, lies in the invocation's own block or in an adjacent one. The memory addresses of all these blocks are computed
+// once a block (the translators' divisions by the block size fold, see quotients.cpp), and each access selects one.
+// This needs no barrier and no copy, and works also for memory that the pass writes.
 #include "ir/effects.h"
 #include "lower/blocks.h"
 #include "lower/expand.h"
@@ -24,7 +25,7 @@ bool is_in_reach(const std::vector<std::int64_t>& offset, const std::vector<std:
 
 }  // namespace
 
-/// Where an offset along one axis leads.
+/// Works out where a neighbour at `offset` along `axis` lies (see Way), once for each parameter, axis and offset.
 const Expander::Way& Expander::way_along(std::uint32_t root, std::uint32_t axis, std::int64_t offset) {
     const auto [found, is_new] = block_.ways.try_emplace({root, axis, offset});
     Way& way = found->second;
@@ -50,13 +51,13 @@ const Expander::Way& Expander::way_along(std::uint32_t root, std::uint32_t axis,
     });
     prelude_.insert(prelude_.end(), made.begin(), made.end());
     if (guards_ != Guards::block) return way;
-    // All of the own block is in the domain; of the next one what the domain has.
+    // All of the own block is in the domain; the adjacent block may be cut off by the domain's end.
     way.inside = way.next.exists;
     if (offset > 1) way.inside = make.both(way.inside, make.binary(BinaryOp::less, way.offset, way.next.room));
     return way;
 }
 
-/// Whether the value has to be loaded for each element.
+/// Whether the value depends on a load that cannot be done once a block.
 bool Expander::is_loaded_by_element(ExprId id) {
     const Expr& node = p.exprs[id];
     if (node.op == Op::local) {
@@ -69,7 +70,8 @@ bool Expander::is_loaded_by_element(ExprId id) {
     return std::ranges::any_of(node.operands, [&](ExprId operand) { return is_loaded_by_element(operand); });
 }
 
-/// The place in memory of an address in a block that is known; absent: there is more to it than the block decides.
+/// The physical address of an address in a certain block; absent if computing it needs a load for each element, since
+/// it could then not be computed for all candidate blocks.
 std::optional<Pair> Expander::place_in_block(const Place& place, ExprId address, const std::string& name) {
     Pair physical;
     Block made = collect([&] {
@@ -85,7 +87,7 @@ std::optional<Pair> Expander::place_in_block(const Place& place, ExprId address,
     return physical;
 }
 
-/// One of two values; what both have in common is not chosen.
+/// A select between two values, pushed inwards to the operands in which they differ.
 ExprId Expander::chosen(ExprId condition, ExprId yes, ExprId no) {
     if (numbers_.of(yes) == numbers_.of(no)) return no;
     const Expr a = p.exprs[yes], b = p.exprs[no];
@@ -105,7 +107,8 @@ ExprId Expander::chosen(ExprId condition, ExprId yes, ExprId no) {
     return make.again(a, std::move(operands));
 }
 
-/// Where the ways along the axes from `axis` on lead, the address in the axes before it being known.
+/// The physical address of a neighbour. `at` has the components of the address that are chosen already; recursion over
+/// the axes adds the others, for the own and for the adjacent block.
 std::optional<Pair> Expander::choose_block(const Place& place, const Ways& ways, Beside at) {
     const std::size_t axis = at.address.size();
     if (axis == ways.size()) {
@@ -137,15 +140,15 @@ std::optional<Pair> Expander::choose_block(const Place& place, const Ways& ways,
     return result;
 }
 
-/// Where the element at an offset is; absent: it is looked up by its address.
+/// The physical address of the neighbour at an offset; absent: the caller translates its virtual address.
 std::optional<Pair> Expander::beside(const Place& place, const std::vector<std::int64_t>& offset) {
     if (!block_.is_of_kernel || !(cx.is_direct() || place.root == *cx.kernel.space)) return std::nullopt;
     const auto widths = block_widths(cx);
     if (!widths || !is_in_reach(offset, *widths)) return std::nullopt;
-    // Where an invocation has one element, looking up two places for it is worth it, four are not.
+    // With one element an invocation, two candidate blocks are worth their lookups, four are not.
     const auto axes = std::ranges::count_if(offset, [](std::int64_t part) { return part != 0; });
     if (axes > 1 && elements_in_block(*block_volume(cx)) == 1) return std::nullopt;
-    centre(place.root);  // first what all accesses share
+    centre(place.root);  // so that its statements come before those of this neighbour, which may use them
     Ways ways;
     for (std::uint32_t axis = 0; axis < offset.size(); ++axis)
         ways.push_back(offset[axis] == 0 ? nullptr : &way_along(place.root, axis, offset[axis]));

@@ -1,5 +1,5 @@
-// Kernels over blocks. An invocation's `address` is {position in its block, number of the block}. What follows from the
-// number comes first, then the test whether the element is there, then the body.
+// Expander: kernels over blocks. An invocation's `address` is {position in its block, number of the block}. First come
+// the values that depend on the number alone, then the test whether the element is visited, then the body.
 #include "lower/blocks.h"
 
 #include "ir/chain.h"
@@ -74,7 +74,8 @@ bool BlockValues::has(const Stmt& stmt) {
     return is_value;
 }
 
-/// {positions, blocks}: what the host knows of them, or at most.
+/// The size of the iteration, {positions in a block, number of blocks}, for the host: an upper bound where the number
+/// of blocks is known only on the device.
 ExprId Expander::visited_size() {
     const Place owner = block_owner(cx);
     const Blocks& blocks = *cx.structure_at(owner).blocks;
@@ -90,7 +91,7 @@ ExprId Expander::visited_size() {
     });
 }
 
-/// What a function of the blocks' owner gives.
+/// Calls a function of the structure that declares the blocks.
 Pair Expander::of_owner(FunctionId function, std::vector<Pair> arguments) {
     Frame frame;
     frame.places = {block_owner(cx)};
@@ -101,8 +102,8 @@ Pair Expander::of_owner(FunctionId function, std::vector<Pair> arguments) {
     });
 }
 
-/// What the value is multiplied by: the other factor, where that is this number. A block that begins at such a product
-/// begins at a multiple of its size.
+/// x, where the value is written as x * divisor; absent otherwise. A block that begins at such a product begins at a
+/// multiple of its size, and x is its number along the axis.
 ExprId Expander::quotient_of(ExprId value, std::uint64_t divisor) {
     const Expr* node = &p.exprs[value];
     if (node->op == Op::local)
@@ -114,8 +115,8 @@ ExprId Expander::quotient_of(ExprId value, std::uint64_t divisor) {
     return {};
 }
 
-/// One axis of a block. Numbers of blocks are kept below 2^32 / size, so that no address of a block wraps: what lies
-/// beyond is in no domain.
+/// The addresses of a block along one axis. A block with an address of 2^32 or more, which lies outside every domain,
+/// counts as nonexistent, so that no address of a block wraps around.
 Expander::OwnBlock::Axis Expander::block_along(std::uint32_t axis, ExprId first, ExprId size) {
     const std::string name = std::string("block_") + "xyzw"[axis];
     const auto width = make.bits_of(size);
@@ -139,7 +140,7 @@ Expander::OwnBlock::Axis Expander::block_along(std::uint32_t axis, ExprId first,
     return along;
 }
 
-/// Works out what the block's number decides, and from it the element's address.
+/// Computes the block's first address from its number, and from it the element's address.
 void Expander::enter_block() {
     const Blocks& blocks = *cx.structure_at(block_owner(cx)).blocks;
     const ExprId invocation = make.local(cx.pass.address);
@@ -184,13 +185,13 @@ ExprId Expander::origin_of(std::uint32_t root) {
     return cx.parameter_expr(cx.parameter(ParameterSource::origin, cx.name_of({root, {}}) + "_origin", type, root));
 }
 
-/// From the beginning of what is visited.
+/// The element's address relative to the origin of the visited range.
 ExprId Expander::relative_address() {
     const ExprId address = visited_address();
     return cx.is_direct() ? address : make.binary(BinaryOp::subtract, address, origin_of(*cx.kernel.space));
 }
 
-/// The address of a parameter's own element: ranges may begin elsewhere.
+/// The address of the current element in the structure of another parameter, whose range may have another origin.
 ExprId Expander::address_in_block(std::uint32_t root) {
     const std::uint32_t space = *cx.kernel.space;
     const ExprId address = visited_address();
@@ -198,7 +199,8 @@ ExprId Expander::address_in_block(std::uint32_t root) {
     return make.add(address, make.binary(BinaryOp::subtract, origin_of(root), origin_of(space)));
 }
 
-/// Whether the element is visited: its block is there, and it lies in the range, which lies in the domain.
+/// The condition that the element is visited: its block exists, and the element lies in the range (in the direct form
+/// the domain).
 ExprId Expander::is_element_there() {
     const std::uint32_t space = *cx.kernel.space;
     const ExprId address = visited_address();
@@ -207,7 +209,7 @@ ExprId Expander::is_element_there() {
     return make.both(block_.is_there, inside);
 }
 
-/// Whether all elements of the block are visited.
+/// The condition that all elements of the block are visited.
 ExprId Expander::is_block_there() {
     const std::uint32_t space = *cx.kernel.space;
     visited_address();
@@ -235,7 +237,8 @@ bool Expander::is_of_block(ExprId id) {
     return std::ranges::all_of(node.operands, [&](ExprId operand) { return is_of_block(operand); });
 }
 
-/// The condition without what the block decides, which is asked once a block.
+/// With Guards::block: the condition without those of its conjuncts that are the same for the whole block; these are
+/// added to block_.holds, which is tested once a block.
 ExprId Expander::without_block_tests(ExprId condition) {
     if (!condition || guards_ != Guards::block) return condition;
     if (is_of_block(condition)) {
@@ -247,14 +250,16 @@ ExprId Expander::without_block_tests(ExprId condition) {
     return make.both(without_block_tests(node.operands[0]), without_block_tests(node.operands[1]));
 }
 
-/// Whether the statement names what the block decides: it may stand before the test of the element.
+/// Whether the statement is a `let` of a pure value that depends on the block alone: it may come before the test
+/// whether the element is visited.
 bool Expander::is_value_of_block(StmtId id) {
     const Stmt& stmt = p.stmts[id];
     return stmt.op == StmtOp::let && stmt.value && !p.locals[stmt.local].is_mutable && is_of_block(stmt.value) &&
            numbers_.is_pure(stmt.value);
 }
 
-/// The prelude and the body, where they are right.
+/// The prelude and the body, under the condition that they are valid: the element is visited, or with Guards::block,
+/// all elements of the block are.
 Expander::Block Expander::visited_block(Block body) {
     return collect([&] {
         if (guards_ != Guards::block) {

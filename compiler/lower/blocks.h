@@ -1,4 +1,5 @@
-// What is known of the blocks that a kernel visits.
+// Kernels over blocks visit the elements of blocks that a structure declares (ir::Blocks), such as resident pages. Here
+// is what the compiler knows of these blocks.
 #pragma once
 
 #include "lower/context.h"
@@ -9,32 +10,35 @@
 
 namespace gliftc::lower {
 
-/// Of the invocation's address: the kernel's, or {position, block} where blocks are visited.
+/// The type of the invocation's address: the kernel's domain type, or uint2, {position in the block, number of the
+/// block}, where blocks are visited.
 TypeId iteration_type(Context& cx);
 
-/// The structure that declares the blocks which the kernel visits.
+/// The place of the structure that declares the blocks which the kernel visits.
 ir::Place block_owner(const Context& cx);
 
-/// The number of a block's elements, where that is a constant.
+/// The number of elements of a block, if it is a constant.
 std::optional<std::uint64_t> block_volume(const Context& cx);
 
-/// Its size along each axis, where that is constant.
+/// The size of a block along each axis, if it is constant.
 std::optional<std::vector<std::uint32_t>> block_widths(const Context& cx);
 
-/// As many blocks as two axes of a dispatch take on every device.
+/// The largest number of blocks: every device allows that many workgroups along two axes of a dispatch.
 constexpr std::uint64_t most_blocks = 65535ull * 65535ull;
 
-/// How many elements of a block an invocation of a shader takes, where the body allows it: what the block decides is
-/// computed by each invocation. One where blocks do not divide so.
+/// How many elements of a block of `volume` elements an invocation of a shader takes, where the body allows it. More
+/// than one, since each invocation computes the values that depend on the block alone; one if the volume is not
+/// divisible accordingly.
 std::uint32_t elements_in_block(std::uint64_t volume);
 
-/// Which values are the same for all elements of a block, and do not change in the pass.
+/// Finds the values that are the same for all elements of a block and do not change in the pass.
 class BlockValues {
 public:
     explicit BlockValues(Context& context) : cx(context), numbers_(context) {}
 
     bool has(ExprId id);
-    /// Whether the statement names such a value. Of another `let` the local is noted, in order.
+    /// Whether the statement is a `let` of such a value. The local of any other `let` is noted as varying, so this has
+    /// to be called for all statements in order.
     bool has(const ir::Stmt& stmt);
 
 private:

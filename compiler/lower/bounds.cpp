@@ -1,4 +1,4 @@
-// Expressions: each scalar of a value by itself.
+// Following: the cases for expressions. Each scalar of a value is followed by itself.
 #include "lower/bounds.h"
 
 #include "ir/chain.h"
@@ -67,7 +67,8 @@ Parts Following::member(std::uint32_t slot, TypeId type) {
     return parts;
 }
 
-/// What the structure is made with; what its own structures are made with has no more than a name.
+/// An argument, memory extent or domain of the structure, or of one of its members. Those of members that were made
+/// elsewhere are unknowns.
 Parts Following::of_leaf(const Expr& node) {
     if (node.place.root == 0 && node.place.members.empty()) {
         if (node.op == Op::member) return member(node.slot, node.type);
@@ -87,7 +88,7 @@ Parts Following::of_leaf(const Expr& node) {
     return parts;
 }
 
-/// The same of a structure that is made here: its arguments are known.
+/// The same for a member that the structure makes itself, whose constructor arguments are known here.
 Parts Following::of_member_leaf(const Expr& node) {
     const MemberStructure& member = s->members[*node.place.members.begin()];
     const Structure* const made = &p.structures[member.structure];
@@ -227,7 +228,7 @@ Parts Following::of_index(const Expr& node) {
     return result;
 }
 
-/// A comparison of vectors, axis by axis.
+/// A component-wise comparison of vectors.
 Parts Following::of_lanes(BinaryOp op, const Parts& a, const Parts& b, std::size_t count) {
     Parts parts;
     for (std::size_t lane = 0; lane < count; ++lane) {

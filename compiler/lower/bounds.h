@@ -1,4 +1,5 @@
-// Follows the code of translators and extents over symbolic numbers: what lower/contained.cpp compares.
+// Abstract interpretation of translators and extents over symbolic numbers (lower/symbolic.h): gives the physical
+// address and the extent of the memory, which lower/contained.cpp compares to drop bounds checks.
 #pragma once
 
 #include "ir/ir.h"
@@ -9,13 +10,13 @@
 
 namespace gliftc::lower {
 
-/// What follows from a condition, each a sum that is at least zero.
+/// A condition: its value if that is known, and the sums that are at least zero if it is true, or false.
 struct Truth {
     std::optional<bool> known;
     std::vector<symbolic::Sum> if_true, if_false;
 };
 
-/// One scalar of a value: a number, or a condition (then `sum` stands for it where it is the same for all addresses).
+/// One scalar of a value: a number, or a condition (then `sum` is an unknown that stands for it).
 struct Part {
     symbolic::Sum sum;
     Truth truth;
@@ -31,23 +32,24 @@ inline Truth inverse(const Truth& truth) {
     return result;
 }
 
-/// What unknowns are results of, beside binary operators and intrinsics.
+/// Operations whose results may be unknowns, besides binary operators and intrinsics.
 enum Operation : std::uint32_t { not_zero = 1000, choice, leaf, conversion, logical_inversion, minus, bit_inversion };
 inline std::uint32_t operation_of(ir::BinaryOp op) { return static_cast<std::uint32_t>(op); }
 inline std::uint32_t operation_of(ir::Intrinsic intrinsic) { return 100 + static_cast<std::uint32_t>(intrinsic); }
 
-/// Where addresses are followed: one structure, made with sizes that are not known.
+/// The interpreter for the code of one structure, whose constructor arguments are unknowns.
 class Following {
 public:
     Following(const ir::Program& program, std::uint32_t structure) : p(program), s(&program.structures[structure]) {}
 
-    /// An expression over the structure itself.
+    /// The value of an expression over the structure itself.
     Parts of_structure(ir::ExprId id);
-    /// The extent of what the address that translators make leads to: a memory, or the domain of a structure.
+    /// The extent within which physical addresses must lie: a memory's, or the domain of the structure that is the
+    /// memory.
     Parts extent_of_memory();
-    /// What translators make of an address; none where all of it maps nowhere.
+    /// The physical address of a virtual one; none if the translators map every such address to `none`.
     std::optional<Parts> translated(Parts address);
-    /// An argument of the constructor is this, from here on.
+    /// Sets component `lane` of constructor argument `slot`.
     void set_member(std::uint32_t slot, std::uint32_t lane, const symbolic::Sum& sum) { members_[{slot, lane}] = sum; }
     Parts member(std::uint32_t slot, ir::TypeId type);
 
@@ -57,8 +59,8 @@ private:
     struct Frame {
         std::unordered_map<ir::LocalId, Parts> locals;
         std::optional<Parts> returned;
-        bool has_left = false;    ///< every path to here has returned
-        bool is_followed = true;  ///< otherwise what is returned is not known
+        bool has_left = false;    ///< every path to the current statement has returned
+        bool is_followed = true;  ///< false: code could not be followed, so the result is unknown
     };
 
     Parts of(ir::ExprId id);
@@ -105,11 +107,12 @@ private:
     void give_up();
 
     const ir::Program& p;
-    const ir::Structure* s;  ///< whose expressions are followed
+    const ir::Structure* s;  ///< the structure whose expressions are being followed
     const ir::Stage* stage_ = nullptr;
     Frame* frame_ = nullptr;
     std::map<std::pair<std::uint32_t, std::uint32_t>, symbolic::Sum> members_;
-    std::unordered_map<symbolic::Unknown, symbolic::Sum> bits_;  ///< that a result of operations on bits may have
+    /// For results of bit operations: a number that has all bits which the result may have.
+    std::unordered_map<symbolic::Unknown, symbolic::Sum> bits_;
     unsigned depth_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// Arithmetic on symbolic numbers: what each operation makes of them, and between what its result lies.
+// Following: arithmetic on symbolic numbers. Each operation gives a sum, or an unknown with bounds.
 #include "ir/evaluate.h"
 #include "lower/bounds.h"
 
@@ -48,7 +48,7 @@ Parts Following::unknown(TypeId type) {
     return parts;
 }
 
-/// The result of an operation that is not followed, on operands that do not vary.
+/// An unknown for the result of an operation that is not followed further.
 Sum Following::opaque(std::uint32_t operation, std::vector<Sum> operands, TypeId scalar) {
     const bool is_unsigned = scalar == p.types.uint || scalar == p.types.uint64;
     const std::optional<Sum> low = is_unsigned ? std::optional(number(0)) : std::nullopt;
@@ -56,7 +56,8 @@ Sum Following::opaque(std::uint32_t operation, std::vector<Sum> operands, TypeId
     return symbols.applied({operation, std::move(operands)}, {low, std::nullopt}, varies);
 }
 
-/// Whether a sum of unsigned numbers is what the program computes: sizes are taken to be.
+/// Whether the sum cannot exceed 2^32 - 1, so that it is what the program's wrapping arithmetic gives. Sums of sizes
+/// alone are taken to fit.
 bool Following::fits(const Sum& sum) {
     if (!symbols.varies(sum)) return true;
     if (sum.size() == 1 && sum.begin()->first.size() == 1 && sum.begin()->second == 1) return true;
@@ -72,7 +73,7 @@ Sum Following::at_least_one(const Sum& sum) {
     return symbols.applied({not_zero, {sum}}, {number(1), std::nullopt}, symbols.varies(sum));
 }
 
-/// a - b of unsigned numbers, which is not what it says where b is larger.
+/// a - b of unsigned numbers: the sum a - b if b is known to be no larger, else an unknown, since it may wrap.
 Sum Following::difference(const Sum& a, const Sum& b) {
     if (fits(a) && symbols.is_natural(a - b)) return a - b;
     return opaque(operation_of(BinaryOp::subtract), {a, b}, p.types.uint);
@@ -95,7 +96,7 @@ Sum Following::quotient(const Sum& a, const Sum& b) {
     std::optional<Sum> low;
     if (symbols.is_natural(rest)) low = number(symbols.is_natural(rest - by) ? 1 : 0);
     std::optional<Sum> high = high_over(rest);
-    // A constant that is less than the divisor adds one at most.
+    // A constant below the divisor increases the quotient by one at most.
     const auto constant = rest.find({});
     if (constant != rest.end() && constant->second > 0 && rest.size() > 1 && value_of(by) && !high)
         high = quotient(rest - number(constant->second), by) + number(1);
@@ -120,7 +121,7 @@ Sum Following::smaller(const Sum& a, const Sum& b) {
     for (int least : {0, 1})
         if (symbols.is_natural(a - number(least)) && symbols.is_natural(b - number(least))) low = number(least);
     std::optional<Sum> high = !symbols.varies(b) ? b : !symbols.varies(a) ? a : symbols.highest(a);
-    // Of two numbers with a sum that is known, one is no more than half of it.
+    // The smaller of two numbers is no more than half of their sum.
     if (symbols.varies(a) && !symbols.varies(a + b)) high = quotient(a + b, number(2));
     return symbols.applied({operation_of(Intrinsic::min), {a, b}}, {low, high}, symbols.varies(a) || symbols.varies(b));
 }
@@ -145,7 +146,7 @@ Part Following::joined(const Part& a, const Part& b) {
     return part_of(symbols.varying(std::move(bounds)));
 }
 
-/// One of two values; what is empty maps nowhere.
+/// Either of two values. An empty one stands for `none`: an address that is mapped nowhere.
 Parts Following::joined(const Parts& a, const Parts& b) {
     if (a.empty() || b.empty()) return a.empty() ? b : a;
     Parts result;
@@ -189,7 +190,7 @@ Truth Following::compared(BinaryOp op, const Sum& a, const Sum& b) {
     return truth;
 }
 
-/// The bits that a number may have, as a number that does not vary: those of the operation on such numbers.
+/// A number that is the same for all addresses and has every bit that the given number may have; none if not known.
 std::optional<Sum> Following::bits_of(const Sum& sum) {
     if (!symbols.varies(sum)) return sum;
     if (sum.size() == 1 && sum.begin()->first.size() == 1) {
@@ -204,13 +205,13 @@ std::optional<Sum> Following::bits_of(const Sum& sum) {
     }
     std::optional<Sum> high = symbols.highest(sum);
     if (!high) return std::nullopt;
-    // All below the highest bit.
+    // Set all bits below the highest one.
     for (int distance : {1, 2, 4, 8, 16})
         high = bits_together(BinaryOp::bit_or, *high, quotient(*high, number(std::int64_t{1} << distance)));
     return high;
 }
 
-/// An operation on the bits of two numbers that do not vary.
+/// A bit operation on two numbers that are the same for all addresses.
 Sum Following::bits_together(BinaryOp op, const Sum& a, const Sum& b) {
     const auto x = value_of(a), y = value_of(b);
     if ((!x || !y) && op == BinaryOp::bit_and)

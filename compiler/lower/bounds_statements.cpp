@@ -1,4 +1,5 @@
-// The statements of functions: paths where a condition is not known are followed both, and what they give is joined.
+// Following: the cases for statements. Where a condition is not known, both paths are followed and their results
+// joined.
 #include "ir/evaluate.h"
 #include "lower/bounds.h"
 #include "lower/unroll.h"
@@ -44,7 +45,7 @@ std::optional<Parts> Following::translated(Parts address) {
     return address;
 }
 
-/// Numbers that vary get the bounds that the facts, each a sum that is at least zero, give them.
+/// Narrows the bounds of numbers that vary by facts: sums that are at least zero.
 void Following::assume(const std::vector<Sum>& facts) {
     for (const Sum& fact : facts) {
         for (const auto& [product, factor] : fact) {
@@ -97,7 +98,7 @@ void Following::run_if(const Stmt& stmt) {
     const auto after = std::exchange(frame_->locals, before);
     assume(condition.truth.if_false);
     run(stmt.otherwise);
-    if (has_left) return;  // what follows comes from the other side, or from nowhere
+    if (has_left) return;  // the other side has returned: what follows is reached only from this one, if at all
     if (std::exchange(frame_->has_left, false)) {
         frame_->locals = after;
         return;

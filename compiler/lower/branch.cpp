@@ -24,7 +24,7 @@ Program extending(const Program& trunk, Names& names) {
     return program;
 }
 
-/// Gives what refers to nodes of the branch the ids that they have in the trunk.
+/// Replaces references to nodes of the branch by the ids that these have in the trunk.
 class Settling {
 public:
     Settling(Program& trunk, const Growth& growth)
@@ -107,7 +107,7 @@ private:
     const Mark begin_, end_, to_;
 };
 
-/// Moves the values, of which there are few.
+/// Moves nodes one by one: for kinds of nodes of which there are few.
 template <class T> void move(Arena<T>& from, Arena<T>& to, std::uint32_t begin, std::uint32_t end) {
     for (std::uint32_t i = begin; i < end; ++i) to.add(std::move(from[{i}]));
 }

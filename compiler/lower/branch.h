@@ -1,6 +1,7 @@
-// Kernels lowered on several threads: each thread adds nodes to a branch of the program, which sees the program's own
-// and leaves them as they are. Afterwards the nodes become the program's, kernel by kernel, so that nothing depends on
-// which thread did what. Expressions and statements stay where they are, and change hands by the block.
+// Lowers kernels on several threads. Each thread has a branch of the program (the trunk): it sees the trunk's nodes,
+// which nobody changes, and adds its own. Afterwards the branches' nodes are moved to the trunk in the order of the
+// kernels ("grafted"), so that the result does not depend on which thread did what. Expressions and statements are not
+// copied: the arenas hand over whole blocks of memory.
 #pragma once
 
 #include "ir/pass.h"
@@ -11,32 +12,32 @@
 namespace gliftc::lower {
 
 struct Branch {
-    /// The trunk outlives it, and stays as it is until the branch has nothing more to add.
+    /// The trunk must outlive the branch, and must not change until the branch has added its last node.
     explicit Branch(const ir::Program& trunk);
     Branch(const Branch&) = delete;
 
     Names names;
     ir::Program program;
-    // What its own names and types are in the trunk, as far as it has been grafted; those before the first are the
-    // trunk's.
+    // Names and types with ids below first_name and first_type are the trunk's own. The vectors have the trunk's ids of
+    // the branch's names and types, as far as they have been grafted.
     const std::uint32_t first_name, first_type;
     std::vector<Name> trunk_names;
     std::vector<ir::TypeId> trunk_types;
 };
 
-/// What a branch made for one kernel, and where that is in the trunk. Of the nodes that are not the trunk's they name
-/// each other alone.
+/// The nodes that a branch made for one kernel, from `begin` to `end`, and where they are in the trunk after grafting:
+/// from `to` on. They refer only to each other and to nodes of the trunk.
 struct Growth {
     Branch* branch = nullptr;
     Mark begin, end;
-    std::uint32_t names = 0, types = 0;  ///< of the branch in the end
+    std::uint32_t names = 0, types = 0;  ///< how many the branch had at the end
     Mark to;
 };
 
-/// Readies the program for branches.
+/// Prepares the program for branches. Called once before they are made.
 void ready_for_branches(ir::Program& trunk);
 
-/// Lets `make` add to the branch what belongs together.
+/// Calls `make`, which lowers one kernel in the branch, and returns the nodes that it added.
 template <class Make> Growth grown(Branch& branch, Make&& make) {
     const Mark begin(branch.program);
     make();
@@ -46,11 +47,12 @@ template <class Make> Growth grown(Branch& branch, Make&& make) {
     return {&branch, begin, end, branch.names.size(), branch.program.types.size(), end};
 }
 
-/// Gives the nodes to the trunk. One growth after the other, in the order of the kernels; each branch's in the order in
-/// which it made them.
+/// Moves the nodes to the trunk. Called for one growth at a time, in the order of the kernels, which is also the order
+/// in which each branch made its own.
 void graft(ir::Program& trunk, Growth& growth);
 
-/// Gives the grafted nodes, and the forms, which name them, the trunk's ids. Different growths on different threads.
+/// Replaces the branch's ids in the grafted nodes, and in the forms that refer to them, by the trunk's. Different
+/// growths may be settled on different threads.
 void settle(ir::Program& trunk, const Growth& growth, ir::Lowered::Forms& forms);
 
 }  // namespace gliftc::lower

@@ -1,9 +1,9 @@
-// Checked builds: accesses by address that miss their structure are reported.
+// Expander: checks of checked builds (gliftc --checked). Accesses by address outside a structure are reported.
 //
-// What is a mistake: a read or write by address, in a kernel or a function that it calls, outside the domain of a
-// structure that says nothing about its outside. A structure says something by `otherwise` or by a first translator
-// that itself tells some addresses to be nowhere (a border, a page table). Translators and views may rely on zeros
-// outside; so may `near`, `sample`, `find` and `contains`, which exist to be asked about neighbours.
+// Reported is a read or write by address, in a kernel or a function that it calls, outside the domain of a structure
+// that does not define what lies outside. A structure defines that by `otherwise`, or by a first translator that is
+// partial (a border, a page table). Not reported are accesses by translators and views, which may rely on reading zeros
+// outside, nor `near`, `sample`, `find` and `contains`, which are meant for addresses that may be outside.
 #include "ir/chain.h"
 #include "lower/expand.h"
 
@@ -20,7 +20,7 @@ void Expander::check_range(const Place& place, ExprId address, Access access, Sp
     if (!checks_range(place)) return;
     const Structure& structure = cx.structure_at(place);
     ExprId outside = make.negate(inside_domain(place, address));
-    // Invocations that only fill up the last workgroup do not count.
+    // Not for invocations beyond the range, which only fill up the last workgroup.
     if (cx.kernel.grouped()) outside = make.both(make.local(cx.pass.in_range), outside);
     if (make.is_false(outside)) return;
     Stmt report = statement(StmtOp::report, span ? span : span_);

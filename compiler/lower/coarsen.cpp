@@ -25,10 +25,10 @@ bool has_store(const Program& program, const Stmt& stmt) {
 
 namespace {
 
-/// Beyond these a kernel has enough to do with one element, and two would take many registers.
+/// Kernels with more loads or nodes have enough to do with one element, and two would take too many registers.
 constexpr std::size_t most_loads = 16, most_of_one = 600;
 
-/// A loop is work enough, and devices bound the rounds of an invocation.
+/// Whether a function loops: then one element is work enough, and lavapipe limits the iterations of an invocation.
 bool has_loop(const Program& program, FunctionId function) {
     const auto& body = program.functions[function].body;
     bool found = false;
@@ -42,7 +42,7 @@ bool has_loop(const Program& program, FunctionId function) {
     return found;
 }
 
-/// Whether several elements may be computed before any is stored.
+/// Finds whether several elements may be computed before any is stored.
 class Eligibility {
 public:
     explicit Eligibility(Context& context) : cx(context), numbers_(context) {}
@@ -58,7 +58,7 @@ public:
     }
 
 private:
-    /// Straight on, and nothing is loaded from memory that was stored to.
+    /// Accepts straight-line code and ifs, if nothing after a store loads from memory that is written.
     void visit(const Stmt& stmt) {
         fits_ = fits_ && (stmt.op == StmtOp::let || stmt.op == StmtOp::assign || stmt.op == StmtOp::if_ ||
                           stmt.op == StmtOp::block);
@@ -70,7 +70,8 @@ private:
         for (StmtId id : stmt.otherwise) visit(cx.p.stmts[id]);
     }
 
-    /// What is stored is found before any store; where, and whether, when others have been made.
+    /// The stored value is evaluated before any store. Addresses and conditions are evaluated later, when other
+    /// elements may have stored, so they must not depend on memory that is written.
     void visit_store(const Stmt& stmt) {
         fits_ = fits_ && (is_store(stmt) || stmt.op == StmtOp::if_);
         for_each_root(stmt, [&](ExprId root) {
@@ -108,7 +109,7 @@ private:
         if (node.op == Op::call) fits_ = fits_ && !writes_what_it_reads() && !has_loop(cx.p, node.function);
     }
 
-    /// Functions may load from any memory.
+    /// Whether some binding is both read and written: functions may load from any binding.
     bool writes_what_it_reads() const {
         return std::ranges::any_of(cx.pass.bindings,
                                    [](const PassBinding& binding) { return binding.access == Access::read_write; });
@@ -121,7 +122,7 @@ private:
     std::size_t loads_ = 0, nodes_ = 0;
 };
 
-/// Whether a value that will be stored needs no name until then.
+/// Whether the value of a delayed store needs no `let`, since it cannot change until then.
 bool keeps(const Context& cx, ExprId value, bool ends_in_stores) {
     const Expr& node = cx.p.exprs[value];
     if (node.op != Op::local) return is_trivial(cx, value);
@@ -167,7 +168,8 @@ private:
         return local;
     }
 
-    /// A whole workgroup further along a line, so that lanes stay side by side; else in the next row.
+    /// The address of the second element: in one dimension a workgroup's width further, so that lanes stay contiguous;
+    /// else in the next row.
     ExprId next_address() {
         const ExprId address = cx.make.local(cx.pass.address);
         if (cx.pass.rank == 1) {
@@ -188,7 +190,8 @@ private:
         return cx.make.local(let(name, cx.make.select(has_next_, next, at), cx.kernel.span));
     }
 
-    /// What lies a row further from the first element is the same distance less from the second.
+    /// A neighbour of the first element at offset (x, y + 1) is the neighbour of the second one at (x, y): it is loaded
+    /// once.
     static bool share_rows(StatementCopy& second, const std::vector<Expander::NearValue>& near) {
         bool found_any = false;
         for (const Expander::NearValue& one : near) {
@@ -205,7 +208,8 @@ private:
         return found_any;
     }
 
-    /// Where there is no second element, its rows further down count as outside.
+    /// Replaces the second element's guards of rows below by those for one row more. Where there is no second element,
+    /// such rows then count as outside.
     void share_guards(StatementCopy& second, const std::vector<Expander::RowGuard>& guards) {
         for (const Expander::RowGuard& guard : guards) {
             const ExprId distance = cx.make.uint(static_cast<std::uint64_t>(guard.distance + 1));
@@ -214,7 +218,8 @@ private:
         }
     }
 
-    /// Without shared rows the second element is then the first, and storing it again changes nothing.
+    /// The statements under the condition that there is a second element. Stores need it only if loads are shared;
+    /// otherwise the second element is then a copy of the first, and storing it again changes nothing.
     StmtId where_there_is_one(const std::vector<StmtId>& statements) {
         Stmt stmt = statement(StmtOp::if_, cx.p.stmts[statements.front()].span);
         stmt.value = has_next_;
@@ -222,7 +227,7 @@ private:
         return cx.add(std::move(stmt));
     }
 
-    /// A store waits until both elements are known.
+    /// Adds a statement; stores are put into `stores` instead, to come after both elements are computed.
     void add(StmtId id, std::vector<StmtId>& stores) {
         if (!has_store(cx.p, cx.p.stmts[id])) return result_.push_back(id);
         stores.push_back(with_named_value(cx, id, ends_in_stores_, result_));

@@ -1,47 +1,50 @@
 // Thread coarsening: an invocation of a shader takes two elements, all loads before the first store. GPUs start
 // invocations and wait for memory; with one small element each they do little else (docs/performance.md).
 //
-// Needs: the statements of a kernel as expanded. Guarantees: where there is no second element it is the first once
-// more, stored twice or not again.
+// Needs: the statements of a kernel after "expand". Guarantees: at the end of the range, where there is no second
+// element, the first one is computed in its place, and stored a second time or not.
 #pragma once
 
 #include "lower/expand.h"
 
 namespace gliftc::lower {
 
-/// A body for two elements.
+/// A body for several elements an invocation.
 struct Coarsened {
-    std::vector<StmtId> body;                           ///< empty: there is no gain, or the kernel cannot be run so
-    ExprId in_range;                                    ///< holds for the second element's address
-    std::array<std::uint32_t, 3> elements = {1, 1, 1};  ///< along each axis
+    std::vector<StmtId> body;                           ///< empty: there is no gain, or the kernel does not allow it
+    ExprId in_range;                                    ///< condition: the second element's address is in the range
+    std::array<std::uint32_t, 3> elements = {1, 1, 1};  ///< how many elements along each axis
 };
 
-/// `made` made the body: what its near accesses gave is partly the second
-/// element's, too.
+/// Two elements, all loads before the first store. `made` is the expander that made the body: it knows which values
+/// neighbour reads gave, some of which the second element uses again.
 Coarsened coarsened(Context& cx, const std::vector<StmtId>& body, const Expander& made);
 
-/// All of the first element, then all of the second, if there is one: for statements that may run twice, whatever they
-/// read and write.
+/// Two elements, one after the other: the statements of the first, then under a condition those of the second. Valid
+/// for any loads and stores.
 Coarsened coarsened_in_turn(Context& cx, const std::vector<StmtId>& body);
 
-/// Several elements of a block, a workgroup's width apart, after what the block decides: in a loop; or without one, for
-/// blocks all of whose elements are visited. `whole` is the body for these.
+/// In kernels over blocks, several elements of a block, a workgroup's width apart. Values that depend on the block
+/// alone come first, then the elements in a loop; or without a loop for blocks all of whose elements are visited, whose
+/// body is `whole`.
 Coarsened coarsened_in_block(Context& cx, const std::vector<StmtId>& body, const std::vector<StmtId>& whole);
 
-/// Whether what statements store may wait until other elements have loaded what they need.
+/// Whether all stores of a body may be delayed until other elements have made their loads; and how many loads and nodes
+/// the body has.
 struct StoredLast {
     bool holds = false;
     std::size_t loads = 0, nodes = 0;
 };
 StoredLast stored_last(Context& cx, const std::vector<StmtId>& body);
 
-/// Whether memory is written by the statement or in it.
+/// Whether the statement is or contains a store.
 bool has_store(const ir::Program& program, const ir::Stmt& stmt);
 
-/// A store whose value is named in `before`, so that it may wait. `ends_in_stores`: no other statements follow.
+/// Makes a store that may be delayed: a `let` of its value is added to `before`, if needed. `ends_in_stores`: only
+/// stores follow in the body, so that no variable changes any more.
 StmtId with_named_value(Context& cx, StmtId id, bool ends_in_stores, std::vector<StmtId>& before);
 
-/// Whether an invocation of a shader takes two elements.
+/// Whether an invocation of a shader takes more elements than the kernel says.
 bool is_coarsened(const ir::Pass& pass);
 
 }  // namespace gliftc::lower

@@ -1,9 +1,10 @@
-// Several elements of a block in one invocation of a shader: what the block decides is computed by each invocation, so
-// that it is computed less often. A workgroup's width lies between two elements of an invocation.
+// Thread coarsening in kernels over blocks: an invocation of a shader takes several elements of a block, a workgroup's
+// width apart. Each invocation computes the values that depend on the block alone, so fewer invocations compute them
+// less often.
 //
-// Blocks all of whose elements are visited have a way of their own, on devices that skip branches: the elements follow
-// each other without a loop, with constant places in the block, and a few of them load before any is stored. GPUs wait
-// for memory: a loop that stores before it loads again waits once a round.
+// Blocks all of whose elements are visited have separate code, on devices that skip branches: elements without a loop,
+// at constant positions in the block, several of which load before any is stored. A loop that stores before it loads
+// again would wait for memory in every iteration.
 #include "ir/walk.h"
 #include "lower/blocks.h"
 #include "lower/coarsen.h"
@@ -18,10 +19,11 @@ using namespace ir;
 
 namespace {
 
-/// Of all elements that load before one is stored: more take many registers.
+/// Limits for all elements that load before one is stored: more would take too many registers.
 constexpr std::size_t most_loads_together = 64, most_nodes_together = 4096;
 
-/// Whether statements may stand in a loop of the invocation's.
+/// Whether the statements may be the body of a loop over elements: no returns, and no loops, whose iterations would
+/// multiply.
 bool may_be_looped(const Context& cx, const std::vector<StmtId>& body) {
     bool may = true;
     for_each_statement(cx.p, body, [&](const Stmt& stmt) {
@@ -30,10 +32,10 @@ bool may_be_looped(const Context& cx, const std::vector<StmtId>& body) {
     return may;
 }
 
-/// A body for any block, part by part.
+/// A body, divided into the statements that depend on the block alone and those for each element.
 struct Parts {
     std::vector<StmtId> of_block, of_element;
-    ExprId holds;  ///< whether all elements of the block are visited; absent: nothing says so
+    ExprId holds;  ///< the condition that all elements of the block are visited; absent: the body has none
 };
 
 Parts divided(Context& cx, const std::vector<StmtId>& body) {
@@ -54,7 +56,7 @@ public:
     BlockCoarsening(Context& context, std::uint64_t volume, std::uint32_t elements)
         : cx(context), volume_(volume), elements_(elements), width_(context.pass.group[0]) {}
 
-    /// A loop over the elements, each of which is asked for.
+    /// A loop over the invocation's elements, whose body tests whether each is visited.
     StmtId loop_over(const std::vector<StmtId>& body) {
         Stmt loop = statement(StmtOp::for_, cx.kernel.span);
         loop.local = cx.new_local("turn", cx.p.types.uint, cx.kernel.span);
@@ -67,7 +69,7 @@ public:
         return cx.add(std::move(loop));
     }
 
-    /// The elements one after the other, `together` of which load before any is stored.
+    /// The elements without a loop; `together` of them load before any of these is stored.
     std::vector<StmtId> whole(const std::vector<StmtId>& body, std::uint32_t together) {
         Stmt first = statement(StmtOp::let, cx.kernel.span);
         first.local = cx.new_local("first", cx.p.types.uint, cx.kernel.span);
@@ -96,7 +98,8 @@ private:
         return cx.make.construct(cx.make.type(address), {position, cx.make.component(address, 1)});
     }
 
-    /// The position stands as the sum that it is wherever it is named: its quotients are then known.
+    /// Adds a copy of the statement for the element at position `at`. The position is substituted as a sum wherever it
+    /// is used, so that quotients and remainders of it fold.
     void add(StatementCopy& copy, StmtId id, ExprId at, std::vector<StmtId>& stores) {
         const Stmt& stmt = cx.p.stmts[id];
         if (stmt.op == StmtOp::let && stmt.value && stmt.value == first_of(stmt.value) &&
@@ -107,7 +110,7 @@ private:
         stores.push_back(with_named_value(cx, made, false, result_));
     }
 
-    /// The value, if it is the invocation's position.
+    /// The value itself if it is the invocation's position in the block, else absent.
     ExprId first_of(ExprId value) const {
         const Expr& node = cx.p.exprs[value];
         const bool is_position = node.op == Op::swizzle && !cx.p.types.is_vector(node.type) && node.lanes[0] == 0 &&
@@ -122,7 +125,7 @@ private:
     std::vector<StmtId> result_;
 };
 
-/// How many elements may load before any is stored; one: there is no gain.
+/// How many elements may load before any of them is stored; one: there is no gain.
 std::uint32_t elements_together(const StoredLast& body, std::uint32_t elements) {
     if (!body.holds) return 1;
     const auto is_much = [&](std::uint32_t together) {

@@ -8,18 +8,18 @@ using namespace ir;
 
 namespace {
 
-/// The nodes of one arena that were made after the mark: first which of them stay, then what their ids become.
+/// The nodes of one arena that were made after the mark: first marks those that stay, then has their new ids.
 template <class T> class Moves {
 public:
     Moves(Arena<T>& arena, std::uint32_t first) : arena_(arena), first_(first), to_(arena.size() - first, gone) {}
 
-    /// Whether the node was not kept before.
+    /// Marks a node as kept; true if it was not before.
     bool keep(Id<T> id) {
         if (!id || id.index < first_ || to_[id.index - first_] != gone) return false;
         to_[id.index - first_] = stays;
         return true;
     }
-    /// Moves what stays together.
+    /// Moves the kept nodes together.
     void close_gaps() {
         std::uint32_t next = first_;
         for (std::uint32_t i = 0; i < to_.size(); ++i) {

@@ -1,5 +1,6 @@
-// Takes out of the program what only led to a pass. Each step of lowering makes nodes anew, so that nine of ten belong
-// to no pass in the end; without them the next kernel is lowered in memory that is in the caches already.
+// Garbage collection of nodes after a kernel has been lowered. Each step of lowering makes new nodes, so that in the
+// end nine of ten are unreachable from any pass; once they are removed, the next kernel reuses memory that is in the
+// caches.
 #pragma once
 
 #include "ir/pass.h"
@@ -8,7 +9,7 @@
 
 namespace gliftc::lower {
 
-/// How many nodes there were at one time.
+/// How many nodes of each kind a program had at one time.
 struct Mark {
     explicit Mark(const ir::Program& program)
         : exprs(program.exprs.size()), stmts(program.stmts.size()), locals(program.locals.size()),
@@ -16,8 +17,8 @@ struct Mark {
     std::uint32_t exprs, stmts, locals, functions;
 };
 
-/// Of the expressions and statements made after `mark` only those stay that the passes or functions made after it name.
-/// Their order stays, their ids become smaller. Needs: nothing else refers to nodes made after the mark.
+/// Removes expressions and statements made after `mark` that neither the passes nor functions made after it refer to.
+/// The others keep their order and get smaller ids. Needs: nothing else refers to nodes made after the mark.
 void compact(ir::Program& program, const Mark& mark, std::span<ir::Pass* const> passes);
 
 }  // namespace gliftc::lower

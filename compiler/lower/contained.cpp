@@ -14,12 +14,13 @@ using symbolic::Sum;
 
 namespace {
 
-/// A component of an argument of the constructor.
+/// Component `lane` of constructor argument `slot`.
 struct Argument {
     std::uint32_t slot, lane;
 };
 
-/// The argument's components that are the extents of the domain, one an axis; none where they are something else.
+/// The constructor arguments' components that are the extents of the domain, one an axis; empty if the domain is
+/// anything else.
 std::vector<Argument> extents_of(const Program& p, std::uint32_t index) {
     const Structure& s = p.structures[index];
     Following following(p, index);
@@ -37,7 +38,8 @@ std::vector<Argument> extents_of(const Program& p, std::uint32_t index) {
 
 bool is_partial(const Program& p, const Structure& s) { return !is_total(p, s); }
 
-/// An address that may be asked for: any where the first translator is partial, else one of the domain.
+/// A symbolic address that stands for all that may be translated: any address if the first translator is partial, else
+/// one of the domain.
 Parts any_address(Following& following, const Program& p, const Structure& s) {
     const Parts domain = following.of_structure(s.domain);
     Parts address;
@@ -51,7 +53,7 @@ Parts any_address(Following& following, const Program& p, const Structure& s) {
 
 constexpr std::uint8_t all_axes = 0xff;
 
-/// The axes along which every address leads into the memory where the domain has elements.
+/// The axes along which every physical address lies in the memory, provided that the domain is not empty.
 std::uint8_t axes_inside(const Program& p, std::uint32_t index, const std::vector<Argument>& extents) {
     const Structure& s = p.structures[index];
     Following following(p, index);
@@ -65,8 +67,9 @@ std::uint8_t axes_inside(const Program& p, std::uint32_t index, const std::vecto
     return axes;
 }
 
-/// Whether an empty domain, of no extent along one axis, leads nowhere or to the first element, which is zero: every
-/// memory has room for one, unless it is a structure.
+/// Whether accesses need no check even if the domain has extent 0 along the axis `none`: every address is unmapped, or
+/// leads to physical address 0, and every buffer and image has room for one element, which reads as zero (so there must
+/// be no `otherwise`).
 bool is_harmless_empty(const Program& p, std::uint32_t index, const Argument& none) {
     const Structure& s = p.structures[index];
     Following following(p, index);
@@ -80,7 +83,7 @@ bool is_harmless_empty(const Program& p, std::uint32_t index, const Argument& no
 
 bool has_memory(const Structure& s) { return !s.base.empty() || !s.memories.empty(); }
 
-/// Whether what has the addresses of its memory asks for no others.
+/// Whether the structure has no translator, and its domain is that of the structure that is its memory.
 bool has_domain_of_base(const Program& p, const Structure& s) {
     if (!s.via.empty() || s.base.empty()) return false;
     const Expr& domain = p.exprs[s.domain];
@@ -93,7 +96,7 @@ std::uint8_t contained_axes(const Program& p, std::uint32_t index) {
     if (has_domain_of_base(p, s)) return all_axes;
     const std::vector<Argument> extents = extents_of(p, index);
     const std::uint8_t axes = axes_inside(p, index, extents);
-    // A total translator is asked for no address of an empty domain.
+    // A total translator is never called if the domain is empty.
     if (axes == 0 || !is_partial(p, s)) return axes;
     const bool is_harmless = !extents.empty() && std::ranges::all_of(extents, [&](const Argument& each) {
         return is_harmless_empty(p, index, each);

@@ -1,8 +1,9 @@
-// Whether translated addresses lie in a structure's memory, whatever it is made with: then no access asks.
+// Proves that physical addresses lie in a structure's memory, whatever its constructor arguments are: accesses then
+// need no bounds check.
 //
-// Translators and extents are followed over sums of what the structure is made with (lower/symbolic.h), and the largest
-// address is compared with the memory's extent. Sizes are taken not to wrap around: a structure with such ones is not
-// made. What cannot be followed or compared is guarded at each access.
+// Translators and extents are interpreted over symbolic sums of the constructor's arguments (lower/symbolic.h), and the
+// largest address is compared with the memory's extent. Sizes are assumed not to wrap around: the runtime refuses to
+// make such a structure. Where code cannot be followed or compared, each access is checked.
 #pragma once
 
 #include "ir/ir.h"

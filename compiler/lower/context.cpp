@@ -64,7 +64,7 @@ std::string Context::name_of(const Place& place) const {
 
 namespace {
 
-/// Nodes of a uniform value, written out; 0 where it is not uniform.
+/// The uniform_size of a node.
 std::uint32_t uniform_size_of_node(Context& cx, const Expr& node) {
     switch (node.op) {
 #define SHAPE_OPERATION(name) case Op::name:

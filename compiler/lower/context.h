@@ -1,4 +1,4 @@
-// What the passes over one kernel in one form share.
+// The context of lowering one kernel in one form: what its passes share.
 #pragma once
 
 #include "base/id_set.h"
@@ -19,28 +19,30 @@
 
 namespace gliftc::lower {
 
-/// A function made for this pass: a function or a stage's translate, with its structures and state at these places.
+/// Identifies a lowered instance of a function: the source function (or the translate function of a stage), and the
+/// places of the structures and of the translator state that it uses.
 struct FunctionKey {
     ir::FunctionId function;
-    std::vector<std::vector<std::uint32_t>> places;  ///< of each structure: root, then members
-    std::vector<std::uint32_t> state;                ///< translators: place of the structure, then the stage
-    bool is_within = false;                          ///< called by a translator or view, whose accesses are not checked
+    std::vector<std::vector<std::uint32_t>> places;  ///< for each structure its Place: root, then members
+    std::vector<std::uint32_t> state;  ///< of a translator's function: place of the structure, then index of the stage
+    bool is_within = false;            ///< called by a translator or view: checked builds do not check its accesses
     auto operator<=>(const FunctionKey&) const = default;
 };
 
-/// What an affine translator makes of an address: made once with a local in place of the address, and made again for
-/// each one.
+/// The code of an affine translator for one stage of one structure, with the local `address` in place of the virtual
+/// address: expanded once, then copied for each address.
 struct AddressForm {
+    /// The name that the source gives to a value.
     struct Naming {
         ExprId value;
         Name name;
-        bool is_prefixed = false;  ///< with the name of what is translated
+        bool is_prefixed = false;  ///< the name of the translated address is put before it
     };
     ir::Place place;
     const ir::Stage* stage = nullptr;
-    bool is_known = false;  ///< otherwise it needs statements, or depends on more than components: each one is expanded
+    bool is_known = false;  ///< false: it needs statements, or uses the address as a whole, so it cannot be copied
     ExprId address, value, has;
-    std::vector<ExprId> nodes;  ///< that the value is made of, operands first
+    std::vector<ExprId> nodes;  ///< the nodes of `value`, operands first
     std::vector<Naming> names;
 };
 
@@ -54,27 +56,28 @@ struct Context {
     ir::Pass& pass;
     Diagnostics& diagnostics;
     Checks checks;
-    Trace* trace;             ///< or nothing is shown
-    bool is_stopped = false;  ///< --stop-after has been reached: what follows is left out
+    Trace* trace;             ///< null: nothing is traced
+    bool is_stopped = false;  ///< the pass named by --stop-after has run: later passes are skipped
     Make make;
-    /// What was made before does not belong to this pass alone.
+    /// The first nodes that this lowering makes. Older ones are the program's.
     ExprId first_expr;
     LocalId first_local;
 
     /// The value of each immutable local that a `let` of this pass declares.
     NodeMap<LocalId, ExprId> definitions{first_local};
-    /// What a value was called in the source; used where it gets a name of its own.
+    /// Names that the source gives to values, used for locals that passes introduce for them.
     NodeMap<ExprId, Name> names{first_expr};
     void name(ExprId id, std::string_view text) { names.emplace(id, p.names->intern(text)); }
     std::map<FunctionKey, ir::FunctionId> instances;
     std::vector<std::unique_ptr<AddressForm>> address_forms;
-    std::map<std::vector<std::uint64_t>, ExprId> known_calls;  ///< by function and integers: unit(2)
-    std::unordered_set<ir::FunctionId> made_functions;         ///< the values of instances: they may load
+    std::map<std::vector<std::uint64_t>, ExprId> known_calls;  ///< values of calls with integer constants, as unit(2)
+    std::unordered_set<ir::FunctionId> made_functions;         ///< the functions in `instances`: they may load
     std::vector<LocalId> params;                               ///< of the function whose body is being simplified
-    ExprId size;                                               ///< the iteration's size
-    ir::Part part = ir::Part::whole;                           ///< of a draw: the body that is being made
-    NodeMap<ExprId, std::uint32_t> uniform_sizes{first_expr};
-    NodeMap<ExprId, std::uint8_t> traits{first_expr};  ///< of number.h; valid once the bindings' access is settled
+    ExprId size;                                               ///< the size of the visited range
+    ir::Part part = ir::Part::whole;                           ///< of a draw: which part is being made
+    NodeMap<ExprId, std::uint32_t> uniform_sizes{first_expr};  ///< results of uniform_size
+    /// Caches Numbers::traits_of (number.h); valid once it is known which bindings are written.
+    NodeMap<ExprId, std::uint8_t> traits{first_expr};
 
     std::vector<std::unique_ptr<NumberMemory>> spare_number_memory;
     std::unique_ptr<NumberMemory> take_number_memory();
@@ -87,17 +90,17 @@ struct Context {
     LocalId new_local(Name name, TypeId type, Span span, bool is_mutable = false);
     LocalId new_local(std::string_view name, TypeId type, Span span, bool is_mutable = false);
     const ir::Structure& structure_at(const ir::Place& place) const;
-    std::string name_of(const ir::Place& place) const;  ///< f, f_table
+    std::string name_of(const ir::Place& place) const;  ///< a name for the place in generated code: f, f_table
 };
 
-/// Nodes of a value that is the same for all invocations and that the host computes before the pass runs, as the host
-/// has it: written out, without locals. 0 where it is none, and beyond largest_uniform: what doubles with each step
-/// would never end.
+/// The number of nodes of a uniform value: one that is the same for all invocations and that the host can compute
+/// before the pass runs, with the definitions of locals substituted. 0 if the value is not uniform, or has more than
+/// largest_uniform nodes, since substitution can double the size with each local.
 std::uint32_t uniform_size(Context& cx, ExprId id);
 constexpr std::uint32_t largest_uniform = 1024;
 inline bool is_uniform(Context& cx, ExprId id) { return uniform_size(cx, id) != 0; }
 
-/// Whether it is a name or a number: worth no local of its own.
+/// Whether the expression is so short (a name or a number) that a local for it is not worth it.
 bool is_trivial(const Context& cx, ExprId id);
 
 }  // namespace gliftc::lower

@@ -10,7 +10,7 @@ using namespace ir;
 
 namespace {
 
-/// The slopes along a loop over which nothing but its local changes.
+/// How values change from one iteration of a loop to the next, all locals but its variable being constant.
 RowSlopes slopes_of(const Context& cx, const Stmt& loop) {
     RowSlopes slopes(cx.p, loop.local);
     for_each_expression(cx.p, loop.body, [&](ExprId id) {
@@ -20,7 +20,7 @@ RowSlopes slopes_of(const Context& cx, const Stmt& loop) {
     return slopes;
 }
 
-/// In the first round.
+/// The expression with 0 in place of the loop's variable: its value in the first iteration.
 ExprId at_first(Context& cx, LocalId local, ExprId id) {
     const Expr node = cx.p.exprs[id];
     if (node.op == Op::local && node.local == local) return cx.make.uint(0);
@@ -29,7 +29,8 @@ ExprId at_first(Context& cx, LocalId local, ExprId id) {
     return operands == node.operands ? id : cx.make.again(node, std::move(operands));
 }
 
-/// for x in 0..n { array[to + x] = memory[from + x]; } for a constant n: others are a few elements.
+/// Whether the loop is `for x in 0..n { array[to + x] = memory[from + x]; }` with a constant n. Other loops copy few
+/// elements.
 bool is_copy(const Context& cx, const Stmt& loop) {
     if (loop.op != StmtOp::for_ || loop.body.size() != 1 || cx.make.bits_of(loop.value) != 0 ||
         !cx.make.is_constant(loop.limit))

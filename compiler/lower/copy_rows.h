@@ -1,5 +1,5 @@
-// Loops that copy a row of memory to a row of an array that is filled once a block: one statement each, which needs to
-// know of no 32-bit index that may wrap.
+// Turns loops that copy a row of memory to a row of a local array, once a block, into one copy_row statement each. C++
+// compilers cannot do that themselves, since they cannot know that the 32-bit indices do not wrap.
 //
 // Needs: variants for the host device whose blocks are split (split_blocks.h). Guarantees: copy_row in place of such
 // loops.

@@ -37,7 +37,7 @@ ExprId StatementCopy::again(ExprId id) {
     return copy;
 }
 
-/// A constant stands where its name was used.
+/// Copies the local that a `let` or loop declares. Uses of a constant one are replaced by the constant.
 void StatementCopy::declare(Stmt& stmt) {
     const Local local = cx.p.locals[stmt.local];
     const LocalId copy = cx.new_local(local.name, local.type, local.span, local.is_mutable);

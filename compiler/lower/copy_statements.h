@@ -1,4 +1,4 @@
-// Statements once more, with other values in the place of some.
+// Copies statements with some values replaced.
 #pragma once
 
 #include "lower/context.h"
@@ -6,12 +6,13 @@
 
 namespace gliftc::lower {
 
-/// Copies statements of one body for another address, with locals of their own. Expressions are folded anew.
+/// Copies statements of a body for another address of the invocation. Locals are copied, too; expressions are folded
+/// again.
 class StatementCopy {
 public:
     StatementCopy(Context& context, ExprId address) : cx(context) { locals_[context.pass.address] = address; }
 
-    /// What stands for an expression, or for a local, in the copies.
+    /// Says that copies have `by` in place of an expression or a local.
     void replace(ExprId id, ExprId by) { made_.emplace(id, by); }
     void replace(LocalId local, ExprId by) { locals_[local] = by; }
 

@@ -27,32 +27,33 @@ void use(const Program& p, ExprId id, IdSet<Local>& used) {
     for (ExprId operand : node.operands) use(p, operand, used);
 }
 
-/// What is read from a statement on.
+/// Liveness at a statement, of a walk from the end of the body.
 struct Live {
-    IdSet<Local> used;
-    IdSet<Local> declared;  ///< in the body: nothing outside of it reads them
+    IdSet<Local> used;      ///< locals that later statements use
+    IdSet<Local> declared;  ///< locals that the body declares: nothing outside of it reads them
 };
 
-/// The local that an assignment gives a value, whole or in part; none where it does anything else.
+/// The local that an assignment changes, wholly or in part; none if the statement is anything else or has other
+/// effects.
 LocalId assigned(const Program& p, const Stmt& stmt) {
     if (stmt.op != StmtOp::assign || has_effect(p, stmt.target)) return {};
     const Expr& root = place_of(p, stmt.target);
     return root.op == Op::local ? root.local : LocalId{};
 }
 
-/// Whether the statement gives a local of the body a value that nothing reads.
+/// Whether the statement assigns to a local of the body that no later statement uses.
 bool is_dead_assignment(const Program& p, const Stmt& stmt, const Live& live) {
     const LocalId local = assigned(p, stmt);
     return local && live.declared.contains(local) && !live.used.contains(local);
 }
 
-/// Whether a statement with bodies does nothing where they are empty. A while loop might not end.
+/// Whether a statement with bodies can be dropped once these are empty. Not a while loop, which might not end.
 bool does_nothing_empty(const Program& p, const Stmt& stmt) {
     const bool ends = stmt.op == StmtOp::if_ || stmt.op == StmtOp::block || stmt.op == StmtOp::for_;
     return ends && !(stmt.value && has_effect(p, stmt.value)) && !(stmt.limit && has_effect(p, stmt.limit));
 }
 
-/// The value that a statement gives to what nothing reads.
+/// The statement's value as an `evaluate`: it has an effect, but the local that it would be assigned to is dead.
 StmtId effect_alone(Context& cx, const Stmt& stmt, Live& live) {
     Stmt alone = statement(StmtOp::evaluate, stmt.span);
     alone.value = stmt.value;
@@ -60,7 +61,7 @@ StmtId effect_alone(Context& cx, const Stmt& stmt, Live& live) {
     return cx.add(std::move(alone));
 }
 
-/// Backwards, so that what only a dropped let used is dropped too.
+/// The statements that stay. Walks backwards, so that what only dropped statements used is dropped, too.
 std::vector<StmtId> kept(Context& cx, const std::vector<StmtId>& body, Live& live) {
     std::vector<StmtId> result;
     result.reserve(body.size());
@@ -89,7 +90,7 @@ std::vector<StmtId> kept(Context& cx, const std::vector<StmtId>& body, Live& liv
     return result;
 }
 
-/// The local of the body that a statement gives a value, and does nothing else; none otherwise.
+/// The local of the body that a statement sets, if that is all it does; else none.
 LocalId given(const Program& p, const Stmt& stmt, const IdSet<Local>& declared) {
     if (stmt.value && has_effect(p, stmt.value)) return {};
     if (stmt.op == StmtOp::let) return stmt.local;
@@ -97,7 +98,7 @@ LocalId given(const Program& p, const Stmt& stmt, const IdSet<Local>& declared) 
     return local && declared.contains(local) ? local : LocalId{};
 }
 
-/// Notes the locals whose value some statement takes, other than to give it to what nothing reads.
+/// Finds the locals whose values are needed: some statement uses them other than to set a local that is not needed.
 void note_read(const Program& p, const std::vector<StmtId>& body, const IdSet<Local>& declared, IdSet<Local>& read) {
     bool grows = true;
     const std::function<void(ExprId)> note = [&](ExprId id) {
@@ -118,8 +119,8 @@ void note_read(const Program& p, const std::vector<StmtId>& body, const IdSet<Lo
     }
 }
 
-/// Locals that an earlier round of a loop may leave for a later one are used wherever the loop names them, if anything
-/// takes their value.
+/// Marks as used the needed locals that loops assign: a later iteration may read what an earlier one assigned, which a
+/// backward walk over the body does not see.
 void use_in_loops(const Program& p, const std::vector<StmtId>& body, const IdSet<Local>& declared, IdSet<Local>& used) {
     IdSet<Local> read;
     note_read(p, body, declared, read);

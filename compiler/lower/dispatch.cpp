@@ -11,7 +11,8 @@ using namespace ir;
 
 namespace {
 
-/// One block a workgroup, or a part of it: 256 invocations at most. Of blocks too small for that, several.
+/// The workgroup size in kernels over blocks: a workgroup has one block or a part of it, 256 invocations at most.
+/// Several blocks of fewer than 32 elements share one.
 std::array<std::uint32_t, 3> group_of_blocks(std::optional<std::uint64_t> volume) {
     constexpr std::uint32_t most = 256, small = 32, unknown = 64;
     if (!volume) return {unknown, 1, 1};
@@ -35,14 +36,14 @@ void choose_dispatch(Context& cx) {
     } else if (kernel.space) {
         cx.pass.group = group_of_blocks(block_volume(cx));
     } else {
-        // 256 invocations a group, x longest so that neighbours in x lie in one subgroup.
+        // 256 invocations a workgroup; longest in x, so that neighbours in x are in one subgroup.
         switch (cx.pass.rank) {
         case 1: cx.pass.group = {256, 1, 1}; break;
         case 2: cx.pass.group = {32, 8, 1}; break;
         default: cx.pass.group = {32, 4, 2}; break;
         }
     }
-    if (kernel.raster) {  // corners and instances; the device takes them as it likes
+    if (kernel.raster) {  // invocations are vertices and instances, which the device groups itself
         cx.pass.group = {1, 1, 1};
         return;
     }
@@ -63,8 +64,9 @@ ExprId in_range_condition(Context& cx) {
 
 namespace {
 
-/// Elements that are not consecutive lie a workgroup apart. More groups than a device allows along x are folded into
-/// rows of groups.
+/// The address in a one-dimensional range. Where there are more workgroups than a device allows along x, they continue
+/// in rows along y. Several elements of an invocation are consecutive if the kernel asks for them (at<S, n>), else a
+/// workgroup's width apart.
 ExprId line_address(Context& cx, std::uint32_t elements) {
     Make& make = cx.make;
     const TypeId uint3 = cx.p.types.vector(cx.p.types.uint, 3);
@@ -80,8 +82,8 @@ ExprId line_address(Context& cx, std::uint32_t elements) {
     return make.add(make.multiply(group, make.multiply(width, make.uint(elements))), part(Builtin::local_id, 0));
 }
 
-/// {position, number of the block}: groups beyond those that a device allows along y are counted on in the next layer.
-/// Elements of one invocation lie a workgroup's width apart.
+/// {position in the block, number of the block}. Workgroups along y count blocks; where there are more than a device
+/// allows, they continue in layers along z. Several elements of an invocation are a workgroup's width apart.
 ExprId block_address(Context& cx, std::uint32_t elements) {
     Make& make = cx.make;
     const TypeId uint3 = cx.p.types.vector(cx.p.types.uint, 3);
@@ -93,7 +95,7 @@ ExprId block_address(Context& cx, std::uint32_t elements) {
     return make.construct(iteration_type(cx), {position, block});
 }
 
-/// The first of the elements that an invocation takes, along as many axes as the vector has.
+/// The address of the first of the elements that an invocation takes, in two or three dimensions.
 ExprId invocation_address(Context& cx, TypeId type, const std::array<std::uint32_t, 3>& elements) {
     Make& make = cx.make;
     const std::uint32_t axes = cx.p.types.components(type);

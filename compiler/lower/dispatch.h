@@ -1,17 +1,17 @@
-// The shape of the dispatch: workgroup size, the invocation's address, whether it is in range.
+// The shape of the dispatch: workgroup size, the invocation's address, and whether that is in the range.
 #pragma once
 
 #include "lower/context.h"
 
 namespace gliftc::lower {
 
-/// Before the body is made: rank, group, and the locals `address` and `in_range`.
+/// Sets the pass's rank and group, and makes the locals `address` and `in_range`. Called before the body is made.
 void choose_dispatch(Context& cx);
 
 /// The condition that in_range stands for.
 ExprId in_range_condition(Context& cx);
 
-/// Declares `address` and `in_range` from what the shader is given; cx.size is the iteration's size.
+/// Statements that declare `address` and `in_range` from the shader's built-in inputs. Needs cx.size.
 std::vector<StmtId> dispatch_prologue(Context& cx);
 
 }  // namespace gliftc::lower

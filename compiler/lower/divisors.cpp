@@ -1,6 +1,7 @@
-// Divisors that the state of structures decides. Dividing by zero divides by one; what is uniform is computed by the
-// host, so that it makes a one of a zero and shaders test nothing. What is visited has at least one element: its
-// extents are as they are. Printers rely on it: a parameter made of structures alone is no zero where it divides.
+// Expander: divisors that are computed from the state of structures alone. In the language, dividing by zero is
+// dividing by one. Such divisors are uniform, so the host computes max(divisor, 1) and shaders need no test. The
+// extents of visited structures need no max: they are not zero, or the kernel would not run. Printers rely on all this:
+// a parameter that is computed from structures alone is not zero where it is a divisor.
 #include "ir/walk.h"
 #include "lower/expand.h"
 
@@ -18,7 +19,7 @@ bool is_visited(Pattern pattern) {
 
 }  // namespace
 
-/// Whether the value is the extent of a range's structure, along one axis or as a whole.
+/// Whether the value is the extent, or a component of it, of a structure that the kernel visits.
 bool Expander::is_visited_extent(ExprId id) {
     for (std::uint32_t root = 0; root < cx.kernel.params.size(); ++root) {
         if (!is_visited(cx.kernel.params[root].pattern)) continue;
@@ -39,7 +40,7 @@ ExprId Expander::divisor(ExprId id) {
     bool is_state = true;
     for_each_node(p, id, [&](ExprId part) { is_state = is_state && p.exprs[part].op != Op::local; });
     if (!is_state || compares_extents_) return id;
-    compares_extents_ = true;  // what a visited extent is itself divided by is left as it is
+    compares_extents_ = true;  // is_visited_extent makes the extents, whose own divisors then stay as they are
     const bool is_visited = is_visited_extent(id);
     compares_extents_ = false;
     if (is_visited) return id;

@@ -1,9 +1,10 @@
-// From structures to memory: makes the body of a kernel that speaks of loads and stores only.
+// The pass "expand": from structures to memory. Makes a body of loads and stores out of a kernel's body, whose
+// operations access elements of structures. The Expander's methods are in the files named below.
 //
 // Needs: a checked kernel. Guarantees: no operation of structures is left; near offsets are constants inside the
-// radius; every load that could leave a structure is a guarded_load, every such store under a branch; optionals are
-// pairs (has, value) wherever they need no storage; functions are inlined where that is straight-line code. Values are
-// shared by node, so a body is a graph until share.h has named what is used twice.
+// radius; every load that could be outside a structure is a guarded_load, every such store is under a branch; optionals
+// are pairs (has, value) wherever they need no storage; functions are inlined where that gives straight-line code. A
+// value that is used twice is one node with two parents, until share.h gives it a local.
 #pragma once
 
 #include "ir/empty.h"
@@ -19,41 +20,42 @@
 
 namespace gliftc::lower {
 
-/// What an expression became. `has` only of an optional type: whether there is a value.
+/// The result of expanding an expression. `has` is present for optional types only: whether there is a value.
 struct Pair {
     ExprId value;
     ExprId has;
 };
 
-/// Nodes that a kernel may become: ten times what the library's largest has.
+/// The largest number of nodes that a kernel may expand to: ten times that of the library's largest kernel.
 constexpr std::uint32_t most_nodes = 1u << 19;
 
-/// Expanding a kernel has made more.
+/// Thrown when a kernel expands to more nodes.
 struct KernelTooLarge {
-    Span span;  ///< the statement that it was at
+    Span span;  ///< the statement that was being expanded
 };
 
-/// Whether near accesses check that they stay in the domain: interior bodies know it. Those of whole blocks know that
-/// all elements of the block are visited, and what else they ask of a block is asked once.
+/// Which body is made. checked: valid for every element, neighbour reads test that they are in the domain. interior:
+/// all neighbours are known to be in the domain. block: all elements of a block are known to be visited, and other
+/// conditions that depend on the block alone are tested once for it.
 enum class Guards { checked, interior, block };
 
-/// A function that becomes statements and returns before its end: the value is in a variable, and what follows a return
-/// is left out by leaving loops and by asking whether it has been reached.
+/// For a function that is expanded as statements and returns before its end. The result is in variables; a return sets
+/// them and leaves the enclosing loops of the function, and statements after it test whether there was one.
 struct Leaving {
     LocalId value, has;  ///< the result; absent: none
-    LocalId left;        ///< a bool; absent: nothing asks
-    unsigned loops = 0;  ///< of the function, around what is being expanded
+    LocalId left;        ///< a bool variable: a return was executed; absent: nothing tests it
+    unsigned loops = 0;  ///< how many loops of the function enclose the statement that is being expanded
 };
 
-/// One function (or the kernel) being expanded.
+/// The function (or kernel) that is being expanded.
 struct Frame {
-    std::vector<ir::Place> places;  ///< of each Place root, as seen from the kernel
+    std::vector<ir::Place> places;  ///< for each Place root in it, the place as seen from the kernel
     FlatMap<LocalId, Pair> locals;
-    const ir::Stage* stage = nullptr;  ///< in a translator's functions: whose state
-    ir::Place structure;               ///< … and the structure that the stage belongs to
-    std::string prefix;                ///< of names made here
-    TypeId result;                     ///< of a function expanded as statements
-    Leaving* leaving = nullptr;
+    const ir::Stage* stage = nullptr;  ///< in a translator's functions: the stage that has the state
+    ir::Place structure;               ///< in a translator's functions: the structure that the stage belongs to
+    std::string prefix;                ///< for the names of locals that are made
+    TypeId result;                     ///< of a function that is expanded as statements
+    Leaving* leaving = nullptr;        ///< null: it returns only at its end, if at all
 };
 
 class Expander {
@@ -62,33 +64,33 @@ public:
 
     /// The kernel's body; reports offsets that are not constant or too large.
     std::vector<StmtId> kernel_body();
-    /// A part of a draw, which begins with where it is: the corner and its instance, or the pixel.
+    /// The body of a part of a draw. It begins with the address: the vertex and instance index, or the pixel.
     std::vector<StmtId> draw_part(ir::Part part, const std::vector<StmtId>& body);
     void read_arguments();
     ExprId part_of(ExprId part, ExprId element);
 
-    /// The size of the iteration: that of the first range, or a parameter.
+    /// The size of the visited range: the domain of its structure, or a parameter.
     ExprId iteration_size();
-    std::vector<StmtId> size_statements;  ///< which it needs before it
+    std::vector<StmtId> size_statements;  ///< statements that iteration_size needs before it
 
-    /// Whether a near access had a guard: the interior body is different.
+    /// Whether some neighbour read has a guard, so that an interior variant would differ.
     bool has_near_guards = false;
-    /// A near parameter whose guards were made; the interior is inside its domain.
+    /// The first near parameter with guards, and its domain, which the interior is relative to.
     std::optional<std::uint32_t> near_root;
-    bool near_domains_agree = true;
+    bool near_domains_agree = true;  ///< all near parameters with guards have that domain
     ExprId near_domain;
 
-    /// What near accesses gave that every invocation makes.
+    /// A neighbour read that is executed unconditionally, and its value.
     struct NearValue {
         std::uint32_t root;
         std::vector<std::int64_t> offset;
         ExprId value;
     };
     std::vector<NearValue> near_values;
-    /// Of each near parameter, what was asked for; absent where a function that is no part of the body asks.
+    /// The offsets that are read of each near parameter; absent if a function that is not inlined reads some.
     std::optional<NearOffsets> near_offsets = NearOffsets();
-    std::vector<Halo> halos;  ///< Guards::block: what near reads from copies
-    /// The guards of rows further down: at + distance < extent.
+    std::vector<Halo> halos;  ///< with Guards::block: copies from which neighbours are read
+    /// A guard of neighbour reads at positive y: at + distance < extent.
     struct RowGuard {
         ExprId condition, at, extent;
         std::int64_t distance;
@@ -106,13 +108,13 @@ private:
     Pair expand_select(const ir::Expr& node);
     Pair expand_logical(const ir::Expr& node);
     Pair expand_again(ExprId id, const ir::Expr& node);
-    Pair of_optional(ExprId whole);                ///< the pair of an optional that has storage
-    ExprId stored(const Pair& pair, TypeId type);  ///< the value as its type stores it
+    Pair of_optional(ExprId whole);                ///< the pair for an optional that is stored as one value
+    ExprId stored(const Pair& pair, TypeId type);  ///< one value of the type; an optional is made of the pair
     ExprId expand_member(const ir::Expr& node);
     ExprId expand_invocation(const ir::Expr& node);
 
     // divisors.cpp
-    ExprId divisor(ExprId id);  ///< what is divided by instead: never zero, where that costs the shader nothing
+    ExprId divisor(ExprId id);  ///< replaces a divisor by one that is not zero, if the host can compute that
     bool is_visited_extent(ExprId id);
 
     // expand_statements.cpp
@@ -152,35 +154,36 @@ private:
     bool expand_past(const ir::Stmt& stmt, const std::vector<StmtId>& rest);
     bool asks_whether_left(const std::vector<StmtId>& body, bool is_in_loop) const;
 
-    /// A neighbour of a block along one axis.
+    /// The adjacent block along one axis, on one side: its first address along the axis (`begin`), whether it is in the
+    /// domain (`exists`), and on the upper side how many addresses the domain has beyond the own block (`room`).
     struct NextBlock {
         ExprId begin, exists, room;
     };
-    /// Where an offset along one axis leads: into the own block, or into the next one.
+    /// Where the neighbour at an offset along one axis lies: in the own block or in the adjacent one.
     struct Way {
         NextBlock next;
-        ExprId offset;   ///< of the element, in whichever block it is
-        ExprId crosses;  ///< whether that is the next one
-        ExprId inside;   ///< Guards::block: whether the next one has it
+        ExprId offset;   ///< the neighbour's position along the axis, in whichever block it lies
+        ExprId crosses;  ///< whether it lies in the adjacent block
+        ExprId inside;   ///< with Guards::block: whether it is in the domain, if it lies in the adjacent block
         std::string name;
     };
 
-    /// The block that the invocation's element is one of.
+    /// The block that the invocation's element belongs to.
     struct OwnBlock {
-        ExprId address;   ///< of the element, in the structure whose blocks are visited; absent: not worked out yet
-        ExprId size;      ///< of the block
-        ExprId last;      ///< the address of its last element
-        ExprId is_there;  ///< or absent: it is
-        ExprId holds;     ///< Guards::block: what else the block must be for the body to be right
-        LocalId position;
+        ExprId address;    ///< the element's, in the structure whose blocks are visited; absent: not computed yet
+        ExprId size;       ///< the block's size
+        ExprId last;       ///< the address of its last element
+        ExprId is_there;   ///< whether the block exists; absent: it does
+        ExprId holds;      ///< with Guards::block: further conditions on the block under which the body is valid
+        LocalId position;  ///< the element's position in the block, as one number
         struct Axis {
-            ExprId offset;       ///< of the element, in the block
-            ExprId begin, last;  ///< addresses of the block
-            ExprId number;       ///< that times the size is `begin`, if such a one is known
-            std::uint64_t most = 0;
+            ExprId offset;           ///< the element's position in the block along the axis
+            ExprId begin, last;      ///< the block's first and last address along the axis
+            ExprId number;           ///< begin / size, if `begin` is known to be a multiple; else absent
+            std::uint64_t most = 0;  ///< the largest value of `number`
         };
         std::vector<Axis> axes;
-        bool is_of_kernel = false;  ///< not of a function that is told where it stands
+        bool is_of_kernel = false;  ///< false in a function that is not inlined and is passed the element's address
         std::map<std::tuple<std::uint32_t, std::uint32_t, std::int64_t>, Way> ways;  ///< by parameter, axis, offset
     };
 
@@ -189,7 +192,7 @@ private:
     ir::FunctionId instance(ir::FunctionId function, Frame frame);
     bool sees_window(ir::FunctionId function);
     bool has_long_zero(ir::FunctionId function);
-    /// Where the current element is, and what has been worked out about it.
+    /// The current element's address, and what has been computed from it.
     struct Current {
         LocalId address, in_range;
         Block prelude;
@@ -218,7 +221,7 @@ private:
     std::string link_name(const ir::Place& link) const;
     Pair expanded(const ir::Place& place, const ir::Stage& stage, ExprId address, const std::string& name);
     Pair centre(std::uint32_t root);            ///< physical address of the current element
-    ExprId centre_address(std::uint32_t root);  ///< its virtual address
+    ExprId centre_address(std::uint32_t root);  ///< virtual address of the current element
     ExprId domain_of(const ir::Place& place);
     bool is_range(const ir::Place& place) const;
     ExprId range_size(std::uint32_t root);
@@ -227,7 +230,7 @@ private:
     ExprId inside_memory(const ir::Place& place, ExprId physical);
     ExprId all_less(ExprId address, ExprId extent);
     ExprId less_where_unknown(const ir::Structure& structure, ExprId address, ExprId extent);
-    bool is_total(const ir::Structure& structure);  ///< the first translator maps every address of the domain
+    bool is_total(const ir::Structure& structure);  ///< the first translator is not partial
 
     // access.cpp
     ExprId element(std::uint32_t root, Span span);
@@ -277,15 +280,18 @@ private:
     Halo* halo_of(std::uint32_t root);
     ExprId in_halo(Halo& halo, const std::vector<std::int64_t>& offset);
     NextBlock next_block(std::uint32_t root, std::uint32_t width, std::uint32_t axis, int step);
+    /// The blocks around the own one, while the code that copies from them is made.
     struct Neighbours {
-        std::vector<std::array<NextBlock, 3>> axes;  ///< by step + 1
-        ExprId all;                                  ///< whether everything that is copied is there
-        Block copies;
+        std::vector<std::array<NextBlock, 3>> axes;  ///< for each axis the blocks at step -1, 0, 1
+        ExprId all;                                  ///< condition: all elements that are to be copied exist
+        Block copies;                                ///< the statements that copy
     };
+    /// The loops that copy one part of a halo. `address` and `index` are those of the element in the structure and in
+    /// the copy; `exists`: whether the block is in the domain.
     struct Copied {
         std::string name;
-        std::vector<LocalId> loops;  ///< over the elements, one an axis
-        std::vector<ExprId> limits;
+        std::vector<LocalId> loops;  ///< the loops' variables, one an axis
+        std::vector<ExprId> limits;  ///< and limits
         ExprId address, index, exists;
     };
     Copied places_of(const Halo& halo, const Halo::Part& part, Neighbours& found);
@@ -299,12 +305,12 @@ private:
     bool depends_on(ExprId id, const std::vector<LocalId>& locals);
 
     // beside.cpp
-    using Ways = std::vector<const Way*>;  ///< along each axis; null: no offset
-    /// A block that an offset may reach, as far as it is chosen.
+    using Ways = std::vector<const Way*>;  ///< one an axis; null: the offset is zero along it
+    /// A block in which a neighbour may lie, chosen axis by axis.
     struct Beside {
-        Operands address;
+        Operands address;  ///< the neighbour's, along the axes that are chosen
         std::string name;
-        bool is_own;
+        bool is_own;  ///< so far it is the own block
     };
     std::optional<Pair> beside(const ir::Place& place, const std::vector<std::int64_t>& offset);
     const Way& way_along(std::uint32_t root, std::uint32_t axis, std::int64_t offset);
@@ -322,8 +328,8 @@ private:
     // rows.cpp
     ExprId several(const ir::Expr& node);
     void write_several(const ir::Stmt& stmt);
-    /// `count` rows of `width` neighbours, `step` addresses from one to the next. `at` is `first` from the structure's
-    /// origin.
+    /// `count` rows of `width` elements that are consecutive along x; rows begin `step` addresses apart. `first` is the
+    /// first element's address relative to the range, `at` its address in the structure.
     struct Rows {
         ir::Place place;
         std::string name;
@@ -350,7 +356,7 @@ private:
     // check.cpp
     bool checks_range(const ir::Place& place);
     void check_range(const ir::Place& place, ExprId address, ir::Access access, Span span);
-    template <class F> auto within(F&& work) {  ///< what a translator or view does is not checked
+    template <class F> auto within(F&& work) {  ///< runs `work` for code of a translator or view: no range checks
         ++within_;
         auto result = work();
         --within_;
@@ -386,10 +392,10 @@ private:
 
     // shared
     ir::Place resolved(const ir::Place& place) const;
-    ir::Place canonical(const ir::Place& place) const;  ///< of what parameters of one structure share
+    ir::Place canonical(const ir::Place& place) const;  ///< in the direct form: the first parameter with the same state
     std::uint32_t canonical_root(std::uint32_t root) const;
-    ExprId named(const std::string& name, ExprId value);  ///< a let, unless trivial
-    void note_name(ExprId value, Name name);              ///< which the source gives it
+    ExprId named(const std::string& name, ExprId value);  ///< makes a `let` of the value, unless it is trivial
+    void note_name(ExprId value, Name name);              ///< notes the name that the source gives to a value
     ExprId guarded_load_of(ExprId value) const;
     LocalId let(const std::string& name, ExprId value, Span span);
     LocalId variable(const std::string& name, TypeId type, ExprId value);
@@ -420,23 +426,23 @@ private:
     Guards guards_;
     Frame* frame_ = nullptr;
     Block* out_ = nullptr;
-    const Block* top_ = nullptr;  ///< of the kernel: no condition stands around it
-    Block prelude_;               ///< comes before the body: the centre's addresses
-    Span span_;                   ///< of the statement being expanded
+    const Block* top_ = nullptr;  ///< the kernel's top-level statements, which are executed unconditionally
+    Block prelude_;               ///< statements before the body: addresses of the current element
+    Span span_;                   ///< source location of the statement that is being expanded
     std::unordered_map<std::uint32_t, Pair> centres_;
     std::unordered_map<std::uint32_t, ExprId> addresses_;
     OwnBlock block_;
-    std::vector<ValueNumber> known_;  ///< conditions that hold where something is being expanded
+    std::vector<ValueNumber> known_;  ///< conditions that hold for the code that is being expanded
     InlineSizes inline_sizes_{cx.p};
     TreeSizes tree_sizes_{cx};
     std::unordered_map<ir::FunctionId, bool> windows_, long_zeros_;
     std::unordered_map<StmtId, bool> returning_;
-    std::vector<AddressForm::Naming>* namings_ = nullptr;  ///< of the form that is being found
-    std::vector<ExprId> made_again_;                       ///< for each node of a form
-    bool compares_extents_ = false;                        ///< divisors.cpp
+    std::vector<AddressForm::Naming>* namings_ = nullptr;  ///< names of the address form that is being made
+    std::vector<ExprId> made_again_;                       ///< copies of the nodes of an address form
+    bool compares_extents_ = false;                        ///< see divisors.cpp
     unsigned depth_ = 0;
-    LocalId window_;       ///< fragment parts: the pixel's centre from the viewport's origin, depth, 1 / w
-    unsigned within_ = 0;  ///< translators and views around what is being expanded
+    LocalId window_;       ///< in fragment parts: the pixel's centre from the viewport's origin, depth, 1 / w
+    unsigned within_ = 0;  ///< how many translators and views enclose the code that is being expanded
 };
 
 }  // namespace gliftc::lower

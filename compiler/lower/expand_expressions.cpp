@@ -12,7 +12,8 @@ Place Expander::resolved(const Place& place) const {
     return result;
 }
 
-/// In the direct form the first of the parameters that are made alike stands for all.
+/// In the direct form, parameters that are assumed to have equal state (KernelParam::alike) are represented by the
+/// first one.
 std::uint32_t Expander::canonical_root(std::uint32_t root) const {
     return cx.is_direct() ? cx.kernel.params[root].alike : root;
 }
@@ -48,7 +49,7 @@ void Expander::note_name(ExprId value, Name name) {
     else cx.name(value, prefixed((*p.names)[name]));
 }
 
-/// The guarded_load that a local holds, if it does.
+/// The guarded_load that is the value of a local; absent: it is something else.
 ExprId Expander::guarded_load_of(ExprId value) const {
     const Expr& node = p.exprs[value];
     const ExprId* definition = node.op == Op::local ? cx.definitions.find(node.local) : nullptr;
@@ -136,7 +137,7 @@ Pair Expander::expand(ExprId id) {
         check_range(place, address, Access::read, node.span);
         ExprId value = read(place, address, cx.name_of(place));
         if (!is_coherent(place)) return {value, {}};
-        return {make.local(let(cx.name_of(place) + "_seen", value, node.span)), {}};  // now, not where it is used
+        return {make.local(let(cx.name_of(place) + "_seen", value, node.span)), {}};  // load here, not at the use
     }
     case Op::intrinsic:
         if (signature_of(node.intrinsic)[0] == '@' && place_of(p, node.operands[0]).op == Op::read) return atomic(node);
@@ -168,7 +169,7 @@ Pair Expander::expand(ExprId id) {
         const Pair physical = linked(place, at, cx.name_of(place));
         ExprId guard = is_total(cx.structure_at(place)) ? inside_domain(place, address) : ExprId{};
         ExprId has = make.both(guard, translated(place, at, cx.name_of(place)).has);
-        const TypeId seen = p.types[node.type].element;  // what the language has, in all forms
+        const TypeId seen = p.types[node.type].element;  // the type in the language: 32 bits even in the wide form
         return {make.convert(seen, physical.value), has ? has : make.truth(true)};
     }
     case Op::invocation: return {expand_invocation(node), {}};
@@ -192,11 +193,12 @@ Pair Expander::expand(ExprId id) {
 
 Pair Expander::expand_local(const Expr& node) {
     if (const Pair* found = frame_->locals.find(node.local)) return *found;
-    // A value parameter or workgroup memory of the kernel.
+    // Not in the frame: a value parameter of the kernel, or its workgroup memory.
     return {without_empty(make.local(node.local)), {}};
 }
 
-/// A value that the host gives, part by part where some of them are empty: those are no part of a parameter block.
+/// A value parameter without its empty parts, which are not in the parameter block: where it has some, the value is
+/// constructed from its other parts.
 ExprId Expander::without_empty(ExprId whole) {
     const TypeId id = make.type(whole);
     const Type type = p.types[id];
@@ -256,7 +258,7 @@ Pair Expander::expand_logical(const Expr& node) {
     return {make.local(result), {}};
 }
 
-/// A constructor argument. Where the owner passes a constant it is one.
+/// A constructor argument of a structure; a constant if its owner passes a constant.
 ExprId Expander::expand_member(const Expr& node) {
     Place place = canonical(resolved(node.place));
     if (!place.members.empty()) {
@@ -278,7 +280,7 @@ ExprId Expander::expand_invocation(const Expr& node) {
     switch (node.invocation) {
     case Invocation::local_index: return make.builtin(Builtin::local_index, uint);
     case Invocation::group_index: {
-        // Linear over the grid; a folded one-dimensional iteration counts on in the next row.
+        // Linear over the grid; in one dimension, groups that continue in a next row are counted on.
         ExprId row = make.add(make.multiply(part(id, 1), part(count, 0)), part(id, 0));
         if (cx.pass.rank < 3) return row;
         return make.add(make.multiply(part(id, 2), make.multiply(part(count, 0), part(count, 1))), row);

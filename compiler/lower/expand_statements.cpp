@@ -55,7 +55,7 @@ Expander::Block Expander::nested(const std::vector<StmtId>& body) {
     return collect([&] { expand_body(body); });
 }
 
-/// The body of a loop.
+/// Expands the body of a loop.
 Expander::Block Expander::looped(const std::vector<StmtId>& body) {
     if (frame_->leaving == nullptr) return nested(body);
     ++frame_->leaving->loops;
@@ -89,7 +89,7 @@ void Expander::expand_statement(StmtId id) {
     case StmtOp::evaluate: {
         Stmt copy = statement(StmtOp::evaluate, stmt.span);
         copy.value = value_of(stmt.value);
-        // A call may become statements, which leave its result in a local that nothing reads.
+        // A call that was expanded as statements leaves its result in a local, which nothing reads.
         const Op source = p.exprs[stmt.value].op;
         const bool is_call = source == Op::call || source == Op::intrinsic;
         if (copy.value && !(is_call && p.exprs[copy.value].op == Op::local)) append(std::move(copy));
@@ -135,7 +135,7 @@ void Expander::zero_by_loops(const std::string& name, ExprId target) {
 
 void Expander::expand_let(const Stmt& stmt) {
     const Local local = p.locals[stmt.local];
-    if (is_empty(p, local.type)) return;  // every use of it is known
+    if (is_empty(p, local.type)) return;  // a type without data: uses need no local
     const std::string name = prefixed((*p.names)[local.name]);
     if (p.types.kind(local.type) == TypeKind::optional) {
         Pair value = stmt.value ? expand(stmt.value) : Pair{make.zero(p.types[local.type].element), make.truth(false)};
@@ -164,14 +164,15 @@ void Expander::expand_let(const Stmt& stmt) {
     }
     const ExprId made = make.local(variable(name, local.type, value));
     frame_->locals[stmt.local] = {made, {}};
-    // As one value it would be a store of each element: drivers take long over so many, Mesa's llvmpipe 2 s over 256.
+    // Zeroed by a loop: as one value it would be a store for each element, over which drivers take long (Mesa's
+    // llvmpipe 2 s for 256).
     if (!value && is_long_array(p, local.type)) {
         p.stmts[out_->back()].uninitialized = true;
         zero_by_loops(name + "_at", made);
     }
 }
 
-/// The target over this pass's locals; its indices are evaluated here.
+/// Expands the target of an assignment; its indices are evaluated here.
 ExprId Expander::expand_target(ExprId id) {
     const Expr& node = p.exprs[id];
     if (node.op == Op::local) return expand_local(node).value;
@@ -239,7 +240,7 @@ void Expander::expand_while(const Stmt& stmt) {
         copy.value = condition;
         copy.body = looped(stmt.body);
     } else {
-        // The condition needs statements of its own: they open the body.
+        // The condition needs statements: they begin the body, and a break follows.
         copy.value = make.truth(true);
         copy.body = std::move(before);
         Block leave = collect([&] {

@@ -23,13 +23,13 @@ bool has_return(const Program& program, const std::vector<StmtId>& body) {
     return found;
 }
 
-/// Whether all operands are evaluated, not the first alone.
+/// Whether all operands are always evaluated, not only the first one.
 bool evaluates_all(const Expr& node) {
     const bool is_logical = node.binary == BinaryOp::logical_and || node.binary == BinaryOp::logical_or;
     return node.op != Op::select && (node.op != Op::binary || !is_logical);
 }
 
-/// What is known before the body: values of the block are the same for all its elements.
+/// The slopes that are known before the body: values that are computed once a block are constant along a row.
 RowSlopes slopes_of(const Context& cx, const Variant& variant) {
     RowSlopes slopes(cx.p, cx.pass.address, variant.assumes.row);
     if (!variant.block) return slopes;
@@ -41,14 +41,14 @@ RowSlopes slopes_of(const Context& cx, const Variant& variant) {
 /// A binding and an index in it.
 using RowPlace = std::pair<std::uint32_t, ExprId>;
 
-/// What elements of a row come by.
+/// The accesses that become row accesses.
 struct RowPlaces {
     std::set<RowPlace> memory;
-    std::set<ExprId> items;  ///< of arrays of the block's own: what `index` takes
+    std::set<ExprId> items;  ///< Op::index nodes: elements of arrays that are filled once a block
 };
 
-/// Places that every element of a row comes by, in the order of memory. Ends at the first early return: what follows is
-/// not executed by every element.
+/// Finds accesses that every element of a row executes, at an index that advances by one. Stops at the first early
+/// return: not every element executes what follows.
 class Finder {
 public:
     Finder(const Context& context, const Variant& variant) : cx(context), slopes_(slopes_of(context, variant)) {
@@ -92,7 +92,7 @@ private:
         return true;
     }
 
-    /// Arrays that are filled once a block: indices lie inside.
+    /// Whether the array is one that is filled once a block: its indices are in bounds.
     bool is_of_block(ExprId array) const {
         const Expr& node = cx.p.exprs[array];
         return node.op == Op::local && arrays_.contains(node.local);
@@ -104,7 +104,7 @@ private:
     bool all_come_by_ = true;
 };
 
-/// The statements with accesses of rows at the places.
+/// Replaces the accesses that were found by row accesses.
 class Marking {
 public:
     Marking(Context& context, const RowPlaces& places) : cx(context), places_(places) {}
@@ -154,7 +154,7 @@ private:
     const RowPlaces& places_;
 };
 
-/// With the accesses of rows that are found in it, if there are any.
+/// The body with row accesses; none if there are no such accesses.
 std::optional<std::vector<StmtId>> marked(Context& cx, const Variant& variant, const std::vector<StmtId>& body) {
     Finder finder(cx, variant);
     finder.walk(body);
@@ -169,7 +169,7 @@ bool is_clamp(const Program& program, const Expr& node) {
            (node.intrinsic == Intrinsic::clamp || node.intrinsic == Intrinsic::min || node.intrinsic == Intrinsic::max);
 }
 
-/// x < n ? x : …, as what leads back into a domain has it.
+/// Whether the node is x < n ? x : …, as in translators that map addresses beyond the border back inside.
 bool is_choice_of_inside(const Program& program, const Expr& node) {
     if (node.op != Op::select || node.type != program.types.uint) return false;
     const Expr& condition = program.exprs[node.operands[0]];
@@ -177,8 +177,8 @@ bool is_choice_of_inside(const Program& program, const Expr& node) {
            program.exprs[condition.operands[0]].type == program.types.uint;
 }
 
-/// What changes nothing in the middle of a row, whatever translator it comes from: clamp, min and max of an integer
-/// that advances by one along the row, and choices of what is inside. With the operand that each of them is there.
+/// Operations that change nothing in the middle of a row (whatever translator they come from), each with the operand
+/// that it equals there: clamp, min and max of an integer that advances by one along the row, and x < n ? x : …
 using Identities = std::map<ExprId, ExprId>;
 
 Identities row_identities(const Context& cx, const Variant& variant, const std::vector<StmtId>& body) {
@@ -202,7 +202,7 @@ Identities row_identities(const Context& cx, const Variant& variant, const std::
     return found;
 }
 
-/// What holds where it changes nothing.
+/// The bounds under which the operation changes nothing.
 Bounds bounds_of(Context& cx, const Expr& identity) {
     const Operands& operands = identity.operands;
     const TypeId signed_type = cx.p.types.int_;
@@ -219,7 +219,7 @@ Bounds bounds_of(Context& cx, const Expr& identity) {
                                                 : Bounds{operands[0], operands[1], {}};
 }
 
-/// The statements with the operand in place of each identity.
+/// Replaces each such operation by its operand.
 class Unclamping {
 public:
     Unclamping(Context& context, const Identities& identities) : cx(context), identities_(identities) {}
@@ -255,8 +255,8 @@ bool is_independent(const Context& cx, const std::vector<StmtId>& body) {
     });
 }
 
-/// Whether no memory is read that is written, and nothing but memory is changed; and all elements do the same, so that
-/// doing some twice pays.
+/// Whether elements may be executed twice, and that pays: no memory is both read and written, and the body is
+/// straight-line code.
 bool may_be_repeated(const Context& cx, const std::vector<StmtId>& body) {
     for (std::uint32_t i = 0; i < cx.pass.bindings.size(); ++i)
         if (cx.pass.bindings[i].access == Access::read_write || cx.pass.bindings[i].one_place != i) return false;
@@ -274,11 +274,11 @@ RowOrder order_of(const Context& cx, const Variant& variant) {
     return is_of_middle && may_be_repeated(cx, variant.body) ? RowOrder::in_blocks : RowOrder::any;
 }
 
-/// For where clamps and choices change nothing; none if that makes no access one of a row.
+/// The variant for where clamps change nothing; none if it has no row accesses.
 std::optional<Variant> unclamped(Context& cx, const Variant& variant) {
     std::vector<StmtId> body = variant.body;
     Variant made{Part::whole, Devices::host, variant.assumes, {}, variant.block};
-    // What is clamped on one side and then on the other.
+    // Twice, for values that are clamped on one side and then on the other.
     for (int round = 0; round < 2; ++round) {
         const Identities identities = row_identities(cx, variant, body);
         for (const auto& [identity, inner] : identities)

@@ -1,17 +1,18 @@
-// How the host device goes through the elements of a row: which accesses move along memory with them, one by one, and
-// are made through a pointer to the row, so that C++ compilers can vectorise the loop (they cannot know by themselves
-// that a 32-bit index does not wrap); where clamps change nothing; whether elements depend on each other.
+// Prepares the host device's loop over the elements of a row for vectorisation by C++ compilers. Finds accesses whose
+// index advances by one from element to element: they become row_load and row_store, accesses through a pointer to the
+// row, since compilers cannot know that a 32-bit index does not wrap. Clamps of an index (of border translators) hide
+// such accesses; where they change nothing, in the middle of a row, a variant without them is made. Also finds in which
+// order elements may be executed.
 //
-// Needs: variants for the host device of a kernel without a group. Guarantees: row_load and row_store where every
-// element of the row comes by; a variant without clamps for the middle of a row, where they hide such an access; the
-// order in which elements may be done.
+// Needs: variants for the host device of a kernel without a group. Guarantees: row_load and row_store for such accesses
+// that every element executes; the variant without clamps, if it has more of them; Variant::order.
 #pragma once
 
 #include "lower/context.h"
 
 namespace gliftc::lower {
 
-/// The variant as it is printed; behind it, if there is one, that for where its clamps change nothing.
+/// The variant with row accesses; and after it, if there is one, the variant for where clamps change nothing.
 std::vector<ir::Variant> find_rows(Context& cx, const ir::Variant& variant);
 
 }  // namespace gliftc::lower

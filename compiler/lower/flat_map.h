@@ -19,7 +19,7 @@ public:
     const Value* find(Key key) const { return const_cast<FlatMap*>(this)->find(key); }
     bool contains(Key key) const { return find(key) != nullptr; }
 
-    /// The value at the key and whether it was put there now.
+    /// The value at the key, and whether it was inserted by this call.
     std::pair<Value*, bool> emplace(Key key, Value value) {
         if ((count_ + 1) * 2 > slots_.size()) grow();
         Slot& slot = slots_[place(word(key))];

@@ -50,7 +50,7 @@ private:
         return p.exprs.add(std::move(copy));
     }
 
-    /// Where the expression computes of constants alone.
+    /// The value of an operation on constants alone; none if it is anything else or is not to be folded.
     std::optional<Value> value_of(ExprId id) {
         const Expr& expr = p.exprs[id];
         const bool computes = expr.op == Op::convert || expr.op == Op::unary || expr.op == Op::binary ||
@@ -63,7 +63,7 @@ private:
         return value && std::ranges::all_of(value->lanes, is_finite) ? value : std::nullopt;
     }
 
-    /// The operand of a choice whose condition is known.
+    /// The operand that a select with a constant condition selects; else absent.
     ExprId chosen_of(const Expr& expr) {
         if (expr.op != Op::select || !p.types.is_scalar(p.exprs[expr.operands[0]].type) ||
             !is_of_constants(expr.operands[0]))
@@ -108,7 +108,8 @@ std::vector<FunctionId> fold_constants(Program& program) {
     std::vector<FunctionId> changed;
     for (std::uint32_t i = 0; i < program.functions.size(); ++i) {
         const FunctionId id{i};
-        if (!program.functions[id].structures.empty()) continue;  // made anew for each place, and folded with that
+        if (!program.functions[id].structures.empty())
+            continue;  // copied for each place (instances.cpp), which folds it
         std::vector<StmtId> body = folder.body(program.functions[id].body);
         if (body == program.functions[id].body) continue;
         program.functions[id].body = std::move(body);

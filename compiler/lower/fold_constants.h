@@ -1,10 +1,10 @@
-// What functions that stay functions compute of constants is computed here, as in bodies, whose expressions fold as
-// they are made (make.h). glslang 12 gets some of it wrong: it computes floats in doubles (-0.001 * -0.001
-// is 1.00000011e-6, not 1e-6), abs(-33l) is 0 to it, and false == (vec4(0) == vec4(2)) is false.
+// Constant folding in functions that are neither inlined nor made anew for each pass. (Other bodies fold as their
+// expressions are made, see make.h.) It must be done here, since glslang 12 folds some constants wrongly: it computes
+// floats in doubles (-0.001 * -0.001 is 1.00000011e-6, not 1e-6), abs(-33l) is 0 to it, and false == (vec4(0) ==
+// vec4(2)) is false.
 //
-// Needs: checked functions. Guarantees: what a function computes of constants alone, and is a scalar or vector of
-// finite numbers or of bools, is a constant; choices whose condition is a constant are what they choose; the same
-// values.
+// Needs: checked functions. Guarantees: an expression of constants whose value is a scalar or vector of finite numbers
+// or of bools is a constant; a select whose condition is a constant is the operand it selects; values stay the same.
 #pragma once
 
 #include "ir/ir.h"
@@ -13,7 +13,7 @@
 
 namespace gliftc::lower {
 
-/// The functions in which something was computed.
+/// Returns the functions that have changed.
 std::vector<ir::FunctionId> fold_constants(ir::Program& program);
 
 }  // namespace gliftc::lower

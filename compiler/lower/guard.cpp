@@ -74,7 +74,7 @@ private:
         return result;
     }
 
-    /// What the value is called: as the source does, if it does.
+    /// The name that the source gives to the value, else that of the local.
     Name name_of(const Stmt& let) const {
         const Name* in_source = cx.names.find(let.value);
         return in_source != nullptr ? *in_source : cx.p.locals[let.local].name;
@@ -104,7 +104,7 @@ private:
         out_->push_back(cx.add(std::move(made)));
     }
 
-    /// With what stands for guarded loads now.
+    /// The expression with the new values in place of locals that held guarded loads.
     ExprId visit(ExprId id) {
         const Expr node = cx.p.exprs[id];
         if (node.op == Op::guarded_load) misplaced(node.op, "guard");
@@ -122,7 +122,7 @@ private:
 
     Context& cx;
     NodeMap<LocalId, unsigned> uses_{cx.first_local};
-    NodeMap<LocalId, ExprId> values_{cx.first_local};  ///< of the locals that held guarded loads
+    NodeMap<LocalId, ExprId> values_{cx.first_local};  ///< replacements of the locals that held guarded loads
     std::vector<StmtId>* out_ = nullptr;
 };
 

@@ -1,11 +1,11 @@
-// Guarded loads become loads of memory, in one of two ways.
+// Replaces each guarded_load, a load with the condition under which it is allowed, in one of two ways.
 //
-// As a choice: what lies at a safe address is loaded without a branch, and a select gives what the load gives outside.
-// CPUs then do several at a time. As a branch, in kernels with a group and for elements that are structs: a select
-// would wait for the load before the next barrier, but nothing waits for a load under a branch, which GPUs make a
-// predicate, before its value is used.
+// By a select: a safe address is loaded from without a branch, and a select replaces the value where the condition does
+// not hold. CPUs can then vectorise. By a branch, in kernels with a group and for elements that are structs: there, a
+// select would wait for the load before the next barrier, while a load under a branch, which GPUs turn into a
+// predicate, is waited for only at its first use.
 //
-// Needs: shared bodies without dead lets. Guarantees: no guarded_load is left; the same values.
+// Needs: bodies after "share" and "drop_dead". Guarantees: no guarded_load is left; the same values.
 #pragma once
 
 #include "lower/context.h"

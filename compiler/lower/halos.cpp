@@ -1,6 +1,7 @@
-// Windows over blocks. What `near` reads of a block and around it is copied once a block: each neighbour that the
-// offsets reach is looked up once, by the algebra of quotients that serves the block itself, and elements read the
-// copy, whose rows lie at constant distances. Ghost cells of block-structured grids; block-local storage of Taichi.
+// Expander: neighbour reads in kernels over blocks, on the host device. The elements that `near` reads of a block and
+// around it are copied to a local array once a block: each adjacent block that the offsets reach is looked up once (the
+// translators' divisions by the block size fold, see quotients.cpp), and elements read the copy at constant distances.
+// This is known as ghost cells in block-structured grids, and as block-local storage in Taichi.
 #include "lower/halos.h"
 
 #include "ir/chain.h"
@@ -16,11 +17,11 @@ using namespace ir;
 
 namespace {
 
-/// Numbers of the copies of a block: they stay in the cache that is closest, or the next one. Blocks of few elements
-/// have more around them than in them.
+/// most_numbers: limit for the scalars in all copies together, so that they stay in the first or second level cache.
+/// least_volume: smaller blocks have more elements around them than in them, so that a copy does not pay.
 constexpr std::uint64_t most_numbers = 1u << 15, least_volume = 8;
 
-/// Whether the elements at the place are in memory that the pass only reads.
+/// Whether the pass does not write the memory of the structure at the place.
 bool is_only_read(const Context& cx, const Place& of) {
     const Place place = root_of(cx.p, cx.structure_at(of), of);
     const auto& bindings = cx.pass.bindings;
@@ -34,7 +35,7 @@ bool is_centre(const std::vector<std::int64_t>& offset) {
     return std::ranges::all_of(offset, [](std::int64_t part) { return part == 0; });
 }
 
-/// The neighbours that an offset reaches: along each axis the block itself, or the next one on the offset's side.
+/// The blocks that an offset reaches, as steps from the own block: along each axis 0, or 1 or -1 on the offset's side.
 std::set<std::vector<int>> steps_of(const std::vector<std::int64_t>& offset) {
     std::set<std::vector<int>> steps{{}};
     for (std::int64_t part : offset) {
@@ -51,7 +52,7 @@ std::set<std::vector<int>> steps_of(const std::vector<std::int64_t>& offset) {
     return steps;
 }
 
-/// How far offsets go beyond the block along an axis, on one side, on the way to a neighbour.
+/// How far the offsets that reach the block at `step` go beyond the own block along an axis.
 std::uint32_t thickness(const std::set<std::vector<std::int64_t>>& offsets, const std::vector<int>& step,
                         std::size_t axis) {
     std::int64_t most = 0;
@@ -90,7 +91,7 @@ Halo halo_of_block(std::uint32_t root, const std::vector<std::uint32_t>& block,
     return halo;
 }
 
-/// Whether all offsets end in the block or beside it.
+/// Whether all offsets end in the block or in an adjacent one.
 bool are_in_reach(const std::set<std::vector<std::int64_t>>& offsets, const std::vector<std::uint32_t>& block) {
     return std::ranges::all_of(offsets, [&](const auto& offset) {
         for (std::size_t axis = 0; axis < block.size(); ++axis)
@@ -127,7 +128,7 @@ Halo* Expander::halo_of(std::uint32_t root) {
     return found == halos.end() ? nullptr : &*found;
 }
 
-/// The element at an offset from the current one.
+/// Reads the neighbour at an offset from the copy.
 ExprId Expander::in_halo(Halo& halo, const std::vector<std::int64_t>& offset) {
     const TypeId element = cx.structure_at({halo.root, {}}).element;
     if (!halo.copy) {
@@ -155,8 +156,8 @@ ExprId Expander::in_halo(Halo& halo, const std::vector<std::int64_t>& offset) {
     return make.index(make.local(halo.copy), at);
 }
 
-/// A block's neighbour along one axis, or the block. Where there is none it is the block, so that looking it up is
-/// harmless.
+/// The adjacent block along one axis. Where it does not exist, `begin` is that of the own block, so that looking it up
+/// is harmless.
 Expander::NextBlock Expander::next_block(std::uint32_t root, std::uint32_t width, std::uint32_t axis, int step) {
     const OwnBlock::Axis& own = block_.axes[axis];
     if (step == 0) return {own.begin, {}, {}};
@@ -194,7 +195,7 @@ bool Expander::depends_on(ExprId id, const std::vector<LocalId>& locals) {
 
 namespace {
 
-/// The parts of a conjunction, sorted by a question.
+/// Divides a conjunction into those of its parts for which `asks` is true and the others.
 template <class Asks> void divide(Make& make, ExprId condition, ExprId& yes, ExprId& no, const Asks& asks) {
     if (!condition) return;
     const Expr node = make.p.exprs[condition];
@@ -210,7 +211,7 @@ template <class Asks> void divide(Make& make, ExprId condition, ExprId& yes, Exp
 
 }  // namespace
 
-/// Where the elements of a part are: in their structure, and in the copy.
+/// Makes the loops' variables for a part, and from them each element's address in its structure and index in the copy.
 Expander::Copied Expander::places_of(const Halo& halo, const Halo::Part& part, Neighbours& found) {
     Copied copied;
     copied.name = cx.name_of({halo.root, {}});
@@ -227,7 +228,7 @@ Expander::Copied Expander::places_of(const Halo& halo, const Halo::Part& part, N
         const ExprId round = count == 1 ? make.uint(0) : make.local(local);
         copied.loops.push_back(local);
         ExprId limit = make.uint(count);
-        if (step > 0 && count > 1) {  // the domain may end in the neighbour
+        if (step > 0 && count > 1) {  // the domain may end within the adjacent block
             found.all = make.both(found.all, make.binary(BinaryOp::greater_equal, next.room, limit));
             limit = make.intrinsic(Intrinsic::min, p.types.uint, {limit, next.room});
         }
@@ -244,7 +245,8 @@ Expander::Copied Expander::places_of(const Halo& halo, const Halo::Part& part, N
     return copied;
 }
 
-/// The address in memory. What does not depend on the loops is said before them, `inner` is the rest.
+/// The physical address of the copied element. Statements that do not depend on the loops are added before them; the
+/// others are put into `inner`.
 Pair Expander::looked_up(const Halo& halo, const Copied& copied, Block& inner) {
     const Place place{halo.root, {}};
     Pair physical;
@@ -264,7 +266,7 @@ Pair Expander::looked_up(const Halo& halo, const Copied& copied, Block& inner) {
     return physical;
 }
 
-/// The loops over a part, around what is done for each element.
+/// The loops over a part, around `body`.
 Expander::Block Expander::loops_over(const Halo::Part& part, const Copied& copied, Block body) {
     for (std::size_t axis = 0; axis < copied.loops.size(); ++axis) {
         if (part.count[axis] == 1) continue;
@@ -278,7 +280,7 @@ Expander::Block Expander::loops_over(const Halo::Part& part, const Copied& copie
     return body;
 }
 
-/// Looks a neighbour up, and copies what is read of it where it is there.
+/// Looks up a block, and makes the statements that copy a part of it, if it exists.
 void Expander::copy_from(const Halo& halo, const Halo::Part& part, Neighbours& found) {
     const Copied copied = places_of(halo, part, found);
     Block inner;
@@ -301,13 +303,14 @@ void Expander::copy_from(const Halo& halo, const Halo::Part& part, Neighbours& f
     found.copies.insert(found.copies.end(), copies.begin(), copies.end());
 }
 
-/// An absent condition holds.
+/// Appends the statements under a condition; an absent one is true.
 void Expander::append_where(ExprId condition, Block statements) {
     if (condition && !make.is_true(condition)) return append_if(condition, std::move(statements), {});
     out_->insert(out_->end(), statements.begin(), statements.end());
 }
 
-/// Ranges that begin elsewhere have other blocks: nothing is copied then.
+/// Requires the parameter's range to have the same origin as the range whose blocks are visited. Otherwise block
+/// borders differ, and the variant for whole blocks does not apply.
 void Expander::ask_for_one_origin(const Halo& halo) {
     if (cx.is_direct() || halo.root == *cx.kernel.space) return;
     const ExprId own = origin_of(halo.root), of_space = origin_of(*cx.kernel.space);
@@ -316,7 +319,7 @@ void Expander::ask_for_one_origin(const Halo& halo) {
             block_.holds, make.binary(BinaryOp::equal, make.component(own, axis), make.component(of_space, axis)));
 }
 
-/// A loop that gives all of a copy one value.
+/// A loop that sets all elements of a copy to one value.
 StmtId Expander::every_element(const Halo& halo, ExprId value) {
     Stmt loop = statement(StmtOp::for_, span_);
     loop.local = cx.new_local("i", p.types.uint, span_);

@@ -1,4 +1,5 @@
-// Halos: what `near` reads around the elements of a block, copied once a block on the host device.
+// Halos, on the host device: in kernels over blocks, the elements that `near` parameters read of a block and of its
+// neighbours are copied to a local array once a block.
 #pragma once
 
 #include "lower/context.h"
@@ -9,23 +10,24 @@
 
 namespace gliftc::lower {
 
-/// The offsets at which near parameters are read.
+/// For each near parameter (its index) the offsets at which it is read.
 using NearOffsets = std::map<std::uint32_t, std::set<std::vector<std::int64_t>>>;
 
-/// A block's elements and those of its neighbours that are read with them, as an array of its own.
+/// The local array for one near parameter: a block's elements, and around them those of its neighbours that are read.
 struct Halo {
     std::uint32_t root = 0;             ///< the near parameter
     std::vector<std::uint32_t> block;   ///< size of a block
-    std::vector<std::uint32_t> below;   ///< elements of the copy before the block, along each axis
-    std::vector<std::uint32_t> extent;  ///< of the copy
-    /// What is copied of the block (steps of 0) or of a neighbour: elements from `low` on.
+    std::vector<std::uint32_t> below;   ///< how many elements the array has before the block's first, along each axis
+    std::vector<std::uint32_t> extent;  ///< size of the array along each axis
+    /// A box of elements that is copied from the block at `step` (each axis -1, 0 or 1; all 0: the block itself):
+    /// `count` elements from position `low` in that block on.
     struct Part {
         std::vector<int> step;
         std::vector<std::uint32_t> low, count;
     };
     std::vector<Part> parts;
     LocalId copy;  ///< the array; absent: nothing reads it yet
-    ExprId at;     ///< the element's place in the array, but for the offset
+    ExprId at;     ///< index of the current element in the array
     std::uint32_t elements() const {
         std::uint32_t all = 1;
         for (std::uint32_t along : extent) all *= along;
@@ -33,7 +35,8 @@ struct Halo {
     }
 };
 
-/// For the near parameters whose offsets end in the block or beside it, where nothing writes what is copied.
+/// The halos for the near parameters whose offsets reach no further than the adjacent blocks and whose memory the pass
+/// does not write.
 std::vector<Halo> halos_of(Context& cx, const NearOffsets& offsets);
 
 }  // namespace gliftc::lower

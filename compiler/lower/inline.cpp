@@ -11,9 +11,9 @@ using namespace ir;
 
 namespace {
 
-constexpr std::size_t plain_call_limit = 40;  ///< nodes of a user's function that is not worth a call
+constexpr std::size_t plain_call_limit = 40;  ///< a function without structures is inlined up to this many nodes
 constexpr unsigned depth_limit = 64;
-constexpr std::uint32_t largest_tree = 1024;  ///< nodes of a value that stays without a local, each use counted
+constexpr std::uint32_t largest_tree = 1024;  ///< size, written out as a tree, beyond which a value gets a local
 
 bool is_short(const Program& p, const Function& function) {
     std::size_t size = 0;
@@ -27,7 +27,8 @@ bool is_short(const Program& p, const Function& function) {
 
 }  // namespace
 
-/// The value of a call with integers that are known, which loops that are unrolled make again and again; or none.
+/// The remembered value of a call whose arguments are integer constants, since unrolled loops repeat such calls;
+/// absent: not known.
 ExprId Expander::known_call(const Expr& node, const std::vector<Pair>& arguments) {
     std::vector<std::uint64_t> key{node.function.index};
     for (const Pair& argument : arguments) {
@@ -57,7 +58,7 @@ Pair Expander::expand_call(const Expr& node) {
         arguments.push_back(argument);
     }
     bool is_optional = p.types.kind(function.result) == TypeKind::optional;
-    if (holds_empty(p, function.result)) uniform = false;  // no parameter
+    if (holds_empty(p, function.result)) uniform = false;  // types with empty parts cannot be parameters
     if (constant && !is_optional)
         if (ExprId known = known_call(node, arguments)) return {known, {}};
     if (constant || (uniform && !is_optional && frame_->stage == nullptr && function.extern_name.empty())) {
@@ -82,7 +83,7 @@ Pair Expander::expand_call(const Expr& node) {
     return call_instance(node.function, std::move(arguments), std::move(frame));
 }
 
-/// A value that is used again and again may double each time: beyond a size it gets a local.
+/// Gives a value a local if it is large: the tree of an expression can double with each use of a value.
 Pair Expander::bounded(const std::string& name, Pair pair) {
     if (pair.value && tree_sizes_.of(pair.value) > largest_tree) pair.value = named(name, pair.value);
     if (pair.has && tree_sizes_.of(pair.has) > largest_tree) pair.has = named(name + "_found", pair.has);
@@ -93,7 +94,7 @@ Pair Expander::inlined(FunctionId id, std::vector<Pair> arguments, Frame frame) 
     const Function& function = p.functions[id];
     for (std::size_t i = 0; i < function.params.size() && i < arguments.size(); ++i) {
         Pair argument = arguments[i];
-        // However often the body uses it, an operation with an effect is done once.
+        // An argument with an effect must be evaluated once, however often the body uses it.
         const std::string name = prefixed((*p.names)[p.locals[function.params[i]].name]);
         if (!numbers_.is_pure(argument.value)) argument.value = named(name, argument.value);
         if (argument.has && !numbers_.is_pure(argument.has)) argument.has = named(name + "_found", argument.has);
@@ -105,7 +106,8 @@ Pair Expander::inlined(FunctionId id, std::vector<Pair> arguments, Frame frame) 
     return bounded(prefixed((*p.names)[function.name]), result);
 }
 
-/// Runs statements on values instead of locals; the value of the return that is reached, or an absent one.
+/// Executes statements symbolically, with an expression for each local. Returns the value of the `return` that is
+/// reached; absent: none is.
 Pair Expander::run(const std::vector<StmtId>& body) {
     for (std::size_t i = 0; i < body.size(); ++i) {
         const Stmt& stmt = p.stmts[body[i]];
@@ -141,13 +143,13 @@ Pair Expander::run(const std::vector<StmtId>& body) {
             }
             break;
         }
-        default: break;  // InlineSizes has seen to it
+        default: break;  // InlineSizes refuses functions with other statements
         }
     }
     return {};
 }
 
-/// The condition, or whether it holds where that is known.
+/// The condition, or a constant if it is known to hold or not to.
 ExprId Expander::decided(ExprId condition) {
     if (known_.empty()) return condition;
     const Expr& node = p.exprs[condition];
@@ -175,7 +177,7 @@ Pair Expander::run_returning_if(const Stmt& stmt, const std::vector<StmtId>& res
     return merged(condition, std::move(yes), a, std::move(no), b, type);
 }
 
-/// After an if, a local is what the side taken made of it.
+/// Executes an `if` symbolically: afterwards a local is a select between its values on both sides.
 void Expander::run_if(const Stmt& stmt) {
     ExprId condition = value_of(stmt.value);
     if (make.is_true(condition) || make.is_false(condition)) {
@@ -197,7 +199,8 @@ void Expander::run_if(const Stmt& stmt) {
     std::sort(changed.begin(), changed.end());
     for (LocalId local : changed) {
         Pair a = *after_yes.find(local), b = *after_no.find(local);
-        // The statements go with the first local; what they declare is used by all only if they are not conditional.
+        // The sides' statements are added with the first local. Other locals may use what they declare only if they are
+        // not conditional.
         if (is_speculatable(yes) && is_speculatable(no)) {
             frame_->locals[local] =
                 bounded(prefixed((*p.names)[p.locals[local].name]),
@@ -243,7 +246,7 @@ void Expander::run_assign(const Stmt& stmt) {
     frame_->locals[local] = bounded(prefixed((*p.names)[p.locals[local].name]), {whole, {}});
 }
 
-/// The value of the target's local after the part that `target` names has become `value`.
+/// The new value of a local after an assignment of `value` to `target`, which is the local or a part of it.
 ExprId Expander::replaced(ExprId target, ExprId value) {
     const Expr node = p.exprs[target];
     if (node.op == Op::local) return value;
@@ -285,7 +288,8 @@ bool Expander::is_speculatable(const Block& block) {
     return true;
 }
 
-/// One of two values, each with the statements that it needs: a select where they may both run, else an if.
+/// Chooses between two values, each with the statements that it needs: by a select if both may be executed, else by an
+/// `if`.
 Pair Expander::merged(ExprId condition, Block yes, Pair a, Block no, Pair b, TypeId type) {
     bool is_optional = p.types.kind(type) == TypeKind::optional;
     TypeId inner = is_optional ? p.types[type].element : type;
@@ -295,7 +299,7 @@ Pair Expander::merged(ExprId condition, Block yes, Pair a, Block no, Pair b, Typ
         out_->insert(out_->end(), no.begin(), no.end());
         if (is_optional) {
             result.has = make.select(condition, a.has, b.has);
-            // A value that is not there may be anything.
+            // Where there is no value, any will do.
             if (make.is_false(a.has)) return {b.value, result.has};
             if (make.is_false(b.has)) return {a.value, result.has};
         }

@@ -12,7 +12,8 @@ namespace {
 constexpr std::size_t inline_limit = 4000;  ///< nodes that inlining one call may make, loops unrolled
 constexpr std::uint64_t inline_rounds = 64;
 
-/// Whether an index of an assignment's target is known when the function is inlined: constants and loop variables.
+/// Whether an index in an assignment's target is a constant once the function is inlined: it consists of constants and
+/// variables of (unrolled) loops.
 bool is_known_index(const Program& p, ExprId id, const std::vector<LocalId>& loops) {
     bool known = true;
     for_each_node(p, id, [&](ExprId part) {
@@ -55,7 +56,7 @@ std::size_t InlineSizes::of_value(ExprId root) {
     return size;
 }
 
-/// The two sides of an if, each with the statements that follow, which are made for both.
+/// The size of an `if` with a return inside: the statements after it are made once for each side.
 std::optional<std::size_t> InlineSizes::of_both(const Stmt& stmt, const Statements& rest, Loops& loops) {
     Statements yes(stmt.body.begin(), stmt.body.end()), no(stmt.otherwise.begin(), stmt.otherwise.end());
     for (Statements* side : {&yes, &no}) side->insert(side->end(), rest.begin(), rest.end());

@@ -1,4 +1,4 @@
-// How much inlining a call makes.
+// Estimates how much code inlining a call makes.
 #pragma once
 
 #include "ir/ir.h"
@@ -9,19 +9,19 @@
 
 namespace gliftc::lower {
 
-/// Sizes of functions as straight-line code, those that they call included, so that a chain of calls is inlined only as
-/// far as that stays small.
+/// Sizes of functions as straight-line code, callees included, so that a chain of calls is inlined only as far as the
+/// result stays small.
 class InlineSizes {
 public:
     explicit InlineSizes(const ir::Program& program) : p(program) {}
 
-    /// The nodes that a call makes, loops unrolled; nothing where it stays a call: what cannot be run symbolically, or
-    /// makes too much.
+    /// The number of nodes that inlining a call makes, with loops unrolled. None if the call is not to be inlined: the
+    /// function cannot be executed symbolically (inline.cpp), or makes too many nodes.
     std::optional<std::size_t> of(ir::FunctionId function);
 
 private:
     using Statements = std::vector<ir::StmtId>;
-    using Loops = std::vector<ir::LocalId>;  ///< their variables
+    using Loops = std::vector<ir::LocalId>;  ///< variables of the enclosing loops
     std::optional<std::size_t> of(const Statements& body, Loops& loops);
     std::optional<std::size_t> of_both(const ir::Stmt& stmt, const Statements& rest, Loops& loops);
     std::optional<std::size_t> of_loop(const ir::Stmt& stmt, Loops& loops);

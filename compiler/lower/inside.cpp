@@ -1,12 +1,12 @@
-// What is known of the current element: it lies in the domain. A translator that asks so itself (one that maps nothing
-// beyond the edge) gets its answer here, and a neighbour is asked only about the sides that it moves towards.
+// Expander: removes tests whether an address is in the domain, as a partial translator has that maps nothing beyond the
+// edge, where that is known (the current element) or tested already (neighbours).
 #include "lower/expand.h"
 
 namespace gliftc::lower {
 
 using namespace ir;
 
-/// Whether the condition is all(lessThan(address, domain)), or address < domain, of the structure's own domain.
+/// Whether the condition is all(lessThan(address, domain)), or address < domain, with the parameter's own domain.
 bool Expander::is_asking_inside(std::uint32_t root, ExprId condition, ExprId address) {
     const Expr* test = &p.exprs[condition];
     if (test->op == Op::intrinsic && test->intrinsic == Intrinsic::all) {
@@ -19,7 +19,8 @@ bool Expander::is_asking_inside(std::uint32_t root, ExprId condition, ExprId add
     return numbers_.of(left) == numbers_.of(address) && numbers_.of(right) == numbers_.of(domain_of({root, {}}));
 }
 
-/// The condition without the parts that ask whether the address is inside; `asked` where there was one.
+/// The condition without those of its conjuncts that test whether the address is in the domain; sets `asked` if there
+/// was one.
 ExprId Expander::without_inside(std::uint32_t root, ExprId condition, ExprId address, bool& asked) {
     if (!condition) return condition;
     if (is_asking_inside(root, condition, address)) {

@@ -1,4 +1,5 @@
-// Functions that stay functions: one made for each set of places that it is called with.
+// Expander: functions that are not inlined. A lowered instance is made for each set of structures that a function is
+// called with.
 #include "lower/expand.h"
 
 #include "ir/walk.h"
@@ -8,7 +9,7 @@ namespace gliftc::lower {
 
 using namespace ir;
 
-/// Whether the function reads around the current address, itself or by what it calls.
+/// Whether the function or one that it calls reads neighbours of the current element.
 bool Expander::sees_window(FunctionId function) {
     if (auto found = windows_.find(function); found != windows_.end()) return found->second;
     bool sees = false;
@@ -20,7 +21,8 @@ bool Expander::sees_window(FunctionId function) {
     return sees;
 }
 
-/// Whether the function declares a long array that begins as zero, itself or by what it calls: a loop makes it so.
+/// Whether the function or one that it calls declares a long array that is zero-initialised, for which expansion makes
+/// a loop.
 bool Expander::has_long_zero(FunctionId function) {
     if (auto found = long_zeros_.find(function); found != long_zeros_.end()) return found->second;
     bool has = false;
@@ -52,7 +54,8 @@ Pair Expander::call_instance(FunctionId function, std::vector<Pair> arguments, F
     return {result, {}};
 }
 
-/// A function that sees a window is told where it stands, and works out the addresses there for itself.
+/// Begins an instance of a function that reads neighbours: it gets the current address as a parameter, and computes
+/// other addresses from it itself.
 Expander::Current Expander::enter_window(Function& made) {
     Current outer{cx.pass.address,     cx.pass.in_range,      std::move(prelude_),
                   std::move(centres_), std::move(addresses_), std::exchange(block_, {})};
@@ -79,7 +82,7 @@ void Expander::leave_window(Function& made, Current outer) {
 
 FunctionId Expander::instance(FunctionId id, Frame frame) {
     const Function original = p.functions[id];
-    // Without structures or state there is nothing to put in: all passes share the function as it is.
+    // A function without structures and state is used as it is, by all passes.
     if (frame.places.empty() && frame.stage == nullptr && !has_long_zero(id)) return id;
     FunctionKey key{id, {}, {}};
     auto path = [](const Place& place) {

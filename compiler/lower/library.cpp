@@ -12,7 +12,7 @@ using namespace ir;
 
 namespace {
 
-/// Makes the functions of one structure: each the body of a kernel made for it, lowered like any other.
+/// Makes the functions of one structure: each is the body of a kernel that is made for it and lowered like any other.
 struct Maker {
     Program& program;
     Diagnostics& diagnostics;

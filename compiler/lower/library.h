@@ -1,4 +1,4 @@
-// Functions of structures for shaders that are not Glift's: read, write and translate at one address.
+// Functions of structures for the user's own shaders: read, write and translate at one address.
 #pragma once
 
 #include "diag/diagnostics.h"
@@ -6,7 +6,7 @@
 
 namespace gliftc::lower {
 
-/// The functions of every public structure and view. Adds to the program's arenas. Needs: a program that was lowered.
+/// Makes the functions of every public structure and view. Adds nodes to the program. Needs: lower() has run.
 std::vector<ir::Library> lower_libraries(ir::Program& program, Diagnostics& diagnostics);
 
 }  // namespace gliftc::lower

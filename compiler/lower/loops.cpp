@@ -49,7 +49,7 @@ private:
         if (stmt.op == StmtOp::while_ || (stmt.op == StmtOp::atomic && is_retried(cx.p, cx.pass, stmt)))
             inside = note(stmt, unknown);
         if (stmt.op == StmtOp::for_) {
-            // The test that ends the loop is a round too, in which devices run what is inside for nothing.
+            // The last test counts as an iteration, since devices then go through the inner loops, too, masked off.
             auto known = rounds_of(cx.p, stmt.value, stmt.limit);
             std::uint64_t count = known ? known->count : most(stmt.limit);
             inside = note(stmt, plus(times(count, plus(inside, 1)), plus(1, loops_in(stmt.body))));
@@ -57,7 +57,7 @@ private:
         return plus(total, inside);
     }
 
-    /// Loops in the statements and in the functions that they call.
+    /// The number of loops in the statements and in the functions that they call.
     std::uint64_t loops_in(const std::vector<StmtId>& body) const {
         std::uint64_t loops = 0;
         for_each_statement(cx.p, body, [&](const Stmt& stmt) {
@@ -69,7 +69,7 @@ private:
         return loops;
     }
 
-    /// No uint value of the expression is larger.
+    /// An upper bound of a uint expression.
     std::uint64_t most(ExprId id) {
         const Expr& node = cx.p.exprs[id];
         if (is_bit_count_as_uint(node)) return bits_of_a_word;
@@ -84,7 +84,7 @@ private:
         return definition ? most(*definition) : unknown;
     }
 
-    /// bitCount gives an int that is never negative.
+    /// Whether the node is uint(bitCount(x)): bitCount gives an int that is never negative.
     bool is_bit_count_as_uint(const Expr& node) const {
         if (node.op != Op::convert || node.type != cx.p.types.uint) return false;
         const Expr& from = cx.p.exprs[node.operands[0]];
@@ -113,7 +113,7 @@ private:
         return unknown;
     }
 
-    /// Sums and products that may wrap are not known.
+    /// An upper bound of a binary operation. Sums and products that may wrap around have none.
     std::uint64_t most_of_binary(const Expr& node) {
         std::uint64_t a = most(node.operands[0]), b = most(node.operands[1]), result = unknown;
         if (node.binary == BinaryOp::bit_and) return std::min(a, b);
@@ -121,7 +121,7 @@ private:
         if (node.binary == BinaryOp::multiply) result = times(a, b);
         auto by = evaluate(cx.p, node.operands[1]);
         if (by && by->bits() != 0) {
-            // Without a limit a number is below 2^32 still.
+            // A uint without a known bound is still below 2^32.
             const std::uint64_t most_of_a = std::min<std::uint64_t>(a, std::numeric_limits<std::uint32_t>::max());
             if (node.binary == BinaryOp::divide) result = most_of_a / by->bits();
             if (node.binary == BinaryOp::remainder) result = std::min(most_of_a, by->bits() - 1);
@@ -153,7 +153,7 @@ private:
     std::uint64_t longest_ = 0;
 };
 
-/// The files that reports of a pass may name, added to those known.
+/// Adds the files that reports of a pass may name.
 void add_files(const Program& program, const Pass& pass, std::vector<std::uint32_t>& files) {
     const auto add = [&](const std::vector<StmtId>& body) {
         for_each_statement(program, body, [&](const Stmt& stmt) {
@@ -166,10 +166,10 @@ void add_files(const Program& program, const Pass& pass, std::vector<std::uint32
     for (FunctionId function : pass.functions) add(program.functions[function].body);
 }
 
-/// Devices may convert eight-bit texels to floats, and back, a last bit apart.
+/// Whether conversions of the texels may differ between devices in the last bit: those between eight bits and floats.
 bool rounds_freely(Format format) { return format == Format::r8 || format == Format::rg8 || format == Format::rgba8; }
 
-/// Callees before callers.
+/// Adds the functions that the body calls, callees before callers; notes operations that are not exact.
 void add_functions(Context& cx, const std::vector<StmtId>& body) {
     for_each_expression_of_trees(cx.p, body, [&](ExprId id) {
         const Expr& node = cx.p.exprs[id];
@@ -197,7 +197,7 @@ void summarize(Context& cx) {
     cx.pass.loop_rounds = Loops(cx).rounds(variant_for(cx.pass, Devices::shaders).body);
     if (const Variant* fragment = fragment_for(cx.pass, Devices::shaders))
         cx.pass.loop_rounds = std::max(cx.pass.loop_rounds, Loops(cx).rounds(fragment->body));
-    if (cx.kernel.raster) cx.pass.exact = false;  // what is interpolated is rounded by each device in its way
+    if (cx.kernel.raster) cx.pass.exact = false;  // devices round interpolated values differently
     for (const auto* body : bodies_of(cx.pass)) add_functions(cx, *body);
     for (const auto* body : bodies_of(cx.pass)) cx.pass.has_reports = cx.pass.has_reports || has_reports(cx.p, *body);
     for (FunctionId function : cx.pass.functions)
@@ -210,7 +210,7 @@ void agree(const Program& program, std::span<Pass* const> forms) {
     const std::uint64_t rounds = longest.loop_rounds;
     const Span loop = longest.longest_loop;
     const bool has_reports = std::ranges::any_of(forms, &Pass::has_reports);
-    // An image is a texture in all forms or in none: calls of any form may follow each other on it.
+    // An image is sampled in all forms or in none, since calls of different forms may follow each other on it.
     for (std::size_t i = 0; i < forms[0]->bindings.size(); ++i) {
         const bool is_sampled = std::ranges::all_of(forms, [&](Pass* pass) { return pass->bindings[i].sampled; });
         for (Pass* pass : forms) pass->bindings[i].sampled = is_sampled;

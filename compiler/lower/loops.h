@@ -1,5 +1,5 @@
-// What is known of a pass once it is lowered: the rounds of its loops, the functions it calls, whether devices agree on
-// it.
+// Summary of a lowered pass: a bound on the iterations of its loops, the functions that it calls, whether results are
+// the same on all devices.
 #pragma once
 
 #include "lower/context.h"
@@ -11,8 +11,8 @@ namespace gliftc::lower {
 /// Fills loop_rounds, longest_loop, has_reports, functions and exact.
 void summarize(Context& cx);
 
-/// What the forms of a kernel have in common: the bound of its loops, whether it has reports, the files that reports
-/// name.
+/// Makes equal in all forms of a kernel: the bound of its loops, whether it has reports, the files that reports name,
+/// and which images are sampled.
 void agree(const ir::Program& program, std::span<ir::Pass* const> forms);
 
 }  // namespace gliftc::lower

@@ -1,4 +1,5 @@
-// lower: from kernels that speak of structures to passes that speak of memory, in three forms each (ir/pass.h).
+// The stage "lower": turns kernels, whose operations access structures, into passes, whose operations access memory, in
+// three forms each (ir/pass.h).
 #pragma once
 
 #include "diag/diagnostics.h"
@@ -7,23 +8,23 @@
 
 namespace gliftc::lower {
 
-/// What kernels find out about themselves when they run.
+/// Which checks at run time are compiled into kernels.
 enum class Checks : std::uint8_t {
     none,
-    ranges,  ///< reads and writes by address outside a structure that says nothing about its outside: see check_range
+    ranges,  ///< report accesses by address outside a structure that does not define what lies outside: check.cpp
 };
 
 struct Settings {
     Checks checks = Checks::none;
-    Trace* trace = nullptr;  ///< or nothing is shown
+    Trace* trace = nullptr;  ///< null: nothing is traced
 };
 
-/// Lowers every kernel. Adds to the program's arenas; kernels stay as they were. Also ends the life of pipelines'
-/// temporaries (release statements) and marks affine translators.
+/// Lowers every kernel. Adds nodes to the program; kernels stay as they were. Also adds release statements for
+/// pipelines' temporaries, and fills in properties of translators and structures (affine, contained_axes, wide).
 ir::Lowered lower(ir::Program& program, Diagnostics& diagnostics, Settings settings = {});
 
-/// One kernel as the body of a function with these parameters that reaches the structures' state and memory by name: no
-/// dispatch, no range.
+/// Lowers a kernel as the body of a library function with these parameters: it has no dispatch and no range, and
+/// accesses the structures' state and memory by name.
 ir::Pass lower_function(ir::Program& program, Diagnostics& diagnostics, const ir::Kernel& kernel,
                         std::vector<ir::LocalId> params);
 

@@ -187,7 +187,7 @@ bool Make::is_number(ExprId id, double value) const {
     return static_cast<double>(static_cast<std::int64_t>(node->bits)) == value;
 }
 
-/// Identities that hold for every value; those of floats are left out (-0, NaN).
+/// Simplifies by identities such as x + 0 = x. Not for floats, where they fail for -0 and NaN.
 std::optional<ExprId> Make::simpler_binary(const Expr& node, ExprId a, ExprId b) {
     auto whole = [&](ExprId id) { return type(id) == node.type; };
     switch (node.binary) {
@@ -244,7 +244,7 @@ std::optional<ExprId> Make::simpler_binary(const Expr& node, ExprId a, ExprId b)
     return std::nullopt;
 }
 
-/// One component of an operation on vectors, as the operation on components.
+/// A component of an operation on vectors, as the operation on the operands' components; none if that is not possible.
 std::optional<ExprId> Make::simpler_component(ExprId vector, std::uint32_t lane) {
     const Expr& node = p.exprs[vector];
     if (node.op == Op::swizzle) return component(node.operands[0], node.lanes[lane]);
@@ -282,20 +282,20 @@ std::optional<ExprId> Make::simpler_component(ExprId vector, std::uint32_t lane)
     return again(scalar, std::move(parts));
 }
 
-/// Whether an operation on these may be computed.
+/// Whether the operation may be folded: all operands are constants.
 bool Make::is_foldable(const Expr& node, const Operands& operands) const {
     if (operands.empty() || node.op == Op::call || node.op == Op::construct) return false;
     return std::all_of(operands.begin(), operands.end(), [&](ExprId operand) { return is_constant(operand); });
 }
 
-/// The value, where it is finite.
+/// The expression as a constant, if its value is known and finite; else the expression.
 ExprId Make::computed(ExprId id) {
     auto value = evaluate(p, id);
     if (!value || !is_finite(*value)) return id;
     return materialize(p, *value, p.exprs[id].span);
 }
 
-/// An operation on two scalar constants: most of what is folded, and quicker so than by the interpreter.
+/// Folds an operation on two scalar constants: the most frequent case, done here faster than by the interpreter.
 std::optional<ExprId> Make::constant_binary(const Expr& node, ExprId left, ExprId right) {
     const Expr &a = p.exprs[left], &b = p.exprs[right];
     const bool is_known = a.op == Op::constant && b.op == Op::constant && p.types.is_scalar(a.type) && a.type == b.type;

@@ -44,18 +44,18 @@ public:
     ExprId intrinsic(ir::Intrinsic intrinsic, TypeId type, Operands operands);
     ExprId builtin(ir::Builtin builtin, TypeId type);
 
-    /// `node` with other operands: the same operation, folded.
+    /// The same operation as `node` on other operands, folded.
     ExprId again(const ir::Expr& node, Operands operands);
 
-    /// What a statement is made of.
+    /// The expressions and inner statements of a statement.
     struct Parts {
         ExprId target, value, limit;
         std::vector<StmtId> body, otherwise;
     };
-    /// The statement with other parts: itself where they are its own.
+    /// A copy of the statement with other parts; the statement itself if the parts are its own.
     StmtId again(StmtId id, Parts parts);
 
-    /// Whether `id` is a constant; does not compute.
+    /// Whether `id` is a constant as it stands; nothing is evaluated.
     bool is_constant(ExprId id) const;
     /// The value where `id` is a scalar constant.
     std::optional<std::uint64_t> bits_of(ExprId id) const;
@@ -64,7 +64,7 @@ public:
     TypeId type(ExprId id) const { return p.exprs[id].type; }
 
     ir::Program& p;
-    std::unordered_map<LocalId, std::uint64_t> limits;  ///< the largest value of some uints: quotients.cpp
+    std::unordered_map<LocalId, std::uint64_t> limits;  ///< known upper bounds of uint locals, for quotients.cpp
 
 private:
     std::optional<std::uint64_t> limit_of(ExprId id) const;
@@ -84,7 +84,7 @@ private:
     bool is_number(ExprId id, double value) const;
 };
 
-/// A statement of this kind at this place of the source.
+/// A statement of this kind with this source location.
 ir::Stmt statement(StmtOp op, Span span);
 
 }  // namespace gliftc::lower

@@ -1,15 +1,15 @@
-// How bindings are accessed by physical address.
+// Loads from bindings by physical address.
 #pragma once
 
 #include "lower/context.h"
 
 namespace gliftc::lower {
 
-/// What the binding is indexed by: a buffer by numbers, in the wide form of 64 bits; an image by signed texel
-/// addresses.
+/// The operand of a load or store for a physical address: for a buffer an index, of 64 bits in the wide form; for an
+/// image the texel's address as signed integers.
 ExprId index_of(Context& cx, std::uint32_t binding, ExprId physical);
 
-/// The load of what lies at a physical address.
+/// A load from a physical address.
 ExprId load_from(Context& cx, std::uint32_t binding, ExprId physical);
 
 }  // namespace gliftc::lower

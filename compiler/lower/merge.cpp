@@ -19,8 +19,8 @@ public:
 private:
     struct Use {
         unsigned count = 0;
-        unsigned loops = 0;     ///< around the use
-        unsigned declared = 0;  ///< loops around the let
+        unsigned loops = 0;     ///< number of loops around the use
+        unsigned declared = 0;  ///< number of loops around the let
     };
 
     void count(ExprId id, unsigned loops);
@@ -54,7 +54,7 @@ void Merging::count(const std::vector<StmtId>& body, unsigned loops) {
     }
 }
 
-/// Whether the let of this value vanishes.
+/// Whether the `let` is dropped and its value moved to its only use.
 bool Merging::is_merged(const Stmt& stmt, ExprId value) {
     if (stmt.op != StmtOp::let || !value || !cx.p.locals[stmt.local].is_temporary) return false;
     const Use& use = uses_[stmt.local];

@@ -13,18 +13,18 @@ namespace {
 
 struct RowMove {
     bool is_load = false;
-    ExprId array;  ///< the local, all of which is moved
+    ExprId array;  ///< the local array, which is copied as a whole
     std::uint32_t binding = 0;
-    ExprId first;  ///< the first row in memory
+    ExprId first;  ///< index of the first row in memory
 };
 
-/// factor * round + offset
+/// factor * (the loop's variable) + offset
 struct Line {
     std::uint64_t factor = 0, offset = 0;
     bool operator==(const Line&) const = default;
 };
 
-/// What a loop of one round a row says, if it is one.
+/// Recognises a loop that copies one row in each iteration.
 class Reader {
 public:
     Reader(const Program& whole, const Pass& lowered, const Stmt& rounds)
@@ -47,8 +47,8 @@ private:
     const Stmt& loop;
     std::unordered_map<LocalId, ExprId> values_;
     RowMove move_;
-    LocalId four_;               ///< loads: the row
-    std::uint32_t numbers_ = 0;  ///< of a row that were moved so far
+    LocalId four_;               ///< in a loop that loads: the local that holds the row
+    std::uint32_t numbers_ = 0;  ///< how many scalars of the row the statements so far have copied
 };
 
 std::optional<Line> Reader::line_of(ExprId id) const {
@@ -67,7 +67,7 @@ std::optional<Line> Reader::line_of(ExprId id) const {
     return std::nullopt;
 }
 
-/// Of one round: row `first + round` of a binding.
+/// Accepts an access to row `first + i` of a binding, i being the loop's variable.
 bool Reader::take_row(ExprId vector, std::uint32_t binding, TypeId type) {
     const Expr& sum = program.exprs[vector];
     if (move_.first || sum.op != Op::binary || sum.binary != BinaryOp::add || line_of(sum.operands[1]) != Line{1, 0} ||
@@ -83,7 +83,7 @@ bool Reader::take_row(ExprId vector, std::uint32_t binding, TypeId type) {
     return is_same;
 }
 
-/// Of one round: a number of the array, in order.
+/// Accepts an access to scalar `number` of row i of the array.
 bool Reader::take_array(ExprId id, std::uint64_t number) {
     const Expr& element = program.exprs[id];
     if (element.op != Op::index || line_of(element.operands[1]) != Line{row_width, number}) return false;
@@ -128,7 +128,7 @@ bool Reader::take(const Stmt& stmt) {
     return line_of(stmt.value).has_value();
 }
 
-/// Whether the rounds together move all of the array, as memory has it.
+/// Whether the iterations together copy the whole array, in the order of memory.
 bool Reader::is_whole() const {
     const std::optional<Line> first = line_of(loop.value), limit = line_of(loop.limit);
     if (!first || !limit || *first != Line{0, 0} || limit->factor != 0 || !move_.array || !move_.first) return false;
@@ -144,7 +144,7 @@ std::optional<RowMove> Reader::read() {
     return is_whole() ? std::optional(move_) : std::nullopt;
 }
 
-/// The move as a statement in place of the loop.
+/// The statement that replaces the loop.
 StmtId moved(Context& cx, const Stmt& loop, const RowMove& move) {
     Stmt stmt = statement(move.is_load ? StmtOp::load_rows : StmtOp::store_rows, loop.span);
     stmt.slot = move.binding;

@@ -1,7 +1,7 @@
-// Loops that move rows of numbers between an array of the invocation's own and memory, one row behind the other, become
-// one copy, which C++ compilers know how to make of vectors.
+// On the host device: replaces loops that copy consecutive rows of four scalars between a local array and memory by one
+// load_rows or store_rows statement, a copy that C++ compilers vectorise.
 //
-// Needs: trees. Guarantees: what is left in loops moves something else, or only a part of an array.
+// Needs: expressions are trees. Guarantees: there are no loops left that copy a whole array in this way.
 #pragma once
 
 #include "lower/context.h"

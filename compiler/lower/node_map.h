@@ -1,5 +1,5 @@
-// Values by node, where most nodes are the pass's own: these have consecutive ids and their values lie in one array.
-// Nodes of the program, which are older and few in a pass, are in a hash map.
+// A map from nodes to values, for lowering one pass. Most nodes are made by that lowering: they have consecutive ids,
+// and their values are in an array. Older nodes, which the program has and of which a pass uses few, are in a hash map.
 #pragma once
 
 #include "lower/flat_map.h"
@@ -8,11 +8,11 @@
 
 namespace gliftc::lower {
 
-/// Lowering one kernel takes a hundred such maps, one after the other and of the same size: the array of one that is
-/// gone serves the next on the thread. Entries carry the time of the map that made them, so that nothing is cleared.
+/// Lowering a kernel makes a hundred such maps of the same size in turn: each takes over the array of an earlier one on
+/// its thread. Entries have the number (`time`) of the map that made them, so that arrays need not be cleared.
 template <class Id, class Value> class NodeMap {
 public:
-    /// `first` is the smallest id that the pass made.
+    /// `first` is the smallest id that the lowering made.
     explicit NodeMap(Id first) : first_(first.index) {
         std::vector<Array>& spare = spare_arrays();
         if (spare.empty()) spare.emplace_back();
@@ -32,7 +32,7 @@ public:
     const Value* find(Id id) const { return const_cast<NodeMap*>(this)->find(id); }
     bool contains(Id id) const { return find(id) != nullptr; }
 
-    /// The value of the node and whether it was put there now.
+    /// The value of the node, and whether it was inserted by this call.
     std::pair<Value*, bool> emplace(Id id, Value value) {
         if (id.index < first_) return older_.emplace(id, std::move(value));
         const std::uint32_t at = id.index - first_;

@@ -40,14 +40,14 @@ std::uint8_t Numbers::find_traits(ExprId id) {
         trait |= loads;
         if (is_written(node.slot)) trait |= changes;
     }
-    // A function made for this pass may load.
+    // A function that is called may load.
     if (node.op == Op::call) trait |= loads;
     for (ExprId operand : node.operands) trait |= traits_of(operand) & (impure | loads | changes);
     cx.traits.emplace(id, trait);
     return trait;
 }
 
-/// What tells the node apart besides its operands.
+/// A hash of everything in the node but its operands.
 ShapeKey Numbers::shape_of(const Expr& node) const {
     ShapeKey key;
     key.mix(static_cast<std::uint64_t>(node.op) << 32 | node.type.index);
@@ -99,7 +99,7 @@ ValueNumber Numbers::of(ExprId id) {
     for (ExprId operand : node.operands) key.mix(of(operand));
     ValueNumber& number = memory_->number_of(key);
     if (number == 0) number = ++next_;
-    // What has an effect is another value each time.
+    // An expression with an effect has another value at each evaluation.
     if (!(traits & impure)) memory_->learn(id, number, !(traits & changes));
     return number;
 }
@@ -114,7 +114,7 @@ void Numbers::change_all(const Stmt& stmt) {
     change_all(stmt.otherwise);
 }
 
-/// Without the statements inside it.
+/// Notes what the statement itself changes, without the statements inside it.
 void Numbers::change_by(const Stmt& stmt) {
     if (stmt.op == StmtOp::assign) {
         ExprId root = stmt.target;

@@ -1,4 +1,4 @@
-// Value numbers: two expressions with one number have one value where both stand.
+// Value numbering: two expressions with the same number have the same value where they are used.
 #pragma once
 
 #include "lower/context.h"
@@ -20,19 +20,19 @@ public:
 
     ValueNumber of(ExprId id);
 
-    /// The let's local has this number from here on.
+    /// Says that the local of a `let` has this number from here on.
     void define(LocalId local, ValueNumber number) {
         locals_[local] = number;
         memory_->note_change();
     }
-    /// To walk the same statements again: numbers stay.
+    /// Prepares for walking the same statements again: numbers are kept.
     void restart() {
         versions_.clear();
         bindings_.clear();
         memory_->note_change();
     }
     ValueNumber count() const { return next_ + 1; }
-    /// The local, or the memory behind a binding and whatever may be the same place, may have changed.
+    /// Says that the local may have changed; or the memory of a binding, and that of all bindings that may alias it.
     void change(LocalId local) {
         ++versions_[local];
         memory_->note_change();
@@ -41,7 +41,7 @@ public:
         ++bindings_[cx.pass.bindings[binding].one_place];
         memory_->note_change();
     }
-    /// Everything that the statements may change.
+    /// Says that everything that the statements may change may have changed.
     void change_all(const std::vector<StmtId>& body);
     void change_all(const ir::Stmt& stmt);
 
@@ -75,7 +75,7 @@ private:
     std::unique_ptr<NumberMemory> memory_;
     NodeMap<LocalId, ValueNumber> locals_{cx.first_local};
     NodeMap<LocalId, std::uint32_t> versions_{cx.first_local};
-    FlatMap<std::uint32_t, std::uint32_t> bindings_;  ///< by PassBinding::one_place
+    FlatMap<std::uint32_t, std::uint32_t> bindings_;  ///< versions of memories, by PassBinding::one_place
     ValueNumber next_ = 0;
 };
 

@@ -1,5 +1,5 @@
-// What value numbering remembers. Every pass numbers a body anew; entries carry the time at which they were made, so
-// that memory that one pass filled is empty for the next without being cleared.
+// The tables of value numbering (number.h). Every pass numbers a body anew and reuses the tables: entries have the time
+// at which they were made, so that old ones count as absent and nothing has to be cleared.
 #pragma once
 
 #include "ir/ir.h"
@@ -11,7 +11,8 @@
 
 namespace gliftc::lower {
 
-/// The shape of a node, hashed to 128 bits: two shapes with one hash do not happen.
+/// The shape of a node (its operation and the numbers of its operands), hashed to 128 bits: collisions are taken not to
+/// happen.
 struct ShapeKey {
     std::uint64_t high = 0, low = 0;
     bool operator==(const ShapeKey&) const = default;
@@ -30,10 +31,10 @@ public:
     /// Forgets everything.
     void restart() {
         start_ = ++time_;
-        ++time_;  // what is known now is not known for ever
+        ++time_;  // so that time_ differs from start_, which marks numbers that never expire
         shapes_ = 0;
     }
-    /// Forgets the numbers of nodes whose values may change, for something has.
+    /// Something has changed: forgets the numbers of nodes whose values may change.
     void note_change() { ++time_; }
 
     /// The number of a shape; 0 where it has none yet.
@@ -45,7 +46,7 @@ public:
         return slot.number;
     }
 
-    /// The number of a node, if it is known and the same as then; or 0.
+    /// The number of a node, if it is known and still valid; or 0.
     std::uint32_t known(ir::ExprId id) const {
         const Known* found = known_.find(id);
         return found != nullptr && (found->time == start_ || found->time == time_) ? found->number : 0;
@@ -78,8 +79,8 @@ private:
     std::vector<Slot> slots_;
     std::size_t shapes_ = 0;
     NodeMap<ir::ExprId, Known> known_;
-    std::uint32_t time_ = 0;   ///< counts what may give nodes other numbers
-    std::uint32_t start_ = 0;  ///< the time of what stays known
+    std::uint32_t time_ = 0;   ///< increased by each change and restart
+    std::uint32_t start_ = 0;  ///< the time given to entries that stay valid until the next restart
 };
 
 }  // namespace gliftc::lower

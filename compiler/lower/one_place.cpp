@@ -27,7 +27,7 @@ bool may_be_written_elsewhere(const Context& cx, std::uint32_t root) {
 
 namespace {
 
-/// Walks a body in order; the second round of a loop comes after the stores of the first.
+/// Walks a body in order. In a loop all stores count as coming before all loads, because of the next iteration.
 class Order {
 public:
     Order(const Program& program, const Pass& pass, std::uint32_t place) : p(program), pass_(pass), place_(place) {}

@@ -1,27 +1,28 @@
-// One memory given to a pass under two names (docs/language.md, "One memory given twice"): each invocation has one
-// place, which it reads and writes by both.
+// Aliases: calls may pass one memory for two parameters if each invocation accesses only its own element by both
+// (docs/language.md, "One memory given twice"). "One place" is such an element.
 //
-// The general form is right for such calls, and no other one is compiled for them: a store by one name counts as a
-// store by the other (number.h), so no load moves over it. A variant with one binding for each way in which names may
-// meet would be as many passes as a set has partitions. Vulkan devices run the wide form, whose buffers are pointers
-// that may be equal. Images have descriptors in every form; where one is loaded after a store by another name, it is a
-// storage image by both, not a texture, so that the invocation sees its own store. The direct form knows nothing of all
-// this: where it takes two elements an invocation and the general form cannot, since loads keep their side of stores,
-// that takes them in turn.
+// The general and the wide form are valid for such calls: a store by one binding counts as a store by all that may
+// alias it (number.h), so that no load is moved over it. No special passes are compiled, since there would be one for
+// each partition of the set of parameters. Vulkan devices run the wide form, whose buffers are pointers that may be
+// equal. Images have descriptors in every form; an image that is loaded after a store by another binding is a storage
+// image in both, not a texture, so that the invocation sees its own store. The direct form assumes that there are no
+// aliases. Where it computes two elements an invocation, all loads before the first store, the other forms compute them
+// one after the other instead, since loads must not move over stores.
 #pragma once
 
 #include "lower/context.h"
 
 namespace gliftc::lower {
 
-/// The first binding that a call may pass as the same place as this one, which is the last of the pass; or itself.
+/// The value of one_place for `binding`, which is about to be added to the pass: the first binding that may alias it,
+/// or its own index.
 std::uint32_t first_of_place(const Context& cx, const ir::PassBinding& binding);
 
-/// Whether another parameter may write the element that an invocation reads by this one.
+/// Whether an aliasing parameter may write the element that an invocation reads by this one.
 bool may_be_written_elsewhere(const Context& cx, std::uint32_t root);
 
-/// Whether something is loaded by one name of a place that may have been stored to by another: from a texture unit it
-/// would be what was there before the pass.
+/// Whether, among bindings that may alias (`place` is their one_place), a load may come after a store. Loaded from a
+/// sampled image, the value would be that from before the pass.
 bool loads_after_store(const ir::Program& program, const ir::Pass& pass, std::uint32_t place);
 
 }  // namespace gliftc::lower

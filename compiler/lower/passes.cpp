@@ -19,7 +19,7 @@ namespace {
 using Body = std::vector<StmtId>;
 using Facts = std::vector<ExprId>;
 
-/// A pass that no fact helps.
+/// Adapts a pass that has no use for facts.
 template <Body (*run)(Context&, const Body&)> Body without_facts(Context& cx, const Body& body, const Facts&) {
     return run(cx, body);
 }

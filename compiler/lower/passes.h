@@ -1,6 +1,6 @@
-// The passes over a lowered kernel: each a name, what it needs, what it guarantees, and the function that runs it.
-// pipeline.cpp runs them in the order of the table; --dump-after=NAME prints what each leaves; tests run them one by
-// one on the text of the IR.
+// The table of passes (transformations) over a lowered kernel: each has a name, what it needs, what it guarantees, and
+// the function that runs it. pipeline.cpp runs them in the order of the table; --dump-after=NAME prints the code after
+// each; tests run single ones on the text of the IR.
 #pragma once
 
 #include "lower/context.h"
@@ -10,32 +10,33 @@
 
 namespace gliftc::lower {
 
-/// One transformation of statements of memory. What it guarantees holds besides: the same values in the same order.
+/// A transformation of a body of memory operations. All guarantee, too, that the same values are stored in the same
+/// order.
 struct BodyPass {
     std::string_view name;
     std::string_view needs;
     std::string_view guarantees;
-    /// `facts` are conditions that hold on the whole body.
+    /// `facts` are conditions that are known to hold throughout the body.
     std::vector<StmtId> (*run)(Context& cx, const std::vector<StmtId>& body, const std::vector<ExprId>& facts);
-    /// Whether the kernel is one that the pass is for; null: all are.
+    /// Whether the pass is run for this kernel; null: for all.
     bool (*applies)(const Context& cx) = nullptr;
 };
 
-/// In the order in which they run over every body: that of one element, of two, of the interior, and functions'.
+/// The passes that run over every body (for one element, for two, for the interior, of functions), in order.
 std::span<const BodyPass> body_passes();
 
-/// In the order in which they run over what the host device runs, after all of the above: they make a variant of it.
+/// The passes that then run over the bodies for the host device, in order. They make separate variants of them.
 std::span<const BodyPass> host_passes();
 
-/// A step that makes a body, or that sees all bodies of a pass.
+/// A step that makes a body, or works on all bodies of a kernel.
 struct KernelPass {
     std::string_view name;
     std::string_view needs;
     std::string_view guarantees;
 };
 
-/// In order. Those up to "coarsen" make the bodies that the body passes then take; the others take what these leave,
-/// "find_rows" what the passes for the host device leave.
+/// These steps in order. Those up to "coarsen" come before the body passes, "move_uniforms" after them, the others
+/// after the passes for the host device.
 std::span<const KernelPass> kernel_passes();
 
 /// Whether --dump-after and --stop-after know the name.

@@ -1,4 +1,4 @@
-// The passes in order. Each says in its header what it needs and what it guarantees.
+// Lowers kernels: runs the passes in order. Each says in its header what it needs and what it guarantees.
 #include "base/parallel.h"
 #include "ir/effects.h"
 #include "ir/validate.h"
@@ -34,10 +34,10 @@ using namespace ir;
 
 namespace {
 
-/// Fewer take less time than a thread and its branch of the program.
+/// The least number of kernels for a thread: with fewer, starting it and its branch of the program takes longer.
 constexpr std::size_t kernels_of_a_thread = 8;
 
-/// Development builds stop at the pass that broke something.
+/// In development builds: validates a body after a pass.
 void check([[maybe_unused]] const Context& cx, [[maybe_unused]] const std::vector<StmtId>& body,
            [[maybe_unused]] std::string_view pass) {
 #ifndef NDEBUG
@@ -49,7 +49,7 @@ void check([[maybe_unused]] const Context& cx, [[maybe_unused]] const std::vecto
 #endif
 }
 
-/// After each pass: development builds look for what it broke, a trace writes down what it left.
+/// Called after each pass: validates its result in development builds, and writes it to the trace.
 void finished(Context& cx, std::string_view pass, const std::vector<Variant>& variants,
               const std::vector<ExprId>& facts, std::string_view what) {
     for (const Variant& variant : variants) check(cx, statements_of(variant), pass);
@@ -64,7 +64,7 @@ void finished(Context& cx, std::string_view pass, const std::vector<StmtId>& bod
              what);
 }
 
-/// What the body passes make of a body; `what` names it.
+/// Runs the body passes over a body; `what` names it in the trace.
 std::vector<StmtId> simplified(Context& cx, std::string_view what, std::vector<StmtId> body,
                                const std::vector<ExprId>& facts = {}) {
     for (const BodyPass& pass : body_passes()) {
@@ -75,13 +75,13 @@ std::vector<StmtId> simplified(Context& cx, std::string_view what, std::vector<S
     return body;
 }
 
-/// The parameter that is exactly this value, if there is one.
+/// The slot of the parameter that the expression is, or no_parameter.
 std::uint32_t parameter_of(const Context& cx, ExprId id) {
     const Expr& node = cx.p.exprs[id];
     return node.op == Op::parameter ? node.slot : no_parameter;
 }
 
-/// Holds a uniform value through the passes, so that it becomes a parameter like any other.
+/// A statement that holds a uniform value until the pass move_uniforms makes it a parameter.
 StmtId holder(Context& cx, ExprId value) {
     Stmt stmt = statement(StmtOp::evaluate, cx.kernel.span);
     stmt.value = value;
@@ -94,9 +94,9 @@ void finish_images(const Program& program, Pass& pass) {
                           !loads_after_store(program, pass, binding.one_place);
 }
 
-/// The wide form reaches its buffers by address.
+/// In the wide form: adds parameters for the addresses of the buffers.
 void reach_by_address(Context& cx) {
-    cx.pass.exists = cx.pass.has_base();  // without buffers and with one dispatch there is nothing to reach further
+    cx.pass.exists = cx.pass.has_base();  // without buffers or split dispatches it is like the general form
     for (std::uint32_t i = 0; i < cx.pass.bindings.size(); ++i) {
         PassBinding& binding = cx.pass.bindings[i];
         if (binding.shape != MemoryShape::buffer) continue;
@@ -106,7 +106,7 @@ void reach_by_address(Context& cx) {
     }
 }
 
-/// The host's body for blocks all of whose elements are visited.
+/// Adds the host device's variant for blocks all of whose elements are visited.
 void add_whole_block(Context& cx, const Expander& checked, const std::vector<ExprId>& facts) {
     if (!cx.kernel.space) return;
     Expander expander(cx, Guards::block);
@@ -121,8 +121,8 @@ void add_whole_block(Context& cx, const Expander& checked, const std::vector<Exp
     cx.pass.variants.push_back(std::move(made));
 }
 
-/// The host's body for centres whose neighbours all lie inside. Its domain is held in `holders` until it is a
-/// parameter.
+/// Adds the host device's variant for elements whose neighbours are all in the domain. The domain is kept in `holders`
+/// until it is a parameter.
 void add_interior(Context& cx, Expander& checked, const std::vector<ExprId>& facts, std::vector<StmtId>& holders) {
     if (cx.kernel.space || !checked.has_near_guards || !checked.near_domains_agree || cx.is_wide()) return;
     Expander expander(cx, Guards::interior);
@@ -137,7 +137,8 @@ void add_interior(Context& cx, Expander& checked, const std::vector<ExprId>& fac
         {Part::whole, Devices::host, {cx.pass.plain().assumes.elements, interior}, std::move(body)});
 }
 
-/// Says which parameters hold what the interior is the interior of.
+/// Fills in the parameters that hold the domain and origin of the interior variant, or drops the variant if the domain
+/// is no parameter.
 void settle_interior(Context& cx, const Expander& checked, const std::vector<StmtId>& holders) {
     if (holders.empty()) return;
     Interior& interior = *cx.pass.variants.back().assumes.interior;
@@ -147,7 +148,7 @@ void settle_interior(Context& cx, const Expander& checked, const std::vector<Stm
         interior.origin = cx.parameter(ParameterSource::origin, {}, cx.kernel.domain_type, *checked.near_root);
 }
 
-/// What the passes for the host device make of a body.
+/// Runs the passes for the host device over a variant.
 std::vector<Variant> for_host(Context& cx, const Variant& variant) {
     Variant made{variant.part, Devices::host, variant.assumes, variant.body, variant.block};
     cx.part = variant.part;
@@ -170,7 +171,8 @@ std::vector<Variant> for_host(Context& cx, const Variant& variant) {
     return found;
 }
 
-/// The host device runs variants of its own where its passes have something to say.
+/// Replaces variants for the host device, and copies those for any device, by what the host device's passes make of
+/// them.
 void add_host_variants(Context& cx) {
     std::vector<Variant> others, made;
     for (Variant& variant : cx.pass.variants) {
@@ -181,7 +183,7 @@ void add_host_variants(Context& cx) {
     std::ranges::move(made, std::back_inserter(cx.pass.variants));
 }
 
-/// The functions made for the pass; their bodies are added to `bodies`.
+/// Runs the body passes over the functions that were made for the pass, and adds their bodies to `bodies`.
 void simplify_functions(Context& cx, std::vector<std::vector<StmtId>*>& bodies) {
     for (auto& [key, function] : cx.instances) {
         auto& body = cx.p.functions[function].body;
@@ -200,10 +202,10 @@ void check_whole([[maybe_unused]] const Context& cx) {
 #endif
 }
 
-/// That an invocation of a shader takes.
+/// How many elements an invocation of a shader takes. two_in_turn: the second after the first has been stored.
 enum class Elements { one, two_where_it_helps, two_in_turn };
 
-/// Once the bodies have been made: functions, uniform values, variants for the host device, facts.
+/// The last steps, after move_uniforms: variants for the host device, properties of bindings, the summary.
 void complete(Context& cx) {
     add_host_variants(cx);
     if (cx.is_stopped) return;
@@ -213,7 +215,7 @@ void complete(Context& cx) {
     check_whole(cx);
 }
 
-/// A draw: a body for each of its parts.
+/// Lowers a kernel that draws: a body for each of its parts.
 Pass lowered_draw(Program& program, Diagnostics& diagnostics, std::uint32_t kernel, Form form, Settings settings) {
     Pass pass;
     pass.kernel = kernel;
@@ -222,7 +224,8 @@ Pass lowered_draw(Program& program, Diagnostics& diagnostics, std::uint32_t kern
     choose_dispatch(cx);
     const auto body = [&](Part part, const std::vector<StmtId>& written, std::string_view what) {
         Expander expander(cx, Guards::checked);
-        if (part == Part::vertex && !cx.is_direct()) cx.size = expander.iteration_size();  // counts of the device's
+        if (part == Part::vertex && !cx.is_direct())
+            cx.size = expander.iteration_size();  // parameters for the number of vertices and instances
         std::vector<StmtId> made = expander.draw_part(part, written);
         finished(cx, "expand", made, {}, what);
         cx.traits.clear();
@@ -254,7 +257,7 @@ Pass lowered(Program& program, Diagnostics& diagnostics, std::uint32_t kernel, F
     choose_dispatch(cx);
     Expander expander(cx, Guards::checked);
     cx.size = expander.iteration_size();
-    // A kernel without a group does not run beyond its range.
+    // In a kernel without a group, invocations beyond the range have returned.
     std::vector<ExprId> facts;
     if (!cx.kernel.grouped()) facts.push_back(in_range_condition(cx));
     std::vector<StmtId> body = expander.kernel_body();
@@ -302,7 +305,7 @@ Lowered::Forms all_forms(Program& program, Diagnostics& diagnostics, std::uint32
     for (Pass* pass : {&forms.general, &forms.wide})
         if (is_coarsened(forms.direct) && !is_coarsened(*pass) && has_one_place(*pass))
             *pass = lower(pass->form, Elements::two_in_turn);
-    // A workgroup covers as much in all forms. Those that have more to compute may take one element.
+    // A workgroup must cover the same number of elements in all forms: if one form takes one an invocation, all do.
     const std::array all{&forms.direct, &forms.general, &forms.wide};
     const auto takes_one = [](const Pass* pass) { return !is_coarsened(*pass); };
     if (std::ranges::any_of(all, takes_one))
@@ -329,7 +332,7 @@ Lowered::Forms lowered_forms(Program& program, Diagnostics& diagnostics, std::ui
     }
 }
 
-/// What a thread made of one kernel.
+/// The result of lowering one kernel in a branch.
 struct Made {
     std::optional<Growth> growth;
     Diagnostics diagnostics;
@@ -396,9 +399,10 @@ Lowered lower(Program& program, Diagnostics& diagnostics, Settings settings) {
     }
     mark_affine(program);
     mark_contained(program);
-    widen_extents(program);  // what the other two follow is the extent as it was written
+    widen_extents(program);  // after the other two, which need extents as they are written
     widen_translators(program);
-    // Of the number of kernels alone, so that all machines do the same. A trace is in the order of the kernels.
+    // Depends on the number of kernels only, so that all machines do the same. A trace must be in the order of the
+    // kernels.
     const bool are_few = program.kernels.size() < 2 * kernels_of_a_thread || settings.trace != nullptr;
     Lowered result{(are_few ? lowered_in_order : lowered_on_threads)(program, diagnostics, settings), {}};
     release_temporaries(program);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t term_limit = 64;
 
-/// The host works out what is uniform: any such amount is better than a choice.
+/// The cost of a term with a condition. Uniform terms are computed by the host, so any number of them is cheaper.
 constexpr unsigned choice_operations = 1000;
 
 std::strong_ordering order(const Term& a, const Term& b) {
@@ -70,7 +70,7 @@ ValueNumber Polynomials::atom(ExprId id) {
     return number;
 }
 
-/// The sum or choice that a local stands for.
+/// The definition of a local, if it is a binary operation or select that does not change within the pass; else absent.
 ExprId Polynomials::definition(const Expr& node) {
     if (node.op != Op::local || node.type != cx.p.types.uint) return {};
     const ExprId* found = cx.definitions.find(node.local);
@@ -171,7 +171,7 @@ ExprId Polynomials::expression(const Polynomial& polynomial) {
     ExprId sum;
     for (const Term& term : polynomial) {
         ExprId product, condition;
-        // From the last on, so that z * (y * x) holds the product that y * x is.
+        // From the last atom on: z * (y * x), so that y * x is shared with other terms.
         for (std::size_t i = term.product.size(); i-- > 0;) {
             if (const ExprId* found = choices_.find(term.product[i]); found != nullptr && !condition) {
                 condition = *found;

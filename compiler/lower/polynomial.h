@@ -1,4 +1,5 @@
-// Polynomials modulo 2^32 over atoms: what is left of a uint expression when sums and products are multiplied out.
+// Polynomials modulo 2^32: the normal form of uint expressions, with sums and products multiplied out. Their variables
+// are atoms: values that are not sums or products.
 #pragma once
 
 #include "lower/number.h"
@@ -9,34 +10,34 @@
 
 namespace gliftc::lower {
 
-/// A product of atoms (sorted), so many times.
+/// A monomial: factor * the product of atoms (sorted value numbers).
 struct Term {
     SmallVector<ValueNumber, 4> product;
     std::uint32_t factor = 0;
     bool operator==(const Term&) const = default;
 };
 
-/// In the order of the products, each once; factors are never zero. There are hundreds of them a pass, which all go
-/// with the Polynomials that made them.
+/// Monomials ordered by their products, each product once; no factor is zero. Their memory belongs to the Polynomials
+/// that made them.
 using Polynomial = std::pmr::vector<Term>;
 
 class Polynomials {
 public:
     Polynomials(Context& context, Numbers& numbers) : cx(context), numbers_(numbers) {}
 
-    /// The polynomial of a uint expression that is fixed within the pass; none if it grows too large.
+    /// The polynomial of a uint expression that does not change within the pass; null if it is too large.
     const Polynomial* of(ExprId id);
 
-    /// The terms that depend on the invocation; two values with the same ones differ by a uniform amount.
+    /// The terms that depend on the invocation. Two values for which these are equal differ by a uniform amount.
     Polynomial varying(const Polynomial& polynomial);
-    /// Those of `varying` that are more than a choice between zero and a uniform amount.
+    /// The terms of `varying` but those that are a condition (1 or 0) times a uniform amount.
     Polynomial unchosen(const Polynomial& varying);
 
-    /// a - b, or b - a where that is better subtracted than added.
+    /// a - b; or b - a, to be subtracted, where that has fewer operations.
     struct Difference {
         Polynomial terms;
-        bool is_negative = false;
-        unsigned operations = 0;
+        bool is_negative = false;  ///< `terms` are b - a
+        unsigned operations = 0;   ///< cost of computing the terms
     };
     Difference difference(const Polynomial& a, const Polynomial& b);
 
@@ -55,9 +56,9 @@ private:
     std::pmr::monotonic_buffer_resource memory_;
     FlatMap<ValueNumber, ExprId> atoms_;
     FlatMap<ValueNumber, bool> uniform_;
-    FlatMap<ValueNumber, ExprId> choices_;  ///< of atoms that are 1 or 0: the condition
+    FlatMap<ValueNumber, ExprId> choices_;  ///< for atoms `condition ? 1 : 0`: the condition
     NodeMap<ExprId, const Polynomial*> known_{cx.first_expr};
-    std::deque<Polynomial> made_;  ///< what is known; they stay where they are
+    std::deque<Polynomial> made_;  ///< a deque, so that pointers in known_ stay valid
 };
 
 }  // namespace gliftc::lower

@@ -1,6 +1,6 @@
-// Quotients and remainders of sums, where no sum wraps: the limits of locals are known (Make::limits). Of an address
-// that is a multiple of a number and an offset below it, the quotient and the remainder are known, whatever
-// translator divides; and what takes a position apart and puts it together again gives the position.
+// Make: folds quotients and remainders of uint sums. With upper bounds of locals (Make::limits) it proves that sums do
+// not wrap. Then (n * c + offset) / c is n and (n * c + offset) % c is offset, for an offset below c: in a kernel over
+// blocks, n is the number of a block, and any translator may divide. And x / c * c + x % c is x.
 #include "lower/make.h"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ constexpr std::uint64_t largest = 0xffffffffu;
 
 }  // namespace
 
-/// The largest value that a uint can have here; absent: any.
+/// An upper bound of a uint expression; absent: none is known.
 std::optional<std::uint64_t> Make::limit_of(ExprId id) const {
     const Expr& node = p.exprs[id];
     if (node.type != p.types.uint) return std::nullopt;
@@ -39,7 +39,7 @@ std::optional<std::uint64_t> Make::limit_of(ExprId id) const {
     }
 }
 
-/// The value over the divisor, where it is a multiple of it and does not wrap.
+/// value / divisor, if the value is known to be a multiple and not to wrap.
 std::optional<ExprId> Make::exact_quotient(ExprId value, std::uint64_t divisor) {
     const Expr node = p.exprs[value];
     if (const auto bits = bits_of(value); bits && *bits % divisor == 0) return uint(*bits / divisor);
@@ -93,7 +93,7 @@ std::optional<ExprId> Make::simpler_remainder(ExprId value, std::uint64_t diviso
     return std::nullopt;
 }
 
-/// x / c * c + x % c is x.
+/// x, for x / c * c (`quotients`) + x % c (`rest`).
 std::optional<ExprId> Make::put_together(ExprId quotients, ExprId rest) {
     const Expr product = p.exprs[quotients], remainder = p.exprs[rest];
     const bool fits = product.op == Op::binary && product.binary == BinaryOp::multiply && remainder.op == Op::binary &&
@@ -105,7 +105,7 @@ std::optional<ExprId> Make::put_together(ExprId quotients, ExprId rest) {
     return is_same(whole, product.operands[0]) ? std::optional(remainder.operands[0]) : std::nullopt;
 }
 
-/// Identities of uints that are sums of multiples and what is smaller.
+/// Simplifies an operation on uints by the identities above.
 std::optional<ExprId> Make::simpler_number(const Expr& node, ExprId a, ExprId b) {
     if (limits.empty() || node.type != p.types.uint || type(a) != p.types.uint) return std::nullopt;
     const auto divisor = bits_of(b);

@@ -1,18 +1,19 @@
-// Where the invocations of a draw are: a corner and its instance, or a pixel.
+// Expander: addresses of the invocations of a draw, which are {vertex, instance} in the vertex part, and pixels in the
+// fragment part.
 #include "lower/expand.h"
 
 namespace gliftc::lower {
 
 using namespace ir;
 
-/// The address of a parameter's own element, relative to its range. Corners and instances are the two axes of a draw.
+/// The address of a parameter's current element, relative to its range: in the vertex part the vertex or the instance.
 ExprId Expander::own_address(std::uint32_t root) {
     const ExprId address = make.local(cx.pass.address);
     if (cx.part != Part::vertex) return address;
     return make.component(address, cx.kernel.params[root].pattern == Pattern::instance ? 1 : 0);
 }
 
-/// Of what is drawn to, in the framebuffer; absent where it is the framebuffer's own.
+/// The origin, in the framebuffer, of the range that is drawn to; absent if it is zero.
 ExprId Expander::viewport_origin() {
     const std::uint32_t root = *cx.kernel.raster->pixels;
     if (cx.is_direct() || cx.kernel.params[root].pattern != Pattern::target) return {};

@@ -1,11 +1,11 @@
-// What passes that replace parts of expressions do with the rest.
+// Helpers for passes that replace parts of expressions: they rebuild the nodes around these.
 #pragma once
 
 #include "lower/context.h"
 
 namespace gliftc::lower {
 
-/// The node with what `visit` makes of its operands, as it stands: nothing is folded. Itself where they stay.
+/// The node with each operand replaced by visit(operand); nothing is folded. The node itself if no operand changes.
 template <class Visit> ExprId with_operands_visited(Context& cx, ExprId id, Visit&& visit) {
     const ir::Expr& node = cx.p.exprs[id];
     Operands operands;
@@ -16,7 +16,7 @@ template <class Visit> ExprId with_operands_visited(Context& cx, ExprId id, Visi
     return cx.p.exprs.add(std::move(copy));
 }
 
-/// What `visit` makes of a statement's expressions; without the statements inside it.
+/// A statement's expressions, each replaced by visit(expression); without the statements inside it.
 template <class Visit> Make::Parts visited_parts(const ir::Stmt& stmt, Visit&& visit) {
     Make::Parts parts;
     if (stmt.value) parts.value = visit(stmt.value);

@@ -1,7 +1,8 @@
-// Several elements at once: rows of neighbours along x, a step apart. Where they also follow each other in memory they
-// move as vectors of four numbers, if all rows begin at such a vector and lie inside; else one by one. A row of four
-// elements of N numbers each is N such vectors. A row of four numbers that begins at a vector wherever it is, is loaded
-// without asking whether all of it lies inside: memory ends with a whole vector (glift/memory.h).
+// Expander: `s.load(a)` and `s.store(a, x)`, which access rows of four elements that are consecutive along x. Elements
+// that are also consecutive in a buffer are accessed as vectors of four numbers, if all rows begin at a multiple of
+// four elements and lie in the domain; else one by one. A row of four elements of N numbers each is N such vectors. If
+// there is one row of four scalars, and it is known to begin at such a multiple, it is loaded without a test that all
+// of it is in the domain: shaders may read a buffer up to the next multiple of 16 bytes (glift/memory.h).
 #include "ir/chain.h"
 #include "lower/expand.h"
 #include "lower/polynomial.h"
@@ -13,8 +14,8 @@ namespace gliftc::lower {
 
 using namespace ir;
 
-/// Runs `body` for each row; shaders unroll it, so that arrays of items become registers and loads are in flight
-/// together.
+/// Makes a loop over the rows, with what `body` makes for one. Shaders unroll it, so that arrays of elements become
+/// registers and all loads are issued before the first is waited for.
 template <class Body> void Expander::for_each_row(const Rows& rows, Body&& body) {
     if (rows.count == 1) return body(make.uint(0));
     Stmt loop = statement(StmtOp::for_, span_);
@@ -47,7 +48,7 @@ Expander::Rows Expander::rows_of(const Place& place, ExprId address, ExprId step
     return rows;
 }
 
-/// An address so many elements further along x.
+/// The address `distance` elements further along x.
 ExprId Expander::further(ExprId address, ExprId distance) {
     const TypeId type = make.type(address);
     const std::uint32_t axes = p.types.components(type);
@@ -57,13 +58,13 @@ ExprId Expander::further(ExprId address, ExprId distance) {
     return make.add(address, make.construct(type, std::move(offset)));
 }
 
-/// The address of an element.
+/// The address of element `lane` of a row.
 ExprId Expander::address_in(const Rows& rows, ExprId row, std::uint32_t lane) {
     return further(rows.first, make.add(make.multiply(row, rows.step), make.uint(lane)));
 }
 
-/// Whether elements are neighbours in a buffer of 32-bit numbers or of two or three of them (four are a vector by
-/// themselves), whatever the address, and rows as far apart as in addresses.
+/// Whether rows can be accessed as vectors: the elements are one, two or three 32-bit numbers (four are a vector by
+/// themselves) in a buffer, and physical addresses advance like virtual ones, at every address.
 bool Expander::lie_in_vectors(const Rows& rows) {
     const Structure& structure = cx.structure_at(rows.place);
     if (structure.kind != StructureKind::stored || rows.width != row_width || !is_total(structure)) return false;
@@ -92,12 +93,12 @@ bool Expander::lie_in_vectors(const Rows& rows) {
     return neighbours && made.empty();
 }
 
-/// Whether a place in a line is known to be a multiple of four.
+/// Whether a physical address is known to be a multiple of four.
 bool Expander::is_at_vector(ExprId physical) {
     if (make.type(physical) != p.types.uint) return false;
     Polynomials polynomials(cx, numbers_);
     const Polynomial* terms = polynomials.of(physical);
-    // Invocations that have several elements each begin at multiples of their number.
+    // Where invocations take several elements each, `address` is a multiple of their number.
     const ValueNumber own = numbers_.of(make.local(cx.pass.address));
     return terms != nullptr && std::all_of(terms->begin(), terms->end(), [&](const Term& term) {
                const bool is_own = std::find(term.product.begin(), term.product.end(), own) != term.product.end();
@@ -105,12 +106,13 @@ bool Expander::is_at_vector(ExprId physical) {
            });
 }
 
-/// Whether there is one row, of one vector, which begins at a vector wherever it is.
+/// Whether there is one row of one vector, which is known to begin at a multiple of four.
 bool Expander::is_whole_vector(const Rows& rows, ExprId physical) {
     return rows.count == 1 && parts_of(rows) == 1 && make.type(rows.first) == p.types.uint && is_at_vector(physical);
 }
 
-/// From the first element to behind the last one, where that is known and far from what numbers hold.
+/// The distance from the first element to behind the last one, if it is a constant, and so small that nothing
+/// overflows.
 std::optional<std::uint64_t> Expander::span_of(const Rows& rows) {
     if (rows.count == 1) return row_width;
     constexpr std::uint64_t largest = 1u << 24;
@@ -119,7 +121,7 @@ std::optional<std::uint64_t> Expander::span_of(const Rows& rows) {
     return *step * (rows.count - 1) + row_width;
 }
 
-/// Whether all rows lie inside and begin at vectors.
+/// The condition that all rows are in the domain and begin at multiples of four elements.
 ExprId Expander::are_vectors(const Rows& rows, ExprId physical) {
     const auto at_vector = [&](ExprId offset) {
         return make.binary(BinaryOp::equal, make.binary(BinaryOp::remainder, offset, make.uint(row_width)),
@@ -140,34 +142,34 @@ ExprId Expander::are_vectors(const Rows& rows, ExprId physical) {
     if (!(span && rows.count > 1 && is_at_vector(physical))) one = make.both(one, at_vector(physical));
     if (rows.count == 1) return one;
     if (span) return make.both(one, at_vector(rows.step));
-    // As a quotient: the distance to the last row may be beyond all numbers.
+    // Compared by a quotient, since the product of rows and step may overflow.
     ExprId room = make.binary(BinaryOp::divide, make.binary(BinaryOp::subtract, left, make.uint(row_width)),
                               make.uint(rows.count - 1));
     return make.both(one, make.both(make.binary(BinaryOp::less_equal, rows.step, room), at_vector(rows.step)));
 }
 
-/// Where a row is in its buffer, in vectors, and its vectors one by one.
+/// The index, in vectors, of vector `part` of a row.
 ExprId Expander::vector_at(const Rows& rows, ExprId first_vector, ExprId row, std::uint32_t part) {
     ExprId apart =
         make.multiply(make.binary(BinaryOp::divide, rows.step, make.uint(row_width)), make.uint(parts_of(rows)));
     return make.add(make.add(first_vector, make.multiply(row, apart)), make.uint(part));
 }
 
-/// The vectors of a row: as many as an element has numbers.
+/// The number of vectors of a row: that of the numbers of an element.
 std::uint32_t Expander::parts_of(const Rows& rows) { return p.types.components(cx.structure_at(rows.place).element); }
 
-/// The first vector of all rows, of which the first element is at `physical`.
+/// The index of the first vector of the first row, whose first element is at `physical`.
 ExprId Expander::first_vector(const Rows& rows, ExprId physical) {
     ExprId row = make.binary(BinaryOp::divide, physical, make.uint(row_width));
     return named(rows.name + "_vector", make.multiply(row, make.uint(parts_of(rows))));
 }
 
-/// Number `i` of a row as its vectors have it.
+/// Number `i` of a row, taken from the row's vectors.
 ExprId Expander::number_in(const std::vector<ExprId>& vectors, std::uint32_t i) {
     return make.component(vectors[i / row_width], i % row_width);
 }
 
-/// A row's element from its vectors.
+/// Element `lane` of a row, put together from the row's vectors.
 ExprId Expander::element_in(const Rows& rows, const std::vector<ExprId>& vectors, std::uint32_t lane) {
     const std::uint32_t parts = parts_of(rows);
     if (parts == 1) return number_in(vectors, lane);
@@ -176,7 +178,7 @@ ExprId Expander::element_in(const Rows& rows, const std::vector<ExprId>& vectors
     return make.construct(cx.structure_at(rows.place).element, std::move(numbers));
 }
 
-/// A row's vector from its elements.
+/// Vector `part` of a row, put together from the row's elements.
 ExprId Expander::vector_of(const Rows& rows, ExprId items, ExprId row, std::uint32_t part) {
     const std::uint32_t parts = parts_of(rows);
     Operands four;
@@ -231,7 +233,7 @@ ExprId Expander::several(const Expr& node) {
                             otherwise));
         return items;
     }
-    // All rows in one branch, not a branch each: loads wait for no condition.
+    // One branch around all rows, not one for each, so that loads need not wait for conditions.
     Block vectors = collect([&] {
         ExprId first = first_vector(rows, physical);
         for_each_row(rows, [&](ExprId row) {

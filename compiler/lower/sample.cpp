@@ -1,4 +1,5 @@
-// Filtered reads: the device's sampler where a texel's address is its virtual address, else a weighted sum of reads.
+// Expander: filtered reads. They use the device's sampler if the memory is an image in which elements have their own
+// addresses, else a weighted sum of reads.
 #include "ir/chain.h"
 #include "lower/expand.h"
 #include "lower/memory.h"

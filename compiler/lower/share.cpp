@@ -12,23 +12,23 @@ using namespace ir;
 
 namespace {
 
-/// One value that may be used more than once.
+/// A value that may be used more than once.
 struct Record {
     std::uint32_t uses = 0;
-    LocalId local;        ///< that holds it, once it is declared
-    Name name;            ///< that the source gave it, if any
-    bool is_let = false;  ///< the source gives it a local
+    LocalId local;        ///< the local that holds it, once it is declared
+    Name name;            ///< the name that the source gives it, if any
+    bool is_let = false;  ///< the source has a `let` of it
 };
 
-/// What becomes of a value that a walk comes to.
+/// What is done with an expression or a `let` that the walk comes to.
 struct Decision {
     enum Kind : std::uint8_t {
-        operands,  // it stays, but for what it is made of
-        truth,     // it is a condition that is decided: `number` says how
-        first,     // record `number` begins here
-        repeated,  // record `number` has it already
-        renamed,   // of a let: another local has it already
-        any,       // of a let: its value is decided about as any other
+        operands,  // keep the node; its operands have decisions of their own
+        truth,     // replace a condition that is known by `number`, 1 or 0
+        first,     // first use of the value of record `number`
+        repeated,  // replace by the local of record `number`
+        renamed,   // drop a `let` whose value another local has
+        any,       // keep a `let`; its value has a decision of its own
     };
     Kind kind = operands;
     std::uint32_t number = 0;
@@ -39,10 +39,10 @@ struct Plan {
     std::vector<Decision> decisions;  ///< in the order of the walk
 };
 
-/// Whether the first operand is a place, not its value.
+/// Whether the first operand is a location in memory, not a value: in atomic operations.
 bool names_place(const Expr& node) { return node.op == Op::intrinsic && signature_of(node.intrinsic)[0] == '@'; }
 
-/// Walks a body and decides.
+/// The first walk over a body: counts uses and decides.
 class Counting {
 public:
     Counting(Context& context, const std::vector<ExprId>& facts, Plan& plan)
@@ -84,9 +84,9 @@ private:
     Numbers numbers_;
     Plan& plan_;
     static constexpr std::uint32_t none = 0xffffffffu;
-    std::vector<std::uint32_t> available_;  ///< the record of each number in scope, or none
+    std::vector<std::uint32_t> available_;  ///< for each value number the record that is in scope, or `none`
     std::vector<std::pair<ValueNumber, std::uint32_t>> undo_;
-    std::vector<std::pair<ValueNumber, bool>> known_;  ///< conditions that are decided here
+    std::vector<std::pair<ValueNumber, bool>> known_;  ///< conditions that are known to be true or false
 };
 
 void Counting::begin_record(ValueNumber number) {
@@ -97,11 +97,11 @@ void Counting::begin_record(ValueNumber number) {
     decide(Decision::first, record);
 }
 
-/// What is as short as a name.
+/// Whether the expression is so short that it needs no local.
 bool Counting::is_leaf(ExprId id, const Expr& node) {
     if (node.op == Op::local || is_trivial(cx, id)) return true;
     if (node.op == Op::swizzle || node.op == Op::field) return is_leaf(node.operands[0], cx.p.exprs[node.operands[0]]);
-    // Uniform values become parameters.
+    // Uniform values will be parameters.
     return is_uniform(cx, id);
 }
 
@@ -110,7 +110,7 @@ Name Counting::name_in_source(ExprId id) const {
     return found == nullptr ? Name{} : *found;
 }
 
-/// Whether it was not known.
+/// Notes that a condition holds or does not; false if it was known already.
 bool Counting::assume(ValueNumber number, bool holds) {
     for (const auto& [known, value] : known_)
         if (known == number) return false;
@@ -118,7 +118,7 @@ bool Counting::assume(ValueNumber number, bool holds) {
     return true;
 }
 
-/// A body where the condition is known. What may change within the body is not.
+/// Walks a body in which the condition is known to hold or not to, unless it may change within the body.
 void Counting::run_knowing(const std::vector<StmtId>& body, ExprId condition, bool holds) {
     if (body.empty()) return;
     const bool is_new =
@@ -145,7 +145,7 @@ void Counting::visit(ExprId id, Where where) {
             ++plan_.records[found].uses;
             return decide(Decision::repeated, found);
         }
-        // What may not be evaluated at all loads nothing by itself.
+        // An expression that is evaluated conditionally must not be made a local if it loads.
         if (where == Where::before || (where == Where::conditional && !numbers_.has_load(id))) {
             begin_record(number);
             plan_.records.back().name = name_in_source(id);
@@ -175,7 +175,7 @@ void Counting::visit_target(ExprId id) {
     if (node.op == Op::index) visit(node.operands[1], Where::before);
 }
 
-/// A let that repeats an earlier value is dropped; otherwise it is the value's name from here on.
+/// A `let` of a value that has a local already is dropped; otherwise its local holds the value from here on.
 void Counting::let_(const Stmt& stmt) {
     const Local& local = cx.p.locals[stmt.local];
     if (!stmt.value || local.is_mutable || !numbers_.is_pure(stmt.value)) {
@@ -223,7 +223,7 @@ void Counting::statement_(StmtId id) {
     const Stmt& stmt = cx.p.stmts[id];
     if (stmt.op == StmtOp::let) return let_(stmt);
     if (stmt.op == StmtOp::for_ || stmt.op == StmtOp::while_) return loop_(stmt);
-    // Expressions first, then what is inside, then what changes.
+    // First the statement's expressions, then the statements inside it, then what it changes.
     if (stmt.value) visit(stmt.value, Where::before);
     if (stmt.target && stmt.op == StmtOp::assign) visit_target(stmt.target);
     else if (stmt.target) visit(stmt.target, Where::before);
@@ -237,7 +237,7 @@ void Counting::statement_(StmtId id) {
     numbers_.change_all(stmt);
 }
 
-/// Walks the body again in the same way and does what was decided.
+/// The second walk, in the same order: does what was decided.
 class Rewriting {
 public:
     Rewriting(Context& context, Plan& plan) : cx(context), plan_(plan), next_(plan.decisions.data()) {}
@@ -291,7 +291,7 @@ ExprId Rewriting::visit(ExprId id) {
     return local == node.local ? id : cx.make.local(local);
 }
 
-/// The value, by a local of its own where it is used again.
+/// The first use of a value: makes a local of it if there are more.
 ExprId Rewriting::visit_first(ExprId id, Record& record) {
     const ExprId value = visit_operands(id);
     if (record.uses < 2) return value;

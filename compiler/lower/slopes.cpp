@@ -22,7 +22,7 @@ Slopes steady() {
     return slopes;
 }
 
-// Integers wrap; what is added modulo 2^64 is right modulo 2^32, too.
+// Arithmetic modulo 2^64, which gives results that are right modulo 2^32.
 std::int64_t plus(std::int64_t a, std::int64_t b) {
     return static_cast<std::int64_t>(static_cast<std::uint64_t>(a) + static_cast<std::uint64_t>(b));
 }
@@ -134,7 +134,7 @@ Slopes RowSlopes::of_binary(const Expr& expr) {
     return result;
 }
 
-/// Whether converting between such types keeps the bits.
+/// Whether the type is int or uint, or a vector of them: conversions between these keep the bits.
 bool RowSlopes::is_word(ir::TypeId type) const {
     const ir::TypeId scalar = program_.types.scalar_of(type);
     return scalar == program_.types.int_ || scalar == program_.types.uint;
@@ -204,7 +204,7 @@ Slopes RowSlopes::of(ExprId id) {
     case Op::image_compare:
     case Op::builtin: return unknown();
     }
-    // What is computed of values that are constant along the row is constant along the row.
+    // A pure operation on values that are constant along the row is constant along the row.
     for (ExprId operand : expr.operands) {
         if (!all_steady(of(operand), program_.types.components(program_.exprs[operand].type))) return unknown();
     }

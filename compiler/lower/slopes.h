@@ -1,4 +1,4 @@
-// Which values advance by a constant from one element of a row to the next.
+// Induction variable analysis: finds values that advance by a constant from one element of a row to the next.
 #pragma once
 
 #include "ir/pass.h"
@@ -12,28 +12,28 @@ namespace gliftc::lower {
 /// How one scalar changes along x.
 struct Slope {
     bool known = false;
-    std::int64_t step = 0;                 ///< known: added for each element, modulo 2^32
-    std::optional<std::int64_t> constant;  ///< known with step 0: its value, where that is a constant
-    std::uint32_t aligned = 0;  ///< step 1: the row has so many elements, and at its first one the value is a multiple
-                                ///< of that; 0: not known
+    std::int64_t step = 0;                 ///< if known: what is added for each element, modulo 2^32
+    std::optional<std::int64_t> constant;  ///< if step is 0: the value, where that is a constant
+    std::uint32_t aligned = 0;  ///< if step is 1: the row has this many elements, and the value at its first element is
+                                ///< a multiple of it; 0: not known
 };
 
-/// One for each component of a scalar or vector; those of values of other types are never known.
+/// The slopes of the components of a scalar or vector; those of values of other types are never known.
 using Slopes = std::array<Slope, 4>;
 
 /// The slopes of values within one function or kernel body.
 class RowSlopes {
 public:
-    /// `address` is the local that holds the element's address: its x advances by one. `row`: how many elements a row
-    /// has, which begins at a multiple of that; 0: not known.
+    /// `address` is the local that holds the element's address: its x advances by one. Rows have `row` elements and
+    /// begin at multiples of that; 0: not known.
     RowSlopes(const ir::Program& program, ir::LocalId address, std::uint32_t row = 0);
 
     /// Takes note of a statement that every element executes. Called in the order of the statements.
     void learn(const ir::Stmt& stmt);
-    /// The local has one value for the whole row.
+    /// Says that the local has the same value for the whole row.
     void learn_steady(ir::LocalId local);
     Slopes of(ir::ExprId expr);
-    /// True if the index is a scalar that advances by one.
+    /// Whether the index is a scalar that advances by one.
     bool is_row(ir::ExprId index);
     bool is_steady(ir::ExprId expr);
 
@@ -44,7 +44,7 @@ private:
     Slopes of_binary(const ir::Expr& expr);
     std::optional<Slope> of_component(const ir::Expr& expr);
     bool is_word(ir::TypeId type) const;
-    /// Runs a function body; false where it does what can't be followed. `result` is set by its return.
+    /// Follows a function body; false if that is not possible. A return sets `result`.
     bool run(const std::vector<ir::StmtId>& body, std::optional<Slopes>& result);
     bool assign(ir::ExprId target, const Slopes& value);
 

@@ -18,7 +18,7 @@ bool has_barrier(const Program& program, StmtId id) {
     return found;
 }
 
-/// Whether a break or continue in the statement leaves it.
+/// Whether the statement contains a break or continue of a loop around it.
 bool escapes(const Program& program, StmtId id) {
     const Stmt& stmt = program.stmts[id];
     if (stmt.op == StmtOp::break_ || stmt.op == StmtOp::continue_) return true;
@@ -97,9 +97,10 @@ private:
     }
 
     Context& cx;
-    std::uint32_t region_ = 0;                         ///< each statement outside of `invocations` is one of its own
-    std::map<LocalId, std::set<std::uint32_t>> uses_;  ///< the regions that name each local
-    std::set<LocalId> uniform_;                        ///< count the rounds of loops that run once for all
+    /// The current region: an `invocations` statement, or a single statement outside of them.
+    std::uint32_t region_ = 0;
+    std::map<LocalId, std::set<std::uint32_t>> uses_;  ///< the regions that use each local
+    std::set<LocalId> uniform_;                        ///< variables of loops that all invocations execute together
 };
 
 }  // namespace
@@ -111,7 +112,7 @@ std::vector<StmtId> regions_between_barriers(Context& cx, const std::vector<Stmt
 std::vector<StmtId> split_at_barriers(Context& cx, const std::vector<StmtId>& body) {
     std::vector<StmtId> whole = cx.pass.prologue;
     whole.insert(whole.end(), body.begin(), body.end());
-    return regions_between_barriers(cx, drop_dead(cx, whole));  // a kernel that goes by its group alone has no address
+    return regions_between_barriers(cx, drop_dead(cx, whole));  // drops the address if only ids of the group are used
 }
 
 }  // namespace gliftc::lower

@@ -45,7 +45,7 @@ public:
     }
 
 private:
-    /// The condition needs statements of its own: they open the body.
+    /// A while loop with a derivative in its condition: the body begins with the condition's statements and a break.
     StmtId run_while(StmtId id, const Stmt& stmt) {
         Make::Parts parts{{}, cx.make.truth(true), {}, {}, {}};
         const ExprId condition = visit(stmt.value, parts.body);
@@ -70,7 +70,7 @@ private:
         return cx.make.again(node, {operand});
     }
 
-    /// A local that the part declares, and does not change.
+    /// Whether the expression is an immutable local that the fragment part declares: it needs no copy.
     bool is_kept_anyway(ExprId id) const {
         const Expr& node = cx.p.exprs[id];
         return node.op == Op::local && !cx.p.locals[node.local].is_mutable &&
@@ -99,11 +99,11 @@ private:
     }
 
     Context& cx;
-    std::map<LocalId, LocalId> kept_;  ///< of what is interpolated, for the statement at hand
-    bool waits_ = false;               ///< a derivative takes what all fragments must have computed
+    std::map<LocalId, LocalId> kept_;  ///< copies of interpolated values, made for the current statement
+    bool waits_ = false;               ///< a barrier is needed before the next statement, which has a derivative
 };
 
-/// What the rasteriser gives, and what it takes: each fragment has its own without our help.
+/// Whether the rasteriser sets the local or reads it: it has a value for each fragment already.
 bool is_given(const Raster& raster, LocalId local) {
     const auto is_target = [&](const ColourTarget& target) { return target.value == local; };
     const auto is_varying = [&](const Varying& varying) { return varying.read == local; };

@@ -1,9 +1,9 @@
-// Loop fission at derivatives, for devices whose fragments are loops over the pixels of a block: what is derived is
-// computed for all of them, then each takes what its neighbours have.
+// Loop fission at derivatives, for the host device, on which the fragment part is a loop over the pixels of a block:
+// the operand of a derivative is computed for all fragments, then each takes the difference of its neighbours' values.
 //
-// Needs: a fragment part whose derivatives stand in control flow that is the same for a whole triangle, or at least
-// for each quad of it. Guarantees: a derivative's operand is a local that is kept for each fragment, which a barrier
-// separates from the derivative; all statements that differ between fragments are in `invocations`.
+// Needs: a fragment part whose derivatives are in control flow that is uniform for a triangle, or at least for each
+// quad of it. Guarantees: a derivative's operand is a local with a value for each fragment, and a barrier separates it
+// from the derivative; statements that are executed for each fragment are in `invocations`.
 #pragma once
 
 #include "lower/context.h"

@@ -11,8 +11,8 @@ using namespace ir;
 
 namespace {
 
-/// Arrays that are filled with what the block decides: by statements `block` of loops, conditions and assignments, and
-/// by nothing else.
+/// Finds arrays that only depend on the block: they are assigned only in `block` statements whose loops, conditions and
+/// values depend on the block alone.
 class Filling {
 public:
     Filling(Context& context, const std::vector<StmtId>& body) : cx(context), values_(context) {
@@ -25,7 +25,7 @@ public:
             if (!statements_.contains(id)) note_assigned(id);
     }
 
-    /// Whether the statement declares such an array, or fills some.
+    /// Whether the statement declares such an array, or is a `block` that fills such arrays only.
     bool has(StmtId id) const {
         const Stmt& stmt = cx.p.stmts[id];
         if (stmt.op == StmtOp::let)

@@ -1,14 +1,16 @@
-// What the number of a block decides is done once a block on the host device: the loop over its elements has the rest.
+// Loop-invariant code motion in kernels over blocks, on the host device: statements that depend on the block alone move
+// out of the loop over its elements.
 //
-// Needs: the body for blocks all of whose elements are visited, with trees, whose statement `evaluate` says where it is
-// right. Guarantees: Variant::block has the values that depend on the block alone, and ends with that statement.
+// Needs: the body for blocks all of whose elements are visited, with expressions that are trees; its `evaluate`
+// statement has the condition that the block is such a one. Guarantees: Variant::block has these statements and the
+// condition.
 #pragma once
 
 #include "lower/context.h"
 
 namespace gliftc::lower {
 
-/// Absent where the condition depends on more than the block.
+/// Absent if there is no condition, or it depends on more than the block.
 std::optional<ir::Variant> split_blocks(Context& cx, const ir::Variant& variant);
 
 }  // namespace gliftc::lower

@@ -1,5 +1,6 @@
-// Calls that become statements of what calls them: of functions with a workgroup, whose barriers and workgroup memory
-// are the kernel's, and of functions that write, whose writes happen where the call stands, once.
+// Expander: calls that are expanded as statements of the caller, not as expressions. These are calls of functions with
+// a group, whose barriers and workgroup memory are the kernel's, and of functions that write, whose writes must be
+// executed exactly once, where the call is.
 #include "lower/expand.h"
 #include "lower/unroll.h"
 
@@ -11,7 +12,7 @@ using namespace ir;
 
 namespace {
 
-/// Whether the function returns nowhere but in its last statement.
+/// Whether the function returns only by its last statement, if at all.
 bool returns_at_end(const Program& p, const Function& function) {
     if (function.body.empty()) return true;
     const std::vector<StmtId> before(function.body.begin(), function.body.end() - 1);
@@ -68,7 +69,7 @@ Pair Expander::expand_as_statements(const Expr& node) {
     });
 }
 
-/// A function that returns at several places.
+/// Expands a function that returns before its end (see Leaving).
 Pair Expander::leave_early(const Function& function, const std::string& name) {
     Leaving leaving;
     const bool is_optional = p.types.kind(function.result) == TypeKind::optional;
@@ -88,7 +89,8 @@ Pair Expander::leave_early(const Function& function, const std::string& name) {
     return result;
 }
 
-/// Whether some statement after a return is reached only if a variable says that there was none.
+/// Whether a variable is needed that says whether a return was executed: for statements that follow one and cannot be
+/// moved into the other side of an `if`.
 bool Expander::asks_whether_left(const std::vector<StmtId>& body, bool is_in_loop) const {
     for (std::size_t i = 0; i < body.size(); ++i) {
         const Stmt& stmt = p.stmts[body[i]];
@@ -121,7 +123,8 @@ void Expander::expand_leaving(const std::vector<StmtId>& body) {
     }
 }
 
-/// A statement that may return, and what follows it: whether that is done, too.
+/// Expands a statement that may return, so that the statements after it (`rest`) are skipped then. True if it has
+/// expanded these, too.
 bool Expander::expand_past(const Stmt& stmt, const std::vector<StmtId>& rest) {
     if (stmt.op == StmtOp::return_) return false;
     const bool is_in_loop = frame_->leaving->loops != 0;
@@ -141,7 +144,7 @@ bool Expander::expand_past(const Stmt& stmt, const std::vector<StmtId>& rest) {
         Block no = nested(joined(stmt.otherwise, yes_leaves ? rest : std::vector<StmtId>{}));
         append_if(condition, std::move(yes), std::move(no));
         if (yes_leaves || no_leaves) return true;
-        if (is_in_loop) return false;  // a return has left the loop
+        if (is_in_loop) return false;  // a return has broken out of the loop, so the rest is not reached
     } else {
         if (stmt.op == StmtOp::for_) expand_for(stmt);
         else expand_while(stmt);

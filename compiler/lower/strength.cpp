@@ -48,7 +48,7 @@ bool Strength::is_sum(ExprId id) const {
             node.binary == BinaryOp::shift_left);
 }
 
-/// A local plus a uniform amount already.
+/// Whether the expression is a local plus or minus a uniform amount already.
 bool Strength::is_step(ExprId id) {
     const Expr& node = cx.p.exprs[id];
     if (node.binary != BinaryOp::add && node.binary != BinaryOp::subtract) return false;
@@ -57,7 +57,7 @@ bool Strength::is_step(ExprId id) {
            (is_local(node.operands[1]) && is_uniform(cx, node.operands[0]) && node.binary == BinaryOp::add);
 }
 
-/// The sum as an earlier local plus a uniform amount, if there is one such.
+/// The expression as an earlier local plus or minus a uniform amount; absent: there is no such local, or no gain.
 ExprId Strength::relative(ExprId id) {
     if (!is_sum(id) || !numbers_.is_fixed(id) || is_uniform(cx, id)) return {};
     const Polynomial* polynomial = polynomials_.of(id);
@@ -83,10 +83,11 @@ ExprId Strength::relative(ExprId id) {
     return cx.make.binary(nearest.is_negative ? BinaryOp::subtract : BinaryOp::add, base, amount);
 }
 
-/// c ? base + step : base is base + (c ? step : 0): one choice between small values, no branch.
+/// Makes base + (c ? step : 0) of c ? base + step : base, if step is uniform: a select between values that are at hand
+/// needs no branch.
 ExprId Strength::around_select(const Expr& node, Operands operands) {
     const Expr* named = &cx.p.exprs[operands[1]];
-    // What is computed for another use, too, is worth more as it is.
+    // A temporary is used elsewhere, too, so that base + step is computed anyway.
     const bool is_own = named->op == Op::local && !cx.p.locals[named->local].is_temporary;
     const ExprId* definition = is_own ? cx.definitions.find(named->local) : nullptr;
     const Expr& moved = definition ? cx.p.exprs[*definition] : *named;

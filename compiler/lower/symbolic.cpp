@@ -10,7 +10,7 @@ namespace {
 constexpr std::size_t term_limit = 64;
 constexpr std::uint64_t work_limit = 20'000;
 constexpr unsigned depth_limit = 24;
-/// Factors beyond this are not computed with: the sum becomes nothing that can be compared.
+/// Sums with larger factors are not compared, lest arithmetic overflows.
 constexpr std::int64_t factor_limit = std::int64_t{1} << 40;
 
 void add_term(Sum& sum, const std::vector<Unknown>& product, std::int64_t factor) {
@@ -19,7 +19,7 @@ void add_term(Sum& sum, const std::vector<Unknown>& product, std::int64_t factor
     if (found->second == 0) sum.erase(found);
 }
 
-/// How often the unknown stands in the product.
+/// The power of the unknown in the product.
 std::size_t power_of(const std::vector<Unknown>& product, Unknown unknown) {
     return static_cast<std::size_t>(std::ranges::count(product, unknown));
 }
@@ -83,7 +83,7 @@ std::pair<Sum, Sum> divided(const Sum& a, const Sum& b) {
         std::vector<Unknown> rest;
         std::ranges::set_difference(product, divisor, std::back_inserter(rest));
         const bool divides = rest.size() + divisor.size() == product.size();
-        // Towards below, so that the rest of a constant is not negative.
+        // Rounds down, so that the remainder of a constant is not negative.
         std::int64_t quotient = divides ? factor / by : 0;
         if (divides && factor - quotient * by < 0) --quotient;
         if (quotient != 0) add_term(result.first, rest, quotient);
@@ -114,7 +114,8 @@ bool Symbols::varies(const Sum& sum) const {
     });
 }
 
-/// The highest or lowest that the sum is over all values of one unknown; none where it is not at one end.
+/// Eliminates an unknown: the maximum (`high`) or minimum of the sum over all its values. None if the sum is not known
+/// to be monotonic in the unknown, or that has no bound on this side.
 std::optional<Sum> Symbols::without(const Sum& sum, Unknown unknown, bool high, unsigned depth) const {
     std::map<std::size_t, Sum> factors;
     for (const auto& [product, factor] : sum) {
@@ -123,7 +124,7 @@ std::optional<Sum> Symbols::without(const Sum& sum, Unknown unknown, bool high, 
         if (const std::size_t power = power_of(product, unknown)) add_term(factors[power], rest, factor);
     }
     const Bounds& bounds = unknowns_[unknown].bounds;
-    // Squares grow with what is squared where that is not negative.
+    // Higher powers are monotonic only for numbers that are not negative.
     if (factors.rbegin()->first > 1 && !(bounds.low && is_natural(*bounds.low, depth + 1))) return std::nullopt;
     bool grows = true, falls = true;
     for (const auto& [power, factor] : factors) {

@@ -1,8 +1,8 @@
-// Sums of products of unknown numbers with integer factors, and what can be said of their sign: how address arithmetic
-// is compared with the size of a memory before either is known.
+// Multivariate polynomials with integer coefficients ("sums" of products of unknowns), and proofs that they are not
+// negative. lower/bounds.h compares addresses with the size of a memory by them, for all sizes at once.
 //
-// Unknowns are sizes, which have a lower bound, or vary from address to address between two bounds. Numbers are those
-// of mathematics: who makes a sum of what may wrap around says what that means.
+// An unknown is a size, which has a lower bound and is the same for all addresses, or a number that varies with the
+// address between two bounds. Numbers are mathematical integers: callers have to treat arithmetic that may wrap around.
 #pragma once
 
 #include <cstdint>
@@ -16,11 +16,12 @@ namespace gliftc::lower::symbolic {
 
 using Unknown = std::uint32_t;
 
-/// The factor of each product of unknowns, sorted; that of no unknown is the constant. No factor is zero.
+/// A polynomial: maps each monomial, a sorted list of unknowns, to its factor. The empty list is the constant term. No
+/// factor is zero.
 using Sum = std::map<std::vector<Unknown>, std::int64_t>;
 
 Sum number(std::int64_t value);
-/// The value of a sum without unknowns.
+/// The value of a sum without unknowns; absent if it has some.
 std::optional<std::int64_t> value_of(const Sum& sum);
 
 Sum operator+(const Sum& a, const Sum& b);
@@ -31,7 +32,7 @@ struct Bounds {
     std::optional<Sum> low, high;
 };
 
-/// An operation whose result is an unknown: the same for the same operands.
+/// An operation whose result is an unknown; equal operations on equal operands give the same unknown.
 struct Application {
     std::uint32_t operation;
     std::vector<Sum> operands;
@@ -40,24 +41,24 @@ struct Application {
 
 class Symbols {
 public:
-    /// A size: the same whatever the address. Sizes are not negative.
+    /// A new unknown that is the same for all addresses and at least `low`.
     Sum size(std::int64_t low);
-    /// A number that depends on the address. Bounds are made of earlier unknowns.
+    /// A new unknown that depends on the address. Its bounds may contain earlier unknowns.
     Sum varying(Bounds bounds);
-    /// The unknown for the result of an operation; `bounds` count where it is new.
+    /// The unknown for the result of an operation. `bounds` and `varies` are used if it is new.
     Sum applied(Application application, Bounds bounds, bool varies);
 
-    /// Whether the sum is at least zero, whatever its unknowns are. False where that is not found.
+    /// Whether the sum is proved to be at least zero for all values of its unknowns.
     bool is_natural(const Sum& sum, unsigned depth = 0) const;
     bool is_at_most(const Sum& a, const Sum& b) const { return is_natural(b - a); }
     bool varies(const Sum& sum) const;
-    /// A bound that does not vary.
+    /// Bounds of the sum that are the same for all addresses; absent: none was found.
     std::optional<Sum> highest(const Sum& sum) const { return extreme(sum, true); }
     std::optional<Sum> lowest(const Sum& sum) const { return extreme(sum, false); }
 
     const Bounds& bounds(Unknown unknown) const { return unknowns_[unknown].bounds; }
 
-    /// Too much has been asked for: what follows is not worth the time.
+    /// The work limit is reached: from now on is_natural proves nothing.
     bool is_exhausted() const;
 
 private:
@@ -74,10 +75,10 @@ private:
     mutable std::uint64_t work_ = 0;
 };
 
-/// The sum with another one in place of an unknown.
+/// The sum with `by` substituted for an unknown.
 Sum replaced(const Sum& sum, Unknown unknown, const Sum& by);
 
-/// a = b * first + second, the second without terms that b divides; b has one term.
+/// Polynomial division by the single term b: a = b * first + second, where b divides no term of `second`.
 std::pair<Sum, Sum> divided(const Sum& a, const Sum& b);
 
 }  // namespace gliftc::lower::symbolic

@@ -33,13 +33,14 @@ bool is_returned(const Program& p, const std::vector<StmtId>& body, LocalId loca
     return found;
 }
 
-/// Whether the expression is computed by a pass, and has nothing of what it was computed from.
+/// Whether the expression is a value that a pass computes into memory of its own, so that it keeps no operand alive.
 bool is_computed(const Program& p, ExprId id) {
     const Expr& expr = p.exprs[id];
     return expr.op == Op::pipeline_call && p.pipelines[expr.slot].is_value;
 }
 
-/// A slice, or a count left on the device, keeps the memory of what it came from: using it uses the temporary.
+/// The temporary and all locals that refer to its memory: slices, structures and device values made from it. Using one
+/// is using the temporary.
 std::vector<LocalId> aliases(const Program& p, const std::vector<StmtId>& body, LocalId temporary) {
     std::vector<LocalId> result{temporary};
     for (std::size_t i = 0; i < result.size(); ++i) {
@@ -57,7 +58,7 @@ std::vector<LocalId> aliases(const Program& p, const std::vector<StmtId>& body, 
     return result;
 }
 
-/// The read of one element of a temporary, left on the device, that a statement's value is.
+/// The device_read of an element of the temporary, if that is the value of the `let` or `return`; else null.
 Expr* read_of(Program& p, const Stmt& stmt, LocalId temporary) {
     if ((stmt.op != StmtOp::let && stmt.op != StmtOp::return_) || !stmt.value) return nullptr;
     Expr& read = p.exprs[stmt.value];
@@ -65,8 +66,8 @@ Expr* read_of(Program& p, const Stmt& stmt, LocalId temporary) {
     return is_its ? &read : nullptr;
 }
 
-/// An element that is read for good needs no copy: nothing that follows in the temporary's own block, where it is made
-/// anew each time, may write it.
+/// Marks reads of a temporary's elements that need no copy, since no later statement uses the temporary. Considers
+/// statements of the list in which it is declared only: a loop makes the temporary anew in each iteration.
 void mark_last_reads(Program& p, const std::vector<StmtId>& body, std::size_t at) {
     const LocalId temporary = p.stmts[body[at]].local;
     for_each_statement(p, body, [&](const Stmt& stmt) {
@@ -83,13 +84,13 @@ void mark_last_reads(Program& p, const std::vector<StmtId>& body, std::size_t at
     }
 }
 
-/// Views and adaptors are made of structures that others have, too.
+/// Whether the structure has its own memory: views and adaptors refer to that of others.
 bool has_own_memory(const Program& p, LocalId local) {
     return p.structures[p.types[p.locals[local].type].index].kind == StructureKind::stored;
 }
 
-/// Whether the statement may write elements that others read where they lie: those of the temporary that `temporary`
-/// is, else any that is no temporary.
+/// Whether the statement may write the memory that a device_read without a copy refers to. `names` are the locals that
+/// refer to it if it is a temporary's; otherwise any write to what is not a temporary counts.
 bool may_write(const Program& p, const Stmt& stmt, const std::vector<LocalId>& names, bool is_temporary,
                const std::vector<LocalId>& temporaries) {
     const auto is_among = [](const std::vector<LocalId>& list, LocalId local) {
@@ -117,7 +118,8 @@ bool may_write(const Program& p, const Stmt& stmt, const std::vector<LocalId>& n
     return calls;
 }
 
-/// An element needs no copy if nothing writes it until its last use, which is in the same block.
+/// Marks reads that need no copy because nothing writes the element up to the value's last use, in the same list of
+/// statements.
 void mark_reads(Program& p, const std::vector<StmtId>& body, const std::vector<StmtId>& pipeline) {
     std::vector<LocalId> temporaries;
     for_each_statement(p, pipeline, [&](const Stmt& stmt) {
@@ -143,7 +145,8 @@ void mark_reads(Program& p, const std::vector<StmtId>& body, const std::vector<S
     }
 }
 
-/// Of the aliases, those that are declared in the temporary's own block, behind it: they go when it goes.
+/// Those of the aliases that are declared after the temporary in the same list of statements: they are released with
+/// it.
 std::vector<LocalId> declared_beside(Program& p, const std::vector<StmtId>& body, std::size_t at,
                                      const std::vector<LocalId>& aliases) {
     std::vector<LocalId> result;

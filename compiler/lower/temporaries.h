@@ -1,13 +1,13 @@
-// Ends the life of pipelines' temporaries after their last use, so that the runtime can give their memory to later
-// ones.
+// Releases the temporary structures of pipelines after their last use, so that the runtime can reuse their memory.
 #pragma once
 
 #include "ir/ir.h"
 
 namespace gliftc::lower {
 
-/// Adds a release statement after the last statement that uses each temporary declared in the same list of statements;
-/// one that is used in a loop lives until the loop's end. What a pipeline returns is not released.
+/// Adds a release statement for each temporary, after the last statement that uses it in the list of statements in
+/// which it is declared; so one that a loop uses lives until the loop's end. What a pipeline returns is not released.
+/// Also decides which reads that stay on the device need no copy (Op::device_read).
 void release_temporaries(ir::Program& program);
 
 }  // namespace gliftc::lower

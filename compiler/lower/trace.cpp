@@ -11,7 +11,8 @@ namespace gliftc::lower {
 
 namespace {
 
-/// Whether it speaks of the invocation's address alone: a local of the body is not declared before the body.
+/// Whether the invocation's address is the only local in a fact: others are declared in the body, and a fact is printed
+/// before it.
 bool is_of_address(const ir::Program& program, const ir::Pass& pass, ir::ExprId fact) {
     bool found = true;
     ir::for_each_node(program, fact, [&](ir::ExprId id) {

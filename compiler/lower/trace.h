@@ -1,4 +1,4 @@
-// What lowering shows of its passes, for --dump-after and --stop-after.
+// The trace of lowering's passes, for --dump-after and --stop-after.
 #pragma once
 
 #include "ir/pass.h"
@@ -10,15 +10,17 @@
 namespace gliftc::lower {
 
 struct Trace {
-    std::string dump_after;  ///< a pass of passes.h; empty: none
-    std::string stop_after;
-    std::string text;  ///< what each body of the root modules' kernels was after dump_after; read.h reads it
+    std::string dump_after;  ///< the name of a pass of passes.h; empty: none
+    std::string stop_after;  ///< likewise
+    std::string text;        ///< the bodies of root modules' kernels after pass `dump_after`; syntax: ir/read.h
 
     bool is_on() const { return !dump_after.empty() || !stop_after.empty(); }
-    /// Writes variants down if they are asked for. `what` names them: "body", "two elements", "interior", a function.
+    /// Called after a pass: adds the variants to the text if the pass is dump_after. `what` says which body it is:
+    /// "body", "two elements", "interior", a function.
     void note(std::string_view pass_name, const ir::Program& program, const ir::Pass& pass,
               const std::vector<ir::Variant>& variants, const std::vector<ir::ExprId>& facts, std::string_view what);
-    /// Writes functions of the root modules down that all passes share, as those of their module's first kernel.
+    /// The same for functions of the root modules that all kernels share; they are printed as functions of the first
+    /// kernel of their module.
     void note(std::string_view pass_name, const ir::Program& program, const std::vector<ir::FunctionId>& functions);
 };
 

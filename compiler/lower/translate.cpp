@@ -1,4 +1,5 @@
-// Addresses: the stages of `via` one after the other, and the centre's address once a kernel.
+// Expander: translation of addresses, by the stages of `via` one after the other. The physical address of the current
+// element (the "centre") is computed once a kernel.
 #include "ir/chain.h"
 #include "ir/effects.h"
 #include "lower/expand.h"
@@ -7,7 +8,7 @@ namespace gliftc::lower {
 
 using namespace ir;
 
-/// The address in the structure's own memory: what its translators make of one.
+/// The address in the structure's own memory: applies its translators.
 Pair Expander::linked(const Place& place, ExprId address, const std::string& name) {
     Pair at{address, {}};
     for (const Stage& stage : cx.structure_at(place).via) {
@@ -18,8 +19,8 @@ Pair Expander::linked(const Place& place, ExprId address, const std::string& nam
     return at;
 }
 
-/// The address in the root's memory: the links of the chain, one after the other. `asks` says whether the memory at a
-/// place has an address.
+/// The address in the memory of the chain's root: applies the links one after the other. asks(link, address) gives the
+/// condition that the link's memory has an address.
 template <class Asks> Pair Expander::chained(const Place& place, ExprId address, const std::string& name, Asks&& asks) {
     Place link = place;
     std::string at_link = name;
@@ -30,7 +31,7 @@ template <class Asks> Pair Expander::chained(const Place& place, ExprId address,
         at = {next.value, make.both(at.has, next.has)};
         const bool leads_to_view = structure.kind == StructureKind::view && structure.base.empty();
         if (!is_contained(p, structure) && !leads_to_view) {
-            // Of blocks each part by itself: some are decided by the block.
+            // In kernels over blocks components stay separate: some depend on the block alone.
             if (!cx.kernel.space) at.value = named(at_link + "_place", at.value);
             at.has = make.both(at.has, asks(link, at.value));
         }
@@ -44,8 +45,8 @@ Pair Expander::translated(const Place& place, ExprId address, const std::string&
     return chained(place, address, name, [&](const Place& link, ExprId at) { return inside_memory(link, at); });
 }
 
-/// Where a write to an address goes: as translated(), but beyond the domain of a memory that is a structure it goes
-/// nowhere, whatever is read there.
+/// The physical address for a write: as translated(), but addresses beyond the domain of a structure that is the memory
+/// count as unmapped, even if it maps them somewhere for reads.
 Pair Expander::written(const Place& place, ExprId address, const std::string& name) {
     return chained(place, address, name, [&](const Place& link, ExprId at) {
         const Structure& structure = cx.structure_at(link);
@@ -53,11 +54,10 @@ Pair Expander::written(const Place& place, ExprId address, const std::string& na
     });
 }
 
-/// Where the current element is written.
+/// The physical address for a write of the current element.
 Pair Expander::written_centre(std::uint32_t root) {
     const Place place{root, {}};
-    Place link =
-        place;  // as long as the addresses are the memory's, and the domain, the element is one of the memory's
+    Place link = place;  // skips links with the same addresses and domain: there the element is in the memory's domain
     while (cx.structure_at(link).via.empty() && !cx.structure_at(link).base.empty()) {
         const Place base = base_of(cx.structure_at(link), link);
         if (numbers_.of(domain_of(link)) != numbers_.of(domain_of(base))) break;
@@ -67,14 +67,14 @@ Pair Expander::written_centre(std::uint32_t root) {
     return written(place, centre_address(root), cx.name_of(place));
 }
 
-/// What the source calls the memory at a place.
+/// The name that the source gives to the structure at a place, which is the memory of another one.
 std::string Expander::link_name(const Place& link) const {
     const Place owner{link.root, {link.members.begin(), link.members.end() - 1}};
     return (*p.names)[cx.structure_at(owner).members[link.members.back()].name];
 }
 
-/// Whether the memory has a physical address: one that it has not maps nowhere. Of a structure, whether its domain has:
-/// a partial one says so itself.
+/// The condition that a physical address lies in the memory. If the memory is a structure: in its domain; absent if its
+/// first translator is partial, which decides that itself.
 ExprId Expander::inside_memory(const Place& place, ExprId physical) {
     const Structure& structure = cx.structure_at(place);
     if (!structure.base.empty()) {
@@ -90,7 +90,8 @@ ExprId Expander::inside_memory(const Place& place, ExprId physical) {
     return less_where_unknown(structure, physical, p.exprs.add(std::move(extent)));
 }
 
-/// Whether an address is below an extent, along the axes where that is not known.
+/// The condition that an address is below an extent, tested along those axes only where it is not proved
+/// (contained_axes).
 ExprId Expander::less_where_unknown(const Structure& structure, ExprId address, ExprId extent) {
     if (structure.contained_axes == 0) return all_less(address, extent);
     ExprId inside;
@@ -109,9 +110,10 @@ ExprId Expander::all_less(ExprId address, ExprId extent) {
                           {make.intrinsic(Intrinsic::lessThan, truths, {address, extent})});
 }
 
-/// In the wide form addresses that are numbers may pass 2^32; each axis of a vector stays below.
+/// The function to translate with. In the wide form scalar physical addresses may exceed 2^32; components of vectors do
+/// not.
 FunctionId Expander::translate_of(const Translator& translator, TypeId address, const Structure& structure) const {
-    // What leads to a structure are virtual addresses, of 32 bits an axis.
+    // Where the memory is a structure, the result is a virtual address, with 32 bits an axis.
     if (!cx.is_wide() || !translator.wide || !structure.base.empty()) return translator.translate;
     return address == p.types.uint64 ? translator.wide_of_wide : translator.wide;
 }
@@ -138,8 +140,8 @@ Pair Expander::expanded(const Place& place, const Stage& stage, ExprId address, 
 
 bool Expander::is_total(const Structure& structure) { return ir::is_total(p, structure); }
 
-/// Whether the place is a range of a structure: one that does not iterate, whose addresses count from the range's
-/// origin.
+/// Whether the parameter is a range of its own size (any, scatter, coherent), whose addresses in the kernel are
+/// relative to the range's origin.
 bool Expander::is_range(const Place& place) const {
     if (cx.is_direct() || !place.members.empty()) return false;
     return has_own_range(cx.kernel.params[place.root].pattern);
@@ -150,7 +152,7 @@ ExprId Expander::range_size(std::uint32_t root) {
     return cx.parameter_expr(cx.parameter(ParameterSource::range_size, cx.name_of({root, {}}) + "_size", type, root));
 }
 
-/// The virtual address of what the kernel calls `address`.
+/// The virtual address in the structure, for an address that is relative to the range's origin.
 ExprId Expander::from_origin(const Place& place, ExprId address) {
     if (!is_range(place)) return address;
     TypeId type = cx.structure_at(place).domain_type;
@@ -196,9 +198,9 @@ ExprId Expander::centre_address(std::uint32_t root) {
     return addresses_[root];
 }
 
-/// The parts of a physical address as named locals: one for a number, one a component for a vector.
+/// The physical address of a parameter's current element, in named locals: one, or one for each component.
 Pair Expander::centre(std::uint32_t root) {
-    // Structures of one state share addresses, unless these are read from each one's own memory.
+    // Structures with equal state share addresses, unless tables are read, which each has for itself.
     const std::uint32_t shared = canonical_root(root);
     const bool is_there = !cx.kernel.raster || cx.kernel.params[shared].pattern == cx.kernel.params[root].pattern;
     if (!translates_by_tables(p, cx.structure_at({root, {}})) && is_there) root = shared;
@@ -211,7 +213,7 @@ Pair Expander::centre(std::uint32_t root) {
     span_ = cx.kernel.params[root].span;
     Block made = collect([&] {
         inside(std::move(frame), [&] {
-            // The element is one of the structure's.
+            // The current element is known to be in the domain.
             const bool is_inside = !cx.kernel.grouped() && cx.structure_at({root, {}}).domain && !cx.kernel.raster;
             if (is_inside) known_.push_back(numbers_.of(inside_domain({root, {}}, address)));
             Pair at = translated({root, {}}, address, name);

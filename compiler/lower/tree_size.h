@@ -1,11 +1,11 @@
-// How large a value is where it is written out.
+// The size of expressions if printed as trees.
 #pragma once
 
 #include "lower/context.h"
 
 namespace gliftc::lower {
 
-/// Nodes of a value as a tree: what several parts share counts where each of them has it.
+/// The number of nodes of an expression as a tree: a node with several parents counts once for each.
 class TreeSizes {
 public:
     explicit TreeSizes(const Context& context) : p(context.p), sizes_(context.first_expr) {}

@@ -14,7 +14,7 @@ using namespace ir;
 namespace {
 
 constexpr unsigned shader_operations =
-    3;  ///< uniform operations on known parameters that cost less than one more parameter
+    3;  ///< up to so many operations on existing parameters are cheaper than one more parameter
 
 std::string word_for(BinaryOp op) {
     switch (op) {
@@ -26,7 +26,8 @@ std::string word_for(BinaryOp op) {
     }
 }
 
-/// What becomes parameters: values that the host computes, or the state that they are computed from.
+/// What becomes parameters: uniform values, which the host computes; or only the state that they are computed from, the
+/// leaves of their expressions.
 enum class Lifted { values, state };
 
 class Uniforms {
@@ -60,26 +61,27 @@ private:
     Context& cx;
     Lifted lifted_;
     Numbers numbers_;
-    std::map<ValueNumber, std::uint32_t> leaves_;     ///< leaves that are used, and which of their components
-    std::vector<std::vector<ExprId>> lifted_values_;  ///< of each body, in order, as often as they stand there
+    std::map<ValueNumber, std::uint32_t> leaves_;  ///< leaves that are used, with a bit for each component used
+    std::vector<std::vector<ExprId>>
+        lifted_values_;  ///< for each body the uniform values in it, in order of their uses
     std::unordered_map<ValueNumber, std::uint32_t> slots_;
-    // of one body
+    // The following are for the body that is being rewritten.
     NodeMap<ExprId, ExprId> visited_{cx.first_expr};
-    std::unordered_map<ValueNumber, unsigned> counts_;  ///< uses of what stays in the shader
-    std::unordered_map<ValueNumber, LocalId> locals_;   ///< that hold them
-    std::vector<StmtId> top_;                           ///< their lets
+    std::unordered_map<ValueNumber, unsigned> counts_;  ///< number of uses of uniform values that the shader computes
+    std::unordered_map<ValueNumber, LocalId> locals_;   ///< the locals that hold these values
+    std::vector<StmtId> top_;                           ///< the `let`s of these locals, put before the body
     NodeMap<ExprId, ExprId> closed_{cx.first_expr};
 };
 
 bool Uniforms::is_leaf(ExprId id) const {
     const Expr& node = cx.p.exprs[id];
-    // What has empty parts is no parameter, but its other parts are.
+    // A struct with empty parts cannot be a parameter; its other fields are leaves.
     if (node.op == Op::field) return holds_empty(cx.p, cx.make.type(node.operands[0])) && !holds_empty(cx.p, node.type);
     return node.op == Op::member || node.op == Op::memory_extent || node.op == Op::host_state ||
            node.op == Op::domain || node.op == Op::local;
 }
 
-/// What a chain of swizzles and fields takes a part of.
+/// The leaf or other expression at the bottom of a chain of swizzles and fields.
 ExprId Uniforms::base(ExprId id) const {
     const Expr* node = &cx.p.exprs[id];
     while (!is_leaf(id) && (node->op == Op::swizzle || node->op == Op::field)) {
@@ -89,7 +91,7 @@ ExprId Uniforms::base(ExprId id) const {
     return id;
 }
 
-/// The components of a leaf that one use of it takes, a bit each.
+/// The components of a leaf that a use of it takes, a bit for each.
 std::uint32_t Uniforms::lanes_of(ExprId part) const {
     const Expr& node = cx.p.exprs[part];
     constexpr std::uint32_t all = 15;
@@ -99,15 +101,15 @@ std::uint32_t Uniforms::lanes_of(ExprId part) const {
     return lanes;
 }
 
-/// One component of a leaf of which no other is used: a parameter by itself.
+/// Whether this is a component of a leaf of which no other component is used: it alone becomes the parameter.
 bool Uniforms::is_single(ExprId part) {
     const Expr& node = cx.p.exprs[part];
-    if (lifted_ == Lifted::state) return false;  // who fills in the state does not look at what is used of it
+    if (lifted_ == Lifted::state) return false;  // the user fills in whole values, whatever is used of them
     if (node.op != Op::swizzle || !is_leaf(node.operands[0]) || cx.p.types.is_vector(node.type)) return false;
     return leaves_[numbers_.of(node.operands[0])] == lanes_of(part);
 }
 
-/// The uniform value without locals of the pass: what the host can evaluate.
+/// The uniform value with definitions in place of locals of the body, so that the host can evaluate it.
 ExprId Uniforms::closed(ExprId id) {
     if (const ExprId* found = closed_.find(id)) return *found;
     const Expr& node = cx.p.exprs[id];
@@ -143,7 +145,7 @@ void Uniforms::find(ExprId id) {
     for (ExprId operand : cx.p.exprs[id].operands) find(operand);
 }
 
-/// The leaves that a value takes, or that its parts take where these are what is lifted.
+/// Notes the leaves that become parameters because of an expression.
 void Uniforms::note_leaves(ExprId id) {
     const bool is_whole = is_lifted(id);
     if (is_whole) id = closed(id);
@@ -155,7 +157,7 @@ void Uniforms::note_leaves(ExprId id) {
 void Uniforms::collect(const std::vector<StmtId>& body) {
     lifted_values_.emplace_back();
     for_each_statement(cx.p, body, [&](const Stmt& stmt) {
-        // A let that will vanish asks for nothing itself.
+        // A `let` of a uniform value is dropped; its uses need the value, if there are any.
         if (stmt.op == StmtOp::let && stmt.value && !cx.p.locals[stmt.local].is_mutable && is_lifted(stmt.value)) {
             ExprId whole = closed(stmt.value);
             cx.names.emplace(whole, cx.p.locals[stmt.local].name);
@@ -166,7 +168,7 @@ void Uniforms::collect(const std::vector<StmtId>& body) {
     for (ExprId value : lifted_values_.back()) note_leaves(value);
 }
 
-/// Sums and products of parts of leaves that the pass has as parameters anyway.
+/// Whether the value is a sum or product of parts of leaves that are parameters anyway, with few operations.
 bool Uniforms::is_cheap(ExprId id, unsigned& operations) {
     if (cx.make.is_constant(id)) return true;
     if (is_part_of_leaf(id)) return leaves_.contains(numbers_.of(base(id)));
@@ -205,9 +207,9 @@ std::string Uniforms::name_of(ExprId id) {
         return name;
     }
     case Op::call: return text(cx.p.functions[node.function].name);
-    default: break;  // named after what it is made of
+    default: break;  // named after its operands
     }
-    // s_extent_over_8, for (s_extent + 8 - 1) / 8 too
+    // s_extent_over_8; also for (s_extent + 8 - 1) / 8
     if (has_one_constant(id)) {
         bool is_first = cx.make.is_constant(node.operands[0]);
         ExprId number = node.operands[is_first ? 0 : 1], value = node.operands[is_first ? 1 : 0];
@@ -260,7 +262,7 @@ ExprId Uniforms::parameter(ExprId value) {
     return cx.parameter_expr(found->second);
 }
 
-/// Whether a uniform value is neither a parameter nor a part of one: the shader computes it.
+/// Whether the shader computes the uniform value from parameters.
 bool Uniforms::is_kept(ExprId whole) {
     if (cx.make.is_constant(whole) || is_part_of_leaf(whole)) return false;
     unsigned operations = 0;
@@ -343,7 +345,7 @@ std::vector<StmtId> Uniforms::moved(const std::vector<StmtId>& body, std::size_t
 }
 
 void rewrite(Context& cx, const std::vector<std::vector<StmtId>*>& bodies, Lifted lifted) {
-    // Earlier passes have made simpler values of lets: what depended on the invocation may not any more.
+    // Earlier passes have simplified values of `let`s, so that more may be uniform now.
     cx.uniform_sizes.clear();
     Uniforms uniforms(cx, lifted);
     for (const auto* body : bodies) uniforms.collect(*body);

@@ -1,17 +1,18 @@
-// Uniform work, the same for all invocations, leaves the shader or rests on its parameters.
+// Uniform values, which are the same for all invocations, become parameters of the pass.
 //
-// Needs: low-level bodies. Guarantees: no member, memory_extent, domain or value parameter is left in them.
+// Needs: bodies of memory operations. Guarantees: no member, memory_extent, domain or value parameter is left in them.
 #pragma once
 
 #include "lower/context.h"
 
 namespace gliftc::lower {
 
-/// Moves it to the host: every uniform expression becomes a parameter, unless a few operations on parameters that the
-/// kernel has anyway give it.
+/// Every uniform expression becomes a parameter, which the host computes, unless it is a few operations on parameters
+/// that the pass has anyway.
 void move_uniforms(Context& cx, const std::vector<std::vector<StmtId>*>& bodies);
 
-/// Leaves it where it is: only the state itself becomes parameters, so that whoever fills them in computes nothing.
+/// For library functions: only the state itself becomes parameters, and the shader computes uniform expressions, so
+/// that the user, who fills in the parameters, has to compute nothing.
 void name_state(Context& cx, const std::vector<std::vector<StmtId>*>& bodies);
 
 }  // namespace gliftc::lower

@@ -1,5 +1,7 @@
-// Which loops are unrolled: those with constant bounds whose neighbour offsets depend on the loop, so that the offsets
-// become constants.
+// Decides which loops are unrolled: only loops with constant bounds and at most unroll_limit iterations. Where offsets
+// of neighbour reads depend on the loop, the body is copied for each iteration, so that they become constants; such a
+// body has no break or continue, nor a return of an inlined function. Loops that index a private array by their
+// variable only get an unroll hint.
 #pragma once
 
 #include "ir/ir.h"
@@ -11,27 +13,27 @@ namespace gliftc::lower {
 
 inline constexpr std::uint64_t unroll_limit = 64;
 
-/// Whether the type is an array that is too long to unroll, or holds one.
+/// Whether the type is an array of more than unroll_limit elements, or an array of such arrays.
 bool is_long_array(const ir::Program& program, ir::TypeId type);
 
-/// The rounds of `for i in first..limit` with constant bounds.
+/// The iterations of `for i in first..limit` with constant bounds.
 struct Rounds {
     std::uint64_t first = 0;
     std::uint64_t count = 0;
 };
 std::optional<Rounds> rounds_of(const ir::Program& program, ir::ExprId first, ir::ExprId limit);
 
-/// Whether the loop's variable takes part in the index of an array of the invocation's own. Such arrays live in
-/// registers only where all their indices are known.
+/// Whether the loop's variable occurs in an index of a private array (a local that is not in workgroup memory). Such
+/// arrays stay in registers only if all their indices are compile-time constants after unrolling.
 bool indexes_array_by_loop(const ir::Program& program, const ir::Stmt& loop);
 
-/// Whether an offset of a near access in the loop names the loop's variable or something declared in the loop.
+/// Whether the offset of a neighbour read (Op::near) in the loop uses the loop's variable or a local declared in it.
 bool has_near_depending_on_loop(const ir::Program& program, const ir::Stmt& loop);
 
-/// Whether the statements hold a break or continue of the loop they are the body of.
+/// Whether the statements, the body of a loop, contain a break or continue of that loop.
 bool leaves_loop(const ir::Program& program, const std::vector<ir::StmtId>& body);
 
-/// Whether the statements hold a return, at any depth.
+/// Whether the statements contain a return, at any depth.
 bool returns(const ir::Program& program, const std::vector<ir::StmtId>& body);
 
 }  // namespace gliftc::lower

@@ -18,36 +18,36 @@ namespace {
 
 constexpr std::uint64_t most_uint = UINT32_MAX;
 
-/// Parameters and locals that are the same in all rounds.
+/// A sum of parameters and locals that do not change in the loops.
 using Terms = std::vector<ExprId>;
 
-/// What a uint is in all rounds: `terms`, and a number of the loops'.
+/// The values that a uint takes over all iterations: the sum of `terms` plus a number between `least` and `most`.
 struct Reach {
     Terms terms;
-    std::uint64_t least = 0, most = 0;  ///< of the number
-    std::uint64_t step = 0;             ///< the numbers lie multiples of it apart; 0: there is one
+    std::uint64_t least = 0, most = 0;
+    std::uint64_t step = 0;  ///< the numbers differ by multiples of it; 0: there is only one
 
     bool is_number() const { return terms.empty() && step == 0; }
 };
 
-/// That elements base + [begin, end) lie before an extent.
+/// The test that base + end <= extent: the elements from base + begin on, up to there, are inside.
 struct Fit {
     Terms base;
     ExprId extent;
     std::uint64_t begin = 0, end = 0;
 };
 
-/// (base + number) % width == rest
+/// The test that (base + number) % width == rest.
 struct Multiple {
     Terms base;
     std::uint64_t number = 0, width = 1, rest = 0;
 };
 
-/// What stands for conditions.
+/// The tests before the loops, which imply the guards inside.
 struct Tests {
-    std::vector<Fit> fits;  ///< of one base and extent: one
+    std::vector<Fit> fits;  ///< at most one for a base and extent: their ranges are united
     std::vector<Multiple> multiples;
-    bool in_rounds = false;  ///< some of them stands for many rounds
+    bool in_rounds = false;  ///< some test implies a guard for many iterations, so that versioning pays
 };
 
 class Finder {
@@ -56,7 +56,7 @@ public:
 
     void walk(const std::vector<StmtId>& statements);
     ExprId condition() const;
-    std::unordered_set<ExprId> conditions;  ///< that hold where it does
+    std::unordered_set<ExprId> conditions;  ///< the guards that condition() implies
 
 private:
     void declare(const Stmt& stmt);
@@ -77,10 +77,10 @@ private:
     const Program& program;
     Tests tests_;
     std::unordered_map<LocalId, Reach> locals_;
-    std::unordered_set<LocalId> truths_;  ///< names of conditions that were found
+    std::unordered_set<LocalId> truths_;  ///< locals that hold such guards
 };
 
-/// Of parameters and locals.
+/// Whether two parameters or locals are the same.
 bool Finder::is_same(ExprId a, ExprId b) const {
     const Expr &one = program.exprs[a], &other = program.exprs[b];
     return one.op == other.op && one.slot == other.slot && one.local == other.local;
@@ -115,7 +115,7 @@ ExprId Finder::sum_of(const Terms& terms, std::uint64_t number) const {
     return number == 0 ? sum : cx.make.add(sum, cx.make.uint(number));
 }
 
-/// Absent: there are no tests. No sum or difference in it wraps unless one of the guards' does.
+/// The conjunction of all tests; absent: there are none. No sum or difference in it wraps unless one in a guard does.
 ExprId Finder::condition() const {
     Make& make = cx.make;
     ExprId all;
@@ -174,7 +174,7 @@ std::optional<Reach> Finder::reach_of(ExprId id) const {
     return local == locals_.end() ? std::nullopt : std::optional(local->second);
 }
 
-/// at + count <= extent, without wrapping.
+/// Adds the test that implies at + count <= extent, without wrapping, in all iterations; false if there is none.
 bool Finder::stands_for_less(ExprId at, ExprId extent, std::uint64_t count, Tests& wanted) const {
     const std::optional<Reach> reach = reach_of(at);
     if (!reach || program.exprs[extent].op != Op::parameter || reach->most + count > most_uint) return false;
@@ -183,7 +183,8 @@ bool Finder::stands_for_less(ExprId at, ExprId extent, std::uint64_t count, Test
     return true;
 }
 
-/// at % of == rest: the same in all rounds where these lie multiples apart, even if sums wrap.
+/// Adds the test that implies `remainder` == `of` in all iterations, `remainder` being at % width; false if there is
+/// none. It is the same in all of them if `at` changes by multiples of width, a power of two, even if sums wrap.
 bool Finder::stands_for_multiple(ExprId remainder, ExprId of, Tests& wanted) const {
     const Expr& node = program.exprs[remainder];
     if (node.op != Op::binary || node.binary != BinaryOp::remainder) return false;
@@ -223,7 +224,7 @@ void Finder::visit(ExprId id) {
     for (const Multiple& multiple : wanted.multiples) add(tests_, multiple);
 }
 
-/// Takes note of what a let or a loop declares.
+/// Notes the values that the local of a `let` or a loop takes.
 void Finder::declare(const Stmt& stmt) {
     if (stmt.op == StmtOp::let && stmt.value && !program.locals[stmt.local].is_mutable) {
         if (std::optional<Reach> reach = reach_of(stmt.value)) locals_[stmt.local] = std::move(*reach);
@@ -247,7 +248,7 @@ void Finder::walk(const std::vector<StmtId>& statements) {
     }
 }
 
-/// The statements where the conditions hold.
+/// Makes the version of the statements in which the guards are known to be true.
 class Rewriting {
 public:
     Rewriting(Context& context, const std::unordered_set<ExprId>& true_ones) : cx(context), conditions_(true_ones) {}

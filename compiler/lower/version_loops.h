@@ -1,10 +1,10 @@
-// Loop versioning by hoisted range checks: guards that hold in all rounds of an invocation's loops where they hold for
-// all that the loops reach. One test before the loops stands for them, and C++ compilers get loops without branches,
-// which they can turn into vectors.
+// Loop versioning by hoisted bounds checks. One test before an invocation's loops, for the range of all addresses that
+// the loops access, implies their guards; where it holds, a version without the guards runs, which C++ compilers can
+// vectorise, since its loops have no branches.
 //
-// Needs: uniform values are parameters. Guarantees: `if tests { without the guards } else { as it was }`, or the body
-// as it was where no guard depends on a loop in a way that is known. The tests name the invocation's address,
-// parameters and constants alone.
+// Needs: uniform values are parameters. Guarantees: the body is `if tests { body without the guards } else { body }`,
+// or unchanged if no guard depends on a loop in a known way. The tests use only the invocation's address, parameters
+// and constants.
 #pragma once
 
 #include "lower/context.h"

@@ -11,15 +11,15 @@ using namespace ir;
 
 namespace {
 
-/// What happens to a number that passes 2^64: it wraps around, or it stays at 2^64 - 1.
+/// What happens to a number beyond 2^64 - 1: it wraps around, or it stays at 2^64 - 1.
 enum class Overflow : std::uint8_t { wraps, saturates };
 
-/// An expression of the copy: in its own type, or, where a uint may pass 2^32, in 64 bits.
+/// An expression in the copy: `narrow`, in its original type, or `wide`, in 64 bits, if a uint may exceed 2^32.
 struct Value {
     ExprId narrow, wide;
 };
 
-/// The 64-bit copy of a function. Its result stays narrow where no sum or product reaches it.
+/// The 64-bit copy of a function. Its result stays in its original type if it depends on no sum or product.
 struct Copy {
     FunctionId id;
     bool has_wide_result = false;
@@ -31,11 +31,11 @@ public:
 
     Value value(ExprId id) { return visit(p.exprs[id]); }
     ExprId widened(const Value& value);
-    /// The copy of a function that takes 64-bit numbers for the parameters so marked.
+    /// The copy of a function; parameters marked in wide_params are 64-bit numbers.
     Copy copied(FunctionId id, std::vector<bool> wide_params);
 
 private:
-    /// One function that is being copied.
+    /// The function that is being copied.
     struct Frame {
         std::unordered_map<LocalId, LocalId> locals;
         std::vector<std::pair<StmtId, Value>> returns;
@@ -111,7 +111,7 @@ ExprId Widener::made(Op op, TypeId type, Operands operands) {
     return add(std::move(node));
 }
 
-/// The optional with its value converted to what `type` is an optional of.
+/// Converts an optional to the optional type `type`.
 ExprId Widener::remade(ExprId optional, TypeId type) {
     const TypeId element = p.types[type].element;
     const ExprId inner = made(Op::value, p.types[p.exprs[optional].type].element, {optional});
@@ -120,7 +120,7 @@ ExprId Widener::remade(ExprId optional, TypeId type) {
                  made(Op::none, type, {})});
 }
 
-/// A C++ function of the runtime: glift::NAME.
+/// A call of a C++ function of the runtime, glift::NAME.
 ExprId Widener::called(const char* name, TypeId result, Operands operands) {
     FunctionId& function = externs_[{name, result.index}];
     if (!function) {
@@ -154,13 +154,13 @@ ExprId Widener::widened(const Value& value) {
         return add(std::move(node));
     }
     if (p.types.kind(type) == TypeKind::optional) return remade(value.narrow, type);
-    // A signed number stands for itself, also below zero: as a summand it is right in any width.
+    // A converted signed number is sign-extended from its original value, so that adding a negative one is right.
     if (node.op == Op::convert && p.types.is_signed(p.types.scalar_of(p.exprs[node.operands[0]].type)))
         return convert(type, node.operands[0]);
     return convert(type, value.narrow);
 }
 
-/// In its own type: the low 32 bits, or, where nothing may be lost, an error at run time.
+/// The value in its original type: the low 32 bits, or, for extents, a call that throws an error if it does not fit.
 ExprId Widener::narrowed(const Value& value) {
     if (value.narrow) return value.narrow;
     const TypeId wide = p.exprs[value.wide].type;
@@ -207,14 +207,13 @@ Value Widener::local(const Expr& node) {
     return is_wide ? note(id) : Value{id, {}};
 }
 
-/// The operation with its operands in their own types.
+/// The operation on narrow operands.
 Value Widener::rebuilt(Expr node) {
     for (ExprId& operand : node.operands) operand = narrowed(value(operand));
     return {add(std::move(node)), {}};
 }
 
-/// The operation in its own type where all operands are; else those that are uints in 64 bits, and the result with
-/// them.
+/// The operation on narrow operands if all are narrow; else on 64-bit ones, with a 64-bit result.
 Value Widener::joined(Expr node, const std::vector<Value>& values) {
     const bool is_wide = std::ranges::any_of(values, [](const Value& each) { return static_cast<bool>(each.wide); });
     for (std::size_t i = 0; i < values.size(); ++i) node.operands[i] = is_wide ? widened(values[i]) : values[i].narrow;
@@ -245,7 +244,7 @@ Value Widener::unary(Expr node) {
     return joined(std::move(node), {of});
 }
 
-/// A sum, product or left shift of uints.
+/// A sum, product or left shift of uints, in 64 bits.
 Value Widener::grown(const Expr& node, ExprId a, ExprId b) {
     const TypeId type = wide_type(node.type);
     if (overflow_ == Overflow::saturates) {
@@ -280,7 +279,7 @@ Value Widener::binary(Expr node) {
     return joined(std::move(node), {a, b});
 }
 
-/// A component or an element.
+/// A component of a vector or an element of an array.
 Value Widener::part(Expr node) {
     const Value whole = value(node.operands[0]);
     if (node.op == Op::index) node.operands[1] = narrowed(value(node.operands[1]));
@@ -307,7 +306,7 @@ Value Widener::call(Expr node) {
     return copy.has_wide_result ? note(id) : Value{id, {}};
 }
 
-/// Those that mean the same in any width; others see 32 bits.
+/// Intrinsics: those that mean the same in any width may be on 64-bit operands; others get 32 bits.
 Value Widener::intrinsic(Expr node) {
     switch (node.intrinsic) {
     case Intrinsic::min:
@@ -344,14 +343,14 @@ Value Widener::optional(Expr node) {
     return grows ? note(id) : Value{id, {}};
 }
 
-/// Of a buffer: exact where memories are made, which know it so.
+/// The extent of a buffer: exact, in 64 bits, in expressions that are evaluated when structures are made.
 Value Widener::extent(Expr node) {
     if (overflow_ == Overflow::wraps || node.type != p.types.uint) return {add(std::move(node)), {}};
     node.type = p.types.uint64;
     return note(add(std::move(node)));
 }
 
-/// What is assigned to: a local, or a part of one.
+/// The target of an assignment: a local or a part of one.
 ExprId Widener::target(ExprId id) {
     const Value made = value(id);
     return made.wide ? made.wide : made.narrow;
@@ -362,7 +361,7 @@ void Widener::declare(const Stmt& stmt, Stmt& made) {
     Local copy = before;
     Value init;
     if (stmt.value) init = value(stmt.value);
-    // What may change may grow.
+    // A mutable local may be assigned a wide value later.
     const bool is_wide = stmt.op == StmtOp::let && is_widenable(before.type) && (before.is_mutable || init.wide);
     if (is_wide) copy.type = wide_type(before.type);
     made.local = p.locals.add(std::move(copy));

@@ -5,14 +5,14 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-// The state of the structure, in this program's push constants.
+// The state of the structure (here its extent), which functions of adopt.Picture.glsl need, in this program's push constants.
 layout(push_constant, scalar) uniform Parameters {
     uvec2 Picture_extent;
     uint square;
 };
 
 #define PICTURE_STATE
-#define PICTURE_BINDING 0  // the memory lies at 1
+#define PICTURE_BINDING 0  // the structure's first binding; its memory is at binding 1
 #include "adopt.Picture.glsl"
 
 void main() {

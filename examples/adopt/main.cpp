@@ -20,18 +20,19 @@ namespace {
 constexpr glift::uint2 extent = {203, 117};
 constexpr std::uint32_t square = 20, rounds = 4;
 
-/// The film has a margin around the picture, and its colour where the picture is darker than `least`.
+/// The film (the program's image, cleared to `paper`) is larger than the picture by a margin on each side. It keeps its
+/// colour where the picture is darker than `least`.
 constexpr std::uint32_t margin = 12;
 constexpr glift::uint2 film_extent = {extent.x + 2 * margin, extent.y + 2 * margin};
 constexpr float paper = 0.75f, least = 0.25f;
 
-/// What the program copies out: the picture by rows, and the film.
+/// The results that the program copies to the host: the picture in row-major order, and the film.
 struct Pictures {
     std::vector<float> rows, film;
     bool operator==(const Pictures&) const = default;
 };
 
-/// The expected picture, computed here. Outside it is black.
+/// The expected picture, computed on the CPU. Pixels outside it count as black.
 std::vector<float> expected_picture() {
     std::vector<float> picture(extent.x * extent.y), other(picture.size());
     const auto at = [&](std::uint32_t x, std::uint32_t y) {
@@ -74,7 +75,7 @@ glift::Memory adopted(const glift::Device& device, const ColourImage& image) {
                                                .name = "film"});
 }
 
-/// Draws, softens, shows and copies out, in one command buffer of the program's own.
+/// Draws the picture, blurs it, draws it to the film and copies both to the host, in one command buffer of the program.
 Pictures draw(const PlainVulkan& vulkan) {
     const glift::Device device = glift::vulkan::adopt({.instance = vulkan.instance,
                                                        .physical = vulkan.physical,
@@ -94,7 +95,7 @@ Pictures draw(const PlainVulkan& vulkan) {
 
     const ColourImage image(vulkan, VK_FORMAT_R32_SFLOAT, {film_extent.x, film_extent.y});
     const adopt::Film film(device, film_extent, adopted(device, image));
-    // Submit the initialisation of the structures before the program's own commands.
+    // Submits the clearing of new structures, so that it comes before the program's own commands.
     device.commands().flush();
 
     const VkCommandBuffer commands = vulkan.begin();

@@ -52,7 +52,7 @@ void PlainVulkan::choose_device() {
 }
 
 void PlainVulkan::make_device() {
-    // The features that Glift needs; a program adds its own.
+    // Device features that Glift needs; a program would add those that it needs itself.
     glift::vulkan::DeviceFeatures features(instance, physical);
     extensions.assign(features.extensions().begin(), features.extensions().end());
     const float priority = 1;
@@ -201,7 +201,7 @@ ColourImage::~ColourImage() {
     vkFreeMemory(device_, memory_, nullptr);
 }
 
-/// What follows it on the queue, Glift's barrier included, comes after the clear.
+/// Without a barrier after the clear: Glift's own barriers order what it records later on the queue after it.
 void ColourImage::clear(VkCommandBuffer commands, float value) const {
     constexpr VkImageSubresourceRange all = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
     const VkImageMemoryBarrier general = {.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER,

@@ -1,5 +1,5 @@
-// A program's own Vulkan: instance, device, queue, one compute shader, one image and buffers to read. The only thing
-// from Glift is the list of device features that it needs.
+// Vulkan objects that a program makes itself: instance, device, queue, a compute shader, an image and readback buffers.
+// Glift only says which device features it needs.
 #pragma once
 
 #include <vulkan/vulkan.h>
@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-/// Throws std::runtime_error, which names the call, where a Vulkan call fails.
+/// Throws std::runtime_error, which names the call, if `result` says that it failed.
 void check(VkResult result, const char* call);
 
-/// The device that runs all, on a queue that computes and draws: a GPU if there is one, else any.
+/// The Vulkan device, with a queue for compute and graphics: a GPU if there is one, else any device.
 class PlainVulkan {
 public:
     PlainVulkan();
@@ -28,7 +28,7 @@ public:
     VkDevice device = VK_NULL_HANDLE;
     VkQueue queue = VK_NULL_HANDLE;
     std::uint32_t queue_family = 0;
-    std::vector<const char*> extensions;  ///< that the device was made with
+    std::vector<const char*> extensions;  ///< extensions that the device was made with
     std::string name;
 
 private:
@@ -60,7 +60,7 @@ private:
     VkDescriptorSet set_ = VK_NULL_HANDLE;
 };
 
-/// An image of one level that is drawn into and copied from, in VK_IMAGE_LAYOUT_GENERAL once it has been cleared.
+/// An image with one mip level to draw into and to copy from. Its layout is VK_IMAGE_LAYOUT_GENERAL after clear().
 class ColourImage {
 public:
     ColourImage(const PlainVulkan& vulkan, VkFormat format, VkExtent2D extent);

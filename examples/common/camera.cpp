@@ -25,7 +25,7 @@ Frame frame_of(const Camera& camera) {
     return {right, cross(back, right), back};
 }
 
-/// Rows of what gives x, y (down), z and w from a point in the world; matrices are columns.
+/// Makes a matrix, which is stored by columns, from its rows: they give clip coordinates x, y (down), z and w.
 float4x4 from_rows(const float4& x, const float4& y, const float4& z, const float4& w) {
     float4x4 m;
     for (unsigned i = 0; i < 4; ++i) m[i] = float4(x[i], y[i], z[i], w[i]);
@@ -40,7 +40,7 @@ float4x4 projection_of(const Camera& camera, float aspect) {
     const auto [right, up, back] = frame_of(camera);
     const float scale = 1 / std::tan(camera.height_angle / 2);
     const float depth = camera.far / (camera.far - camera.near);
-    const float4 along = row(back * -1.0f, dot(back, camera.eye));  // distance before the eye
+    const float4 along = row(back * -1.0f, dot(back, camera.eye));  // gives the distance in front of the eye
     const float4 x = row(right, -dot(right, camera.eye)) * (scale / aspect);
     const float4 y = row(up, -dot(up, camera.eye)) * -scale;
     return from_rows(x, y, along * depth - float4(0, 0, 0, depth * camera.near), along);

@@ -20,7 +20,7 @@ using glift::float3;
 
 constexpr float grey = 0.7f;
 
-/// The bytes of a file that gzip may have packed: zlib reads others as they are.
+/// Reads a file, decompressing it if it is compressed by gzip.
 std::string unpacked(const std::string& path) {
     const std::unique_ptr<gzFile_s, decltype(&gzclose)> file(gzopen(path.c_str(), "rb"), &gzclose);
     if (!file) throw std::runtime_error(path + ": cannot be opened");

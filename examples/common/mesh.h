@@ -1,4 +1,4 @@
-// Triangle meshes: from files, and put together from shapes.
+// Triangle meshes, read from files or made of shapes (shapes.h).
 #pragma once
 
 #include <glift/vector.h>
@@ -9,8 +9,8 @@
 
 namespace mesh {
 
-/// Points with a colour each (linear, 0 to 1), and three corners a triangle: numbers of points, counter-clockwise as
-/// seen from outside.
+/// An indexed mesh: points with a colour each (linear, 0 to 1), and for each triangle three indices of points, in
+/// counter-clockwise order as seen from outside.
 struct Mesh {
     std::vector<glift::float3> points, colours;
     std::vector<std::uint32_t> corners;
@@ -22,18 +22,18 @@ struct Box {
     glift::float3 low, high;
 };
 
-/// Reads any format that assimp knows (PLY, OBJ, glTF, FBX, …), all meshes of the file as one, points that are equal
-/// joined. Points without a colour are light grey. A PLY file may be packed by gzip. Throws std::runtime_error, which
-/// names the file and what is wrong.
+/// Reads a file of any format that assimp knows (PLY, OBJ, glTF, FBX, …). All meshes of the file become one; equal
+/// points are joined; points without a colour are light grey. A PLY file may be compressed by gzip. Throws
+/// std::runtime_error, which names the file and what is wrong.
 Mesh read(const std::string& path);
 
-/// Of an empty mesh: from 0 to 0.
+/// The bounding box; of an empty mesh it is from 0 to 0.
 Box bounds_of(const Mesh& mesh);
 
-/// Moved and scaled alike along all axes, so that its bounds lie in [0, 1] and touch it along the longest one.
+/// Moves and uniformly scales the mesh into the unit cube, so that its longest side has length 1.
 void normalise(Mesh& mesh);
 
-/// Adds the triangles of another.
+/// Adds the triangles of another mesh.
 void append(Mesh& mesh, const Mesh& other);
 
 }  // namespace mesh

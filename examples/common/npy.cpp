@@ -16,10 +16,10 @@ namespace {
 static_assert(std::endian::native == std::endian::little);
 
 struct Header {
-    std::string type;  ///< "<f4"
+    std::string type;  ///< NumPy's type string: "<f4"
     bool fortran_order = false;
     std::vector<std::uint64_t> shape;
-    std::size_t data = 0;  ///< where the elements start
+    std::size_t data = 0;  ///< byte offset of the elements in the file
 };
 
 [[noreturn]] void fail(const std::string& path, const std::string& problem) {
@@ -134,7 +134,7 @@ Header read_header(const std::string& path, const std::string& bytes) {
     return header;
 }
 
-/// IEEE half precision.
+/// The value of an IEEE half-precision number.
 float half_value(std::uint16_t bits) {
     const int exponent = bits >> 10 & 31, fraction = bits & 1023;
     const float sign = bits & 0x8000 ? -1.0f : 1.0f;
@@ -157,7 +157,7 @@ float half_at(const char* bytes, bool swapped) {
 }
 
 struct ElementType {
-    const char* name;  ///< without the byte order
+    const char* name;  ///< NumPy's type string without the byte order
     std::size_t bytes;
     float (*value)(const char*, bool);
 };

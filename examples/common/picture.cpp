@@ -27,13 +27,13 @@ namespace {
 
 using glift::float4;
 
-/// IEC 61966-2-1.
+/// The sRGB transfer functions (IEC 61966-2-1).
 float linear_of(float coded) { return coded <= 0.04045f ? coded / 12.92f : std::pow((coded + 0.055f) / 1.055f, 2.4f); }
 float coded_of(float linear) {
     return linear <= 0.0031308f ? linear * 12.92f : 1.055f * std::pow(linear, 1 / 2.4f) - 0.055f;
 }
 
-std::uint8_t byte_of(float value) {  // not a number: 0
+std::uint8_t byte_of(float value) {  // NaN gives 0
     return value > 0 ? static_cast<std::uint8_t>(std::min(value, 1.0f) * 255 + 0.5f) : std::uint8_t{0};
 }
 
@@ -63,7 +63,7 @@ void write_png(const std::string& path, const Picture& picture) {
         throw std::runtime_error(path + ": cannot be written");
 }
 
-/// A channel of numbers that lie `stride` floats apart, the first pixel's at `first`.
+/// An OpenEXR slice for a channel whose values are `stride` floats apart in memory, from `first` on.
 Imf::Slice slice_of(float* first, std::size_t stride, const Picture& picture, const Imath::Box2i& window,
                     float otherwise) {
     const std::size_t x = stride * sizeof(float), y = x * picture.width;
@@ -107,7 +107,7 @@ void write_exr(const std::string& path, const Picture& picture) {
     Imf::Header header(static_cast<int>(picture.width), static_cast<int>(picture.height));
     for (const char* name : channels) header.channels().insert(name, Imf::Channel(Imf::FLOAT));
     if (!picture.depth.empty()) header.channels().insert("Z", Imf::Channel(Imf::FLOAT));
-    Picture copy = picture;  // a frame buffer is of what may be written
+    Picture copy = picture;  // OpenEXR's frame buffers take pointers to mutable data
     Imf::OutputFile file(path.c_str(), header);
     file.setFrameBuffer(frame_of(copy, header.dataWindow()));
     file.writePixels(static_cast<int>(picture.height));

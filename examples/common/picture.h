@@ -17,12 +17,13 @@ struct Picture {
     std::vector<float> depth;
 };
 
-/// By the name's end: `.png` (8 or 16 bits a channel, sRGB; no depth) or `.exr` (channels R, G, B, A, Z or Y, half or
-/// float; those that are not there are 0, alpha 1). Throws std::runtime_error, which names the file and what is wrong.
+/// Reads a file with the extension `.png` (8 or 16 bits a channel, sRGB, no depth) or `.exr` (half or float channels R,
+/// G, B, A, Z or Y; missing colours are 0, missing alpha is 1). Throws std::runtime_error, which names the file and
+/// what is wrong.
 Picture read(const std::string& path);
 
-/// `.png`: 8 bits a channel, sRGB, clamped to [0, 1], without depth; `.exr`: floats R, G, B, A, and Z where there is
-/// depth. Throws std::runtime_error.
+/// Writes a `.png` file (8 bits a channel, sRGB, clamped to [0, 1], no depth) or an `.exr` file (float channels R, G,
+/// B, A, and Z if there is depth). Throws std::runtime_error.
 void write(const std::string& path, const Picture& picture);
 
 }  // namespace picture

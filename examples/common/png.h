@@ -13,10 +13,11 @@ struct Picture {
     std::vector<float> values;
 };
 
-/// Colours become grey, transparency is left out. Throws std::runtime_error, which names the file and what is wrong.
+/// Reads a file; colours are converted to grey, alpha is ignored. Throws std::runtime_error, which names the file and
+/// what is wrong.
 Picture read(const std::string& path);
 
-/// With 8 bits a pixel; values beyond [0, 1] are clamped. Throws std::runtime_error.
+/// Writes 8 bits a pixel; values beyond [0, 1] are clamped. Throws std::runtime_error.
 void write(const std::string& path, const Picture& picture);
 
 }  // namespace png

@@ -25,13 +25,13 @@ void add_triangle(Mesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c)
     mesh.corners.insert(mesh.corners.end(), {a, b, c});
 }
 
-/// Corners counter-clockwise.
+/// Adds a quad with the given points in counter-clockwise order.
 void add_quad(Mesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
     add_triangle(mesh, a, b, c);
     add_triangle(mesh, a, c, d);
 }
 
-/// A direction across another.
+/// A unit vector perpendicular to `along`.
 float3 across(const float3& along) {
     return normalize(cross(along, std::abs(along.y) < 0.9f ? float3(0, 1, 0) : float3(1, 0, 0)));
 }

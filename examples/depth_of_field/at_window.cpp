@@ -11,7 +11,7 @@ namespace {
 
 constexpr float least_focus = 0.3f, most_focus = 100.0f;  // metres
 
-/// What is at the place becomes sharp; false where no picture is.
+/// Focuses on the object at this place of the picture; false if it is outside the picture.
 bool focus_at(const Subject& subject, Settings& settings, glift::float2 place) {
     const glift::uint2 size = subject.image().extent();
     if (!(place.x >= 0 && place.y >= 0 && place.x < static_cast<float>(size.x) && place.y < static_cast<float>(size.y)))
@@ -23,7 +23,7 @@ bool focus_at(const Subject& subject, Settings& settings, glift::float2 place) {
     return true;
 }
 
-/// True where a slider was moved.
+/// Makes the sliders; true if one was moved.
 bool sliders(const Subject& subject, Settings& settings) {
     input::Camera& camera = settings.camera;
     float millimetres = 1000 * camera.focal;
@@ -77,7 +77,7 @@ private:
             if (event.key == 'S' && !is_old_) save_();
         }
     }
-    /// The photograph is as large as the window, where it can be.
+    /// Makes the photograph as large as the window, if the subject allows it.
     void fit() {
         if (subject_.image().extent() == window_.size() || !subject_.resize(window_.size())) return;
         shown_ = shown::Shown(subject_.device(), window_.size());

@@ -6,6 +6,6 @@
 
 #include <functional>
 
-/// Until the window is closed: by itself, or with Escape. S calls `save`; Tab hides the sliders and shows them. The
-/// settings are those of the subject.
+/// Runs until the window is closed, also by Escape. S calls `save`; Tab hides and shows the sliders. They change
+/// `settings`, which must be those of the subject.
 void show_at(window::Window& window, Subject& subject, Settings& settings, const std::function<void()>& save);

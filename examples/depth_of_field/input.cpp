@@ -14,7 +14,7 @@ namespace {
 
 using glift::float3;
 
-/// Tiles of a quarter of a metre, from before the camera far to the back.
+/// Adds a table with tiles of a quarter of a metre, from in front of the camera far to the back.
 void add_table(mesh::Mesh& mesh) {
     constexpr int columns = 64, rows = 64;
     constexpr float side = 0.25f;
@@ -30,10 +30,10 @@ void add_table(mesh::Mesh& mesh) {
         }
 }
 
-/// A row of balls from the front at the left to the back at the right.
+/// Adds a row of balls, from the left front to the right back.
 void add_balls(mesh::Mesh& mesh, const float3& middle) {
     const float3 colours[] = {float3(0.7f, 0.1f, 0.08f), float3(0.9f, 0.6f, 0.1f), float3(0.1f, 0.25f, 0.6f)};
-    for (const int i : {-2, -1, 1, 2, 3, 4, 5, 6}) {  // the mesh stands where the next one would
+    for (const int i : {-2, -1, 1, 2, 3, 4, 5, 6}) {  // the mesh stands at 0
         const auto at = static_cast<float>(i);
         mesh::add_sphere(mesh, float3(middle.x - 0.15f + 0.3f * at, 0.09f, middle.z + 0.1f - 0.62f * at), 0.09f, 24,
                          colours[static_cast<unsigned>(i + 3) % 3]);
@@ -82,7 +82,7 @@ Pictures pictures(const std::string& colour, const std::string& depth, const std
         if (distances.width != read.all.width || distances.height != read.all.height)
             throw std::runtime_error(depth + ": is not as large as " + colour);
         read.all.depth = distances.depth;
-        if (read.all.depth.empty())  // a picture of distances alone
+        if (read.all.depth.empty())  // no channel Z: distances are in the red channel
             for (const glift::float4& pixel : distances.pixels) read.all.depth.push_back(pixel.x);
     }
     if (read.all.depth.empty())

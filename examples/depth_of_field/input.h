@@ -1,4 +1,4 @@
-// What depth of field is computed from: the lens, and a scene to be drawn or pictures with distances.
+// The input of the program: a lens, and a scene to draw or pictures with distances.
 #pragma once
 
 #include "examples/common/picture.h"
@@ -10,34 +10,35 @@
 
 namespace input {
 
-/// As a photographer says it.
+/// A camera in a photographer's terms.
 struct Camera {
     float focal = 0.05f;  ///< metres
     float f_stop = 2.0f;
-    float focus = 4.0f;         ///< metres
+    float focus = 4.0f;         ///< distance in focus, in metres
     float film_width = 0.036f;  ///< metres
 
     float aperture() const { return focal / f_stop; }
-    /// Between lens and film, when the lens is focused.
+    /// The distance between lens and film when the lens is focused.
     float image_distance() const { return focal * focus / (focus - focal); }
 };
 
-/// Throws std::runtime_error where no lens is so.
+/// Throws std::runtime_error if no lens has these settings.
 void check(const Camera& camera);
 
-/// A generated scene, or a mesh file on a table.
+/// The generated scene of this name, or a mesh from the file of this name, placed on a table.
 scenes::Scene scene(const std::string& name, float time);
 
-/// A view through the camera: its angle is that of the film behind the lens.
+/// The view with the camera's field of view, which film and lens determine.
 camera::Camera seen_through(const camera::Camera& view, const Camera& camera, float aspect);
 
-/// A picture with distances, and perhaps a foreground with alpha and distances of its own.
+/// A picture with distances, and optionally a separate foreground with alpha and distances.
 struct Pictures {
     picture::Picture all;
     std::optional<picture::Picture> front;
 };
 
-/// Reads a picture, with its own distances or those of another file, and a foreground where one is named.
+/// Reads a picture, with distances from the same file or from the file `depth`, and a foreground if `front` is not
+/// empty.
 Pictures pictures(const std::string& colour, const std::string& depth, const std::string& front);
 
 }  // namespace input

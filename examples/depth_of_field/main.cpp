@@ -32,7 +32,7 @@ std::unique_ptr<Subject> subject_of(const Arguments& a, const glift::Device& dev
 
 void time(Subject& subject) {
     const glift::Device& device = subject.device();
-    subject.photograph();  // compiles shaders
+    subject.photograph();  // not timed: compiles shaders
     device.wait();
     const std::uint64_t before = device.statistics().submissions;
     constexpr unsigned rounds = 5;
@@ -48,7 +48,7 @@ void time(Subject& subject) {
                 submissions);
 }
 
-/// Root of the mean squared difference of what screens show.
+/// The root mean square difference of two pictures, in display values (about sRGB: the square root of linear ones).
 double difference(const Picture& a, const Picture& b) {
     double sum = 0;
     for (std::size_t i = 0; i < a.pixels.size(); ++i)
@@ -60,7 +60,7 @@ double difference(const Picture& a, const Picture& b) {
     return std::sqrt(sum / (3.0 * static_cast<double>(a.pixels.size())));
 }
 
-/// `name.png` becomes `name.suffix.png`.
+/// Inserts a suffix into a file name: `name.png` becomes `name.suffix.png`.
 std::string beside(const std::string& path, const std::string& suffix) {
     std::filesystem::path made(path);
     return made.replace_extension("." + suffix + made.extension().string()).string();
@@ -83,7 +83,7 @@ void compare(const Arguments& a, const Picture& result, const Picture& reference
                 difference(result, reference));
 }
 
-/// The options that make the picture again.
+/// The command-line options that reproduce the picture.
 std::string words_of(const Arguments& a, glift::uint2 size) {
     const auto number = [](const char* name, float value) {
         char text[64];

@@ -11,7 +11,7 @@ namespace {
 
 Picture read(const dof::Picture& made) { return {made.extent().x, made.extent().y, made.read(), {}}; }
 
-/// Triangles, which are drawn for each photograph.
+/// A mesh, which is drawn for each photograph.
 class Scene : public Subject {
 public:
     Scene(const Settings& settings, glift::Device device, const scenes::Scene& scene, glift::uint2 size)

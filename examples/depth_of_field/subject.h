@@ -1,4 +1,5 @@
-// What is in front of the lens: pinhole pictures, and photographs of them.
+// A subject is what is photographed: a scene or pictures from files. It gives pinhole pictures, without depth of field,
+// and photographs, with it.
 #pragma once
 
 #include "dof.glift.hpp"
@@ -8,7 +9,7 @@
 #include <memory>
 #include <string>
 
-/// What a photograph depends on, beside what is in front of the lens. May change from one to the next.
+/// The settings of a photograph, which may change from one to the next.
 struct Settings {
     input::Camera camera;
     photograph::Cuts cuts{0.1f, 0.5f};
@@ -18,7 +19,7 @@ struct Settings {
     glift::uint holes() const { return blurred ? dof::Holes::blurred : dof::Holes::raised; }
 };
 
-/// A picture on a device.
+/// A picture with distances on a device.
 struct Images {
     dof::Picture colour;
     dof::Distances distances;
@@ -28,19 +29,19 @@ struct Images {
     picture::Picture read() const { return {colour.extent().x, colour.extent().y, colour.read(), distances.read()}; }
 };
 
-/// Takes photographs with the settings, which have to outlive it, as they are at each call.
+/// Takes photographs. Each call uses the current values of the settings, which must outlive the subject.
 class Subject {
 public:
     Subject(const Settings& settings, glift::Device device, glift::uint2 size)
         : settings_(settings), device_(std::move(device)), result_(device_, size) {}
     virtual ~Subject() = default;
 
-    /// One submission for each call.
+    /// Takes a photograph: one submission.
     virtual void photograph() = 0;
     virtual const Images& pinhole() const = 0;
-    /// Of so many pinholes all over the lens.
+    /// A reference for comparison: the mean of pinhole pictures from `places` points of the lens.
     virtual picture::Picture reference(unsigned places) = 0;
-    /// Photographs of another size from now on; false where the subject has one of its own.
+    /// Sets the size of photographs; false if the subject's size is fixed.
     virtual bool resize(glift::uint2 size) = 0;
     virtual unsigned most_layers() const = 0;
 
@@ -58,10 +59,10 @@ protected:
     dof::Picture result_;
 };
 
-/// A generated scene or a mesh file, which is drawn for each photograph.
+/// Makes a subject of a scene, which is drawn for each photograph.
 std::unique_ptr<Subject> scene_subject(const Settings& settings, const glift::Device& device,
                                        const scenes::Scene& scene, glift::uint2 size);
 
-/// Pictures from files.
+/// Makes a subject of pictures from files.
 std::unique_ptr<Subject> picture_subject(const Settings& settings, const glift::Device& device,
                                          const input::Pictures& pictures);

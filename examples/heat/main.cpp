@@ -34,7 +34,7 @@ struct Arguments {
     std::string file;
     std::uint32_t steps = 40;
     std::filesystem::path folder = ".";
-    std::string outcome;  ///< empty: it is not saved
+    std::string outcome;  ///< file for the result; empty: it is not saved
 };
 
 struct WrongUsage : std::runtime_error {
@@ -101,7 +101,7 @@ npy::Array load(const std::string& file) {
 /// The result of one device.
 struct Outcome {
     std::vector<float> values;
-    double seconds = 0;  ///< of all steps, the quickest of a few runs
+    double seconds = 0;  ///< time of all steps, in the fastest of a few runs
 };
 
 Outcome diffuse_on(const glift::Device& device, const npy::Array& volume, std::uint32_t steps) {
@@ -125,7 +125,7 @@ Outcome diffuse_on(const glift::Device& device, const npy::Array& volume, std::u
     return outcome;
 }
 
-/// The Vulkan device; nothing, with a message, if there is none or only the host was asked for.
+/// The Vulkan device. None, after printing why, if there is none or GLIFT_DEVICE asks for the host device.
 std::optional<glift::Device> vulkan_device() {
     try {
         glift::Device device = glift::Device::open();

@@ -23,7 +23,8 @@ struct Arguments {
     unsigned rounds = 0;
 };
 
-/// A mesh from a file is looked at from a little above, turned around its middle; a scene has a view of its own.
+/// The generated scene of this name, with its own view; or a mesh from a file, seen from a little above, turned around
+/// its middle.
 scenes::Scene scene_of(const Arguments& arguments) {
     if (!std::filesystem::exists(arguments.what)) return scenes::make(arguments.what, arguments.time);
     scenes::Scene scene;
@@ -42,7 +43,7 @@ scenes::Scene scene_of(const Arguments& arguments) {
 
 glift::float3 unit(const glift::float3& v) { return v * (1.0f / std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z)); }
 
-/// In milliseconds.
+/// The shortest time of several runs, in milliseconds.
 template <class Work> double shortest(unsigned rounds, const Work& work) {
     double best = 1e30;
     for (unsigned round = 0; round < rounds; ++round) {

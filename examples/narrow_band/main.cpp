@@ -1,4 +1,4 @@
-// A front that moves through a large domain, of which only the pages near it are there: front.glift from C++.
+// A front that moves through a large domain, of which only the pages near the front are resident: front.glift from C++.
 #include "../common/picture.h"
 #include "front.glift.hpp"
 #include "front_picture.glift.hpp"
@@ -19,7 +19,7 @@ namespace {
 
 using glift::float3, glift::uint3;
 
-constexpr float far = 8;  ///< the constant of this name of front.glift
+constexpr float far = 8;  ///< equals `far` in front.glift
 
 struct Arguments {
     std::uint32_t extent = 1024, steps = 240, every = 10, balls = 14, pages = 100000, size = 640;
@@ -44,7 +44,7 @@ Arguments read_arguments(CLI::App& app, int argc, char** argv) {
     return a;
 }
 
-/// In a ring about the middle, where the whirl is strongest.
+/// Random balls in a ring around the middle, where the rotation is fastest.
 std::vector<front::Ball> balls_of(const Arguments& a) {
     std::mt19937_64 random(a.seed);
     const auto between = [&](float low, float high) {
@@ -69,7 +69,7 @@ front_picture::Viewpoint view_of(std::uint32_t extent) {
     return {eye, forward, right, down, 0.27f, glift::normalize(float3{-0.5f, -0.6f, 0.7f})};
 }
 
-/// A front and what it is seen with.
+/// A run of the simulation, with the pictures that it writes.
 class Run {
 public:
     Run(glift::Device device, const Arguments& arguments)
@@ -110,7 +110,7 @@ public:
                     static_cast<unsigned long long>(waits));
     }
 
-    /// Whether the pool had room for all pages.
+    /// Whether the page pool has had room for all requested pages.
     bool is_whole() const { return most_refused_ == 0; }
 
 private:

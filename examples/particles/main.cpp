@@ -1,4 +1,4 @@
-// A fluid of up to a million particles and more, whose neighbours are found anew in each step: fluid.glift from C++.
+// A fluid of a million particles or more, whose neighbours are searched again in each step: fluid.glift from C++.
 #include "../common/camera.h"
 #include "../common/picture.h"
 #include "fluid.glift.hpp"
@@ -38,9 +38,9 @@ Arguments read_arguments(CLI::App& app, int argc, char** argv) {
     return a;
 }
 
-/// A cube of fluid at one side of a tank that is three times as long, and a ball in its way.
+/// The initial state: a cube of fluid at one end of a tank that is three times as long, and a ball as an obstacle.
 struct Scene {
-    std::uint32_t side;  ///< of the cube, in particles
+    std::uint32_t side;  ///< the cube's side, in particles
     uint3 tank;
     fluid::Motion motion;
 
@@ -49,7 +49,7 @@ struct Scene {
         const float unit = 0.5f * static_cast<float>(side);
         const auto cells = [&](float units) { return static_cast<std::uint32_t>(std::ceil(units * unit)); };
         tank = {cells(3), cells(1.6f), cells(1) + 1};
-        // What falls down the cube has a speed of 10, whatever the cube's size.
+        // Gravity is such that a fall by the cube's height gives a speed of 10, whatever the cube's size.
         motion = {{{1.75f * unit, 0.3f * unit, 0.5f * unit}, 0.26f * unit}, {0, -50 / unit, 0}, 0.02f, 0.04f};
     }
 

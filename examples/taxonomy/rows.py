@@ -14,7 +14,7 @@ folder = pathlib.Path(__file__).resolve().parent
 target = folder.parent.parent / "docs" / "taxonomy.md"
 BEGIN, END = "<!-- rows -->\n", "<!-- end of rows -->\n"
 
-# What the thesis says: sections 8.1 to 8.5, and of trees and lists 3.2.3.
+# The properties that the thesis gives for each structure: sections 8.1 to 8.5, for trees and lists 3.2.3.
 ANALYTIC = "O(1); O(1), uniform; complete, one to one; invertible"
 PAGES = "O(n); O(1), uniform; {}; {}"
 TREE = "O(n); O(log n), not uniform; {}"
@@ -40,7 +40,7 @@ THESIS = {
 
 
 def inferred(gliftc, file):
-    """The first public structure of a file with a translator of its own, or a name for one."""
+    """What `gliftc explain` says of the first public structure of a file whose translator is not Linear, and of that translator."""
     text = file.read_text(encoding="utf-8")
     names = re.findall(r"^pub structure (\w+)", text, re.M)
     found = json.loads(subprocess.run([gliftc, "explain", "--json", str(file)], check=True, capture_output=True, text=True).stdout)

@@ -23,7 +23,7 @@ namespace {
 
 using glift::float3;
 
-constexpr std::uint32_t most_columns = 1u << 30;  ///< the constant of this name of voxels.glift
+constexpr std::uint32_t most_columns = 1u << 30;  ///< equals `most_columns` in voxels.glift
 
 struct Arguments {
     std::string what = "robot";
@@ -56,7 +56,7 @@ mesh::Mesh mesh_of(const std::string& what) {
     return scenes::make(what, 0.4f).mesh;
 }
 
-/// In the middle, with eight voxels free on each side.
+/// Places the mesh in the middle of the grid, with eight free voxels on each side.
 voxels::Placement placement_of(const mesh::Mesh& mesh, std::uint32_t extent) {
     const mesh::Box box = mesh::bounds_of(mesh);
     const float3 size = box.high - box.low, middle = (box.low + box.high) * 0.5f;
@@ -65,7 +65,7 @@ voxels::Placement placement_of(const mesh::Mesh& mesh, std::uint32_t extent) {
     return {scale, float3{0.5f * side, 0.5f * side, 0.5f * side} - middle * scale};
 }
 
-/// From a little above.
+/// A view from a little above the middle.
 voxel_pictures::Viewpoint view_of(float turn, std::uint32_t extent) {
     const float side = static_cast<float>(extent);
     const float3 middle{0.5f * side, 0.5f * side, 0.5f * side};
@@ -155,7 +155,7 @@ private:
     voxels::Grid grid_;
     distances::Tree tree_;
     voxel_pictures::Picture picture_;
-    std::uint64_t submissions_ = 0;  ///< of the work that was timed last
+    std::uint64_t submissions_ = 0;  ///< number of submissions of the work that was timed last
 };
 
 }  // namespace

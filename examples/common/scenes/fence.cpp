@@ -19,7 +19,7 @@ float hash(int x, int y) {
     return static_cast<float>((h ^ h >> 16) >> 8) * 0x1p-24f;
 }
 
-/// Smooth numbers in [0, 1], one an integer place.
+/// Value noise in [0, 1]: random numbers at integer points, smoothly interpolated.
 float noise(float x, float y) {
     const float cell_x = std::floor(x), cell_y = std::floor(y), u = x - cell_x, v = y - cell_y;
     const int i = static_cast<int>(cell_x), k = static_cast<int>(cell_y);
@@ -29,7 +29,7 @@ float noise(float x, float y) {
     return low + t * (high - low);
 }
 
-/// Six octaves.
+/// Fractal noise: the sum of six octaves.
 float hills(float x, float y) {
     float sum = 0, size = 0.5f;
     for (int octave = 0; octave < 6; ++octave, size *= 0.5f, x *= 2.03f, y *= 2.03f) sum += size * noise(x + 17, y + 5);

@@ -1,4 +1,4 @@
-// Jointed figures: limbs that hang on each other by angles.
+// Jointed figures, posed by the angles of their joints.
 #pragma once
 
 #include <glift/vector.h>
@@ -7,12 +7,12 @@
 
 namespace scenes {
 
-/// A place and a direction in which a figure looks: joints turn in the plane of `forward` and up.
+/// Where a figure stands and in which direction it looks. Joints turn in the plane of `forward` and the vertical.
 struct Stance {
     glift::float3 place, forward;
 
     glift::float3 right() const { return glift::float3(-forward.z, 0, forward.x); }
-    /// Down by `length`, swung forwards by an angle.
+    /// The end of a limb of this length that hangs from `joint` and is swung forwards by an angle.
     glift::float3 swung(const glift::float3& joint, float length, float angle) const {
         return joint + forward * (length * std::sin(angle)) - glift::float3(0, length * std::cos(angle), 0);
     }

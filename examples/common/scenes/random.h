@@ -15,7 +15,7 @@ public:
         const auto turn = static_cast<std::uint32_t>(state_ >> 59);
         return mixed >> turn | mixed << (-turn & 31);
     }
-    /// In [low, high).
+    /// A random number in [low, high).
     float between(float low, float high) { return low + (high - low) * (static_cast<float>(bits() >> 8) * 0x1p-24f); }
 
 private:

@@ -1,4 +1,4 @@
-// Generated scenes: the same on every machine, moving with time. y is up; what stands on the ground stands on y = 0.
+// Generated scenes, which are the same on every machine and move with time. y is up; the ground is at y = 0.
 #pragma once
 
 #include "examples/common/camera.h"
@@ -13,17 +13,17 @@ struct Scene {
     mesh::Mesh mesh;
     camera::Camera view;
     camera::Camera light;          ///< directional: from its eye to its target
-    float light_half_size = 1.0f;  ///< of the box that casts shadows
+    float light_half_size = 1.0f;  ///< half the side of the light's view, which covers all that casts shadows
     glift::float3 sky{0.6f, 0.75f, 0.9f};
 };
 
-/// hairball, fence, robot, skeletons, city, trees.
+/// The names of the scenes: hairball, fence, robot, skeletons, city, trees.
 const std::vector<std::string>& names();
 
-/// The scene at a moment, in seconds. Throws std::runtime_error, which lists the names.
+/// The scene at a time, in seconds. Throws std::runtime_error, which lists the names, if there is no such scene.
 Scene make(const std::string& name, float time = 0.0f);
 
-// One function a file.
+// The scenes, each in a file of its own.
 Scene hairball(float time);   ///< 4,000 hairs of 12 segments before a wall; they sway
 Scene fence(float time);      ///< a fence with flags, behind it a meadow and mountains; the flags wave
 Scene robot(float time);      ///< a robot that walks on the spot between crates

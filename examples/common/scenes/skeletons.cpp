@@ -22,7 +22,7 @@ float3 add_bones(mesh::Mesh& mesh, const Stance& stance, const float3& joint, fl
     return end;
 }
 
-/// A rib around the spine, from its back to the breastbone.
+/// Adds a rib, from the spine to the breastbone.
 void add_rib(mesh::Mesh& mesh, const Stance& stance, const float3& back, float width, float side) {
     float3 last = back;
     for (int i = 1; i <= 6; ++i) {

@@ -13,7 +13,7 @@ namespace {
 
 using glift::float3;
 
-/// Wind moves what is high, and what is thin.
+/// A point moved by the wind, the more the higher it is.
 float3 in_wind(const float3& place, float time) {
     const float amount = 0.02f * place.y * place.y;
     return place + float3(amount * std::sin(1.3f * time + place.z), 0, 0.5f * amount * std::sin(1.7f * time + place.x));
@@ -31,7 +31,7 @@ void add_leaf(mesh::Mesh& mesh, const float3& at, Random& random, float time) {
     for (const std::uint32_t corner : {0u, 1u, 2u}) mesh.corners.push_back(first + corner);
 }
 
-/// A branch, those that grow out of its end, and leaves where there are none.
+/// Adds a branch, and at its end further branches, or leaves if there are none.
 void add_branch(mesh::Mesh& mesh, const float3& from, const float3& direction, float length, float radius, int depth,
                 Random& random, float time) {
     const float3 to = from + direction * length;

@@ -14,7 +14,7 @@ namespace window {
 
 namespace {
 
-bool is_gone = false;  // the connection to the display; X has one handler for a program
+bool is_gone = false;  // the connection to the X server is lost; a global, as X has one error handler a program
 
 std::string glfw_problem() {
     const char* text = nullptr;
@@ -49,7 +49,7 @@ std::optional<Button> button_of(int button) {
 
 }  // namespace
 
-/// What GLFW calls. ImGui's own callbacks call these first.
+/// The callbacks set with GLFW. ImGui's own callbacks, installed later, call these first.
 struct Display::Callbacks {
     static Display& of(GLFWwindow* window) { return *static_cast<Display*>(glfwGetWindowUserPointer(window)); }
 
@@ -78,14 +78,14 @@ struct Display::Callbacks {
 
 Display::Display(const std::string& title, glift::uint2 size) {
     if (!glfwInit()) throw_no_window(glfw_problem());
-    glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);  // Vulkan's surfaces
+    glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);  // no OpenGL context: Vulkan draws
     window_ = glfwCreateWindow(static_cast<int>(size.x), static_cast<int>(size.y), title.c_str(), nullptr, nullptr);
     if (!window_) {
         const std::string why = glfw_problem();
         glfwTerminate();
         throw_no_window(why);
     }
-    // When the connection breaks, Xlib calls both; its own write a line and end the program.
+    // Xlib calls both handlers when the connection breaks; its default ones print a line and end the program.
     is_gone = false;
     XSetIOErrorHandler([](::Display*) { return 0; });
     XSetIOErrorExitHandler(
@@ -98,7 +98,7 @@ Display::Display(const std::string& title, glift::uint2 size) {
 }
 
 Display::~Display() {
-    if (is_gone) return;  // GLFW would wait for answers
+    if (is_gone) return;  // without a connection GLFW would wait for ever
     glfwDestroyWindow(window_);
     glfwTerminate();
 }
@@ -138,7 +138,7 @@ glift::uint2 Display::size() const {
     return {static_cast<glift::uint>(std::max(width, 1)), static_cast<glift::uint>(std::max(height, 1))};
 }
 
-/// The window system counts in units of its own on screens with many pixels.
+/// Converts from GLFW's screen coordinates, which on high-resolution screens are not pixels.
 glift::float2 Display::pixels_of(double x, double y) const {
     int width = 1, height = 1;
     glfwGetWindowSize(window_, &width, &height);

@@ -1,4 +1,4 @@
-// GLFW's window, and what happens at it.
+// A GLFW window and its input events.
 #pragma once
 
 #include "events.h"
@@ -10,7 +10,7 @@ struct GLFWwindow;
 
 namespace window {
 
-/// Throws glift::Error (no_device) where there is no display.
+/// A window on the screen. The constructor throws glift::Error (no_device) if there is no display.
 class Display {
 public:
     Display(const std::string& title, glift::uint2 size);
@@ -18,11 +18,12 @@ public:
     Display(const Display&) = delete;
     Display& operator=(const Display&) = delete;
 
-    /// Instance extensions that surfaces of this window need.
+    /// Vulkan instance extensions that a surface of this window needs.
     std::vector<const char*> extensions() const;
     GLFWwindow* handle() const { return window_; }
 
-    /// Takes what happened, or waits for it. Throws glift::Error where the display is gone.
+    /// Collect input events; wait() waits until there is one. Both throw glift::Error if the display's connection is
+    /// lost.
     void poll();
     void wait(double seconds);
 
@@ -31,7 +32,7 @@ public:
     bool is_to_close() const;
     void close();
 
-    /// What happened, with the pointer in pixels of the window; empty afterwards.
+    /// Returns the collected events and removes them. Pointer positions are in pixels of the window.
     Events take_events();
 
 private:

@@ -1,4 +1,4 @@
-// What a person does at a window: pointer, wheel and keys, since the last frame.
+// Input events of a window since the last frame: pointer, wheel and keys.
 #pragma once
 
 #include <glift/vector.h>
@@ -10,36 +10,36 @@ namespace window {
 
 enum class Button : std::uint8_t { left, right, middle };
 
-/// A bit for each, together.
+/// Which modifier keys are held.
 struct Modifiers {
     bool shift = false, control = false, alt = false;
 };
 
-/// The pointer, in pixels of the picture that the window shows: (0, 0) is the corner at the top left, the centre of the
-/// first pixel (0.5, 0.5). Outside the picture coordinates are negative or beyond its size.
+/// A pointer event. `place` is in pixels of the picture that the window shows: (0, 0) is its top left corner, (0.5,
+/// 0.5) the centre of the first pixel. Outside the picture it is negative or beyond its size.
 struct PointerEvent {
     enum class Kind : std::uint8_t { press, move, release } kind = Kind::move;
     Button button = Button::left;  ///< of a press or a release
-    bool is_down = false;          ///< after the event: some button that was pressed over the picture
+    bool is_down = false;          ///< after the event, a button that was pressed over the picture is still down
     glift::float2 place;
-    float pressure = 1;  ///< 0 to 1; 1 of a mouse, which has none
+    float pressure = 1;  ///< of a pen, 0 to 1; for a mouse it is 1
     Modifiers modifiers;
 };
 
 struct KeyEvent {
-    int key = 0;  ///< as GLFW numbers them: 'A' to 'Z', '0' to '9', ' ', and those that Key names
+    int key = 0;  ///< GLFW's key code: 'A' to 'Z', '0' to '9', ' ', or one of Key
     bool is_down = false;
     Modifiers modifiers;
 };
 
-/// Those of KeyEvent::key without a character.
+/// Codes of keys without a character.
 enum Key : int { escape = 256, enter = 257, tab = 258, backspace = 259, right = 262, left = 263, down = 264, up = 265 };
 
-/// In the order in which they happened. What the panel takes is left out: presses over it, keys while it has the focus.
+/// The events in order. Those that the ImGui panel uses are left out: presses over it, keys while it has the focus.
 struct Events {
     std::vector<PointerEvent> pointer;
     std::vector<KeyEvent> keys;
-    float wheel = 0;  ///< notches away from the person
+    float wheel = 0;  ///< how many notches the wheel was turned, away from the user
 };
 
 }  // namespace window

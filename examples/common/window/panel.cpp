@@ -12,7 +12,7 @@ namespace {
 
 void check_result(VkResult result) { check(result, "a Vulkan call of Dear ImGui"); }
 
-/// Copies the letters to the device, once.
+/// Uploads ImGui's font texture to the device.
 void upload_letters(const glift::vulkan::Objects& objects) {
     VkCommandPool pool = VK_NULL_HANDLE;
     const VkCommandPoolCreateInfo pool_info = {.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
@@ -49,7 +49,7 @@ Panel::Panel(const Display& display, const glift::vulkan::Objects& objects, cons
                                              .pPoolSizes = sizes};
     check(vkCreateDescriptorPool(device_, &pool, nullptr, &pool_), "vkCreateDescriptorPool");
     ImGui::CreateContext();
-    ImGui::GetIO().IniFilename = nullptr;  // leaves no file where the program was started
+    ImGui::GetIO().IniFilename = nullptr;  // writes no settings file to the current folder
     ImGui_ImplGlfw_InitForVulkan(display.handle(), true);
     const auto images = static_cast<std::uint32_t>(swapchain.images().size());
     ImGui_ImplVulkan_InitInfo info = {};

@@ -1,4 +1,4 @@
-// Dear ImGui over the picture: one context for the one window that there is.
+// Dear ImGui's widgets ("the panel"), drawn over the picture of the window. There is one ImGui context, for one window.
 #pragma once
 
 #include "display.h"
@@ -13,16 +13,16 @@ public:
     Panel(const Panel&) = delete;
     Panel& operator=(const Panel&) = delete;
 
-    void begin();  ///< a frame, instead of one that was begun and is not drawn
-    /// Leaves out what the panel takes: presses over it, and their releases; keys and the wheel.
+    void begin();  ///< begins an ImGui frame; one that was begun and not drawn is dropped
+    /// Removes the events that ImGui uses: presses over its widgets and their releases, keys and the wheel.
     void filter(Events& events);
-    void draw(VkCommandBuffer commands);  ///< in the swapchain's render pass
+    void draw(VkCommandBuffer commands);  ///< records commands within the swapchain's render pass
 
 private:
     VkDevice device_;
     VkDescriptorPool pool_ = VK_NULL_HANDLE;
     bool is_begun_ = false;
-    unsigned held_ = 0;  ///< buttons that were pressed over the picture, a bit for each
+    unsigned held_ = 0;  ///< a bit for each button that was pressed over the picture and is still down
 };
 
 }  // namespace window

@@ -25,7 +25,8 @@ template <class Value, class Query> std::vector<Value> listed(const char* call, 
     return values;
 }
 
-/// Means the same when it is shown, whatever its order of channels: what is stored is sRGB already.
+/// Whether the surface shows stored values as sRGB without conversion: the picture that is copied there is sRGB
+/// already.
 bool is_fit(const VkSurfaceFormatKHR& format) {
     return (format.format == VK_FORMAT_B8G8R8A8_UNORM || format.format == VK_FORMAT_R8G8B8A8_UNORM) &&
            format.colorSpace == VK_COLOR_SPACE_SRGB_NONLINEAR_KHR;
@@ -69,7 +70,7 @@ void Swapchain::choose_format() {
     format_ = *found;
 }
 
-/// Draws over what the image holds: the picture was copied there.
+/// Makes the render pass of the panel. It keeps the image's contents, the picture that was copied there before.
 void Swapchain::make_pass() {
     const VkAttachmentDescription colour = {.format = format_.format,
                                             .samples = VK_SAMPLE_COUNT_1_BIT,
@@ -97,7 +98,7 @@ void Swapchain::resize(glift::uint2 size) {
           "vkGetPhysicalDeviceSurfaceCapabilitiesKHR");
     if ((limits.supportedUsageFlags & usage) != usage) throw_cannot_show("nothing can be copied to its images");
     VkExtent2D extent = limits.currentExtent;
-    if (extent.width == UINT32_MAX) {  // the window takes the size of the images
+    if (extent.width == UINT32_MAX) {  // by Vulkan's rules: the window adapts to the size of the images
         extent.width = std::clamp(size.x, limits.minImageExtent.width, limits.maxImageExtent.width);
         extent.height = std::clamp(size.y, limits.minImageExtent.height, limits.maxImageExtent.height);
     }
@@ -123,7 +124,7 @@ void Swapchain::resize(glift::uint2 size) {
         extent.width && extent.height ? vkCreateSwapchainKHR(objects_.device, &info, nullptr, &chain_) : VK_SUCCESS;
     vkDestroySwapchainKHR(objects_.device, before, nullptr);
     check(made, "vkCreateSwapchainKHR");
-    if (!chain_) return;  // nothing can be seen of the window
+    if (!chain_) return;  // no images: nothing of the window is visible
     for (const VkImage image : listed<VkImage>("vkGetSwapchainImagesKHR", [&](std::uint32_t*count, VkImage*values) {
              return vkGetSwapchainImagesKHR(objects_.device, chain_, count, values);
          }))

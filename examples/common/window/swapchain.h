@@ -1,4 +1,4 @@
-// The images that the window system shows in turn, and the render pass that ImGui draws into them with.
+// The swapchain: the images that the window system shows in turn, and the render pass in which ImGui draws into them.
 #pragma once
 
 #include <glift/vector.h>
@@ -9,7 +9,7 @@
 
 namespace window {
 
-/// Throws glift::Error, which names the call, where a Vulkan call failed.
+/// Throws glift::Error, which names the call, if `result` says that it failed.
 void check(VkResult result, const char* call);
 
 class Swapchain {
@@ -18,24 +18,25 @@ public:
         VkImage image = VK_NULL_HANDLE;
         VkImageView view = VK_NULL_HANDLE;
         VkFramebuffer frame = VK_NULL_HANDLE;
-        VkSemaphore drawn = VK_NULL_HANDLE;  ///< signalled by the commands that make it
+        VkSemaphore drawn = VK_NULL_HANDLE;  ///< signalled when the commands that draw the image are done
     };
 
-    /// Throws glift::Error (missing_feature) where the device's queue cannot show pictures on the surface.
+    /// Throws glift::Error (missing_feature) if the device's queue cannot present to the surface.
     Swapchain(const glift::vulkan::Objects& objects, VkSurfaceKHR surface);
     ~Swapchain();
     Swapchain(const Swapchain&) = delete;
     Swapchain& operator=(const Swapchain&) = delete;
 
-    /// Makes the images anew, for a window of another size. The device waits.
+    /// Recreates the images, for a window of another size. Waits until the device is idle.
     void resize(glift::uint2 size);
     glift::uint2 size() const { return size_; }
     VkRenderPass pass() const { return pass_; }
     const std::vector<Image>& images() const { return images_; }
 
-    /// The number of an image to draw into once `is_free` is signalled; none where the images have to be made anew.
+    /// The index of the next image, which may be drawn into once `is_free` is signalled; none if the images must be
+    /// recreated (resize).
     std::optional<std::uint32_t> acquire(VkSemaphore is_free) const;
-    /// Shows it once it is drawn; false where the images have to be made anew.
+    /// Presents an image once it is drawn; false if the images must be recreated.
     bool present(std::uint32_t image) const;
 
 private:

@@ -15,7 +15,7 @@ namespace window {
 
 namespace {
 
-/// What one frame uses until the device is done with it.
+/// The objects that a frame uses until the device is done with it.
 struct Frame {
     VkCommandBuffer commands = VK_NULL_HANDLE;
     VkSemaphore image_is_free = VK_NULL_HANDLE;
@@ -23,7 +23,7 @@ struct Frame {
     glift::Memory picture;
 };
 
-/// Frames in turn: one is recorded while the device draws the other.
+/// Two frames in flight: one is recorded while the device draws the other.
 class Frames {
 public:
     explicit Frames(const glift::vulkan::Objects& objects) : device_(objects.device) {
@@ -43,7 +43,7 @@ public:
     }
     Frames(const Frames&) = delete;
 
-    /// Waits until the device is done with what was recorded there before.
+    /// The next frame, after waiting until the device is done with its last use.
     Frame& free_one() {
         Frame& frame = frames_[next_];
         check(vkWaitForFences(device_, 1, &frame.is_done, VK_TRUE, UINT64_MAX), "vkWaitForFences");
@@ -71,12 +71,12 @@ private:
     std::size_t next_ = 0;
 };
 
-/// A part of the window, in pixels, the last ones exclusive.
+/// A rectangle of the window in pixels; `right` and `bottom` are exclusive.
 struct Box {
     std::int32_t left, top, right, bottom;
 };
 
-/// Where a picture is shown: all of it, as large as it fits, in the middle.
+/// Where a picture is shown in the window: as large as it fits, in the middle.
 Box place_of(glift::uint2 picture, glift::uint2 window) {
     if (picture == window) return {0, 0, static_cast<std::int32_t>(window.x), static_cast<std::int32_t>(window.y)};
     const double scale = std::min(static_cast<double>(window.x) / picture.x, static_cast<double>(window.y) / picture.y);
@@ -115,7 +115,7 @@ glift::Device opened(const Display& display) {
     return glift::vulkan::open({instance, device});
 }
 
-/// A surface, destroyed with the window.
+/// A Vulkan surface, which the destructor destroys.
 struct Surface {
     VkInstance instance;
     VkSurfaceKHR handle = VK_NULL_HANDLE;
@@ -136,11 +136,11 @@ struct Window::Parts {
     Surface surface;
     Swapchain swapchain;
     std::optional<Panel> panel;
-    Frames frames;  ///< destroyed first: waits for the device
+    Frames frames;  ///< the last of the members that use the device: its destructor, which runs first, waits for it
     Events events;
     glift::uint2 picture_size{1, 1};
-    bool is_current = false;  ///< the swapchain's images have the window's size
-    unsigned unsettled = 3;   ///< frames until nothing changes by itself: ImGui answers an event a frame or two later
+    bool is_current = false;  ///< the swapchain need not be recreated
+    unsigned unsettled = 3;   ///< frames still to draw without new events: ImGui reacts a frame or two later
 
     Parts(const std::string& title, glift::uint2 size)
         : display(title, size), device(opened(display)), objects(glift::vulkan::objects(device)),
@@ -155,7 +155,7 @@ struct Window::Parts {
     void copy(VkCommandBuffer commands, const glift::Memory& picture, VkImage to) const;
 };
 
-/// From pixels of the window to pixels of the picture.
+/// Converts pointer positions from pixels of the window to pixels of the picture.
 void Window::Parts::to_picture(Events& happened) const {
     const Box place = place_of(picture_size, display.size());
     const glift::float2 size(static_cast<float>(place.right - place.left),
@@ -185,7 +185,7 @@ void Window::Parts::show(const glift::Memory& picture) {
         picture.description().format != glift::Format::rgba8)
         throw glift::Error(glift::ErrorCode::wrong_argument, "a window shows images of format rgba8",
                            "window::Window::show", {}, "make one of the picture with shown.glift");
-    device.commands().flush();  // before the commands that copy the picture
+    device.commands().flush();  // submits Glift's commands before those that copy the picture
     picture_size = {picture.extent()[0], picture.extent()[1]};
     if (display.is_minimised()) return;
     if (!is_current || !(swapchain.size() == display.size())) swapchain.resize(display.size());
@@ -193,7 +193,7 @@ void Window::Parts::show(const glift::Memory& picture) {
     Frame& frame = frames.free_one();
     const auto number = swapchain.acquire(frame.image_is_free);
     is_current = number.has_value();
-    if (!number) return;  // the next frame makes the images anew
+    if (!number) return;  // the next frame recreates the swapchain
     const Swapchain::Image& image = swapchain.images()[*number];
     check(vkResetFences(objects.device, 1, &frame.is_done), "vkResetFences");
     frame.picture = picture;
@@ -227,13 +227,13 @@ void Window::Parts::record(const Frame& frame, const Swapchain::Image& image) {
     check(vkEndCommandBuffer(frame.commands), "vkEndCommandBuffer");
 }
 
-/// What Glift submits after this is ordered after it by Glift.
+/// Copies the picture to a swapchain image. Glift itself orders its later commands after this.
 void Window::Parts::copy(VkCommandBuffer commands, const glift::Memory& picture, VkImage to) const {
     constexpr VkPipelineStageFlags2 transfer = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT;
     const glift::vulkan::ImageHandle from = glift::vulkan::image(picture);
     order(commands, between(from.image, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_WRITE_BIT, transfer,
                             VK_ACCESS_2_TRANSFER_READ_BIT, from.layout, from.layout));
-    // After the semaphore, for which the submission's transfers wait.
+    // The transfer stage waits for the semaphore that says that the image is free.
     order(commands, between(to, transfer, VK_ACCESS_2_NONE, transfer, VK_ACCESS_2_TRANSFER_WRITE_BIT,
                             VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL));
     const Box place = place_of(picture_size, swapchain.size());

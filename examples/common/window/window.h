@@ -1,5 +1,5 @@
-// A window for the examples: it opens the device, shows a picture that Glift made in each frame, with a panel of Dear
-// ImGui over it, and says what the person does. Programs that open none need no display.
+// A window for the examples. It opens the Glift device, shows a picture in each frame with Dear ImGui's widgets over
+// it, and gives input events. Programs that open no window need no display.
 //
 //     window::Window window("title", {960, 640});
 //     const structures(window.device(), …);
@@ -22,8 +22,9 @@ namespace window {
 
 class Window {
 public:
-    /// Opens a window with so many pixels, and the device that GLIFT_DEVICE names, with what a window needs. Throws
-    /// glift::Error: no_device without a display, missing_feature where the device cannot show pictures there.
+    /// Opens a window of this size in pixels, and the device that the environment variable GLIFT_DEVICE names, with the
+    /// Vulkan extensions that a window needs. Throws glift::Error: no_device if there is no display, missing_feature if
+    /// the device cannot show pictures there.
     Window(const std::string& title, glift::uint2 size);
     ~Window();
     Window(const Window&) = delete;
@@ -31,20 +32,20 @@ public:
 
     const glift::Device& device() const;
 
-    /// Begins the next frame, after which functions of ImGui make the panel; false once the window is to be closed.
-    /// `next` is for pictures that move: it takes what has happened. `next_event` waits until something has, a tenth of
-    /// a second at most. Both throw glift::Error where the display is gone, and with what the validation layer said.
+    /// Begins the next frame, after which ImGui functions may be called; false once the window is to be closed. `next`
+    /// is for pictures that move: it does not wait. `next_event` waits for an event, a tenth of a second at most. Both
+    /// throw glift::Error if the display's connection is lost or the validation layer has reported an error.
     bool next();
     bool next_event();
-    void close();  ///< the next frame is the last one
+    void close();  ///< makes the next `next` or `next_event` return false
 
     const Events& events() const;
-    glift::uint2 size() const;  ///< in pixels, as it is now; at least 1
-    bool is_minimised() const;  ///< nothing is seen: no picture need be made
+    glift::uint2 size() const;  ///< the current size in pixels; at least 1
+    bool is_minimised() const;  ///< nothing of the window is visible: no picture need be made
 
-    /// Shows a picture and the panel: an image2d of format rgba8 of the device, as shown.glift makes it. It is seen
-    /// pixel by pixel where it has the window's size, else as large as it fits, filtered, on black. Returns before that
-    /// is done; the picture may be changed by later commands at once.
+    /// Shows a picture, and the widgets over it. The picture is an image2d of format rgba8 on the device, as
+    /// shown.glift makes it. It is shown unscaled if it has the window's size, else as large as it fits, filtered, on
+    /// black. Returns before the device is done; later commands may change the picture at once.
     void show(const glift::Memory& picture);
 
 private:
