@@ -10,6 +10,7 @@
 #include "emit/json/text.h"
 #include "ir/chain.h"
 #include "ir/evaluate.h"
+#include "ir/spelling.h"
 
 #include <cstdio>
 #include <set>
@@ -33,8 +34,14 @@ struct ExplainedStructure {
     std::string blocks;  ///< the blocks that it declares, as text; empty if it declares none
 };
 
+/// How references are compared with its texels, where that was said.
+std::string comparison_of(const ir::Memory& memory) {
+    if (memory.compare == ir::Compare::less_equal) return "";
+    return ", compared by '" + std::string(ir::spelling(memory.compare)) + "'";
+}
+
 std::string shape_of(const ir::Program& program, const ir::Memory& memory) {
-    std::string element = to_text(program, memory.element);
+    std::string element = to_text(program, memory.element) + comparison_of(memory);
     switch (memory.shape) {
     case ir::MemoryShape::buffer: return "buffer of " + element;
     case ir::MemoryShape::image1d: return "1-D image of " + element;

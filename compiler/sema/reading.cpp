@@ -161,11 +161,12 @@ void check_methods(Context& c, std::uint32_t index) {
         if (item.kind != ast::ItemKind::function) return;
         const ast::Decl& decl = c[item.decl];
         const auto& written = std::get<ast::Function>(decl.body);
+        if (!decl.is_pub || !decl.generics.empty()) return;
         const bool takes_structures = std::ranges::any_of(written.params, [&](const ast::Param& param) {
             return param.pattern != ast::Pattern::none ||
                    (param.type && c.types().kind(type_of(c, env, param.type)) == ir::TypeKind::structure);
         });
-        if (!decl.is_pub || !decl.generics.empty() || takes_structures || !written.group.empty()) return;
+        if (takes_structures || !written.group.empty()) return;
         const auto function = instantiate_function(c, item.decl, env, {index}, decl.name.span);
         if (!function) return;
         const ir::Function& made = c.program.functions[*function];

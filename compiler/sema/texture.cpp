@@ -1,6 +1,7 @@
 #include "sema/texture.h"
 
 #include "ir/chain.h"
+#include "ir/effects.h"
 #include "sema/components.h"
 #include "sema/image_parts.h"
 
@@ -115,14 +116,34 @@ Operand compare(Body& body, const Operand& self, const std::vector<ast::ExprId>&
     return operation(body, ir::Op::compare, body.types().float_, self, operands, call.span);
 }
 
+/// Reports a structure whose elements around a point other invocations write.
+bool is_read(Body& body, const Operand& self, std::string_view name, Span span) {
+    const bool is_param = body.kernel != nullptr && self.place.root < body.kernel->params.size();
+    const ir::KernelParam* const param = is_param ? &body.kernel->params[self.place.root] : nullptr;
+    const bool is_shared =
+        param != nullptr && (param->pattern == ir::Pattern::coherent || param->pattern == ir::Pattern::calls);
+    const bool is_written =
+        self.writing.is(ir::Pattern::scatter) ||
+        (param != nullptr && !is_shared && ir::is_structure(*param) && param->direction != ir::Direction::in);
+    if (!is_written) return true;
+    Context& c = body.context;
+    note(c.error(Diag::scatter_read, span,
+                 {param != nullptr ? c.text(param->name) : c.program.structures[self.structure].display}),
+         span,
+         "other invocations write what '" + std::string(name) +
+             "' would read: give the kernel a second structure, as 'in any<…>'");
+    return false;
+}
+
 }  // namespace
 
 std::optional<Operand> call_of_texture(Body& body, std::string_view name, const Operand& self,
                                        const std::vector<ast::ExprId>& arguments, const ast::Expr& call) {
+    if (name != "sample" && name != "gather" && name != "compare") return std::nullopt;
+    if (!is_read(body, self, name, call.span)) return error_operand(call.span);
     if (name == "sample") return sample(body, self, arguments, call);
     if (name == "gather") return gather(body, self, arguments, call);
-    if (name == "compare") return compare(body, self, arguments, call);
-    return std::nullopt;
+    return compare(body, self, arguments, call);
 }
 
 }  // namespace gliftc::sema

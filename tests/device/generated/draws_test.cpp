@@ -3,6 +3,8 @@
 #include "plain_vulkan.h"
 #include "user_image.h"
 
+#include <bit>
+
 namespace {
 
 using glift::float4;
@@ -131,6 +133,35 @@ TEST(Draws, GoIntoTheProgramsImages) {
     const glift::ImageRegion first[] = {{.extent = {1, 1, 1}}};
     EXPECT_EQ(kernels::values_of<std::uint32_t>(device.commands().download_image(part.data(), first, 4).get()).front(),
               shade_of(0.25f));
+    for (const std::string& message : device.validation_messages()) ADD_FAILURE() << message;
+}
+
+/// Views of integers: of an image that may have them.
+TEST(Draws, FloatsOfTheProgramsImagesAreCombined) {
+    const PlainVulkan mine;
+    const auto device = glift::vulkan::adopt(mine.objects());
+    const glift::vulkan::UserImage wanted = {.format = VK_FORMAT_R32_SFLOAT,
+                                             .extent = size,
+                                             .usage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
+                                                      VK_IMAGE_USAGE_TRANSFER_DST_BIT};
+    glift::vulkan::UserImage free = wanted;
+    free.flags = VK_IMAGE_CREATE_MUTABLE_FORMAT_BIT;
+    const UserImage plain(mine, wanted), combined(mine, free);
+    const VkCommandBuffer commands = mine.begin();
+    for (const UserImage* image : {&plain, &combined})
+        image->clear(commands, VkClearColorValue{.float32 = {-1.0f, 0, 0, 0}});
+    mine.run(commands);
+    const draws::Line line(device, 3);
+    const draws::Slope slope(device, size, glift::vulkan::adopt_image(device, combined.description()));
+    draws::lift(device, line, slope);
+    device.wait();
+    const std::vector<std::uint32_t> texels = combined.texels(mine, 0, 0);
+    for (std::uint32_t i = 0; i < 4; ++i)
+        EXPECT_EQ(std::bit_cast<float>(texels[i]), i < 2 ? 0.5f - static_cast<float>(i) : -1.0f);
+    const draws::Slope refused(device, size, glift::vulkan::adopt_image(device, plain.description()));
+    const glift::Error error = error_of([&] { draws::lift(device, line, refused); });
+    EXPECT_EQ(error.code(), glift::ErrorCode::missing_feature) << error.what();
+    EXPECT_NE(error.remedy().find("VK_IMAGE_CREATE_MUTABLE_FORMAT_BIT"), std::string::npos) << error.what();
     for (const std::string& message : device.validation_messages()) ADD_FAILURE() << message;
 }
 

@@ -23,6 +23,7 @@ VkDeviceMemory memory_for(const PlainVulkan& vulkan, const VkMemoryRequirements&
 UserImage::UserImage(const PlainVulkan& vulkan, const glift::vulkan::UserImage& wanted)
     : device_(vulkan.device), description_(wanted) {
     const VkImageCreateInfo info = {.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
+                                    .flags = wanted.flags,
                                     .imageType = VK_IMAGE_TYPE_2D,
                                     .format = wanted.format,
                                     .extent = {wanted.extent.x, wanted.extent.y, 1},
