@@ -1,7 +1,7 @@
 """Random kernels, and the tests that run them."""
 from expressions import Scope
 from model import BOOL, FLOAT, INT, INTEGERS, UINT, Array, Items, Matrix, Node, Optional, Vector, joined, vector
-from structures import extent_text
+from structures import Structure, extent_text
 
 OPERATIONS = ["add", "min", "max", "and", "or", "xor"]
 ATOMICS = {"add": "atomicAdd", "min": "atomicMin", "max": "atomicMax", "and": "atomicAnd", "or": "atomicOr", "xor": "atomicXor"}
@@ -9,11 +9,44 @@ SUBGROUPS = {"add": "subgroupAdd", "min": "subgroupMin", "max": "subgroupMax", "
              "xor": "subgroupXor"}
 
 
+# A container that writes its members in each way; what it reads, no function writes.
+BAG_TEXT = """
+adaptor Bag(n: uint) {
+    structure marks = Line(max(n, 1u));
+    structure most = Line(max(n, 1u));
+    structure number = Line(1u);
+    structure given = Line(max(n, 1u));
+
+    fn mark(x: uint) with scatter<marks, or> { marks[x % max(n, 1u)] = x | 1u; }
+    fn raise(x: uint) with coherent<most> { atomicMax(most[x % max(n, 1u)], x); }
+    fn enter(x: uint) with coherent<number> -> uint? {
+        if x % 3u == 0u { return none; }
+        return atomicAdd(number[0], x % 7u);
+    }
+    fn both(x: uint) with scatter<marks, or>, coherent<most> {
+        if x % 2u == 0u { mark(x / 2u); } else { raise(x); }
+    }
+    fn of(x: uint) -> uint { return given[x % max(n, 1u)] ^ n; }
+}
+"""
+BAG_FUNCTIONS = ["mark", "raise", "enter", "both"]
+
+
 class Parameter:
     def __init__(self, name, text, structure=None, value=None, moves=False, extent=None):
         self.name, self.text, self.structure, self.value = name, text, structure, value
         self.moves = moves    # whether the kernel iterates over it, so that it has the kernel's extent
         self.extent = extent  # its own extent if the kernel does not iterate over it
+
+
+class Bag(Structure):
+    """The container."""
+
+    def make(self, extent):
+        return f"Bag({extent[0]}u)"
+
+
+BAG = Bag("Bag", 1, UINT, each=False)
 
 
 class Kernel:
@@ -56,20 +89,26 @@ class Kernels:
     def of_axes(self, axes, each=False):
         return [s for s in self.structures.all if s.axes == axes and (s.each or not each)]
 
+    def visited(self, kernel, each=False):
+        """Structures for another parameter that moves. What is written, else what is read, says which blocks are visited: one of
+        each kind may have blocks, since those of two are not the same."""
+        has_blocks = any(p.moves and p.structure.block and p.text.startswith("in ") != each for p in kernel.params)
+        return [s for s in self.of_axes(kernel.axes, each) if not s.block or not has_blocks]
+
     def add_inputs(self, kernel, most=3):
         for i in range(self.random.between(1, most)):
             maker = self.random.weighted([(4, self.add_each), (3, self.add_near), (4, self.add_any)])
             maker(kernel, f"x{i}")
 
     def add_each(self, kernel, name):
-        found = self.of_axes(kernel.axes)
+        found = self.visited(kernel)
         if found:
             structure = self.random.choice(found)
             kernel.params.append(Parameter(name, f"in each<{structure.name}>", structure, moves=True))
             kernel.scope.variables.append((name, structure.element, False))
 
     def add_near(self, kernel, name):
-        found = self.of_axes(kernel.axes)
+        found = self.visited(kernel)
         if not found:
             return
         structure, radius = self.random.choice(found), self.random.between(1, 2)
@@ -134,14 +173,16 @@ class Kernels:
         return found
 
     def add_outputs(self, kernel):
-        found = self.of_axes(kernel.axes, each=True)
         for i in range(self.random.between(1, 2)):
-            kind = self.random.weighted([(6, "out"), (3, "inout"), (3, "scatter"), (1, "coherent")])
+            found = self.visited(kernel, each=True)
+            kind = self.random.weighted([(6, "out"), (3, "inout"), (3, "scatter"), (1, "coherent"), (2, "calls")])
             name = f"y{i}"
             if kind in ("out", "inout") and found:
                 self.add_written(kernel, name, kind, self.random.choice(found))
             elif kind == "coherent":
                 self.add_coherent(kernel, name)
+            elif kind == "calls":
+                self.add_calls(kernel, name)
             else:
                 self.add_scatter(kernel, name)
 
@@ -178,6 +219,23 @@ class Kernels:
         kernel.params.append(Parameter(name, "inout coherent<Line>", self.structures.line, extent=[self.random.between(1, 40)]))
         kernel.writes.append(lambda scope: Node(f"{operation}({name}[", self.expressions.of(UINT, scope, 2), " % 50u], ",
                                                 self.expressions.of(UINT, scope, 3), ");"))
+
+    def add_calls(self, kernel, name):
+        """Functions of a container; one of those that write it."""
+        kernel.params.append(Parameter(name, "calls<Bag>", BAG, extent=[self.random.between(1, 60)]))
+        function = self.random.choice(BAG_FUNCTIONS)
+        result = self.statements.name("v")
+
+        def call(scope):
+            return Node(f"{name}.{function}(", self.expressions.of(UINT, scope, 3), ");")
+
+        def counted(scope):
+            node = Node(f"let {result} = ({name}.enter(", self.expressions.of(UINT, scope, 3), ") ?? 0u) > 9u;")
+            scope.variables.append((result, BOOL, False))
+            return node
+        kernel.writes.append(counted if function == "enter" else call)
+        kernel.scope.reads += [(UINT, lambda expressions, scope, depth: Node(f"{name}.of(", expressions.of(UINT, scope, depth), ")",
+                                                                           type=UINT))]
 
     def has_course(self, kernel):
         """Whether a parameter determines the addresses over which the kernel runs; if none does, it needs an `at`."""
@@ -335,11 +393,39 @@ class Kernels:
         for i, p in enumerate(kernel.params):
             if p.structure:
                 lines += self.structures.prepared(p.name, p.structure, p.extent or kernel.extent, 100 * i)
+                if p.structure is BAG:
+                    lines.append(f"seed_uint({p.name}.given, {i}u, {p.name}.given);")
         values = [f"{self.types.made(p.value, f'{self.random.below(1000)}u')}" for p in kernel.params if p.value]
+        on_device = self.random.chance(35)
+        if on_device:
+            lines += ["temp d = Line(8u);", f"seed_uint(d, {self.random.below(100)}u, d);"]
+            values = [self.on_device(p.value, value) for p, value in zip((p for p in kernel.params if p.value), values)]
         calls = [self.call(kernel, values, self.box(kernel) if self.random.chance(30) else None)]
         if self.random.chance(40):
             calls.append(self.call(kernel, values, self.box(kernel)))
+        if on_device:
+            calls = self.arms(kernel, values, calls)
         return Node(f'test "{kernel.name}" {{\n', Items([Node(line) for line in lines + calls]), "\n}")
+
+    def on_device(self, t, value):
+        """A kernel's argument that the host does not know."""
+        if t == UINT:
+            return f"d[{self.random.below(8)}] + {self.random.below(9)}u"
+        if self.random.chance(50):
+            return f"{self.types.made(t, f'd[{self.random.below(8)}]')}"
+        return value
+
+    def arms(self, kernel, values, calls):
+        """The calls, some of them where a value of the device says so, in rounds, or over a part whose end it says."""
+        if kernel.axes == 1 and not any("at<Line, " in p.text for p in kernel.params):
+            calls.append(self.call(kernel, values, f"[0..min(d[{self.random.below(8)}], {kernel.extent[0]}u)]"))
+        condition = f"d[{self.random.below(8)}] % 2u == {self.random.below(2)}u"
+        kind = self.random.choice(["plain", "if", "else", "for"])
+        if kind == "plain":
+            return calls
+        if kind == "for":
+            return ["var rounds = 0u;", f"for round in 0..3 while rounds < d[{self.random.below(8)}] % 4u {{", *calls, "rounds += 1u;", "}"]
+        return [f"if {condition} {{", calls[0], *([] if kind == "if" else ["} else {", calls[-1]]), "}", *calls[1:]]
 
     def box(self, kernel):
         """A random box of the kernel's extent, as a slice."""

@@ -1,7 +1,7 @@
 """Makes a random program: a module of kernels with tests, and constant expressions for the compile-time evaluator."""
 from declarations import Functions, Types
 from expressions import Expressions, Scope
-from kernels import Kernels
+from kernels import BAG_TEXT, Kernels
 from model import Items, Node, joined
 from random_numbers import Random
 from statements import Statements
@@ -21,6 +21,7 @@ class Program:
         self.functions = Functions(random, self.types, self.statements)
         self.items = Items(self.types.declarations())
         self.items.parts += self.structures.declarations(random.between(4, 6))
+        self.items.parts.append(Node(BAG_TEXT.strip()))
         self.items.parts += self.functions.declarations(random.between(6, 12))
         self.add_evaluated()
         maker = Kernels(random, self.types, self.structures, self.statements, self.functions)

@@ -19,6 +19,18 @@ translator Exchanged<N: uint> : vec<N, uint> -> vec<N, uint> {
     invert(pa) { return exchanged(pa); }
 }
 
+/// A part of the addresses, moved by one.
+translator Shifted<N: uint> : vec<N, uint> -> vec<N, uint>? {
+    extent: vec<N, uint>;
+    domain() { return extent; }
+    translate(va) {
+        if !inside(va, extent) || va[0] % 5u == 3u { return none; }
+        var result = va;
+        result[0] = va[0] + 1u;
+        return result;
+    }
+}
+
 struct PageEntry { resident: uint; frame: uint; }
 
 translator PageTable<N: uint, page: vec<N, uint>, Table: Structure<vec<N, uint>, PageEntry>> : vec<N, uint> -> uint? {
@@ -31,6 +43,11 @@ translator PageTable<N: uint, page: vec<N, uint>, Table: Structure<vec<N, uint>,
         if entry.resident == 0u { return none; }
         return entry.frame * volume(page) + linearize(va % page, page);
     }
+}
+
+kernel make_blocks(a: at<Blocks>, to: out each<Blocks>, count: uint, pages: uint, step: uint) {
+    // How many there are, then their numbers in some order, each once; some of them are not there.
+    to = a == 0u ? count : (a % 6u == 4u ? 100000u : (a * step) % pages);
 }
 
 kernel make_pages<N: uint, S: Structure<vec<N, uint>, PageEntry>>(a: at<S>, to: out each<S>, pages: vec<N, uint>, step: uint) {
@@ -66,8 +83,9 @@ def translator_text(name, kind, axes, body):
 class Structure:
     """A structure type: how to construct it for an extent, and what kernels may do with it."""
 
-    def __init__(self, name, axes, element, extra="", each=True, is_dense=True, capacity=None, buffer=True):
+    def __init__(self, name, axes, element, extra="", each=True, is_dense=True, capacity=None, buffer=True, block=None):
         self.name, self.axes, self.element, self.extra = name, axes, element, extra
+        self.block = block        # the size of a block; None: the whole domain is one
         self.each = each          # allows `out each`
         self.is_dense = is_dense  # every element of the domain is stored
         self.capacity = capacity  # structures with a page table: the page's size along each axis; else None
@@ -103,7 +121,7 @@ class Structures:
         self.elements = [UINT, FLOAT] + [random.choice(elements) for _ in range(3)]
 
     def declarations(self, count):
-        nodes = [Node("structure Line = Array<1, uint>;")]
+        nodes = [Node("structure Line = Array<1, uint>;"), Node("structure Blocks = Array<1, uint>;")]
         nodes += [Node(translator_text(name, *order)) for name, order in ORDERS.items()]
         nodes += [Node(text) for text in split_declarations(TABLES)]
         for i in range(count):
@@ -112,7 +130,8 @@ class Structures:
 
     def declaration(self, name, axes):
         maker = self.random.weighted([(3, self.array), (3, self.edged), (2, self.bordered), (3, self.image), (3, self.tiled),
-                                      (2, self.morton), (5, self.own), (3, self.composed), (2, self.paged)])
+                                      (2, self.morton), (5, self.own), (3, self.composed), (2, self.paged),
+                                      (5, self.over), (6, self.blocks)])
         structure, text = maker(name, axes, self.random.choice(self.elements))
         self.all.append(structure)
         return Node(text)
@@ -176,6 +195,39 @@ class Structures:
                 f"    via PageTable<{axes}, {extent_text(page)}>(extent, table);\n}}")
         return Structure(name, axes, t, is_dense=False, capacity=page), text
 
+    def inner(self, axes):
+        """A structure of the program that is made of an extent alone, or none."""
+        found = [s for s in self.all if s.axes == axes and not s.extra and not s.capacity and not s.block]
+        return self.random.choice(found) if found else None
+
+    def over(self, name, axes, t):
+        """Memory that is a structure, with a translator before it or without."""
+        inner = self.inner(axes)
+        if not inner:
+            return self.array(name, axes, t)
+        address = vector(axes, UINT).text()
+        via, extent = self.random.choice([("", "extent"), (f"    via Exchanged<{axes}>(extent);\n", "exchanged(extent)"),
+                                          (f"    via Shifted<{axes}>(extent);\n", "extent")]) if axes > 1 else ("", "extent")
+        outside = f"    otherwise made_{self.made_name(inner.element)}(5u);\n" if via and self.random.chance(40) else ""
+        text = f"structure {name}(extent: {address}) {{\n    memory inner = {inner.name}({extent});\n{via}{outside}}}"
+        return Structure(name, axes, inner.element, each=inner.each, is_dense=inner.is_dense and "Shifted" not in via,
+                         buffer=inner.buffer), text
+
+    def blocks(self, name, axes, t):
+        """Of the elements of another structure, those of listed blocks are visited; the number of these is on the device."""
+        inner = self.inner(axes)
+        made, t = (f"{inner.name}(extent)", inner.element) if inner else (f"Array<{axes}, {t.text()}>(extent)", t)
+        sides = self.random.choice({1: [[64], [7], [1], [40]], 2: [[8, 8], [8, 4], [3, 2], [5, 7]], 3: [[4, 4, 4], [2, 3, 2]]}[axes])
+        page, address = extent_text(sides), vector(axes, UINT).text()
+        text = (f"structure {name}(extent: {address}) {{\n    memory elements = {made};\n"
+                f"    structure list = Blocks(1u + volume(div_ceil(extent, {page})));\n"
+                f"    blocks() {{ return min(list[0], volume(div_ceil(extent, {page}))); }}\n"
+                f"    block(i) {{\n        let number = list[1u + i];\n        if number == 100000u {{ return none; }}\n"
+                f"        return delinearize(number, div_ceil(extent, {page})) * {page};\n    }}\n"
+                f"    block_size() {{ return {page}; }}\n}}")
+        return Structure(name, axes, t, each=not inner or inner.each, is_dense=False, buffer=not inner or inner.buffer,
+                         block=sides), text
+
     def made_name(self, t):
         return self.types.made(t, "").removeprefix("made_").removesuffix("()")
 
@@ -192,6 +244,10 @@ class Structures:
             step = next(s for s in range(3, 100, 2) if coprime(s, pages_of(extent, structure.capacity)))
             pages = extent_text([-(-size // side) for size, side in zip(extent, structure.capacity)])
             lines.append(f"make_pages({name}.table, {pages}, {step}u);")
+        if structure.block:
+            number = pages_of(extent, structure.block)
+            step = next(s for s in range(3, 100, 2) if coprime(s, number))
+            lines.append(f"make_blocks({name}.list, {self.random.between(0, number + 1)}u, {number}u, {step}u);")
         if structure.each:
             lines.append(f"seed_{self.made_name(structure.element)}({name}, {seed}u, {name});")
         return lines
