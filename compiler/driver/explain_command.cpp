@@ -8,6 +8,7 @@
 #include "driver/explain_made.h"
 #include "driver/trials.h"
 #include "emit/json/text.h"
+#include "ir/aliases.h"
 #include "ir/chain.h"
 #include "ir/evaluate.h"
 #include "ir/spelling.h"
@@ -27,8 +28,9 @@ struct Explained {
 };
 
 struct ExplainedStructure {
-    bool is_view = false;
+    std::string kind;  ///< structure, view, adaptor
     std::string name, type, place, addresses, elements;
+    std::vector<std::pair<std::string, std::string>> parts;  ///< of adaptors: members and functions
     std::vector<std::pair<std::string, std::string>> memories;
     std::vector<Explained> via;
     std::string blocks;  ///< the blocks that it declares, as text; empty if it declares none
@@ -74,8 +76,7 @@ std::string inverse_of(const ir::Properties& properties, const Trial& trial) {
 class Explainer {
 public:
     explicit Explainer(const Compilation& c) : draws(explained_draws(c)), c_(c), program_(c.program) {
-        for (const ir::Structure& structure : program_.structures)
-            if (structure.kind != ir::StructureKind::adaptor) explain(structure);
+        for (const ir::Structure& structure : program_.structures) explain(structure);
         for (std::uint32_t i = 0; i < program_.translators.size(); ++i)
             if (shown_.insert(i).second) translators.push_back(explained(program_.translators[i], {}));
     }
@@ -94,10 +95,16 @@ private:
         const std::vector<ir::Alias>& aliases = structure.aliases;
         if (!program_.modules[structure.module].is_root && aliases.empty()) return;
         ExplainedStructure shown;
-        shown.is_view = structure.kind == ir::StructureKind::view;
+        const bool is_adaptor = structure.kind == ir::StructureKind::adaptor;
+        shown.kind = is_adaptor ? "adaptor" : structure.kind == ir::StructureKind::view ? "view" : "structure";
         shown.name = aliases.empty() ? structure.display : c_.names[aliases.front().name];
         shown.type = structure.display;
         shown.place = place(structure.span);
+        if (is_adaptor) {
+            explain_parts(structure, shown);
+            structures.push_back(std::move(shown));
+            return;
+        }
         shown.addresses = to_text(program_, structure.domain_type);
         shown.elements = to_text(program_, structure.element);
         for (const ir::Memory& memory : structure.memories)
@@ -112,6 +119,33 @@ private:
                 explained(program_.translators[stage.translator], try_translator(program_, structure, stage)));
         }
         structures.push_back(std::move(shown));
+    }
+
+    /// Its members, and its functions with what they write.
+    void explain_parts(const ir::Structure& adaptor, ExplainedStructure& shown) const {
+        for (const ir::MemberStructure& member : adaptor.members)
+            shown.parts.emplace_back("member " + c_.names[member.name], program_.structures[member.structure].display +
+                                                                            (member.by_reference ? ", given" : ""));
+        const auto index = static_cast<std::uint32_t>(&adaptor - program_.structures.data());
+        for (ir::FunctionId id : ir::public_functions(program_, index)) {
+            const ir::Function& function = program_.functions[id];
+            std::string effects;
+            for (const ir::Effect& effect : function.effects)
+                effects += (effects.empty() ? "writes " : ", ") + path_of(adaptor, effect.place) +
+                           (effect.pattern == ir::Pattern::coherent ? " (coherent)" : " (scatter)");
+            if (effects.empty()) effects = function.reads_memory ? "reads elements" : "reads no elements";
+            shown.parts.emplace_back("fn " + c_.names[function.name], effects);
+        }
+    }
+
+    std::string path_of(const ir::Structure& adaptor, const ir::Place& place) const {
+        std::string text;
+        const ir::Structure* at = &adaptor;
+        for (std::uint32_t member : place.members) {
+            text += (text.empty() ? "" : ".") + c_.names[at->members[member].name];
+            at = &program_.structures[at->members[member].structure];
+        }
+        return text;
     }
 
     /// The text about the blocks of a structure, outside which kernels visit nothing; that they do not overlap is not
@@ -177,9 +211,11 @@ std::string text_of(const ExplainedMade& m) {
 std::string as_text(const Explainer& explainer, const std::vector<ExplainedMade>& made) {
     std::string text;
     for (const ExplainedStructure& s : explainer.structures) {
-        text += (s.is_view ? "view " : "structure ") + (s.name == s.type ? s.name : s.name + " = " + s.type) + "  (" +
-                s.place + ")\n" + line("", "addresses", s.addresses) +
-                line("", "elements", s.elements + (s.is_view ? ", computed" : ""));
+        text += s.kind + " " + (s.name == s.type ? s.name : s.name + " = " + s.type) + "  (" + s.place + ")\n";
+        if (s.kind != "adaptor")
+            text += line("", "addresses", s.addresses) +
+                    line("", "elements", s.elements + (s.kind == "view" ? ", computed" : ""));
+        for (const auto& [what, how] : s.parts) text += line("", what, how);
         for (const auto& [name, shape] : s.memories) text += line("", "memory " + name, shape);
         if (!s.blocks.empty()) text += line("", "blocks", s.blocks);
         for (const Explained& translator : s.via) text += text_of(translator, "  ");
@@ -214,12 +250,23 @@ void write(json::Text& out, const Explained& t) {
 
 void write(json::Text& out, const ExplainedStructure& s) {
     out.object([&] {
-        out.field("kind", s.is_view ? "view" : "structure");
+        out.field("kind", s.kind);
         out.field("name", s.name);
         out.field("type", s.type);
         out.field("place", s.place);
-        out.field("addresses", s.addresses);
-        out.field("elements", s.elements);
+        if (s.kind == "adaptor") {
+            out.key("parts");
+            out.array([&] {
+                for (const auto& [what, how] : s.parts)
+                    out.object([&] {
+                        out.field("what", what);
+                        out.field("how", how);
+                    });
+            });
+        } else {
+            out.field("addresses", s.addresses);
+            out.field("elements", s.elements);
+        }
         if (!s.blocks.empty()) out.field("blocks", s.blocks);
         out.key("memories");
         out.array([&] {

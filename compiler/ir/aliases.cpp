@@ -1,6 +1,8 @@
 #include "ir/aliases.h"
 
 #include <algorithm>
+#include <set>
+#include <string>
 
 namespace gliftc::ir {
 
@@ -24,6 +26,22 @@ Name name_in(const Program& program, const Structure& structure, std::uint32_t m
     };
     const auto best = std::ranges::min_element(structure.aliases, {}, rank_of);  // the first of several
     return best == structure.aliases.end() || rank_of(*best) == foreign ? Name{} : best->name;
+}
+
+std::vector<FunctionId> public_functions(const Program& program, std::uint32_t structure) {
+    std::vector<FunctionId> found;
+    std::set<std::string> names;
+    const auto add = [&](FunctionId id) {
+        const Function& function = program.functions[id];
+        const bool is_its = function.structures.size() == 1 && function.structures[0] == structure;
+        if (!function.is_pub || !is_its) return;
+        std::string name = function.key;  // overloads share it
+        for (LocalId param : function.params) name += " " + std::to_string(program.locals[param].type.index);
+        if (names.insert(std::move(name)).second) found.push_back(id);
+    };
+    for (const Method& method : program.structures[structure].methods) add(method.function);
+    for (std::size_t i = 0; i < program.functions.size(); ++i) add(FunctionId{static_cast<std::uint32_t>(i)});
+    return found;
 }
 
 }  // namespace gliftc::ir

@@ -93,6 +93,8 @@ says(made, 0, "Grid made with extent uint3(256, 256, 256), capacity 4096, backgr
      "8 MiB, elements of field", "128 KiB, table of field", "pages.wanted.data   4 KiB\n",
      "Field made with extent uint2(18, 16), capacity 3, background float2(0.0, 0.0)", "384 bytes, elements of it",
      "Levels made with", "684 bytes")  # levels of 128, 32, 8, 2 and 1 texels
+says(made, 0, "adaptor Grid = Sparse<3, float, uint3(8, 8, 8), drop>", "member field        Paged<3, float, uint3(8, 8, 8)",
+     "fn status           reads elements")
 as_json = json.loads(here.run("explain", "--json", "--made", "Grid(256 256 256 4096 0)", "grids.glift").stdout)["made"]
 expect({m["path"]: m["bytes"] for m in as_json[0]["memories"]}["field.frames.data"] == 8 << 20, "explain --made --json", as_json)
 expect(as_json[0]["bytes"] == sum(m["bytes"] for m in as_json[0]["memories"]), "the sum", as_json)

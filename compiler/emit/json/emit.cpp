@@ -52,7 +52,7 @@ struct Writer {
     void memory(const ir::Memory& m, const std::vector<Root>& roots);
     void member(const ir::MemberStructure& m, const std::vector<Root>& roots);
     void function(const ir::Function& f, const std::vector<Root>& roots);
-    void functions(const ir::Structure& s, const std::vector<Root>& roots);
+    void functions(std::uint32_t structure, const std::vector<Root>& roots);
     void structure(std::uint32_t index);
     void struct_(const ir::Struct& s);
     void enum_(const ir::Enum& e);
@@ -148,16 +148,9 @@ void Writer::function(const ir::Function& f, const std::vector<Root>& roots) {
     });
 }
 
-/// Those that others may call: of the ones that the program uses, and of all that programs call.
-void Writer::functions(const ir::Structure& s, const std::vector<Root>& roots) {
-    std::vector<ir::FunctionId> shown;
-    const auto add = [&](ir::FunctionId id) {
-        const ir::Function& f = program.functions[id];
-        if (f.is_pub && f.structures.size() == 1 && std::ranges::find(shown, id) == shown.end()) shown.push_back(id);
-    };
-    for (const ir::Method& method : s.methods) add(method.function);
-    for (ir::FunctionId id : s.functions) add(id);
-    if (!shown.empty()) list("functions", shown, [&](ir::FunctionId id) { function(program.functions[id], roots); });
+void Writer::functions(std::uint32_t structure, const std::vector<Root>& roots) {
+    const std::vector<ir::FunctionId> found = ir::public_functions(program, structure);
+    if (!found.empty()) list("functions", found, [&](ir::FunctionId id) { function(program.functions[id], roots); });
 }
 
 void Writer::structure(std::uint32_t index) {
@@ -190,7 +183,7 @@ void Writer::structure(std::uint32_t index) {
                 out.field("counted_on_device", !s.blocks->is_known);
             });
         }
-        functions(s, self);
+        functions(index, self);
         if (s.kind == ir::StructureKind::adaptor)
             list("host", s.host, [&](const ir::HostField& field) { named(name(field.name), type(field.type)); });
         document(s.doc);
