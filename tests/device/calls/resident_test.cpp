@@ -145,6 +145,41 @@ TEST_P(Resident, TablesOfTwoLevelsAndOfAHash) {
     EXPECT_EQ(far.values, std::vector<float>(192, 1.5f));
 }
 
+/// Boxes that lie across pages, some of which are not there: written, filled, copied and read by one submission each.
+TEST_P(Resident, BoxesAcrossPages) {
+    resident::Grid grid = grid_with(device(), {{0, 0, 0}, {1, 1, 1}, {2, 1, 1}}),
+                   other = grid_with(device(), {{1, 1, 1}, {2, 1, 1}, {2, 0, 0}});
+    number(grid);
+    device().wait();
+    const auto once = [&](const auto& work) {
+        const std::uint64_t before = device().statistics().submissions;
+        work();
+        device().wait();
+        EXPECT_LE(device().statistics().submissions - before, 1u);  // the host device has none
+    };
+    const uint3 origin{1, 1, 1}, size{10, 3, 2};
+    std::vector<float> found, values(10 * 3 * 2, 7.0f);
+    once([&] { grid.field().write(origin, size, values); });
+    once([&] { other.field().copy_from(grid.field().range(origin, size), origin); });
+    once([&] { found = other.field().read(origin, size); });
+    EXPECT_EQ(std::ranges::count(found, 7.0f), 7 * 2);  // pages {1, 1, 1} and {2, 1, 1}: x 4 to 10, y 2 and 3, z 2
+    EXPECT_EQ(std::ranges::count(found, -1.0f) + std::ranges::count(found, 7.0f) + std::ranges::count(found, 0.0f),
+              static_cast<std::ptrdiff_t>(found.size()));
+    once([&] { grid.field().fill(3.0f, grid.field().range({3, 2, 2}, {3, 2, 1})); });
+    EXPECT_EQ(grid.field().read({3, 2, 2}, {3, 2, 1}), (std::vector<float>{-1, 3, 3, -1, 3, 3}));
+    // A page of its own, and a box over several: what is not there stays the background.
+    grid.field().map({4, 2, 2}, {4, 2, 2})[{1, 1, 1}] = 11.0f;
+    EXPECT_EQ(grid.field().read({5, 3, 3}, {1, 1, 1}), std::vector<float>{11.0f});
+    {
+        auto mapped = grid.field().map({0, 0, 0}, {18, 9, 7});
+        EXPECT_EQ((mapped[{5, 3, 3}]), 11.0f);
+        mapped[{5, 3, 3}] = 12.0f;
+        mapped[{17, 8, 6}] = 12.0f;
+    }
+    EXPECT_EQ(grid.field().read({5, 3, 3}, {1, 1, 1}), std::vector<float>{12.0f});
+    EXPECT_EQ(grid.field().read({17, 8, 6}, {1, 1, 1}), std::vector<float>{-1.0f});
+}
+
 TEST_P(Resident, RefusesWhatCannotBe) {
     resident::Grid grid = grid_with(device(), {{1, 0, 2}});
     const auto fails = [](const std::string& with, const auto& call) {
