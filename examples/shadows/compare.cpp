@@ -1,5 +1,6 @@
 #include "compare.h"
 
+#include <algorithm>
 #include <array>
 
 using picture::Picture;
@@ -72,13 +73,11 @@ Compared compare(Frame& frame, float bias) {
         pictures[k] = frame.picture();
         differences[k] = {size.x, size.y, {}, {}};
     }
-    std::vector<bool> doubted(lighting[0].lit.size());
-    const std::vector<bool> all(doubted.size());
-    const rays::Reference decisions = rays::trace(frame, lighting[0], all, bias);
-    for (std::size_t i = 0; i < doubted.size(); ++i)
-        for (const Lighting& some : lighting)
-            doubted[i] = doubted[i] || is_lit(some.lit[i]) != (decisions.light[i] == rays::Light::reached);
-    const rays::Reference reference = rays::trace(frame, lighting[0], doubted, bias);
+    const auto is_doubted = [&](std::size_t pixel, rays::Light light) {
+        return std::ranges::any_of(
+            lighting, [&](const Lighting& some) { return is_lit(some.lit[pixel]) != (light == rays::Light::reached); });
+    };
+    const rays::Reference reference = rays::trace(frame, lighting[0], bias, is_doubted);
     Compared compared;
     compared.rmsm = agreement_of(lighting[0], reference, differences[0]);
     compared.adaptive = agreement_of(lighting[1], reference, differences[1]);

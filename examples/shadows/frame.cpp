@@ -2,7 +2,9 @@
 
 #include <glift/host/math.h>
 
+#include <algorithm>
 #include <stdexcept>
+#include <tuple>
 
 namespace {
 
@@ -44,11 +46,22 @@ void Frame::set_scene(const scenes::Scene& scene) {
         colours_.emplace(device_, points);
         shadows_.emplace(device_, size_, corners / 3, settings_.spot ? 2u : 1u, settings_.levels, settings_.pages,
                          settings_.standard, settings_.pairs);
+        recorded_ = {};
     }
     corners_->write(scene.mesh.corners);
     points_->write(scene.mesh.points);
     colours_->write(scene.mesh.colours);
     scene_ = scene;
+}
+
+void Frame::set_knobs(const Settings& settings) {
+    const auto knobs = [](const Settings& s) {
+        return std::tie(s.bias, s.step, s.finest, s.trilinear, s.cached, s.rounds);
+    };
+    if (knobs(settings) == knobs(settings_)) return;
+    settings_.bias = settings.bias, settings_.step = settings.step, settings_.finest = settings.finest;
+    settings_.trilinear = settings.trilinear, settings_.cached = settings.cached, settings_.rounds = settings.rounds;
+    recorded_ = {};
 }
 
 glift::float4x4 Frame::light() const {
@@ -68,39 +81,57 @@ eye::Viewpoint Frame::viewpoint() const {
             0.3f};
 }
 
-void Frame::draw(Method method) {
-    const shadows::Settings settings{settings_.bias, settings_.step, settings_.finest, settings_.trilinear,
-                                     settings_.cached};
-    switch (method) {
-    case Method::standard:
-        shadows_->draw_with_standard(device_, *corners_, *points_, *colours_, viewpoint(), settings);
-        break;
-    case Method::adaptive:
-        shadows_->draw_with_asm(device_, *corners_, *points_, *colours_, viewpoint(), settings,
-                                std::min(settings_.seed, settings_.levels - 1), settings_.rounds);
-        break;
-    case Method::matched:
-        shadows_->draw_with_rmsm(device_, *corners_, *points_, *colours_, viewpoint(), settings);
-        break;
-    }
+void Frame::prepare(Method method) {
+    const std::vector<eye::Viewpoint> view = {viewpoint()};
+    shadows_->views().write(view);
+    glift::Recording& recorded = recorded_.at(static_cast<std::size_t>(method));
+    if (recorded) return;
+    const bool is_gpu = device_.properties().kind == glift::DeviceKind::gpu;
+    const shadows::Settings settings{
+        settings_.bias,      settings_.step,   std::min(settings_.finest, settings_.levels - 1),
+        settings_.trilinear, settings_.cached, std::min(settings_.seed, settings_.levels - 1),
+        settings_.rounds};
+    const glift::uint chosen = method == Method::standard   ? shadows::Method::standard
+                               : method == Method::adaptive ? shadows::Method::adaptive
+                                                            : shadows::Method::matched;
+    recorded = device_.record([&](const glift::Commands& commands) {
+        shadows_->draw(commands, *corners_, *points_, *colours_, chosen, settings);
+    });
 }
 
-picture::Picture Frame::picture(View view) const {
-    const eye::Picture shown(device_, size_);
-    const auto& from = shadows_->picture();
-    const auto& tree = shadows_->tree();
-    switch (view) {
-    case View::picture: return {size_.x, size_.y, from.read(), {}};
-    case View::levels: show::show_levels(device_, shadows_->surface(), from, tree, settings_.finest, shown); break;
-    case View::borders: show::show_borders(device_, shadows_->surface(), from, tree, settings_.finest, shown); break;
-    case View::map: show::show_map(device_, shown, tree, shown); break;
-    case View::pool: show::show_pool(device_, shown, tree, shown); break;
-    }
-    return {size_.x, size_.y, shown.read(), {}};
+void Frame::draw(Method method) {
+    prepare(method);
+    submit(method);
 }
+
+eye::Picture Frame::image(View view) const {
+    const auto& from = shadows_->picture();
+    if (view == View::picture) return from;
+    const eye::Picture shown(device_, size_);
+    const auto& tree = shadows_->tree();
+    if (view == View::map) show::show_map(device_, shown, tree, shown);
+    else if (view == View::pool) show::show_pool(device_, shown, tree, shown);
+    else show::show_pages(device_, shadows_->surface(), from, tree, settings_.finest, view == View::borders, shown);
+    return shown;
+}
+
+picture::Picture Frame::picture(View view) const { return {size_.x, size_.y, image(view).read(), {}}; }
 
 Lighting Frame::lighting() const {
     return {shadows_->surface().read(), shadows_->slopes().read(), shadows_->colour().read(), shadows_->lit().read()};
+}
+
+std::vector<float> Frame::depths_of_pages() const {
+    const auto& texels = shadows_->tree().frames().texels();
+    std::vector<float> depths = texels.read();
+    const std::vector<std::uint32_t> owner = owners();
+    constexpr std::uint32_t side = 33;
+    const std::uint32_t width = texels.extent().x, across = width / side;
+    for (std::size_t i = 0; i < depths.size(); ++i) {
+        const std::size_t frame = i / width / side * across + i % width / side;
+        if (frame >= owner.size() || owner[frame] == 0) depths[i] = 0;
+    }
+    return depths;
 }
 
 std::string Frame::status() const {
@@ -110,9 +141,10 @@ std::string Frame::status() const {
         throw std::runtime_error(std::to_string(lost) +
                                  " pairs of a triangle and a page found no room, so that shadows "
                                  "are missing: give more of them by --pairs");
-    std::string text = std::to_string(status.resident) + " of " + std::to_string(status.capacity) + " pages, " +
-                       std::to_string(status.granted) + " new, " + std::to_string(status.refused) + " refused";
-    if (const std::uint32_t rounds = shadows_->rounds().read().front())
+    std::string text = std::to_string(shadows_->asked().read().front()) + " pages asked for, " +
+                       std::to_string(status.resident) + " of " + std::to_string(status.capacity) + " there, " +
+                       std::to_string(status.granted) + " new";
+    if (const std::uint32_t rounds = shadows_->rounds().read().front(); rounds > 1)
         text += ", " + std::to_string(rounds) + " rounds";
     return text;
 }

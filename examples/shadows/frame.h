@@ -7,6 +7,7 @@
 #include "examples/common/picture.h"
 #include "examples/common/scenes/scenes.h"
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,6 +24,7 @@ struct Settings {
     float bias = 1e-4f;
     std::uint32_t step = 1, finest = 0;
     bool trilinear = false, cached = false, spot = false;
+    std::optional<bool> by_kernel;  ///< how pages are filled; else as is faster on the device
 };
 
 /// What the light does to the picture: for each pixel its place in light space and the share of light there.
@@ -39,10 +41,15 @@ public:
 
     /// The scene of the next frames. As long as its size stays, so does memory, and what a cache holds.
     void set_scene(const scenes::Scene& scene);
+    /// Knobs of the next frames. Sizes of the quadtree, the standard map and the light's kind stay as they are.
+    void set_knobs(const Settings& settings);
     /// Another place of the camera; all else stays.
     void set_view(const camera::Camera& view) { scene_.view = view; }
-    /// One submission. Nothing waits.
-    void draw(Method method);
+    /// Gives the view to the device and, the first time, records what a frame is.
+    void prepare(Method method);
+    /// A frame that is prepared: one submission. Nothing waits.
+    void submit(Method method) { recorded_[static_cast<std::size_t>(method)].submit(); }
+    void draw(Method method);  ///< both
 
     const glift::Device& device() const { return device_; }
     const scenes::Scene& scene() const { return scene_; }
@@ -50,9 +57,16 @@ public:
     bool is_spot() const { return settings_.spot; }
     glift::float4x4 light() const;
     eye::Viewpoint viewpoint() const;
+    /// Of the last frame, on the device or read from it.
+    eye::Picture image(View view) const;
     picture::Picture picture(View view = View::picture) const;
     Lighting lighting() const;
     std_page_allocator::PoolStatus pool() const { return shadows_->tree().status(device_); }
+    std::vector<std::uint32_t> owners() const {
+        return shadows_->tree().pages().owners().read();
+    }  ///< page + 1 of each frame
+    /// The pool's depths, those of frames without a page 0.
+    std::vector<float> depths_of_pages() const;
     /// Of the last frame. Throws std::runtime_error where depths are missing, with the remedy.
     std::string status() const;
 
@@ -64,4 +78,5 @@ private:
     std::optional<shadow_map::Corners> corners_;
     std::optional<shadow_map::Points> points_, colours_;
     scenes::Scene scene_;
+    std::array<glift::Recording, 3> recorded_;  ///< a frame by each method
 };

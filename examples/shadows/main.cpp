@@ -1,4 +1,5 @@
 // Pictures with shadows: shadows.glift from C++.
+#include "at_window.h"
 #include "compare.h"
 #include "path.h"
 
@@ -19,7 +20,7 @@ struct Arguments {
     unsigned frames = 1;
     std::vector<std::uint32_t> size = {512, 512};
     float from_right = 0, from_above = 0, closer = 1, light_from_right = 0;
-    bool compare = false;
+    bool compare = false, window = false;
     Settings settings;
 };
 
@@ -29,8 +30,8 @@ void save(const std::string& path, const picture::Picture& picture) {
 }
 
 /// Of several frames each has its number before the name's end.
-std::string numbered(const Arguments& a, unsigned frame) {
-    if (a.frames == 1) return a.out;
+std::string numbered(const Arguments& a, unsigned frame, std::size_t frames) {
+    if (frames == 1) return a.out;
     char number[16];
     std::snprintf(number, sizeof number, ".%04u", frame);
     std::filesystem::path made(a.out);
@@ -73,7 +74,7 @@ void compare_all(const Arguments& a, Frame& frame, const std::vector<path::Step>
         const Compared one = compare(frame, a.settings.bias);
         all.rmsm += one.rmsm, all.adaptive += one.adaptive, all.standard += one.standard;
         least = std::min(least, one.rmsm.share());
-        save(numbered(a, i), one.side_by_side);
+        save(numbered(a, i, steps.size()), one.side_by_side);
     }
     std::printf("%s, %zu frames; RMSM %.4f %% in the worst of them\n", a.scene.c_str(), steps.size(), 100 * least);
     print_agreement("RMSM", all.rmsm);
@@ -93,17 +94,27 @@ void run(const Arguments& a) {
         scene.view = steps[i].view, scene.light = steps[i].light;
         if (i == 0 || !a.settings.cached) frame.set_scene(scene);
         else frame.set_view(scene.view);
+        frame.prepare(method_of(a.method));
         device.wait();
         const std::uint64_t before = device.statistics().submissions;
         const auto start = std::chrono::steady_clock::now();
-        frame.draw(method_of(a.method));
+        frame.submit(method_of(a.method));
         device.wait();
         const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         std::printf("%s: %s, frame %u: %.2f ms, submissions: %llu, %s\n", device.properties().name.c_str(),
                     a.method.c_str(), i, 1e3 * seconds,
                     static_cast<unsigned long long>(device.statistics().submissions - before), frame.status().c_str());
-        save(numbered(a, i), frame.picture(view_of(a.show)));
+        save(numbered(a, i, steps.size()), frame.picture(view_of(a.show)));
     }
+}
+
+void run_window(const Arguments& a) {
+    window::Window window("Shadows", {a.size[0], a.size[1]});
+    path::Step start = path_of(a, scene_at(a, a.time)).front();
+    Choice choice{a.settings, method_of(a.method), view_of(a.show), a.time, false};
+    show_at(
+        window, choice, start.view, start.light, [&](float time) { return scene_at(a, time); },
+        [&](const picture::Picture& picture) { save(a.out, picture); });
 }
 
 void add_knobs(CLI::App& app, Settings& s) {
@@ -127,6 +138,8 @@ void add_knobs(CLI::App& app, Settings& s) {
     app.add_option("--seed-level", s.seed, "asm: the finest level that is there from the beginning")
         ->capture_default_str();
     app.add_option("--rounds", s.rounds, "asm: at most so many")->check(CLI::Range(1u, 32u))->capture_default_str();
+    app.add_flag("--fill-by-kernel,!--fill-by-draws", s.by_kernel,
+                 "How depths get into pages; without it, as is faster on the device");
     app.add_flag("--trilinear", s.trilinear, "Between levels, too");
     app.add_flag("--cached", s.cached, "Pages stay from frame to frame; scene and light stand still");
     app.add_flag("--spot", s.spot, "A spot light where the light's eye is");
@@ -160,6 +173,7 @@ void add_options(CLI::App& app, Arguments& a) {
     app.add_option("--light-right", a.light_from_right, "The light, so far around the scene")->capture_default_str();
     app.add_flag("--compare", a.compare,
                  "All methods beside rays: shares that agree, and a picture of the differences");
+    app.add_flag("--window", a.window, "Show it in a window: camera, light, knobs, and what the quadtree is made of");
     app.add_option("--out", a.out, "The picture to write, PNG or EXR")->capture_default_str();
     app.footer("GLIFT_DEVICE=gpu|lavapipe|host|NAME chooses the device.");
 }
@@ -173,7 +187,8 @@ int main(int argc, char** argv) {
     add_knobs(app, arguments.settings);
     CLI11_PARSE(app, argc, argv);
     try {
-        run(arguments);
+        if (arguments.window) run_window(arguments);
+        else run(arguments);
         return 0;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "shadows: %s\n", error.what());

@@ -110,7 +110,18 @@ public:
         return light_at(point_of(s.x, s.y, s.z));
     }
 
-    /// The same on the plane that a pixel shows, so many pixels beside its centre.
+    /// Whether the plane that a pixel shows has the other answer within a pixel's distance: on three circles.
+    bool differs_within_a_pixel(std::size_t pixel) const {
+        const Light own = light_of(pixel);
+        for (int k = 0; k < 24; ++k) {
+            const double angle = 0.7853981633974483 * k, radius = 1.0 - 0.33 * (k / 8);
+            if (light_beside(pixel, radius * std::cos(angle), radius * std::sin(angle)) != own) return true;
+        }
+        return false;
+    }
+
+private:
+    /// Of a place so many pixels beside a pixel's centre, on the plane that the pixel shows.
     Light light_beside(std::size_t pixel, double x, double y) const {
         const glift::float4& s = lighting_.surface[pixel];
         const glift::float2& slope = lighting_.slopes[pixel];
@@ -125,7 +136,6 @@ public:
         return light_at(from + along * (dot(a - from, normal) / dot(along, normal)));
     }
 
-private:
     /// From light space to the world.
     Vector point_of(double s, double t, double depth) const {
         const auto [from, along] = light_.line(2 * s - 1, 2 * t - 1);
@@ -146,32 +156,30 @@ private:
     double near_, far_, bias_;
 };
 
+/// Whether one of the eight pixels around has the other answer.
+bool differs_around(const std::vector<Light>& light, glift::uint2 size, std::size_t pixel) {
+    for (std::size_t side = 0; side < 9; ++side) {
+        const std::size_t column = pixel % size.x + side % 3 - 1, row = pixel / size.x + side / 3 - 1;
+        if (column >= size.x || row >= size.y) continue;
+        const Light other = light[row * size.x + column];
+        if (other != Light::unknown && other != light[pixel]) return true;
+    }
+    return false;
+}
+
 }  // namespace
 
-Reference trace(const Frame& frame, const Lighting& lighting, const std::vector<bool>& doubted, float bias) {
+Reference trace(const Frame& frame, const Lighting& lighting, float bias,
+                const std::function<bool(std::size_t, Light)>& is_doubted) {
     const Tracer tracer(frame, lighting, bias);
     const glift::uint2 size = frame.size();
     Reference reference;
     for (std::size_t i = 0; i < lighting.surface.size(); ++i) reference.light.push_back(tracer.light_of(i));
     reference.at_edge.resize(lighting.surface.size());
-    for (std::size_t i = 0; i < lighting.surface.size(); ++i) {
-        const Light own = reference.light[i];
-        if (own == Light::unknown) continue;
-        const std::size_t x = i % size.x, y = i / size.x;
-        bool found = false;
-        for (int side = 0; side < 9; ++side) {
-            const std::size_t column = x + static_cast<std::size_t>(side % 3) - 1,
-                              row = y + static_cast<std::size_t>(side / 3) - 1;
-            if (column >= size.x || row >= size.y) continue;
-            const Light other = reference.light[row * size.x + column];
-            found = found || (other != Light::unknown && other != own);
-        }
-        for (int k = 0; k < 24 && doubted[i] && !found; ++k) {
-            const double angle = 0.7853981633974483 * k, radius = 1.0 - 0.33 * (k / 8);
-            found = tracer.light_beside(i, radius * std::cos(angle), radius * std::sin(angle)) != own;
-        }
-        reference.at_edge[i] = found;
-    }
+    for (std::size_t i = 0; i < lighting.surface.size(); ++i)
+        if (reference.light[i] != Light::unknown)
+            reference.at_edge[i] = differs_around(reference.light, size, i) ||
+                                   (is_doubted(i, reference.light[i]) && tracer.differs_within_a_pixel(i));
     return reference;
 }
 

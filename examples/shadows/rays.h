@@ -3,6 +3,7 @@
 
 #include "frame.h"
 
+#include <functional>
 #include <vector>
 
 namespace rays {
@@ -17,8 +18,9 @@ struct Reference {
     std::vector<bool> at_edge;
 };
 
-/// Traces rays to the light from what each pixel of a frame shows. Of pixels in `doubted` edges are looked for between
-/// pixels, too.
-Reference trace(const Frame& frame, const Lighting& lighting, const std::vector<bool>& doubted, float bias);
+/// Traces rays to the light from what each pixel of a frame shows. Edges are looked for among the pixels around; where
+/// a pixel `is_doubted`, since somebody has another answer, between pixels, too.
+Reference trace(const Frame& frame, const Lighting& lighting, float bias,
+                const std::function<bool(std::size_t pixel, Light)>& is_doubted);
 
 }  // namespace rays

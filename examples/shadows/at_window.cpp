@@ -1,0 +1,104 @@
+#include "at_window.h"
+
+#include "shown.glift.hpp"
+
+#include <imgui/imgui.h>
+
+#include <cmath>
+#include <optional>
+
+namespace {
+
+class Show {
+public:
+    Show(window::Window& window, Choice& choice, camera::Camera& view, camera::Camera& light,
+         const std::function<scenes::Scene(float)>& scene_at, const std::function<void(const picture::Picture&)>& save)
+        : window_(window), choice_(choice), view_(view), light_(light), scene_at_(scene_at), save_(save) {
+        fit();
+    }
+
+    void frame() {
+        react();
+        if (has_panel_) panel();
+        if (window_.is_minimised()) return;
+        if (frame_->size() != window_.size()) fit();
+        if (choice_.moves) {
+            choice_.time += 1.0f / 30;
+            scene_ = scene_at_(choice_.time);
+        }
+        scene_.view = view_, scene_.light = light_;
+        frame_->set_knobs(choice_.settings);
+        frame_->set_scene(scene_);
+        frame_->draw(choice_.method);
+        show::to_screen(window_.device(), frame_->image(choice_.view), *shown_);
+        window_.show(shown_->data());
+    }
+
+private:
+    void fit() {
+        frame_.emplace(window_.device(), choice_.settings, window_.size());
+        shown_.emplace(window_.device(), window_.size());
+        scene_ = scene_at_(choice_.time);
+    }
+    /// The left button turns the camera, the right one the light, the wheel goes closer.
+    void react() {
+        for (const window::PointerEvent& event : window_.events().pointer) {
+            if (event.kind == window::PointerEvent::Kind::press) button_ = event.button;
+            if (event.kind == window::PointerEvent::Kind::move && event.is_down) {
+                const glift::float2 way = (event.place - place_) * 0.005f;
+                camera::Camera& turned = button_ == window::Button::right ? light_ : view_;
+                turned = camera::orbited(turned, way.x, way.y, 1);
+            }
+            place_ = event.place;
+        }
+        if (window_.events().wheel != 0) view_ = camera::orbited(view_, 0, 0, std::pow(1.1f, window_.events().wheel));
+        for (const window::KeyEvent& event : window_.events().keys) {
+            if (!event.is_down) continue;
+            if (event.key == window::escape) window_.close();
+            if (event.key == window::tab) has_panel_ = !has_panel_;
+            if (event.key == 'S') save_(frame_->picture(choice_.view));
+        }
+    }
+    void panel() {
+        Settings& s = choice_.settings;
+        int method = static_cast<int>(choice_.method), view = static_cast<int>(choice_.view),
+            finest = static_cast<int>(s.finest), step = static_cast<int>(std::log2(s.step));
+        ImGui::SetNextWindowPos({10, 10}, ImGuiCond_FirstUseEver);
+        ImGui::Begin("Shadows", nullptr, ImGuiWindowFlags_AlwaysAutoResize);
+        ImGui::PushItemWidth(160);
+        ImGui::Combo("method", &method, "standard\0ASM\0RMSM\0");
+        ImGui::Combo("show", &view, "picture\0levels\0borders\0map\0pool\0");
+        ImGui::SliderInt("finest level", &finest, 0, static_cast<int>(s.levels) - 1, "%d",
+                         ImGuiSliderFlags_AlwaysClamp);
+        ImGui::Combo("analysis", &step, "every pixel\0every 2nd\0every 4th\0every 8th\0");
+        ImGui::Checkbox("trilinear", &s.trilinear);
+        ImGui::Checkbox("cached", &s.cached);
+        ImGui::Checkbox("moves", &choice_.moves);
+        ImGui::PopItemWidth();
+        ImGui::TextUnformatted("Left: camera.  Right: light.  Wheel: closer.\nTab: hide this.  S: save.  Esc: close.");
+        ImGui::End();
+        choice_.method = static_cast<Method>(method), choice_.view = static_cast<View>(view);
+        s.finest = static_cast<std::uint32_t>(finest), s.step = 1u << static_cast<unsigned>(step);
+    }
+
+    window::Window& window_;
+    Choice& choice_;
+    camera::Camera &view_, &light_;
+    const std::function<scenes::Scene(float)>& scene_at_;
+    const std::function<void(const picture::Picture&)>& save_;
+    std::optional<Frame> frame_;
+    std::optional<shown::Shown> shown_;
+    scenes::Scene scene_;
+    window::Button button_ = window::Button::left;
+    glift::float2 place_{};
+    bool has_panel_ = true;
+};
+
+}  // namespace
+
+void show_at(window::Window& window, Choice& choice, camera::Camera& view, camera::Camera& light,
+             const std::function<scenes::Scene(float)>& scene_at,
+             const std::function<void(const picture::Picture&)>& save) {
+    Show show(window, choice, view, light, scene_at, save);
+    while (window.next()) show.frame();
+}

@@ -1,0 +1,189 @@
+// Shadow maps in a quadtree: what shadows.glift promises, on a small scene, on the host device and on Vulkan.
+#include "tests/device/guards/on_every_device.h"
+
+#include "examples/shadows/compare.h"
+
+#include <glift/host/math.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace {
+
+using glift::float3;
+
+/// A grid of posts on a floor, seen so that near posts need fine levels and far ones coarse ones.
+scenes::Scene posts() {
+    scenes::Scene scene;
+    const auto add_quad = [&](const float3& a, const float3& u, const float3& v) {
+        const auto first = static_cast<std::uint32_t>(scene.mesh.points.size());
+        for (const float3& p : {a, a + u, a + u + v, a + v}) {
+            scene.mesh.points.push_back(p);
+            scene.mesh.colours.emplace_back(0.6f, 0.6f, 0.6f);
+        }
+        for (const std::uint32_t corner : {0u, 1u, 2u, 0u, 2u, 3u}) scene.mesh.corners.push_back(first + corner);
+    };
+    add_quad({-4, 0, -4}, {8, 0, 0}, {0, 0, 8});
+    for (int i = 0; i < 49; ++i) {
+        const float x = -3 + static_cast<float>(i % 7), z = -3 + static_cast<float>(i / 7);
+        add_quad({x, 0, z}, {0.09f, 0, 0.03f}, {0.02f, 0.8f, 0.01f});
+        add_quad({x, 0, z}, {-0.03f, 0, 0.09f}, {0.01f, 0.8f, 0.02f});
+    }
+    scene.view = {float3(0.7f, 1.1f, 4.2f), float3(0.2f, 0.2f, 0), float3(0, 1, 0), 0.8f, 0.1f, 20};
+    scene.light = {float3(2, 5, 3), float3(0, 0, 0), float3(0, 1, 0), 1.2f, 0.5f, 12};
+    scene.light_half_size = 6;
+    return scene;
+}
+
+Settings small() {
+    Settings settings;
+    settings.levels = 8, settings.pages = 256, settings.pairs = 20'000, settings.standard = 256, settings.seed = 5;
+    settings.rounds = 3;
+    return settings;
+}
+
+struct Shadows : OnEveryDevice {
+    Frame frame(const Settings& settings) {
+        Frame made(device, settings, {96, 64});
+        made.set_scene(posts());
+        return made;
+    }
+};
+
+TEST_P(Shadows, AgreeWithRays) {
+    for (const bool is_spot : {false, true}) {
+        Settings settings = small();
+        settings.spot = is_spot;
+        Frame some = frame(settings);
+        const Compared compared = compare(some, settings.bias);
+        EXPECT_GT(compared.rmsm.pixels, 1500u) << is_spot;
+        EXPECT_GT(compared.rmsm.in_band, 100u) << is_spot;
+        EXPECT_GE(compared.rmsm.share(), 0.998) << is_spot;
+        EXPECT_GE(compared.adaptive.share(), 0.99) << is_spot;
+        EXPECT_LT(compared.standard.share(), compared.rmsm.share()) << is_spot;
+    }
+}
+
+TEST_P(Shadows, AreOneSubmissionAFrame) {
+    Frame some = frame(small());
+    for (const Method method : {Method::matched, Method::adaptive, Method::standard}) {
+        some.prepare(method);
+        device.wait();
+        const glift::Statistics before = device.statistics();
+        some.submit(method);
+        const glift::Statistics after = device.statistics();
+        EXPECT_LE(after.submissions - before.submissions, 1u);
+        EXPECT_EQ(after.waits, before.waits);
+    }
+}
+
+TEST_P(Shadows, HaveTheSameDepthsByDrawsAndByAKernel) {
+    Settings settings = small();
+    settings.spot = true;
+    settings.by_kernel = false;
+    Frame draws = frame(settings);
+    settings.by_kernel = true;
+    Frame kernel = frame(settings);
+    for (Frame* some : {&draws, &kernel}) some->draw(Method::matched);
+    const std::vector<std::uint32_t> owners = draws.owners();
+    ASSERT_EQ(owners, kernel.owners());
+    EXPECT_TRUE(draws.depths_of_pages() == kernel.depths_of_pages());
+}
+
+TEST_P(Shadows, HaveThePagesThatPixelsNeed) {
+    for (const std::uint32_t step : {1u, 4u}) {
+        Settings settings = small();
+        settings.step = step;
+        Frame some = frame(settings);
+        some.draw(Method::matched);
+        const Lighting lighting = some.lighting();
+        std::map<std::array<std::uint32_t, 3>, bool> wanted;
+        for (std::uint32_t y = 0; y < 64; y += step)
+            for (std::uint32_t x = 0; x < 96; x += step) {
+                const glift::float4& s = lighting.surface[std::size_t{y} * 96 + x];
+                if (s.w < 0 || std::min(s.x, s.y) < 0 || std::max(s.x, s.y) >= 1) continue;
+                const auto level = std::min(static_cast<std::uint32_t>(s.w), settings.levels - 1);
+                const float side = 32 * static_cast<float>(1u << (settings.levels - 1)),
+                            page = 32 * static_cast<float>(1u << level);
+                const auto number = [&](float at) {
+                    return static_cast<std::uint32_t>((at * side + 0.5f - 0.5f) / page);
+                };
+                wanted[{level, number(s.x), number(s.y)}] = true;
+            }
+        EXPECT_EQ(some.pool().resident, wanted.size()) << step;
+        EXPECT_GT(wanted.size(), 30u) << step;
+    }
+}
+
+TEST_P(Shadows, DegradeWithTheirPool) {
+    Settings settings = small();
+    Frame whole = frame(settings);
+    whole.draw(Method::matched);
+    const std::uint32_t wanted = whole.pool().resident;
+    for (const std::uint32_t part : {2u, 16u}) {
+        settings.pages = wanted / part;
+        Frame some = frame(settings);
+        const Compared compared = compare(some, settings.bias);
+        EXPECT_LE(some.pool().resident, settings.pages) << part;
+        // What is coarser than the standard map is looked up there.
+        EXPECT_GE(compared.rmsm.share(), compared.standard.share() - 0.005) << part;
+    }
+}
+
+TEST_P(Shadows, StayWhereSceneAndLightDo) {
+    Settings settings = small();
+    settings.cached = true;
+    Frame cached = frame(settings), anew = frame(small());
+    const camera::Camera start = posts().view;
+    for (unsigned i = 0; i < 4; ++i) {
+        const camera::Camera view = camera::orbited(start, 0.05f * static_cast<float>(i), 0, 1);
+        for (Frame* some : {&cached, &anew}) {
+            some->set_view(view);
+            some->draw(Method::matched);
+        }
+        if (i > 0) {
+            EXPECT_LT(cached.pool().granted, anew.pool().resident / 2);
+        }
+        // Each pixel finds the page that it needs in both, with the same depths,
+        // but for where in the pool they lie, by which coordinates are rounded.
+        const std::vector<float> a = cached.lighting().lit, b = anew.lighting().lit;
+        for (std::size_t k = 0; k < a.size(); ++k) ASSERT_NEAR(a[k], b[k], 1e-3) << i << ' ' << k;
+    }
+}
+
+TEST_P(Shadows, SayWhatFoundNoRoom) {
+    Settings settings = small();
+    settings.pairs = 10;
+    Frame some = frame(settings);
+    some.draw(Method::matched);
+    const auto error = [&]() -> std::string {
+        try {
+            return some.status();
+        } catch (const std::exception& thrown) {
+            return thrown.what();
+        }
+    }();
+    EXPECT_THAT(error, testing::HasSubstr("--pairs"));
+}
+
+GLIFT_ON_EVERY_DEVICE(Shadows);
+
+/// The same pages in the same frames, and the same light: all that is not drawn is exact.
+TEST(ShadowsOnDevices, AreTheSame) {
+    const char* vulkan = std::getenv("GLIFT_TEST_DEVICE");
+    Frame host(glift::Device::open("host"), small(), {96, 64});
+    Frame other(glift::Device::open(vulkan ? vulkan : "lavapipe"), small(), {96, 64});
+    for (const Method method : {Method::matched, Method::adaptive}) {
+        for (Frame* some : {&host, &other}) {
+            some->set_scene(posts());
+            some->draw(method);
+        }
+        EXPECT_EQ(host.owners(), other.owners());
+        EXPECT_TRUE(host.depths_of_pages() == other.depths_of_pages());
+        EXPECT_EQ(host.lighting().lit, other.lighting().lit);
+    }
+}
+
+}  // namespace
