@@ -87,10 +87,14 @@ void Frame::prepare(Method method) {
     glift::Recording& recorded = recorded_.at(static_cast<std::size_t>(method));
     if (recorded) return;
     const bool is_gpu = device_.properties().kind == glift::DeviceKind::gpu;
-    const shadows::Settings settings{
-        settings_.bias,      settings_.step,   std::min(settings_.finest, settings_.levels - 1),
-        settings_.trilinear, settings_.cached, std::min(settings_.seed, settings_.levels - 1),
-        settings_.rounds};
+    const shadows::Settings settings{.bias = settings_.bias,
+                                     .step = settings_.step,
+                                     .finest = std::min(settings_.finest, settings_.levels - 1),
+                                     .is_trilinear = settings_.trilinear,
+                                     .is_cached = settings_.cached,
+                                     .fills_by_kernel = settings_.by_kernel.value_or(is_gpu),
+                                     .seed = std::min(settings_.seed, settings_.levels - 1),
+                                     .most_rounds = settings_.rounds};
     const glift::uint chosen = method == Method::standard   ? shadows::Method::standard
                                : method == Method::adaptive ? shadows::Method::adaptive
                                                             : shadows::Method::matched;

@@ -61,6 +61,8 @@ public:
     eye::Picture image(View view) const;
     picture::Picture picture(View view = View::picture) const;
     Lighting lighting() const;
+    /// How often the last frame of ASM or RMSM has filled pages.
+    std::uint32_t rounds() const { return shadows_->rounds().read().front(); }
     std_page_allocator::PoolStatus pool() const { return shadows_->tree().status(device_); }
     std::vector<std::uint32_t> owners() const {
         return shadows_->tree().pages().owners().read();
