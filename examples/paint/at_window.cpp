@@ -26,9 +26,9 @@ double megabytes(std::uint64_t bytes) { return 1e-6 * static_cast<double>(bytes)
 class Painter {
 public:
     Painter(window::Window& window, Canvas& canvas, Orbit& orbit, painted::Layers layers,
-            const std::function<void()>& save)
+            std::vector<strokes::Stroke> strokes, const std::function<void()>& save)
         : window_(window), canvas_(canvas), orbit_(orbit), layers_(layers), save_(save),
-          shown_(canvas.device(), window.size()) {}
+          shown_(canvas.device(), window.size()), done_(std::move(strokes)), undoable_(done_.size()) {}
 
     void frame() {
         for (const PointerEvent& event : window_.events().pointer) react(event);
@@ -204,7 +204,7 @@ private:
     strokes::Stroke stroke_;
     std::optional<strokes::Dabs> dabs_;
     std::vector<strokes::Stroke> done_;
-    std::size_t undoable_ = 0;  ///< of them; the others were undone
+    std::size_t undoable_;  ///< of them; the others were undone
     std::optional<window::Button> held_;
     float2 last_;
     double dab_milliseconds_ = 0;
@@ -224,8 +224,8 @@ camera::Camera Orbit::camera() const {
 }
 
 std::vector<strokes::Stroke> paint_at(window::Window& window, Canvas& canvas, Orbit& orbit, painted::Layers layers,
-                                      const std::function<void()>& save) {
-    Painter painter(window, canvas, orbit, layers, save);
+                                      std::vector<strokes::Stroke> strokes, const std::function<void()>& save) {
+    Painter painter(window, canvas, orbit, layers, std::move(strokes), save);
     while (window.next_event()) painter.frame();
     return painter.end();
 }

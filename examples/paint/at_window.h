@@ -19,4 +19,4 @@ struct Orbit {
 /// middle one moves it, the wheel goes closer; Z undoes, Y does again, S calls `save`, L and B show levels and borders,
 /// P the pool, Tab hides the panel. Gives the strokes that are there at the end.
 std::vector<strokes::Stroke> paint_at(window::Window& window, Canvas& canvas, Orbit& orbit, painted::Layers layers,
-                                      const std::function<void()>& save);
+                                      std::vector<strokes::Stroke> strokes, const std::function<void()>& save);

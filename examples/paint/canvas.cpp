@@ -1,6 +1,5 @@
 #include "canvas.h"
 
-#include "mips.glift.hpp"
 #include "paint_file.h"
 
 #include <glift/host/math.h>
@@ -48,7 +47,7 @@ void Canvas::dab(const paint::Brush& brush) {
 }
 
 glift::uint Canvas::end() {
-    mips::finish(device_, octree_, journal_);
+    paint::finish(device_, octree_, journal_);
     history_.add(device_, octree_, journal_);
     return journal_.lost_pages(device_);
 }

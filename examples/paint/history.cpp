@@ -51,10 +51,10 @@ void History::add(const glift::Device& device, journal::Octree& octree, journal:
     };
     if (!step.before.pages.empty()) {
         const journal::PageList pages = made(step.before);
-        journal::store_before(device, octree, journal, pages, step.before.on_device);
+        journal::store(device, octree, journal.before(), pages, step.before.on_device);
     }
     const journal::PageList pages = made(step.after);
-    journal::store(device, octree, pages, step.after.on_device);
+    journal::store(device, octree, octree.frames(), pages, step.after.on_device);
     steps_.resize(done_);
     steps_.push_back(std::move(step));
     ++done_;
@@ -64,18 +64,18 @@ void History::add(const glift::Device& device, journal::Octree& octree, journal:
 bool History::undo(const glift::Device& device, journal::Octree& octree) {
     if (done_ == 0) return false;
     const Step& step = steps_[--done_];
-    if (!step.born.empty()) journal::take_away(device, octree, list_of(device, step.born));
+    if (!step.born.empty()) journal::exchange(device, octree, false, list_of(device, step.born));
     step.before.restore(device, octree);
-    journal::hang_together(device, octree);
+    octree.join(device);  // hanging nodes follow from the others
     return true;
 }
 
 bool History::redo(const glift::Device& device, journal::Octree& octree) {
     if (done_ == steps_.size()) return false;
     const Step& step = steps_[done_++];
-    if (!step.born.empty()) journal::bring(device, octree, list_of(device, step.born));
+    if (!step.born.empty()) journal::exchange(device, octree, true, list_of(device, step.born));
     step.after.restore(device, octree);
-    journal::hang_together(device, octree);
+    octree.join(device);  // hanging nodes follow from the others
     return true;
 }
 

@@ -64,9 +64,9 @@ void say_lost(std::size_t stroke, glift::uint lost) {
             stroke + 1, lost);
 }
 
-void paint_all(const Arguments& a, Canvas& canvas) {
+std::vector<strokes::Stroke> paint_all(const Arguments& a, Canvas& canvas) {
     if (!a.load.empty()) canvas.load(a.load);
-    if (a.strokes.empty()) return;
+    if (a.strokes.empty()) return {};
     const std::vector<strokes::Stroke> all = strokes::read(a.strokes);
     canvas.device().wait();
     const auto start = std::chrono::steady_clock::now();
@@ -79,6 +79,7 @@ void paint_all(const Arguments& a, Canvas& canvas) {
     const double ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     std::printf("%zu strokes, %zu dabs: %.1f ms, %.2f a dab\n", all.size(), dabs, ms,
                 ms / static_cast<double>(std::max<std::size_t>(dabs, 1)));
+    return all;
 }
 
 void say_size(Canvas& canvas, const mesh::Mesh& mesh) {
@@ -109,23 +110,33 @@ void run(const Arguments& a) {
     std::printf("wrote %s\n", a.out.c_str());
 }
 
+/// The options that make the picture again from the strokes that were recorded.
+std::string words_of(const Arguments& a, const Orbit& orbit, glift::uint2 size) {
+    char view[200];
+    std::snprintf(view, sizeof view, " --turn %.9g --upwards %.9g --closer %.9g --target %.9g %.9g %.9g",
+                  static_cast<double>(orbit.turn), static_cast<double>(orbit.upwards),
+                  static_cast<double>(orbit.closer), static_cast<double>(orbit.target.x),
+                  static_cast<double>(orbit.target.y), static_cast<double>(orbit.target.z));
+    return "paint " + a.model + (a.load.empty() ? "" : " --load " + a.load) + " --strokes " + a.record +
+           " --resolution " + std::to_string(a.octree.resolution) + " --pages " + std::to_string(a.octree.pages) +
+           " --size " + std::to_string(size.x) + " " + std::to_string(size.y) + view + " --out " + a.out;
+}
+
 void run_window(const Arguments& a) {
     window::Window window("Paint", {a.size[0], a.size[1]});
     const mesh::Mesh mesh = model_of(a);
     Canvas canvas(window.device(), mesh, a.octree);
-    paint_all(a, canvas);
+    std::vector<strokes::Stroke> strokes = paint_all(a, canvas);
     Orbit orbit = orbit_of(a, mesh);
     const auto save = [&] {
         picture::write(a.out, canvas.render(orbit.camera(), window.size(), {}));
         write_results(a, canvas);
     };
-    const std::vector<strokes::Stroke> made = paint_at(window, canvas, orbit, a.layers, save);
+    strokes = paint_at(window, canvas, orbit, a.layers, std::move(strokes), save);
     write_results(a, canvas);
-    if (!a.record.empty()) strokes::write(a.record, made);
-    std::printf("the same view: --turn %.9g --upwards %.9g --closer %.9g --target %.9g %.9g %.9g\n",
-                static_cast<double>(orbit.turn), static_cast<double>(orbit.upwards), static_cast<double>(orbit.closer),
-                static_cast<double>(orbit.target.x), static_cast<double>(orbit.target.y),
-                static_cast<double>(orbit.target.z));
+    if (a.record.empty()) return;
+    strokes::write(a.record, strokes);
+    std::printf("the same picture: %s\n", words_of(a, orbit, window.size()).c_str());
 }
 
 void add_octree_options(CLI::App& app, Arguments& a) {
@@ -170,7 +181,7 @@ int main(int argc, char** argv) {
     add_octree_options(app, arguments);
     add_view_options(app, arguments);
     app.add_flag("--window", arguments.window, "Paint in a window");
-    app.add_option("--record", arguments.record, "A file for the strokes that are made there");
+    app.add_option("--record", arguments.record, "A file for the strokes that there are at its end");
     app.footer("GLIFT_DEVICE=gpu|lavapipe|host|NAME chooses the device.");
     CLI11_PARSE(app, argc, argv);
     try {

@@ -168,7 +168,7 @@ void save(const std::string& path, const glift::Device& device, journal::Octree&
     file.write_with_checksum(pages);
     in_parts(pages, [&](std::span<const Word> part, std::size_t) {
         journal::Texels texels(device, {texels_of_page, static_cast<Word>(part.size())});
-        journal::store(device, octree, list_of(device, part), texels);
+        journal::store(device, octree, octree.frames(), list_of(device, part), texels);
         const Words all = texels.read();
         for (std::size_t i = 0; i < part.size(); ++i)
             file.write_with_checksum(Words(all.begin() + static_cast<std::ptrdiff_t>(i * texels_of_page),

@@ -116,13 +116,13 @@ void VirtualDisplay::move_to(int x, int y) const {
     connection_->done();
 }
 
-void VirtualDisplay::press() const {
-    XTestFakeButtonEvent(connection_->display, 1, True, CurrentTime);
+void VirtualDisplay::press(unsigned button) const {
+    XTestFakeButtonEvent(connection_->display, button, True, CurrentTime);
     connection_->done();
 }
 
-void VirtualDisplay::release() const {
-    XTestFakeButtonEvent(connection_->display, 1, False, CurrentTime);
+void VirtualDisplay::release(unsigned button) const {
+    XTestFakeButtonEvent(connection_->display, button, False, CurrentTime);
     connection_->done();
 }
 

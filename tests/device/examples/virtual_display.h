@@ -29,8 +29,9 @@ public:
     bool has_window(const std::string& title);
     Seen seen() const;
     void move_to(int x, int y) const;
-    void press() const;
-    void release() const;
+    /// A button, as X numbers them: 1 is the left one, 3 the right one.
+    void press(unsigned button = 1) const;
+    void release(unsigned button = 1) const;
     void type(const std::string& key) const;  ///< as X names it: `Tab`
     void resize(unsigned width, unsigned height) const;
     void minimise() const;
