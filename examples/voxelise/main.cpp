@@ -8,6 +8,7 @@
 #include "voxels.glift.hpp"
 
 #include <glift/host/math.h>
+#include <glift/inspect.h>
 
 #include <CLI/CLI.hpp>
 
@@ -30,6 +31,7 @@ struct Arguments {
     std::uint32_t extent = 512, voxel_pages = 40000, tree_pages = 50000, size = 640;
     float turn = 0.6f, slice = 0.5f;
     std::filesystem::path out = ".";
+    bool inspects = false;
 };
 
 void add_options(CLI::App& app, Arguments& a) {
@@ -49,6 +51,7 @@ void add_options(CLI::App& app, Arguments& a) {
         ->capture_default_str();
     app.add_option("--size", a.size, "of a picture's side")->check(CLI::Range(16u, 8192u))->capture_default_str();
     app.add_option("--out", a.out, "folder of the pictures")->capture_default_str();
+    app.add_flag("--inspect", a.inspects, "also the structures themselves, for tools/inspect");
 }
 
 mesh::Mesh mesh_of(const std::string& what) {
@@ -131,6 +134,14 @@ public:
         write("distances_slice.png");
     }
 
+    /// The grid's own picture, and that of the octree with a level of its pages after the other.
+    void inspect() {
+        const voxels::Resident there(device_, grid_.field(), grid_.pages().active(), grid_.pages().residents());
+        save(glift::inspect(there, "voxels"), "voxels_pages.inspection");
+        const distances::Nodes nodes(device_, tree_.best(), tree_.frames(), tree_.levels());
+        save(glift::inspect(nodes, "distances"), "distances_pages.inspection");
+    }
+
 private:
     template <class Work> double timed(const Work& work) {
         device_.wait();
@@ -143,6 +154,12 @@ private:
     }
 
     double percent(std::uint32_t pages) const { return 100 * pages / std::pow(arguments_.extent / 8.0, 3); }
+
+    void save(const glift::Inspection& inspection, const std::string& name) {
+        const std::filesystem::path file = arguments_.out / name;
+        inspection.save(file.string());
+        std::printf("tools/inspect %s draws it\n", file.c_str());
+    }
 
     void write(const std::string& name) {
         const std::filesystem::path file = arguments_.out / name;
@@ -172,6 +189,7 @@ int main(int argc, char** argv) {
         run.voxelise(mesh);
         run.measure();
         run.draw();
+        if (arguments.inspects) run.inspect();
         return 0;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "voxelise: %s\n", error.what());

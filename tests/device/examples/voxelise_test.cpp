@@ -127,8 +127,16 @@ TEST_F(Voxelise, TouchesWhatTrianglesTouch) {
 
 TEST_F(Voxelise, LooksTheSameOnBothDevices) {
     for (const std::string device : {"host", "lavapipe"}) {
-        const auto result = run(device, {"robot"});
+        const auto result = run(device, {"robot", "--inspect"});
         ASSERT_EQ(result.exit_code, 0) << result.err;
+    }
+    for (const std::string name : {"voxels_pages.inspection", "distances_pages.inspection"}) {
+        const auto elements_on = [&](const std::string& device) {
+            const std::string text = glift::test::read_file(folder.path() / device / name);
+            EXPECT_THAT(text, HasSubstr("\"planes\""));
+            return text.substr(text.find("\"elements\""), 20);
+        };
+        EXPECT_EQ(elements_on("host"), elements_on("lavapipe"));
     }
     for (const std::string name : {"voxels.png", "voxels_slice.png", "distances.png", "distances_slice.png"}) {
         const std::filesystem::path out = folder.path();
