@@ -26,6 +26,8 @@ struct PaintWindows : windows::Windows {
                 "0",
                 "--upwards",
                 "0",
+                "--out",
+                file("seen.png"),
                 "--record",
                 file("made.strokes")};
     }
@@ -61,19 +63,20 @@ TEST_F(PaintWindows, PaintUndoAndTurn) {
     display.type("z");
     EXPECT_TRUE(shows(blank)) << running->err();
     drag(3, 200, 100, 160, 110);
-    display.type("b");
     display.type("y");
-    display.type("b");
     display.type("s");
     ASSERT_TRUE(waited_for([&] { return std::filesystem::exists(file("seen.png")); })) << running->err();
     std::this_thread::sleep_for(std::chrono::milliseconds(200));
-    EXPECT_TRUE(shows(picture::read(file("seen.png")))) << running->err();
-    keep(display.seen(), "paint_window.png");
+    const picture::Picture painted = picture::read(file("seen.png"));
+    EXPECT_TRUE(shows(painted)) << running->err();
     EXPECT_GT(windows::farthest(display.seen(), blank), 20);
+    display.type("b");
+    EXPECT_TRUE(waited_for([&] { return windows::farthest(display.seen(), painted) > 20; })) << "borders of pages";
+    keep(display.seen(), "paint_window_borders.png");
     display.type("Escape");
     EXPECT_EQ(running->exit_code(), 0) << running->err();
     const picture::Picture same = said(*running);
-    EXPECT_EQ(same.pixels, picture::read(file("seen.png")).pixels) << running->out();
+    EXPECT_EQ(same.pixels, painted.pixels) << running->out();
     EXPECT_THAT(running->out(), testing::Not(HasSubstr("--turn 0 ")));
     EXPECT_FALSE(glift::test::read_file(file("made.strokes")).empty());
 }
