@@ -19,6 +19,7 @@ const Exact exact[] = {
     {"fract(x)", fractions},
     {"round(x)", rounded},
     {"mix(x, y, 0.25)", mixed},
+    {"dot", of_dot},
     {"float(int(x))", through_int},
     {"float(uint(x))", through_uint},
 };
@@ -43,7 +44,6 @@ const Near near[] = {
     {"length", of_length, [](double x, double y) { return length(x, y, 1); }, -1e6, 1e6, 0, 2},
     {"distance", of_distance, [](double x, double y) { return length(x - 1, 2 - y, -2); }, -1e6, 1e6, 0, 2},
     {"normalize", of_normalize, [](double x, double y) { return x / length(x, y, 1); }, -1e6, 1e6, 1, 2},
-    {"dot", of_dot, [](double x, double y) { return x * y + 2 * y + x; }, -100, 100, 1e4, 2},
     {"fma", of_fma, [](double x, double y) { return x * y + 1; }, -100, 100, 1e4, 1},
     {"determinant", of_determinant, [](double x, double y) { return x * y - 6; }, -100, 100, 1e4, 1},
     {"inverse", of_inverse, [](double x, double y) { return y / (x * y + 1); }, 1, 100, 0, 4},
