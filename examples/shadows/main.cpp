@@ -101,9 +101,10 @@ void run(const Arguments& a) {
         frame.submit(method_of(a.method));
         device.wait();
         const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        const std::uint64_t submissions = device.statistics().submissions - before;  // status() makes some of its own
         std::printf("%s: %s, frame %u: %.2f ms, submissions: %llu, %s\n", device.properties().name.c_str(),
-                    a.method.c_str(), i, 1e3 * seconds,
-                    static_cast<unsigned long long>(device.statistics().submissions - before), frame.status().c_str());
+                    a.method.c_str(), i, 1e3 * seconds, static_cast<unsigned long long>(submissions),
+                    frame.status().c_str());
         save(numbered(a, i, steps.size()), frame.picture(view_of(a.show)));
     }
 }
