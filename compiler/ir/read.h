@@ -29,7 +29,7 @@
 //     "(" … ")"
 //               | binding [ ".row" ] "[" expr "]" | "image_load(" … ")" | "image_sample(" … ")" | "image_gather(" … ")"
 //               | "image_compare(" … ")" | "guarded_load(" … ")"
-//               | place | "none" | "(" expr [ ":" type ] ")" ;
+//               | place | "state" n | "none" | "(" expr [ ":" type ] ")" ;
 //
 // An expression is followed by its type where its operands do not imply it (ir/implied_type.h). "tmp" is a let that a
 // pass introduced. "fact" is a condition that is known to hold throughout the body; only tests write it. "…" leaves out

@@ -10,6 +10,15 @@ namespace gliftc::ir {
 
 namespace {
 
+/// The scalar field of a translator that "state" and a number name; none where the text names none.
+std::optional<std::uint32_t> state_slot(const std::string& called) {
+    const std::string_view prefix = "state";
+    const bool is_state = called.starts_with(prefix) && called.size() > prefix.size() &&
+                          called.find_first_not_of("0123456789", prefix.size()) == std::string::npos;
+    if (!is_state) return std::nullopt;
+    return static_cast<std::uint32_t>(std::stoul(called.substr(prefix.size())));
+}
+
 constexpr std::string_view binary_signs[] = {"<<", ">>", "<=", ">=", "==", "!=", "&&", "||", "*",
                                              "/",  "%",  "+",  "-",  "<",  ">",  "&",  "^",  "|"};
 
@@ -267,6 +276,8 @@ ExprId Reader::of_place() {
 
 ExprId Reader::of_local(const std::string& called) {
     const auto found = locals_.find(called);
+    if (const auto slot = state_slot(called); slot && found == locals_.end())
+        return add({.op = Op::state, .type = p.types.error, .slot = *slot});
     if (found == locals_.end()) fail(concat("'", called, "' is not declared before this"));
     return add({.op = Op::local, .type = p.locals[found->second].type, .local = found->second});
 }

@@ -83,10 +83,13 @@ private:
     bool is_made_of_constants(const Expr& expr) {
         switch (expr.op) {
         case Op::constant: return true;
+        case Op::binary:
+            // Addresses and extents may be computed in 64 bits (widen.h), where sums and products of uints do not wrap.
+            if (p.types.scalar_of(expr.type) == p.types.uint) return false;
+            [[fallthrough]];
         case Op::construct:
         case Op::convert:
         case Op::unary:
-        case Op::binary:
         case Op::select:
         case Op::swizzle:
         case Op::intrinsic:

@@ -4,7 +4,8 @@
 // vec4(2)) is false.
 //
 // Needs: checked functions. Guarantees: an expression of constants whose value is a scalar or vector of finite numbers
-// or of bools is a constant; a select whose condition is a constant is the operand it selects; values stay the same.
+// or of bools is a constant, unless arithmetic of uints is part of it; a select whose condition is a constant is the
+// operand it selects; values stay the same.
 #pragma once
 
 #include "ir/ir.h"

@@ -63,7 +63,7 @@ constexpr BodyPass host_bodies[] = {
 
 constexpr KernelPass kernels[] = {
     {"fold_constants", "checked functions that all kernels share",
-     "what they compute of constants alone is a constant, and choices by them are made"},
+     "what they compute of constants alone, without arithmetic of uints, is a constant; selects of constants are made"},
     {"expand", "a checked kernel",
      "no operation of structures; functions inlined; loads that may leave memory are guarded_load"},
     {"coarsen", "the expanded body of a kernel without a group", "a second body, for two elements an invocation"},

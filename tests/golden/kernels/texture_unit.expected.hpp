@@ -38,6 +38,13 @@ public:
     void copy_out(const glift::Commands& commands, const glift::Range<Shadows>& range, const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Shadows>& range, const glift::Memory& box) const;
 
+    /// Calls a function of `see` for each part, with its name and value: see glift/inspect.h.
+    template <class See> void describe(See&& see) const {
+        see.value("extent", extent_);
+        see.value("layers", layers_);
+        see.memory("depths", depths());
+    }
+
 private:
     glift::uint2 extent_{};
     glift::uint layers_{};
@@ -72,6 +79,12 @@ public:
     /// Elements of a box to a linear buffer, and back.
     void copy_out(const glift::Commands& commands, const glift::Range<Heights>& range, const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Heights>& range, const glift::Memory& box) const;
+
+    /// Calls a function of `see` for each part, with its name and value: see glift/inspect.h.
+    template <class See> void describe(See&& see) const {
+        see.value("extent", extent_);
+        see.memory("data", data());
+    }
 
 private:
     glift::uint2 extent_{};
@@ -114,6 +127,12 @@ public:
         const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Array_2_uint_none_image2d>& range,
         const glift::Memory& box) const;
+
+    /// Calls a function of `see` for each part, with its name and value: see glift/inspect.h.
+    template <class See> void describe(See&& see) const {
+        see.value("extent", extent_);
+        see.memory("data", data());
+    }
 
 private:
     glift::uint2 extent_{};
@@ -166,6 +185,12 @@ public:
     void copy_in(const glift::Commands& commands, const glift::Range<Array_1_float3_none_buffer>& range,
         const glift::Memory& box) const;
 
+    /// Calls a function of `see` for each part, with its name and value: see glift/inspect.h.
+    template <class See> void describe(See&& see) const {
+        see.value("extent", extent_);
+        see.memory("data", data());
+    }
+
 private:
     glift::uint extent_{};
     std::uint64_t data_extent_{};
@@ -216,6 +241,12 @@ public:
         const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Array_1_float_none_buffer>& range,
         const glift::Memory& box) const;
+
+    /// Calls a function of `see` for each part, with its name and value: see glift/inspect.h.
+    template <class See> void describe(See&& see) const {
+        see.value("extent", extent_);
+        see.memory("data", data());
+    }
 
 private:
     glift::uint extent_{};

@@ -37,6 +37,12 @@ public:
     void copy_in(const glift::Commands& commands, const glift::Range<Box_3_float>& range,
         const glift::Memory& box) const;
 
+    /// Calls a function of `see` for each part, with its name and value: see glift/inspect.h.
+    template <class See> void describe(See&& see) const {
+        see.value("extent", extent_);
+        see.memory("data", data());
+    }
+
 private:
     glift::uint3 extent_{};
     std::uint64_t data_extent_{};
@@ -75,6 +81,12 @@ public:
         const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Box_2_float>& range,
         const glift::Memory& box) const;
+
+    /// Calls a function of `see` for each part, with its name and value: see glift/inspect.h.
+    template <class See> void describe(See&& see) const {
+        see.value("extent", extent_);
+        see.memory("data", data());
+    }
 
 private:
     glift::uint2 extent_{};
@@ -115,6 +127,12 @@ public:
     void copy_in(const glift::Commands& commands, const glift::Range<Box_2_uint>& range,
         const glift::Memory& box) const;
 
+    /// Calls a function of `see` for each part, with its name and value: see glift/inspect.h.
+    template <class See> void describe(See&& see) const {
+        see.value("extent", extent_);
+        see.memory("data", data());
+    }
+
 private:
     glift::uint2 extent_{};
     std::uint64_t data_extent_{};
@@ -154,6 +172,12 @@ public:
     void copy_in(const glift::Commands& commands, const glift::Range<Box_1_float3>& range,
         const glift::Memory& box) const;
 
+    /// Calls a function of `see` for each part, with its name and value: see glift/inspect.h.
+    template <class See> void describe(See&& see) const {
+        see.value("extent", extent_);
+        see.memory("data", data());
+    }
+
 private:
     glift::uint extent_{};
     std::uint64_t data_extent_{};
@@ -192,6 +216,12 @@ public:
         const glift::Memory& box) const;
     void copy_in(const glift::Commands& commands, const glift::Range<Box_1_float>& range,
         const glift::Memory& box) const;
+
+    /// Calls a function of `see` for each part, with its name and value: see glift/inspect.h.
+    template <class See> void describe(See&& see) const {
+        see.value("extent", extent_);
+        see.memory("data", data());
+    }
 
 private:
     glift::uint extent_{};

@@ -32,7 +32,7 @@ inline std::uint64_t linearize_64(uint2 address, uint2 extent) {
     // address.glift:29
     for (uint back = 1u; back < 2u; ++back) {
         // address.glift:30
-        index = index * std::uint64_t(extent[1u - back]) + std::uint64_t(address[1u - back]);
+        index = index * std::uint64_t(extent[2u - 1u - back]) + std::uint64_t(address[2u - 1u - back]);
     }
     // address.glift:32
     return index;

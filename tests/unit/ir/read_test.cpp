@@ -77,6 +77,9 @@ TEST(Read, KnowsWhatNoGoldenHas) {
     structure f
     binding f_data: buffer<Pair<uint, vec<2, int64>>> read_write coherent of f.table 1
     parameter size: uint = size
+    fn @translate(va: uint3) -> uint {
+        return va[1u] + ((state0: uint3)[0u] * (state1: uint));
+    }
     body
         let a: half = 1.5h * scale;
         let b: double = 2.25d;
