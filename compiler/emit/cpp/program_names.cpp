@@ -154,7 +154,7 @@ struct Naming {
 
     std::string type(std::uint32_t module, const std::string& wanted) {
         std::string name = wanted;
-        if (not_for_types().contains(name)) name += '_';
+        while (not_for_types().contains(name)) name += '_';
         name = names.taken[module].declare(name);
         names.types[module].insert(name);
         return name;
