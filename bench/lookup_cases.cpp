@@ -129,7 +129,9 @@ struct Paged {
         table.write(entries);
         lookups::fill_pool(device, frames);
         std::vector<glift::uint3> to_read(count);
-        for (glift::uint3& place : to_read) place = {below(side), below(side), below(side + 1)};
+        for (glift::uint3& place : to_read)
+            place = {static_cast<Number>(below(side)), static_cast<Number>(below(side)),
+                     static_cast<Number>(below(side + 1))};
         places.write(to_read);
     }
 

@@ -84,7 +84,6 @@ ExprId Expander::part_of(ExprId part, ExprId element) {
 Pair Expander::atomic(const Expr& node) {
     const Expr target = place_of(p, node.operands[0]);
     Place place = resolved(target.place);
-    const Structure& structure = cx.structure_at(place);
     const std::string name = cx.name_of(place);
     ExprId address = named(name + "_address", value_of(target.operands[0]));
     Expr made = node;

@@ -135,7 +135,7 @@ Conversion conversion_of(Helper helper) {
 
 /// Converts a float to 64 bits in two halves: NVIDIA's driver (580) shortens a conversion of whose result only the
 /// lower half is used to 32 bits, which saturate. Both steps are exact.
-std::string saturating_conversion_64(Printer& p, const HelperUse& use, const std::string& type) {
+std::string saturating_conversion_64(const HelperUse& use, const std::string& type) {
     const Conversion c = conversion_of(use.helper);
     const bool is_signed = use.helper == Helper::to_int64;
     const std::string suffix = type == "double" ? "lf" : "";
@@ -156,7 +156,7 @@ std::string saturating_conversion(Printer& p, const HelperUse& use) {
     std::string type = type_text(p, use.a), name = name_of(use.helper);
     std::uint32_t count = p.program.types.components(use.a);
     if (count > 1) return by_component(c.prefix + std::string("vec") + std::to_string(count), name, type, count, false);
-    if (is_wide && type != "float16_t") return saturating_conversion_64(p, use, type);
+    if (is_wide && type != "float16_t") return saturating_conversion_64(use, type);
     // Bounds of a half or double are those of float: it holds powers of two up to 2^64, half has infinity there.
     std::string x = type == "float" ? "x" : type == "float16_t" ? "float(x)" : "x";
     std::string suffix = type == "double" ? "lf" : "";

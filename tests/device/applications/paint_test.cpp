@@ -187,8 +187,10 @@ TEST_P(Paint, StopsWhereThePoolIsFull) {
     EXPECT_GT(lost, 0u);
     EXPECT_EQ(canvas.pages(), 40u);
     std::set<Word> frames;
-    for (const Word entry : states.back().table)
-        if (entry != 0 && entry >> 27 == 0) EXPECT_TRUE(frames.insert(entry).second) << "a frame of two pages";
+    for (const Word entry : states.back().table) {
+        if (entry == 0 || entry >> 27 != 0) continue;
+        EXPECT_TRUE(frames.insert(entry).second) << "a frame of two pages";
+    }
     EXPECT_EQ(frames.size(), 40u);
     for (std::size_t i = states.size() - 1; i-- > 0;) {
         ASSERT_TRUE(canvas.undo());

@@ -159,7 +159,7 @@ struct Windows : testing::Test {
         };
         for (const Seen::Colour& c : seen.pixels)
             picture.pixels.emplace_back(linear(c.red), linear(c.green), linear(c.blue), 1.0f);
-        picture::write(std::string(GLIFT_CACHES) + "/" + name, picture);
+        picture::write(std::string(GLIFT_CACHES "/").append(name), picture);
     }
 
 private:

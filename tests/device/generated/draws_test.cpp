@@ -234,7 +234,9 @@ TEST(Draws, DeriveWhatTheyLoadWhereTheDeviceCan) {
             EXPECT_NE(error.problem().find("derive"), std::string::npos) << error.what();
         };
         attempt([&] { draws::rise(device, corners, line, 2, slope); });
-        if (device.properties().helpers_load) EXPECT_EQ(slope.read({0, 0}, {1, 1}).front(), 10.0f);
+        if (device.properties().helpers_load) {
+            EXPECT_EQ(slope.read({0, 0}, {1, 1}).front(), 10.0f);
+        }
         attempt([&] { draws::rise_beyond(device, corners, line, slope); });
         draws::rise_of_place(device, corners, line, slope);
         EXPECT_NEAR(slope.read({0, 0}, {1, 1}).front(), 40.0f / static_cast<float>(size.x), 1e-4f);

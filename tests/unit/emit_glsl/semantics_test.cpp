@@ -184,27 +184,37 @@ TEST(Literals, KeepTheirValues) {
                 HasSubstr("= 18446744073709551615ul;"));
 }
 
-TEST(Atomics, OfFloatsAreLoopsOfCompareAndSwap) {
+TEST(Atomics, OfFloatsAreThoseOfTheirBitsOrLoopsOfCompareAndSwap) {
     Builder b;
     ExprId address = b.one_axis();
     auto out = b.buffer("g_data", b.types().float_, Access::read_write);
+    auto sums = b.buffer("sums", b.types().float_, Access::read_write);
     auto counts = b.buffer("counts", b.types().uint, Access::read_write);
-    b.pass.bindings[out].atomic = b.pass.bindings[counts].atomic = true;
+    for (const auto slot : {out, sums, counts}) b.pass.bindings[slot].atomic = true;
+    b.pass.bindings[out].ordered = true;  // lowering says so where minima or maxima are combined
     Stmt stmt = b.statement(StmtOp::atomic);
     stmt.slot = out;
     stmt.target = address;
     stmt.value = b.f(2);
     stmt.combine = Combine::max;
     StmtId most = b.add(stmt);
+    stmt.slot = sums;
+    stmt.combine = Combine::add;
+    StmtId sum = b.add(stmt);
     stmt.slot = counts;
     stmt.value = b.u(1);
-    stmt.combine = Combine::add;
-    b.pass.plain().body = {most, b.add(stmt), b.store(out, b.u(0), b.load(out, b.u(1)))};
+    b.pass.plain().body = {most, sum, b.add(stmt), b.store(out, b.u(0), b.load(sums, b.u(1))),
+                           b.store(sums, b.u(0), b.load(out, b.u(1)))};
     std::string text = proved(b);
-    EXPECT_THAT(text, HasSubstr("buffer G_data { uint g_data[]; };"));
+    EXPECT_THAT(text, HasSubstr("buffer G_data { int g_data[]; };"));
+    EXPECT_THAT(text, HasSubstr("buffer Sums { uint sums[]; };"));
     EXPECT_THAT(text, HasSubstr("g_data_max(address, 2.0);"));
+    EXPECT_THAT(text, HasSubstr("atomicMax(g_data[index], bits)"));
+    EXPECT_THAT(text, HasSubstr("sums_add(address, 2.0);"));
+    EXPECT_THAT(text, HasSubstr("atomicCompSwap(sums[index], expected, wanted)"));
     EXPECT_THAT(text, HasSubstr("atomicAdd(counts[address], 1u);"));
-    EXPECT_THAT(text, HasSubstr("g_data[0u] = floatBitsToUint(uintBitsToFloat(g_data[1u]));"));
+    EXPECT_THAT(text, HasSubstr("g_data[0u] = floatBitsToInt(uintBitsToFloat(sums[1u]));"));
+    EXPECT_THAT(text, HasSubstr("sums[0u] = floatBitsToUint(intBitsToFloat(g_data[1u]));"));
 }
 
 /// Compiles an expression for each line of intrinsics.def, with operands that its signature accepts.
