@@ -1,7 +1,7 @@
 // bench_depth_of_field: all passes of depth of field in two layers (examples/depth_of_field), beside a copy of the
 // bytes that they have to move.
 //
-//     bench_depth_of_field [--device NAME] [--sizes 512x512,1920x1080] [--runs N] [--json FILE]
+//     bench_depth_of_field [--device NAME] [--sizes 512x512,1920x1080] [--runs N] [--seconds S] [--json FILE]
 #include "figures.h"
 #include "median.h"
 #include "timing.h"
@@ -18,9 +18,10 @@
 
 namespace {
 
-/// The least traffic per pixel of any implementation: the passes over rows read colour (16 bytes) and distance (4) and
-/// write two layers (32); those over columns, which start when whole rows are done, read the two layers (32) and the
-/// distance (4) and write the picture (16).
+/// The blur solves a tridiagonal system of equations for each row, then one for each column. This is the least traffic
+/// per pixel, each value read or written once in each of the two steps. Rows: colour (16 bytes) and distance (4) are
+/// read, two layers (32) written. Columns: the two layers (32) and the distance (4) are read, the picture (16) is
+/// written.
 constexpr std::uint64_t bytes_a_pixel = 104;
 
 struct Options {
@@ -70,8 +71,8 @@ void photograph(const glift::Commands& commands, const Input& input) {
                     input.result);
 }
 
-/// Median seconds of the host from the call to the finished picture, for single pictures. Each is one submission, on
-/// the host device none.
+/// The median time of a single picture, in seconds: wall-clock time from the call until the device has finished. A
+/// picture is one submission; the host device, which computes on the CPU, makes none.
 double alone(const glift::Device& device, const Input& input, int runs) {
     std::vector<double> seconds;
     const std::uint64_t before = device.statistics().submissions;

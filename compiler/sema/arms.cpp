@@ -1,6 +1,6 @@
 // Control flow of pipelines on conditions that the host does not know. The host records the passes of both arms; those
-// of an arm whose condition is not met are dispatched over nothing. A variable that is assigned in an arm lies on the
-// device, and keeps its value where the arm does not run.
+// of an arm whose condition is not met are dispatched over nothing. A variable that is declared outside an arm and
+// assigned in it lies on the device, and keeps its value where the arm does not run.
 #include "sema/arms.h"
 
 #include "ir/walk.h"
@@ -35,8 +35,9 @@ ir::ExprId runs(Body& body, std::size_t depth, Span span) {
     return all;
 }
 
-/// Whether the value calls a function. Such a value gets a pass of its own, which runs only where the arm does: a
-/// function may loop, with operands that the arm has not computed where it does not run.
+/// Whether the value calls a function. Other values are computed even where the arm does not run, and then discarded
+/// by a `select`. A call must not be: its operands may be unset there, and a loop in it might not end. So it gets a
+/// pass of its own in the arm, dispatched over nothing where the arm does not run.
 bool calls_functions(Body& body, ir::ExprId value) {
     bool found = false;
     ir::for_each_node(body.program(), value,
@@ -127,8 +128,9 @@ void check_arms(Body& body, const ast::Stmt& stmt, ir::ExprId condition) {
 
 namespace {
 
-/// One round of a loop whose condition lies on the device. `running` is a variable on the device: whether all
-/// conditions so far were true. `statements` compute what the condition needs.
+/// One round of `for i in a..b while c`, where c lies on the device; the host records all rounds. `running` is a
+/// variable on the device: whether c was true in all rounds so far. `statements` compute what c needs. They, and the
+/// body, run only while `running` is true.
 void check_round(Body& body, const ast::Stmt& stmt, ir::LocalId running, ir::ExprId condition,
                  std::vector<ir::StmtId> statements) {
     ir::Program& p = body.program();

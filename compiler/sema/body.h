@@ -19,11 +19,12 @@ enum class BodyKind : std::uint8_t {
     pipeline,  // tests too
 };
 
+/// `member` is a constructor parameter of the structure, not one of the structures that it is made of.
 enum class SymbolKind : std::uint8_t { local, structure, state, member, memory, iterator, host_state };
 
-/// How code may access a structure through one name. `any`: reads by address only. `scatter`, `coherent`: as that
-/// pattern allows; `combine` says how scatter merges writes to one address. `calls`: reads by address, and calls of
-/// functions that write.
+/// How code may access a structure through one name. `any`: reads by address. `scatter`: writes to any address, and no
+/// reads; `combine` says how writes to one address are merged. `coherent`: reads, writes and atomics at any address.
+/// `calls`: reads by address, and calls of functions that write.
 struct Writing {
     ir::Pattern pattern = ir::Pattern::any;
     ir::Combine combine = ir::Combine::replace;
@@ -37,10 +38,12 @@ struct Symbol {
     Span span;                    ///< all kinds: where the name is declared
     ir::TypeId type;              ///< local, state, member, host_state
     ir::LocalId local;            ///< local
-    ir::Place place;              ///< structure, member, memory, iterator
+    ir::Place place;              ///< structure, iterator; else the container: root 0
     std::uint32_t structure = 0;  ///< structure, iterator, memory (the one that has it): index in Program::structures
-    /// state, member, memory, host_state, iterator: index in the translator's scalars; the structure's constructor
-    /// values, memories, host state; the kernel's parameters.
+    /// state: index in the scalar fields of the translator (the code that maps addresses) whose function this is.
+    /// member: in the structure's constructor values. memory: in its memories. host_state: in its fields that live on
+    /// the host. iterator (a parameter such as `each` or `at`, whose name means the current invocation's element or
+    /// address): in the kernel's parameters.
     std::uint32_t slot = 0;
     std::uint32_t window = 0;  ///< structure: the radius, if it is a `near` parameter of a function; else 0
     Writing writing;           ///< structure
@@ -79,7 +82,7 @@ struct Body {
     std::unordered_map<ir::LocalId, ir::Operands> made;
     std::vector<ir::StmtId>* block = nullptr;  ///< the list to which statements are added; null: expressions only
     ir::TypeId result;                         ///< the type that `return` gives
-    unsigned loops = 0;                        ///< how many loops `break` may leave here
+    unsigned loops = 0;                        ///< around the statement; 0: no `break` or `continue`
     unsigned depth = 0;                        ///< how deeply the statement is nested
     ir::Kernel* kernel = nullptr;
     ir::Part part = ir::Part::whole;  ///< the vertex or the fragment part of a draw; whole: the kernel does not draw
@@ -88,8 +91,8 @@ struct Body {
     std::optional<std::uint32_t> container;
     std::array<std::uint32_t, 3> group = {0, 0, 0};  ///< the workgroup of the kernel or function; all 0: none
     std::vector<ir::LocalId>* shared = nullptr;      ///< the workgroup memory (`shared`) of the kernel or function
-    /// Functions with a workgroup: the last statement, the only one that may be a return, since all invocations must
-    /// reach every barrier.
+    /// Functions with a workgroup: the last statement of the body, or of the side of a constant `if` that is checked.
+    /// Only it may be a return, since all invocations must reach every barrier.
     Span last;
     std::vector<std::uint32_t> structures;  ///< functions: the structure of each structure parameter, by Place::root
     std::vector<ir::Place> coherent;        ///< the places that are accessed by the pattern coherent
@@ -102,7 +105,9 @@ struct Body {
     /// device may stand in it (sema/values.h).
     bool is_open = false;
     std::vector<ir::ExprId> leaves;  ///< the values on the device (Op::device_value) in that expression, so far
-    std::string key;  ///< pipelines: prefix of the keys of generated kernels, the same in every compilation
+    /// Pipelines: how the keys of the kernels that compute its values begin. A key names a kernel, and is the same in
+    /// every compilation.
+    std::string key;
     /// A branch whose condition lies on the device.
     struct Arm {
         ir::LocalId condition;
@@ -111,7 +116,8 @@ struct Body {
     };
     std::vector<Arm> arms;  ///< pipelines: the arms around the statement being checked (sema/arms.h)
     std::unordered_map<ir::LocalId, std::size_t> depths;  ///< number of arms around each variable's declaration
-    std::vector<Span> device_variables;  ///< the declarations of the variables found to lie on the device
+    std::vector<Span> device_variables;  ///< declarations of variables that must lie there; if checking adds one, the
+                                         ///< pipeline is checked again (check_variable in sema/arms.h)
     Span host_needed;  ///< where the pipeline first waits for the device or changes host state; empty: nowhere
     /// A statement `member = temporary;`.
     struct Replacement {
@@ -180,8 +186,9 @@ ir::ExprId check_compound(Body&, const ast::Stmt&, ir::ExprId before);
 Operand make_swizzle_of(Body&, ir::ExprId, ast::Identifier);
 
 // calls
-/// Calls a structure's function with checked values. Gives an Op::call node; in a pipeline, where the host cannot
-/// evaluate it, a call of a generated pipeline that computes it on the device.
+/// Calls a structure's function with checked values. Gives an Op::call node. In a pipeline it does so only if the host
+/// can evaluate the call; if an argument is on the device, or the function reads elements, it gives a call of a
+/// generated pipeline that computes the value on the device.
 Operand call_of(Body&, ir::FunctionId, const Operand& self, ir::Operands values, Span);
 
 Operand call_function(Body&, const std::vector<ast::DeclId>& overloads, const Env* owner,
@@ -225,7 +232,8 @@ std::optional<Operand> check_pipeline_call(Body&, const std::vector<ast::DeclId>
                                            const std::vector<ast::ExprId>& generics, const ast::Expr& call,
                                            const Operand* owner = nullptr);
 std::optional<Operand> check_pipeline_builtin(Body&, std::string_view name, const ast::Expr& call);
-/// A slice, or a structure constructed in the expression, as an operand of kind `structure`, by a new local for it.
+/// The operand as one of kind `structure`: a slice, or a structure constructed in the expression, is first put into a
+/// new local; a structure that has a name is returned as it is. Absent for any other operand.
 std::optional<Operand> as_structure(Body&, const Operand&);
 Operand check_pipeline_index(Body&, const Operand& structure, const ast::Expr& index);
 Operand construct_structure(Body&, ir::TypeId, const ast::Expr& call);
