@@ -154,7 +154,9 @@ struct Naming {
 
     std::string type(std::uint32_t module, const std::string& wanted) {
         std::string name = wanted;
-        while (not_for_types().contains(name)) name += '_';
+        // Two underscores in a row are not for programs.
+        if (not_for_types().contains(name)) name += name.ends_with('_') ? "2" : "_";
+        if (not_for_types().contains(name)) name += '2';
         name = names.taken[module].declare(name);
         names.types[module].insert(name);
         return name;
