@@ -217,7 +217,7 @@ void find_space(Context& c, ir::Kernel& kernel) {
     kernel.same_space.assign(params.begin() + 1, params.end());
     const ir::Blocks& blocks = *c.program.structures[owner].blocks;
     if (blocks.is_known || blocks.counter) return;
-    const auto counter = pipeline_of_function(c, blocks.count, kernel.span);  // may reallocate Program::structures
+    const auto counter = counter_of_blocks(c, owner, kernel.span);  // may reallocate Program::structures
     c.program.structures[owner].blocks->counter = counter;
 }
 

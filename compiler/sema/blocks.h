@@ -25,4 +25,8 @@ std::optional<Operand> call_of_blocks(Body&, const Operand& self, ast::Identifie
 /// blocks.
 void find_space(Context&, ir::Kernel&);
 
+/// A pipeline (an index in Program::pipelines) over a structure that declares blocks, which gives their number as a
+/// value of the device, for the dispatch that follows the call.
+std::optional<std::uint32_t> counter_of_blocks(Context&, std::uint32_t structure, Span use);
+
 }  // namespace gliftc::sema

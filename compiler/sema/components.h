@@ -51,6 +51,12 @@ bool reads_memory(const ir::Program&, const std::vector<ir::StmtId>&);
 std::optional<std::uint32_t> pipeline_of_function(Context&, ir::FunctionId, Span use,
                                                   const std::vector<bool>& on_device = {});
 
+/// The parameter `self` of a generated pipeline: a range of the structure, or an adaptor.
+ir::PipelineParam structure_param(Context&, std::uint32_t structure, Span);
+
+/// The local as an argument of a pass: as a structure if it is one.
+ir::ExprId structure_argument(Context&, ir::LocalId, Span);
+
 /// Adds a pipeline that makes a temporary of one element, of structure `box`, runs the kernel over it and returns the
 /// element. The temporary is the kernel's last argument, `arguments` are the others. `pipeline` comes with its name and
 /// parameters.

@@ -70,6 +70,8 @@ ir::Kernel kernel_of(Context& c, ir::FunctionId id, std::uint32_t box) {
     return kernel;
 }
 
+}  // namespace
+
 ir::PipelineParam structure_param(Context& c, std::uint32_t structure, Span span) {
     const ir::TypeId type = c.types().of_structure(structure);
     const bool is_adaptor = c.program.structures[structure].kind == ir::StructureKind::adaptor;
@@ -82,15 +84,12 @@ ir::PipelineParam structure_param(Context& c, std::uint32_t structure, Span span
     return param;
 }
 
-/// The local as an argument of a pass: as a structure if it is one.
 ir::ExprId structure_argument(Context& c, ir::LocalId local, Span span) {
     const ir::ExprId argument = make_local(c.program, local, span);
     if (c.types().kind(c.program.locals[local].type) == ir::TypeKind::structure)
         c.program.exprs[argument].op = ir::Op::structure_value;
     return argument;
 }
-
-}  // namespace
 
 std::uint32_t pipeline_of_kernel(Context& c, ir::Kernel kernel, ir::Pipeline pipeline, ir::Operands arguments,
                                  std::uint32_t box) {

@@ -48,6 +48,10 @@ bool Allocator::choose_type(std::uint32_t allowed, MemoryUse use, std::uint32_t&
     VkMemoryPropertyFlags needed = 0, liked = 0, disliked = 0;
     switch (use) {
     case MemoryUse::device: liked = device; break;
+    case MemoryUse::parameters:
+        needed = visible;
+        liked = device;
+        break;
     case MemoryUse::upload:
         needed = visible;
         disliked = device;

@@ -9,15 +9,16 @@
 
 namespace glift::detail {
 
-/// What the memory is for: the device alone, staging for uploads, or readback.
-enum class MemoryUse : std::uint8_t { device, upload, readback };
+/// What the memory is for: the device alone; what the host writes a little of and passes read (parameters, and what
+/// passes prepare for others), which then need not read it over the bus; staging for uploads; readback.
+enum class MemoryUse : std::uint8_t { device, parameters, upload, readback };
 
 struct Block;
 
 struct Allocation {
     VkDeviceMemory memory = VK_NULL_HANDLE;
     VkDeviceSize offset = 0, bytes = 0;
-    std::byte* mapped = nullptr;  ///< upload and readback
+    std::byte* mapped = nullptr;  ///< of all but `device`
     Block* block = nullptr;
 };
 

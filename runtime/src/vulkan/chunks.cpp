@@ -13,6 +13,14 @@ namespace {
 constexpr VkBufferUsageFlags chunk_usage =
     VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT |
     VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT;
+const char* name_of(MemoryUse use) {
+    switch (use) {
+    case MemoryUse::parameters: return "glift parameters";
+    case MemoryUse::readback: return "glift readback";
+    default: return "glift staging";
+    }
+}
+
 constexpr VkDeviceSize largest_kept = VkDeviceSize(64) << 20;
 constexpr std::size_t most_kept = 64;
 
@@ -40,7 +48,10 @@ void ChunkPool::make_buffer(Chunk& chunk) {
     context_.check(context_.vk.vkCreateBuffer(context_.device, &info, nullptr, &chunk.buffer), "vkCreateBuffer");
     VkMemoryRequirements needs;
     context_.vk.vkGetBufferMemoryRequirements(context_.device, chunk.buffer, &needs);
-    if (!allocator_.allocate(needs, chunk.use, true, chunk.allocation)) {
+    const bool is_made = allocator_.allocate(needs, chunk.use, true, chunk.allocation) ||
+                         (chunk.use == MemoryUse::parameters &&  // the host's memory does, when the device's is full
+                          allocator_.allocate(needs, MemoryUse::upload, true, chunk.allocation));
+    if (!is_made) {
         throw Error(ErrorCode::out_of_memory, "no memory is left for staging buffers", context_.properties.name,
                     size_text(chunk.bytes) + " asked for, " + size_text(allocator_.reserved()) + " in use by Glift",
                     "free structures that are no longer used, or move fewer bytes at a time");
@@ -51,8 +62,7 @@ void ChunkPool::make_buffer(Chunk& chunk) {
     const VkBufferDeviceAddressInfo address = {.sType = VK_STRUCTURE_TYPE_BUFFER_DEVICE_ADDRESS_INFO,
                                                .buffer = chunk.buffer};
     chunk.address = context_.vk.vkGetBufferDeviceAddress(context_.device, &address);
-    context_.set_name(VK_OBJECT_TYPE_BUFFER, reinterpret_cast<std::uint64_t>(chunk.buffer),
-                      chunk.use == MemoryUse::readback ? "glift readback" : "glift staging and parameters");
+    context_.set_name(VK_OBJECT_TYPE_BUFFER, reinterpret_cast<std::uint64_t>(chunk.buffer), name_of(chunk.use));
 }
 
 std::shared_ptr<Chunk> ChunkPool::take(MemoryUse use, VkDeviceSize bytes) {

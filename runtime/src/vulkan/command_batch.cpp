@@ -51,7 +51,8 @@ bool DescriptorSets::reset() {
 }
 
 CommandBatch::CommandBatch(Context& context_, ChunkPool& chunks)
-    : context(context_), upload(chunks, MemoryUse::upload), readback(chunks, MemoryUse::readback), sets(context_) {
+    : context(context_), parameters(chunks, MemoryUse::parameters), upload(chunks, MemoryUse::upload),
+      readback(chunks, MemoryUse::readback), sets(context_) {
     const VkCommandPoolCreateInfo pool_info = {.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
                                                .queueFamilyIndex = context.queue_family};
     context.check(context.vk.vkCreateCommandPool(context.device, &pool_info, nullptr, &pool), "vkCreateCommandPool");
@@ -73,6 +74,7 @@ void CommandBatch::begin(VkCommandBufferUsageFlags usage) {
 }
 
 bool CommandBatch::reset() {
+    parameters.clear();
     upload.clear();
     readback.clear();
     operations = passes = 0;

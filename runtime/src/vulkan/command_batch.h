@@ -32,7 +32,7 @@ struct CommandBatch {
     Context& context;
     VkCommandPool pool = VK_NULL_HANDLE;
     VkCommandBuffer commands = VK_NULL_HANDLE;
-    Arena upload, readback;
+    Arena parameters, upload, readback;
     DescriptorSets sets;
     std::uint64_t value = 0;       ///< the timeline's value once the device is done with it
     std::uint64_t operations = 0;  ///< recorded

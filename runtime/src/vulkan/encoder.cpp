@@ -143,7 +143,7 @@ void Encoder::order(const Kernel& kernel, const Call& call) {
 Slice Encoder::write_parameters(const Pipeline& pipeline, const Call& call) {
     const Form& form = *pipeline.form;
     if (form.push_constants || !form.parameter_bytes) return {};
-    const Slice block = batch_->upload.take(form.parameter_bytes);
+    const Slice block = batch_->parameters.take(form.parameter_bytes);
     std::memcpy(block.data, call.parameters.data(), call.parameters.size());
     if (pipeline.name == FormName::wide) {
         for (std::size_t k = 0; k < call.memories.size(); ++k) {

@@ -63,7 +63,7 @@ void Encoder::open_preparation(std::span<const Patch> patches, std::span<const C
         std::any_of(conditions.begin(), conditions.end(),
                     [&](const Condition& condition) { return conflicts(condition.value); }))
         barrier();
-    prepared_ = batch_->upload.take((most_prepared + 1) * sizeof(VkDeviceAddress));
+    prepared_ = batch_->parameters.take((most_prepared + 1) * sizeof(VkDeviceAddress));
     prepared_count_ = 0;
     const VkDeviceAddress address = prepared_.address();
     device_.prepare_pass().bind(commands_, &address);
@@ -79,9 +79,9 @@ Slice Encoder::prepare(PrepareArguments arguments, std::span<const Patch> patche
                        std::span<const Condition> conditions) {
     if (!prepared_.chunk || prepared_count_ == most_prepared || !is_prepared_with(patches, conditions))
         open_preparation(patches, conditions);
-    const Slice command = batch_->upload.take(sizeof(VkDrawIndirectCommand));  // the larger one
+    const Slice command = batch_->parameters.take(sizeof(VkDrawIndirectCommand));  // the larger one
     const std::size_t sources = patches.size() * sizeof(PatchSource);
-    const Slice list = batch_->upload.take(sizeof arguments + sources + conditions.size() * sizeof(ConditionSource));
+    const Slice list = batch_->parameters.take(sizeof arguments + sources + conditions.size() * sizeof(ConditionSource));
     arguments.command = command.address();
     arguments.patches = list.address() + sizeof arguments;
     arguments.conditions = arguments.patches + sources;

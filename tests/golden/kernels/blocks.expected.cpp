@@ -224,7 +224,7 @@ void scale(const glift::Commands& commands, const glift::Range<Listed>& f, float
     glift::Iteration iteration(scale_kernel);
     iteration.each("f", f);
     iteration.each("g", g);
-    iteration.blocks(uint2(512u, g->capacity()), blocks_blocks_Listed(commands, g));
+    iteration.blocks(uint2(512u, g->capacity()), block_count_blocks_Listed(commands, g));
     const glift::Memory memories[] = {g->active().data(), f->table().data(), f->frames().data(), g->table().data(),
         g->frames().data()};
     if (iteration.is_shared(memories)) iteration.share(memories, {f, g});
@@ -364,6 +364,16 @@ GLIFT_SHARED glift::DeviceScalar<uint> blocks_blocks_Listed(const glift::Command
     ::std_transfer::Box_1_uint result(commands.uninitialized(), 1u);
     blocks_blocks_Listed_2(commands, self, result);
     return result.element_in_place(commands, 0u);
+}
+
+// blocks.glift:16: Listed.block_count
+GLIFT_SHARED glift::DeviceScalar<uint> block_count_blocks_Listed(const glift::Commands& commands,
+    const glift::Range<Listed>& self) {
+    // blocks.glift:16
+    if (0u < self->state().domain()) {
+        return self->state().element_in_place(commands, 0u);
+    }
+    return blocks_blocks_Listed(commands, self);
 }
 
 }  // namespace blocks

@@ -286,6 +286,12 @@ void blocks_blocks_Listed_2(const glift::Commands& commands, const glift::Range<
 
 namespace std_transfer {
 
+void read_box_698f90a1(const glift::Commands& commands, const glift::Range<::std_array::Array_1_uint_none_buffer>& from,
+    const glift::Range<Box_1_uint>& to);
+void write_box_920b34ba(const glift::Commands& commands, const glift::Range<Box_1_uint>& from,
+    const glift::Range<::std_array::Array_1_uint_none_buffer>& to);
+void fill_box_fbf6ae12(const glift::Commands& commands, const glift::Range<::std_array::Array_1_uint_none_buffer>& to,
+    glift::uint value);
 void read_box_a23c245a(const glift::Commands& commands, const glift::Range<::blocks::Listed>& from,
     const glift::Range<Box_3_float>& to);
 void write_box_93a8b595(const glift::Commands& commands, const glift::Range<Box_3_float>& from,
@@ -296,12 +302,6 @@ void list_there_b56b1eed(const glift::Commands& commands, const glift::Range<::b
     const glift::Range<::blocks::Listed>& from, const glift::Range<::blocks::Listed>& translated,
     const glift::Range<Box_1_uint>& counter, const glift::Range<Box_1_uint3>& addresses,
     const glift::Range<Box_1_uint2>& places, const glift::Range<Box_1_float>& values);
-void read_box_698f90a1(const glift::Commands& commands, const glift::Range<::std_array::Array_1_uint_none_buffer>& from,
-    const glift::Range<Box_1_uint>& to);
-void write_box_920b34ba(const glift::Commands& commands, const glift::Range<Box_1_uint>& from,
-    const glift::Range<::std_array::Array_1_uint_none_buffer>& to);
-void fill_box_fbf6ae12(const glift::Commands& commands, const glift::Range<::std_array::Array_1_uint_none_buffer>& to,
-    glift::uint value);
 void read_box_f3d15695(const glift::Commands& commands,
     const glift::Range<::std_array::Array_2_float_none_buffer>& from, const glift::Range<Box_2_float>& to);
 void write_box_d5801374(const glift::Commands& commands, const glift::Range<Box_2_float>& from,
@@ -314,6 +314,8 @@ void fill_box_902cb707(const glift::Commands& commands, const glift::Range<::std
 namespace blocks {
 
 glift::DeviceScalar<glift::uint> blocks_blocks_Listed(const glift::Commands& commands,
+    const glift::Range<Listed>& self);
+glift::DeviceScalar<glift::uint> block_count_blocks_Listed(const glift::Commands& commands,
     const glift::Range<Listed>& self);
 
 }  // namespace blocks

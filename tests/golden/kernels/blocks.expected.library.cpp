@@ -261,6 +261,208 @@ inline std::uint64_t linearize_64_3(uint3 address, uint3 extent) {
 }  // namespace
 
 namespace {
+struct read_box_698f90a1_direct_parameters {
+    uint from_extent;
+};
+static_assert(offsetof(read_box_698f90a1_direct_parameters, from_extent) == 0);
+struct read_box_698f90a1_general_parameters {
+    uint size;
+    uint from_origin;
+    uint to_origin;
+};
+static_assert(offsetof(read_box_698f90a1_general_parameters, size) == 0);
+static_assert(offsetof(read_box_698f90a1_general_parameters, from_origin) == 4);
+static_assert(offsetof(read_box_698f90a1_general_parameters, to_origin) == 8);
+struct read_box_698f90a1_wide_parameters {
+    uint size;
+    uint from_origin;
+    uint to_origin;
+    std::uint64_t from_data_address;
+    std::uint64_t to_data_address;
+};
+static_assert(offsetof(read_box_698f90a1_wide_parameters, size) == 0);
+static_assert(offsetof(read_box_698f90a1_wide_parameters, from_origin) == 4);
+static_assert(offsetof(read_box_698f90a1_wide_parameters, to_origin) == 8);
+static_assert(offsetof(read_box_698f90a1_wide_parameters, from_data_address) == 16);
+static_assert(offsetof(read_box_698f90a1_wide_parameters, to_data_address) == 24);
+}  // namespace
+
+extern const glift::Kernel read_box_698f90a1_kernel;
+
+GLIFT_SHARED void read_box_698f90a1(const glift::Commands& commands,
+    const glift::Range<::std_array::Array_1_uint_none_buffer>& from, const glift::Range<Box_1_uint>& to) {
+    glift::Iteration iteration(read_box_698f90a1_kernel);
+    iteration.each("from", from);
+    iteration.each("to", to);
+    const glift::Memory memories[] = {from->data(), to->data()};
+    if (iteration.is_shared(memories)) iteration.share(memories, {from, to});
+    if (commands.needs_wide(read_box_698f90a1_kernel, memories, iteration.size())) {
+        const read_box_698f90a1_wide_parameters parameters = {
+            .size = from.size(),
+            .from_origin = from.origin(),
+            .to_origin = to.origin(),
+            .from_data_address = 0u,
+            .to_data_address = 0u,
+        };
+        commands.dispatch(read_box_698f90a1_kernel,
+            {.form = glift::FormName::wide, .memories = memories, .parameters = glift::bytes_of(parameters),
+            .size = iteration.size(), .patches = iteration.patches({offsetof(read_box_698f90a1_wide_parameters, size)}),
+            .sharing = iteration.sharing()});
+    } else if (iteration.is_whole()) {
+        const read_box_698f90a1_direct_parameters parameters = {
+            .from_extent = from->extent(),
+        };
+        commands.dispatch(read_box_698f90a1_kernel,
+            {.form = glift::FormName::direct, .memories = memories, .parameters = glift::bytes_of(parameters),
+            .size = iteration.size(), .sharing = iteration.sharing()});
+    } else {
+        const read_box_698f90a1_general_parameters parameters = {
+            .size = from.size(),
+            .from_origin = from.origin(),
+            .to_origin = to.origin(),
+        };
+        commands.dispatch(read_box_698f90a1_kernel,
+            {.form = glift::FormName::general, .memories = memories, .parameters = glift::bytes_of(parameters),
+            .size = iteration.size(), .patches = iteration.patches({offsetof(read_box_698f90a1_general_parameters,
+            size)}), .sharing = iteration.sharing()});
+    }
+}
+
+namespace {
+struct write_box_920b34ba_direct_parameters {
+    uint from_extent;
+};
+static_assert(offsetof(write_box_920b34ba_direct_parameters, from_extent) == 0);
+struct write_box_920b34ba_general_parameters {
+    uint size;
+    uint from_origin;
+    uint to_origin;
+};
+static_assert(offsetof(write_box_920b34ba_general_parameters, size) == 0);
+static_assert(offsetof(write_box_920b34ba_general_parameters, from_origin) == 4);
+static_assert(offsetof(write_box_920b34ba_general_parameters, to_origin) == 8);
+struct write_box_920b34ba_wide_parameters {
+    uint size;
+    uint from_origin;
+    uint to_origin;
+    std::uint64_t from_data_address;
+    std::uint64_t to_data_address;
+};
+static_assert(offsetof(write_box_920b34ba_wide_parameters, size) == 0);
+static_assert(offsetof(write_box_920b34ba_wide_parameters, from_origin) == 4);
+static_assert(offsetof(write_box_920b34ba_wide_parameters, to_origin) == 8);
+static_assert(offsetof(write_box_920b34ba_wide_parameters, from_data_address) == 16);
+static_assert(offsetof(write_box_920b34ba_wide_parameters, to_data_address) == 24);
+}  // namespace
+
+extern const glift::Kernel write_box_920b34ba_kernel;
+
+GLIFT_SHARED void write_box_920b34ba(const glift::Commands& commands, const glift::Range<Box_1_uint>& from,
+    const glift::Range<::std_array::Array_1_uint_none_buffer>& to) {
+    glift::Iteration iteration(write_box_920b34ba_kernel);
+    iteration.each("from", from);
+    iteration.each("to", to);
+    const glift::Memory memories[] = {from->data(), to->data()};
+    if (iteration.is_shared(memories)) iteration.share(memories, {from, to});
+    if (commands.needs_wide(write_box_920b34ba_kernel, memories, iteration.size())) {
+        const write_box_920b34ba_wide_parameters parameters = {
+            .size = from.size(),
+            .from_origin = from.origin(),
+            .to_origin = to.origin(),
+            .from_data_address = 0u,
+            .to_data_address = 0u,
+        };
+        commands.dispatch(write_box_920b34ba_kernel,
+            {.form = glift::FormName::wide, .memories = memories, .parameters = glift::bytes_of(parameters),
+            .size = iteration.size(), .patches = iteration.patches({offsetof(write_box_920b34ba_wide_parameters,
+            size)}), .sharing = iteration.sharing()});
+    } else if (iteration.is_whole()) {
+        const write_box_920b34ba_direct_parameters parameters = {
+            .from_extent = from->extent(),
+        };
+        commands.dispatch(write_box_920b34ba_kernel,
+            {.form = glift::FormName::direct, .memories = memories, .parameters = glift::bytes_of(parameters),
+            .size = iteration.size(), .sharing = iteration.sharing()});
+    } else {
+        const write_box_920b34ba_general_parameters parameters = {
+            .size = from.size(),
+            .from_origin = from.origin(),
+            .to_origin = to.origin(),
+        };
+        commands.dispatch(write_box_920b34ba_kernel,
+            {.form = glift::FormName::general, .memories = memories, .parameters = glift::bytes_of(parameters),
+            .size = iteration.size(), .patches = iteration.patches({offsetof(write_box_920b34ba_general_parameters,
+            size)}), .sharing = iteration.sharing()});
+    }
+}
+
+namespace {
+struct fill_box_fbf6ae12_direct_parameters {
+    uint to_extent;
+    uint value;
+};
+static_assert(offsetof(fill_box_fbf6ae12_direct_parameters, to_extent) == 0);
+static_assert(offsetof(fill_box_fbf6ae12_direct_parameters, value) == 4);
+struct fill_box_fbf6ae12_general_parameters {
+    uint size;
+    uint to_origin;
+    uint value;
+};
+static_assert(offsetof(fill_box_fbf6ae12_general_parameters, size) == 0);
+static_assert(offsetof(fill_box_fbf6ae12_general_parameters, to_origin) == 4);
+static_assert(offsetof(fill_box_fbf6ae12_general_parameters, value) == 8);
+struct fill_box_fbf6ae12_wide_parameters {
+    uint size;
+    uint to_origin;
+    uint value;
+    std::uint64_t to_data_address;
+};
+static_assert(offsetof(fill_box_fbf6ae12_wide_parameters, size) == 0);
+static_assert(offsetof(fill_box_fbf6ae12_wide_parameters, to_origin) == 4);
+static_assert(offsetof(fill_box_fbf6ae12_wide_parameters, value) == 8);
+static_assert(offsetof(fill_box_fbf6ae12_wide_parameters, to_data_address) == 16);
+}  // namespace
+
+extern const glift::Kernel fill_box_fbf6ae12_kernel;
+
+GLIFT_SHARED void fill_box_fbf6ae12(const glift::Commands& commands,
+    const glift::Range<::std_array::Array_1_uint_none_buffer>& to, uint value) {
+    glift::Iteration iteration(fill_box_fbf6ae12_kernel);
+    iteration.each("to", to);
+    const glift::Memory memories[] = {to->data()};
+    if (commands.needs_wide(fill_box_fbf6ae12_kernel, memories, iteration.size())) {
+        const fill_box_fbf6ae12_wide_parameters parameters = {
+            .size = to.size(),
+            .to_origin = to.origin(),
+            .value = value,
+            .to_data_address = 0u,
+        };
+        commands.dispatch(fill_box_fbf6ae12_kernel,
+            {.form = glift::FormName::wide, .memories = memories, .parameters = glift::bytes_of(parameters),
+            .size = iteration.size(), .patches = iteration.patches({offsetof(fill_box_fbf6ae12_wide_parameters,
+            size)})});
+    } else if (iteration.is_whole()) {
+        const fill_box_fbf6ae12_direct_parameters parameters = {
+            .to_extent = to->extent(),
+            .value = value,
+        };
+        commands.dispatch(fill_box_fbf6ae12_kernel,
+            {.form = glift::FormName::direct, .memories = memories, .parameters = glift::bytes_of(parameters),
+            .size = iteration.size()});
+    } else {
+        const fill_box_fbf6ae12_general_parameters parameters = {
+            .size = to.size(),
+            .to_origin = to.origin(),
+            .value = value,
+        };
+        commands.dispatch(fill_box_fbf6ae12_kernel,
+            {.form = glift::FormName::general, .memories = memories, .parameters = glift::bytes_of(parameters),
+            .size = iteration.size(), .patches = iteration.patches({offsetof(fill_box_fbf6ae12_general_parameters,
+            size)})});
+    }
+}
+
+namespace {
 struct read_box_a23c245a_direct_parameters {
     uint3 from_extent;
     uint div_ceil_y;
@@ -594,7 +796,7 @@ GLIFT_SHARED void fill_box_blocks_Listed_float(const glift::Commands& commands,
     const glift::Range<::blocks::Listed>& to, float value) {
     glift::Iteration iteration(fill_box_blocks_Listed_float_kernel);
     iteration.each("to", to);
-    iteration.blocks(uint2(512u, to->capacity()), ::blocks::blocks_blocks_Listed(commands, to));
+    iteration.blocks(uint2(512u, to->capacity()), ::blocks::block_count_blocks_Listed(commands, to));
     const glift::Memory memories[] = {to->active().data(), to->table().data(), to->frames().data()};
     if (iteration.is_shared(memories)) iteration.share(memories, {to});
     if (commands.needs_wide(fill_box_blocks_Listed_float_kernel, memories, iteration.extent())) {
@@ -838,7 +1040,7 @@ GLIFT_SHARED void list_there_b56b1eed(const glift::Commands& commands, const gli
     iteration.any("addresses", addresses);
     iteration.any("places", places);
     iteration.any("values", values);
-    iteration.blocks(uint2(512u, a->capacity()), ::blocks::blocks_blocks_Listed(commands, a));
+    iteration.blocks(uint2(512u, a->capacity()), ::blocks::block_count_blocks_Listed(commands, a));
     const glift::Memory memories[] = {a->active().data(), from->table().data(), from->frames().data(), counter->data(),
         addresses->data(), values->data(), translated->table().data(), places->data()};
     if (iteration.is_shared(memories)) iteration.share(memories,
@@ -953,208 +1155,6 @@ GLIFT_SHARED void list_there_b56b1eed(const glift::Commands& commands, const gli
             {.form = glift::FormName::general, .memories = memories, .parameters = glift::bytes_of(parameters),
             .size = iteration.extent(), .patches = iteration.patches({offsetof(list_there_b56b1eed_general_parameters,
             a_size)}), .sharing = iteration.sharing()});
-    }
-}
-
-namespace {
-struct read_box_698f90a1_direct_parameters {
-    uint from_extent;
-};
-static_assert(offsetof(read_box_698f90a1_direct_parameters, from_extent) == 0);
-struct read_box_698f90a1_general_parameters {
-    uint size;
-    uint from_origin;
-    uint to_origin;
-};
-static_assert(offsetof(read_box_698f90a1_general_parameters, size) == 0);
-static_assert(offsetof(read_box_698f90a1_general_parameters, from_origin) == 4);
-static_assert(offsetof(read_box_698f90a1_general_parameters, to_origin) == 8);
-struct read_box_698f90a1_wide_parameters {
-    uint size;
-    uint from_origin;
-    uint to_origin;
-    std::uint64_t from_data_address;
-    std::uint64_t to_data_address;
-};
-static_assert(offsetof(read_box_698f90a1_wide_parameters, size) == 0);
-static_assert(offsetof(read_box_698f90a1_wide_parameters, from_origin) == 4);
-static_assert(offsetof(read_box_698f90a1_wide_parameters, to_origin) == 8);
-static_assert(offsetof(read_box_698f90a1_wide_parameters, from_data_address) == 16);
-static_assert(offsetof(read_box_698f90a1_wide_parameters, to_data_address) == 24);
-}  // namespace
-
-extern const glift::Kernel read_box_698f90a1_kernel;
-
-GLIFT_SHARED void read_box_698f90a1(const glift::Commands& commands,
-    const glift::Range<::std_array::Array_1_uint_none_buffer>& from, const glift::Range<Box_1_uint>& to) {
-    glift::Iteration iteration(read_box_698f90a1_kernel);
-    iteration.each("from", from);
-    iteration.each("to", to);
-    const glift::Memory memories[] = {from->data(), to->data()};
-    if (iteration.is_shared(memories)) iteration.share(memories, {from, to});
-    if (commands.needs_wide(read_box_698f90a1_kernel, memories, iteration.size())) {
-        const read_box_698f90a1_wide_parameters parameters = {
-            .size = from.size(),
-            .from_origin = from.origin(),
-            .to_origin = to.origin(),
-            .from_data_address = 0u,
-            .to_data_address = 0u,
-        };
-        commands.dispatch(read_box_698f90a1_kernel,
-            {.form = glift::FormName::wide, .memories = memories, .parameters = glift::bytes_of(parameters),
-            .size = iteration.size(), .patches = iteration.patches({offsetof(read_box_698f90a1_wide_parameters, size)}),
-            .sharing = iteration.sharing()});
-    } else if (iteration.is_whole()) {
-        const read_box_698f90a1_direct_parameters parameters = {
-            .from_extent = from->extent(),
-        };
-        commands.dispatch(read_box_698f90a1_kernel,
-            {.form = glift::FormName::direct, .memories = memories, .parameters = glift::bytes_of(parameters),
-            .size = iteration.size(), .sharing = iteration.sharing()});
-    } else {
-        const read_box_698f90a1_general_parameters parameters = {
-            .size = from.size(),
-            .from_origin = from.origin(),
-            .to_origin = to.origin(),
-        };
-        commands.dispatch(read_box_698f90a1_kernel,
-            {.form = glift::FormName::general, .memories = memories, .parameters = glift::bytes_of(parameters),
-            .size = iteration.size(), .patches = iteration.patches({offsetof(read_box_698f90a1_general_parameters,
-            size)}), .sharing = iteration.sharing()});
-    }
-}
-
-namespace {
-struct write_box_920b34ba_direct_parameters {
-    uint from_extent;
-};
-static_assert(offsetof(write_box_920b34ba_direct_parameters, from_extent) == 0);
-struct write_box_920b34ba_general_parameters {
-    uint size;
-    uint from_origin;
-    uint to_origin;
-};
-static_assert(offsetof(write_box_920b34ba_general_parameters, size) == 0);
-static_assert(offsetof(write_box_920b34ba_general_parameters, from_origin) == 4);
-static_assert(offsetof(write_box_920b34ba_general_parameters, to_origin) == 8);
-struct write_box_920b34ba_wide_parameters {
-    uint size;
-    uint from_origin;
-    uint to_origin;
-    std::uint64_t from_data_address;
-    std::uint64_t to_data_address;
-};
-static_assert(offsetof(write_box_920b34ba_wide_parameters, size) == 0);
-static_assert(offsetof(write_box_920b34ba_wide_parameters, from_origin) == 4);
-static_assert(offsetof(write_box_920b34ba_wide_parameters, to_origin) == 8);
-static_assert(offsetof(write_box_920b34ba_wide_parameters, from_data_address) == 16);
-static_assert(offsetof(write_box_920b34ba_wide_parameters, to_data_address) == 24);
-}  // namespace
-
-extern const glift::Kernel write_box_920b34ba_kernel;
-
-GLIFT_SHARED void write_box_920b34ba(const glift::Commands& commands, const glift::Range<Box_1_uint>& from,
-    const glift::Range<::std_array::Array_1_uint_none_buffer>& to) {
-    glift::Iteration iteration(write_box_920b34ba_kernel);
-    iteration.each("from", from);
-    iteration.each("to", to);
-    const glift::Memory memories[] = {from->data(), to->data()};
-    if (iteration.is_shared(memories)) iteration.share(memories, {from, to});
-    if (commands.needs_wide(write_box_920b34ba_kernel, memories, iteration.size())) {
-        const write_box_920b34ba_wide_parameters parameters = {
-            .size = from.size(),
-            .from_origin = from.origin(),
-            .to_origin = to.origin(),
-            .from_data_address = 0u,
-            .to_data_address = 0u,
-        };
-        commands.dispatch(write_box_920b34ba_kernel,
-            {.form = glift::FormName::wide, .memories = memories, .parameters = glift::bytes_of(parameters),
-            .size = iteration.size(), .patches = iteration.patches({offsetof(write_box_920b34ba_wide_parameters,
-            size)}), .sharing = iteration.sharing()});
-    } else if (iteration.is_whole()) {
-        const write_box_920b34ba_direct_parameters parameters = {
-            .from_extent = from->extent(),
-        };
-        commands.dispatch(write_box_920b34ba_kernel,
-            {.form = glift::FormName::direct, .memories = memories, .parameters = glift::bytes_of(parameters),
-            .size = iteration.size(), .sharing = iteration.sharing()});
-    } else {
-        const write_box_920b34ba_general_parameters parameters = {
-            .size = from.size(),
-            .from_origin = from.origin(),
-            .to_origin = to.origin(),
-        };
-        commands.dispatch(write_box_920b34ba_kernel,
-            {.form = glift::FormName::general, .memories = memories, .parameters = glift::bytes_of(parameters),
-            .size = iteration.size(), .patches = iteration.patches({offsetof(write_box_920b34ba_general_parameters,
-            size)}), .sharing = iteration.sharing()});
-    }
-}
-
-namespace {
-struct fill_box_fbf6ae12_direct_parameters {
-    uint to_extent;
-    uint value;
-};
-static_assert(offsetof(fill_box_fbf6ae12_direct_parameters, to_extent) == 0);
-static_assert(offsetof(fill_box_fbf6ae12_direct_parameters, value) == 4);
-struct fill_box_fbf6ae12_general_parameters {
-    uint size;
-    uint to_origin;
-    uint value;
-};
-static_assert(offsetof(fill_box_fbf6ae12_general_parameters, size) == 0);
-static_assert(offsetof(fill_box_fbf6ae12_general_parameters, to_origin) == 4);
-static_assert(offsetof(fill_box_fbf6ae12_general_parameters, value) == 8);
-struct fill_box_fbf6ae12_wide_parameters {
-    uint size;
-    uint to_origin;
-    uint value;
-    std::uint64_t to_data_address;
-};
-static_assert(offsetof(fill_box_fbf6ae12_wide_parameters, size) == 0);
-static_assert(offsetof(fill_box_fbf6ae12_wide_parameters, to_origin) == 4);
-static_assert(offsetof(fill_box_fbf6ae12_wide_parameters, value) == 8);
-static_assert(offsetof(fill_box_fbf6ae12_wide_parameters, to_data_address) == 16);
-}  // namespace
-
-extern const glift::Kernel fill_box_fbf6ae12_kernel;
-
-GLIFT_SHARED void fill_box_fbf6ae12(const glift::Commands& commands,
-    const glift::Range<::std_array::Array_1_uint_none_buffer>& to, uint value) {
-    glift::Iteration iteration(fill_box_fbf6ae12_kernel);
-    iteration.each("to", to);
-    const glift::Memory memories[] = {to->data()};
-    if (commands.needs_wide(fill_box_fbf6ae12_kernel, memories, iteration.size())) {
-        const fill_box_fbf6ae12_wide_parameters parameters = {
-            .size = to.size(),
-            .to_origin = to.origin(),
-            .value = value,
-            .to_data_address = 0u,
-        };
-        commands.dispatch(fill_box_fbf6ae12_kernel,
-            {.form = glift::FormName::wide, .memories = memories, .parameters = glift::bytes_of(parameters),
-            .size = iteration.size(), .patches = iteration.patches({offsetof(fill_box_fbf6ae12_wide_parameters,
-            size)})});
-    } else if (iteration.is_whole()) {
-        const fill_box_fbf6ae12_direct_parameters parameters = {
-            .to_extent = to->extent(),
-            .value = value,
-        };
-        commands.dispatch(fill_box_fbf6ae12_kernel,
-            {.form = glift::FormName::direct, .memories = memories, .parameters = glift::bytes_of(parameters),
-            .size = iteration.size()});
-    } else {
-        const fill_box_fbf6ae12_general_parameters parameters = {
-            .size = to.size(),
-            .to_origin = to.origin(),
-            .value = value,
-        };
-        commands.dispatch(fill_box_fbf6ae12_kernel,
-            {.form = glift::FormName::general, .memories = memories, .parameters = glift::bytes_of(parameters),
-            .size = iteration.size(), .patches = iteration.patches({offsetof(fill_box_fbf6ae12_general_parameters,
-            size)})});
     }
 }
 
