@@ -81,7 +81,8 @@ Slice Encoder::prepare(PrepareArguments arguments, std::span<const Patch> patche
         open_preparation(patches, conditions);
     const Slice command = batch_->parameters.take(sizeof(VkDrawIndirectCommand));  // the larger one
     const std::size_t sources = patches.size() * sizeof(PatchSource);
-    const Slice list = batch_->parameters.take(sizeof arguments + sources + conditions.size() * sizeof(ConditionSource));
+    const Slice list =
+        batch_->parameters.take(sizeof arguments + sources + conditions.size() * sizeof(ConditionSource));
     arguments.command = command.address();
     arguments.patches = list.address() + sizeof arguments;
     arguments.conditions = arguments.patches + sources;
