@@ -1,5 +1,6 @@
 #include "at_window.h"
 
+#include "show.glift.hpp"
 #include "shown.glift.hpp"
 
 #include <imgui/imgui.h>
@@ -62,7 +63,8 @@ private:
     void panel() {
         Settings& s = choice_.settings;
         int method = static_cast<int>(choice_.method), view = static_cast<int>(choice_.view),
-            finest = static_cast<int>(s.finest), step = static_cast<int>(std::log2(s.step));
+            filter = static_cast<int>(s.filter), finest = static_cast<int>(s.finest),
+            step = static_cast<int>(std::log2(s.step));
         ImGui::SetNextWindowPos({10, 10}, ImGuiCond_FirstUseEver);
         ImGui::Begin("Shadows", nullptr, ImGuiWindowFlags_AlwaysAutoResize);
         ImGui::PushItemWidth(160);
@@ -71,13 +73,14 @@ private:
         ImGui::SliderInt("finest level", &finest, 0, static_cast<int>(s.levels) - 1, "%d",
                          ImGuiSliderFlags_AlwaysClamp);
         ImGui::Combo("analysis", &step, "every pixel\0every 2nd\0every 4th\0every 8th\0");
-        ImGui::Checkbox("trilinear", &s.trilinear);
+        ImGui::Combo("filter", &filter, "nearest\0bilinear\0trilinear\0");
         ImGui::Checkbox("cached", &s.cached);
         ImGui::Checkbox("moves", &choice_.moves);
         ImGui::PopItemWidth();
         ImGui::TextUnformatted("Left: camera.  Right: light.  Wheel: closer.\nTab: hide this.  S: save.  Esc: close.");
         ImGui::End();
         choice_.method = static_cast<Method>(method), choice_.view = static_cast<View>(view);
+        s.filter = static_cast<Filter>(filter);
         s.finest = static_cast<std::uint32_t>(finest), s.step = 1u << static_cast<unsigned>(step);
     }
 

@@ -33,6 +33,11 @@ View view_of(const std::string& name) {
                                   {"pool", View::pool}});
 }
 
+Filter filter_of(const std::string& name) {
+    return choice_of<Filter>(
+        name, {{"nearest", Filter::nearest}, {"bilinear", Filter::bilinear}, {"trilinear", Filter::trilinear}});
+}
+
 Frame::Frame(glift::Device device, const Settings& settings, glift::uint2 size)
     : device_(std::move(device)), settings_(settings), size_(size) {}
 
@@ -44,8 +49,13 @@ void Frame::set_scene(const scenes::Scene& scene) {
         corners_.emplace(device_, corners);
         points_.emplace(device_, points);
         colours_.emplace(device_, points);
-        shadows_.emplace(device_, size_, corners / 3, settings_.spot ? 2u : 1u, settings_.levels, settings_.pages,
-                         settings_.standard, settings_.pairs);
+        const auto make = [&]<class Shadows>() {
+            shadows_.emplace<Shadows>(device_, size_, corners / 3, settings_.spot ? 2u : 1u, settings_.levels,
+                                      settings_.pages, settings_.standard, settings_.pairs);
+        };
+        if (settings_.cells == 16) make.operator()<shadows::Shadows16>();
+        else if (settings_.cells == 64) make.operator()<shadows::Shadows64>();
+        else make.operator()<shadows::Shadows32>();
         recorded_ = {};
     }
     corners_->write(scene.mesh.corners);
@@ -56,11 +66,11 @@ void Frame::set_scene(const scenes::Scene& scene) {
 
 void Frame::set_knobs(const Settings& settings) {
     const auto knobs = [](const Settings& s) {
-        return std::tie(s.bias, s.step, s.finest, s.trilinear, s.cached, s.rounds);
+        return std::tie(s.bias, s.step, s.finest, s.filter, s.cached, s.rounds);
     };
     if (knobs(settings) == knobs(settings_)) return;
     settings_.bias = settings.bias, settings_.step = settings.step, settings_.finest = settings.finest;
-    settings_.trilinear = settings.trilinear, settings_.cached = settings.cached, settings_.rounds = settings.rounds;
+    settings_.filter = settings.filter, settings_.cached = settings.cached, settings_.rounds = settings.rounds;
     recorded_ = {};
 }
 
@@ -83,23 +93,22 @@ eye::Viewpoint Frame::viewpoint() const {
 
 void Frame::prepare(Method method) {
     const std::vector<eye::Viewpoint> view = {viewpoint()};
-    shadows_->views().write(view);
+    with_shadows([&](auto& s) { s.views().write(view); });
     glift::Recording& recorded = recorded_.at(static_cast<std::size_t>(method));
     if (recorded) return;
-    const bool is_gpu = device_.properties().kind == glift::DeviceKind::gpu;
     const shadows::Settings settings{.bias = settings_.bias,
                                      .step = settings_.step,
                                      .finest = std::min(settings_.finest, settings_.levels - 1),
-                                     .is_trilinear = settings_.trilinear,
+                                     .filter = static_cast<glift::uint>(settings_.filter),
                                      .is_cached = settings_.cached,
-                                     .fills_by_kernel = settings_.by_kernel.value_or(is_gpu),
+                                     .fills_by_kernel = settings_.by_kernel,
                                      .seed = std::min(settings_.seed, settings_.levels - 1),
                                      .most_rounds = settings_.rounds};
     const glift::uint chosen = method == Method::standard   ? shadows::Method::standard
                                : method == Method::adaptive ? shadows::Method::adaptive
                                                             : shadows::Method::matched;
     recorded = device_.record([&](const glift::Commands& commands) {
-        shadows_->draw(commands, *corners_, *points_, *colours_, chosen, settings);
+        with_shadows([&](auto& s) { s.draw(commands, *corners_, *points_, *colours_, chosen, settings); });
     });
 }
 
@@ -109,28 +118,39 @@ void Frame::draw(Method method) {
 }
 
 eye::Picture Frame::image(View view) const {
-    const auto& from = shadows_->picture();
-    if (view == View::picture) return from;
-    const eye::Picture shown(device_, size_);
-    const auto& tree = shadows_->tree();
-    if (view == View::map) show::show_map(device_, shown, tree, shown);
-    else if (view == View::pool) show::show_pool(device_, shown, tree, shown);
-    else show::show_pages(device_, shadows_->surface(), from, tree, settings_.finest, view == View::borders, shown);
-    return shown;
+    return with_shadows([&](auto& s) -> eye::Picture {
+        if (view == View::picture) return s.picture();
+        eye::Picture shown(device_, size_);
+        s.show(device_, static_cast<glift::uint>(view), settings_.finest, shown);
+        return shown;
+    });
 }
 
 picture::Picture Frame::picture(View view) const { return {size_.x, size_.y, image(view).read(), {}}; }
 
 Lighting Frame::lighting() const {
-    return {shadows_->surface().read(), shadows_->slopes().read(), shadows_->colour().read(), shadows_->lit().read()};
+    return with_shadows([](auto& s) -> Lighting {
+        return {s.surface().read(), s.slopes().read(), s.colour().read(), s.lit().read()};
+    });
+}
+
+shadows::Status Frame::counts() const {
+    return with_shadows([&](auto& s) { return s.status(device_); });
+}
+
+std::vector<std::uint32_t> Frame::owners() const {
+    return with_shadows([](auto& s) { return s.tree().pages().owners().read(); });
 }
 
 std::vector<float> Frame::depths_of_pages() const {
-    const auto& texels = shadows_->tree().frames().texels();
-    std::vector<float> depths = texels.read();
+    std::uint32_t width = 0;
+    std::vector<float> depths = with_shadows([&](auto& s) {
+        const auto& texels = s.tree().frames().texels();
+        width = texels.extent().x;
+        return texels.read();
+    });
     const std::vector<std::uint32_t> owner = owners();
-    constexpr std::uint32_t side = 33;
-    const std::uint32_t width = texels.extent().x, across = width / side;
+    const std::uint32_t side = settings_.cells + 1, across = width / side;
     for (std::size_t i = 0; i < depths.size(); ++i) {
         const std::size_t frame = i / width / side * across + i % width / side;
         if (frame >= owner.size() || owner[frame] == 0) depths[i] = 0;
@@ -139,16 +159,16 @@ std::vector<float> Frame::depths_of_pages() const {
 }
 
 std::string Frame::status() const {
-    const auto status = pool();
-    const std::uint32_t lost = shadows_->lost().read().front();
-    if (lost > 0)
-        throw std::runtime_error(std::to_string(lost) +
+    const shadows::Status status = counts();
+    if (status.lost > 0)
+        throw std::runtime_error(std::to_string(status.lost) +
                                  " pairs of a triangle and a page found no room, so that shadows "
                                  "are missing: give more of them by --pairs");
-    std::string text = std::to_string(shadows_->asked().read().front()) + " pages asked for, " +
-                       std::to_string(status.resident) + " of " + std::to_string(status.capacity) + " there, " +
-                       std::to_string(status.granted) + " new";
-    if (const std::uint32_t rounds = shadows_->rounds().read().front(); rounds > 1)
-        text += ", " + std::to_string(rounds) + " rounds";
+    std::string text = std::to_string(status.asked) + " pages asked for, " + std::to_string(status.pool.resident) +
+                       " of " + std::to_string(status.pool.capacity) + " there, " +
+                       std::to_string(status.pool.granted) + " new";
+    if (status.coarsened > 0) text += ", coarser ones in place of " + std::to_string(status.coarsened);
+    if (status.pool.refused > 0) text += ", " + std::to_string(status.pool.refused) + " refused";
+    if (status.rounds > 1) text += ", " + std::to_string(status.rounds) + " rounds";
     return text;
 }

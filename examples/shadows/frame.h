@@ -2,7 +2,6 @@
 #pragma once
 
 #include "shadows.glift.hpp"
-#include "show.glift.hpp"
 
 #include "examples/common/picture.h"
 #include "examples/common/scenes/scenes.h"
@@ -10,21 +9,27 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 enum class Method { standard, adaptive, matched };
 enum class View { picture, levels, borders, map, pool };
 
+enum class Filter { nearest, bilinear, trilinear };
+
 /// standard, asm or rmsm. Throws std::runtime_error.
 Method method_of(const std::string& name);
 View view_of(const std::string& name);
+Filter filter_of(const std::string& name);
 
 struct Settings {
+    std::uint32_t cells = 32;  ///< of a page along each axis: 16, 32 or 64
     std::uint32_t levels = 11, pages = 8192, pairs = 4'000'000, standard = 2048, seed = 6, rounds = 8;
     float bias = 1e-4f;
     std::uint32_t step = 1, finest = 0;
-    bool trilinear = false, cached = false, spot = false;
-    std::optional<bool> by_kernel;  ///< how pages are filled; else as is faster on the device
+    Filter filter = Filter::bilinear;
+    bool cached = false, spot = false;
+    bool by_kernel = true;  ///< how pages are filled; else by draws
 };
 
 /// What the light does to the picture: for each pixel its place in light space and the share of light there.
@@ -61,22 +66,31 @@ public:
     eye::Picture image(View view) const;
     picture::Picture picture(View view = View::picture) const;
     Lighting lighting() const;
+    /// Of the last frame.
+    shadows::Status counts() const;
     /// How often the last frame of ASM or RMSM has filled pages.
-    std::uint32_t rounds() const { return shadows_->rounds().read().front(); }
-    std_page_allocator::PoolStatus pool() const { return shadows_->tree().status(device_); }
-    std::vector<std::uint32_t> owners() const {
-        return shadows_->tree().pages().owners().read();
-    }  ///< page + 1 of each frame
+    std::uint32_t rounds() const { return counts().rounds; }
+    std_page_allocator::PoolStatus pool() const { return counts().pool; }
+    std::vector<std::uint32_t> owners() const;  ///< page + 1 of each frame
     /// The pool's depths, those of frames without a page 0.
     std::vector<float> depths_of_pages() const;
     /// Of the last frame. Throws std::runtime_error where depths are missing, with the remedy.
     std::string status() const;
 
 private:
+    /// Gives what there is, by the size of its pages, to `use`: a copy, which shares all memory. There is some after
+    /// `set_scene`.
+    template <class Use> auto with_shadows(const Use& use) const {
+        const auto use_copy = [&](auto copy) { return use(copy); };
+        if (const auto* some = std::get_if<shadows::Shadows16>(&shadows_)) return use_copy(*some);
+        if (const auto* some = std::get_if<shadows::Shadows64>(&shadows_)) return use_copy(*some);
+        return use_copy(std::get<shadows::Shadows32>(shadows_));
+    }
+
     glift::Device device_;
     Settings settings_;
     glift::uint2 size_;
-    std::optional<shadows::Shadows> shadows_;
+    std::variant<std::monostate, shadows::Shadows16, shadows::Shadows32, shadows::Shadows64> shadows_;
     std::optional<shadow_map::Corners> corners_;
     std::optional<shadow_map::Points> points_, colours_;
     scenes::Scene scene_;

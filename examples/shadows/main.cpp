@@ -119,14 +119,17 @@ void run_window(const Arguments& a) {
 }
 
 void add_knobs(CLI::App& app, Settings& s) {
-    app.add_option("--levels", s.levels, "of the quadtree: its finest has 32 * 2^(levels - 1) cells a side")
+    app.add_option("--cells", s.cells, "of a page along each axis")
+        ->check(CLI::IsMember({16, 32, 64}))
+        ->capture_default_str();
+    app.add_option("--levels", s.levels, "of the quadtree: its finest has cells * 2^(levels - 1) cells a side")
         ->check(CLI::Range(2u, 13u))
         ->capture_default_str();
     app.add_option("--pages", s.pages, "that the pool has room for")
         ->check(CLI::Range(1u, 65536u))
         ->capture_default_str();
     app.add_option("--pairs", s.pairs, "of a triangle and a page that there is room for")
-        ->check(CLI::Range(1u, 100'000'000u))
+        ->check(CLI::Range(1u, 50'000'000u))
         ->capture_default_str();
     app.add_option("--standard", s.standard, "texels along each side of the standard map")
         ->check(CLI::Range(16u, 16384u))
@@ -140,8 +143,12 @@ void add_knobs(CLI::App& app, Settings& s) {
         ->capture_default_str();
     app.add_option("--rounds", s.rounds, "asm: at most so many")->check(CLI::Range(1u, 32u))->capture_default_str();
     app.add_flag("--fill-by-kernel,!--fill-by-draws", s.by_kernel,
-                 "How depths get into pages; without it, as is faster on the device");
-    app.add_flag("--trilinear", s.trilinear, "Between levels, too");
+                 "How depths get into pages: by kernels unless by draws");
+    app.add_option_function<std::string>(
+           "--filter", [&s](const std::string& name) { s.filter = filter_of(name); },
+           "nearest, bilinear (2 x 2 comparisons) or trilinear (between levels, too)")
+        ->check(CLI::IsMember({"nearest", "bilinear", "trilinear"}))
+        ->default_str("bilinear");
     app.add_flag("--cached", s.cached, "Pages stay from frame to frame; scene and light stand still");
     app.add_flag("--spot", s.spot, "A spot light where the light's eye is");
 }

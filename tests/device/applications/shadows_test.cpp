@@ -8,7 +8,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
+#include <optional>
+#include <set>
 
 namespace {
 
@@ -42,6 +43,28 @@ Settings small() {
     settings.levels = 8, settings.pages = 256, settings.pairs = 20'000, settings.standard = 256, settings.seed = 5;
     settings.rounds = 3;
     return settings;
+}
+
+/// Level, and numbers along both axes.
+using Page = std::array<std::uint32_t, 3>;
+
+/// The page that a pixel asks for, if any.
+std::optional<Page> page_of(const glift::float4& s, const Settings& settings) {
+    if (s.w < 0 || std::min(s.x, s.y) < 0 || std::max(s.x, s.y) >= 1) return {};
+    const auto level = std::min(std::max(static_cast<std::uint32_t>(s.w), settings.finest), settings.levels - 1);
+    const float side = static_cast<float>(settings.cells << (settings.levels - 1)),
+                page = static_cast<float>(settings.cells << level);
+    const auto number = [&](float at) { return static_cast<std::uint32_t>((at * side + 0.5f - 0.5f) / page); };
+    return Page{level, number(s.x), number(s.y)};
+}
+
+/// The pages that all pixels ask for, with none finer than a level.
+std::set<Page> pages_of(const Lighting& lighting, Settings settings, std::uint32_t finest) {
+    settings.finest = finest;
+    std::set<Page> wanted;
+    for (const glift::float4& s : lighting.surface)
+        if (const auto page = page_of(s, settings)) wanted.insert(*page);
+    return wanted;
 }
 
 struct Shadows : OnEveryDevice {
@@ -84,13 +107,7 @@ TEST_P(Shadows, AreOneSubmissionAFrame) {
 }
 
 TEST_P(Shadows, HaveTheSameDepthsByDrawsAndByAKernel) {
-    Settings settings = small();
-    settings.spot = true;
-    settings.by_kernel = false;
-    Frame draws = frame(settings);
-    settings.by_kernel = true;
-    Frame kernel = frame(settings);
-    // The passes say that these are two ways: draws need frames that are cleared.
+    // The passes say that these are two ways: draws have other ones.
     const auto passes_of = [&](Frame& some) {
         some.prepare(Method::matched);
         device.wait();
@@ -99,10 +116,49 @@ TEST_P(Shadows, HaveTheSameDepthsByDrawsAndByAKernel) {
         device.wait();
         return device.statistics().passes - before;
     };
-    EXPECT_NE(passes_of(draws), passes_of(kernel));
-    const std::vector<std::uint32_t> owners = draws.owners();
-    ASSERT_EQ(owners, kernel.owners());
-    EXPECT_TRUE(draws.depths_of_pages() == kernel.depths_of_pages());
+    for (const std::uint32_t cells : {16u, 32u, 64u}) {
+        Settings settings = small();
+        settings.spot = true, settings.cells = cells;
+        settings.by_kernel = false;
+        Frame draws = frame(settings);
+        settings.by_kernel = true;
+        Frame kernel = frame(settings);
+        EXPECT_NE(passes_of(draws), passes_of(kernel));
+        const std::vector<std::uint32_t> owners = draws.owners();
+        ASSERT_EQ(owners, kernel.owners());
+        const std::vector<float> depths = kernel.depths_of_pages();
+        EXPECT_TRUE(draws.depths_of_pages() == depths) << cells;
+        EXPECT_TRUE(std::ranges::any_of(depths, [](float depth) { return depth > 0 && depth < 1; })) << cells;
+    }
+}
+
+/// Sizes of pages and filters change what is between texels, and nothing else.
+TEST_P(Shadows, AgreeByAllPagesAndFilters) {
+    Settings settings = small();
+    Frame first = frame(settings);
+    first.draw(Method::matched);
+    const Lighting usual = first.lighting();
+    for (const auto& [cells, filter] : {std::pair{16u, Filter::bilinear},
+                                        {64u, Filter::bilinear},
+                                        {32u, Filter::nearest},
+                                        {32u, Filter::trilinear}}) {
+        settings.cells = cells, settings.filter = filter;
+        settings.levels = cells == 16 ? 9 : cells == 64 ? 7 : 8;  // of as many cells in all
+        Frame some = frame(settings);
+        some.draw(Method::matched);
+        const Lighting lighting = some.lighting();
+        EXPECT_TRUE(lighting.surface == usual.surface);
+        std::size_t differ = 0, between = 0;
+        for (std::size_t i = 0; i < usual.lit.size(); ++i) {
+            differ += (lighting.lit[i] > 0.5f) != (usual.lit[i] > 0.5f);
+            between += lighting.lit[i] > 0 && lighting.lit[i] < 1;
+            if (filter == Filter::bilinear) {
+                EXPECT_NEAR(lighting.lit[i], usual.lit[i], 1e-3) << cells << ' ' << i;
+            }
+        }
+        EXPECT_LT(differ, filter == Filter::bilinear ? 1u : 200u);
+        EXPECT_EQ(between == 0, filter == Filter::nearest);
+    }
 }
 
 TEST_P(Shadows, HaveThePagesThatPixelsNeed) {
@@ -112,19 +168,11 @@ TEST_P(Shadows, HaveThePagesThatPixelsNeed) {
         Frame some = frame(settings);
         some.draw(Method::matched);
         const Lighting lighting = some.lighting();
-        std::map<std::array<std::uint32_t, 3>, bool> wanted;
+        std::set<Page> wanted;
         for (std::uint32_t y = 0; y < 64; y += step)
-            for (std::uint32_t x = 0; x < 96; x += step) {
-                const glift::float4& s = lighting.surface[std::size_t{y} * 96 + x];
-                if (s.w < 0 || std::min(s.x, s.y) < 0 || std::max(s.x, s.y) >= 1) continue;
-                const auto level = std::min(static_cast<std::uint32_t>(s.w), settings.levels - 1);
-                const float side = 32 * static_cast<float>(1u << (settings.levels - 1)),
-                            page = 32 * static_cast<float>(1u << level);
-                const auto number = [&](float at) {
-                    return static_cast<std::uint32_t>((at * side + 0.5f - 0.5f) / page);
-                };
-                wanted[{level, number(s.x), number(s.y)}] = true;
-            }
+            for (std::uint32_t x = 0; x < 96; x += step)
+                if (const auto page = page_of(lighting.surface[std::size_t{y} * 96 + x], settings))
+                    wanted.insert(*page);
         EXPECT_EQ(some.pool().resident, wanted.size()) << step;
         EXPECT_GT(wanted.size(), 30u) << step;
     }
@@ -142,6 +190,57 @@ TEST_P(Shadows, DegradeWithTheirPool) {
         EXPECT_LE(some.pool().resident, settings.pages) << part;
         // What is coarser than the standard map is looked up there.
         EXPECT_GE(compared.rmsm.share(), compared.standard.share() - 0.005) << part;
+    }
+}
+
+/// A pool for a part of what is asked for has the pages of a frame whose finest level is coarser, and nothing else
+/// changes.
+TEST_P(Shadows, DegradeByCoarserLevelsAlone) {
+    Settings settings = small();
+    Frame whole = frame(settings);
+    whole.draw(Method::matched);
+    const Lighting usual = whole.lighting();
+    whole.draw(Method::standard);
+    const std::vector<float> standard = whole.lighting().lit;
+    const auto wanted = static_cast<std::uint32_t>(pages_of(usual, settings, 0).size());
+    for (const std::uint32_t part : {1u, 2u, 4u, 16u}) {
+        settings.pages = wanted / part;
+        std::uint32_t finest = 0;
+        while (pages_of(usual, settings, finest).size() > settings.pages) ++finest;
+        Frame some = frame(settings);
+        some.draw(Method::matched);
+        Settings coarser = small();
+        coarser.finest = finest;
+        Frame expected = frame(coarser);
+        expected.draw(Method::matched);
+
+        std::set<std::uint32_t> there, expected_there;
+        for (const std::uint32_t owner : some.owners()) there.insert(owner);
+        for (const std::uint32_t owner : expected.owners()) expected_there.insert(owner);
+        there.insert(0u), expected_there.insert(0u);
+        EXPECT_EQ(there, expected_there) << part;
+        std::uint32_t coarsened = 0;
+        for (const Page& page : pages_of(usual, settings, 0)) coarsened += page[0] < finest;
+        const shadows::Status counts = some.counts();
+        EXPECT_EQ(counts.asked, wanted) << part;
+        EXPECT_EQ(counts.coarsened, coarsened) << part;
+        EXPECT_EQ(counts.coarsened > 0, part > 1) << part;
+        EXPECT_EQ(counts.pool.refused, 0u) << part;
+        EXPECT_EQ(some.status().find("coarser ones in place of") != std::string::npos, part > 1) << some.status();
+
+        const Lighting lighting = some.lighting(), finest_lighting = expected.lighting();
+        EXPECT_TRUE(lighting.surface == usual.surface && lighting.slopes == usual.slopes &&
+                    lighting.colours == usual.colours);
+        const float cell =
+            static_cast<float>(1u << finest) / static_cast<float>(settings.cells << (settings.levels - 1));
+        const bool is_finer_than_standard = cell * static_cast<float>(settings.standard) <= 1;
+        for (std::size_t i = 0; i < usual.lit.size(); ++i) {
+            const auto page = page_of(usual.surface[i], settings);
+            const float light = !page || (*page)[0] >= finest ? usual.lit[i]
+                                : is_finer_than_standard      ? finest_lighting.lit[i]
+                                                              : standard[i];
+            ASSERT_NEAR(lighting.lit[i], light, 1e-3) << part << ' ' << i;
+        }
     }
 }
 
