@@ -1,56 +1,35 @@
 #include "compare.h"
 
 #include <algorithm>
-#include <array>
+#include <tuple>
 
 using picture::Picture;
 
 namespace {
 
-bool is_lit(float share) { return share > 0.5f; }
+/// Whether a decision is another one than the rays'; never where the light does not shine.
+bool differs(float lit, rays::Light light) {
+    return light != rays::Light::unknown && is_lit(lit) != (light == rays::Light::reached);
+}
 
-Agreement agreement_of(const Lighting& lighting, const rays::Reference& reference, Picture& differences) {
+Agreement agreement_of(const Lighting& lighting, const rays::Reference& reference) {
     Agreement agreement;
     for (std::size_t i = 0; i < reference.light.size(); ++i) {
-        const glift::float4 own = lighting.colours[i];
-        const float grey = 0.35f * (own.x + own.y + own.z);
-        differences.pixels.emplace_back(grey, grey, grey, 1);
         if (reference.light[i] == rays::Light::unknown) continue;
-        const bool differs = is_lit(lighting.lit[i]) != (reference.light[i] == rays::Light::reached);
         if (reference.at_edge[i]) {
             ++agreement.in_band;
-            if (differs) differences.pixels.back() = glift::float4(0.1f, 0.25f, 0.7f, 1);
             continue;
         }
         ++agreement.pixels;
-        if (!differs) continue;
-        ++agreement.different;
-        differences.pixels.back() = glift::float4(1, 0.1f, 0.05f, 1);
+        agreement.different += differs(lighting.lit[i], reference.light[i]);
     }
     return agreement;
 }
 
-Picture by_rays(const Lighting& lighting, const rays::Reference& reference, glift::uint2 size) {
-    Picture made{size.x, size.y, {}, {}};
-    for (std::size_t i = 0; i < reference.light.size(); ++i) {
-        const glift::float4 own = lighting.colours[i];
-        const float light = 1 + (reference.light[i] == rays::Light::reached ? own.w : 0);
-        made.pixels.emplace_back(own.x * light, own.y * light, own.z * light, 1);
-    }
-    return made;
-}
-
-/// Two rows of three.
-Picture together(const std::array<Picture, 6>& parts) {
-    const std::uint32_t width = parts[0].width, height = parts[0].height;
-    Picture all{3 * width, 2 * height, {}, {}};
-    all.pixels.resize(std::size_t{6} * width * height);
-    for (std::size_t k = 0; k < parts.size(); ++k)
-        for (std::uint32_t y = 0; y < height; ++y)
-            for (std::uint32_t x = 0; x < width; ++x)
-                all.pixels[(k / 3 * height + y) * all.width + k % 3 * width + x] =
-                    parts[k].pixels[std::size_t{y} * width + x];
-    return all;
+/// As `shade` of shadows.glift.
+glift::float4 shaded(const glift::float4& own, float lit) {
+    const float light = 1 + own.w * lit;
+    return {own.x * light, own.y * light, own.z * light, 1};
 }
 
 }  // namespace
@@ -62,27 +41,65 @@ Agreement& Agreement::operator+=(const Agreement& other) {
     return *this;
 }
 
-Compared compare(Frame& frame, float bias) {
-    const glift::uint2 size = frame.size();
-    constexpr std::array methods = {Method::matched, Method::adaptive, Method::standard};
-    std::array<Lighting, 3> lighting;
-    std::array<Picture, 3> pictures, differences;
-    for (std::size_t k = 0; k < methods.size(); ++k) {
-        frame.draw(methods[k]);
-        lighting[k] = frame.lighting();
-        pictures[k] = frame.picture();
-        differences[k] = {size.x, size.y, {}, {}};
+Picture Compared::by(std::size_t method) const {
+    const Lighting& from = lighting[method];
+    Picture made{size.x, size.y, {}, {}};
+    for (std::size_t i = 0; i < from.lit.size(); ++i) made.pixels.push_back(shaded(from.colours[i], from.lit[i]));
+    return made;
+}
+
+Picture Compared::by_rays() const {
+    Picture made{size.x, size.y, {}, {}};
+    for (std::size_t i = 0; i < reference.light.size(); ++i)
+        made.pixels.push_back(shaded(lighting[0].colours[i], reference.light[i] == rays::Light::reached ? 1.0f : 0.0f));
+    return made;
+}
+
+Picture Compared::differences(std::size_t method) const {
+    const Lighting& from = lighting[method];
+    Picture made{size.x, size.y, {}, {}};
+    for (std::size_t i = 0; i < from.lit.size(); ++i) {
+        const glift::float4 own = from.colours[i];
+        const float grey = 0.35f * (own.x + own.y + own.z);
+        made.pixels.push_back(!differs(from.lit[i], reference.light[i]) ? glift::float4(grey, grey, grey, 1)
+                              : reference.at_edge[i]                    ? glift::float4(0.1f, 0.25f, 0.7f, 1)
+                                                                        : glift::float4(1, 0.1f, 0.05f, 1));
     }
-    const auto is_doubted = [&](std::size_t pixel, rays::Light light) {
-        return std::ranges::any_of(
-            lighting, [&](const Lighting& some) { return is_lit(some.lit[pixel]) != (light == rays::Light::reached); });
-    };
-    const rays::Reference reference = rays::trace(frame, lighting[0], bias, is_doubted);
+    return made;
+}
+
+Compared compare(Frame& frame, float bias) {
     Compared compared;
-    compared.rmsm = agreement_of(lighting[0], reference, differences[0]);
-    compared.adaptive = agreement_of(lighting[1], reference, differences[1]);
-    compared.standard = agreement_of(lighting[2], reference, differences[2]);
-    compared.side_by_side = together({pictures[0], pictures[2], by_rays(lighting[0], reference, size), differences[0],
-                                      differences[1], differences[2]});
+    compared.size = frame.size();
+    for (std::size_t k = 0; k < Compared::methods.size(); ++k) {
+        frame.draw(Compared::methods[k]);
+        std::ignore = frame.status();  // throws where triangles found no room
+        compared.lighting[k] = frame.lighting();
+        compared.pages[k] = frame.pool();
+    }
+    compared.reference = rays::trace(frame, compared.lighting[0], bias, [&](std::size_t pixel, rays::Light light) {
+        return std::ranges::any_of(compared.lighting,
+                                   [&](const Lighting& some) { return differs(some.lit[pixel], light); });
+    });
+    for (std::size_t k = 0; k < Compared::methods.size(); ++k)
+        compared.agreement[k] = agreement_of(compared.lighting[k], compared.reference);
     return compared;
+}
+
+Picture together(const std::vector<Picture>& parts) {
+    const std::uint32_t width = parts[0].width, height = parts[0].height;
+    const auto rows = static_cast<std::uint32_t>((parts.size() + 2) / 3);
+    Picture all{3 * width, rows * height, {}, {}};
+    all.pixels.resize(std::size_t{all.width} * all.height);
+    for (std::size_t k = 0; k < parts.size(); ++k)
+        for (std::uint32_t y = 0; y < height; ++y)
+            for (std::uint32_t x = 0; x < width; ++x)
+                all.pixels[(k / 3 * height + y) * all.width + k % 3 * width + x] =
+                    parts[k].pixels[std::size_t{y} * width + x];
+    return all;
+}
+
+Picture side_by_side(const Compared& compared) {
+    return together({compared.by(0), compared.by(2), compared.by_rays(), compared.differences(0),
+                     compared.differences(1), compared.differences(2)});
 }

@@ -3,6 +3,7 @@
 
 #include "rays.h"
 
+#include <array>
 #include <string>
 
 struct Agreement {
@@ -14,10 +15,34 @@ struct Agreement {
     Agreement& operator+=(const Agreement& other);
 };
 
+inline bool is_lit(float share) { return share > 0.5f; }
+
+/// A frame by all methods and by rays.
 struct Compared {
-    Agreement rmsm, adaptive, standard;
-    picture::Picture side_by_side;  ///< RMSM, standard, rays; below them differences of RMSM, ASM, standard to rays
+    static constexpr std::array methods = {Method::matched, Method::adaptive, Method::standard};
+    static constexpr std::array names = {"RMSM", "ASM", "standard"};
+
+    glift::uint2 size;
+    std::array<Lighting, 3> lighting;  ///< what `methods` made
+    rays::Reference reference;
+    std::array<Agreement, 3> agreement;
+    std::array<std_page_allocator::PoolStatus, 3> pages;  ///< of the quadtree; the standard map's say nothing
+
+    const Agreement& rmsm() const { return agreement[0]; }
+    const Agreement& adaptive() const { return agreement[1]; }
+    const Agreement& standard() const { return agreement[2]; }
+
+    picture::Picture by(std::size_t method) const;
+    picture::Picture by_rays() const;
+    /// Red: another decision than the rays'; blue: that, but in the band.
+    picture::Picture differences(std::size_t method) const;
 };
 
-/// Draws the frame by all methods, and traces it.
+/// Draws the frame by all methods, and traces it. Throws std::runtime_error where depths are missing.
 Compared compare(Frame& frame, float bias);
+
+/// Pictures of one size in rows of three.
+picture::Picture together(const std::vector<picture::Picture>& parts);
+
+/// RMSM, standard, rays; below them differences of RMSM, ASM, standard to rays.
+picture::Picture side_by_side(const Compared& compared);

@@ -1,7 +1,8 @@
 // Pictures with shadows: shadows.glift from C++.
+#include "agreement.h"
 #include "at_window.h"
 #include "compare.h"
-#include "path.h"
+#include "popping.h"
 
 #include <CLI/CLI.hpp>
 
@@ -16,12 +17,15 @@ namespace {
 
 struct Arguments {
     std::string scene = "hairball", method = "rmsm", show = "picture", out = "shadows.png", path, write_path;
+    std::string agreement, popping, pictures;
     float time = 0.4f;
-    unsigned frames = 1;
+    unsigned frames = 0;  // 0: 1, or all of a path
     std::vector<std::uint32_t> size = {512, 512};
     float from_right = 0, from_above = 0, closer = 1, light_from_right = 0;
-    bool compare = false, window = false;
+    bool is_sized = false, compare = false, window = false;
     Settings settings;
+    path::Way way;
+    Walk walk;
 };
 
 void save(const std::string& path, const picture::Picture& picture) {
@@ -56,7 +60,9 @@ std::vector<path::Step> path_of(const Arguments& a, scenes::Scene scene) {
     if (!a.path.empty()) return path::read(a.path, scene);
     scene.view = camera::orbited(scene.view, a.from_right, a.from_above, a.closer);
     scene.light = camera::orbited(scene.light, a.light_from_right, 0, 1);
-    return path::around(scene, a.time, a.frames, a.settings.cached);
+    path::Way way = a.way;
+    way.frames = std::max(a.frames, 1u), way.is_static = a.settings.cached;
+    return path::around(scene, a.time, way);
 }
 
 void print_agreement(const char* name, const Agreement& agreement) {
@@ -65,21 +71,33 @@ void print_agreement(const char* name, const Agreement& agreement) {
 }
 
 void compare_all(const Arguments& a, Frame& frame, const std::vector<path::Step>& steps) {
-    Compared all;
+    std::array<Agreement, 3> all;
     double least = 1;
     for (unsigned i = 0; i < steps.size(); ++i) {
         scenes::Scene scene = scene_at(a, steps[i].time);
         scene.view = steps[i].view, scene.light = steps[i].light;
         frame.set_scene(scene);
         const Compared one = compare(frame, a.settings.bias);
-        all.rmsm += one.rmsm, all.adaptive += one.adaptive, all.standard += one.standard;
-        least = std::min(least, one.rmsm.share());
-        save(numbered(a, i, steps.size()), one.side_by_side);
+        for (std::size_t k = 0; k < all.size(); ++k) all[k] += one.agreement[k];
+        least = std::min(least, one.rmsm().share());
+        save(numbered(a, i, steps.size()), side_by_side(one));
     }
     std::printf("%s, %zu frames; RMSM %.4f %% in the worst of them\n", a.scene.c_str(), steps.size(), 100 * least);
-    print_agreement("RMSM", all.rmsm);
-    print_agreement("ASM", all.adaptive);
-    print_agreement("standard", all.standard);
+    for (std::size_t k = 0; k < all.size(); ++k) print_agreement(Compared::names[k], all[k]);
+}
+
+/// All scenes along the recorded paths.
+Walk walk_of(const Arguments& a) {
+    Walk walk = a.walk;
+    walk.frames = a.frames, walk.settings = a.settings;
+    if (a.is_sized) walk.size = {a.size[0], a.size[1]};
+    return walk;
+}
+
+void run_popping(const Arguments& a) {
+    Walk walk = walk_of(a);
+    walk.prefix = "slow_", walk.only_first = true;
+    measure_popping(walk, a.popping, a.pictures);
 }
 
 void run(const Arguments& a) {
@@ -153,6 +171,17 @@ void add_knobs(CLI::App& app, Settings& s) {
     app.add_flag("--spot", s.spot, "A spot light where the light's eye is");
 }
 
+void add_walks(CLI::App& app, Arguments& a) {
+    app.add_option("--agreement", a.agreement,
+                   "Goes over all scenes along the recorded paths and writes to a file of JSON lines how many pixels "
+                   "decide as rays do; 1024 x 1024 unless --size is given");
+    app.add_option("--popping", a.popping,
+                   "The same along slow paths: how many pixels change from frame to frame where nothing does");
+    app.add_option("--scenes", a.walk.scenes, "Only these, with commas between them")->delimiter(',');
+    app.add_option("--paths", a.walk.paths, "The folder of the recorded paths")->capture_default_str();
+    app.add_option("--pictures", a.pictures, "The folder for pictures of the worst frames");
+}
+
 void add_options(CLI::App& app, Arguments& a) {
     app.add_option("--scene", a.scene,
                    "A generated scene (hairball, fence, robot, skeletons, city, trees) or a mesh file")
@@ -164,9 +193,12 @@ void add_options(CLI::App& app, Arguments& a) {
         ->check(CLI::IsMember({"picture", "levels", "borders", "map", "pool"}))
         ->capture_default_str();
     app.add_option("--time", a.time, "The moment in the scene, in seconds")->capture_default_str();
-    app.add_option("--frames", a.frames, "So many, on a way around the scene")
-        ->check(CLI::Range(1u, 100000u))
+    app.add_option("--frames", a.frames, "So many, on a way around the scene; of recorded paths at most so many")
+        ->check(CLI::Range(1u, 100000u));
+    app.add_option("--approach", a.way.closer, "and at the end of it so many times closer")
+        ->check(CLI::Range(0.01f, 1000.0f))
         ->capture_default_str();
+    app.add_option("--turn", a.way.turn, "and a frame so many radians around it")->capture_default_str();
     app.add_option("--path", a.path, "A file that says where camera and light are in each frame");
     app.add_option("--write-path", a.write_path, "Writes such a file");
     app.add_option("--size", a.size, "Width and height in pixels")
@@ -192,10 +224,15 @@ int main(int argc, char** argv) {
     CLI::App app("Shadow maps in a quadtree");
     Arguments arguments;
     add_options(app, arguments);
+    add_walks(app, arguments);
     add_knobs(app, arguments.settings);
     CLI11_PARSE(app, argc, argv);
+    arguments.is_sized = app.count("--size") > 0;
     try {
         if (arguments.window) run_window(arguments);
+        else if (!arguments.agreement.empty())
+            measure_agreement(walk_of(arguments), arguments.agreement, arguments.pictures);
+        else if (!arguments.popping.empty()) run_popping(arguments);
         else run(arguments);
         return 0;
     } catch (const std::exception& error) {

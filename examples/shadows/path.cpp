@@ -1,5 +1,6 @@
 #include "path.h"
 
+#include <cmath>
 #include <fstream>
 #include <iomanip>
 #include <sstream>
@@ -9,19 +10,27 @@ namespace path {
 
 namespace {
 
-constexpr float frame_time = 1.0f / 24, turn = 1.5707964f / 240;
+constexpr float frame_time = 1.0f / 24;
 
 }  // namespace
 
-std::vector<Step> around(const scenes::Scene& scene, float time, unsigned frames, bool is_static) {
+std::vector<Step> around(const scenes::Scene& scene, float time, const Way& way) {
     std::vector<Step> steps;
-    for (unsigned i = 0; i < frames; ++i) {
+    for (unsigned i = 0; i < way.frames; ++i) {
         const auto k = static_cast<float>(i);
-        const float passed = is_static ? 0 : k;
-        steps.push_back({time + frame_time * passed, camera::orbited(scene.view, turn * k, 0, 1),
-                         camera::orbited(scene.light, 0.5f * turn * passed, 0, 1)});
+        const float part = way.frames > 1 ? k / static_cast<float>(way.frames - 1) : 0, passed = way.is_static ? 0 : k;
+        steps.push_back({time + frame_time * passed,
+                         camera::orbited(scene.view, way.turn * k, 0, std::pow(way.closer, part)),
+                         camera::orbited(scene.light, 0.5f * way.turn * passed, 0, 1)});
     }
     return steps;
+}
+
+std::vector<Step> some_of(const std::vector<Step>& steps, std::size_t number) {
+    if (number == 0 || number >= steps.size()) return steps;
+    std::vector<Step> some;
+    for (std::size_t i = 0; i < number; ++i) some.push_back(steps[i * steps.size() / number]);
+    return some;
 }
 
 std::vector<Step> read(const std::string& file, const scenes::Scene& scene) {

@@ -13,8 +13,17 @@ struct Step {
     camera::Camera view, light;
 };
 
-/// Around the scene's target from its own view, a quarter of a turn in 240 frames; the light moves half as far.
-std::vector<Step> around(const scenes::Scene& scene, float time, unsigned frames, bool is_static);
+/// A way around the scene's target.
+struct Way {
+    unsigned frames = 1;
+    float turn = 1.5707964f / 240;  ///< of the camera, radians a frame; the light turns half as far
+    float closer = 1;               ///< how many times closer to the target the last frame is than the first
+    bool is_static = false;         ///< scene and light stand still
+};
+std::vector<Step> around(const scenes::Scene& scene, float time, const Way& way);
+
+/// So many of these, spread evenly over all of them, the first among them; all if there are no more.
+std::vector<Step> some_of(const std::vector<Step>& steps, std::size_t number);
 
 /// A line a frame: time, camera's eye and target, light's eye and target. Throws std::runtime_error with file and line.
 std::vector<Step> read(const std::string& file, const scenes::Scene& scene);

@@ -2,10 +2,13 @@
 
 #include <embree3/rtcore.h>
 
+#include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <memory>
 #include <stdexcept>
+#include <thread>
 
 namespace rays {
 
@@ -167,19 +170,33 @@ bool differs_around(const std::vector<Light>& light, glift::uint2 size, std::siz
     return false;
 }
 
+/// Calls `visit(i)` for all i below n, from as many threads as there are cores.
+template <class Visit> void in_parallel(std::size_t n, const Visit& visit) {
+    constexpr std::size_t part = 1024;
+    std::atomic<std::size_t> next = 0;
+    const auto work = [&] {
+        for (std::size_t begin; (begin = next.fetch_add(part)) < n;)
+            for (std::size_t i = begin; i < std::min(begin + part, n); ++i) visit(i);
+    };
+    std::vector<std::jthread> others;
+    for (unsigned k = 1; k < std::thread::hardware_concurrency(); ++k) others.emplace_back(work);
+    work();
+}
+
 }  // namespace
 
 Reference trace(const Frame& frame, const Lighting& lighting, float bias,
                 const std::function<bool(std::size_t, Light)>& is_doubted) {
     const Tracer tracer(frame, lighting, bias);
     const glift::uint2 size = frame.size();
-    Reference reference;
-    for (std::size_t i = 0; i < lighting.surface.size(); ++i) reference.light.push_back(tracer.light_of(i));
-    reference.at_edge.resize(lighting.surface.size());
-    for (std::size_t i = 0; i < lighting.surface.size(); ++i)
+    const std::size_t pixels = lighting.surface.size();
+    Reference reference{std::vector<Light>(pixels), std::vector<unsigned char>(pixels)};
+    in_parallel(pixels, [&](std::size_t i) { reference.light[i] = tracer.light_of(i); });
+    in_parallel(pixels, [&](std::size_t i) {
         if (reference.light[i] != Light::unknown)
             reference.at_edge[i] = differs_around(reference.light, size, i) ||
                                    (is_doubted(i, reference.light[i]) && tracer.differs_within_a_pixel(i));
+    });
     return reference;
 }
 

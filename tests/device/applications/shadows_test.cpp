@@ -81,12 +81,12 @@ TEST_P(Shadows, AgreeWithRays) {
         settings.spot = is_spot;
         Frame some = frame(settings);
         const Compared compared = compare(some, settings.bias);
-        EXPECT_GT(compared.rmsm.pixels, 1500u) << is_spot;
-        EXPECT_GT(compared.rmsm.in_band, 100u) << is_spot;
-        EXPECT_GE(compared.rmsm.share(), 0.998) << is_spot;
-        EXPECT_GE(compared.adaptive.share(), 0.99) << is_spot;
-        EXPECT_LT(compared.standard.share(), compared.rmsm.share()) << is_spot;
-        EXPECT_LT(compared.standard.share(), compared.adaptive.share()) << is_spot;
+        EXPECT_GT(compared.rmsm().pixels, 1500u) << is_spot;
+        EXPECT_GT(compared.rmsm().in_band, 100u) << is_spot;
+        EXPECT_GE(compared.rmsm().share(), 0.998) << is_spot;
+        EXPECT_GE(compared.adaptive().share(), 0.99) << is_spot;
+        EXPECT_LT(compared.standard().share(), compared.rmsm().share()) << is_spot;
+        EXPECT_LT(compared.standard().share(), compared.adaptive().share()) << is_spot;
     }
 }
 
@@ -189,7 +189,7 @@ TEST_P(Shadows, DegradeWithTheirPool) {
         const Compared compared = compare(some, settings.bias);
         EXPECT_LE(some.pool().resident, settings.pages) << part;
         // What is coarser than the standard map is looked up there.
-        EXPECT_GE(compared.rmsm.share(), compared.standard.share() - 0.005) << part;
+        EXPECT_GE(compared.rmsm().share(), compared.standard().share() - 0.005) << part;
     }
 }
 
