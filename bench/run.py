@@ -18,6 +18,7 @@ import compile_speed
 import depth_of_field
 import pages
 import plot
+import shadows
 
 DISPATCH_ROWS = {
     "record_passes": "runtime call, into the device's stream",
@@ -98,7 +99,7 @@ def draw_or_say(drawing, folder):
     try:
         drawing()
     except plot.NothingToDrawWith as error:
-        print(f"\nNothing is drawn: {error}. The figures of --json can be drawn elsewhere: bench/plot.py, bench/depth_of_field.py.")
+        print(f"\nNothing is drawn: {error}. The figures of --json can be drawn elsewhere: bench/plot.py, bench/depth_of_field.py, bench/shadows.py.")
 
 
 def print_depth_of_field(bench, options, folder):
@@ -138,6 +139,19 @@ def print_pages(bench, options, folder):
     return devices, good
 
 
+def print_shadows(bench, options, folder):
+    print("\n## Shadow maps: thesis section 11.4.3\n")
+    file = os.path.join(folder, "shadows.json")
+    command = [os.path.join(bench, "bench_shadows"), "--json", file]
+    if not algorithms.is_gpu(os.path.join(bench, "bench_algorithms"), folder):
+        command += ["--frames", "2", "--static-frames", "3", "--runs", "1", "--size", "128", "--scenes", "robot,trees", "--cases", "standard,asm,rmsm,rmsm static"]
+    data, good = run_bench(command, file)
+    print("\n" + shadows.tables(data))
+    if options.plots:
+        draw_or_say(lambda: shadows.draw(data, options.plots), options.plots)
+    return data, good
+
+
 def print_compiler(bench, *_):
     print("\n## Compiling, all outputs but SPIR-V\n")
     compiling = compile_speed.measure(os.path.join(bench, "..", "bin", "gliftc"))
@@ -147,7 +161,8 @@ def print_compiler(bench, *_):
 
 PARTS = {"twins": print_twins, "dispatch": print_dispatch, "host": print_host, "algorithms": print_algorithms,
          "depth_of_field": print_depth_of_field, "moving_band": print_moving_band,
-         "neighbours": print_neighbours, "lookups": print_lookups, "pages": print_pages, "compiler": print_compiler}
+         "neighbours": print_neighbours, "lookups": print_lookups, "pages": print_pages, "shadows": print_shadows,
+         "compiler": print_compiler}
 
 
 def main():

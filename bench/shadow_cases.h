@@ -1,0 +1,44 @@
+// Frames of examples/shadows along a recorded path, timed on a device.
+#pragma once
+
+#include "pass_times.h"
+
+#include "examples/shadows/frame.h"
+#include "examples/shadows/path.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace bench {
+
+/// A way to make frames.
+struct ShadowCase {
+    std::string name;
+    Method method;
+    Settings settings;
+    bool is_static = false;  ///< scene and light stand still, and pages are kept
+    unsigned cells = 32;     ///< of a page along each axis
+};
+
+/// All of them that the example has, from its own settings.
+std::vector<ShadowCase> shadow_cases(const Settings& settings);
+
+struct ShadowFrames {
+    std::vector<double> seconds;  ///< of each frame, by device timestamps; of a static case without the first one
+    std::vector<std::uint32_t> pages, granted, refused;  ///< of each of these frames: there; new; found no room
+    std::optional<double> touched;                       ///< share of the texels of pages that pixels look up
+    std::uint64_t texels_a_page = 0, capacity = 0;
+    std::uint64_t submissions = 0, waits = 0;  ///< of a frame, the most
+    std::vector<PassTime> passes;              ///< means over the frames; empty on the host device
+};
+
+/// The scenes of a path, which takes a while to make.
+std::vector<scenes::Scene> scenes_along(const std::string& name, const std::vector<path::Step>& steps);
+
+/// Goes along the path `runs` times and takes the median of each frame's times. Throws std::runtime_error where
+/// triangles found no room.
+ShadowFrames measure(const glift::Device& device, const ShadowCase& one, const std::vector<scenes::Scene>& along,
+                     glift::uint2 size, unsigned runs);
+
+}  // namespace bench

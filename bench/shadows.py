@@ -1,0 +1,253 @@
+#!/usr/bin/env python3
+"""Tables and plots of frames with shadow maps (thesis section 11.4.3), from what bench_shadows writes.
+
+    bench/shadows.py FILE.json [-o FOLDER]      FOLDER gets shadows_times.png, shadows_distribution.png, shadows_parts.png and,
+                                                if other sizes of pages were measured, shadows_pages.png
+"""
+import argparse
+import json
+import os
+import statistics
+import sys
+
+import plot
+
+METHODS = {"standard": "standard map", "asm": "ASM", "rmsm": "RMSM"}
+THESIS = {"asm / rmsm": "2 to 10", "rmsm / standard": "2 to 4", "asm / rmsm static": "1 to 3", "rmsm / standard static": "1 to 2"}
+# Kernels of examples/shadows with which a part of a frame ends, and those with which one begins. What lies between belongs to the part
+# that has begun, so that library kernels, which several parts call, are told apart.
+ENDS = {"project": "look", "find_surface": "standard map", "draw_light": "ask", "ask_all": "allocate", "ask_at_edges": "allocate",
+        "put_all": "allocate", "find_lit": "ask"}
+BEGINS = {"mark": "fill", "find_lit": "find_lit", "shade": "shade"}
+WITHIN = {("fill", "visit"): "fill: walk", ("fill", "draw_pages"): "fill: draw", ("fill", "draw_pairs"): "fill: draw"}
+PARTS = ["project", "look", "standard map", "ask", "allocate", "fill: walk", "fill: draw", "fill", "find_lit", "shade"]
+
+
+def parts_of(passes):
+    """{part: seconds} of a frame's passes, which are in their order."""
+    found = dict.fromkeys(PARTS, 0.0)
+    part = "project"
+    for one in passes:
+        part = BEGINS.get(one["name"], part)
+        found[WITHIN.get((part, one["name"]), part)] += one["seconds"]
+        part = ENDS.get(one["name"], part)
+    return found
+
+
+def by_scene(data):
+    """{scene: {case: row}}, in the order of the file."""
+    scenes = {}
+    for row in data["rows"]:
+        scenes.setdefault(row["scene"], {})[row["case"]] = row
+    return scenes
+
+
+def ms(seconds):
+    return f"{1e3 * seconds:.3f}"
+
+
+def markdown(head, rows):
+    return "\n".join([f"| {' | '.join(head)} |", "| --- |" + " ---: |" * (len(head) - 1)] + [f"| {' | '.join(row)} |" for row in rows])
+
+
+def times(scenes, end):
+    """Median and 95th percentile by method, and the ratios that the thesis states; `end` is "" or " static"."""
+    rows = []
+    for scene, cases in scenes.items():
+        if not all(name + end in cases for name in METHODS):
+            continue
+        own = {name: cases[name + end] for name in METHODS}
+        rows.append([scene] + [f"{ms(row['median'])}, {ms(row['percentile_95'])}" for row in own.values()]
+                    + [f"{own['asm']['median'] / own['rmsm']['median']:.2f}", f"{own['rmsm']['median'] / own['standard']['median']:.2f}"])
+    head = ["scene"] + [f"{name}: median, 95 %, ms" for name in METHODS.values()]
+    return markdown(head + [f"ASM / RMSM (thesis: {THESIS['asm / rmsm' + end]})", f"RMSM / standard (thesis: {THESIS['rmsm / standard' + end]})"], rows)
+
+
+def pages(scenes):
+    rows = []
+    for scene, cases in scenes.items():
+        for name in ("rmsm", "rmsm static", "asm", "asm static"):
+            row = cases.get(name)
+            if row is None:
+                continue
+            number = statistics.median(row["pages"])
+            touched = f"{100 * row['touched']:.1f} %" if "touched" in row else ""
+            rows.append([scene, name, f"{number:.0f}", f"{statistics.median(row['granted']):.0f}", f"{max(row['refused'])}",
+                         f"{number * row['page_bytes'] / 1e6:.1f} of {row['capacity'] * row['page_bytes'] / 1e6:.1f}", touched])
+    return markdown(["scene", "case", "pages there", "new a frame", "refused, most", "MB of depths, of the pool", "texels looked up"], rows)
+
+
+def parts(scenes):
+    rows = []
+    for scene, cases in scenes.items():
+        for name in ("standard", "asm", "rmsm", "rmsm static"):
+            row = cases.get(name)
+            if row is None or not row["passes"]:
+                continue
+            found = parts_of(row["passes"])
+            rows.append([scene, name, str(len(row["passes"]))] + [ms(found[part]) for part in PARTS] + [ms(sum(found.values()))])
+    return markdown(["scene", "case", "passes"] + [f"{part}, ms" for part in PARTS] + ["all"], rows)
+
+
+def knobs(scenes):
+    """What each knob does to a frame of RMSM."""
+    names = list(dict.fromkeys(name for cases in scenes.values() for name in cases
+                               if name.startswith("rmsm") and not name.endswith("static")))
+    rows = [[scene] + [f"{ms(cases[name]['median'])}, {statistics.median(cases[name]['pages']):.0f}" if name in cases else ""
+                       for name in names] for scene, cases in scenes.items()]
+    return markdown(["scene"] + [f"{name}: ms, pages" for name in names], rows)
+
+
+def lookup_speeds(cases):
+    """{filter: the standard map's time by the quadtree's, of the kernel that looks up}."""
+    def seconds(name):
+        row = cases.get(name)
+        return parts_of(row["passes"])["find_lit"] if row and row["passes"] else 0
+    names = [name for name in cases if name.startswith("rmsm") and seconds(name) > 0]
+    return {name: seconds("standard") / seconds(name) for name in names if seconds("standard") > 0}
+
+
+def lookups(scenes):
+    names = [name for name in ("rmsm", "rmsm trilinear") if any(name in cases for cases in scenes.values())]
+    rows = [[scene] + [f"{100 * lookup_speeds(cases).get(name, 0):.0f} %" for name in names] for scene, cases in scenes.items()
+            if lookup_speeds(cases)]
+    thesis = {"rmsm": "the level's page, 2 x 2 (thesis: 77 %)", "rmsm trilinear": "between levels (thesis: 74 %)"}
+    return markdown(["scene"] + [thesis[name] for name in names], rows)
+
+
+def longest(scenes, number=8):
+    """The kernels that take longest, all of a name together."""
+    rows = []
+    for scene, cases in scenes.items():
+        if "rmsm" not in cases or not cases["rmsm"]["passes"]:
+            continue
+        sums = {}
+        for one in cases["rmsm"]["passes"]:
+            seconds, times_run = sums.get(one["name"], (0.0, 0))
+            sums[one["name"]] = seconds + one["seconds"], times_run + 1
+        top = sorted(sums.items(), key=lambda item: -item[1][0])[:number]
+        rows.append([scene, ", ".join(f"`{name}` {ms(seconds)}" + (f" ({times_run})" if times_run > 1 else "")
+                                      for name, (seconds, times_run) in top)])
+    return markdown(["scene", "kernels of RMSM: ms (passes)"], rows)
+
+
+def tables(data):
+    scenes = by_scene(data)
+    several = [("Scenes that move", times(scenes, "")), ("Scenes that stand still, pages kept", times(scenes, " static")),
+               ("Pages", pages(scenes)), ("Knobs of RMSM", knobs(scenes))]
+    if any(row["passes"] for row in data["rows"]):
+        several += [("Parts of a frame, each pass by itself", parts(scenes)), ("Where RMSM's time goes", longest(scenes)),
+                    ("Speed of lookups, of a standard map's with the same kernel", lookups(scenes))]
+    return "\n\n".join(f"**{title}**\n\n{table}" for title, table in several)
+
+
+def new_figure(data, title, columns, label):
+    figure, axes = plot.pyplot().subplots(1, columns, figsize=(5.4 * max(columns, 1.5), 4.2), squeeze=False, layout="constrained")
+    figure.suptitle(f"{data['device']}, {data['side']} x {data['side']}: {title}", fontsize=10)
+    for one in axes[0]:
+        one.set_ylabel(label)
+        one.grid(True, axis="y", linewidth=0.4, alpha=0.6)
+        one.set_axisbelow(True)
+    return figure, axes[0]
+
+
+def bars(axes, scenes, names, value):
+    """A group of bars for each scene that has all of the cases."""
+    known = [scene for scene, cases in scenes.items() if all(name in cases for name in names)]
+    width = 0.8 / len(names)
+    for k, name in enumerate(names):
+        axes.bar([i + (k - (len(names) - 1) / 2) * width for i in range(len(known))], [value(scenes[scene][name]) for scene in known],
+                 width, label=name, color=plot.COLOURS[k % len(plot.COLOURS)])
+    axes.set_xticks(range(len(known)), known)
+    axes.legend(fontsize=8)
+
+
+def draw_times(data, scenes):
+    figure, axes = new_figure(data, "a frame, median", 2, "milliseconds")
+    for one, end, title in zip(axes, ("", " static"), ("scenes that move", "scenes that stand still")):
+        bars(one, scenes, [name + end for name in METHODS], lambda row: 1e3 * row["median"])
+        one.set_title(title, fontsize=10)
+    return figure
+
+
+def draw_distribution(data, scenes):
+    figure, axes = new_figure(data, "all frames of a path", 2, "milliseconds")
+    for one, end, title in zip(axes, ("", " static"), ("scenes that move", "scenes that stand still")):
+        for k, name in enumerate(METHODS):
+            rows = [cases[name + end] for cases in scenes.values() if name + end in cases]
+            for i, row in enumerate(rows):
+                seconds = sorted(row["seconds"])
+                x = [i + (k - 1) * 0.25 + 0.2 * (j / max(len(seconds) - 1, 1) - 0.5) for j in range(len(seconds))]
+                one.plot(x, [1e3 * value for value in seconds], color=plot.COLOURS[k], marker=".", markersize=3, linewidth=0.8,
+                         label=METHODS[name] if i == 0 else None)
+        one.set_xticks(range(len(scenes)), list(scenes))
+        one.set_yscale("log")
+        one.set_title(f"{title}; each line: its frames, sorted", fontsize=10)
+        if one.has_data():
+            one.legend(fontsize=8)
+    return figure
+
+
+def draw_parts(data, scenes):
+    figure, axes = new_figure(data, "parts of a frame, each pass by itself", 1, "milliseconds")
+    names = [(scene, name) for scene, cases in scenes.items() for name in ("standard", "rmsm", "rmsm static")
+             if name in cases and cases[name]["passes"]]
+    below = [0.0] * len(names)
+    for k, part in enumerate(PARTS):
+        values = [1e3 * parts_of(scenes[scene][name]["passes"])[part] for scene, name in names]
+        axes[0].bar(range(len(names)), values, bottom=below, label=part, color=plot.pyplot().get_cmap("tab10")(k))
+        below = [a + b for a, b in zip(below, values)]
+    axes[0].set_xticks(range(len(names)), [f"{scene}, {name}" for scene, name in names], rotation=60, ha="right", fontsize=8)
+    axes[0].legend(fontsize=8)
+    return figure
+
+
+def draw_pages(data, scenes):
+    figure, axes = new_figure(data, "RMSM by cells along a page", 2, "milliseconds")
+    axes[1].set_ylabel("MB of depths")
+    for k, (scene, cases) in enumerate(scenes.items()):
+        rows = sorted((cases[name] for name in ("rmsm", "rmsm pages of 16", "rmsm pages of 64") if name in cases),
+                      key=lambda row: row["cells"])
+        style = {"label": scene, "color": plot.COLOURS[k % len(plot.COLOURS)], "marker": plot.MARKERS[k % len(plot.MARKERS)]}
+        sizes = [row["cells"] for row in rows]
+        axes[0].plot(sizes, [1e3 * row["median"] for row in rows], **style)
+        axes[1].plot(sizes, [statistics.median(row["pages"]) * row["page_bytes"] / 1e6 for row in rows], **style)
+    for one in axes:
+        one.set_xticks([16, 32, 64])
+        one.set_ylim(bottom=0)
+        one.legend(fontsize=8)
+    return figure
+
+
+def draw(data, folder):
+    scenes = by_scene(data)
+    os.makedirs(folder, exist_ok=True)
+    figures = {"times": draw_times, "distribution": draw_distribution}
+    if any(row["passes"] for row in data["rows"]):
+        figures["parts"] = draw_parts
+    if any(row["cells"] != 32 for row in data["rows"]):
+        figures["pages"] = draw_pages
+    for name, make in figures.items():
+        figure = make(data, scenes)
+        figure.savefig(os.path.join(folder, f"shadows_{name}.png"), dpi=110)
+        plot.pyplot().close(figure)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("file")
+    parser.add_argument("-o", dest="output")
+    options = parser.parse_args()
+    with open(options.file, encoding="utf-8") as text:
+        data = json.load(text)
+    data = data.get("shadows", data)   # of run.py, or of bench_shadows
+    print(f"{data['device']}, {data['side']} x {data['side']}:\n\n{tables(data)}")
+    if options.output:
+        try:
+            draw(data, options.output)
+        except plot.NothingToDrawWith as error:
+            sys.exit(f"shadows.py: {error}")
+
+
+if __name__ == "__main__":
+    main()

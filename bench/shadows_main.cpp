@@ -1,0 +1,155 @@
+// bench_shadows [--scenes A,B] [--frames N] [--size N] [--runs N] [--cases A,B] [--json FILE]: thesis section 11.4.3
+// again. Times frames of examples/shadows along its recorded paths, by RMSM, ASM and a standard map, of scenes that
+// move and that stand still; counts pages and the texels of them that are looked up; and times each pass.
+#include "median.h"
+#include "shadow_cases.h"
+
+#include "examples/shadows/walk.h"
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+
+namespace {
+
+struct Options {
+    Walk walk;
+    std::vector<std::string> cases;
+    std::uint32_t side = 1024, static_frames = 30;
+    unsigned runs = 3;
+    std::string json;
+};
+
+double percentile(std::vector<double> values, double share) {
+    std::sort(values.begin(), values.end());
+    return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1) + 0.5)];
+}
+
+nlohmann::ordered_json row_of(const std::string& scene, const bench::ShadowCase& one,
+                              const bench::ShadowFrames& found) {
+    nlohmann::ordered_json passes = nlohmann::ordered_json::array();
+    for (const bench::PassTime& pass : found.passes) passes.push_back({{"name", pass.name}, {"seconds", pass.seconds}});
+    nlohmann::ordered_json row = {{"scene", scene},
+                                  {"case", one.name},
+                                  {"is_static", one.is_static},
+                                  {"cells", one.cells},
+                                  {"levels", one.settings.levels},
+                                  {"seconds", found.seconds},
+                                  {"median", bench::median(found.seconds)},
+                                  {"percentile_95", percentile(found.seconds, 0.95)},
+                                  {"pages", found.pages},
+                                  {"granted", found.granted},
+                                  {"refused", found.refused},
+                                  {"page_bytes", 4 * found.texels_a_page},
+                                  {"capacity", found.capacity},
+                                  {"submissions", found.submissions},
+                                  {"waits", found.waits},
+                                  {"passes", passes}};
+    if (found.touched) row["touched"] = *found.touched;
+    return row;
+}
+
+void print(const nlohmann::ordered_json& row) {
+    const auto pages = row["pages"].get<std::vector<double>>();
+    const auto text = [&](const char* key) { return row[key].get<std::string>(); };
+    std::printf("| %s | %s | %.3f ms | %.3f ms | %.0f |", text("scene").c_str(), text("case").c_str(),
+                1e3 * row["median"].get<double>(), 1e3 * row["percentile_95"].get<double>(), bench::median(pages));
+    if (row.contains("touched")) std::printf(" %.1f %% |\n", 100 * row["touched"].get<double>());
+    else std::printf(" |\n");
+    std::fflush(stdout);
+}
+
+void write(const Options& options, const nlohmann::ordered_json& all) {
+    if (options.json.empty()) return;
+    std::ofstream out(options.json);
+    out << all.dump(1) << "\n";
+    if (!out.flush()) throw std::runtime_error(options.json + ": cannot be written");
+}
+
+std::vector<bench::ShadowCase> chosen(const Options& options) {
+    const std::vector<bench::ShadowCase> all = bench::shadow_cases(options.walk.settings);
+    if (options.cases.empty()) return all;
+    std::vector<bench::ShadowCase> some;
+    for (const std::string& name : options.cases) {
+        const auto found = std::ranges::find(all, name, &bench::ShadowCase::name);
+        if (found == all.end()) {
+            std::string known;
+            for (const bench::ShadowCase& one : all) known += (known.empty() ? "" : ", ") + one.name;
+            throw std::runtime_error("there is no case '" + name + "'; there are " + known);
+        }
+        some.push_back(*found);
+    }
+    return some;
+}
+
+void run(const Options& options) {
+    const std::vector<bench::ShadowCase> cases = chosen(options);
+    const glift::Device device = glift::Device::open();
+    nlohmann::ordered_json all = {{"device", device.properties().name},
+                                  {"side", options.side},
+                                  {"standard_side", options.walk.settings.standard},
+                                  {"runs", options.runs},
+                                  {"rows", nlohmann::ordered_json::array()}};
+    std::printf("%s, %u x %u\n\n| scene | case | frame, median | 95th percentile | pages | texels looked up |\n"
+                "| --- | --- | ---: | ---: | ---: | ---: |\n",
+                device.properties().name.c_str(), options.side, options.side);
+    for (const std::string& scene : options.walk.scenes) {
+        const std::vector<scenes::Scene> moving = bench::scenes_along(scene, options.walk.steps_of(scene));
+        Walk from_the_first = options.walk;
+        from_the_first.only_first = true, from_the_first.frames = options.static_frames;
+        const std::vector<scenes::Scene> still = bench::scenes_along(scene, from_the_first.steps_of(scene));
+        for (const bench::ShadowCase& one : cases) {
+            const bench::ShadowFrames found =
+                bench::measure(device, one, one.is_static ? still : moving, {options.side, options.side}, options.runs);
+            all["rows"].push_back(row_of(scene, one, found));
+            print(all["rows"].back());
+            write(options, all);  // what there is, should time run out
+        }
+    }
+    for (const std::string& message : device.validation_messages()) throw std::runtime_error(message);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app("Frames of examples/shadows: times, pages, and times of passes");
+    Options options;
+    options.walk.frames = 16;
+    app.add_option("--scenes", options.walk.scenes, "of the example's, with commas between them")->delimiter(',');
+    app.add_option("--cases", options.cases, "only these, with commas between them")->delimiter(',');
+    app.add_option("--frames", options.walk.frames, "of each path, spread evenly")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    app.add_option("--static-frames", options.static_frames,
+                   "of each path, one after the other, where pages stay from one to the next")
+        ->check(CLI::Range(2, 1000))
+        ->capture_default_str();
+    app.add_option("--paths", options.walk.paths, "the folder of the recorded paths")->capture_default_str();
+    app.add_option("--size", options.side, "of the pictures, pixels a side")
+        ->check(CLI::Range(16, 8192))
+        ->capture_default_str();
+    app.add_option("--levels", options.walk.settings.levels, "of the quadtree, with pages of 32 cells a side")
+        ->check(CLI::Range(8, 13))
+        ->capture_default_str();
+    app.add_option("--pages", options.walk.settings.pages, "that the pool has room for")
+        ->check(CLI::Range(64, 65536))
+        ->capture_default_str();
+    app.add_option("--standard", options.walk.settings.standard, "texels a side")
+        ->check(CLI::Range(16, 16384))
+        ->capture_default_str();
+    app.add_option("--runs", options.runs, "of which a frame's median is taken")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
+    app.add_option("--json", options.json, "where the figures go");
+    CLI11_PARSE(app, argc, argv);
+    try {
+        run(options);
+        return 0;
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "bench_shadows: %s\n", error.what());
+        return 1;
+    }
+}
