@@ -19,6 +19,24 @@ template <class S> bool set_cells(S& settings, unsigned cells) {
     }
 }
 
+/// How texels are filtered: the nearest one, 2 x 2, 2 x 2 between levels.
+enum FilterMode : unsigned { nearest, bilinear, trilinear };
+
+/// The same for filters.
+template <class S> bool set_filter(S& settings, FilterMode mode) {
+    if constexpr (requires { settings.filter; }) {
+        settings.filter = static_cast<decltype(settings.filter)>(mode);
+        return true;
+    } else {
+        settings.trilinear = mode == trilinear;
+        return mode != nearest;
+    }
+}
+template <class S> bool is_trilinear(const S& settings) {
+    if constexpr (requires { settings.filter; }) return static_cast<unsigned>(settings.filter) == trilinear;
+    else return settings.trilinear;
+}
+
 /// Frame by frame along a path, with memory of its own.
 class Along {
 public:
@@ -71,7 +89,7 @@ public:
             if (s.w < 0) continue;
             const auto level = std::max(static_cast<std::uint32_t>(s.w), one.settings.finest);
             look_up(s, level);
-            if (one.settings.trilinear) look_up(s, level + 1);
+            if (is_trilinear(one.settings)) look_up(s, level + 1);
         }
     }
     double share() const {
@@ -160,7 +178,11 @@ std::vector<ShadowCase> shadow_cases(const Settings& settings) {
     add("rmsm analysis 2", Method::matched, [](Settings& s) { s.step = 2; });
     add("rmsm analysis 4", Method::matched, [](Settings& s) { s.step = 4; });
     add("rmsm analysis 8", Method::matched, [](Settings& s) { s.step = 8; });
-    add("rmsm trilinear", Method::matched, [](Settings& s) { s.trilinear = true; });
+    add("rmsm trilinear", Method::matched, [](Settings& s) { set_filter(s, trilinear); });
+    if (Settings s = settings; set_filter(s, nearest)) {
+        add("rmsm nearest", Method::matched, [](Settings& own) { set_filter(own, nearest); });
+        add("standard nearest", Method::standard, [](Settings& own) { set_filter(own, nearest); });
+    }
     add("rmsm by kernel", Method::matched, [](Settings& s) { s.by_kernel = true; });
     add("rmsm by draws", Method::matched, [](Settings& s) { s.by_kernel = false; });
     for (const unsigned cells : {16u, 64u}) {
