@@ -152,6 +152,12 @@ def print_shadows(bench, options, folder):
     return data, good
 
 
+def print_paint(bench, options, folder):
+    print("\n## A painted model drawn beside the same model without paint, and with a dense image of it\n")
+    file = os.path.join(folder, "paint.json")
+    return run_bench([os.path.join(bench, "bench_paint"), "--runs", str(options.runs), "--json", file], file)
+
+
 def print_compiler(bench, *_):
     print("\n## Compiling, all outputs but SPIR-V\n")
     compiling = compile_speed.measure(os.path.join(bench, "..", "bin", "gliftc"))
@@ -162,6 +168,7 @@ def print_compiler(bench, *_):
 PARTS = {"twins": print_twins, "dispatch": print_dispatch, "host": print_host, "algorithms": print_algorithms,
          "depth_of_field": print_depth_of_field, "moving_band": print_moving_band,
          "neighbours": print_neighbours, "lookups": print_lookups, "pages": print_pages, "shadows": print_shadows,
+         "paint": print_paint,
          "compiler": print_compiler}
 
 

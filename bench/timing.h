@@ -3,6 +3,7 @@
 #include <glift/glift.h>
 
 #include <functional>
+#include <vector>
 
 namespace bench {
 
@@ -10,5 +11,10 @@ namespace bench {
 /// `seconds`, so that the cost of its submission is negligible.
 double time_of(const glift::Device& device, const std::function<void(const glift::Commands&)>& work, int runs,
                double seconds);
+
+/// As `time_of`, of several works that take turns, so that what slows the device down for a while slows all of them.
+std::vector<double> times_of(const glift::Device& device,
+                             const std::vector<std::function<void(const glift::Commands&)>>& works, int runs,
+                             double seconds);
 
 }  // namespace bench

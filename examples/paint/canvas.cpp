@@ -6,13 +6,13 @@
 
 #include <bit>
 
-namespace {
-
-constexpr glift::float3 sky{0.09f, 0.10f, 0.12f};  // linear
-
-}  // namespace
-
 glift::uint OctreeSize::levels() const { return static_cast<glift::uint>(std::bit_width(resolution / 16)); }
+
+glift::float3 light_of(const camera::Camera& camera) {
+    const glift::float3 arm = camera.eye - camera.target;
+    const glift::float3 right = glift::normalize(glift::cross(camera.up, arm));
+    return glift::normalize(glift::normalize(arm) + right * -0.5f + camera.up * 0.7f);
+}
 
 Model::Model(const glift::Device& device, const mesh::Mesh& mesh)
     : corners_(device, static_cast<glift::uint>(mesh.corners.size())),
@@ -79,11 +79,8 @@ void Canvas::load(const std::string& path) {
 }
 
 void Canvas::render(const camera::Camera& camera, painted::Layers layers, const painted::Film& film) {
-    const glift::float3 arm = camera.eye - camera.target;
-    const glift::float3 right = glift::normalize(glift::cross(camera.up, arm));
-    const glift::float3 to_light = glift::normalize(glift::normalize(arm) + right * -0.5f + camera.up * 0.7f);
     painted::render(device_, model_.corners(), model_.rest(), model_.posed(),
-                    strokes::viewpoint_of(camera, film.extent()), to_light, sky, octree_, layers, film);
+                    strokes::viewpoint_of(camera, film.extent()), light_of(camera), sky, octree_, layers, film);
 }
 
 picture::Picture Canvas::render(const camera::Camera& camera, glift::uint2 size, painted::Layers layers) {

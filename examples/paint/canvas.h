@@ -39,6 +39,12 @@ private:
     surface::Points rest_, posed_;
 };
 
+/// Linear.
+constexpr glift::float3 sky{0.09f, 0.10f, 0.12f};
+
+/// Towards the light that goes with a camera: from above its left shoulder.
+glift::float3 light_of(const camera::Camera& camera);
+
 class Canvas {
 public:
     Canvas(glift::Device device, const mesh::Mesh& mesh, const OctreeSize& size);
