@@ -94,23 +94,27 @@ Words header_of(const Header& header) {
     return words;
 }
 
-/// Everything, as words; a file that ends within one is truncated.
-Words words_of(const std::string& path, std::size_t most) {
+/// What a file has, or the beginning of it.
+struct Contents {
+    Words words;
+    std::size_t bytes = 0;  ///< of the whole file
+};
+
+Contents read(const std::string& path, std::size_t most_words) {
     std::ifstream file(path, std::ios::binary);
     if (!file) refuse(path, "cannot be opened");
     file.seekg(0, std::ios::end);
-    const auto bytes = static_cast<std::size_t>(file.tellg());
+    Contents contents{{}, static_cast<std::size_t>(file.tellg())};
     file.seekg(0);
-    Words words(std::min((bytes + 3) / 4, most), 0);
-    file.read(reinterpret_cast<char*>(words.data()), static_cast<std::streamsize>(std::min(bytes, 4 * words.size())));
+    contents.words.resize(std::min(contents.bytes / 4, most_words));
+    file.read(reinterpret_cast<char*>(contents.words.data()), static_cast<std::streamsize>(4 * contents.words.size()));
     if (!file) refuse(path, "cannot be read");
-    if (bytes < 4 * header_words) refuse(path, "is truncated: the header is not whole");
-    if (bytes % 4 != 0) words.clear();  // no file of ours: its length says so below
-    return words;
+    return contents;
 }
 
-Header checked_header(const std::string& path, const Words& words) {
-    if (words.size() < header_words) refuse(path, "is truncated: its length is no number of words");
+Header checked_header(const std::string& path, std::span<const Word> words, std::size_t bytes) {
+    if (words.size() < header_words) refuse(path, "is truncated: the header is not whole");
+    if (bytes % 4 != 0) refuse(path, "is truncated: its length is no number of words");
     if (!std::equal(std::begin(magic), std::end(magic), words.begin())) refuse(path, "is no file of 3-D paint");
     if (words[2] != version)
         refuse(path, "is of version " + std::to_string(words[2]) + ", and this program reads version 1");
@@ -127,12 +131,12 @@ Header checked_header(const std::string& path, const Words& words) {
 }
 
 /// The numbers of its pages.
-Words checked_pages(const std::string& path, const Header& header, const Words& words) {
+std::span<const Word> checked_pages(const std::string& path, const Header& header, std::span<const Word> words) {
     const std::size_t wanted = header_words + header.pages + 1 + std::size_t{header.pages} * page_words;
     if (words.size() != wanted)
         refuse(path, (words.size() < wanted ? "is truncated: it has " : "has bytes too many: ") +
                          std::to_string(4 * words.size()) + " bytes of " + std::to_string(4 * wanted));
-    const Words pages(words.begin() + header_words, words.begin() + header_words + header.pages);
+    const std::span<const Word> pages = words.subspan(header_words, header.pages);
     if (checksum(pages) != words[header_words + header.pages])
         refuse(path, "is damaged: the page table's checksum does not match");
     for (std::size_t i = 0; i < pages.size(); ++i)
@@ -153,7 +157,7 @@ journal::PageList list_of(const glift::Device& device, std::span<const Word> pag
 }
 
 /// A list in parts that a device has room for.
-template <class Work> void in_parts(const Words& pages, const Work& work) {
+template <class Work> void in_parts(std::span<const Word> pages, const Work& work) {
     for (std::size_t at = 0; at < pages.size(); at += most_at_once)
         work(std::span(pages).subspan(at, std::min<std::size_t>(most_at_once, pages.size() - at)), at);
 }
@@ -177,12 +181,22 @@ void save(const std::string& path, const glift::Device& device, journal::Octree&
     file.take_name();
 }
 
-Header read_header(const std::string& path) { return checked_header(path, words_of(path, header_words)); }
+Header read_header(const std::string& path) {
+    const Contents contents = read(path, header_words);
+    return checked_header(path, contents.words, contents.bytes);
+}
+
+Header check(const std::string& path, std::span<const glift::uint> words, std::size_t bytes) {
+    const Header header = checked_header(path, words, bytes);
+    checked_pages(path, header, words);
+    return header;
+}
 
 Header load(const std::string& path, const glift::Device& device, journal::Octree& octree) {
-    const Words words = words_of(path, SIZE_MAX);
-    const Header header = checked_header(path, words);
-    const Words pages = checked_pages(path, header, words);
+    const Contents contents = read(path, SIZE_MAX);
+    const Words& words = contents.words;
+    const Header header = checked_header(path, words, contents.bytes);
+    const std::span<const Word> pages = checked_pages(path, header, words);
     if (header.levels != octree.levels())
         refuse(path, "is paint of " + std::to_string(cells << (header.levels - 1)) + "^3, and the octree has " +
                          std::to_string(cells << (octree.levels() - 1)) + "^3: choose that --resolution");

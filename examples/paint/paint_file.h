@@ -8,6 +8,8 @@
 
 #include "journal.glift.hpp"
 
+#include <cstddef>
+#include <span>
 #include <string>
 
 namespace paint_file {
@@ -23,6 +25,9 @@ void save(const std::string& path, const glift::Device& device, journal::Octree&
 
 /// What it was made with. Throws as `load`.
 Header read_header(const std::string& path);
+
+/// Whether these are the words of a file of so many bytes that `load` reads. Throws as it, naming `path`.
+Header check(const std::string& path, std::span<const glift::uint> words, std::size_t bytes);
 
 /// Into an octree of as many levels, whose pages are gone then. The file is read and checked whole before anything is
 /// changed: throws std::runtime_error where it is truncated, altered, of another version, or larger than the octree.
