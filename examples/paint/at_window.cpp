@@ -25,10 +25,11 @@ double megabytes(std::uint64_t bytes) { return 1e-6 * static_cast<double>(bytes)
 
 class Painter {
 public:
-    Painter(window::Window& window, Canvas& canvas, Orbit& orbit, painted::Layers layers,
+    Painter(window::Window& window, Canvas& canvas, Orbit& orbit, painted::Layers layers, strokes::Brush brush,
             std::vector<strokes::Stroke> strokes, const std::function<void()>& save)
         : window_(window), canvas_(canvas), orbit_(orbit), layers_(layers), save_(save),
-          shown_(canvas.device(), window.size()), done_(std::move(strokes)), undoable_(done_.size()) {}
+          shown_(canvas.device(), window.size()), brush_(std::move(brush)), done_(std::move(strokes)),
+          undoable_(done_.size()) {}
 
     void frame() {
         for (const PointerEvent& event : window_.events().pointer) react(event);
@@ -141,6 +142,7 @@ private:
         if (key == 'L') layers_.levels = !layers_.levels;
         if (key == 'B') layers_.borders = !layers_.borders;
         if (key == 'P') layers_.pool = !layers_.pool;
+        if (key == 'T') layers_.table = !layers_.table;
         is_old_ = true;
     }
 
@@ -150,15 +152,18 @@ private:
         ImGui::PushItemWidth(150);
         brush_panel();
         ImGui::Separator();
-        bool levels = layers_.levels, borders = layers_.borders, pool = layers_.pool;
+        bool levels = layers_.levels, borders = layers_.borders, pool = layers_.pool, table = layers_.table;
         is_old_ |= ImGui::Checkbox("levels", &levels);
         ImGui::SameLine();
         is_old_ |= ImGui::Checkbox("borders", &borders);
         ImGui::SameLine();
         is_old_ |= ImGui::Checkbox("pool", &pool);
+        ImGui::SameLine();
+        is_old_ |= ImGui::Checkbox("table", &table);
         layers_.levels = levels;
         layers_.borders = borders;
         layers_.pool = pool;
+        layers_.table = table;
         if (ImGui::Button("undo")) undo();
         ImGui::SameLine();
         if (ImGui::Button("redo")) redo();
@@ -191,7 +196,7 @@ private:
         ImGui::Text("%.1f ms a dab", dab_milliseconds_);
         if (lost_ != 0) ImGui::TextColored({1, 0.4f, 0.3f, 1}, "pool full: %u pages not painted", lost_);
         ImGui::TextUnformatted("left: paint  right: turn  middle: move  wheel: closer");
-        ImGui::TextUnformatted("Z undo  Y redo  L levels  B borders  P pool  S save  Tab");
+        ImGui::TextUnformatted("Z undo  Y redo  L levels  B borders  P pool  T table  S save  Tab");
     }
 
     window::Window& window_;
@@ -224,8 +229,9 @@ camera::Camera Orbit::camera() const {
 }
 
 std::vector<strokes::Stroke> paint_at(window::Window& window, Canvas& canvas, Orbit& orbit, painted::Layers layers,
-                                      std::vector<strokes::Stroke> strokes, const std::function<void()>& save) {
-    Painter painter(window, canvas, orbit, layers, std::move(strokes), save);
+                                      strokes::Brush brush, std::vector<strokes::Stroke> strokes,
+                                      const std::function<void()>& save) {
+    Painter painter(window, canvas, orbit, layers, std::move(brush), std::move(strokes), save);
     while (window.next_event()) painter.frame();
     return painter.end();
 }

@@ -17,6 +17,7 @@ struct Orbit {
 
 /// Until the window is closed: by itself, or with Escape. The left button paints, the right one turns the model, the
 /// middle one moves it, the wheel goes closer; Z undoes, Y does again, S calls `save`, L and B show levels and borders,
-/// P the pool, Tab hides the panel. Gives the strokes that are there at the end.
+/// P the pool, T the table, Tab hides the panel. Gives the strokes that are there at the end.
 std::vector<strokes::Stroke> paint_at(window::Window& window, Canvas& canvas, Orbit& orbit, painted::Layers layers,
-                                      std::vector<strokes::Stroke> strokes, const std::function<void()>& save);
+                                      strokes::Brush brush, std::vector<strokes::Stroke> strokes,
+                                      const std::function<void()>& save);

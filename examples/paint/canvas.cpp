@@ -4,7 +4,16 @@
 
 #include <glift/host/math.h>
 
+#include "examples/common/png.h"
+
 #include <bit>
+#include <stdexcept>
+
+namespace {
+
+constexpr std::uint32_t most_of_tip = 4096;
+
+}  // namespace
 
 glift::uint OctreeSize::levels() const { return static_cast<glift::uint>(std::bit_width(resolution / 16)); }
 
@@ -32,7 +41,20 @@ Canvas::Canvas(glift::Device device, const mesh::Mesh& mesh, const OctreeSize& s
     paint::clear(device_, octree_, size_.ground);
 }
 
+const paint::Tip& Canvas::tip_of(const std::string& picture) {
+    if (const auto found = tips_.find(picture); found != tips_.end()) return found->second;
+    png::Picture read{1, 1, {1}};
+    if (!picture.empty()) read = png::read(picture);
+    if (!picture.empty() && (read.width < 2 || read.width > most_of_tip || read.height > most_of_tip))
+        throw std::runtime_error(picture + ": the picture of a brush has to be 2 to " + std::to_string(most_of_tip) +
+                                 " pixels wide, and no higher than that");
+    paint::Tip tip(device_, {read.width, read.height});
+    tip.write(read.values);
+    return tips_.emplace(picture, std::move(tip)).first->second;
+}
+
 void Canvas::begin(const strokes::Stroke& stroke) {
+    tip_ = tip_of(stroke.brush.picture);
     if (surface_.extent() != stroke.size) {
         surface_ = surface::Surface(device_, stroke.size);
         normals_ = surface::Normals(device_, stroke.size);
@@ -43,7 +65,7 @@ void Canvas::begin(const strokes::Stroke& stroke) {
 }
 
 void Canvas::dab(const paint::Brush& brush) {
-    paint::paint(device_, octree_, journal_, surface_, normals_, view_, brush, size_.ground);
+    paint::paint(device_, octree_, journal_, surface_, normals_, view_, brush, tip_, size_.ground);
 }
 
 glift::uint Canvas::end() {

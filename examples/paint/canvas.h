@@ -12,7 +12,9 @@
 #include "strokes.h"
 #include "surface.glift.hpp"
 
+#include <map>
 #include <optional>
+#include <string>
 
 /// What an octree is made with.
 struct OctreeSize {
@@ -52,7 +54,8 @@ public:
     /// One submission for the camera, one for each dab, one for the coarser levels. Gives how many requests for pages
     /// found no room: there is no paint there.
     glift::uint paint(const strokes::Stroke& stroke);
-    /// The same in parts: the camera and the size of the picture, dabs, the end.
+    /// The same in parts: the camera and the size of the picture, dabs, the end. The beginning throws
+    /// std::runtime_error where the brush's picture cannot be read.
     void begin(const strokes::Stroke& stroke);
     void dab(const paint::Brush& brush);
     glift::uint end();
@@ -78,6 +81,7 @@ public:
     const History& history() const { return history_; }
 
 private:
+    const paint::Tip& tip_of(const std::string& picture);
     void render(const camera::Camera& camera, painted::Layers layers, const painted::Film& film);
 
     glift::Device device_;
@@ -86,7 +90,9 @@ private:
     journal::Octree octree_;
     journal::Journal journal_;
     History history_;
-    surface::Viewpoint view_;  ///< of the stroke
+    std::map<std::string, paint::Tip> tips_;  ///< by the names of their files
+    paint::Tip tip_;                          ///< of the stroke
+    surface::Viewpoint view_;                 ///< of the stroke
     surface::Surface surface_;
     surface::Normals normals_;
 };

@@ -17,6 +17,11 @@ journal::PageList list_of(const glift::Device& device, const Pages& pages) {
 
 }  // namespace
 
+void mark(const glift::Device& device, journal::Octree& octree, const journal::PageList& list) {
+    octree.mark_pages(device, list);
+    octree.list_marked(device);
+}
+
 std::uint64_t History::Texels::bytes() const { return std::uint64_t{4} * texels_of_page * pages.size(); }
 
 void History::Texels::move_to_host() {
@@ -33,7 +38,8 @@ void History::Texels::restore(const glift::Device& device, journal::Octree& octr
         texels = journal::Texels(device, {texels_of_page, static_cast<glift::uint>(pages.size())});
         texels.write(on_host);
     }
-    journal::restore(device, octree, list_of(device, pages), texels);
+    mark(device, octree, list_of(device, pages));
+    journal::restore(device, octree, texels);
 }
 
 void History::add(const glift::Device& device, journal::Octree& octree, journal::Journal& journal) {
@@ -50,11 +56,11 @@ void History::add(const glift::Device& device, journal::Octree& octree, journal:
         return list_of(device, texels.pages);
     };
     if (!step.before.pages.empty()) {
-        const journal::PageList pages = made(step.before);
-        journal::store(device, octree, journal.before(), pages, step.before.on_device);
+        mark(device, octree, made(step.before));
+        journal::store(device, octree, journal.before(), step.before.on_device);
     }
-    const journal::PageList pages = made(step.after);
-    journal::store(device, octree, octree.frames(), pages, step.after.on_device);
+    mark(device, octree, made(step.after));
+    journal::store(device, octree, octree.frames(), step.after.on_device);
     steps_.resize(done_);
     steps_.push_back(std::move(step));
     ++done_;
@@ -64,7 +70,7 @@ void History::add(const glift::Device& device, journal::Octree& octree, journal:
 bool History::undo(const glift::Device& device, journal::Octree& octree) {
     if (done_ == 0) return false;
     const Step& step = steps_[--done_];
-    if (!step.born.empty()) journal::exchange(device, octree, false, list_of(device, step.born));
+    if (!step.born.empty()) journal::release(device, octree, list_of(device, step.born));
     step.before.restore(device, octree);
     octree.join(device);  // hanging nodes follow from the others
     return true;
@@ -73,7 +79,10 @@ bool History::undo(const glift::Device& device, journal::Octree& octree) {
 bool History::redo(const glift::Device& device, journal::Octree& octree) {
     if (done_ == steps_.size()) return false;
     const Step& step = steps_[done_++];
-    if (!step.born.empty()) journal::exchange(device, octree, true, list_of(device, step.born));
+    if (!step.born.empty()) {
+        octree.pages().request_pages(device, list_of(device, step.born));
+        octree.allocate(device);
+    }
     step.after.restore(device, octree);
     octree.join(device);  // hanging nodes follow from the others
     return true;

@@ -13,6 +13,9 @@ struct HistoryBudget {
     std::uint64_t device = 256u << 20, host = 1u << 30;
 };
 
+/// Marks listed pages, for journal::store and journal::restore.
+void mark(const glift::Device& device, journal::Octree& octree, const journal::PageList& list);
+
 class History {
 public:
     explicit History(HistoryBudget budget = {}) : budget_(budget) {}

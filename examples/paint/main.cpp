@@ -4,6 +4,7 @@
 #include "strokes.h"
 
 #include "examples/common/npy.h"
+#include "examples/common/scenes/scenes.h"
 
 #include <CLI/CLI.hpp>
 
@@ -12,6 +13,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <string>
 
 namespace {
@@ -19,7 +21,7 @@ namespace {
 using glift::float3;
 
 struct Arguments {
-    std::string model, strokes, load, save, record, npy, out = "paint.png";
+    std::string model, strokes, brush, load, save, record, npy, out = "paint.png";
     std::vector<std::uint32_t> size = {1024, 768};
     OctreeSize octree;
     unsigned undo = 0, redo = 0, npy_side = 128;
@@ -30,7 +32,8 @@ struct Arguments {
 };
 
 mesh::Mesh model_of(const Arguments& a) {
-    mesh::Mesh mesh = mesh::read(a.model);
+    const bool is_scene = !std::filesystem::exists(a.model) && std::ranges::count(scenes::names(), a.model) != 0;
+    mesh::Mesh mesh = is_scene ? scenes::make(a.model).mesh : mesh::read(a.model);
     mesh::normalise(mesh);
     return mesh;
 }
@@ -64,10 +67,17 @@ void say_lost(std::size_t stroke, glift::uint lost) {
             stroke + 1, lost);
 }
 
+/// What the first stroke of a file leaves out, and the first one at a window.
+strokes::Stroke first_of(const Arguments& a) {
+    strokes::Stroke stroke;
+    stroke.brush.picture = a.brush;
+    return stroke;
+}
+
 std::vector<strokes::Stroke> paint_all(const Arguments& a, Canvas& canvas) {
     if (!a.load.empty()) canvas.load(a.load);
     if (a.strokes.empty()) return {};
-    const std::vector<strokes::Stroke> all = strokes::read(a.strokes);
+    const std::vector<strokes::Stroke> all = strokes::read(a.strokes, first_of(a));
     canvas.device().wait();
     const auto start = std::chrono::steady_clock::now();
     std::size_t dabs = 0;
@@ -132,7 +142,7 @@ void run_window(const Arguments& a) {
         picture::write(a.out, canvas.render(orbit.camera(), window.size(), {}));
         write_results(a, canvas);
     };
-    strokes = paint_at(window, canvas, orbit, a.layers, std::move(strokes), save);
+    strokes = paint_at(window, canvas, orbit, a.layers, first_of(a).brush, std::move(strokes), save);
     write_results(a, canvas);
     if (a.record.empty()) return;
     strokes::write(a.record, strokes);
@@ -167,7 +177,8 @@ void add_view_options(CLI::App& app, Arguments& a) {
     app.add_option("--bend", a.bend, "Bend the painted model by so many radians")->check(CLI::Range(-6.0f, 6.0f));
     app.add_flag("--levels", a.layers.levels, "Show the levels of pages by colours");
     app.add_flag("--borders", a.layers.borders, "Show where pages meet");
-    app.add_flag("--pool", a.layers.pool, "Show texels as they lie in memory");
+    app.add_flag("--pool", a.layers.pool, "Show all frames of the pool");
+    app.add_flag("--table", a.layers.table, "Show all levels of the table");
     app.add_option("--out", a.out, "The picture to write, PNG or EXR")->capture_default_str();
 }
 
@@ -176,8 +187,14 @@ void add_view_options(CLI::App& app, Arguments& a) {
 int main(int argc, char** argv) {
     CLI::App app("Paint on a mesh, in an octree");
     Arguments arguments;
-    app.add_option("model", arguments.model, "A mesh: any file that assimp reads (PLY, OBJ, glTF, …)")->required();
+    app.add_option(
+           "model", arguments.model,
+           "A mesh: any file that assimp reads (PLY, OBJ, glTF, …), or the name of a generated one, such as robot")
+        ->required();
     app.add_option("--strokes", arguments.strokes, "A file of strokes to paint, a JSON object a line");
+    app.add_option("--brush", arguments.brush,
+                   "A PNG as the brush, where strokes name none: white paints, black does not")
+        ->check(CLI::ExistingFile);
     add_octree_options(app, arguments);
     add_view_options(app, arguments);
     app.add_flag("--window", arguments.window, "Paint in a window");

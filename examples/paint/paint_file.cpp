@@ -1,5 +1,7 @@
 #include "paint_file.h"
 
+#include "history.h"
+
 #include <fcntl.h>
 #include <unistd.h>
 #include <zlib.h>
@@ -172,7 +174,8 @@ void save(const std::string& path, const glift::Device& device, journal::Octree&
     file.write_with_checksum(pages);
     in_parts(pages, [&](std::span<const Word> part, std::size_t) {
         journal::Texels texels(device, {texels_of_page, static_cast<Word>(part.size())});
-        journal::store(device, octree, octree.frames(), list_of(device, part), texels);
+        mark(device, octree, list_of(device, part));
+        journal::store(device, octree, octree.frames(), texels);
         const Words all = texels.read();
         for (std::size_t i = 0; i < part.size(); ++i)
             file.write_with_checksum(Words(all.begin() + static_cast<std::ptrdiff_t>(i * texels_of_page),
@@ -203,7 +206,8 @@ Header load(const std::string& path, const glift::Device& device, journal::Octre
     if (header.pages > octree.capacity())
         refuse(path, "has " + std::to_string(header.pages) + " pages, and there may be " +
                          std::to_string(octree.capacity()) + ": give more of them by --pages");
-    journal::replace(device, octree, list_of(device, pages));
+    octree.pages().request_pages(device, list_of(device, pages));
+    octree.update(device);
     in_parts(pages, [&](std::span<const Word> part, std::size_t at) {
         journal::Texels texels(device, {texels_of_page, static_cast<Word>(part.size())});
         Words all;
@@ -213,7 +217,8 @@ Header load(const std::string& path, const glift::Device& device, journal::Octre
             all.insert(all.end(), first, first + texels_of_page);
         }
         texels.write(all);
-        journal::restore(device, octree, list_of(device, part), texels);
+        mark(device, octree, list_of(device, part));
+        journal::restore(device, octree, texels);
     });
     return header;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <set>
 #include <stdexcept>
@@ -74,8 +75,15 @@ glift::uint blend_of(const Json& json) {
     refuse("'blend' has to be \"over\", \"multiply\" or \"erase\"");
 }
 
-void read_brush(const Json& json, Brush& brush) {
-    check_names(json, "brush", {"radius", "hardness", "grain", "opacity", "flow", "cells", "colour", "blend"});
+std::string picture_of(const Json& json, const std::filesystem::path& folder) {
+    if (!json.is_string()) refuse("'picture' has to be the name of a file");
+    const auto name = json.get<std::string>();
+    return name.empty() ? name : (folder / name).string();
+}
+
+void read_brush(const Json& json, const std::filesystem::path& folder, Brush& brush) {
+    check_names(json, "brush",
+                {"radius", "hardness", "grain", "opacity", "flow", "cells", "colour", "blend", "picture"});
     if (json.contains("radius")) brush.radius = number(json["radius"], "radius", 0.5f, 8192);
     if (json.contains("hardness")) brush.hardness = number(json["hardness"], "hardness", 0, 1);
     if (json.contains("grain")) brush.grain = number(json["grain"], "grain", 0, 1);
@@ -84,6 +92,7 @@ void read_brush(const Json& json, Brush& brush) {
     if (json.contains("cells")) brush.cells = number(json["cells"], "cells", 1, 4096);
     if (json.contains("colour")) brush.colour = triple(json["colour"], "colour", 0, 1);
     if (json.contains("blend")) brush.blend = blend_of(json["blend"]);
+    if (json.contains("picture")) brush.picture = picture_of(json["picture"], folder);
 }
 
 std::vector<Touch> path_of(const Json& json) {
@@ -98,14 +107,14 @@ std::vector<Touch> path_of(const Json& json) {
     return path;
 }
 
-Stroke stroke_of(const Json& json, Stroke stroke) {
+Stroke stroke_of(const Json& json, const std::filesystem::path& folder, Stroke stroke) {
     check_names(json, "stroke", {"camera", "size", "brush", "path"});
     if (json.contains("camera")) read_camera(json["camera"], stroke.camera);
     if (json.contains("size")) {
         const std::vector<float> size = numbers(json["size"], "size", 2, 1, 16384);
         stroke.size = glift::uint2(static_cast<glift::uint>(size[0]), static_cast<glift::uint>(size[1]));
     }
-    if (json.contains("brush")) read_brush(json["brush"], stroke.brush);
+    if (json.contains("brush")) read_brush(json["brush"], folder, stroke.brush);
     if (!json.contains("path")) refuse("a stroke has to have a 'path'");
     stroke.path = path_of(json["path"]);
     if (dabs_of(stroke).size() > most_dabs) refuse("'path' is too long for so small a brush");
@@ -114,14 +123,8 @@ Stroke stroke_of(const Json& json, Stroke stroke) {
 
 paint::Brush dab_at(const Brush& brush, const Touch& touch) {
     const float size = 0.5f + 0.5f * touch.pressure;
-    return {touch.place,
-            brush.radius * size,
-            brush.hardness,
-            brush.grain,
-            brush.opacity * brush.flow * touch.pressure,
-            brush.cells * size,
-            brush.colour,
-            brush.blend};
+    return {touch.place,   brush.radius * size, brush.hardness, brush.grain, brush.flow * touch.pressure,
+            brush.opacity, brush.cells * size,  brush.colour,   brush.blend};
 }
 
 Json json_of(const float3& v) { return {v.x, v.y, v.z}; }
@@ -146,7 +149,8 @@ Json json_of(const Stroke& s) {
               {"flow", s.brush.flow},
               {"cells", s.brush.cells},
               {"colour", json_of(s.brush.colour)},
-              {"blend", blends.at(s.brush.blend)}}},
+              {"blend", blends.at(s.brush.blend)},
+              {"picture", s.brush.picture.empty() ? "" : std::filesystem::absolute(s.brush.picture).string()}}},
             {"path", std::move(path)}};
 }
 
@@ -191,16 +195,16 @@ surface::Viewpoint viewpoint_of(const camera::Camera& camera, glift::uint2 size)
             float2(width, height)};
 }
 
-std::vector<Stroke> read(const std::string& path) {
+std::vector<Stroke> read(const std::string& path, Stroke before) {
     std::ifstream file(path);
     if (!file) throw std::runtime_error(path + ": cannot be opened");
     std::vector<Stroke> strokes;
-    Stroke before;
+    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
     std::string line;
     for (unsigned number = 1; std::getline(file, line); ++number) {
         if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
         try {
-            before = stroke_of(Json::parse(line), before);
+            before = stroke_of(Json::parse(line), folder, before);
         } catch (const std::exception& error) {
             throw std::runtime_error(path + ", line " + std::to_string(number) + ": " + error.what());
         }

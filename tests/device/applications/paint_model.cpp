@@ -75,7 +75,8 @@ State state_of(Canvas& canvas) {
     journal::PageList list(canvas.device(), n);
     list.write(state.pages);
     journal::Texels texels(canvas.device(), {texels_of_page, n});
-    journal::store(canvas.device(), octree, octree.frames(), list, texels);
+    mark(canvas.device(), octree, list);
+    journal::store(canvas.device(), octree, octree.frames(), texels);
     const Words all = texels.read();
     for (auto at = all.begin(); at != all.end(); at += texels_of_page)
         state.texels.emplace_back(at, at + texels_of_page);
