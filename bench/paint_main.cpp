@@ -5,8 +5,8 @@
 //     bench_paint [MODEL] [--strokes FILE | --load FILE] [--sizes 512x512,1920x1080] [--runs N] [--json FILE]
 #include "timing.h"
 
-#include "examples/common/scenes/scenes.h"
 #include "examples/paint/canvas.h"
+#include "examples/paint/model.h"
 
 // After canvas.h: headers of generated code define the octree's class, and this one without what the others call.
 #include "paint_draws.glift.hpp"
@@ -33,7 +33,7 @@ using Json = nlohmann::ordered_json;
 constexpr std::array<const char*, 3> ways = {"plain", "dense", "paint"};
 
 struct Options {
-    std::string model = "robot", strokes, load, json, pictures;
+    std::string model = "knot", strokes, load, json, pictures;
     std::vector<std::string> sizes = {"512x512", "1024x1024", "1920x1080", "3840x2160"};
     OctreeSize octree;
     std::uint32_t dense = 256;
@@ -47,12 +47,6 @@ glift::uint2 size_of(const std::string& text) {
     if (std::sscanf(text.c_str(), "%ux%u%c", &width, &height, &beyond) != 2 || width == 0 || height == 0)
         throw std::runtime_error("a size is WIDTHxHEIGHT, not " + text);
     return {width, height};
-}
-
-mesh::Mesh model_of(const std::string& what) {
-    mesh::Mesh mesh = std::filesystem::exists(what) ? mesh::read(what) : scenes::make(what).mesh;
-    mesh::normalise(mesh);
-    return mesh;
 }
 
 camera::Camera looking_at(const float3& target, float right, float upwards, float closer) {
@@ -218,7 +212,7 @@ void add_options(CLI::App& app, Options& o) {
     const auto is_power = [](const std::string& text) {
         return std::has_single_bit(std::stoul(text)) ? std::string() : "must be a power of two, such as 512";
     };
-    app.add_option("model", o.model, "a mesh, or the name of a generated scene")->capture_default_str();
+    app.add_option("model", o.model, "a mesh, or the name of a generated one: knot, robot, …")->capture_default_str();
     app.add_option("--strokes", o.strokes, "paint these, instead of generated ones");
     app.add_option("--load", o.load, "paint from a file, instead of strokes");
     app.add_option("--resolution", o.octree.resolution, "of the octree")

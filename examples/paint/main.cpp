@@ -1,10 +1,10 @@
 // Paint on any mesh, kept in an octree by its rest position: paint.glift from C++.
 #include "at_window.h"
 #include "canvas.h"
+#include "model.h"
 #include "strokes.h"
 
 #include "examples/common/npy.h"
-#include "examples/common/scenes/scenes.h"
 
 #include <CLI/CLI.hpp>
 
@@ -13,7 +13,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 #include <string>
 
 namespace {
@@ -30,13 +29,6 @@ struct Arguments {
     painted::Layers layers;
     bool window = false;
 };
-
-mesh::Mesh model_of(const Arguments& a) {
-    const bool is_scene = !std::filesystem::exists(a.model) && std::ranges::count(scenes::names(), a.model) != 0;
-    mesh::Mesh mesh = is_scene ? scenes::make(a.model).mesh : mesh::read(a.model);
-    mesh::normalise(mesh);
-    return mesh;
-}
 
 Orbit orbit_of(const Arguments& a, const mesh::Mesh& mesh) {
     const mesh::Box box = mesh::bounds_of(mesh);
@@ -108,7 +100,7 @@ void write_results(const Arguments& a, Canvas& canvas) {
 }
 
 void run(const Arguments& a) {
-    const mesh::Mesh mesh = model_of(a);
+    const mesh::Mesh mesh = model_of(a.model);
     Canvas canvas(glift::Device::open(), mesh, a.octree);
     paint_all(a, canvas);
     for (unsigned i = 0; i < a.undo && canvas.undo(); ++i) {}
@@ -134,7 +126,7 @@ std::string words_of(const Arguments& a, const Orbit& orbit, glift::uint2 size) 
 
 void run_window(const Arguments& a) {
     window::Window window("Paint", {a.size[0], a.size[1]});
-    const mesh::Mesh mesh = model_of(a);
+    const mesh::Mesh mesh = model_of(a.model);
     Canvas canvas(window.device(), mesh, a.octree);
     std::vector<strokes::Stroke> strokes = paint_all(a, canvas);
     Orbit orbit = orbit_of(a, mesh);
@@ -189,7 +181,7 @@ int main(int argc, char** argv) {
     Arguments arguments;
     app.add_option(
            "model", arguments.model,
-           "A mesh: any file that assimp reads (PLY, OBJ, glTF, …), or the name of a generated one, such as robot")
+           "A mesh: any file that assimp reads (PLY, OBJ, glTF, …), or the name of a generated one: knot, robot, …")
         ->required();
     app.add_option("--strokes", arguments.strokes, "A file of strokes to paint, a JSON object a line");
     app.add_option("--brush", arguments.brush,

@@ -48,6 +48,7 @@ std::vector<Stroke> random_strokes(unsigned count, unsigned seed) {
         brush.hardness = number();
         brush.grain = number() < 0.3f ? 0.8f : 0.0f;
         brush.flow = 0.2f + 0.8f * number();
+        brush.opacity = brush.flow < 0.6f ? 1 : brush.flow;
         brush.cells = 6 + 10 * number();
         for (unsigned i = 0; i < 3; ++i) brush.colour[i] = number();
         brush.blend = random() % 8 == 0 ? 2u : static_cast<Word>(random() % 4 == 0);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "examples/paint/canvas.h"
+#include "examples/paint/model.h"
 
 #include <array>
 #include <map>

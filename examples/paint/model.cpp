@@ -1,0 +1,47 @@
+#include "model.h"
+
+#include "examples/common/scenes/scenes.h"
+#include "examples/common/shapes.h"
+
+#include <glift/host/math.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+namespace {
+
+using glift::float3;
+
+constexpr float turn = 6.2831853f;
+
+float3 middle_of_knot(float along) {
+    const float from = 2 + std::cos(3 * along);
+    return {from * std::cos(2 * along), from * std::sin(2 * along), std::sin(3 * along)};
+}
+
+/// A tube along a trefoil, with grooves, so that there is what a brush does not see.
+mesh::Mesh knot() {
+    mesh::Mesh made;
+    const auto place = [](float u, float v) {
+        const float along = turn * u, around = turn * v;
+        const float3 middle = middle_of_knot(along), towards = middle_of_knot(along + 0.01f) - middle,
+                     side = glift::normalize(glift::cross(towards, float3(0, 0, 1))),
+                     up = glift::normalize(glift::cross(side, towards));
+        const float radius = 0.5f + 0.04f * std::sin(7 * around) + 0.03f * std::sin(60 * along);
+        return middle + (side * std::cos(around) + up * std::sin(around)) * radius;
+    };
+    mesh::add_sheet(made, 900, 90, place, [](float, float) { return float3(1, 1, 1); });
+    return made;
+}
+
+}  // namespace
+
+mesh::Mesh model_of(const std::string& what) {
+    const bool is_file = std::filesystem::exists(what);
+    mesh::Mesh mesh = !is_file && what == "knot"                                   ? knot()
+                      : !is_file && std::ranges::count(scenes::names(), what) != 0 ? scenes::make(what).mesh
+                                                                                   : mesh::read(what);
+    mesh::normalise(mesh);
+    return mesh;
+}
