@@ -71,6 +71,7 @@ std::vector<strokes::Stroke> paint_all(const Arguments& a, Canvas& canvas) {
     if (a.strokes.empty()) return {};
     const std::vector<strokes::Stroke> all = strokes::read(a.strokes, first_of(a));
     canvas.device().wait();
+    const std::uint64_t passes = canvas.device().statistics().passes;
     const auto start = std::chrono::steady_clock::now();
     std::size_t dabs = 0;
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -79,8 +80,9 @@ std::vector<strokes::Stroke> paint_all(const Arguments& a, Canvas& canvas) {
     }
     canvas.device().wait();
     const double ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-    std::printf("%zu strokes, %zu dabs: %.1f ms, %.2f a dab\n", all.size(), dabs, ms,
-                ms / static_cast<double>(std::max<std::size_t>(dabs, 1)));
+    const auto each = static_cast<double>(std::max<std::size_t>(dabs, 1));
+    std::printf("%zu strokes, %zu dabs: %.1f ms, %.2f a dab; %.1f passes a dab\n", all.size(), dabs, ms, ms / each,
+                static_cast<double>(canvas.device().statistics().passes - passes) / each);
     return all;
 }
 
