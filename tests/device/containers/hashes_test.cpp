@@ -1,117 +1,16 @@
 // Random insertions, erasures and searches of hash maps and sets, compared with std::unordered_map and with the order
 // and the memory layout that the library promises.
-#include "property.h"
+#include "hash_model.h"
 
-#include "hashes.glift.hpp"
-
-#include <algorithm>
-#include <numeric>
 #include <set>
-#include <unordered_map>
 
 namespace {
 
+using namespace hash_model;
 using glift::uint2;
 using property::Round;
-using Number = std::uint32_t;
 
 GLIFT_PROPERTY_SUITE(Hashes);
-
-constexpr Number nothing = 0xffffffff;
-
-Number hash(Number key) {
-    const Number a = (key ^ key >> 16) * 0x7feb352d, b = (a ^ a >> 15) * 0x846ca68b;
-    return b ^ b >> 16;
-}
-
-Number hash_of(uint2 key) { return hash(hash(key.x) ^ key.y); }
-Number hash_of(Number key) { return hash(key); }
-
-struct Hash {
-    std::size_t operator()(const auto& key) const { return hash_of(key); }
-};
-
-/// The model: a map whose entries keep the order of insertion.
-template <class Key> class Model {
-public:
-    explicit Model(Number capacity) : capacity_(capacity) {}
-
-    void insert(Key key, Number value) {
-        const auto [at, is_new] = numbers_.try_emplace(key, static_cast<Number>(keys_.size()));
-        if (is_new && keys_.size() == capacity_) {
-            numbers_.erase(at);
-            ++refused_;
-            return;
-        }
-        if (is_new) {
-            keys_.push_back(key);
-            values_.push_back(value);
-            alive_.push_back(1);
-        }
-        values_[at->second] = value;
-        alive_[at->second] = 1;
-    }
-
-    void erase(Key key) {
-        if (const auto at = numbers_.find(key); at != numbers_.end()) alive_[at->second] = 0;
-    }
-
-    Number find(Key key) const {
-        const auto at = numbers_.find(key);
-        return at == numbers_.end() || !alive_[at->second] ? nothing : values_[at->second];
-    }
-
-    void tidy() {
-        const std::vector<Key> keys = std::exchange(keys_, {});
-        const std::vector<Number> values = std::exchange(values_, {}), alive = std::exchange(alive_, {});
-        numbers_.clear();
-        for (std::size_t i = 0; i < keys.size(); ++i)
-            if (alive[i]) insert(keys[i], values[i]);
-    }
-
-    void clear() {
-        tidy_none();
-        refused_ = 0;
-    }
-
-    /// The hash table: linear probing from each key's slot, in the order of the entries.
-    std::vector<Number> index() const {
-        std::vector<Number> places(2 * capacity_);
-        for (Number number = 0; number < keys_.size(); ++number) {
-            Number place = hash_of(keys_[number]) % (2 * capacity_);
-            while (places[place]) place = (place + 1) % (2 * capacity_);
-            places[place] = ~number;
-        }
-        return places;
-    }
-
-    Number refused() const { return refused_; }
-    const std::vector<Key>& keys() const { return keys_; }
-    const std::vector<Number>& values() const { return values_; }
-    const std::vector<Number>& alive() const { return alive_; }
-
-private:
-    void tidy_none() {
-        std::ranges::fill(alive_, 0);
-        tidy();
-    }
-
-    Number capacity_, refused_ = 0;
-    std::unordered_map<Key, Number, Hash> numbers_;
-    std::vector<Key> keys_;
-    std::vector<Number> values_, alive_;
-};
-
-template <class T> std::vector<T> first(std::vector<T> all, std::size_t n) {
-    all.resize(n);
-    return all;
-}
-
-template <class Line, class T> Line on_device(const glift::Device& device, const std::vector<T>& all) {
-    Line line(device, static_cast<Number>(all.size()));
-    line.write(all);
-    return line;
-}
 
 std::vector<Number> numbers(Round& round, std::size_t n) {
     std::vector<Number> all(n);
@@ -119,17 +18,82 @@ std::vector<Number> numbers(Round& round, std::size_t n) {
     return all;
 }
 
-/// Random keys out of `kinds` different ones, so that many are equal.
-std::vector<uint2> keys(Round& round, Number kinds) {
-    std::vector<uint2> all(1 + round.below(round.chance(3) ? 600 : 60));
-    for (uint2& key : all) {
-        const Number kind = round.below(kinds);
-        key = {kind % 7, 0u - kind / 7};
+/// A float of a kind. Kinds are different keys, but some have both zeros, or NaNs.
+float some_float(Round& round, Number kind) {
+    switch (kind % 8) {
+    case 0: return round.chance(2) ? -0.0f : 0.0f;
+    case 1: return round.chance(2) ? std::numeric_limits<float>::quiet_NaN() : std::bit_cast<float>(0xffc00001u);
+    case 2: return std::bit_cast<float>(kind);  // subnormal
+    case 3: return kind % 16 == 3 ? std::numeric_limits<float>::infinity() : -1e30f;
+    default: return 0.37f * static_cast<float>(kind) - 50;
     }
+}
+
+/// What is inserted, and how: keys of integers; of floats, with values of several fields; of several fields.
+struct Pairs {
+    using Key = uint2;
+    using Value = Number;
+    using Map = hashes::Map;
+    using Keys = hashes::Keys;
+    using Values = hashes::Values;
+    static constexpr auto insert = hashes::insert;
+    static constexpr auto erase = hashes::erase;
+    static constexpr auto find = hashes::find;
+    static Key key(Round&, Number kind) { return {kind % 7, 0u - kind / 7}; }
+    static Value value(Number number) { return number; }
+};
+
+struct OfFloats {
+    using Key = float;
+    using Value = hashes::Share;
+    using Map = hashes::FloatMap;
+    using Set = hashes::FloatSet;
+    using Keys = hashes::Floats;
+    using Values = hashes::Shares;
+    static constexpr auto insert = hashes::insert_float;
+    static constexpr auto erase = hashes::erase_float;
+    static constexpr auto find = hashes::find_float;
+    static Key key(Round& round, Number kind) { return some_float(round, kind); }
+    static Value value(Number number) {
+        const auto x = static_cast<float>(number % 1000);
+        return {{x, -x, 0.5f * x}, number, 0.25f * x};
+    }
+};
+
+struct OfSpots {
+    using Key = hashes::Spot;
+    using Value = float;
+    using Map = hashes::SpotMap;
+    using Set = hashes::SpotSet;
+    using Keys = hashes::Spots;
+    using Values = hashes::Floats;
+    static constexpr auto insert = hashes::insert_spot;
+    static constexpr auto erase = hashes::erase_spot;
+    static constexpr auto find = hashes::find_spot;
+    static Key key(Round& round, Number kind) {
+        return {{some_float(round, kind), some_float(round, kind / 8 * 2)}, -static_cast<int>(kind % 3)};
+    }
+    static Value value(Number number) { return 0.5f * static_cast<float>(number % 100000); }
+};
+
+struct OfNumbers {
+    using Key = Number;
+    using Set = hashes::Set;
+    using Keys = hashes::Numbers;
+    static Key key(Round&, Number kind) { return hash(kind); }
+};
+
+/// Random keys out of `kinds` different ones, so that many are equal.
+template <class Kind> std::vector<typename Kind::Key> keys(Round& round, Number kinds) {
+    std::vector<typename Kind::Key> all(1 + round.below(round.chance(3) ? 600 : 60));
+    for (auto& key : all) key = Kind::key(round, round.below(kinds));
     return all;
 }
 
-class Maps {
+template <class Kind> class Maps {
+    using Key = typename Kind::Key;
+    using Value = typename Kind::Value;
+
 public:
     Maps(const glift::Device& device, Round& round)
         : device_(device), round_(round), capacity_(1 + round.below(400)), kinds_(1 + round.below(600)),
@@ -147,8 +111,8 @@ public:
 
 private:
     void operate() {
-        const std::vector<uint2> some = keys(round_, kinds_);
-        const auto given = on_device<hashes::Keys>(device_, some);
+        const std::vector<Key> some = keys<Kind>(round_, kinds_);
+        const auto given = on_device<typename Kind::Keys>(device_, some);
         switch (round_.below(8)) {
         case 0: map_.tidy(device_); return model_.tidy();
         case 1:
@@ -157,16 +121,17 @@ private:
             return model_.clear();
         case 2:
             map_.erase_all(device_, given);
-            std::ranges::for_each(some, [&](uint2 key) { model_.erase(key); });
+            std::ranges::for_each(some, [&](Key key) { model_.erase(key); });
             return;
         case 3:
-            hashes::erase(device_, given, map_);
-            std::ranges::for_each(some, [&](uint2 key) { model_.erase(key); });
+            Kind::erase(device_, given, map_);
+            std::ranges::for_each(some, [&](Key key) { model_.erase(key); });
             return;
         default: break;
         }
-        const std::vector<Number> values = numbers(round_, some.size());
-        map_.insert_all(device_, given, on_device<hashes::Values>(device_, values));
+        std::vector<Value> values;
+        for (Number each : numbers(round_, some.size())) values.push_back(Kind::value(each));
+        map_.insert_all(device_, given, on_device<typename Kind::Values>(device_, values));
         for (std::size_t i = 0; i < some.size(); ++i) model_.insert(some[i], values[i]);
     }
 
@@ -174,9 +139,8 @@ private:
         const std::size_t n = model_.keys().size();
         if (map_.entries(device_) != n) return round_.wrong("number of entries");
         if (map_.refused(device_) != model_.refused()) return round_.wrong("refused");
-        if (auto same = property::equal(round_, model_.keys(), first(map_.keys().read(), n), "keys"); !same)
-            return same;
-        if (auto same = property::equal(round_, model_.values(), first(map_.values().read(), n), "values"); !same)
+        if (auto same = same_bits(round_, model_.keys(), first(map_.keys().read(), n), "keys"); !same) return same;
+        if (auto same = same_bits(round_, model_.values(), first(map_.values().read(), n), "values"); !same)
             return same;
         if (auto same = property::equal(round_, model_.alive(), first(map_.alive().read(), n), "alive"); !same)
             return same;
@@ -184,81 +148,119 @@ private:
     }
 
     testing::AssertionResult reads_are_right() {
-        const std::vector<uint2> asked = keys(round_, 2 * kinds_);
-        const hashes::Values found(device_, static_cast<Number>(asked.size()));
-        hashes::find(device_, on_device<hashes::Keys>(device_, asked), map_, found);
-        std::vector<Number> expected;
-        for (uint2 key : asked) expected.push_back(model_.find(key));
-        return property::equal(round_, expected, found.read(), "find");
+        const std::vector<Key> asked = keys<Kind>(round_, 2 * kinds_);
+        const Value nothing = Kind::value(0x7fffffff);
+        const typename Kind::Values found(device_, static_cast<Number>(asked.size()));
+        Kind::find(device_, on_device<typename Kind::Keys>(device_, asked), map_, nothing, found);
+        std::vector<Value> expected;
+        for (Key key : asked) expected.push_back(model_.find(key).value_or(nothing));
+        return same_bits(round_, expected, found.read(), "find");
     }
 
     glift::Device device_;
     Round& round_;
     Number capacity_, kinds_;
-    Model<uint2> model_;
-    hashes::Map map_;
+    Model<Key, Value> model_;
+    typename Kind::Map map_;
 };
 
 TEST_P(Hashes, MapsInBatches) {
-    for_all("hash map", [&](Round& round) { Maps(device(), round).run(); });
+    for_all("hash map", [&](Round& round) { Maps<Pairs>(device(), round).run(); });
+}
+
+TEST_P(Hashes, MapsOfFloatsInBatches) {
+    for_all("hash map of floats", [&](Round& round) { Maps<OfFloats>(device(), round).run(); });
+}
+
+TEST_P(Hashes, MapsOfStructsInBatches) {
+    for_all("hash map of structs", [&](Round& round) { Maps<OfSpots>(device(), round).run(); });
 }
 
 /// Entries of a kernel have no order, so each key has one value in a pass. Invocations that insert a key at the same
 /// moment may each take an entry; `tidy` removes the surplus ones.
-TEST_P(Hashes, MapsFromKernels) {
-    for_all("hash map, kernels", [&](Round& round) {
-        constexpr Number capacity = 2000;
-        hashes::Map map(device(), capacity);
-        std::unordered_map<uint2, Number, Hash> model;
-        for (int step = 0; step < 10 && !testing::Test::HasFailure(); ++step) {
-            const std::vector<uint2> some = keys(round, 600);
-            std::vector<Number> values;
-            const Number seed = round.below(1u << 30);
-            for (uint2 key : some) values.push_back(hash_of(key) + seed);
-            const auto given = on_device<hashes::Keys>(device(), some);
-            if (round.chance(3)) {
-                hashes::erase(device(), given, map);
-                for (uint2 key : some) model.erase(key);
-            } else {
-                if (map.entries(device()) + some.size() > capacity) map.tidy(device());
-                hashes::insert(device(), given, on_device<hashes::Values>(device(), values), map);
-                for (std::size_t i = 0; i < some.size(); ++i) model[some[i]] = values[i];
+template <class Kind> void maps_from_kernels(const glift::Device& device, Round& round) {
+    using Key = typename Kind::Key;
+    using Value = typename Kind::Value;
+    constexpr Number capacity = 2000;
+    const Value nothing = Kind::value(0x7fffffff);
+    typename Kind::Map map(device, capacity);
+    std::unordered_map<Key, Value, Hash> model;
+    Number refused = 0;
+    for (int step = 0; step < 10 && !testing::Test::HasFailure(); ++step) {
+        const std::vector<Key> some = keys<Kind>(round, 600);
+        std::vector<Value> values;
+        const Number seed = round.below(1u << 30);
+        for (Key key : some) values.push_back(Kind::value(hash_of(key) + seed));
+        const auto given = on_device<typename Kind::Keys>(device, some);
+        if (round.chance(3)) {
+            Kind::erase(device, given, map);
+            for (Key key : some) model.erase(key);
+        } else {
+            if (map.entries(device) + some.size() > capacity) map.tidy(device);
+            Kind::insert(device, given, on_device<typename Kind::Values>(device, values), map);
+            for (std::size_t i = 0; i < some.size(); ++i) {
+                if (can_be_a_key(some[i])) model[some[i]] = values[i];
+                else ++refused;
             }
-            const std::vector<uint2> asked = keys(round, 900);
-            const hashes::Values found(device(), static_cast<Number>(asked.size()));
-            hashes::find(device(), on_device<hashes::Keys>(device(), asked), map, found);
-            std::vector<Number> expected;
-            for (uint2 key : asked) expected.push_back(model.contains(key) ? model[key] : nothing);
-            ASSERT_TRUE(property::equal(round, expected, found.read(), "find"));
-            ASSERT_EQ(map.size(device()).await(device()), model.size());
         }
-    });
+        const std::vector<Key> asked = keys<Kind>(round, 900);
+        const typename Kind::Values found(device, static_cast<Number>(asked.size()));
+        Kind::find(device, on_device<typename Kind::Keys>(device, asked), map, nothing, found);
+        std::vector<Value> expected;
+        for (Key key : asked) expected.push_back(model.contains(key) ? model[key] : nothing);
+        ASSERT_TRUE(same_bits(round, expected, found.read(), "find"));
+        ASSERT_EQ(map.size(device).await(device), model.size());
+        ASSERT_EQ(map.refused(device), refused);
+    }
+}
+
+TEST_P(Hashes, MapsFromKernels) {
+    for_all("hash map, kernels", [&](Round& round) { maps_from_kernels<Pairs>(device(), round); });
+}
+
+TEST_P(Hashes, MapsOfFloatsFromKernels) {
+    for_all("hash map of floats, kernels", [&](Round& round) { maps_from_kernels<OfFloats>(device(), round); });
+}
+
+TEST_P(Hashes, MapsOfStructsFromKernels) {
+    for_all("hash map of structs, kernels", [&](Round& round) { maps_from_kernels<OfSpots>(device(), round); });
+}
+
+template <class Kind> void sets(const glift::Device& device, Round& round) {
+    using Key = typename Kind::Key;
+    const Number capacity = 1 + round.below(300), kinds = 1 + round.below(500);
+    typename Kind::Set set(device, capacity);
+    Model<Key, Number> model(capacity);
+    for (int step = 0; step < 15 && !testing::Test::HasFailure(); ++step) {
+        std::vector<Key> some(1 + round.below(200));
+        for (Key& key : some) key = Kind::key(round, round.below(kinds));
+        const auto given = on_device<typename Kind::Keys>(device, some);
+        const Number kind = round.below(4);
+        if (kind == 0) set.erase_all(device, given);
+        else if (kind == 1) set.tidy(device);
+        else set.insert_all(device, given);
+        for (Key key : some) kind == 0 ? model.erase(key) : kind == 1 ? void() : model.insert(key, 1);
+        if (kind == 1) model.tidy();
+        std::vector<Key> expected;
+        for (std::size_t i = 0; i < model.keys().size(); ++i)
+            if (model.alive()[i]) expected.push_back(model.keys()[i]);
+        const typename Kind::Keys listed(device, capacity);
+        const Number n = set.list(device, listed).await(device);
+        ASSERT_TRUE(same_bits(round, expected, first(listed.read(), n), "keys"));
+        ASSERT_EQ(set.refused(device), model.refused());
+    }
 }
 
 TEST_P(Hashes, Sets) {
-    for_all("hash set", [&](Round& round) {
-        const Number capacity = 1 + round.below(300), kinds = 1 + round.below(500);
-        hashes::Set set(device(), capacity);
-        Model<Number> model(capacity);
-        for (int step = 0; step < 15 && !testing::Test::HasFailure(); ++step) {
-            std::vector<Number> some = numbers(round, 1 + round.below(200));
-            for (Number& key : some) key = hash(key % kinds);
-            const auto given = on_device<hashes::Numbers>(device(), some);
-            const Number kind = round.below(4);
-            if (kind == 0) set.erase_all(device(), given);
-            else if (kind == 1) set.tidy(device());
-            else set.insert_all(device(), given);
-            for (Number key : some) kind == 0 ? model.erase(key) : kind == 1 ? void() : model.insert(key, 1);
-            if (kind == 1) model.tidy();
-            std::vector<Number> expected;
-            for (std::size_t i = 0; i < model.keys().size(); ++i)
-                if (model.alive()[i]) expected.push_back(model.keys()[i]);
-            const hashes::Numbers listed(device(), capacity);
-            const Number n = set.list(device(), listed).await(device());
-            ASSERT_TRUE(property::equal(round, expected, first(listed.read(), n), "keys"));
-            ASSERT_EQ(set.refused(device()), model.refused());
-        }
-    });
+    for_all("hash set", [&](Round& round) { sets<OfNumbers>(device(), round); });
+}
+
+TEST_P(Hashes, SetsOfFloats) {
+    for_all("hash set of floats", [&](Round& round) { sets<OfFloats>(device(), round); });
+}
+
+TEST_P(Hashes, SetsOfStructs) {
+    for_all("hash set of structs", [&](Round& round) { sets<OfSpots>(device(), round); });
 }
 
 TEST_P(Hashes, BitSets) {
