@@ -1,4 +1,5 @@
 // Photographs of scenes, and of pinhole pictures with distances: photograph.glift and dof.glift from C++.
+#include "../common/progress.h"
 #include "at_window.h"
 #include "subject.h"
 
@@ -32,17 +33,21 @@ std::unique_ptr<Subject> subject_of(const Arguments& a, const glift::Device& dev
 
 void time(Subject& subject) {
     const glift::Device& device = subject.device();
+    constexpr unsigned rounds = 5;
+    progress::Line line("photograph");
+    line.show(0, rounds + 1, "shaders are compiled");
     subject.photograph();  // not timed: compiles shaders
     device.wait();
     const std::uint64_t before = device.statistics().submissions;
-    constexpr unsigned rounds = 5;
     double best = 1e30;
     for (unsigned round = 0; round < rounds; ++round) {
         const auto start = std::chrono::steady_clock::now();
         subject.photograph();
         device.wait();
         best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+        line.show(round + 2, rounds + 1);
     }
+    line.clear();
     const double submissions = static_cast<double>(device.statistics().submissions - before) / rounds;
     std::printf("%s: %.2f ms and %g submissions a photograph\n", device.properties().name.c_str(), 1e3 * best,
                 submissions);

@@ -1,5 +1,6 @@
 // A front that moves through a large domain, of which only the pages near the front are resident: front.glift from C++.
 #include "../common/picture.h"
+#include "../common/progress.h"
 #include "front.glift.hpp"
 #include "front_picture.glift.hpp"
 
@@ -105,9 +106,10 @@ public:
                    std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / (done - first));
             draw(done);
         }
-        std::printf("\n%s: %u steps, %llu submissions, %llu waits\n", device_.properties().name.c_str(),
-                    arguments_.steps, static_cast<unsigned long long>(submissions),
-                    static_cast<unsigned long long>(waits));
+        line_.clear();
+        if (!last_.empty()) std::printf("at the end: %s\n", last_.c_str());
+        std::printf("%s: %u steps, %llu submissions, %llu waits\n", device_.properties().name.c_str(), arguments_.steps,
+                    static_cast<unsigned long long>(submissions), static_cast<unsigned long long>(waits));
     }
 
     /// Whether the page pool has had room for all requested pages.
@@ -118,10 +120,11 @@ private:
         const auto status = band_.status(device_);
         most_refused_ = std::max(most_refused_, status.refused);
         const double all = std::pow(static_cast<double>(arguments_.extent) / 8, 3);
-        std::printf("\rstep %u of %u: %u pages (%.2f %% of the domain), %u came with the last step, %.2f ms a step   ",
-                    done, arguments_.steps, status.resident, 100 * status.resident / all, status.granted,
-                    1e3 * seconds);
-        std::fflush(stdout);
+        char text[128];
+        std::snprintf(text, sizeof text, "%u pages (%.2f %% of the domain), %u came with the last step, %.2f ms a step",
+                      status.resident, 100 * status.resident / all, status.granted, 1e3 * seconds);
+        last_ = text;
+        line_.show(done, arguments_.steps, last_);
     }
 
     void draw(std::uint32_t step) {
@@ -146,6 +149,8 @@ private:
     front_picture::Picture picture_;
     glift::Recording step_;
     std::uint32_t most_refused_ = 0;
+    progress::Line line_{"step"};
+    std::string last_;  ///< what was reported last
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 // A fluid of a million particles or more, whose neighbours are searched again in each step: fluid.glift from C++.
 #include "../common/camera.h"
 #include "../common/picture.h"
+#include "../common/progress.h"
 #include "fluid.glift.hpp"
 #include "fluid_picture.glift.hpp"
 
@@ -92,6 +93,8 @@ public:
     }
 
     void run() {
+        progress::Line line("step");
+        std::string last;
         draw(0);
         std::uint64_t submissions = 0, waits = 0;
         for (std::uint32_t done = 0; done < arguments_.steps;) {
@@ -104,14 +107,17 @@ public:
             waits += device_.statistics().waits - before.waits;
             device_.wait();
             const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-            std::printf("\rstep %u of %u: %u particles, %.2f ms a step   ", done, arguments_.steps, scene_.particles(),
-                        1e3 * taken.count() / (done - first));
-            std::fflush(stdout);
+            char text[64];
+            std::snprintf(text, sizeof text, "%u particles, %.2f ms a step", scene_.particles(),
+                          1e3 * taken.count() / (done - first));
+            last = text;
+            line.show(done, arguments_.steps, last);
             draw(done);
         }
-        std::printf("\n%s: %u steps, %llu submissions, %llu waits\n", device_.properties().name.c_str(),
-                    arguments_.steps, static_cast<unsigned long long>(submissions),
-                    static_cast<unsigned long long>(waits));
+        line.clear();
+        if (!last.empty()) std::printf("at the end: %s\n", last.c_str());
+        std::printf("%s: %u steps, %llu submissions, %llu waits\n", device_.properties().name.c_str(), arguments_.steps,
+                    static_cast<unsigned long long>(submissions), static_cast<unsigned long long>(waits));
     }
 
 private:

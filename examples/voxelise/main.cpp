@@ -2,6 +2,7 @@
 // distances.glift from C++.
 #include "../common/mesh.h"
 #include "../common/picture.h"
+#include "../common/progress.h"
 #include "../common/scenes/scenes.h"
 #include "distances.glift.hpp"
 #include "voxel_pictures.glift.hpp"
@@ -86,11 +87,15 @@ public:
           tree_(device_, static_cast<std::uint32_t>(std::bit_width(arguments.extent / 8)), arguments.tree_pages),
           picture_(device_, {arguments.size, arguments.size}) {}
 
+    /// Of the work: the mesh, the voxels, the octree, the pictures.
+    static constexpr std::uint64_t stages = 4;
+
     void voxelise(const mesh::Mesh& mesh) {
         voxels::Corners corners(device_, static_cast<std::uint32_t>(mesh.corners.size()));
         voxels::Points points(device_, static_cast<std::uint32_t>(mesh.points.size()));
         corners.write(mesh.corners);
         points.write(mesh.points);
+        line_.show(1, stages, "voxels");
         const voxels::Placement place = placement_of(mesh, arguments_.extent);
         std::uint32_t columns = 0;
         const double seconds = timed([&] {
@@ -100,6 +105,7 @@ public:
         if (columns > most_columns)
             throw std::runtime_error("the triangles are too large and too many: choose a smaller --extent");
         const auto status = grid_.status(device_);
+        line_.clear();
         std::printf(
             "%s: %zu triangles in %u^3: %u voxels in %u pages (%.2f %% of the domain), %.1f ms, submissions: %llu\n",
             device_.properties().name.c_str(), mesh.triangles(), arguments_.extent,
@@ -111,8 +117,10 @@ public:
     }
 
     void measure() {
+        line_.show(2, stages, "an octree of distances");
         const double seconds = timed([&] { distances::measure(device_, grid_, tree_); });
         const auto status = tree_.status(device_);
+        line_.clear();
         std::printf("octree of distances: %u pages, %.1f ms, submissions: %llu\n", status.resident, 1e3 * seconds,
                     static_cast<unsigned long long>(submissions_));
         if (status.refused != 0)
@@ -124,6 +132,7 @@ public:
         const auto view = view_of(arguments_.turn, arguments_.extent);
         const auto z = static_cast<std::uint32_t>(arguments_.slice * static_cast<float>(arguments_.extent - 1));
         const auto side = static_cast<float>(arguments_.extent);
+        line_.show(3, stages, "pictures");
         voxel_pictures::voxels_by_rays(device_, picture_, grid_.field(), view, picture_);
         write("voxels.png");
         voxel_pictures::slice_of_grid(device_, picture_, grid_.field(), z, picture_);
@@ -158,12 +167,14 @@ private:
     void save(const glift::Inspection& inspection, const std::string& name) {
         const std::filesystem::path file = arguments_.out / name;
         inspection.save(file.string());
+        line_.clear();
         std::printf("tools/inspect %s draws it\n", file.c_str());
     }
 
     void write(const std::string& name) {
         const std::filesystem::path file = arguments_.out / name;
         picture::write(file.string(), {arguments_.size, arguments_.size, picture_.read(), {}});
+        line_.clear();
         std::printf("picture: %s\n", file.c_str());
     }
 
@@ -172,6 +183,7 @@ private:
     voxels::Grid grid_;
     distances::Tree tree_;
     voxel_pictures::Picture picture_;
+    progress::Line line_{"stage"};
     std::uint64_t submissions_ = 0;  ///< number of submissions of the work that was timed last
 };
 
