@@ -1,5 +1,6 @@
-// Pipelines: `if` and loops whose condition is a value on the device, which the host does not know, and variables on
-// the device.
+// Pipelines: `if` and loops whose condition is a value on the device, which the host does not know. The host records
+// both branches of such an `if`, its arms; the passes of the arm that is not taken are dispatched over nothing. Also
+// the variables that lie on the device because of such conditions.
 #pragma once
 
 #include "sema/body.h"
@@ -8,12 +9,13 @@ namespace gliftc::sema {
 
 /// `if c { … } else { … }` where c lies on the device: emits StmtOp::arms.
 void check_arms(Body&, const ast::Stmt&, ir::ExprId condition);
-/// Checks c and the body of `for i in a..b while c { … }`, and emits both into the loop; what must run once before the
-/// loop goes to `before`.
+/// Checks c and the body of `for i in a..b while c { … }`, and emits both into the loop. If c lies on the device,
+/// `before` gets the declaration of a variable there, which says whether the loop goes on.
 void check_rounds(Body&, const ast::Stmt&, std::vector<ir::StmtId>& before);
 
-/// `target = value;`, `target += value;` for a variable of a pipeline. Where this shows that the variable must lie on
-/// the device, it is added to Body::device_variables, and the pipeline is then checked again (check_pipeline_body).
+/// Checks and emits `target = value;`, `target += value;` for a variable of a pipeline. Where this shows that the
+/// variable must lie on the device, its declaration is added to Body::device_variables instead, and the pipeline is
+/// then checked again (check_pipeline_body).
 void check_variable(Body&, const ast::Stmt&, ir::ExprId target);
 /// Records how many arms are around the declaration of the variable (Body::depths).
 void declare_variable(Body&, ir::LocalId);

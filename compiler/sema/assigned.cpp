@@ -29,7 +29,8 @@ class Assigned {
 public:
     Assigned(Context& context, ir::LocalId once) : c(context), once_(once) {}
 
-    /// The locals that every path through the part assigns, those that end in `discard` left out; absent: all paths do.
+    /// The locals that every path through the part assigns, but for paths that end in `discard`; absent: all paths end
+    /// so.
     std::optional<Locals> of(const std::vector<ir::StmtId>& part) {
         State state;
         walk(part, state);

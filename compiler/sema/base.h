@@ -1,12 +1,12 @@
-// The memory of a structure where it is itself a structure, its base: one constructed in the declaration, or an
-// existing one given by name.
+// Structures whose memory is itself a structure, called the base: one that the declaration constructs, `memory name =
+// Type(…);`, or one that has a name there, `memory name = pool;`.
 #pragma once
 
 #include "sema/body.h"
 
 namespace gliftc::sema {
 
-/// Whether the structure already has a memory, of which there is only one; reports `another` then.
+/// Whether the structure already has a memory; reports `another` then, since a structure has only one.
 bool has_memory(Body&, std::uint32_t structure, const ast::Item& another);
 
 /// Whether the expression in `memory name = …` is a structure, constructed there or named, rather than a buffer or an
@@ -16,13 +16,15 @@ bool is_structure_memory(Body&, ast::ExprId);
 /// Sets the memory of the structure to the structure that the item names or constructs.
 void add_base(Body&, std::uint32_t structure, const ast::Item&);
 
-/// Brings the memory's name into scope. Nothing to do where it was constructed there: it is a member of that name.
+/// Brings the name of the base into scope. Nothing to do where the declaration constructs the base, which is then a
+/// member of that name.
 void declare_base(Body&, std::uint32_t structure);
 
-/// The domain of the base, as an expression over the structure.
+/// The domain of the base, as an expression over the structure whose memory it is.
 ir::ExprId domain_of_base(Body&, std::uint32_t structure);
 
-/// Whether no translator of the structure reads the base that it translates to; reports one that does.
+/// Whether no translator of the structure reads its base, a structure inside the base, or one that contains the base;
+/// reports one that does.
 bool check_own_memory(Context&, std::uint32_t structure);
 
 }  // namespace gliftc::sema

@@ -1,4 +1,5 @@
-// How many blocks a kernel visits, where the device knows: a pipeline that leaves the number there.
+// The number of blocks that a kernel visits, where the host does not know it: a pipeline gives it as a value on the
+// device.
 #include "ir/chain.h"
 #include "ir/evaluate.h"
 #include "sema/blocks.h"
@@ -68,8 +69,9 @@ void return_element(Context& c, ir::Pipeline& pipeline, const ir::Structure& own
 
 }  // namespace
 
-// The value is used where it is read, in the dispatch that follows, so that the element needs no copy. Kernels over the
-// same blocks, one after the other, then share the pass that prepares their dispatches.
+// Where the number is an element of a structure, the pipeline gives the element itself, not a copy: the dispatch that
+// follows uses it at once. Kernels over the same blocks, one after the other, then share the pass that prepares their
+// dispatches.
 std::optional<std::uint32_t> counter_of_blocks(Context& c, std::uint32_t index, Span use) {
     const ir::FunctionId count = c.program.structures[index].blocks->count;
     const auto general = pipeline_of_function(c, count, use);

@@ -1,5 +1,5 @@
-// Blocks: equal boxes that a structure declares, outside which its domain has no elements; and which blocks a kernel
-// visits.
+// Blocks: boxes of one size in a structure's domain. Where a structure declares blocks, kernels visit their elements
+// and no others. Also which parameter's blocks a kernel visits.
 #pragma once
 
 #include "sema/body.h"
@@ -17,16 +17,18 @@ struct BlockItems {
 /// Checks the declarations and sets Structure::blocks. To be called once the structure has its domain.
 void add_blocks(Context&, const Env&, std::uint32_t structure, const BlockItems&);
 
-/// A call of `s.blocks()`, `s.block(i)` or `s.block_size()`; absent if the method has another name.
+/// A call of `s.blocks()`, `s.block(i)` or `s.block_size()`, whose domain is one block if it declares none; absent if
+/// the method has another name.
 std::optional<Operand> call_of_blocks(Body&, const Operand& self, ast::Identifier method, const ast::Expr& call);
 
-/// Sets Kernel::space, the parameter whose blocks the kernel visits: the first that is written by `each`; if there is
-/// none, by `at`; else the first that is read by `each` or `near`. It stays empty if one of these parameters has no
-/// blocks.
+/// Finds the blocks that a kernel visits. The parameters that decide are those written by `each`; if there are none,
+/// those that are `at`; else those read by `each` or `near`. If all of them have blocks, Kernel::space is the first of
+/// them and Kernel::same_space the others, whose blocks must be of the same declaration (else an error). Kernel::space
+/// stays empty for draws, for kernels with a group, and for those that take several elements an invocation.
 void find_space(Context&, ir::Kernel&);
 
-/// A pipeline (an index in Program::pipelines) over a structure that declares blocks, which gives their number as a
-/// value of the device, for the dispatch that follows the call.
+/// Makes a pipeline over a structure that declares blocks, which gives their number as a value on the device, for the
+/// dispatch that follows the call. Its index in Program::pipelines; absent after an error.
 std::optional<std::uint32_t> counter_of_blocks(Context&, std::uint32_t structure, Span use);
 
 }  // namespace gliftc::sema

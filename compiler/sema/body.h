@@ -14,12 +14,12 @@ namespace gliftc::sema {
 enum class BodyKind : std::uint8_t {
     constant,   // compile-time values
     function,   // functions and methods
-    structure,  // sizes, arguments and defaults in a structure's declaration: evaluated on the host when one is made
+    structure,  // expressions in a structure's declaration: extents, arguments, domain, `otherwise`, initial host state
     kernel,
     pipeline,  // tests too
 };
 
-/// `member` is a constructor parameter of the structure, not one of the structures that it is made of.
+/// `member` is a value among the structure's constructor parameters; the structures that it is made of are `structure`.
 enum class SymbolKind : std::uint8_t { local, structure, state, member, memory, iterator, host_state };
 
 /// How code may access a structure through one name. `any`: reads by address. `scatter`: writes to any address, and no
@@ -38,7 +38,7 @@ struct Symbol {
     Span span;                    ///< all kinds: where the name is declared
     ir::TypeId type;              ///< local, state, member, host_state
     ir::LocalId local;            ///< local
-    ir::Place place;              ///< structure, iterator; else the container: root 0
+    ir::Place place;              ///< structure, iterator: the path to it; else root 0, the container
     std::uint32_t structure = 0;  ///< structure, iterator, memory (the one that has it): index in Program::structures
     /// state: index in the scalar fields of the translator (the code that maps addresses) whose function this is.
     /// member: in the structure's constructor values. memory: in its memories. host_state: in its fields that live on
@@ -46,7 +46,7 @@ struct Symbol {
     /// address): in the kernel's parameters.
     std::uint32_t slot = 0;
     std::uint32_t window = 0;  ///< structure: the radius, if it is a `near` parameter of a function; else 0
-    Writing writing;           ///< structure
+    Writing writing;           ///< structure: how it may be accessed
     bool used = false;
     bool warn_unused = false;
 };
@@ -67,7 +67,7 @@ struct Operand {
     std::uint32_t slot = 0;       ///< memory: index in the structure's memories; iterator: in the kernel's parameters
     std::uint32_t window = 0;  ///< structure: the radius, if it is a `near` parameter of a kernel or function; else 0
     bool is_slice = false;     ///< structure: `local` is a slice
-    Writing writing;           ///< structure
+    Writing writing;           ///< structure: how it may be accessed
 };
 
 /// The state of the check of one body. Words before a colon in the comment of a field name the kinds of body that use
@@ -82,21 +82,22 @@ struct Body {
     std::unordered_map<ir::LocalId, ir::Operands> made;
     std::vector<ir::StmtId>* block = nullptr;  ///< the list to which statements are added; null: expressions only
     ir::TypeId result;                         ///< the type that `return` gives
-    unsigned loops = 0;                        ///< around the statement; 0: no `break` or `continue`
+    unsigned loops = 0;                        ///< how many loops `break` could leave here, none of them around an arm
     unsigned depth = 0;                        ///< how deeply the statement is nested
     ir::Kernel* kernel = nullptr;
     ir::Part part = ir::Part::whole;  ///< the vertex or the fragment part of a draw; whole: the kernel does not draw
-    /// The structure, view or adaptor that declares this function or pipeline, if any. Its members are in scope; their
-    /// Place::root is 0.
+    /// The structure, view or adaptor that declares this function or pipeline, or whose declaration is checked, if any.
+    /// Its members are in scope; their Place::root is 0.
     std::optional<std::uint32_t> container;
-    std::array<std::uint32_t, 3> group = {0, 0, 0};  ///< the workgroup of the kernel or function; all 0: none
-    std::vector<ir::LocalId>* shared = nullptr;      ///< the workgroup memory (`shared`) of the kernel or function
+    std::array<std::uint32_t, 3> group = {0, 0, 0};  ///< the workgroup size that the declaration gives; all 0: none
+    std::vector<ir::LocalId>* shared = nullptr;      ///< the arrays in workgroup memory (`shared`) declared so far
     /// Functions with a workgroup: the last statement of the body, or of the side of a constant `if` that is checked.
     /// Only it may be a return, since all invocations must reach every barrier.
     Span last;
-    std::vector<std::uint32_t> structures;  ///< functions: the structure of each structure parameter, by Place::root
-    std::vector<ir::Place> coherent;        ///< the places that are accessed by the pattern coherent
-    std::vector<ir::Effect>* effects = nullptr;  ///< functions and kernels: what they write, themselves or by calls
+    std::vector<std::uint32_t> structures;       ///< functions: the structures that calls pass, by Place::root
+    std::vector<ir::Place> coherent;             ///< the places that are accessed by the pattern coherent
+    std::vector<ir::Effect>* effects = nullptr;  ///< functions: what they and called functions write; kernels: what
+                                                 ///< called functions write
     /// Pipelines: whether the returned values seen so far lie on the host or on the device.
     enum class Returns : std::uint8_t { nothing, host, device } returns = Returns::nothing;
     std::optional<ir::TypeId> range_result;  ///< pipelines that return a range: its type, known from the first return
@@ -104,20 +105,21 @@ struct Body {
     /// Pipelines: the expression being checked is part of a larger one that a pass may compute, so that values on the
     /// device may stand in it (sema/values.h).
     bool is_open = false;
-    std::vector<ir::ExprId> leaves;  ///< the values on the device (Op::device_value) in that expression, so far
-    /// Pipelines: how the keys of the kernels that compute its values begin. A key names a kernel, and is the same in
-    /// every compilation.
+    std::vector<ir::ExprId> leaves;  ///< pipelines: nodes Op::device_value made so far for the expression being checked
+    /// Pipelines: the prefix of the keys of kernels that compute values on the device for this pipeline. The key of a
+    /// kernel identifies it: each run of gliftc gives the same kernel the same key.
     std::string key;
-    /// A branch whose condition lies on the device.
+    /// A branch, or the body of a loop, whose condition lies on the device.
     struct Arm {
         ir::LocalId condition;
         bool where = true;  ///< the value of the condition for which the arm runs
         Span span;
     };
     std::vector<Arm> arms;  ///< pipelines: the arms around the statement being checked (sema/arms.h)
-    std::unordered_map<ir::LocalId, std::size_t> depths;  ///< number of arms around each variable's declaration
-    std::vector<Span> device_variables;  ///< declarations of variables that must lie there; if checking adds one, the
-                                         ///< pipeline is checked again (check_variable in sema/arms.h)
+    std::unordered_map<ir::LocalId, std::size_t> depths;  ///< pipelines: how many arms are around the declaration of
+                                                          ///< each variable
+    std::vector<Span> device_variables;  ///< declarations of variables that must lie on the device; if checking adds
+                                         ///< one, the pipeline is checked again (check_variable in sema/arms.h)
     Span host_needed;  ///< where the pipeline first waits for the device or changes host state; empty: nowhere
     /// A statement `member = temporary;`.
     struct Replacement {
@@ -156,12 +158,12 @@ const Env& env_for(Body&, const std::vector<ast::ExprId>&);
 /// it where nothing else determines theirs. It is not enforced: use check_value or coerce for that.
 Operand check(Body&, ast::ExprId, ir::TypeId hint = {});
 ir::ExprId check_hinted(Body&, ast::ExprId, ir::TypeId hint);  ///< check(), then to_value()
-/// The expression as a value. If `wanted` is given, of that type: reports another one and returns an error node.
+/// The expression as a value. If `wanted` is given, coerced to that type.
 ir::ExprId check_value(Body&, ast::ExprId, ir::TypeId wanted = {});
 ir::ExprId to_value(Body&, const Operand&);
 /// Coerces `expr` to the wanted type: itself, or wrapped into an optional; reports a mismatch.
 ir::ExprId coerce(Body&, ir::ExprId expr, ir::TypeId wanted, Span);
-/// Notes how to unwrap an optional that was found where a value is needed.
+/// If the type found where a value is needed is an optional, adds a note that says how to unwrap it.
 void note_optional(Body&, Diagnostic&, Span, ir::TypeId found);
 Operand value_operand(Body&, ir::ExprId, Span);
 Operand error_operand(Span);
@@ -187,8 +189,8 @@ Operand make_swizzle_of(Body&, ir::ExprId, ast::Identifier);
 
 // calls
 /// Calls a structure's function with checked values. Gives an Op::call node. In a pipeline it does so only if the host
-/// can evaluate the call; if an argument is on the device, or the function reads elements, it gives a call of a
-/// generated pipeline that computes the value on the device.
+/// can evaluate the call; if an argument is on the device, the function reads elements or the structure is a slice, it
+/// gives a call of a generated pipeline that computes the value on the device.
 Operand call_of(Body&, ir::FunctionId, const Operand& self, ir::Operands values, Span);
 
 Operand call_function(Body&, const std::vector<ast::DeclId>& overloads, const Env* owner,
@@ -216,7 +218,7 @@ ir::TypeId signed_address(ir::Types&, ir::TypeId domain);  ///< int, int2 … fo
 // statements
 void check_block(Body&, const std::vector<ast::StmtId>&);
 void check_statement(Body&, ast::StmtId);
-/// Checks `statements` in a scope of their own; returns them.
+/// Checks `statements` in a new scope; returns the statements of the IR that they emit.
 std::vector<ir::StmtId> check_nested(Body&, const std::vector<ast::StmtId>&);
 /// Does every path through the list end in return?
 bool always_returns(const ir::Program&, const std::vector<ir::StmtId>&);

@@ -21,7 +21,7 @@ Operand call_type(Body& body, ir::TypeId type, const ast::Expr& call) {
     return construct_value(body, type, call);
 }
 
-/// The functions for ids and sizes of a workgroup or subgroup, which only kernels with `group` have.
+/// The functions for ids and sizes of a workgroup or subgroup, which only kernels and functions with `group` may call.
 std::optional<ir::Invocation> find_invocation(std::string_view name) {
     if (name == "local_index") return ir::Invocation::local_index;
     if (name == "group_index") return ir::Invocation::group_index;
@@ -317,7 +317,7 @@ Operand call_method(Body& body, const Operand& self, ast::Identifier method, con
         if (name == "contains") return value_operand(body, has, call.span);
         return found_where(body, self, has, at, call.span);
     }
-    // A function that the structure does not declare is looked for in its memory.
+    // A function or pipeline that the structure does not declare is looked for in the structure that is its memory.
     if (has_method_of_base(c, body.program().structures[self.structure], method.name))
         return call_method(body, structure_member(body, self, base_name(body, self, method.span)), method, generics,
                            call, wanted);
@@ -332,7 +332,8 @@ Operand call_method(Body& body, const Operand& self, ast::Identifier method, con
     return error_operand(call.span);
 }
 
-/// Where a module was called like a function: adds a note that lists its functions.
+/// Where a module was called like a function: adds a note that lists some of its public functions, kernels and
+/// pipelines.
 static void note_functions(const Context& c, Diagnostic& diagnostic, const Meta& meta, Span span) {
     if (meta.kind != MetaKind::module) return;
     std::vector<std::string> names;

@@ -40,8 +40,8 @@ std::vector<std::uint32_t> makers_of(const Context& c, std::uint32_t structure) 
     return makers;
 }
 
-/// Instantiates a public pipeline; one with range parameters, for every structure that is public in `modules` and
-/// matches the ranges.
+/// Instantiates a pipeline without generic parameters; one with range parameters, for every combination of stored
+/// structures that have public names in `modules` and match the ranges.
 void check_pipeline(Context& c, ast::DeclId id, const Env& env, std::optional<std::uint32_t> owner,
                     const std::vector<std::uint32_t>& modules) {
     const ast::Decl& decl = c[id];
@@ -84,7 +84,8 @@ void check_adaptor_pipelines(Context& c, std::uint32_t index) {
     });
 }
 
-/// Instantiates the types of a module, before its pipelines: those over ranges need all public structures.
+/// Checks the types, translators and constants of a module, before any pipelines: pipelines over ranges need all public
+/// structures.
 void check_types(Context& c, std::uint32_t module, const std::vector<ast::DeclId>& decls) {
     for (ast::DeclId id : decls) {
         const ast::Decl& decl = c[id];
@@ -113,8 +114,8 @@ void check_code(Context& c, std::uint32_t module, const std::vector<ast::DeclId>
     }
 }
 
-/// Requires transfers for the arguments of public kernels and pipelines: programs create and fill those, whichever
-/// module declares their types.
+/// Requires transfers (kernels that move elements between host and device) for the structures that public kernels and
+/// pipelines of root modules take: C++ programs create and fill them, whichever module declares their types.
 void require_transfers_of_arguments(Context& c) {
     std::vector<std::pair<std::uint32_t, Span>> passed;
     const auto is_seen = [&](const auto& declared) { return declared.is_pub && c.modules[declared.module].is_root; };

@@ -16,28 +16,35 @@
 namespace gliftc::sema {
 
 struct Settings {
-    /// `-D name=value`: constants of the root modules whose value is replaced.
+    /// `-D name=value`: names of constants of the root modules, and the values that replace the written ones.
     std::vector<std::pair<std::string, std::string>> defines;
-    /// Makes kernels that copy the structures which translators read to the host: `gliftc test` checks translators with
-    /// them.
+    /// For `gliftc test`, which checks translators on the host. Makes kernels that copy between host and device also
+    /// for the structures that translators read, and for those that are the memory of another; makes none that list
+    /// which elements are there.
     bool looks_into_tables = false;
-    /// The name of a module that is not loaded and declares this public name, or "". For messages.
+    /// Gives the name of a module that could be imported and declares this public name, or "". For messages; asked
+    /// where no loaded module has the name.
     std::function<std::string(std::string_view name)> module_with;
 };
 
-/// A parsed module and how it was found.
+/// A parsed module, and what the loader knows of it.
 struct LoadedModule {
     const ast::Module* tree = nullptr;
-    bool is_root = false;             ///< named on the command line
-    std::vector<std::uint32_t> uses;  ///< for each tree->uses[i]: its index in the list, or ~0u where it was not found
+    bool is_root = false;  ///< named on the command line
+    /// For each tree->uses[i], the index of the module that it names in the list of all modules that check() is given;
+    /// ~0u: there is no such module.
+    std::vector<std::uint32_t> uses;
 };
 
 /// The module whose structure and kernels move boxes of elements between host and device; the loader always loads it.
 inline constexpr std::string_view transfer_module = "std.transfer";
 
-/// Checks all modules (imports before importers). Kernels, pipelines, tests and public structures of root modules are
-/// instantiated, everything else as they need it. Errors go to `diagnostics`; the program is complete only if there are
-/// none.
+/// Checks what the root modules declare without generic parameters: first types, translators and constants of all of
+/// them, then functions, kernels, pipelines and tests, each time in the order of the list and of the source; then
+/// pipelines and public functions of their public adaptors. Generic declarations, functions with structure parameters,
+/// other functions of structures, and what other modules declare are checked where they are used. `modules` has
+/// imported modules before those that import them. Errors go to `diagnostics`; the program is complete only if there
+/// are none.
 ir::Program check(const std::vector<LoadedModule>& modules, const ast::Tree& tree, Names& names,
                   Diagnostics& diagnostics, const Settings& settings = {});
 

@@ -1,4 +1,5 @@
-// Instances of structures, views, adaptors and translators, and the passes by which pipelines call their functions.
+// Instances of structures, views and adaptors: the items in their declarations, and the passes by which pipelines call
+// their functions.
 #pragma once
 
 #include "sema/body.h"
@@ -17,7 +18,7 @@ void bring_members_into_scope(Body&, std::uint32_t structure);
 /// reference.
 void add_constructor(Context&, const Env&, const std::vector<ast::Param>&, ir::Structure&);
 
-/// Adds `structure name = Type(arguments)`, and declares its name. False after an error.
+/// Adds `structure name = Type(arguments)`, and declares its name. False, after an error, if Type is no structure.
 bool add_member(Body&, std::uint32_t structure, const ast::Item&);
 
 /// Calls visit(item) for each item; for an `if`, for the items that its constant condition selects.
@@ -47,14 +48,15 @@ std::optional<std::uint32_t> box_of(Context&, std::uint32_t dimensions, ir::Type
 bool reads_memory(const ir::Program&, const std::vector<ir::StmtId>&);
 
 /// A pipeline that calls the function in a pass of one invocation and returns the result, which stays on the device.
-/// Its parameters are the function's structures, then its values; `on_device` says which of these lie on the device.
+/// Its parameters are the function's structures, then its values; `on_device` says which of the values lie on the
+/// device.
 std::optional<std::uint32_t> pipeline_of_function(Context&, ir::FunctionId, Span use,
                                                   const std::vector<bool>& on_device = {});
 
 /// The parameter `self` of a generated pipeline: a range of the structure, or an adaptor.
 ir::PipelineParam structure_param(Context&, std::uint32_t structure, Span);
 
-/// The local as an argument of a pass: as a structure if it is one.
+/// The local as an argument of a pass: Op::structure_value if it is a structure, Op::local if it is a slice or a value.
 ir::ExprId structure_argument(Context&, ir::LocalId, Span);
 
 /// Adds a pipeline that makes a temporary of one element, of structure `box`, runs the kernel over it and returns the

@@ -19,7 +19,7 @@ enum class MetaKind : std::uint8_t {
     type,          // a concrete type; structures too
     value,         // a value known at compile time
     translator,    // one or more translator instances, composed in order
-    declarations,  // a function's overloads, or a generic declaration without arguments yet
+    declarations,  // what modules declare by the name, not instantiated yet: overloads, a type, a constant, …
     module,        // a module's name
     format,        // a texel format
     memory_shape,  // buffer, image2d, …
@@ -42,11 +42,11 @@ struct Meta {
     Constraint constraint = Constraint::type;
 };
 
-/// The generic arguments of one instance.
+/// An environment, in which names are looked up: those bound here, then the declarations of a module.
 struct Env {
     std::uint32_t module = 0;
-    std::vector<std::pair<Name, Meta>> bindings;
-    ir::TypeId self;  ///< in interfaces: the type `Self`
+    std::vector<std::pair<Name, Meta>> bindings;  ///< generic arguments of an instance; names in scope in a body
+    ir::TypeId self;                              ///< in interfaces: the type `Self`
 
     const Meta* find(Name name) const {
         for (const auto& [bound, meta] : bindings)
@@ -60,11 +60,11 @@ struct ModuleScope {
     std::vector<std::uint32_t> imports;
 };
 
-/// An instance of a generic declaration, complete or in progress. `index`: in the Program's table of its kind.
+/// An instance of a declaration, complete or in progress. `index`: in the Program's table of its kind.
 struct Instance {
     enum class State : std::uint8_t { in_progress, done, failed } state = State::in_progress;
     std::uint32_t index = 0;
-    std::vector<std::uint32_t> stages;  ///< an alias `A then B`: its translators, in order
+    std::vector<std::uint32_t> stages;  ///< not used
     ir::TypeId type;
 };
 
@@ -109,7 +109,7 @@ struct Context {
     const ast::Stmt& operator[](ast::StmtId id) const { return tree.stmts[id]; }
     const ast::Decl& operator[](ast::DeclId id) const { return tree.decls[id]; }
 
-    /// Reports an error, with a note for each instantiation in progress.
+    /// Reports an error, with a note for each instantiation in progress that has generic arguments.
     Diagnostic& error(Diag id, Span span, std::initializer_list<std::string_view> arguments = {});
     /// A new environment, without bindings, that lives as long as the context.
     Env& new_env(std::uint32_t module);

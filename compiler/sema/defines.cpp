@@ -16,7 +16,7 @@ template <class Number> std::optional<Number> read(std::string_view text, auto..
     return number;
 }
 
-/// The largest magnitude of a negative or other integer of the type.
+/// The largest magnitude that a negative, or a non-negative, integer of the type has.
 std::uint64_t limit_of(const ir::Types& types, ir::TypeId type, bool negative) {
     bool wide = type == types.int64 || type == types.uint64;
     std::uint64_t all = wide ? ~std::uint64_t{0} : 0xffffffffu;

@@ -64,7 +64,8 @@ ir::ExprId make_equal(ir::Program& p, ir::ExprId left, ir::ExprId right, Span sp
     }
 }
 
-/// The value as an expression that may be repeated: a local, a constant, or a new temporary for it.
+/// The value as an expression that may be repeated: a local, a constant, or a new temporary for it. Unchanged where
+/// there is no list of statements for a temporary, and if the value is open (sema/values.h).
 ir::ExprId named(Body& body, ir::ExprId value, Span span) {
     ir::Op op = body.program().exprs[value].op;
     if (!body.block || is_open(body, value) || op == ir::Op::local || op == ir::Op::constant) return value;

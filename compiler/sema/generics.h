@@ -5,18 +5,20 @@
 
 namespace gliftc::sema {
 
-/// Binds explicit and inferred arguments, then defaults; checks each against its constraint.
+/// The generic arguments in one use of a declaration. give() takes explicit ones, then infer() and the like find
+/// others; finish() adds defaults, and checks each argument against its constraint.
 struct Arguments {
     Context& context;
     const ast::Decl& decl;
-    Env& env;  ///< receives the bindings
-    Span use;  ///< where the arguments are given or inferred
-    std::vector<std::optional<Meta>> found;
-    std::vector<Span> spans;
+    Env& env;                                ///< receives the bindings
+    Span use;                                ///< where the arguments are given or inferred
+    std::vector<std::optional<Meta>> found;  ///< for each generic parameter its argument, if there is one yet
+    std::vector<Span> spans;                 ///< for each generic parameter where errors in its argument are reported
 
     Arguments(Context&, const ast::Decl&, Env&, Span use);
 
-    /// Takes explicit arguments in order. `user` is the environment in which they are evaluated. False after an error.
+    /// Takes explicit arguments in order, from written[first] on. `user` is the environment in which they are
+    /// evaluated. False after an error.
     bool give(const Env& user, const std::vector<ast::ExprId>& written, std::size_t first = 0);
     bool give(std::vector<Meta> metas);
 
@@ -30,15 +32,16 @@ struct Arguments {
     bool finish(bool quiet = false);
 };
 
-/// Binds a parameter by the default type of a literal argument. After all other inference.
+/// Binds a parameter by the default type of a literal argument. To be called after all other inference.
 void infer_from_literal(Arguments&, ast::ExprId pattern, ast::ExprId literal);
 
 /// The declaration's name with its generic arguments: "Array<4, float>".
 std::string display_of(const Context&, const ast::Decl&, const Env&);
-/// The same with qualified names: unique, and the same in every compilation.
+/// The same with module-qualified names: "std.array.Array<4, float>". The same in each run of gliftc.
 std::string qualified_display_of(const Context&, ast::DeclId, const Env&);
 
-/// The key of an instance in Context::instances.
+/// The key of an instance in Context::instances. Callers append what else distinguishes it, such as the structures
+/// passed to a function.
 std::string key_of(const Context&, ast::DeclId, const Env&);
 
 /// Whether the argument satisfies the constraint; `why` is the reason if not.

@@ -11,7 +11,7 @@ bool is_image_part(Body&, ast::ExprId);
 
 void add_image_part(Body&, std::uint32_t structure, const ast::Item&);
 
-/// Whether the last axis of its addresses counts layers, or faces of a cube.
+/// Whether the last axis of the addresses of such an image counts layers, or faces of a cube.
 inline bool has_layers(ir::MemoryShape shape) {
     return shape == ir::MemoryShape::image2darray || shape == ir::MemoryShape::imagecube;
 }
@@ -19,7 +19,7 @@ inline bool has_layers(ir::MemoryShape shape) {
 /// Whether the structure keeps element a in texel a of an image.
 bool keeps_texels(const Context&, const ir::Structure&);
 
-/// Whether the structure keeps texels, as above, of an image with mip levels and a format that devices can filter.
+/// Whether the structure keeps texels, as above, of an image declared with `mips(n)`, of another format than d32.
 bool has_filtered_levels(const Context&, const ir::Structure&);
 
 /// Adds the memory to the structure, and brings its name into scope.

@@ -5,11 +5,11 @@
 
 namespace gliftc::sema {
 
-/// The type that a struct, enum, structure, view, adaptor, or an alias of one is with the generic arguments in `env`,
-/// which have been checked.
+/// The type of a struct, enum, structure, view or adaptor with the generic arguments in `env`, which have been checked.
 ir::TypeId instantiate_type(Context&, ast::DeclId, const Env&, Span use);
 
-/// The translator instances that a translator declaration or alias denotes.
+/// The instance of a translator, an index in Program::translators. A list of one, since what an alias `A then B`
+/// denotes is several.
 std::optional<std::vector<std::uint32_t>> instantiate_translator(Context&, ast::DeclId, const Env&, Span use);
 
 /// `structures`: the instances passed for the function's structure parameters; of a function that a structure declares,
@@ -32,7 +32,7 @@ std::optional<std::uint32_t> instantiate_pipeline(Context&, ast::DeclId, const E
 inline constexpr std::uint32_t lies_on_device = 0xffffffffu;
 
 /// Instantiates the kernels that move boxes of the structure between host and device, and adds them to
-/// Program::transfers.
+/// Program::transfers, unless they are there. Does the same for the structure's members; of an adaptor, for them alone.
 void require_transfers(Context&, std::uint32_t structure, Span use);
 
 void instantiate_test(Context&, ast::DeclId);

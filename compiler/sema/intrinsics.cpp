@@ -137,13 +137,14 @@ ir::TypeId fixed_type(ir::Types& types, char letter) {
     }
 }
 
-/// Whether the signature gives the result and this parameter the same type, so that the expected result type is a hint.
+/// Whether the signature gives the result this parameter's type, or that of its elements ('='), so that the expected
+/// result type is a hint.
 bool has_type_of_result(const Signature& signature, const Shape& shape) {
     return signature.result == shape.letter || signature.result == '=';
 }
 
-/// The type hint for literals: the type of the other arguments, else the expected type, else the only one that the
-/// letter allows.
+/// The scalar type hint for literals: that of the other arguments, else of the expected type, else float, double or
+/// uint64 where the letter allows it; absent for letters that allow other numbers.
 ir::TypeId literal_hint(ir::Types& types, char letter, ir::TypeId common, ir::TypeId wanted) {
     if (common) return types.scalar_of(common);
     if (wanted && accepts(types, letter, wanted)) return types.scalar_of(wanted);

@@ -1,5 +1,6 @@
-// Reads and assignments, in kernel bodies, of iterator parameters: those whose name is the current element (each, at,
-// near, target).
+// Reads and assignments of a kernel's iterator parameters, whose names mean the current element (each, instance,
+// target), the window around it (near) or its address (at). Also writes by address, `s[a] = x`, of scatter and coherent
+// structures in kernels and functions.
 #include "sema/body.h"
 #include "sema/raster.h"
 

@@ -62,7 +62,8 @@ void check_extra(Context& c, const Env& env, const ast::Param& param, ir::Kernel
     }
     if (!param.extra.empty()) made.combine = check_combine(c, param.extra[0], made.structure);
 }
-/// Reports `out each` over a many-to-one translator: two invocations, which run in no order, would write one element.
+/// Reports `out each` and `inout each` over a many-to-one translator: two invocations, which run in no order, would
+/// write one element.
 void check_exclusive(Context& c, const ast::Param& param, const ir::KernelParam& made) {
     if (made.pattern != ir::Pattern::each || made.direction == ir::Direction::in) return;
     const ir::Translator* translator = ir::many_to_one_stage(c.program, made.structure);

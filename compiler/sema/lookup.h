@@ -5,16 +5,16 @@
 
 namespace gliftc::sema {
 
-/// The declarations of a name that a module can see: its own, else the public ones of its imports. If it sees none,
-/// `hidden` has the private ones of the imports, for messages.
+/// The declarations of a name that a module can see: its own, else the public ones of its imports. `hidden` are the
+/// private ones of the imports, for messages where there are no others.
 struct Visible {
     std::vector<ast::DeclId> found, hidden;
 };
 
-/// Reports a name that several imports declare, unless all declare functions.
+/// Reports a name that several imports declare, unless all declare functions, or all declare kernels or pipelines.
 Visible look_up(Context&, std::uint32_t module, ast::Identifier name);
 
-/// Whether all are kernels or pipelines, which are overloaded together.
+/// Whether the declarations of one name, all of which are overloaded together, are kernels or pipelines.
 bool is_pass(const Context&, const std::vector<ast::DeclId>&);
 bool is_function(const Context&, const std::vector<ast::DeclId>&);
 bool some_module_has_function(const Context&, Name);

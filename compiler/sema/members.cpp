@@ -93,7 +93,7 @@ Operand meta_member(Body& body, const Operand& left, const ast::Expr& expr) {
     return unknown_member(body, "this", member, {});
 }
 
-/// The vector type of an image's extent: uint, uint2, uint3.
+/// The type of a memory's extent: uint, uint2 or uint3.
 ir::TypeId extent_type(ir::Types& types, ir::MemoryShape shape) {
     switch (shape) {
     case ir::MemoryShape::buffer:

@@ -5,17 +5,19 @@
 
 namespace gliftc::sema {
 
-/// The declarations of `name` in a module: its own, else those that it imports. Reports ambiguity; empty if unknown.
+/// The declarations of `name` in a module: its own, else the public ones of its imports. Reports ambiguity. Reports a
+/// name that imports declare only without `pub`, and gives these declarations. Empty if the name is unknown.
 std::vector<ast::DeclId> find_declarations(Context&, std::uint32_t module, ast::Identifier name);
 
-/// The meaning of a name in the environment of an instance: generic argument, declaration, built-in type. Kind none if
-/// unknown.
+/// The meaning of a name in an environment: bound there, declared in its module or imports, built into the language, or
+/// the name of an imported module. Kind none if unknown.
 Meta find_meta(Context&, const Env&, ast::Identifier name);
 
-/// The meaning of `structure Field = …`, with its generic arguments bound. Records the name with the structure.
+/// The meaning of an alias, `structure Field = …`, whose generic arguments `env` binds. The name of one without generic
+/// parameters is added to Structure::aliases of the structure that it denotes.
 Meta meta_of_alias(Context&, ast::DeclId, const Env&, Span use);
 
-/// The meaning of a type expression; reports an invalid one and returns none.
+/// The meaning of a type expression; reports an invalid one and returns a Meta of kind none.
 Meta meta_of(Context&, const Env&, ast::ExprId);
 
 /// The type of a texel's value: float4 for rgba8.

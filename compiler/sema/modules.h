@@ -4,7 +4,7 @@
 
 namespace gliftc::sema {
 
-/// Fills Context::scopes and module_of; reports names declared twice.
+/// Fills Context::scopes, Context::module_of and Program::modules; reports names declared twice.
 void collect_modules(Context&);
 
 }  // namespace gliftc::sema

@@ -156,8 +156,9 @@ bool fits_group(Body& body, ast::DeclId id, const Env& env, const ast::Expr& cal
     return false;
 }
 
-/// Whether a call in a pipeline needs a pass. The host can evaluate one that takes no structure, or one whole structure
-/// of which it reads no elements, if it knows all values.
+/// Whether a call in a pipeline needs a pass of its own. A call that takes no structure does not: it stays part of its
+/// expression, for which there is a pass if a value in it lies on the device (sema/values.h). The host evaluates a call
+/// that takes one whole structure and reads no elements, if it knows all values.
 bool is_pass(Body& body, ir::FunctionId function, const std::vector<Operand>& structures, const ir::Operands& values) {
     if (body.kind != BodyKind::pipeline || structures.empty()) return false;
     if (std::ranges::any_of(values, [&](ir::ExprId value) { return is_open(body, value); })) return true;

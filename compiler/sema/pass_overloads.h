@@ -9,12 +9,13 @@ namespace gliftc::sema {
 /// What overload resolution looks at in an argument.
 struct PassArgument {
     ast::ExprId written;
-    ir::TypeId type;                         ///< a value: its type; for one on the device, without `device`
-    std::optional<std::uint32_t> structure;  ///< a structure or slice: the instance
-    bool waits = false;  ///< a literal, checked only once the parameter's type is known, which it takes
+    ir::TypeId type;                         ///< of a value: its type, without TypeKind::device
+    std::optional<std::uint32_t> structure;  ///< of a structure or slice: the instance
+    bool waits = false;  ///< it is a literal, which takes the parameter's type and is checked once that is known
 };
 
-/// The best of the overloads that take the arguments; reports if there is none, or the call is ambiguous.
+/// The best of the overloads that take the arguments; reports if there is none, or the call is ambiguous. A single
+/// overload is returned unchecked.
 std::optional<ast::DeclId> choose_pass(Body&, const std::vector<ast::DeclId>& overloads,
                                        const std::vector<ast::ExprId>& generics,
                                        const std::vector<PassArgument>& arguments, const ast::Expr& call,

@@ -72,8 +72,8 @@ ir::TypeId result_type(Context& c, const Env& env, const ast::Pipeline& written,
 
 namespace {
 
-/// Checks the body, again from the beginning as long as a variable is found that is assigned values on the device: it
-/// must lie there from its declaration on.
+/// Checks the body, again from the beginning as long as an assignment shows that one more variable must lie on the
+/// device (check_variable): it must do so from its declaration on.
 void check_pipeline_body(Body& body, const std::vector<ast::StmtId>& statements, ir::Pipeline& pipeline) {
     const Body fresh = body;
     const Diagnostics::Mark mark = body.context.diagnostics.mark();

@@ -12,7 +12,7 @@ struct Flow {
     bool has_open_loop = false;  ///< a loop whose trip count is not constant
 };
 
-/// Whether the body is only `return none;`: an early exit.
+/// Whether the body is empty, or only `return none;`: an early exit.
 bool only_gives_up(const ir::Program& program, const std::vector<ir::StmtId>& body) {
     if (body.empty()) return true;
     const ir::Stmt& stmt = program.stmts[body[0]];

@@ -10,18 +10,19 @@ namespace gliftc::sema {
 /// target to the draw.
 void add_target(Body&, const ast::Param&, const ir::KernelParam&, std::uint32_t index);
 
-/// Whether a draw (`in_raster`) or else a kernel may have parameters of this pattern; reports one that is not allowed.
+/// Whether a draw (`in_raster`), or a kernel that does not draw, may have parameters of this pattern; reports one that
+/// is not allowed.
 bool is_at_home(Context&, const ast::Param&, ir::Pattern, bool in_raster);
 
-/// Checks `cull`, `draw` and the like, the varyings, the ranges that are drawn, and both parts. The parameters are in
-/// scope.
+/// Checks `cull` and `draw`, the varyings, the address types of corners, instances and pixels, and both parts. The
+/// parameters are in scope.
 void check_raster(Body&, const ast::Kernel& written);
 
-/// Whether the structure's elements are texels of depth.
+/// Whether the structure's elements are texels of the format d32.
 bool has_depth_format(const ir::Structure&);
 
-/// Reports variables that some path through a part leaves unassigned (position, varyings, clip distances, targets), and
-/// a corner that is placed twice.
+/// Reports variables that some path through a part leaves unassigned (position, varyings, clip distances; colour
+/// targets, but for paths that discard), and a corner that is placed twice.
 void check_assigned(Context&, const ir::Kernel&);
 
 /// The local of the fragment part that holds the value for a target; absent if the target had an error.

@@ -12,8 +12,9 @@ bool check_replace(Body&, const ast::Stmt&);
 /// given the first, was not made anew over the new memory: it would keep the old one.
 void check_replaced_together(Body&);
 
-/// Once all pipelines are known: reports a member whose constructor is given a structure inside another member that
-/// some pipeline of that member may replace: the first would keep the old memory.
+/// Once all pipelines are known: reports a member whose constructor is given a structure inside another member, and a
+/// memory that is a level or layer of an image there, if some pipeline may replace that structure: the member or memory
+/// would keep the old one.
 void check_given(Context&);
 
 }  // namespace gliftc::sema

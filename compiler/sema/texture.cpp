@@ -27,19 +27,21 @@ Operand operation(Body& body, ir::Op op, ir::TypeId type, const Operand& self, c
     return value_operand(body, structure_operation(body, op, type, self, span, operands), span);
 }
 
-/// Whether the structure, or one that it leaves addresses to, keeps element a in texel a of an image of this shape.
+/// Whether the structure keeps element a in texel a of an image of this shape; for one without `via` whose memory is a
+/// structure, whether that one does.
 bool keeps_texels_of(Body& body, const ir::Structure& structure, ir::MemoryShape shape) {
     const ir::Structure* link = &structure;
     while (!link->base.empty() && link->via.empty()) link = &ir::structure_at(body.program(), *link, link->base);
     return keeps_texels(body.context, *link) && link->memories[link->via_memory].shape == shape;
 }
 
-/// Whether points are directions to a cube.
+/// Whether the elements are the texels of a cube, so that points are directions.
 bool is_cube(Body& body, const ir::Structure& structure) {
     return keeps_texels_of(body, structure, ir::MemoryShape::imagecube);
 }
 
-/// Reports what cubes of this format do not have.
+/// Whether the structure, if its elements are the texels of a cube, has the method of this name; reports one that it
+/// does not have.
 bool fits_cube(Body& body, std::string_view name, const ir::Structure& structure, Span span) {
     if (!is_cube(body, structure)) return true;
     const bool is_depth = ir::root_memory(body.program(), structure).format == ir::Format::d32;
@@ -99,7 +101,8 @@ Operand gather(Body& body, const Operand& self, const std::vector<ast::ExprId>& 
                      call.span);
 }
 
-/// `s.compare(x, reference)`: how much of what is filtered at x compares with the reference as its memory says.
+/// `s.compare(x, reference)`: the share, 0 to 1, of what a linear filter takes at x for which the comparison of the
+/// reference with the texel holds that the memory declares (`compare less`).
 Operand compare(Body& body, const Operand& self, const std::vector<ast::ExprId>& arguments, const ast::Expr& call) {
     Context& c = body.context;
     const ir::Structure& structure = body.program().structures[self.structure];

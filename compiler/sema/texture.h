@@ -1,11 +1,11 @@
-// What structures offer as the texture units of devices do: `sample`, `gather`, `compare`.
+// Methods of structures that do what texture units of devices do: `sample`, `gather`, `compare`.
 #pragma once
 
 #include "sema/body.h"
 
 namespace gliftc::sema {
 
-/// A call of one of these methods of a structure that does not declare it; none: of another one.
+/// A call of one of these methods, of a structure that does not declare it itself; none: the name is another one.
 std::optional<Operand> call_of_texture(Body& body, std::string_view name, const Operand& self,
                                        const std::vector<ast::ExprId>& arguments, const ast::Expr& call);
 

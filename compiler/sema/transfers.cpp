@@ -55,7 +55,8 @@ std::optional<std::uint32_t> box_of(Context& c, std::uint32_t axes, ir::TypeId o
     return c.types()[type].index;
 }
 
-/// What lists the elements that are there.
+/// Adds the kernel that lists the elements that are there, and the structures that take the lists. Nothing to add for
+/// structures of which all elements are always there.
 static void list_of(Context& c, ir::Program::Transfer& transfer, Span use) {
     const ir::Structure structure = c.program.structures[transfer.structure];
     if (!ir::has_resident_part(c.program, structure)) return;
@@ -118,10 +119,10 @@ void require_transfers(Context& c, std::uint32_t index, Span use) {
         if (auto kernel = transfer_kernel(c, "fill_box", {self, element}, use)) fill = *kernel;
     }
     ir::Program::Transfer transfer{index, *read, write, fill, *box, none, none, none, none, none};
-    // Tests of a module read by address. What a whole array has, boxes have.
+    // `gliftc test` reads elements by their addresses, and needs no lists of them.
     if (!c.settings.looks_into_tables) list_of(c, transfer, use);
     c.program.transfers.push_back(transfer);
-    // Programs reach what it is made of by name.
+    // C++ programs reach the structure's members by name, and read and write them, too.
     for (const ir::MemberStructure& member : structure.members) require_transfers(c, member.structure, use);
 }
 

@@ -1,4 +1,5 @@
-// Uniformity analysis: barriers must be in uniform control flow (docs/language.md, "Workgroups").
+// Uniformity analysis: barriers and derivatives must be in uniform control flow (docs/language.md, "Workgroups" and
+// "Draws").
 #pragma once
 
 #include "sema/context.h"

@@ -41,7 +41,7 @@ bool is_on_device(const Body&, ir::ExprId);
 
 /// Changes a value parameter of the kernel to pattern `argument`: a value on the device.
 void make_argument(Context&, ir::Kernel&, std::size_t param, Span use);
-/// The variant of a kernel whose parameters with `on_device` set are values on the device.
+/// A copy of a kernel, made once, whose parameters with `on_device` set are values on the device.
 std::uint32_t kernel_with_arguments(Context&, std::uint32_t kernel, const std::vector<bool>& on_device, Span use);
 
 }  // namespace gliftc::sema

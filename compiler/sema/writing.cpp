@@ -106,7 +106,7 @@ void check_direction(Context& c, const ast::Param& param, ir::KernelParam& made)
 
 namespace {
 
-/// Devices have atomic operations on texels of 32 bits.
+/// Reports an image as the target of combined writes if devices have no atomic operations on its texels.
 void check_combined_image(Context& c, const ast::Expr& op, std::uint32_t index) {
     const ir::Structure& structure = c.program.structures[index];
     if (structure.kind != ir::StructureKind::stored) return;  // reported as written

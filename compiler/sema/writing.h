@@ -15,7 +15,8 @@ void check_direction(Context&, const ast::Param&, ir::KernelParam&);
 /// The operation named by `scatter<…, op>`; reports one that cannot combine the structure's elements.
 ir::Combine check_combine(Context&, ast::ExprId operation, std::uint32_t structure);
 
-/// Reports a structure for `coherent` whose elements are not in a buffer: workgroups can share no others.
+/// Reports a structure for `coherent` whose elements are neither in a buffer nor in an image of r32i or r32ui:
+/// workgroups can share no others.
 void check_coherent(Context&, ast::Identifier name, std::uint32_t structure);
 
 /// Reports a view, which has no elements to write.
