@@ -16,8 +16,8 @@ bool is_public(const Structure& structure, std::uint32_t module);
 /// else that of a module that it imports. Empty if there is none.
 Name name_in(const Program& program, const Structure& structure, std::uint32_t module);
 
-/// The public functions of a structure or adaptor by their address in Program::functions, each once: those that C++
-/// calls, and of the others those that the program uses.
+/// The public functions of a structure or adaptor, each once: first the methods that C++ calls, then the others that
+/// the program uses.
 std::vector<FunctionId> public_functions(const Program& program, std::uint32_t structure);
 
 }  // namespace gliftc::ir

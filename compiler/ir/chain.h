@@ -41,14 +41,15 @@ bool translates_by_tables(const Program& program, const Structure& structure);
 /// Whether the first translator of the chain is total (not partial: it never gives `none`), or there is none.
 bool is_total(const Program& program, const Structure& structure);
 
-/// Whether a link after the first has a partial translator, which decides itself what lies beyond its domain.
+/// Whether a link after the first begins with a partial translator, which decides itself what lies beyond its domain.
 bool leads_through_partial(const Program& program, const Structure& structure);
 
 /// Whether, as far as is known, an address may have no element, or several addresses the same one: some translator is
 /// partial or not known to be one-to-one.
 bool may_be_sparse(const Program& program, const Structure& structure);
 
-/// Whether programs can list the elements of a structure that are there: they need not be those of the whole domain.
+/// Whether a structure stores elements that need not be those of its whole domain, so that programs can list which are
+/// there: it has blocks, or may be sparse.
 bool has_resident_part(const Program& program, const Structure& structure);
 
 /// The first structure of the chain that has a translator, else its root, as a path of members.
@@ -57,7 +58,7 @@ RareVector<std::uint32_t> translated_by(const Program& program, const Structure&
 /// Whether no address leads beyond the structure's own memory, along all of its axes.
 bool is_contained(const Program& program, const Structure& structure);
 
-/// Whether making the structure allocates memory: false for views all of whose members are given to them.
+/// Whether making the structure allocates memory: false for views that make no members, or only such views.
 bool makes_memory(const Program& program, const Structure& structure);
 
 /// The place of the first link with an `otherwise`, the value of reads at unmapped addresses; absent: none has one.

@@ -6,7 +6,8 @@
 
 namespace gliftc::ir {
 
-/// Whether the operation reads the memory of a binding.
+/// Whether the operation reads the memory of a binding. Op::row_load, which passes for the host device make of loads at
+/// the end of lowering, is left out.
 inline bool is_load(Op op) {
     return op == Op::load || op == Op::guarded_load || op == Op::image_load || op == Op::image_sample ||
            op == Op::image_gather || op == Op::image_compare;
@@ -43,8 +44,8 @@ inline bool has_own_range(Pattern pattern) {
 /// applies, and not a table that translators read.
 bool is_addressed(const Program& program, const Kernel& kernel, const PassBinding& binding);
 
-/// Whether a call may bind one memory to both (docs/language.md, "One memory given twice"): both parameters access only
-/// the invocation's own element, and their structures have one type.
+/// Whether a call may bind one memory to both (docs/language.md, "One memory given twice"): both bindings hold the
+/// elements of their parameters, which are of one structure type and access only the invocation's own element.
 bool may_be_one_place(const Program& program, const Kernel& kernel, const PassBinding& one, const PassBinding& other);
 
 /// Whether there are two bindings in the pass that may alias.

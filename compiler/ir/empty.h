@@ -1,5 +1,5 @@
-// Empty types: structs without fields (mostly operators) and aggregates of them only. They have no memory and no entry
-// in a parameter block, and are removed from shaders.
+// Empty types: structs without fields (mostly operators, whose type selects functions), and structs and arrays of
+// nothing else. They have no memory and no entry in a parameter block, and are removed from shaders.
 #pragma once
 
 #include "ir/ir.h"

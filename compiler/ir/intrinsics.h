@@ -1,4 +1,4 @@
-// The functions that every target has: one line each in intrinsics.def.
+// The functions that are built into the language: one line each in intrinsics.def.
 #pragma once
 
 #include <cstdint>

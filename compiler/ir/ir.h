@@ -109,7 +109,8 @@ enum class StmtOp : std::uint8_t {
 /// Slot of a StmtOp::report about a structure without memory (a view), which has no binding.
 inline constexpr std::uint32_t no_binding = 0xffffffffu;
 
-/// The number of consecutive elements that are loaded or stored as one vector.
+/// The number of components of a vector by which consecutive scalars are loaded or stored; also the length of the rows
+/// of elements that `s.load(a, step)` and `s.store(a, step, x)` access.
 inline constexpr std::uint32_t row_width = 4;
 
 /// How scatter combines writes to one address.
@@ -126,7 +127,7 @@ struct Stmt {
     StmtOp op = StmtOp::block;
     Combine combine = Combine::replace;
     bool unrolled = false;       ///< of a for_: printed with an unroll hint in shaders
-    bool uninitialized = false;  ///< of a temp: its memory is not zeroed; of a let without a value: likewise
+    bool uninitialized = false;  ///< of a temp: its memory is not zeroed; of a let without a value: the local is not
     Span span;
     LocalId local;
     ExprId target;
@@ -148,7 +149,7 @@ struct Local {
     Span span;
     bool is_mutable = false;
     Storage storage = Storage::value;
-    bool is_temporary = false;  ///< introduced by a pass for a value that is used more than once
+    bool is_temporary = false;  ///< introduced by a pass of lower/ for a value that is used more than once
 };
 
 // ------------------------------------------------------------------------------------------------------ functions
@@ -270,7 +271,7 @@ struct Stage {
     std::vector<Place> structures;  ///< the structures passed as Translator::structures (root 0 is the structure)
 };
 
-/// image2darray: the third component of addresses and extents is the layer.
+/// image2darray, imagecube: the third component of addresses is the layer or the face, that of extents their number.
 enum class MemoryShape : std::uint8_t { buffer, image1d, image2d, image3d, imagecube, image2darray };
 
 /// Texel formats; same names as the language's. `none` for buffers.
@@ -297,7 +298,7 @@ enum class Format : std::uint8_t {
     d32,
 };
 
-/// A reference is compared so with a texel.
+/// The comparison of `s.compare(x, reference)`; less: the reference is less than the texel.
 enum class Compare : std::uint8_t { less, less_equal, greater, greater_equal };
 
 /// What an image that is not made anew is a part of.
@@ -313,10 +314,10 @@ struct Memory {
     MemoryShape shape = MemoryShape::buffer;
     TypeId element;  ///< the value type that loads give (float for r8, float4 for rgba8)
     Format format = Format::none;
-    ExprId extent;  ///< uint, uint2, uint3, over the structure (root 0); in 64 bits after lower/widen
-    ExprId mips;    ///< or absent
-    std::optional<ImagePart> part;
-    bool linear = false;  ///< filter linear
+    ExprId extent;                  ///< uint, uint2, uint3, over the structure (root 0); in 64 bits after lower/widen
+    ExprId mips;                    ///< of an image: the number of its mip levels; absent: one
+    std::optional<ImagePart> part;  ///< the image is this part of another one; none: it is made with the structure
+    bool linear = false;            ///< of an image: declared with `filter linear`
     Compare compare = Compare::less_equal;
     Span span;
 };
@@ -379,7 +380,7 @@ struct Structure {
     std::uint32_t module = 0;          ///< the one with the declaration
     TypeId domain_type;                ///< uint or vector of uint; adaptors: void
     TypeId element;                    ///< type of its elements; adaptors: void
-    std::vector<LocalId> constructor;  ///< scalar constructor parameters; Op::member slot i
+    std::vector<LocalId> constructor;  ///< constructor parameters that are values; Op::member slot i
     std::vector<Memory> memories;
     std::vector<MemberStructure> members;  ///< Place::members are indices here
     std::vector<Stage> via;        ///< the first stage takes the virtual address; the last gives the physical one
@@ -399,7 +400,7 @@ struct Structure {
     /// A bit for each axis of physical addresses: set if no address of the domain leads outside the memory along that
     /// axis, so that accesses need no test. Set by lower/contained.cpp.
     std::uint8_t contained_axes = 0;
-    std::vector<Method> methods;  ///< of an adaptor: its public functions
+    std::vector<Method> methods;  ///< of an adaptor: its public functions that C++ calls
     bool copyable = true;         ///< the host can read and write its elements: false for views
     std::string doc;
 };
@@ -414,7 +415,8 @@ struct KernelParam {
     Combine combine = Combine::replace;  ///< of scatter
     LocalId local;                       ///< of value and argument: holds the value in the body
     std::uint32_t alike =
-        0;  ///< the first parameter that the direct form assumes to have the same state (sizes), passed once for both
+        0;  ///< the first parameter that the direct form (ir/pass.h) assumes to have the same state (sizes), which is
+            ///< then passed once for both; the parameter itself if there is none before it
 };
 
 /// A kernel before lowering. Its body uses Place{root = index in params}.
@@ -507,7 +509,7 @@ struct Program {
     Arena<Stmt> stmts;
     Arena<Local> locals;
     Arena<Function> functions;
-    std::vector<Module> modules;  ///< in dependency order
+    std::vector<Module> modules;  ///< imported ones before those that import them
     std::vector<Struct> structs;
     std::vector<Enum> enums;
     std::vector<Constant> constants;
@@ -517,12 +519,14 @@ struct Program {
     std::vector<Pipeline> pipelines;
     std::vector<Test> tests;
     /// The kernels (indices in Program::kernels) that move a box of a structure's elements between the structure and a
-    /// linear buffer, an instance of `box_structure`, or fill the box with a value.
+    /// linear buffer, an instance of `box_structure`, or fill the box with a value. 0xffffffff: there is none, as for
+    /// writes to a view.
     struct Transfer {
         std::uint32_t structure, read_kernel, write_kernel, fill_kernel;
         std::uint32_t box_structure;
-        /// What lists the elements that are there, where that is not all of the domain; the lists of addresses, places
-        /// and values, and the number of their entries.
+        /// The kernel that lists the elements that are there, and the structures (indices in Program::structures) that
+        /// it fills: the addresses, the places in the memory, the values, and the number of entries. All 0xffffffff
+        /// where every address of the domain always has an element of its own, and in `gliftc test`.
         std::uint32_t list_kernel;
         std::uint32_t addresses, places, values, counter;
     };

@@ -31,7 +31,8 @@ struct PassBinding {
     Access access = Access::read;
     bool sampled = false;  ///< images: a combined image sampler (read only), else a storage image
     bool linear = false;
-    std::optional<Compare> compare;  ///< images: a sampler that compares; what else is read has another binding
+    std::optional<Compare> compare;  ///< images: what its comparison sampler does; absent: it has none. Plain reads of
+                                     ///< such an image go through another binding
     bool atomic = false;             ///< some access is atomic
     bool ordered = false;            ///< floats, combined by min or max: kept as the integers that have their bits
     bool coherent =

@@ -1,39 +1,39 @@
 // Parses the text of lowered passes, as print.h writes it: for tests of single passes over the IR.
 //
-//     pass      = "pass" name form "{" { header } { function } { section } "}" ;
-//     header    = "group" n n n "," "rank" n [ "," "items" n ] [ "," "declared" ]
+//     pass      = "pass" name form "{" { header | function } { section } "}" ;
+//     header    = "group" n n n "," "rank" n { "," ( "items" n | "declared" ) }
 //               | "loops" ( n | "unbounded" ) | "reports" | "inexact"
 //               | "struct" type "{" [ field { "," field } ] "}" | "enum" type "{" [ name "=" n { "," name "=" n } ] "}"
 //               | "value" name ":" type | "structure" name | "given" name ":" type
-//               | "binding" name ":" shape "<" type ">" access { word } "of" place n [ "at" parameter ]
-//               | "parameter" name ":" type "=" ( expr | "origin" name | "size" | "range_size" name | "address" name
-//               | "index" name | "base" )
+//               | "binding" name ":" shape "<" type ">" access { word } "of" place n [ "at" "$" parameter ]
+//               | "parameter" name ":" type "=" source
 //               | "shared" name ":" type | "address" name ":" type | "in_range" name | "fact" expr ;
+//     source    = expr | "origin" name | "size" | "range_size" name | "address" name | "index" name | "base" ;
 //     function  = "fn" "@" name "(" [ name ":" type { "," name ":" type } ] ")" "->" type "{" { statement } "}" ;
-//     section   = ( "prologue" | variant ) { statement } ;
-//     variant   = [ "block" statements ] ( "body" | "vertex" | "fragment" ) { "," assumption } ;
-//     assumption = "on" ( "shaders" | "host" ) | "takes" n n n | "inside" n "of" parameter [ "from" parameter ]
-//               | "rows of" n
-//               | "bounds" "(" expr "," ( expr | "any" ) "," ( expr | "any" ) ")" | "any order" | "in blocks" ;
-//     statement = ( "let" | "tmp" | "var" ) name ":" type [ "=" ( expr | "uninitialized" ) ] ";"
-//               | "if" expr "{" … "}" [ "else" "{" … "}" ] | [ "unrolled" ] "for" name ":" type "in" operand ".."
-//               operand "{" … "}" | "while" expr "{" … "}" | "{" … "}" | "break" ";" | "continue" ";" | "return" [ expr
-//               ] ";" | "discard" ";" | "barrier()" ";" | "subgroupBarrier()" ";" | expr "=" expr ";" | expr ";" |
-//               "image_store(" binding "," expr "," expr ")" ";" | "atomic_…(" expr "," expr ")" ";" | "report(" … ")"
-//               ";" | "load_rows(" … ")" ";" | "store_rows(" … ")" ";" | "copy_row(" … ")" ";" | "keep" ( "let" | "tmp"
-//               | "var" ) name ":" type
-//               ";" | "invocations" "{" … "}" ;
+//     section   = "prologue" { statement } | [ "block" { statement } ] variant { statement } ;
+//     variant   = ( "body" | "vertex" | "fragment" ) { "," assumption } ;
+//     assumption = "on" ( "shaders" | "host" ) | "takes" n n n | "rows of" n | "any order" | "in blocks"
+//               | "inside" n "of" "$" parameter [ "from" "$" parameter ]
+//               | "bounds" "(" expr "," ( expr | "any" ) "," ( expr | "any" ) ")" ;
+//     statement = [ "keep" ] ( "let" | "tmp" | "var" ) name ":" type [ "=" ( expr | "uninitialized" ) ] ";"
+//               | "if" expr "{" … "}" [ "else" "{" … "}" ] | "while" expr "{" … "}" | "{" … "}"
+//               | [ "unrolled" ] "for" name ":" type "in" operand ".." operand "{" … "}"
+//               | "break" ";" | "continue" ";" | "return" [ expr ] ";" | "discard" ";"
+//               | "barrier()" ";" | "subgroupBarrier()" ";" | expr "=" expr ";" | expr ";"
+//               | "image_store(" binding "," expr "," expr ")" ";" | "atomic_…(" expr "," expr ")" ";"
+//               | "report(" … ")" ";" | "load_rows(" … ")" ";" | "store_rows(" … ")" ";" | "copy_row(" … ")" ";"
+//               | "invocations" "{" … "}" ;
 //     expr      = operand [ operator operand ] | operand "?" operand ":" operand ;
-//     operand   = [ "-" | "!" | "~" ] primary { "." name | "[" expr "]" } ;
-//     primary   = literal | local | "$" parameter | "%" builtin | type "(" … ")" | intrinsic "(" … ")" | "@" function
-//     "(" … ")"
-//               | binding [ ".row" ] "[" expr "]" | "image_load(" … ")" | "image_sample(" … ")" | "image_gather(" … ")"
-//               | "image_compare(" … ")" | "guarded_load(" … ")"
-//               | place | "state" n | "none" | "(" expr [ ":" type ] ")" ;
+//     operand   = [ "-" | "!" | "~" ] primary { "." name | [ ".row" ] "[" expr "]" } ;
+//     primary   = literal | local | "$" parameter | "%" builtin | type "(" … ")" | enum "." name
+//               | intrinsic "(" … ")" | "@" function "(" … ")" | binding [ ".row" ] "[" expr "]"
+//               | "image_load(" … ")" | "image_sample(" … ")" | "image_gather(" … ")" | "image_compare(" … ")"
+//               | "guarded_load(" … ")" | place "." property | "state" n | "none" | "(" expr [ ":" type ] ")" ;
+//     property  = "domain" | "member" n | "memory" n | "host" n ;
 //
-// An expression is followed by its type where its operands do not imply it (ir/implied_type.h). "tmp" is a let that a
-// pass introduced. "fact" is a condition that is known to hold throughout the body; only tests write it. "…" leaves out
-// what print.h writes there.
+// "tmp" is a let that a pass of lower/ introduced; n is a number. A primary "(" expr ":" type ")" gives the type of an
+// expression whose operands do not imply it (ir/implied_type.h). "fact" is a condition that is known to hold throughout
+// the body; only tests write it. "…" stands for what print.h writes there.
 #pragma once
 
 #include "ir/pass.h"

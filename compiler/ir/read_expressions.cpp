@@ -178,7 +178,8 @@ ExprId Reader::intrinsic(const std::string& called) {
     fail("expected a function of ir/intrinsics.def before this");
 }
 
-/// A function that the text does not declare is one that the host calls in a uniform value: the result type follows.
+/// A function that the text does not declare is one that the host calls in a uniform value: the text gives its result
+/// type after the call.
 ExprId Reader::call() {
     const std::string called = name();
     auto [found, is_new] = functions_.try_emplace(called);

@@ -17,7 +17,7 @@ class Reads {
 public:
     explicit Reads(const Program& program) : p(program) {}
 
-    /// What one expression reads, its operands not included. `structures` are the types of the Place roots.
+    /// What one expression reads, its operands not included. `structures`: the structure at each Place root.
     Places of(const Expr& node, const std::vector<std::uint32_t>& structures, const std::vector<Effect>& effects) {
         Places found;
         switch (node.op) {

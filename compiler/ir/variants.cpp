@@ -6,7 +6,8 @@ namespace gliftc::ir {
 
 namespace {
 
-/// Whether the variant is a vertex part or whole kernel, for elements at any place of a block, and for these devices.
+/// Whether the variant is for these devices, is a whole kernel or a vertex part, and does not need blocks all of whose
+/// elements are visited.
 bool runs_on(const Variant& variant, Devices devices) {
     return variant.part != Part::fragment && !variant.block &&
            (variant.devices == Devices::any || variant.devices == devices);
