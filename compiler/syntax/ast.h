@@ -155,8 +155,8 @@ struct Param {
     Pattern pattern = Pattern::none;
     Span pattern_span;
     ExprId type;
-    std::vector<ExprId>
-        extra;  ///< near: the radius; scatter: the operation's name; range<N, T>: type is N, extra[0] is T
+    std::vector<ExprId> extra;  ///< what follows the type: near: the radius; scatter, target: the operation or test;
+                                ///< at: how many elements; range<N, T>: type is N, extra[0] is T
     ExprId default_value;
 };
 
@@ -253,8 +253,8 @@ struct Item {
     Identifier name;
     ExprId type;           ///< host
     ExprId value;          ///< memory, member, via, otherwise, host, condition
-    ExprId mips;           ///< memory
-    Name filter, compare;  ///< memory: `linear`, `less`, or empty
+    ExprId mips;           ///< memory: the number in `mips(n)`, or absent
+    Name filter, compare;  ///< memory: the words after `filter` and `compare`; empty: not written
     Span filter_span, compare_span;
     std::vector<Item> body, alternative;  ///< condition
     DeclId decl;                          ///< function, pipeline

@@ -43,7 +43,8 @@ private:
         return limit;
     }
 
-    /// The index of the piece after `@name(arguments) @name…` if that begins a new line, else `from`.
+    /// The index of the piece after the attributes `@name(arguments) @name…` at `from`, if that piece begins a new
+    /// line; else `from`.
     std::uint32_t end_of_attribute(std::uint32_t from, std::uint32_t limit) const {
         std::uint32_t end = from;
         while (end < limit && pieces_[end].is(TokenKind::at_sign) && (end == from || !pieces_[end].first_on_line)) {

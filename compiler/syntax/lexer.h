@@ -6,7 +6,9 @@
 
 namespace gliftc {
 
-/// Never fails: invalid text is reported and becomes a bad_character token. The list ends with TokenKind::end.
+/// Never fails: text that begins no token is reported and becomes a bad_character token; an unterminated string or
+/// comment is reported, and ends with its line or the file. Malformed numbers (bad_number) are left to the parser to
+/// report. The list ends with TokenKind::end.
 TokenList lex(std::uint32_t file, const Sources& sources, Names& names, Diagnostics& diagnostics);
 
 /// The offset of the first byte that is not valid UTF-8; the text's size if all are.

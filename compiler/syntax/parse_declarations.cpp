@@ -122,8 +122,8 @@ ast::Interface Parser::parse_interface() {
     return interface;
 }
 
-/// method = attributes [ "pub" ] [ "fn" ] name [ generic-parameters ] parameters [ with ] [ "->" type ] ( block | ";" )
-/// ;
+/// method = attributes [ "pub" ] [ "fn" ] name [ generic-parameters ] parameters [ group ] [ with ] [ "->" type ]
+///          ( block | ";" ) ;
 ast::DeclId Parser::parse_method() {
     std::uint32_t first = cursor_;
     ast::Decl decl;

@@ -108,9 +108,8 @@ std::vector<ast::Attribute> Parser::parse_attributes() {
     return attributes;
 }
 
-/// declaration = attributes [ "pub" ] [ "extern" ] ( function | struct | enum | interface | const | alias | translator
-/// | structure
-///             | view | adaptor | kernel | raster | pipeline | test ) ;
+/// declaration = attributes [ "pub" ] [ "extern" ] ( function | struct | enum | interface | const | type-alias
+///             | translator | structure | view | adaptor | kernel | raster | pipeline | test ) ;
 ast::DeclId Parser::parse_declaration() {
     Nesting nesting(*this);
     if (!nesting.ok) return {};

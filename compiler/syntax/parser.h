@@ -10,7 +10,8 @@ namespace gliftc {
 /// Never fails: a syntax error is reported and becomes an error node, or is left out.
 ast::Module parse(std::uint32_t file, const Sources& sources, Names& names, ast::Tree& tree, Diagnostics& diagnostics);
 
-/// The same for a file that has been lexed; sets the roles of the tokens.
+/// The same for a file that has been lexed. Sets the roles of the tokens, and shortens those that it takes in parts,
+/// such as `>>` as two closing `>`, to the last part.
 ast::Module parse(TokenList& tokens, std::uint32_t file, const Sources& sources, Names& names, ast::Tree& tree,
                   Diagnostics& diagnostics);
 

@@ -57,7 +57,8 @@ bool Parser::follows_open_string() const {
 bool Parser::expect(TokenKind kind) {
     if (accept(kind)) return true;
     if (kind == TokenKind::semicolon && follows_open_string()) return true;
-    // A missing token at the end of a line is treated as present: the next line is probably right.
+    // A ';' that is missing at the end of a line, or before a '}', is reported and then treated as present: what
+    // follows is probably right.
     if (kind == TokenKind::semicolon && cursor_ > 0 && (peek().first_on_line || at(TokenKind::close_brace)) && !lost_) {
         diagnostics_.report(Diag::expected, after_previous(), {describe(kind), shown(peek())});
         return true;

@@ -202,7 +202,7 @@ private:
     int depth_ = 0;
     int open_angles_ = 0;                 // how many lists of generic arguments are open here
     std::uint32_t first_expr_;            // index in the tree of this file's first expression
-    std::vector<std::uint16_t> heights_;  // of this file's expressions, from first_expr_ on: bounded, see add()
+    std::vector<std::uint16_t> heights_;  // height of the tree of each expression from first_expr_ on; limited by add()
     std::uint32_t unclosed_at_ =
         0xffffffffu;  // where a missing `}` was reported, so that enclosing braces do not report it again
     std::uint32_t badly_indented_ = 0xffffffffu;  // first `{` whose `}` is indented otherwise: likely lacks its own

@@ -15,7 +15,7 @@ enum class TokenKind : std::uint8_t {
     identifier,
     integer,
     floating,
-    bad_number,  // malformed
+    bad_number,  // malformed; the parser reports it
     string,
     bad_character,  // one or several characters that no token has; reported already
 #define PUNCTUATION(name, text) name,
@@ -73,7 +73,7 @@ struct TokenList {
     bool has_open_string = false;  ///< there is an unterminated string, which may contain brackets meant as tokens
 };
 
-/// "'{'", "'kernel'", "an identifier": for messages.
+/// "'{'", "'struct'", "a name": for messages.
 std::string_view describe(TokenKind kind);
 
 }  // namespace gliftc
