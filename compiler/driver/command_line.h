@@ -10,7 +10,7 @@ namespace gliftc {
 /// What gliftc returns to the shell.
 enum class ExitCode : int {
     done = 0,
-    source_errors = 1,  ///< errors in the source, failed tests
+    source_errors = 1,  ///< errors in the source, failed tests, files that `fmt --check` finds not formatted
     wrong_usage = 2,
     internal_error = 3,
     environment = 4,  ///< EnvironmentError: a file cannot be written, `gliftc test` finds no C++ compiler

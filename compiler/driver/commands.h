@@ -13,10 +13,11 @@ int run_compile(const Options& options);
 /// `gliftc test FILE`: builds the tests with the system's C++ compiler and runs them.
 int run_tests(const Options& options);
 
-/// `gliftc explain FILE`: prints the properties inferred of translators and structures.
+/// `gliftc explain FILE`: prints what is known of translators, structures and draws. `gliftc explain ID`: prints what a
+/// diagnostic means.
 int run_explain(const Options& options);
 
-/// `gliftc fmt FILE`: rewrites files in the canonical format.
+/// `gliftc fmt FILE`: rewrites files in the canonical format; with --check, lists those that are not in it.
 int run_format(const Options& options);
 
 /// Sets which warnings are reported, which are errors, and the error limit.

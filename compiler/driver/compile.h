@@ -39,12 +39,13 @@ struct StageTime {
 };
 
 struct Result {
-    std::vector<Output> outputs;  ///< empty if there are errors
+    std::vector<Output> outputs;  ///< empty if there are errors, or if the options stop before outputs are made
     std::string dump;             ///< the text that `--dump=` or `--dump-after=` asks for
     std::vector<StageTime> times;
 };
 
-/// Runs the stages that the options ask for; stops after the first that reports an error.
+/// Runs the stages that the options ask for; stops after the first that reports an error (after sema, if only names of
+/// modules are wrong).
 Result compile(const Options& options, const FileSystem& files, Compilation& compilation);
 
 /// Compiles one text as the only file that exists, for fuzzers; returns what was reported.

@@ -20,7 +20,7 @@ namespace gliftc {
 
 namespace {
 
-/// The six properties of the thesis (section 3.2.3) as text, and whether the mapping is affine.
+/// The properties of a translator (ir::Properties) as text.
 struct Explained {
     std::string name, from, to, place;
     std::string memory, access, consistency, location, totality, mapping, invertible;
@@ -36,7 +36,7 @@ struct ExplainedStructure {
     std::string blocks;  ///< the blocks that it declares, as text; empty if it declares none
 };
 
-/// How references are compared with its texels, where that was said.
+/// How references are compared with its texels, unless by the default, less_equal.
 std::string comparison_of(const ir::Memory& memory) {
     if (memory.compare == ir::Compare::less_equal) return "";
     return ", compared by '" + std::string(ir::spelling(memory.compare)) + "'";
@@ -121,7 +121,7 @@ private:
         structures.push_back(std::move(shown));
     }
 
-    /// Its members, and its functions with what they write.
+    /// The adaptor's members, and its public functions with what they write.
     void explain_parts(const ir::Structure& adaptor, ExplainedStructure& shown) const {
         for (const ir::MemberStructure& member : adaptor.members)
             shown.parts.emplace_back("member " + c_.names[member.name], program_.structures[member.structure].display +

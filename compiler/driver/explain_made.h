@@ -13,10 +13,11 @@ struct ExplainedMade {
     std::string name;
     MadeStructure made;
 
-    std::uint64_t bytes() const;  ///< of the memories that are known
+    std::uint64_t bytes() const;  ///< the sum for the memories whose sizes are known
 };
 
-/// Of each `Name(numbers)`; what is wrong with one of them is the `problem`.
+/// The structures that calls `Name(numbers)` make, in the order of the calls. If something is wrong with one of them:
+/// nothing, and `problem` says what.
 std::vector<ExplainedMade> explained_made(const Compilation& compilation, const std::vector<std::string>& calls,
                                           std::string& problem);
 

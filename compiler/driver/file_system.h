@@ -17,7 +17,7 @@ struct FileSystem {
     std::function<ReadResult(const std::string& path)> read;  ///< "-" is standard input
     std::function<bool(const std::string& path)> exists;      ///< whether the path is that of an existing file
     std::function<std::vector<std::string>(const std::string& folder)>
-        list;                                                      ///< names of the files in a folder, sorted
+        list;                                                      ///< names of all that is in a folder, sorted
     std::function<std::string(const std::string& path)> identity;  ///< a text that is equal for two paths to one file
 };
 

@@ -1,7 +1,8 @@
 // Finds, reads and parses the files of a compilation and all that they import.
 //
-// `use std.a` is <library>/<folder>/a.glift, in the first folder of the library that has it. `use ./a` is a.glift
-// beside the importing file. `use a.b` is a/b.glift beside the importing file, else in the first -I folder that has it.
+// `use std.a` is <library>/<folder>/a.glift, in the first folder of the library that has it, else <library>/a.glift.
+// `use ./a` is a.glift beside the importing file. `use a.b` is a/b.glift beside the importing file, else in the first
+// -I folder that has it.
 #pragma once
 
 #include "driver/file_system.h"
@@ -22,7 +23,7 @@ std::vector<std::string> library_folders_of(const Options& options);
 struct LoadedModules {
     std::deque<ast::Module> trees;
     std::vector<sema::LoadedModule> modules;  ///< each module once, imported ones before those that import them
-    std::size_t misnamed = 0;                 ///< errors about wrong module names, which do not stop the compilation
+    std::size_t misnamed = 0;                 ///< number of errors about wrong module names: sema runs all the same
 };
 
 LoadedModules load_modules(const Options& options, const FileSystem& files, Sources& sources, Names& names,

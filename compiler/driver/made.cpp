@@ -48,7 +48,8 @@ public:
             for (ir::ExprId argument : member.arguments) {
                 if (program_.types.kind(program_.exprs[argument].type) == ir::TypeKind::structure) continue;
                 values.push_back(value_of(*made, argument));
-                // It is exact, in 64 bits, and cut where it is given to the part.
+                // lower/widen.h has given the expression a 64-bit type, so that it is exact; the constructor's is
+                // another.
                 const ir::TypeId wanted = program_.locals[inside.constructor[values.size() - 1]].type;
                 if (values.back()) values.back()->type = wanted;
             }

@@ -22,8 +22,8 @@ struct MadeStructure {
     std::vector<MadeMemory> memories;
 };
 
-/// A structure with the values of its constructor, all their scalars in order. Gives what is wrong where there are too
-/// many, or too few.
+/// The structure made with these numbers: the scalars of all values that its constructor takes, in order. Absent if the
+/// numbers do not fit; `problem` then says why.
 std::optional<MadeStructure> made_with(const ir::Program& program, const ir::Structure& structure,
                                        const std::vector<double>& numbers, std::string& problem);
 
